@@ -1,0 +1,31 @@
+# Two sets of compile options, as interface targets:
+#   rsi_options_host       warnings and floating-point rules for everything that runs on a host
+#   rsi_options_firmware   the same, and what an embedded target forbids: exceptions, RTTI, guarded statics
+#
+# -ffp-contract=off keeps the compiler from fusing a*b+c, which changes the last bit from target to target.
+# -fno-math-errno lets sqrt become one instruction; sqrt is correctly rounded on every target.
+
+option(RSI_WARNINGS_AS_ERRORS "Treat every compiler warning as an error" OFF)
+set(RSI_SANITIZERS "" CACHE STRING "Sanitizers for all targets, for example address,undefined")
+
+add_library(rsi_options_host INTERFACE)
+target_compile_features(rsi_options_host INTERFACE cxx_std_17)
+target_compile_options(rsi_options_host INTERFACE
+    -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Wcast-align
+    -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual
+    $<$<BOOL:${RSI_WARNINGS_AS_ERRORS}>:-Werror>
+    -ffp-contract=off -fno-math-errno)
+if(RSI_SANITIZERS)
+    target_compile_options(rsi_options_host INTERFACE
+        -fsanitize=${RSI_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(rsi_options_host INTERFACE -fsanitize=${RSI_SANITIZERS})
+endif()
+
+add_library(rsi_options_firmware INTERFACE)
+target_link_libraries(rsi_options_firmware INTERFACE rsi_options_host)
+target_compile_options(rsi_options_firmware INTERFACE
+    -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections)
+
+# Warnings that make no sense for C sources (the C99 test of the C interface compiles with a subset of its own).
+set(RSI_C_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow
+    $<$<BOOL:${RSI_WARNINGS_AS_ERRORS}>:-Werror>)
