@@ -1,0 +1,27 @@
+// The C face over the C++ component: the caller's storage holds the object.
+#include <new>
+#include <type_traits>
+
+#include "rsi/component.hpp"
+
+static_assert(sizeof(rsi::Component) <= sizeof(rsi_component), "raise RSI_COMPONENT_SIZE in rsi.h");
+static_assert(alignof(rsi::Component) <= alignof(rsi_component),
+              "rsi_component is not aligned for the component");
+static_assert(std::is_trivially_destructible_v<rsi::Component>, "the C face never destroys a component");
+
+namespace {
+
+rsi::Component& object_in(rsi_component* component) {
+    return *std::launder(reinterpret_cast<rsi::Component*>(component->bytes));
+}
+
+}  // namespace
+
+extern "C" rsi_validation rsi_init(rsi_component* component, const rsi_parameters* parameters) {
+    rsi::Component* const object = ::new (static_cast<void*>(component->bytes)) rsi::Component{};
+    return object->init(*parameters);
+}
+
+extern "C" void rsi_step(rsi_component* component, const rsi_inputs* inputs, rsi_outputs* outputs) {
+    object_in(component).step(*inputs, *outputs);
+}

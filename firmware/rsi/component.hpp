@@ -1,0 +1,42 @@
+// Rollover-warning component: the C++ face. rsi.h documents parameters, inputs and outputs.
+#pragma once
+
+#include "rsi/estimation/roll_centre_estimator.hpp"
+#include "rsi/indicator/roll_stability_indicator.hpp"
+#include "rsi/indicator/stability_threshold.hpp"
+#include "rsi/measurement/measurement.hpp"
+#include "rsi/model/roll_plane_model.hpp"
+#include "rsi/parameters.hpp"
+#include "rsi/warning/warning_state_machine.hpp"
+
+namespace rsi {
+
+// All state is in here; no heap, no globals, no exceptions. Not for use from two threads at once.
+class Component {
+ public:
+    // Starts anew with these parameters (copied). When they are refused, the answer names the field, and
+    // every step says "unavailable" until an init succeeds.
+    Validation init(const Parameters& parameters);
+
+    // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
+    void step(const Inputs& inputs, Outputs& outputs);
+
+ private:
+    void step_unavailable(Outputs& outputs);
+    void resume(const Measurement& measured);
+    RiskLevel risk_level(const Measurement& measured, const StabilityThreshold& threshold,
+                         const Outputs& outputs) const;
+
+    bool initialised_{false};
+    bool running_{false};  // false until the first good sample after init or after a gap
+    Parameters parameters_{};
+    MeasurementStage measurement_{};
+    RollPlaneModel model_{};
+    FixedModelRoll fixed_{};
+    CompensatedModelRoll compensated_{};
+    RollCentreEstimator estimator_{};
+    StabilityThresholdStage threshold_{};
+    WarningStateMachine warning_{};
+};
+
+}  // namespace rsi

@@ -1,0 +1,21 @@
+// Regression form of the difference between the fixed-roll-centre model and the measured vehicle, (4) and
+// (5).
+#pragma once
+
+#include <Eigen/Core>
+
+#include "rsi/measurement/measurement.hpp"
+#include "rsi/model/roll_plane_model.hpp"
+
+namespace rsi {
+
+// Y = psi^T theta,  theta = [dh; dK; dc].
+struct Regression {
+    float output_nm;      // Y
+    Eigen::Vector3f psi;  // [A' + N' tan phi_m  (N); phi_m (rad); phi_m' (rad/s)]
+};
+
+// `fixed` must have been evaluated at the same measurement.
+Regression regress(const RollPlaneModel& model, const Measurement& measured, const FixedModelRoll& fixed);
+
+}  // namespace rsi

@@ -1,0 +1,13 @@
+// What every roll-centre estimator gives.
+#pragma once
+
+namespace rsi {
+
+struct RollCentreEstimate {
+    float vertical_movement_m{0.0F};         // dh = h_rc - h_frc
+    float stiffness_deviation_nmprad{0.0F};  // dK = K_m - K_f
+    float damping_deviation_nmsprad{0.0F};   // dc = c_m - c_f
+    float disturbance_nm{0.0F};              // d, in units of Y
+};
+
+}  // namespace rsi

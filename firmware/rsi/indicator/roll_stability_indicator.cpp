@@ -1,0 +1,19 @@
+#include "rsi/indicator/roll_stability_indicator.hpp"
+
+namespace rsi {
+
+float normalised_indicator(const Measurement& measured, const StabilityThreshold& threshold) {
+    return clamp(measured.lateral_acceleration_mps2 / threshold.lateral_acceleration_mps2, 0.0F, 1.0F);
+}
+
+float bank_free_indicator(const Measurement& measured, const StabilityThreshold& threshold) {
+    const float force_ratio = absolute(measured.road_parallel_force_mps2) / measured.road_normal_force_mps2;
+    return clamp(force_ratio / threshold.half_track_ratio, 0.0F, 20.0F);
+}
+
+bool has_overturned(const Measurement& measured, const Parameters& parameters) {
+    return absolute(measured.tan_roll_angle) * (2.0F * parameters.sprung_cg_height_m) >=
+           parameters.track_width_m;
+}
+
+}  // namespace rsi

@@ -1,0 +1,29 @@
+// Stability threshold: the lateral acceleration at which the inner wheels lift, equations (19) to (23).
+#pragma once
+
+#include "rsi/measurement/measurement.hpp"
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+struct StabilityThreshold {
+    float side{1.0F};                       // +1 in a left turn (A >= 0), -1 in a right turn
+    float half_track_ratio{1.0F};           // T of the side, not below 0.05
+    float lateral_acceleration_mps2{0.0F};  // a_y*, signed like the side
+};
+
+// T = [c_w/2 - s c_rc - s (h - h_rc) tan phi] / h  on side s, and a_y*/g = s (s e_b + T) / (1 - s e_b T) with
+// e_b = tan(-b). The side is that of A, not of a_y: on a bank they can differ.
+class StabilityThresholdStage {
+ public:
+    void init(const Parameters& parameters);
+    StabilityThreshold evaluate(const Measurement& measured, float vertical_movement_m,
+                                float lateral_movement_m) const;
+
+ private:
+    float half_track_m_{1.0F};
+    float cg_height_m_{1.0F};
+    float fixed_roll_centre_height_m_{0.0F};
+};
+
+}  // namespace rsi

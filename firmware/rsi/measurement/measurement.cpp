@@ -1,0 +1,103 @@
+#include "rsi/measurement/measurement.hpp"
+
+namespace rsi {
+namespace {
+
+constexpr float largest_force_mps2 = 60.0F;
+constexpr float largest_rate_radps = 10.0F;
+constexpr float largest_roll_angle_rad = 2.2F;
+constexpr float largest_bank_angle_rad = 0.8F;
+
+// A vehicle that is nearly weightless has no meaningful ratio A/N; the bound keeps the division safe.
+constexpr float smallest_normal_force_mps2 = 0.1F * gravity_mps2;
+
+bool within(float value, float limit) {
+    return is_within(value, -limit, limit);
+}
+
+bool necessary_inputs_available(const Inputs& inputs) {
+    return within(inputs.lateral_specific_force_mps2, largest_force_mps2) &&
+           within(inputs.roll_rate_radps, largest_rate_radps) &&
+           within(inputs.roll_angle_rad, largest_roll_angle_rad);
+}
+
+struct RoadForces {
+    float parallel;
+    float normal;
+};
+
+// A = f_y cos phi - f_z sin phi, N = f_y sin phi + f_z cos phi: a rotation, no bank angle needed.
+RoadForces rotate_to_road(float lateral, float vertical, float sine, float cosine) {
+    return RoadForces{lateral * cosine - vertical * sine, lateral * sine + vertical * cosine};
+}
+
+// Without f_z: f_y = A cos phi + N sin phi, with N = g / cos b - A tan b, which holds while the road's normal
+// acceleration is zero. The divisor is cos(phi + b) / cos b.
+RoadForces assume_no_heave(float lateral, float sine, float cosine, float bank_angle_rad) {
+    const float tan_bank = bounded_tangent(bank_angle_rad);
+    const float normal_at_rest = gravity_mps2 / bounded_cosine(bank_angle_rad);
+    const float divisor = larger(cosine - tan_bank * sine, 0.1F);
+    const float parallel = (lateral - normal_at_rest * sine) / divisor;
+    return RoadForces{parallel, normal_at_rest - parallel * tan_bank};
+}
+
+}  // namespace
+
+void MeasurementStage::init(const Parameters& parameters) {
+    imu_x_m_ = parameters.imu_x_m;
+    imu_y_m_ = parameters.imu_y_m;
+    imu_z_m_ = parameters.imu_z_m;
+    roll_acceleration_.init(parameters.angular_acceleration_lag_s);
+    yaw_acceleration_.init(parameters.angular_acceleration_lag_s);
+}
+
+void MeasurementStage::reset() {
+    roll_acceleration_.reset();
+    yaw_acceleration_.reset();
+}
+
+// f_cg = f_imu - alpha x r - omega x (omega x r), lateral component, with pitch rate q = 0:
+//   f_y,cg = f_y - (r' x - p' z) + (p^2 + r^2) y
+float MeasurementStage::lateral_force_at_cg(const Inputs& inputs) {
+    const float roll_rate = inputs.roll_rate_radps;
+    const bool yaw_known = within(inputs.yaw_rate_radps, largest_rate_radps);
+    const float yaw_rate = yaw_known ? inputs.yaw_rate_radps : 0.0F;
+    const float roll_acceleration = roll_acceleration_.update(roll_rate);
+    float yaw_acceleration = 0.0F;
+    if (yaw_known) {
+        yaw_acceleration = yaw_acceleration_.update(yaw_rate);
+    } else {
+        yaw_acceleration_.reset();
+    }
+    return inputs.lateral_specific_force_mps2 - (yaw_acceleration * imu_x_m_ - roll_acceleration * imu_z_m_) +
+           (roll_rate * roll_rate + yaw_rate * yaw_rate) * imu_y_m_;
+}
+
+bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
+    if (!necessary_inputs_available(inputs)) {
+        reset();
+        return false;
+    }
+    const bool bank_known = within(inputs.bank_angle_rad, largest_bank_angle_rad);
+    const float bank = bank_known ? inputs.bank_angle_rad : 0.0F;
+    const float sine = bounded_sine(inputs.roll_angle_rad);
+    const float cosine = bounded_cosine(inputs.roll_angle_rad);
+    const float lateral = lateral_force_at_cg(inputs);
+    const RoadForces forces = within(inputs.vertical_specific_force_mps2, largest_force_mps2)
+                                  ? rotate_to_road(lateral, inputs.vertical_specific_force_mps2, sine, cosine)
+                                  : assume_no_heave(lateral, sine, cosine, bank);
+
+    measurement.road_parallel_force_mps2 = forces.parallel;
+    measurement.road_normal_force_mps2 = larger(forces.normal, smallest_normal_force_mps2);
+    // The inverse of A = a_y cos b + g sin b, N = g cos b - a_y sin b.
+    measurement.lateral_acceleration_mps2 =
+        bank_known ? forces.parallel * bounded_cosine(bank) - forces.normal * bounded_sine(bank)
+                   : forces.parallel;
+    measurement.roll_angle_rad = inputs.roll_angle_rad;
+    measurement.roll_rate_radps = inputs.roll_rate_radps;
+    measurement.tan_roll_angle = bounded_tangent(inputs.roll_angle_rad);
+    measurement.bank_angle_rad = bank;
+    return true;
+}
+
+}  // namespace rsi

@@ -1,0 +1,40 @@
+// Measure: from body-fixed sensor values to the road-parallel and road-normal specific forces at the sprung
+// CG.
+#pragma once
+
+#include "rsi/numeric/filtered_derivative.hpp"
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+// What the algorithm knows of the vehicle in one step. All finite.
+struct Measurement {
+    float road_parallel_force_mps2{0.0F};   // A = a_y cos b + g sin b, left
+    float road_normal_force_mps2{0.0F};     // N = g cos b - a_y sin b, up; at least 0.1 g
+    float lateral_acceleration_mps2{0.0F};  // a_y, horizontal; equals A where the bank is not known
+    float roll_angle_rad{0.0F};             // phi_m, relative to the road
+    float roll_rate_radps{0.0F};            // phi_m'
+    float tan_roll_angle{0.0F};
+    float bank_angle_rad{0.0F};  // b, 0 where it is not known
+};
+
+class MeasurementStage {
+ public:
+    void init(const Parameters& parameters);
+    void reset();
+
+    // True and a measurement when lateral force, roll rate and roll angle are available and in range.
+    bool update(const Inputs& inputs, Measurement& measurement);
+
+ private:
+    // f_y carried from the IMU to the CG; pitch rate is not measured and left out.
+    float lateral_force_at_cg(const Inputs& inputs);
+
+    float imu_x_m_{0.0F};
+    float imu_y_m_{0.0F};
+    float imu_z_m_{0.0F};
+    FilteredDerivative roll_acceleration_{};
+    FilteredDerivative yaw_acceleration_{};
+};
+
+}  // namespace rsi

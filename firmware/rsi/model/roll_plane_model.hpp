@@ -1,0 +1,71 @@
+// Roll-plane model with a fixed roll centre, equation (1), and the same model with an additional roll moment,
+// (7).
+#pragma once
+
+#include "rsi/measurement/measurement.hpp"
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+// c_f phi' + K_f phi = H (m_s A + m_s N tan phi) + M_add,  H = h_cg,s - h_frc.
+// Constant after init; the states that it moves are the callers'.
+class RollPlaneModel {
+ public:
+    void init(const Parameters& parameters);
+
+    float moment_arm_m() const { return moment_arm_m_; }  // H
+    float sprung_mass_kg() const { return sprung_mass_kg_; }
+    float stiffness_nmprad() const { return stiffness_nmprad_; }
+    float damping_nmsprad() const { return damping_nmsprad_; }
+
+    // phi' at `angle_rad`; `tan_gravity_angle` is the tangent in the gravity term.
+    float roll_rate_radps(float angle_rad, float tan_gravity_angle, const Measurement& measurement,
+                          float additional_roll_moment_nm) const;
+
+    // The angle one sample later under forces held constant: trapezoidal rule, linearised with the local
+    // stiffness `stiffness_nmprad`, so it is stable for any admitted parameters. Clamped to +-0.5 rad: beyond
+    // that the vehicle has long rolled over and the model means nothing.
+    float next_angle_rad(float angle_rad, float rate_radps, float stiffness_nmprad) const;
+
+ private:
+    float sprung_mass_kg_{0.0F};
+    float moment_arm_m_{0.0F};
+    float stiffness_nmprad_{1.0F};
+    float damping_nmsprad_{1.0F};
+};
+
+// phi_f: the fixed-roll-centre vehicle under the measured forces.
+class FixedModelRoll {
+ public:
+    void reset(float angle_rad);
+
+    // Brings the rate and the tangent to the instant of the measurement; the angle is already there.
+    void evaluate(const RollPlaneModel& model, const Measurement& measurement);
+
+    // Moves the angle to the next sample.
+    void advance(const RollPlaneModel& model, const Measurement& measurement);
+
+    float angle_rad() const { return angle_rad_; }    // phi_f
+    float rate_radps() const { return rate_radps_; }  // phi_f'
+    float tan_angle() const { return tan_angle_; }
+
+ private:
+    float angle_rad_{0.0F};
+    float rate_radps_{0.0F};
+    float tan_angle_{0.0F};
+};
+
+// The low-order model of the paper's Fig. 7: the fixed-roll-centre model's forces and gravity term plus
+// M_add.
+class CompensatedModelRoll {
+ public:
+    void reset(float angle_rad);
+    void advance(const RollPlaneModel& model, const Measurement& measurement, const FixedModelRoll& fixed,
+                 float additional_roll_moment_nm);
+    float angle_rad() const { return angle_rad_; }
+
+ private:
+    float angle_rad_{0.0F};
+};
+
+}  // namespace rsi

@@ -1,0 +1,32 @@
+// Guards on numbers: finite, within a range, never divided by too little.
+#pragma once
+
+#include <limits>
+
+namespace rsi {
+
+constexpr float not_available = std::numeric_limits<float>::quiet_NaN();
+
+// False for NaN and for anything outside [minimum, maximum].
+constexpr bool is_within(float value, float minimum, float maximum) {
+    return (value >= minimum) && (value <= maximum);
+}
+
+constexpr bool is_finite(float value) {
+    return is_within(value, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max());
+}
+
+// Bounds a finite value.
+constexpr float clamp(float value, float minimum, float maximum) {
+    return (value < minimum) ? minimum : ((value > maximum) ? maximum : value);
+}
+
+constexpr float absolute(float value) {
+    return (value < 0.0F) ? -value : value;
+}
+
+constexpr float larger(float a, float b) {
+    return (a > b) ? a : b;
+}
+
+}  // namespace rsi

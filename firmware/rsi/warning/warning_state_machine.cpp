@@ -1,0 +1,105 @@
+#include "rsi/warning/warning_state_machine.hpp"
+
+namespace rsi {
+namespace {
+
+// Times are validated to 0 .. 60 s, so the conversion is within range.
+std::uint32_t to_samples(float time_s) {
+    return static_cast<std::uint32_t>(time_s * (1.0F / sample_time_s) + 0.5F);
+}
+
+void count_up(std::uint32_t& counter) {
+    if (counter < UINT32_MAX) {
+        ++counter;
+    }
+}
+
+rsi_side falling_side(float side) {
+    return (side > 0.0F) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT;
+}
+
+}  // namespace
+
+void WarningStateMachine::init(const Parameters& parameters) {
+    advisory_on_ = parameters.advisory_on;
+    advisory_off_ = parameters.advisory_off;
+    warning_on_ = parameters.warning_on;
+    warning_off_ = parameters.warning_off;
+    confirmation_samples_ = to_samples(parameters.warning_confirmation_s);
+    advisory_hold_samples_ = to_samples(parameters.advisory_hold_s);
+    warning_hold_samples_ = to_samples(parameters.warning_hold_s);
+    recovery_samples_ = to_samples(parameters.recovery_s);
+    update_unavailable();
+}
+
+void WarningStateMachine::update_unavailable() {
+    state_ = RSI_STATE_UNAVAILABLE;
+    side_ = RSI_SIDE_NONE;
+    samples_in_state_ = 0U;
+    samples_at_warning_level_ = 0U;
+    good_samples_ = 0U;
+}
+
+void WarningStateMachine::enter(rsi_state state) {
+    if (state != state_) {
+        state_ = state;
+        samples_in_state_ = 0U;
+    }
+}
+
+void WarningStateMachine::count_confirmation(const RiskLevel& risk) {
+    if (risk.indicator >= warning_on_) {
+        count_up(samples_at_warning_level_);
+    } else {
+        samples_at_warning_level_ = 0U;
+    }
+}
+
+void WarningStateMachine::update(const RiskLevel& risk) {
+    if (state_ == RSI_STATE_UNAVAILABLE) {
+        count_up(good_samples_);
+        if (good_samples_ < recovery_samples_) {
+            return;
+        }
+        enter(RSI_STATE_READY);
+    }
+    count_confirmation(risk);
+    enter(next_state(risk));
+    count_up(samples_in_state_);
+    update_side(risk);
+}
+
+// Up at once (after confirmation), down only after the hold time and below the "off" level.
+rsi_state WarningStateMachine::next_state(const RiskLevel& risk) const {
+    if ((samples_at_warning_level_ > 0U) && (samples_at_warning_level_ >= confirmation_samples_)) {
+        return RSI_STATE_WARNING;
+    }
+    switch (state_) {
+        case RSI_STATE_WARNING:
+            if ((risk.indicator >= warning_off_) || (samples_in_state_ < warning_hold_samples_)) {
+                return RSI_STATE_WARNING;
+            }
+            return (risk.indicator >= advisory_off_) ? RSI_STATE_ADVISORY : RSI_STATE_READY;
+        case RSI_STATE_ADVISORY:
+            if ((risk.indicator >= advisory_off_) || (samples_in_state_ < advisory_hold_samples_)) {
+                return RSI_STATE_ADVISORY;
+            }
+            return RSI_STATE_READY;
+        default:
+            return (risk.indicator >= advisory_on_) ? RSI_STATE_ADVISORY : RSI_STATE_READY;
+    }
+}
+
+// While a state is only held, the side stays the one that caused it; a new risk on the other side takes over.
+void WarningStateMachine::update_side(const RiskLevel& risk) {
+    if (state_ == RSI_STATE_READY) {
+        side_ = RSI_SIDE_NONE;
+        return;
+    }
+    const float level = (state_ == RSI_STATE_WARNING) ? warning_on_ : advisory_on_;
+    if ((side_ == RSI_SIDE_NONE) || (risk.indicator >= level)) {
+        side_ = falling_side(risk.side);
+    }
+}
+
+}  // namespace rsi

@@ -1,0 +1,52 @@
+// Warning state machine: unavailable, ready, advisory, warning; hysteresis, confirmation, minimum hold times,
+// side.
+#pragma once
+
+#include <cstdint>
+
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+// What one sample says about the risk.
+struct RiskLevel {
+    float indicator{0.0F};  // 1 at the threshold
+    float side{1.0F};       // +1 left turn, -1 right turn
+};
+
+class WarningStateMachine {
+ public:
+    void init(const Parameters& parameters);
+
+    // A sample without a statement: "unavailable" at once.
+    void update_unavailable();
+
+    // A sample with a statement. "Unavailable" is left once the inputs have been good for recovery_s.
+    void update(const RiskLevel& risk);
+
+    rsi_state state() const { return state_; }
+    rsi_side side() const { return side_; }
+
+ private:
+    void enter(rsi_state state);
+    void count_confirmation(const RiskLevel& risk);
+    rsi_state next_state(const RiskLevel& risk) const;
+    void update_side(const RiskLevel& risk);
+
+    float advisory_on_{1.0F};
+    float advisory_off_{1.0F};
+    float warning_on_{1.0F};
+    float warning_off_{1.0F};
+    std::uint32_t confirmation_samples_{1U};
+    std::uint32_t advisory_hold_samples_{0U};
+    std::uint32_t warning_hold_samples_{0U};
+    std::uint32_t recovery_samples_{1U};
+
+    rsi_state state_{RSI_STATE_UNAVAILABLE};
+    rsi_side side_{RSI_SIDE_NONE};
+    std::uint32_t samples_in_state_{0U};
+    std::uint32_t samples_at_warning_level_{0U};
+    std::uint32_t good_samples_{0U};
+};
+
+}  // namespace rsi
