@@ -1,0 +1,49 @@
+// Rollover ECU: the application that a platform's main loop calls every 10 ms. Frames in, step, frames out.
+#pragma once
+
+#include <cstdint>
+
+#include "application/sensor_reception.hpp"
+#include "application/warning_transmission.hpp"
+#include "hal/interface/can_bus.hpp"
+#include "hal/interface/clock.hpp"
+#include "hal/interface/watchdog.hpp"
+#include "rsi/component.hpp"
+
+namespace application {
+
+class RolloverEcu {
+ public:
+    // All three must outlive the ECU.
+    RolloverEcu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
+        : bus_{bus}, clock_{clock}, watchdog_{watchdog} {}
+
+    // Starts the component. When the parameters are refused, the ECU still runs: it sends "unavailable" and
+    // the diagnostic flag ParametersInvalid.
+    rsi::Validation init(const rsi::Parameters& parameters) noexcept;
+
+    // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
+    // when all is well. Feeds the watchdog at its end.
+    void step(std::uint32_t missed_cycles) noexcept;
+
+    // What the last cycle computed, for a platform that shows or records it.
+    const rsi::Outputs& outputs() const noexcept { return outputs_; }
+
+ private:
+    Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
+    bool receive_overflow() noexcept;
+
+    hal::CanBus& bus_;
+    const hal::Clock& clock_;
+    hal::Watchdog& watchdog_;
+    rsi::Component component_{};
+    SensorReception reception_{};
+    WarningTransmission transmission_{};
+    rsi::Outputs outputs_{};
+    rsi_indicator warning_indicator_{RSI_INDICATOR_PUBLISHED};
+    bool parameters_valid_{false};
+    std::uint32_t cycle_overruns_{0U};
+    std::uint32_t overflow_count_{0U};
+};
+
+}  // namespace application

@@ -1,0 +1,86 @@
+#include "application/sensor_reception.hpp"
+
+namespace application {
+namespace {
+
+using can_dbc::SignalStatus;
+
+constexpr float radians_per_degree = 0.017453293F;
+constexpr float mps_per_kmh = 1.0F / 3.6F;
+
+template <typename Message>
+FrameFaults faults(const FrameMonitor<Message>& monitor, hal::Time now, bool signals_valid) {
+    return FrameFaults{!monitor.is_fresh(now), monitor.checksum_error(), monitor.counter_error(),
+                       monitor.is_fresh(now) && !signals_valid};
+}
+
+}  // namespace
+
+void SensorReception::receive(hal::CanBus& bus) noexcept {
+    imu_.begin_cycle();
+    roll_angle_.begin_cycle();
+    vehicle_motion_.begin_cycle();
+    hal::CanFrame frame{};
+    for (std::uint32_t count = 0U; count < most_frames_per_cycle; ++count) {
+        if (bus.receive(frame) != hal::ReceiveResult::frame) {
+            break;
+        }
+        dispatch(frame);
+    }
+}
+
+void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
+    if (frame.extended || frame.flexible_data_rate) {
+        return;
+    }
+    switch (frame.identifier) {
+        case can_dbc::Imu::identifier:
+            imu_.take(frame);
+            break;
+        case can_dbc::RollAngle::identifier:
+            roll_angle_.take(frame);
+            break;
+        case can_dbc::VehicleMotion::identifier:
+            vehicle_motion_.take(frame);
+            break;
+        default:  // foreign traffic
+            break;
+    }
+}
+
+// A signal that is not valid was decoded as NaN, which is what the component takes for "not available".
+rsi::Inputs SensorReception::inputs(hal::Time now) const noexcept {
+    const can_dbc::Imu imu = imu_.is_fresh(now) ? imu_.latest().value : can_dbc::Imu{};
+    const can_dbc::RollAngle roll =
+        roll_angle_.is_fresh(now) ? roll_angle_.latest().value : can_dbc::RollAngle{};
+    const can_dbc::VehicleMotion motion =
+        vehicle_motion_.is_fresh(now) ? vehicle_motion_.latest().value : can_dbc::VehicleMotion{};
+
+    rsi::Inputs inputs{};
+    inputs.lateral_specific_force_mps2 = imu.lateral_acceleration_mps2;
+    inputs.vertical_specific_force_mps2 = imu.vertical_acceleration_mps2;
+    inputs.roll_rate_radps = imu.roll_rate_deg_per_s * radians_per_degree;
+    inputs.roll_angle_rad = roll.roll_angle_deg * radians_per_degree;
+    inputs.bank_angle_rad = roll.bank_angle_deg * radians_per_degree;
+    inputs.yaw_rate_radps = motion.yaw_rate_deg_per_s * radians_per_degree;
+    inputs.speed_mps = motion.speed_kmh * mps_per_kmh;
+    return inputs;
+}
+
+ReceptionReport SensorReception::report(hal::Time now) const noexcept {
+    const can_dbc::RollAngle::Status& roll = roll_angle_.latest().status;
+    // Most vehicles have no bank sensor, so a bank that is not available is no fault.
+    const bool roll_valid =
+        (roll.roll_angle_deg == SignalStatus::valid) && (roll.bank_angle_deg != SignalStatus::out_of_range);
+
+    ReceptionReport report{};
+    report.imu = faults(imu_, now, imu_.latest().status.all_valid());
+    report.roll_angle = faults(roll_angle_, now, roll_valid);
+    report.vehicle_motion = faults(vehicle_motion_, now, vehicle_motion_.latest().status.all_valid());
+    report.frames_rejected =
+        imu_.frames_rejected() + roll_angle_.frames_rejected() + vehicle_motion_.frames_rejected();
+    report.frames_lost = imu_.frames_lost() + roll_angle_.frames_lost() + vehicle_motion_.frames_lost();
+    return report;
+}
+
+}  // namespace application

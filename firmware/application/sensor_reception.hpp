@@ -1,0 +1,46 @@
+// Sensor reception: from frames on the bus to the component's inputs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "application/frame_monitor.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/types.hpp"
+
+namespace application {
+
+// The identifiers to let through; a platform sets its acceptance filters from them.
+inline constexpr std::array<std::uint32_t, 3> received_identifiers{
+    can_dbc::Imu::identifier, can_dbc::RollAngle::identifier, can_dbc::VehicleMotion::identifier};
+
+// Not more frames than this are read in one cycle, so that a flood cannot stop the cycle. The rest waits.
+inline constexpr std::uint32_t most_frames_per_cycle = 64U;
+
+struct ReceptionReport {
+    FrameFaults imu{};
+    FrameFaults roll_angle{};
+    FrameFaults vehicle_motion{};
+    std::uint32_t frames_rejected{0U};  // since the start
+    std::uint32_t frames_lost{0U};      // since the start, by the counters
+};
+
+class SensorReception {
+ public:
+    // Reads what waits on the bus.
+    void receive(hal::CanBus& bus) noexcept;
+
+    // The newest values in SI units; NaN where a frame is stale or a signal is not valid.
+    rsi::Inputs inputs(hal::Time now) const noexcept;
+
+    ReceptionReport report(hal::Time now) const noexcept;
+
+ private:
+    void dispatch(const hal::CanFrame& frame) noexcept;
+
+    FrameMonitor<can_dbc::Imu> imu_{};
+    FrameMonitor<can_dbc::RollAngle> roll_angle_{};
+    FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
+};
+
+}  // namespace application

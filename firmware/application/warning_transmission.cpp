@@ -1,0 +1,90 @@
+#include "application/warning_transmission.hpp"
+
+namespace application {
+namespace {
+
+// Raised with every change of behaviour that a receiver could notice.
+constexpr std::uint8_t software_version = 1U;
+
+std::uint8_t saturate(std::uint32_t count) {
+    return (count < 255U) ? static_cast<std::uint8_t>(count) : std::uint8_t{255U};
+}
+
+can_dbc::RolloverWarning warning_message(rsi_indicator warning_indicator, const rsi::Outputs& outputs) {
+    can_dbc::RolloverWarning message{};
+    message.state = static_cast<can_dbc::RolloverWarning::State>(outputs.state);
+    message.side = static_cast<can_dbc::RolloverWarning::Side>(outputs.side);
+    message.roll_stability_indicator =
+        (warning_indicator == RSI_INDICATOR_BANK_FREE) ? outputs.rsi_bank_free : outputs.rsi;
+    message.lateral_acceleration_mps2 = outputs.lateral_acceleration_mps2;
+    message.lateral_acceleration_threshold_mps2 = outputs.lateral_acceleration_threshold_mps2;
+    return message;
+}
+
+static_assert(static_cast<int>(can_dbc::RolloverWarning::State::unavailable) == RSI_STATE_UNAVAILABLE);
+static_assert(static_cast<int>(can_dbc::RolloverWarning::State::ready) == RSI_STATE_READY);
+static_assert(static_cast<int>(can_dbc::RolloverWarning::State::advisory) == RSI_STATE_ADVISORY);
+static_assert(static_cast<int>(can_dbc::RolloverWarning::State::warning) == RSI_STATE_WARNING);
+static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::none) == RSI_SIDE_NONE);
+static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::left) == RSI_SIDE_LEFT);
+static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::right) == RSI_SIDE_RIGHT);
+
+can_dbc::RollCentreEstimate estimate_message(const rsi::Outputs& outputs) {
+    can_dbc::RollCentreEstimate message{};
+    message.vertical_movement_m = outputs.roll_centre_vertical_m;
+    message.lateral_movement_m = outputs.roll_centre_lateral_m;
+    message.roll_stiffness_deviation_n_m_per_rad = outputs.roll_stiffness_deviation_nmprad;
+    message.roll_damping_deviation_n_m_s_per_rad = outputs.roll_damping_deviation_nmsprad;
+    return message;
+}
+
+can_dbc::RolloverStatus status_message(const Health& health) {
+    const ReceptionReport& reception = health.reception;
+    can_dbc::RolloverStatus message{};
+    message.imu_timeout = reception.imu.timeout;
+    message.imu_checksum_error = reception.imu.checksum_error;
+    message.imu_counter_error = reception.imu.counter_error;
+    message.imu_signal_invalid = reception.imu.signal_invalid;
+    message.roll_angle_timeout = reception.roll_angle.timeout;
+    message.roll_angle_checksum_error = reception.roll_angle.checksum_error;
+    message.roll_angle_counter_error = reception.roll_angle.counter_error;
+    message.roll_angle_signal_invalid = reception.roll_angle.signal_invalid;
+    message.vehicle_motion_timeout = reception.vehicle_motion.timeout;
+    message.vehicle_motion_checksum_error = reception.vehicle_motion.checksum_error;
+    message.vehicle_motion_counter_error = reception.vehicle_motion.counter_error;
+    message.vehicle_motion_signal_invalid = reception.vehicle_motion.signal_invalid;
+    message.receive_overflow = health.receive_overflow;
+    message.bus_error = (health.bus_state != hal::BusState::error_active);
+    message.parameters_invalid = !health.parameters_valid;
+    message.cycle_overrun = health.cycle_overrun;
+    message.cycle_overruns = saturate(health.cycle_overruns);
+    message.frames_rejected = saturate(reception.frames_rejected);
+    message.frames_lost = saturate(reception.frames_lost);
+    message.software_version = software_version;
+    return message;
+}
+
+template <typename Message>
+void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender) {
+    std::array<std::uint8_t, Message::length> payload = can_dbc::encode(message);
+    sender.protect(payload);
+    hal::CanFrame frame{};
+    frame.identifier = Message::identifier;
+    frame.extended = Message::extended;
+    frame.length = Message::length;
+    for (std::size_t index = 0U; index < payload.size(); ++index) {
+        frame.data[index] = payload[index];
+    }
+    static_cast<void>(bus.send(frame));  // the bus counts what it could not send
+}
+
+}  // namespace
+
+void WarningTransmission::send(hal::CanBus& bus, rsi_indicator warning_indicator, const rsi::Outputs& outputs,
+                               const Health& health) noexcept {
+    send_protected(bus, warning_message(warning_indicator, outputs), warning_);
+    send_protected(bus, estimate_message(outputs), estimate_);
+    send_protected(bus, status_message(health), status_);
+}
+
+}  // namespace application

@@ -1,0 +1,35 @@
+// Warning transmission: from the component's outputs to protected frames on the bus.
+#pragma once
+
+#include "application/sensor_reception.hpp"
+#include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "hal/interface/can_bus.hpp"
+#include "rsi/types.hpp"
+
+namespace application {
+
+// What the platform and the application know of their own health.
+struct Health {
+    bool parameters_valid{false};
+    bool receive_overflow{false};
+    hal::BusState bus_state{hal::BusState::error_active};
+    bool cycle_overrun{false};         // this cycle began late
+    std::uint32_t cycle_overruns{0U};  // since the start
+    ReceptionReport reception{};
+};
+
+class WarningTransmission {
+ public:
+    // Sends the warning first, because it matters most, and the status last: who has seen the status has seen
+    // all of the cycle. A frame that the bus does not take is not repeated; the next cycle's is newer.
+    void send(hal::CanBus& bus, rsi_indicator warning_indicator, const rsi::Outputs& outputs,
+              const Health& health) noexcept;
+
+ private:
+    can_dbc::e2e::Profile11Sender warning_{can_dbc::RolloverWarning::e2e_data_id};
+    can_dbc::e2e::Profile11Sender estimate_{can_dbc::RollCentreEstimate::e2e_data_id};
+    can_dbc::e2e::Profile11Sender status_{can_dbc::RolloverStatus::e2e_data_id};
+};
+
+}  // namespace application
