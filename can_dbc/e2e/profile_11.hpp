@@ -1,0 +1,136 @@
+// AUTOSAR end-to-end protection, profile 11 with the data identifier's nibble (E2E_P11DATAID_NIBBLE), for
+// classic CAN.
+//
+// Byte 0 is the CRC, the low nibble of byte 1 the counter (0 to 14), the high nibble of byte 1 bits 8 to 11
+// of the data identifier. The CRC covers the identifier's low byte, a zero byte, and the payload from byte 1
+// on.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "can_dbc/e2e/check_status.hpp"
+#include "can_dbc/e2e/crc8_sae_j1850.hpp"
+
+namespace can_dbc::e2e {
+
+inline constexpr std::size_t profile_11_header_length = 2U;
+inline constexpr std::uint8_t profile_11_largest_counter = 14U;
+inline constexpr std::uint16_t profile_11_largest_data_id = 0x0FFFU;
+
+namespace detail {
+
+constexpr std::uint8_t profile_11_crc(const std::uint8_t* payload, std::size_t length,
+                                      std::uint16_t data_id) {
+    const std::array<std::uint8_t, 2> prefix{static_cast<std::uint8_t>(data_id & 0xFFU), 0U};
+    const std::uint8_t start = crc8_sae_j1850_update(0U, prefix.data(), prefix.size());
+    return crc8_sae_j1850_update(start, payload + 1, length - 1U);
+}
+
+constexpr std::uint8_t profile_11_nibble(std::uint16_t data_id) {
+    return static_cast<std::uint8_t>((data_id >> 8U) & 0x0FU);
+}
+
+}  // namespace detail
+
+// Writes identifier nibble, counter and CRC into a payload that holds its signals already.
+// `data_id` is 0 to 0xFFF, `counter` 0 to 14.
+template <std::size_t size>
+constexpr void protect_profile_11(std::array<std::uint8_t, size>& payload, std::uint16_t data_id,
+                                  std::uint8_t counter) {
+    static_assert(size >= profile_11_header_length, "profile 11 needs two bytes of the payload");
+    payload[1] = static_cast<std::uint8_t>((detail::profile_11_nibble(data_id) << 4U) | (counter & 0x0FU));
+    payload[0] = detail::profile_11_crc(payload.data(), size, data_id);
+}
+
+// What is wrong with a received payload of `length` bytes, taken by itself: everything but the sequence.
+constexpr CheckError verify_profile_11(const std::uint8_t* payload, std::size_t length,
+                                       std::size_t expected_length, std::uint16_t data_id) {
+    if (length != expected_length || length < profile_11_header_length) {
+        return CheckError::length;
+    }
+    if (payload[0] != detail::profile_11_crc(payload, length, data_id)) {
+        return CheckError::crc;
+    }
+    if ((payload[1] >> 4U) != detail::profile_11_nibble(data_id)) {
+        return CheckError::data_id;
+    }
+    return (payload[1] & 0x0FU) > profile_11_largest_counter ? CheckError::counter : CheckError::none;
+}
+
+// Protects the frames of one sender and one data identifier, counting them. The caller owns it, one a
+// message.
+class Profile11Sender {
+ public:
+    constexpr explicit Profile11Sender(std::uint16_t data_id) : data_id_{data_id} {}
+
+    template <std::size_t size>
+    constexpr void protect(std::array<std::uint8_t, size>& payload) {
+        protect_profile_11(payload, data_id_, counter_);
+        counter_ = counter_ == profile_11_largest_counter ? std::uint8_t{0U}
+                                                          : static_cast<std::uint8_t>(counter_ + 1U);
+    }
+
+ private:
+    std::uint16_t data_id_;
+    std::uint8_t counter_{0U};
+};
+
+// Checks the frames of one data identifier as they arrive. The caller owns it, one a message.
+//
+// The first undamaged frame is ok: nothing is known to be lost before it. Every undamaged frame becomes the
+// reference of the next one, whatever its status, so that a jump of the counter costs one frame and never
+// locks the receiver. A damaged frame leaves the reference alone. AUTOSAR's state machine, which watches
+// several cycles, can be fed with the results of `check` and `no_frame`.
+class Profile11Receiver {
+ public:
+    // `largest_counter_step` is how far the counter may advance between two frames, 1 to 14: 1 tolerates no
+    // lost frame.
+    constexpr Profile11Receiver(std::uint16_t data_id, std::size_t length, std::uint8_t largest_counter_step)
+        : length_{length}, data_id_{data_id}, largest_counter_step_{largest_counter_step} {}
+
+    // Judges one received frame: `length` is the frame's, which may be smaller than the array.
+    template <std::size_t size>
+    constexpr CheckResult check(const std::array<std::uint8_t, size>& payload, std::size_t length) {
+        return length > size ? CheckResult{CheckStatus::error, CheckError::length}
+                             : check(payload.data(), length);
+    }
+
+    // The outcome of a cycle without a frame.
+    constexpr CheckResult no_frame() const { return CheckResult{}; }
+
+ private:
+    constexpr CheckResult check(const std::uint8_t* payload, std::size_t length) {
+        const CheckError error = verify_profile_11(payload, length, length_, data_id_);
+        if (error != CheckError::none) {
+            return CheckResult{CheckStatus::error, error};
+        }
+        return follow(static_cast<std::uint8_t>(payload[1] & 0x0FU));
+    }
+
+    constexpr CheckResult follow(std::uint8_t counter) {
+        constexpr unsigned range = profile_11_largest_counter + 1U;
+        const unsigned step = (counter + range - counter_) % range;
+        const bool first = !has_reference_;
+        has_reference_ = true;
+        counter_ = counter;
+        if (first || step == 1U) {
+            return CheckResult{CheckStatus::ok};
+        }
+        if (step == 0U) {
+            return CheckResult{CheckStatus::repeated};
+        }
+        const CheckStatus status =
+            step <= largest_counter_step_ ? CheckStatus::ok_some_lost : CheckStatus::wrong_sequence;
+        return CheckResult{status, CheckError::none, static_cast<std::uint8_t>(step - 1U)};
+    }
+
+    std::size_t length_;
+    std::uint16_t data_id_;
+    std::uint8_t largest_counter_step_;
+    std::uint8_t counter_{0U};
+    bool has_reference_{false};
+};
+
+}  // namespace can_dbc::e2e

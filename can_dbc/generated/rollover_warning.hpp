@@ -1,0 +1,728 @@
+// Codec of rollover_warning.dbc, written by can_dbc/generator/generate.py: change the DBC file, not this one.
+// clang-format off
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "can_dbc/codec/integer_signal.hpp"
+#include "can_dbc/codec/message.hpp"
+#include "can_dbc/codec/physical_signal.hpp"
+
+namespace can_dbc {
+
+// Inertial measurement unit: body-fixed specific force and roll rate, axes of ISO 8855.
+// From ImuSensor to RolloverEcu, Simulator, every 10 ms.
+struct Imu {
+    static constexpr const char* name{"Imu"};
+    static constexpr std::uint32_t identifier{0x120U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0x3A7U};
+
+    // Specific force along the body's y axis, positive to the left. m/s^2, -60 to 60.
+    float lateral_acceleration_mps2{not_available};
+    // Specific force along the body's z axis, positive upwards, +9.81 at rest on level ground. m/s^2, -60 to 60.
+    float vertical_acceleration_mps2{not_available};
+    // Angular velocity about the body's x axis, positive when the right side moves down. deg/s, -300 to 300.
+    float roll_rate_deg_per_s{not_available};
+
+    struct Status {
+        SignalStatus lateral_acceleration_mps2{SignalStatus::not_available};
+        SignalStatus vertical_acceleration_mps2{SignalStatus::not_available};
+        SignalStatus roll_rate_deg_per_s{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return lateral_acceleration_mps2 == SignalStatus::valid &&
+                   vertical_acceleration_mps2 == SignalStatus::valid &&
+                   roll_rate_deg_per_s == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> lateral_acceleration_mps2{
+            {ByteOrder::little_endian, 16U, 16U, true}, 1.0F, 0.0F, 500.0F, -60.0F, 60.0F,
+            -30000, 30000, -32768, true};
+        static constexpr PhysicalSignal<std::int32_t> vertical_acceleration_mps2{
+            {ByteOrder::little_endian, 32U, 16U, true}, 1.0F, 0.0F, 500.0F, -60.0F, 60.0F,
+            -30000, 30000, -32768, true};
+        static constexpr PhysicalSignal<std::int32_t> roll_rate_deg_per_s{
+            {ByteOrder::little_endian, 48U, 16U, true}, 1.0F, 0.0F, 100.0F, -300.0F, 300.0F,
+            -30000, 30000, -32768, true};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::lateral_acceleration_mps2, lateral_acceleration_mps2, payload.data());
+        write_signal(Signals::vertical_acceleration_mps2, vertical_acceleration_mps2, payload.data());
+        write_signal(Signals::roll_rate_deg_per_s, roll_rate_deg_per_s, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<Imu> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("LateralAcceleration", "m/s^2", &Imu::lateral_acceleration_mps2, &Status::lateral_acceleration_mps2);
+        visitor("VerticalAcceleration", "m/s^2", &Imu::vertical_acceleration_mps2, &Status::vertical_acceleration_mps2);
+        visitor("RollRate", "deg/s", &Imu::roll_rate_deg_per_s, &Status::roll_rate_deg_per_s);
+    }
+};
+
+constexpr Decoded<Imu> Imu::decode(const std::uint8_t* payload) {
+    Decoded<Imu> decoded{};
+    read_signal(Signals::lateral_acceleration_mps2, payload, decoded.value.lateral_acceleration_mps2, decoded.status.lateral_acceleration_mps2);
+    read_signal(Signals::vertical_acceleration_mps2, payload, decoded.value.vertical_acceleration_mps2, decoded.status.vertical_acceleration_mps2);
+    read_signal(Signals::roll_rate_deg_per_s, payload, decoded.value.roll_rate_deg_per_s, decoded.status.roll_rate_deg_per_s);
+    return decoded;
+}
+
+// Roll angle of the body relative to the road and bank angle of the road.
+// From RollAngleSensor to RolloverEcu, Simulator, every 10 ms.
+struct RollAngle {
+    static constexpr const char* name{"RollAngle"};
+    static constexpr std::uint32_t identifier{0x121U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0x45CU};
+
+    // Roll angle of the body relative to the road, positive with the right side down. deg, -120 to 120.
+    float roll_angle_deg{not_available};
+    // Bank angle of the road, positive with the left side up. Not available where the vehicle cannot measure it. deg, -45 to 45.
+    float bank_angle_deg{not_available};
+
+    struct Status {
+        SignalStatus roll_angle_deg{SignalStatus::not_available};
+        SignalStatus bank_angle_deg{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return roll_angle_deg == SignalStatus::valid &&
+                   bank_angle_deg == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> roll_angle_deg{
+            {ByteOrder::big_endian, 23U, 16U, true}, 1.0F, 0.0F, 200.0F, -120.0F, 120.0F,
+            -24000, 24000, -32768, true};
+        static constexpr PhysicalSignal<std::int32_t> bank_angle_deg{
+            {ByteOrder::big_endian, 39U, 16U, true}, 1.0F, 0.0F, 200.0F, -45.0F, 45.0F,
+            -9000, 9000, -32768, true};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::roll_angle_deg, roll_angle_deg, payload.data());
+        write_signal(Signals::bank_angle_deg, bank_angle_deg, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<RollAngle> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("RollAngle", "deg", &RollAngle::roll_angle_deg, &Status::roll_angle_deg);
+        visitor("BankAngle", "deg", &RollAngle::bank_angle_deg, &Status::bank_angle_deg);
+    }
+};
+
+constexpr Decoded<RollAngle> RollAngle::decode(const std::uint8_t* payload) {
+    Decoded<RollAngle> decoded{};
+    read_signal(Signals::roll_angle_deg, payload, decoded.value.roll_angle_deg, decoded.status.roll_angle_deg);
+    read_signal(Signals::bank_angle_deg, payload, decoded.value.bank_angle_deg, decoded.status.bank_angle_deg);
+    return decoded;
+}
+
+// Motion of the vehicle as other control units know it.
+// From VehicleGateway to RolloverEcu, Simulator, every 10 ms.
+struct VehicleMotion {
+    static constexpr const char* name{"VehicleMotion"};
+    static constexpr std::uint32_t identifier{0x122U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0x5B1U};
+
+    // Speed over ground along the vehicle's x axis. km/h, 0 to 400.
+    float speed_kmh{not_available};
+    // Angular velocity about the vehicle's z axis, positive in a left turn. deg/s, -300 to 300.
+    float yaw_rate_deg_per_s{not_available};
+    // Angle of the steering wheel, positive to the left. deg, -1200 to 1200.
+    float steering_wheel_angle_deg{not_available};
+
+    struct Status {
+        SignalStatus speed_kmh{SignalStatus::not_available};
+        SignalStatus yaw_rate_deg_per_s{SignalStatus::not_available};
+        SignalStatus steering_wheel_angle_deg{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return speed_kmh == SignalStatus::valid &&
+                   yaw_rate_deg_per_s == SignalStatus::valid &&
+                   steering_wheel_angle_deg == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> speed_kmh{
+            {ByteOrder::little_endian, 16U, 16U, false}, 1.0F, 0.0F, 100.0F, 0.0F, 400.0F,
+            0, 40000, 65535, true};
+        static constexpr PhysicalSignal<std::int32_t> yaw_rate_deg_per_s{
+            {ByteOrder::little_endian, 32U, 16U, true}, 1.0F, 0.0F, 100.0F, -300.0F, 300.0F,
+            -30000, 30000, -32768, true};
+        static constexpr PhysicalSignal<std::int32_t> steering_wheel_angle_deg{
+            {ByteOrder::little_endian, 48U, 16U, true}, 1.0F, 0.0F, 10.0F, -1200.0F, 1200.0F,
+            -12000, 12000, -32768, true};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::speed_kmh, speed_kmh, payload.data());
+        write_signal(Signals::yaw_rate_deg_per_s, yaw_rate_deg_per_s, payload.data());
+        write_signal(Signals::steering_wheel_angle_deg, steering_wheel_angle_deg, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<VehicleMotion> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("Speed", "km/h", &VehicleMotion::speed_kmh, &Status::speed_kmh);
+        visitor("YawRate", "deg/s", &VehicleMotion::yaw_rate_deg_per_s, &Status::yaw_rate_deg_per_s);
+        visitor("SteeringWheelAngle", "deg", &VehicleMotion::steering_wheel_angle_deg, &Status::steering_wheel_angle_deg);
+    }
+};
+
+constexpr Decoded<VehicleMotion> VehicleMotion::decode(const std::uint8_t* payload) {
+    Decoded<VehicleMotion> decoded{};
+    read_signal(Signals::speed_kmh, payload, decoded.value.speed_kmh, decoded.status.speed_kmh);
+    read_signal(Signals::yaw_rate_deg_per_s, payload, decoded.value.yaw_rate_deg_per_s, decoded.status.yaw_rate_deg_per_s);
+    read_signal(Signals::steering_wheel_angle_deg, payload, decoded.value.steering_wheel_angle_deg, decoded.status.steering_wheel_angle_deg);
+    return decoded;
+}
+
+// Rollover warning and the quantities it was decided by.
+// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+struct RolloverWarning {
+    // Warning state.
+    enum class State : std::uint8_t {
+        unavailable = 0,
+        ready = 1,
+        advisory = 2,
+        warning = 3,
+    };
+
+    // Side towards which the vehicle would fall.
+    enum class Side : std::uint8_t {
+        none = 0,
+        left = 1,
+        right = 2,
+    };
+
+    static constexpr const char* name{"RolloverWarning"};
+    static constexpr std::uint32_t identifier{0x0D0U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0x61EU};
+
+    // Warning state.
+    State state{State::unavailable};
+    // Side towards which the vehicle would fall.
+    Side side{Side::none};
+    // Normalised roll stability indicator: 0 without lateral acceleration, 1 at the rollover threshold. Dimensionless, 0 to 2.
+    float roll_stability_indicator{not_available};
+    // Lateral acceleration that was compared with the threshold, positive to the left. m/s^2, -40 to 40.
+    float lateral_acceleration_mps2{not_available};
+    // Lateral acceleration at which the vehicle would roll over, with the sign of the turn's side. m/s^2, -40 to 40.
+    float lateral_acceleration_threshold_mps2{not_available};
+
+    struct Status {
+        SignalStatus state{SignalStatus::not_available};
+        SignalStatus side{SignalStatus::not_available};
+        SignalStatus roll_stability_indicator{SignalStatus::not_available};
+        SignalStatus lateral_acceleration_mps2{SignalStatus::not_available};
+        SignalStatus lateral_acceleration_threshold_mps2{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return state == SignalStatus::valid &&
+                   side == SignalStatus::valid &&
+                   roll_stability_indicator == SignalStatus::valid &&
+                   lateral_acceleration_mps2 == SignalStatus::valid &&
+                   lateral_acceleration_threshold_mps2 == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr EnumerationSignal state{
+            {ByteOrder::little_endian, 16U, 3U, false}, 0, false, 0};
+        static constexpr EnumerationSignal side{
+            {ByteOrder::little_endian, 19U, 2U, false}, 0, false, 0};
+        static constexpr PhysicalSignal<std::int32_t> roll_stability_indicator{
+            {ByteOrder::little_endian, 24U, 12U, false}, 1.0F, 0.0F, 2000.0F, 0.0F, 2.0F,
+            0, 4000, 4095, true};
+        static constexpr PhysicalSignal<std::int32_t> lateral_acceleration_mps2{
+            {ByteOrder::little_endian, 36U, 14U, true}, 1.0F, 0.0F, 200.0F, -40.0F, 40.0F,
+            -8000, 8000, -8192, true};
+        static constexpr PhysicalSignal<std::int32_t> lateral_acceleration_threshold_mps2{
+            {ByteOrder::little_endian, 50U, 14U, true}, 1.0F, 0.0F, 200.0F, -40.0F, 40.0F,
+            -8000, 8000, -8192, true};
+    };
+
+    static constexpr bool is_known(State value) {
+        switch (value) {
+            case State::unavailable:
+            case State::ready:
+            case State::advisory:
+            case State::warning:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(State value) {
+        switch (value) {
+            case State::unavailable:
+                return "unavailable";
+            case State::ready:
+                return "ready";
+            case State::advisory:
+                return "advisory";
+            case State::warning:
+                return "warning";
+        }
+        return "unknown";
+    }
+
+    static constexpr bool is_known(Side value) {
+        switch (value) {
+            case Side::none:
+            case Side::left:
+            case Side::right:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(Side value) {
+        switch (value) {
+            case Side::none:
+                return "none";
+            case Side::left:
+                return "left";
+            case Side::right:
+                return "right";
+        }
+        return "unknown";
+    }
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_enumeration(Signals::state, &RolloverWarning::is_known, state, payload.data());
+        write_enumeration(Signals::side, &RolloverWarning::is_known, side, payload.data());
+        write_signal(Signals::roll_stability_indicator, roll_stability_indicator, payload.data());
+        write_signal(Signals::lateral_acceleration_mps2, lateral_acceleration_mps2, payload.data());
+        write_signal(Signals::lateral_acceleration_threshold_mps2, lateral_acceleration_threshold_mps2, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<RolloverWarning> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("State", "-", &RolloverWarning::state, &Status::state);
+        visitor("Side", "-", &RolloverWarning::side, &Status::side);
+        visitor("RollStabilityIndicator", "-", &RolloverWarning::roll_stability_indicator, &Status::roll_stability_indicator);
+        visitor("LateralAcceleration", "m/s^2", &RolloverWarning::lateral_acceleration_mps2, &Status::lateral_acceleration_mps2);
+        visitor("LateralAccelerationThreshold", "m/s^2", &RolloverWarning::lateral_acceleration_threshold_mps2, &Status::lateral_acceleration_threshold_mps2);
+    }
+};
+
+constexpr Decoded<RolloverWarning> RolloverWarning::decode(const std::uint8_t* payload) {
+    Decoded<RolloverWarning> decoded{};
+    read_enumeration(Signals::state, &RolloverWarning::is_known, payload, decoded.value.state, decoded.status.state);
+    read_enumeration(Signals::side, &RolloverWarning::is_known, payload, decoded.value.side, decoded.status.side);
+    read_signal(Signals::roll_stability_indicator, payload, decoded.value.roll_stability_indicator, decoded.status.roll_stability_indicator);
+    read_signal(Signals::lateral_acceleration_mps2, payload, decoded.value.lateral_acceleration_mps2, decoded.status.lateral_acceleration_mps2);
+    read_signal(Signals::lateral_acceleration_threshold_mps2, payload, decoded.value.lateral_acceleration_threshold_mps2, decoded.status.lateral_acceleration_threshold_mps2);
+    return decoded;
+}
+
+// What the estimator has learnt about the suspension.
+// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+struct RollCentreEstimate {
+    static constexpr const char* name{"RollCentreEstimate"};
+    static constexpr std::uint32_t identifier{0x230U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0x7D4U};
+
+    // Vertical movement of the roll centre from its nominal place, positive upwards. m, -1 to 1.
+    float vertical_movement_m{not_available};
+    // Lateral movement of the roll centre from its nominal place, positive to the left. m, -1 to 1.
+    float lateral_movement_m{not_available};
+    // Deviation of the roll stiffness from its nominal value. N m/rad, -100000 to 100000.
+    float roll_stiffness_deviation_n_m_per_rad{not_available};
+    // Deviation of the roll damping from its nominal value. N m s/rad, -20000 to 20000.
+    float roll_damping_deviation_n_m_s_per_rad{not_available};
+
+    struct Status {
+        SignalStatus vertical_movement_m{SignalStatus::not_available};
+        SignalStatus lateral_movement_m{SignalStatus::not_available};
+        SignalStatus roll_stiffness_deviation_n_m_per_rad{SignalStatus::not_available};
+        SignalStatus roll_damping_deviation_n_m_s_per_rad{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return vertical_movement_m == SignalStatus::valid &&
+                   lateral_movement_m == SignalStatus::valid &&
+                   roll_stiffness_deviation_n_m_per_rad == SignalStatus::valid &&
+                   roll_damping_deviation_n_m_s_per_rad == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> vertical_movement_m{
+            {ByteOrder::little_endian, 16U, 12U, true}, 1.0F, 0.0F, 2000.0F, -1.0F, 1.0F,
+            -2000, 2000, -2048, true};
+        static constexpr PhysicalSignal<std::int32_t> lateral_movement_m{
+            {ByteOrder::little_endian, 28U, 12U, true}, 1.0F, 0.0F, 2000.0F, -1.0F, 1.0F,
+            -2000, 2000, -2048, true};
+        static constexpr PhysicalSignal<std::int32_t> roll_stiffness_deviation_n_m_per_rad{
+            {ByteOrder::little_endian, 40U, 12U, true}, 50.0F, 0.0F, 1.0F, -100000.0F, 100000.0F,
+            -2000, 2000, -2048, true};
+        static constexpr PhysicalSignal<std::int32_t> roll_damping_deviation_n_m_s_per_rad{
+            {ByteOrder::little_endian, 52U, 12U, true}, 10.0F, 0.0F, 1.0F, -20000.0F, 20000.0F,
+            -2000, 2000, -2048, true};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::vertical_movement_m, vertical_movement_m, payload.data());
+        write_signal(Signals::lateral_movement_m, lateral_movement_m, payload.data());
+        write_signal(Signals::roll_stiffness_deviation_n_m_per_rad, roll_stiffness_deviation_n_m_per_rad, payload.data());
+        write_signal(Signals::roll_damping_deviation_n_m_s_per_rad, roll_damping_deviation_n_m_s_per_rad, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<RollCentreEstimate> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("VerticalMovement", "m", &RollCentreEstimate::vertical_movement_m, &Status::vertical_movement_m);
+        visitor("LateralMovement", "m", &RollCentreEstimate::lateral_movement_m, &Status::lateral_movement_m);
+        visitor("RollStiffnessDeviation", "N m/rad", &RollCentreEstimate::roll_stiffness_deviation_n_m_per_rad, &Status::roll_stiffness_deviation_n_m_per_rad);
+        visitor("RollDampingDeviation", "N m s/rad", &RollCentreEstimate::roll_damping_deviation_n_m_s_per_rad, &Status::roll_damping_deviation_n_m_s_per_rad);
+    }
+};
+
+constexpr Decoded<RollCentreEstimate> RollCentreEstimate::decode(const std::uint8_t* payload) {
+    Decoded<RollCentreEstimate> decoded{};
+    read_signal(Signals::vertical_movement_m, payload, decoded.value.vertical_movement_m, decoded.status.vertical_movement_m);
+    read_signal(Signals::lateral_movement_m, payload, decoded.value.lateral_movement_m, decoded.status.lateral_movement_m);
+    read_signal(Signals::roll_stiffness_deviation_n_m_per_rad, payload, decoded.value.roll_stiffness_deviation_n_m_per_rad, decoded.status.roll_stiffness_deviation_n_m_per_rad);
+    read_signal(Signals::roll_damping_deviation_n_m_s_per_rad, payload, decoded.value.roll_damping_deviation_n_m_s_per_rad, decoded.status.roll_damping_deviation_n_m_s_per_rad);
+    return decoded;
+}
+
+// Health of the rollover-warning component.
+// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+struct RolloverStatus {
+    static constexpr const char* name{"RolloverStatus"};
+    static constexpr std::uint32_t identifier{0x231U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0x88BU};
+
+    // No usable Imu frame within the time limit.
+    bool imu_timeout{false};
+    // An Imu frame failed its checksum, data identifier or length.
+    bool imu_checksum_error{false};
+    // The counter of Imu repeated or jumped.
+    bool imu_counter_error{false};
+    // A signal of Imu was not available or out of range.
+    bool imu_signal_invalid{false};
+    // No usable RollAngle frame within the time limit.
+    bool roll_angle_timeout{false};
+    // A RollAngle frame failed its checksum, data identifier or length.
+    bool roll_angle_checksum_error{false};
+    // The counter of RollAngle repeated or jumped.
+    bool roll_angle_counter_error{false};
+    // A signal of RollAngle was not available or out of range.
+    bool roll_angle_signal_invalid{false};
+    // No usable VehicleMotion frame within the time limit.
+    bool vehicle_motion_timeout{false};
+    // A VehicleMotion frame failed its checksum, data identifier or length.
+    bool vehicle_motion_checksum_error{false};
+    // The counter of VehicleMotion repeated or jumped.
+    bool vehicle_motion_counter_error{false};
+    // A signal of VehicleMotion was not available or out of range.
+    bool vehicle_motion_signal_invalid{false};
+    // Received frames were lost for want of room.
+    bool receive_overflow{false};
+    // The bus is not error-active.
+    bool bus_error{false};
+    // The vehicle parameters were refused.
+    bool parameters_invalid{false};
+    // A cycle began late.
+    bool cycle_overrun{false};
+    // Cycles that began late since the start; stays at 255. 0 to 255.
+    std::uint8_t cycle_overruns{0U};
+    // Frames that the end-to-end check refused since the start; stays at 255. 0 to 255.
+    std::uint8_t frames_rejected{0U};
+    // Frames that the counters show as lost since the start; stays at 255. 0 to 255.
+    std::uint8_t frames_lost{0U};
+    // Version number of the software. 0 to 255.
+    std::uint8_t software_version{0U};
+
+    struct Status {
+        SignalStatus imu_timeout{SignalStatus::not_available};
+        SignalStatus imu_checksum_error{SignalStatus::not_available};
+        SignalStatus imu_counter_error{SignalStatus::not_available};
+        SignalStatus imu_signal_invalid{SignalStatus::not_available};
+        SignalStatus roll_angle_timeout{SignalStatus::not_available};
+        SignalStatus roll_angle_checksum_error{SignalStatus::not_available};
+        SignalStatus roll_angle_counter_error{SignalStatus::not_available};
+        SignalStatus roll_angle_signal_invalid{SignalStatus::not_available};
+        SignalStatus vehicle_motion_timeout{SignalStatus::not_available};
+        SignalStatus vehicle_motion_checksum_error{SignalStatus::not_available};
+        SignalStatus vehicle_motion_counter_error{SignalStatus::not_available};
+        SignalStatus vehicle_motion_signal_invalid{SignalStatus::not_available};
+        SignalStatus receive_overflow{SignalStatus::not_available};
+        SignalStatus bus_error{SignalStatus::not_available};
+        SignalStatus parameters_invalid{SignalStatus::not_available};
+        SignalStatus cycle_overrun{SignalStatus::not_available};
+        SignalStatus cycle_overruns{SignalStatus::not_available};
+        SignalStatus frames_rejected{SignalStatus::not_available};
+        SignalStatus frames_lost{SignalStatus::not_available};
+        SignalStatus software_version{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return imu_timeout == SignalStatus::valid &&
+                   imu_checksum_error == SignalStatus::valid &&
+                   imu_counter_error == SignalStatus::valid &&
+                   imu_signal_invalid == SignalStatus::valid &&
+                   roll_angle_timeout == SignalStatus::valid &&
+                   roll_angle_checksum_error == SignalStatus::valid &&
+                   roll_angle_counter_error == SignalStatus::valid &&
+                   roll_angle_signal_invalid == SignalStatus::valid &&
+                   vehicle_motion_timeout == SignalStatus::valid &&
+                   vehicle_motion_checksum_error == SignalStatus::valid &&
+                   vehicle_motion_counter_error == SignalStatus::valid &&
+                   vehicle_motion_signal_invalid == SignalStatus::valid &&
+                   receive_overflow == SignalStatus::valid &&
+                   bus_error == SignalStatus::valid &&
+                   parameters_invalid == SignalStatus::valid &&
+                   cycle_overrun == SignalStatus::valid &&
+                   cycle_overruns == SignalStatus::valid &&
+                   frames_rejected == SignalStatus::valid &&
+                   frames_lost == SignalStatus::valid &&
+                   software_version == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr IntegerSignal imu_timeout{
+            {ByteOrder::little_endian, 16U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal imu_checksum_error{
+            {ByteOrder::little_endian, 17U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal imu_counter_error{
+            {ByteOrder::little_endian, 18U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal imu_signal_invalid{
+            {ByteOrder::little_endian, 19U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal roll_angle_timeout{
+            {ByteOrder::little_endian, 20U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal roll_angle_checksum_error{
+            {ByteOrder::little_endian, 21U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal roll_angle_counter_error{
+            {ByteOrder::little_endian, 22U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal roll_angle_signal_invalid{
+            {ByteOrder::little_endian, 23U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal vehicle_motion_timeout{
+            {ByteOrder::little_endian, 24U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal vehicle_motion_checksum_error{
+            {ByteOrder::little_endian, 25U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal vehicle_motion_counter_error{
+            {ByteOrder::little_endian, 26U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal vehicle_motion_signal_invalid{
+            {ByteOrder::little_endian, 27U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal receive_overflow{
+            {ByteOrder::little_endian, 28U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal bus_error{
+            {ByteOrder::little_endian, 29U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal parameters_invalid{
+            {ByteOrder::little_endian, 30U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal cycle_overrun{
+            {ByteOrder::little_endian, 31U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal cycle_overruns{
+            {ByteOrder::little_endian, 32U, 8U, false}, 0, 255, 0};
+        static constexpr IntegerSignal frames_rejected{
+            {ByteOrder::little_endian, 40U, 8U, false}, 0, 255, 0};
+        static constexpr IntegerSignal frames_lost{
+            {ByteOrder::little_endian, 48U, 8U, false}, 0, 255, 0};
+        static constexpr IntegerSignal software_version{
+            {ByteOrder::little_endian, 56U, 8U, false}, 0, 255, 0};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::imu_timeout, imu_timeout, payload.data());
+        write_signal(Signals::imu_checksum_error, imu_checksum_error, payload.data());
+        write_signal(Signals::imu_counter_error, imu_counter_error, payload.data());
+        write_signal(Signals::imu_signal_invalid, imu_signal_invalid, payload.data());
+        write_signal(Signals::roll_angle_timeout, roll_angle_timeout, payload.data());
+        write_signal(Signals::roll_angle_checksum_error, roll_angle_checksum_error, payload.data());
+        write_signal(Signals::roll_angle_counter_error, roll_angle_counter_error, payload.data());
+        write_signal(Signals::roll_angle_signal_invalid, roll_angle_signal_invalid, payload.data());
+        write_signal(Signals::vehicle_motion_timeout, vehicle_motion_timeout, payload.data());
+        write_signal(Signals::vehicle_motion_checksum_error, vehicle_motion_checksum_error, payload.data());
+        write_signal(Signals::vehicle_motion_counter_error, vehicle_motion_counter_error, payload.data());
+        write_signal(Signals::vehicle_motion_signal_invalid, vehicle_motion_signal_invalid, payload.data());
+        write_signal(Signals::receive_overflow, receive_overflow, payload.data());
+        write_signal(Signals::bus_error, bus_error, payload.data());
+        write_signal(Signals::parameters_invalid, parameters_invalid, payload.data());
+        write_signal(Signals::cycle_overrun, cycle_overrun, payload.data());
+        write_signal(Signals::cycle_overruns, cycle_overruns, payload.data());
+        write_signal(Signals::frames_rejected, frames_rejected, payload.data());
+        write_signal(Signals::frames_lost, frames_lost, payload.data());
+        write_signal(Signals::software_version, software_version, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<RolloverStatus> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("ImuTimeout", "-", &RolloverStatus::imu_timeout, &Status::imu_timeout);
+        visitor("ImuChecksumError", "-", &RolloverStatus::imu_checksum_error, &Status::imu_checksum_error);
+        visitor("ImuCounterError", "-", &RolloverStatus::imu_counter_error, &Status::imu_counter_error);
+        visitor("ImuSignalInvalid", "-", &RolloverStatus::imu_signal_invalid, &Status::imu_signal_invalid);
+        visitor("RollAngleTimeout", "-", &RolloverStatus::roll_angle_timeout, &Status::roll_angle_timeout);
+        visitor("RollAngleChecksumError", "-", &RolloverStatus::roll_angle_checksum_error, &Status::roll_angle_checksum_error);
+        visitor("RollAngleCounterError", "-", &RolloverStatus::roll_angle_counter_error, &Status::roll_angle_counter_error);
+        visitor("RollAngleSignalInvalid", "-", &RolloverStatus::roll_angle_signal_invalid, &Status::roll_angle_signal_invalid);
+        visitor("VehicleMotionTimeout", "-", &RolloverStatus::vehicle_motion_timeout, &Status::vehicle_motion_timeout);
+        visitor("VehicleMotionChecksumError", "-", &RolloverStatus::vehicle_motion_checksum_error, &Status::vehicle_motion_checksum_error);
+        visitor("VehicleMotionCounterError", "-", &RolloverStatus::vehicle_motion_counter_error, &Status::vehicle_motion_counter_error);
+        visitor("VehicleMotionSignalInvalid", "-", &RolloverStatus::vehicle_motion_signal_invalid, &Status::vehicle_motion_signal_invalid);
+        visitor("ReceiveOverflow", "-", &RolloverStatus::receive_overflow, &Status::receive_overflow);
+        visitor("BusError", "-", &RolloverStatus::bus_error, &Status::bus_error);
+        visitor("ParametersInvalid", "-", &RolloverStatus::parameters_invalid, &Status::parameters_invalid);
+        visitor("CycleOverrun", "-", &RolloverStatus::cycle_overrun, &Status::cycle_overrun);
+        visitor("CycleOverruns", "-", &RolloverStatus::cycle_overruns, &Status::cycle_overruns);
+        visitor("FramesRejected", "-", &RolloverStatus::frames_rejected, &Status::frames_rejected);
+        visitor("FramesLost", "-", &RolloverStatus::frames_lost, &Status::frames_lost);
+        visitor("SoftwareVersion", "-", &RolloverStatus::software_version, &Status::software_version);
+    }
+};
+
+constexpr Decoded<RolloverStatus> RolloverStatus::decode(const std::uint8_t* payload) {
+    Decoded<RolloverStatus> decoded{};
+    read_signal(Signals::imu_timeout, payload, decoded.value.imu_timeout, decoded.status.imu_timeout);
+    read_signal(Signals::imu_checksum_error, payload, decoded.value.imu_checksum_error, decoded.status.imu_checksum_error);
+    read_signal(Signals::imu_counter_error, payload, decoded.value.imu_counter_error, decoded.status.imu_counter_error);
+    read_signal(Signals::imu_signal_invalid, payload, decoded.value.imu_signal_invalid, decoded.status.imu_signal_invalid);
+    read_signal(Signals::roll_angle_timeout, payload, decoded.value.roll_angle_timeout, decoded.status.roll_angle_timeout);
+    read_signal(Signals::roll_angle_checksum_error, payload, decoded.value.roll_angle_checksum_error, decoded.status.roll_angle_checksum_error);
+    read_signal(Signals::roll_angle_counter_error, payload, decoded.value.roll_angle_counter_error, decoded.status.roll_angle_counter_error);
+    read_signal(Signals::roll_angle_signal_invalid, payload, decoded.value.roll_angle_signal_invalid, decoded.status.roll_angle_signal_invalid);
+    read_signal(Signals::vehicle_motion_timeout, payload, decoded.value.vehicle_motion_timeout, decoded.status.vehicle_motion_timeout);
+    read_signal(Signals::vehicle_motion_checksum_error, payload, decoded.value.vehicle_motion_checksum_error, decoded.status.vehicle_motion_checksum_error);
+    read_signal(Signals::vehicle_motion_counter_error, payload, decoded.value.vehicle_motion_counter_error, decoded.status.vehicle_motion_counter_error);
+    read_signal(Signals::vehicle_motion_signal_invalid, payload, decoded.value.vehicle_motion_signal_invalid, decoded.status.vehicle_motion_signal_invalid);
+    read_signal(Signals::receive_overflow, payload, decoded.value.receive_overflow, decoded.status.receive_overflow);
+    read_signal(Signals::bus_error, payload, decoded.value.bus_error, decoded.status.bus_error);
+    read_signal(Signals::parameters_invalid, payload, decoded.value.parameters_invalid, decoded.status.parameters_invalid);
+    read_signal(Signals::cycle_overrun, payload, decoded.value.cycle_overrun, decoded.status.cycle_overrun);
+    read_signal(Signals::cycle_overruns, payload, decoded.value.cycle_overruns, decoded.status.cycle_overruns);
+    read_signal(Signals::frames_rejected, payload, decoded.value.frames_rejected, decoded.status.frames_rejected);
+    read_signal(Signals::frames_lost, payload, decoded.value.frames_lost, decoded.status.frames_lost);
+    read_signal(Signals::software_version, payload, decoded.value.software_version, decoded.status.software_version);
+    return decoded;
+}
+
+// Lock-step simulation only: tells the control unit to step at simulated time CycleNumber * 10 ms.
+// From Simulator to RolloverEcu, every 10 ms.
+struct SimulationSync {
+    static constexpr const char* name{"SimulationSync"};
+    static constexpr std::uint32_t identifier{0x7F0U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{4U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{false};
+    static constexpr std::uint16_t e2e_data_id{0x000U};
+
+    // Number of the cycle to compute. 0 to 4294967295.
+    std::uint32_t cycle_number{0U};
+
+    struct Status {
+        SignalStatus cycle_number{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return cycle_number == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr IntegerSignal cycle_number{
+            {ByteOrder::little_endian, 0U, 32U, false}, 0, 4294967295LL, 0};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::cycle_number, cycle_number, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<SimulationSync> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("CycleNumber", "-", &SimulationSync::cycle_number, &Status::cycle_number);
+    }
+};
+
+constexpr Decoded<SimulationSync> SimulationSync::decode(const std::uint8_t* payload) {
+    Decoded<SimulationSync> decoded{};
+    read_signal(Signals::cycle_number, payload, decoded.value.cycle_number, decoded.status.cycle_number);
+    return decoded;
+}
+
+// Calls visitor(MessageType<Message>{}) for each message of the DBC file.
+template <typename Visitor>
+constexpr void visit_messages(Visitor&& visitor) {
+    visitor(MessageType<Imu>{});
+    visitor(MessageType<RollAngle>{});
+    visitor(MessageType<VehicleMotion>{});
+    visitor(MessageType<RolloverWarning>{});
+    visitor(MessageType<RollCentreEstimate>{});
+    visitor(MessageType<RolloverStatus>{});
+    visitor(MessageType<SimulationSync>{});
+}
+
+}  // namespace can_dbc
