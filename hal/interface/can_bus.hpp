@@ -39,7 +39,7 @@ struct BusStatistics {
     std::uint32_t frames_sent{0U};
     std::uint32_t frames_lost{0U};    // received by the controller or the driver, but dropped for want of room
     std::uint32_t error_frames{0U};
-    std::uint32_t send_failures{0U};
+    std::uint32_t send_failures{0U};  // sends that ended in `full` or `failed`
 };
 
 // No call blocks, allocates or throws.
