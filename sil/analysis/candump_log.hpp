@@ -1,0 +1,72 @@
+// Candump logs: writing and reading the lines of `candump -L`, which canplayer replays.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/interface/can_bus.hpp"
+
+namespace sil {
+
+// One line: "(seconds.microseconds) interface ID#DATA", for CAN FD "ID##FLAGSDATA".
+struct LoggedFrame {
+    hal::CanFrame frame;  // its receive_time is the time of the line, in whole microseconds, not negative
+    std::string interface;
+    // CAN FD only: bit 0 bit-rate switch, bit 1 error state indicator. Kernels differ in whether they also
+    // set bit 2, which says nothing but "CAN FD"; here it is always 0, when written and when read.
+    std::uint8_t fd_flags{0U};
+};
+
+inline constexpr std::uint8_t canonical_fd_flags = 0x3U;
+
+// The line without its end. A negative time is written as zero; what does not fit the frame's kind
+// (identifier bits beyond 11 or 29, bytes beyond 8 or 64) is cut off.
+std::string format_candump_line(const LoggedFrame& logged);
+
+// What is wrong with a line, to be read by a person; `column` counts from 1.
+struct CandumpLineError {
+    std::size_t column{1U};
+    std::string message;
+};
+
+struct ParsedCandumpLine {
+    std::optional<LoggedFrame> frame;  // empty when the line is wrong
+    CandumpLineError error;
+};
+
+// Reads one line, without its line feed. Any bytes may come: what is no data frame is an error, never a
+// crash. Remote frames, error frames and CAN XL are errors. A carriage return and the direction " R" or " T"
+// that `candump -x` adds are accepted.
+ParsedCandumpLine parse_candump_line(std::string_view line);
+
+// what() is "FILE:LINE:COLUMN: what is wrong".
+class CandumpLogError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+// All frames of a log, in the order of the file. Empty lines are skipped. Throws CandumpLogError.
+std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path);
+
+class CandumpLogWriter {
+ public:
+    // Throws std::runtime_error with path and reason.
+    explicit CandumpLogWriter(const std::filesystem::path& path);
+
+    void write(const LoggedFrame& logged);
+
+    // Flushes and checks that everything has reached the file; throws std::runtime_error if not.
+    void close();
+
+ private:
+    std::filesystem::path path_;
+    std::ofstream file_;
+};
+
+}  // namespace sil

@@ -1,0 +1,85 @@
+// Summary: from a run's events to JSON.
+#include "sil/analysis/summary.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "sil/analysis/atomic_file.hpp"
+
+namespace sil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double g_mps2 = 9.80665;
+constexpr double deg_per_rad = 180.0 / 3.14159265358979323846;
+
+// Floating-point sums leave 2.0520000000000005 where 2.052 is meant; nobody needs more than a nanounit.
+Json number(double value) {
+    if (!std::isfinite(value)) {
+        return nullptr;
+    }
+    const double rounded = std::round(value * 1e9) / 1e9;
+    return rounded == 0.0 ? 0.0 : rounded;  // no "-0.0"
+}
+
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
+
+Json time_of(const std::optional<EventMoment>& event) {
+    return event ? number(event->time_s) : Json(nullptr);
+}
+
+Json side_of(const RunEvents& events) {
+    if (!events.warning || events.warning_side == WarningSide::none) {
+        return nullptr;
+    }
+    return to_string(events.warning_side);
+}
+
+Json acceleration_of(const std::optional<EventMoment>& event) {
+    return event ? number(event->lateral_acceleration_mps2 / g_mps2) : Json(nullptr);
+}
+
+Json json_of(const Versions& versions) {
+    Json json;
+    json["component"] = versions.component;
+    json["git_revision"] = versions.git_revision.empty() ? Json(nullptr) : Json(versions.git_revision);
+    json["compiler"] = versions.compiler;
+    return json;
+}
+
+}  // namespace
+
+std::string summary_json(const Summary& summary) {
+    const RunEvents& events = summary.events;
+    Json json;
+    json["manoeuvre"] = summary.manoeuvre;
+    json["vehicle"] = summary.vehicle;
+    json["mirrored"] = summary.mirrored;
+    json["lock_step"] = summary.lock_step;
+    json["seed"] = summary.seed;
+    json["noise"] = summary.noise;
+    json["versions"] = json_of(summary.versions);
+    json["warning_time_s"] = time_of(events.warning);
+    json["warning_side"] = side_of(events);
+    json["warning_ay_g"] = acceleration_of(events.warning);
+    json["one_wheel_lift_time_s"] = time_of(events.one_wheel_lift);
+    json["two_wheel_lift_time_s"] = time_of(events.two_wheel_lift);
+    json["ssf_crossing_time_s"] = time_of(events.ssf_crossing);
+    json["lead_time_s"] = number(events.lead_time_s());
+    json["max_ay_g"] = number(events.largest_lateral_acceleration_mps2 / g_mps2);
+    json["final_roll_deg"] = number(events.final_roll_angle_rad * deg_per_rad);
+    json["frames_sent"] = summary.frames_sent;
+    json["frames_received"] = summary.frames_received;
+    // Names come from the command line: bytes that are not UTF-8 are replaced and never thrown about.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_summary(const Summary& summary, const std::filesystem::path& path) {
+    write_file_atomically(path, summary_json(summary));
+}
+
+}  // namespace sil

@@ -1,0 +1,38 @@
+// Summary: the result of a run in one small JSON file.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "sil/analysis/events.hpp"
+#include "sil/analysis/versions.hpp"
+
+namespace sil {
+
+struct Summary {
+    std::string manoeuvre;
+    std::string vehicle;
+    bool mirrored{false};
+    bool lock_step{false};
+    std::uint64_t seed{0U};
+    std::string noise;  // name of the sensors' preset: "none", "noise", ...
+    Versions versions;
+    RunEvents events;
+    std::uint64_t frames_sent{0U};      // by the simulator
+    std::uint64_t frames_received{0U};  // by the simulator, from the ECU
+};
+
+// A JSON object with these keys, always all of them, in this order:
+//   manoeuvre, vehicle, mirrored, lock_step, seed, noise, versions {component, git_revision, compiler},
+//   warning_time_s, warning_side ("left", "right"), warning_ay_g, one_wheel_lift_time_s,
+//   two_wheel_lift_time_s, ssf_crossing_time_s, lead_time_s, max_ay_g, final_roll_deg, frames_sent,
+//   frames_received.
+// What did not happen, or is not finite, is null. warning_ay_g and final_roll_deg have a sign (> 0 in a left
+// turn), max_ay_g is a magnitude; 1 g = 9.80665 m/s^2. The times are on the simulation's clock.
+std::string summary_json(const Summary& summary);
+
+// Writes it atomically. Throws std::runtime_error with the path and the reason.
+void write_summary(const Summary& summary, const std::filesystem::path& path);
+
+}  // namespace sil

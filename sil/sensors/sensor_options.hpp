@@ -1,0 +1,60 @@
+// SensorOptions: where the sensors sit and how imperfect they are.
+#pragma once
+
+#include <cstdint>
+
+namespace sil {
+
+// One measured quantity, in the unit of the quantity: reported = round((true + bias + noise) / step) * step.
+struct ChannelOptions {
+    double noise_rms{0.0};  // standard deviation of the white noise on each reported value, >= 0
+    double bias{0.0};
+    double quantisation_step{0.0};  // 0: none; the CAN encoding quantises in any case
+};
+
+// Position in body axes relative to the sprung mass's centre of gravity.
+struct MountingPosition {
+    double x_m{0.0};  // forward
+    double y_m{0.0};  // left
+    double z_m{0.0};  // up
+};
+
+struct ImuOptions {
+    MountingPosition position;
+    ChannelOptions lateral_acceleration_mps2;
+    ChannelOptions vertical_acceleration_mps2;
+    ChannelOptions roll_rate_radps;
+};
+
+struct RollSensorOptions {
+    ChannelOptions roll_angle_rad;
+    bool reports_bank{false};  // most cars have no sensor for the road's bank
+    ChannelOptions bank_angle_rad;
+};
+
+struct VehicleMotionOptions {
+    ChannelOptions speed_mps;
+    ChannelOptions yaw_rate_radps;
+    ChannelOptions steering_wheel_angle_rad;
+};
+
+// The default is ideal: at the centre of gravity, no noise, no bias, no quantisation.
+struct SensorOptions {
+    std::uint64_t seed{1U};  // the same seed gives the same noise, bit for bit
+    ImuOptions imu;
+    RollSensorOptions roll;
+    VehicleMotionOptions motion;
+};
+
+// What remains of the accelerometers' bias, on the lateral and the vertical axis alike.
+enum class AccelerometerBias : std::uint8_t {
+    none,
+    after_zeroing,  // 0.005 g: the ECU has learnt the offset at standstill
+    raw,            // 0.03 g: as delivered
+};
+
+// Automotive sensors of ordinary quality. Noise, rms: 0.02 g, 0.3 deg/s (roll and yaw), 0.2 deg (roll and
+// bank angle), and of the vehicle's motion 0.1 km/h and 0.1 deg at the steering wheel.
+SensorOptions noisy_sensors(std::uint64_t seed, AccelerometerBias bias = AccelerometerBias::none);
+
+}  // namespace sil
