@@ -1,0 +1,43 @@
+// ECU frames: what the firmware answers on the bus, checked and decoded.
+#pragma once
+
+#include <cstdint>
+
+#include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "hal/interface/can_bus.hpp"
+#include "sil/analysis/ecu_output.hpp"
+
+namespace sil {
+
+enum class EcuFrameKind : std::uint8_t { foreign, refused, warning, estimate, status };
+
+class EcuFrames {
+   public:
+    // Judges one frame and takes over its values. `refused`: an ECU frame that its end-to-end check does not accept.
+    EcuFrameKind take(const hal::CanFrame& frame);
+
+    const EcuOutput& output() const { return output_; }
+    const can_dbc::RolloverStatus& status() const { return status_; }
+    std::uint64_t frames_received() const { return frames_received_; }
+    std::uint64_t frames_refused() const { return frames_refused_; }
+
+   private:
+    template <typename Message>
+    bool accept(const hal::CanFrame& frame, can_dbc::e2e::Profile11Receiver& receiver, Message& message);
+    void take_warning(const can_dbc::RolloverWarning& message);
+    void take_estimate(const can_dbc::RollCentreEstimate& message);
+
+    can_dbc::e2e::Profile11Receiver warning_receiver_{can_dbc::RolloverWarning::e2e_data_id,
+                                                      can_dbc::RolloverWarning::length, 14U};
+    can_dbc::e2e::Profile11Receiver estimate_receiver_{can_dbc::RollCentreEstimate::e2e_data_id,
+                                                       can_dbc::RollCentreEstimate::length, 14U};
+    can_dbc::e2e::Profile11Receiver status_receiver_{can_dbc::RolloverStatus::e2e_data_id,
+                                                     can_dbc::RolloverStatus::length, 14U};
+    EcuOutput output_{};
+    can_dbc::RolloverStatus status_{};
+    std::uint64_t frames_received_{0U};
+    std::uint64_t frames_refused_{0U};
+};
+
+}  // namespace sil
