@@ -46,6 +46,9 @@ struct Truth {
         0.0};  // equation (24); NaN where it is not defined (small force, lifted wheel)
     double roll_centre_lateral_m{
         0.0};  // kinematic, c_rc > 0 in the direction in which the CG moves for roll > 0; NaN if undefined
+    double roll_centre_kinematic_height_m{0.0};  // of the same point, above the road; NaN if undefined
+
+    std::array<double, wheel_count> wheel_spin_radps{};  // > 0 when rolling forward
 };
 
 }  // namespace sil

@@ -1,0 +1,50 @@
+// Manoeuvre run: the driver sees a world in which the first turn is to the left, mirrored or not.
+#include "sil/manoeuvres/manoeuvre_run.hpp"
+
+#include <utility>
+
+#include "sil/vehicle/mirror.hpp"
+
+namespace sil {
+namespace {
+
+std::unique_ptr<const Road> make_road(const Manoeuvre& manoeuvre, bool mirrored) {
+    std::unique_ptr<const Road> road = manoeuvre.make_road();
+    if (mirrored) {
+        return std::make_unique<MirroredRoad>(std::move(road));
+    }
+    return road;
+}
+
+}  // namespace
+
+ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre& manoeuvre,
+                           RunOptions options)
+    : options_{options},
+      duration_s_{options.duration_s > 0.0 ? options.duration_s : manoeuvre.duration_s},
+      wanted_speed_mps_{manoeuvre.initial_speed_mps},
+      road_{make_road(manoeuvre, options.mirrored)},
+      driver_{manoeuvre.make_driver(parameters)},
+      speed_control_{parameters},
+      vehicle_{parameters, *road_} {
+    InitialState initial;
+    initial.speed_mps = manoeuvre.initial_speed_mps;
+    vehicle_.reset(initial);
+}
+
+void ManoeuvreRun::step() {
+    const Truth& truth = vehicle_.truth();
+    DriverCommand command = driver_->command(options_.mirrored ? mirrored(truth) : truth);
+    if (options_.mirrored) {
+        command.steering_wheel_angle_rad = -command.steering_wheel_angle_rad;
+    }
+    const SpeedPolicy policy = command.brake > 0.0 ? SpeedPolicy::off_throttle : command.speed_policy;
+    DriverInput input;
+    input.steering_wheel_angle_rad = command.steering_wheel_angle_rad;
+    input.drive_force_n =
+        speed_control_.drive_force_n(policy, wanted_speed_mps_, truth.speed_mps, options_.step_s);
+    input.brake = command.brake;
+    vehicle_.step(input, options_.step_s);
+}
+
+}  // namespace sil
