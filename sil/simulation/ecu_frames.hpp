@@ -13,8 +13,9 @@ namespace sil {
 enum class EcuFrameKind : std::uint8_t { foreign, refused, warning, estimate, status };
 
 class EcuFrames {
-   public:
-    // Judges one frame and takes over its values. `refused`: an ECU frame that its end-to-end check does not accept.
+ public:
+    // Judges one frame and takes over its values. `refused`: an ECU frame that its end-to-end check does not
+    // accept.
     EcuFrameKind take(const hal::CanFrame& frame);
 
     const EcuOutput& output() const { return output_; }
@@ -22,7 +23,7 @@ class EcuFrames {
     std::uint64_t frames_received() const { return frames_received_; }
     std::uint64_t frames_refused() const { return frames_refused_; }
 
-   private:
+ private:
     template <typename Message>
     bool accept(const hal::CanFrame& frame, can_dbc::e2e::Profile11Receiver& receiver, Message& message);
     void take_warning(const can_dbc::RolloverWarning& message);

@@ -12,7 +12,7 @@ namespace sil {
 
 // For tests, benchmarks and replays; the firmware is the same as on a CAN interface.
 class InProcessEcu {
-   public:
+ public:
     // Throws std::invalid_argument with the field's name when the parameters are refused.
     explicit InProcessEcu(const rsi::Parameters& parameters) : ecu_{bus_.endpoint(0U), clock_, watchdog_} {
         const rsi::Validation answer = ecu_.init(parameters);
@@ -26,9 +26,9 @@ class InProcessEcu {
     void step() { ecu_.step(0U); }
     const application::RolloverEcu& ecu() const { return ecu_; }
 
-   private:
+ private:
     class NoWatchdog final : public hal::Watchdog {
-       public:
+     public:
         void feed() noexcept override {}
     };
 

@@ -7,7 +7,7 @@
 namespace sil {
 
 class InProcessPace final : public Pace {
-   public:
+ public:
     // `ecu` must outlive the pace.
     explicit InProcessPace(InProcessEcu& ecu) : ecu_{ecu} {}
 
@@ -31,7 +31,7 @@ class InProcessPace final : public Pace {
         return static_cast<double>(frame.receive_time.nanoseconds) * 1.0e-9;
     }
 
-   private:
+ private:
     InProcessEcu& ecu_;
     bool stepped_{false};
 };

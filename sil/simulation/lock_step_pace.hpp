@@ -5,17 +5,22 @@
 
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/simulation/pace.hpp"
+#include "sil/simulation/recorded_bus.hpp"
 #include "sil/simulation/sensor_frames.hpp"
 
 namespace sil {
 
-// Ends each cycle's sensor frames with SimulationSync; the ECU's status frame, the last of its answer, ends the cycle.
+// Ends each cycle's sensor frames with SimulationSync; the ECU's status frame, the last of its answer, ends
+// the cycle.
 class LockStepPace final : public Pace {
-   public:
-    // `bus` is `socket` as the run sees it (recorded or not). Both must outlive the pace.
-    LockStepPace(hal::SocketCanBus& socket, hal::CanBus& bus) : socket_{socket}, bus_{bus} {}
+ public:
+    // `bus` is `socket` as the run sees it, with a log that gets simulated time. All must outlive the pace.
+    LockStepPace(hal::SocketCanBus& socket, RecordedBus& bus) : socket_{socket}, bus_{bus} {}
 
-    void begin_cycle(std::uint32_t number) override { number_ = number; }
+    void begin_cycle(std::uint32_t number) override {
+        number_ = number;
+        bus_.set_time(hal::Time{number * cycle_time.nanoseconds});
+    }
 
     void frames_sent(std::uint32_t number) override { SensorFrames::send_sync(bus_, number); }
 
@@ -29,11 +34,11 @@ class LockStepPace final : public Pace {
 
     double reception_time_s(const hal::CanFrame&) const override { return number_ * cycle_time_s; }
 
-   private:
+ private:
     static constexpr hal::Time longest_wait = hal::Time::from_milliseconds(5000);
 
     hal::SocketCanBus& socket_;
-    hal::CanBus& bus_;
+    RecordedBus& bus_;
     std::uint32_t number_{0U};
 };
 

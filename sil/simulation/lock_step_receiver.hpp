@@ -1,4 +1,5 @@
-// Lock-step receiver: the ECU's side of a lock-step run. Collects frames until SimulationSync says that it is time.
+// Lock-step receiver: the ECU's side of a lock-step run. Collects frames until SimulationSync says that it is
+// time.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +14,11 @@ namespace sil {
 
 // A bus for the application whose frames bear simulated time. `socket` and `clock` must outlive it.
 class LockStepReceiver final : public hal::CanBus {
-   public:
+ public:
     LockStepReceiver(hal::SocketCanBus& socket, hal::VirtualClock& clock) : socket_{socket}, clock_{clock} {}
 
-    // Waits at most `longest` for a cycle. When it returns true, the clock stands at the cycle's time and its frames
-    // wait to be received.
+    // Waits at most `longest` for a cycle. When it returns true, the clock stands at the cycle's time and its
+    // frames wait to be received.
     bool wait_for_cycle(hal::Time longest) {
         hal::CanFrame frame;
         while (socket_.wait_for_frame(longest)) {
@@ -43,7 +44,7 @@ class LockStepReceiver final : public hal::CanBus {
     hal::BusState state() const noexcept override { return socket_.state(); }
     hal::BusStatistics statistics() const noexcept override { return socket_.statistics(); }
 
-   private:
+ private:
     void begin_cycle(std::uint32_t number) {
         clock_.set(hal::Time{number * hal::Time::from_milliseconds(10).nanoseconds});
     }

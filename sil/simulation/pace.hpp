@@ -11,7 +11,7 @@ inline constexpr double cycle_time_s = 0.01;
 inline constexpr hal::Time cycle_time = hal::Time::from_milliseconds(10);
 
 class Pace {
-   public:
+ public:
     Pace(const Pace&) = delete;
     Pace& operator=(const Pace&) = delete;
 
@@ -28,7 +28,7 @@ class Pace {
     // Simulated time at which a frame was received.
     virtual double reception_time_s(const hal::CanFrame& frame) const = 0;
 
-   protected:
+ protected:
     Pace() = default;
     ~Pace() = default;
 };

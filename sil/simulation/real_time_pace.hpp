@@ -9,7 +9,7 @@ namespace sil {
 
 // The ECU runs on its own clock; what it sends between two cycles is read in the later one.
 class RealTimePace final : public Pace {
-   public:
+ public:
     RealTimePace() : tick_{clock_, cycle_time} {}
 
     void begin_cycle(std::uint32_t number) override {
@@ -32,7 +32,7 @@ class RealTimePace final : public Pace {
 
     const hal::PeriodicTick<hal::SteadyClock>& tick() const { return tick_; }
 
-   private:
+ private:
     hal::SteadyClock clock_;
     hal::PeriodicTick<hal::SteadyClock> tick_;
     hal::Time origin_{};

@@ -1,4 +1,5 @@
-// Recorded bus: a CAN bus that writes every frame that passes into a candump log, stamped with simulated time.
+// Recorded bus: a CAN bus that writes every frame that passes into a candump log, stamped with simulated
+// time.
 #pragma once
 
 #include <string>
@@ -8,9 +9,10 @@
 
 namespace sil {
 
-// For lock-step runs, whose log must not contain the machine's clock. The wrapped bus and the writer must outlive it.
+// For lock-step runs, whose log must not contain the machine's clock. The wrapped bus and the writer must
+// outlive it.
 class RecordedBus final : public hal::CanBus {
-   public:
+ public:
     RecordedBus(hal::CanBus& bus, CandumpLogWriter& log, std::string interface)
         : bus_{bus}, log_{log}, interface_{std::move(interface)} {}
 
@@ -36,7 +38,7 @@ class RecordedBus final : public hal::CanBus {
     hal::BusState state() const noexcept override { return bus_.state(); }
     hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
 
-   private:
+ private:
     void record(const hal::CanFrame& frame) {
         LoggedFrame logged{frame, interface_, 0U};
         logged.frame.receive_time = time_;

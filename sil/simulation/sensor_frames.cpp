@@ -11,15 +11,19 @@ namespace {
 constexpr double degrees_per_radian = 57.295779513082321;
 constexpr double kmh_per_mps = 3.6;
 
-float to_degrees(double radians) { return static_cast<float>(radians * degrees_per_radian); }
+float to_degrees(double radians) {
+    return static_cast<float>(radians * degrees_per_radian);
+}
 
 void send_or_throw(hal::CanBus& bus, const hal::CanFrame& frame) {
     const hal::SendResult result = bus.send(frame);
     if (result != hal::SendResult::sent) {
-        throw std::runtime_error(fmt::format(
-            "frame 0x{:03X} could not be sent: {}. Check that the interface is up and that its queue is not full "
-            "(ip -details link show).",
-            frame.identifier, result == hal::SendResult::full ? "the send queue is full" : "the bus has failed"));
+        throw std::runtime_error(
+            fmt::format("frame 0x{:03X} could not be sent: {}. Check that the interface is up and that its "
+                        "queue is not full "
+                        "(ip -details link show).",
+                        frame.identifier,
+                        result == hal::SendResult::full ? "the send queue is full" : "the bus has failed"));
     }
 }
 

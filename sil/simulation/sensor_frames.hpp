@@ -23,7 +23,7 @@ hal::CanFrame to_frame(const Message& message) {
 }
 
 class SensorFrames {
-   public:
+ public:
     // Sends one sample as three frames. Throws std::runtime_error when the bus does not take one.
     void send(hal::CanBus& bus, const SensorSample& sample);
 
@@ -32,7 +32,7 @@ class SensorFrames {
 
     std::uint64_t frames_sent() const { return frames_sent_; }
 
-   private:
+ private:
     template <typename Message>
     void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender);
 

@@ -1,0 +1,132 @@
+#include "sil/apps/account.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+namespace sil {
+namespace {
+
+constexpr double g_mps2 = 9.80665;
+constexpr double degrees_per_radian = 57.295779513082321;
+constexpr double line_interval_s = 0.5;
+
+void print_line(const std::string& line) {
+    std::fputs((line + "\n").c_str(), stdout);
+    std::fflush(stdout);
+}
+
+std::string optional_number(double value, const char* format) {
+    return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string{"-"};
+}
+
+void print_event(double time_s, const std::string& what) {
+    print_line(fmt::format("{:7.3f} s  >> {}", time_s, what));
+}
+
+void tell_once(bool& told, const std::optional<EventMoment>& moment, const char* what) {
+    if (moment && !told) {
+        told = true;
+        print_event(moment->time_s, fmt::format("{} at {:+.3f} g, roll {:+.2f} deg", what,
+                                                moment->lateral_acceleration_mps2 / g_mps2,
+                                                moment->roll_angle_rad * degrees_per_radian));
+    }
+}
+
+std::string moment_line(const char* what, const std::optional<EventMoment>& moment) {
+    if (!moment) {
+        return fmt::format("  {:<22} did not happen", what);
+    }
+    return fmt::format("  {:<22} {:7.3f} s  at {:+.3f} g", what, moment->time_s,
+                       moment->lateral_acceleration_mps2 / g_mps2);
+}
+
+// Names of the one-bit diagnostic flags that are set.
+std::string flags_of(const can_dbc::RolloverStatus& status) {
+    std::string names;
+    can_dbc::RolloverStatus::visit_signals([&](const char* name, const char*, auto member, auto) {
+        using Value = std::remove_cv_t<std::remove_reference_t<decltype(status.*member)>>;
+        if constexpr (std::is_same_v<Value, bool>) {
+            if (status.*member) {
+                names += (names.empty() ? "" : " ") + std::string{name};
+            }
+        }
+    });
+    return names;
+}
+
+}  // namespace
+
+void Account::begin(const Manoeuvre& manoeuvre, const RunOptions& options, bool lock_step,
+                    double duration_s) {
+    print_line(fmt::format("{}{}: {}", manoeuvre.name, options.mirrored ? " (mirrored)" : "",
+                           manoeuvre.description));
+    print_line(fmt::format("{:.0f} s of simulated time, {}", duration_s,
+                           lock_step ? "in lock-step with the ECU" : "in real time"));
+}
+
+void Account::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& events, double duration_s) {
+    if (truth.time_s >= next_line_s_ - 1.0e-6) {
+        next_line_s_ += line_interval_s;
+        const EcuOutput& output = ecu.output();
+        print_line(
+            fmt::format("{:7.2f} s  {:3.0f} %  {:5.1f} km/h  steer {:+6.0f} deg  a_y {:+.3f} g  roll "
+                        "{:+6.2f} deg  RSI {:>5}  {}",
+                        truth.time_s, 100.0 * truth.time_s / duration_s, truth.speed_mps * 3.6,
+                        truth.steering_wheel_angle_rad * degrees_per_radian,
+                        truth.lateral_acceleration_mps2 / g_mps2, truth.roll_angle_rad * degrees_per_radian,
+                        optional_number(output.roll_stability_indicator, "{:.3f}"), to_string(output.state)));
+    }
+    report_state(truth, ecu.output());
+    report_events(events);
+    report_diagnostics(truth, ecu.status());
+}
+
+void Account::report_state(const Truth& truth, const EcuOutput& output) {
+    if (output.state == state_) {
+        return;
+    }
+    state_ = output.state;
+    const std::string side =
+        output.side == WarningSide::none ? "" : fmt::format(", {} side", to_string(output.side));
+    print_event(truth.time_s, fmt::format("ECU: {}{}", to_string(output.state), side));
+}
+
+void Account::report_events(const RunEvents& events) {
+    tell_once(one_wheel_told_, events.one_wheel_lift, "one wheel lifts");
+    tell_once(two_wheel_told_, events.two_wheel_lift, "two wheels of one side have lifted");
+    tell_once(ssf_told_, events.ssf_crossing, "static stability factor crossed");
+}
+
+void Account::report_diagnostics(const Truth& truth, const can_dbc::RolloverStatus& status) {
+    const std::string flags = flags_of(status);
+    if (flags != flags_of(told_status_)) {
+        print_event(truth.time_s,
+                    flags.empty() ? "ECU: no diagnostic flags" : "ECU diagnostic flags: " + flags);
+    }
+    told_status_ = status;
+}
+
+void Account::end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent) {
+    print_line("");
+    print_line(moment_line("warning", events.warning) +
+               (events.warning ? fmt::format(", {} side", to_string(events.warning_side)) : ""));
+    print_line(moment_line("one-wheel lift-off", events.one_wheel_lift));
+    print_line(moment_line("two-wheel lift-off", events.two_wheel_lift));
+    print_line(moment_line("SSF crossing", events.ssf_crossing));
+    const std::optional<double> lead = events.lead_time_s();
+    print_line(
+        lead ? fmt::format("  {:<22} {:7.3f} s before two-wheel lift-off", "lead time", *lead)
+             : fmt::format("  {:<22} none: warning and two-wheel lift-off did not both happen", "lead time"));
+    print_line(fmt::format("  {:<22} {:.3f} g; final roll {:+.2f} deg", "largest |a_y|",
+                           events.largest_lateral_acceleration_mps2 / g_mps2,
+                           events.final_roll_angle_rad * degrees_per_radian));
+    print_line(fmt::format("  {:<22} {} sensor frames sent, {} ECU frames received, {} refused", "bus",
+                           frames_sent, ecu.frames_received(), ecu.frames_refused()));
+}
+
+}  // namespace sil

@@ -1,0 +1,28 @@
+// Account: the readable live report of a run.
+#pragma once
+
+#include "sil/simulation/closed_loop.hpp"
+
+namespace sil {
+
+// Prints a line each half second of simulated time and a line for each event, when it happens.
+class Account {
+ public:
+    void begin(const Manoeuvre& manoeuvre, const RunOptions& options, bool lock_step, double duration_s);
+    void cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& events, double duration_s);
+    void end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent);
+
+ private:
+    void report_state(const Truth& truth, const EcuOutput& output);
+    void report_events(const RunEvents& events);
+    void report_diagnostics(const Truth& truth, const can_dbc::RolloverStatus& status);
+
+    double next_line_s_{0.0};
+    WarningState state_{WarningState::unavailable};
+    bool one_wheel_told_{false};
+    bool two_wheel_told_{false};
+    bool ssf_told_{false};
+    can_dbc::RolloverStatus told_status_{};
+};
+
+}  // namespace sil

@@ -1,0 +1,121 @@
+#include "sil/apps/ecu_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+#include "application/rollover_ecu.hpp"
+#include "hal/linux/periodic_tick.hpp"
+#include "hal/linux/real_time.hpp"
+#include "hal/linux/software_watchdog.hpp"
+#include "hal/linux/steady_clock.hpp"
+#include "hal/memory/virtual_clock.hpp"
+#include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/simulation/lock_step_receiver.hpp"
+
+namespace sil {
+namespace {
+
+constexpr hal::Time period = hal::Time::from_milliseconds(10);
+constexpr hal::Time watchdog_limit = hal::Time::from_milliseconds(500);
+
+void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
+    std::array<hal::CanIdentifier, application::received_identifiers.size() + 1U> identifiers{};
+    std::transform(application::received_identifiers.begin(), application::received_identifiers.end(),
+                   identifiers.begin(), [](std::uint32_t value) { return hal::CanIdentifier{value, false}; });
+    identifiers.back().value = can_dbc::SimulationSync::identifier;
+
+    hal::SocketCanSettings settings;
+    settings.interface_name = request.interface.c_str();
+    settings.identifiers = identifiers.data();
+    settings.identifier_count = request.lock_step ? identifiers.size() : identifiers.size() - 1U;
+    const hal::OpenResult opened = bus.open(settings);
+    if (!opened) {
+        throw std::runtime_error(opened.message());
+    }
+}
+
+void start(application::RolloverEcu& ecu, const rsi::Parameters& parameters) {
+    const rsi::Validation answer = ecu.init(parameters);
+    if (answer.accepted == 0) {
+        throw std::runtime_error(
+            fmt::format("the component refuses its parameter {}: {}", answer.field, answer.reason));
+    }
+}
+
+void say_listening(const EcuRequest& request) {
+    fmt::print("rsi-ecu: listening on {}{}\n", request.interface, request.lock_step ? ", in lock-step" : "");
+    std::fflush(stdout);
+}
+
+double to_ms(hal::Time time) {
+    return static_cast<double>(time.nanoseconds) * 1.0e-6;
+}
+
+void print_punctuality(const hal::PeriodicTick<hal::SteadyClock>& tick, const hal::SocketCanBus& bus) {
+    const hal::DurationHistogram& lateness = tick.lateness();
+    const hal::BusStatistics statistics = bus.statistics();
+    fmt::print(
+        "rsi-ecu: {} cycles, {} overruns, {} missed; woken late by median {:.3f} ms, 99th percentile {:.3f} "
+        "ms, "
+        "largest {:.3f} ms\n",
+        tick.ticks(), tick.overruns(), tick.missed_periods(), to_ms(lateness.quantile(0.5)),
+        to_ms(lateness.quantile(0.99)), to_ms(lateness.largest()));
+    fmt::print("rsi-ecu: {} frames received, {} sent, {} lost, {} error frames\n", statistics.frames_received,
+               statistics.frames_sent, statistics.frames_lost, statistics.error_frames);
+}
+
+void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, hal::SocketCanBus& bus,
+                      const volatile std::sig_atomic_t& end_requested) {
+    hal::SteadyClock clock;
+    hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
+    application::RolloverEcu ecu{bus, clock, watchdog};
+    start(ecu, parameters);
+    const hal::RealTimeResult real_time = hal::enter_real_time({request.fifo_priority, request.lock_memory});
+    if (!real_time) {
+        throw std::runtime_error(real_time.message());
+    }
+    say_listening(request);
+    hal::PeriodicTick<hal::SteadyClock> tick{clock, period};
+    while (end_requested == 0) {
+        ecu.step(tick.wait());
+        if (watchdog.expired()) {
+            throw std::runtime_error("the watchdog expired: a cycle took longer than 500 ms");
+        }
+    }
+    print_punctuality(tick, bus);
+}
+
+void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, hal::SocketCanBus& socket,
+                      const volatile std::sig_atomic_t& end_requested) {
+    hal::VirtualClock clock;
+    LockStepReceiver bus{socket, clock};
+    hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
+    application::RolloverEcu ecu{bus, clock, watchdog};
+    start(ecu, parameters);
+    say_listening(request);
+    while (end_requested == 0) {
+        // Short enough to notice a request to end, long enough to cost nothing.
+        if (bus.wait_for_cycle(hal::Time::from_milliseconds(100))) {
+            ecu.step(0U);
+        }
+    }
+}
+
+}  // namespace
+
+void run_ecu(const EcuRequest& request, const rsi::Parameters& parameters,
+             const volatile std::sig_atomic_t& end_requested) {
+    hal::SocketCanBus bus;
+    open_or_throw(bus, request);
+    if (request.lock_step) {
+        run_in_lock_step(request, parameters, bus, end_requested);
+    } else {
+        run_in_real_time(request, parameters, bus, end_requested);
+    }
+}
+
+}  // namespace sil

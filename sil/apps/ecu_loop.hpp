@@ -1,0 +1,24 @@
+// ECU loop: the host's main loop around the application, on a tick of 10 ms or in lock-step.
+#pragma once
+
+#include <csignal>
+#include <string>
+
+#include "rsi/types.hpp"
+
+namespace sil {
+
+struct EcuRequest {
+    std::string interface{"can0"};
+    bool lock_step{false};
+    int fifo_priority{0};  // 0: the scheduling stays as it is
+    bool lock_memory{false};
+};
+
+// Runs until `end_requested` is not zero, then prints how punctual the cycle was. Throws std::runtime_error
+// with a message for the user when the interface cannot be opened, the real-time settings are refused, or the
+// watchdog expires.
+void run_ecu(const EcuRequest& request, const rsi::Parameters& parameters,
+             const volatile std::sig_atomic_t& end_requested);
+
+}  // namespace sil

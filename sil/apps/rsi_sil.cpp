@@ -1,0 +1,66 @@
+// rsi-sil: the world. Drives a simulated vehicle through a manoeuvre and talks to the ECU over a CAN
+// interface.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "sil/analysis/bus_timing.hpp"
+#include "sil/apps/run_command.hpp"
+#include "sil/manoeuvres/catalogue.hpp"
+
+namespace {
+
+void list_manoeuvres() {
+    for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+        fmt::print("{:<20} {}\n", manoeuvre.name, manoeuvre.description);
+    }
+}
+
+void add_run(CLI::App& app, sil::RunRequest& request) {
+    CLI::App* run = app.add_subcommand("run", "Drive a manoeuvre against an ECU on a CAN interface");
+    run->add_option("manoeuvre", request.manoeuvre, "Its name; `rsi-sil list` names all")->required();
+    run->add_option("--interface", request.interface, "CAN interface")->capture_default_str();
+    run->add_option("--vehicle", request.vehicle_file, "Parameter file of the simulated vehicle (TOML)")
+        ->required();
+    run->add_option("--output", request.output, "Folder for the results")->required();
+    run->add_option("--seed", request.seed, "Seed of the sensor noise")->capture_default_str();
+    run->add_option("--duration", request.duration_s, "Seconds of simulated time (default: the manoeuvre's)")
+        ->check(CLI::PositiveNumber);
+    run->add_flag("--noise", request.noise, "Sensors with noise");
+    run->add_flag("--mirror", request.mirrored, "Left and right exchanged");
+    run->add_flag("--lock-step", request.lock_step, "Simulated time: every cycle waits for the ECU's answer");
+    run->callback([&request] { sil::run_manoeuvre(request); });
+}
+
+void add_timing(CLI::App& app, std::filesystem::path& log) {
+    CLI::App* timing =
+        app.add_subcommand("timing", "Cycle jitter and reaction time of the ECU from a candump log");
+    timing->add_option("log", log, "Log written by `candump -L`")->required();
+    timing->callback(
+        [&log] { fmt::print("{}", sil::describe(sil::bus_timing(sil::read_candump_log(log)))); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"The simulated world of the rollover-warning ECU", "rsi-sil"};
+    app.require_subcommand(1);
+    sil::RunRequest request;
+    std::filesystem::path log;
+    app.add_subcommand("list", "Name all manoeuvres")->callback(list_manoeuvres);
+    add_run(app, request);
+    add_timing(app, log);
+    try {
+        app.parse(argc, argv);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "rsi-sil: {}\n", error.what());
+        return 1;
+    }
+}
