@@ -5,6 +5,8 @@
 #include <linux/can.h>
 #include <linux/can/error.h>
 
+#include <cstdlib>
+
 #include "tests/hal/make_frame.hpp"
 #include "tests/vcan/interface_fixture.hpp"
 
@@ -115,6 +117,65 @@ TEST_F(BusStateTest, FramesWaitingFromBeforeAreStillReadAfterwards) {
         clock.wait_until(clock.now() + Time::from_milliseconds(10));
     }
     EXPECT_EQ(frame.identifier, 0x11U);
+}
+
+// An interface of its own, as a CAN adapter that can be unplugged.
+class UnpluggedInterfaceTest : public testing::InterfaceTest {
+ protected:
+    static void plug_in() {
+        ASSERT_EQ(std::system("ip link add dev unplug0 type vcan && ip link set unplug0 up"), 0);
+    }
+    static void unplug() { ASSERT_EQ(std::system("ip link delete unplug0"), 0); }
+    void SetUp() override { plug_in(); }
+    void TearDown() override { static_cast<void>(std::system("ip link delete unplug0 2>/dev/null")); }
+
+    ReceiveResult receive_within_two_seconds(SocketCanBus& bus, SocketCanBus& sender) {
+        ReceiveResult result = ReceiveResult::empty;
+        for (int i = 0; i < 200 && result != ReceiveResult::frame; ++i) {
+            sender.send(make_frame(0x101U));
+            sender.send(make_frame(0x100U));
+            clock.wait_until(clock.now() + Time::from_milliseconds(10));
+            result = bus.receive(frame);
+        }
+        return result;
+    }
+};
+
+TEST_F(UnpluggedInterfaceTest, ComesBackWithItsFiltersWhenPluggedInAgain) {
+    const CanIdentifier wanted{0x100U, false};
+    SocketCanSettings settings;
+    settings.interface_name = "unplug0";
+    ASSERT_TRUE(static_cast<bool>(second.open(settings)));
+    settings.identifiers = &wanted;
+    settings.identifier_count = 1U;
+    ASSERT_TRUE(static_cast<bool>(first.open(settings)));
+
+    unplug();
+    EXPECT_EQ(first.receive(frame), ReceiveResult::failed);
+    EXPECT_EQ(second.send(make_frame(1U)), SendResult::failed);
+    EXPECT_EQ(first.state(), BusState::closed);
+    EXPECT_EQ(second.state(), BusState::closed);
+
+    plug_in();
+    ASSERT_EQ(receive_within_two_seconds(first, second), ReceiveResult::frame);
+    EXPECT_EQ(frame.identifier, 0x100U);
+    EXPECT_EQ(first.state(), BusState::error_active);
+    EXPECT_EQ(second.state(), BusState::error_active);
+}
+
+TEST_F(UnpluggedInterfaceTest, DoesNotStallTheCallerWhileItIsGone) {
+    SocketCanSettings settings;
+    settings.interface_name = "unplug0";
+    ASSERT_TRUE(static_cast<bool>(first.open(settings)));
+    unplug();
+    const Time before = clock.now();
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(first.receive(frame), ReceiveResult::failed);
+        clock.wait_until(before +
+                         Time::from_milliseconds(110 * (i + 1)));  // so that each call looks for it anew
+    }
+    EXPECT_LT(clock.now() - before,
+              Time::from_milliseconds(1000));  // modprobe would cost up to a second each time
 }
 
 TEST_F(BusStateTest, OpeningAnInterfaceThatIsDownSaysSo) {
