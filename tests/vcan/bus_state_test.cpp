@@ -22,7 +22,7 @@ using testing::set_interface_up;
 
 class BusStateTest : public testing::InterfaceTest {
  protected:
-    // Reads what waits until the bus is quiet, and returns its state.
+    // Waits for what has been sent, reads it, and returns the bus's state.
     BusState state_after_reading(SocketCanBus& bus) {
         bus.wait_for_frame(Time::from_milliseconds(1000));
         bus.receive(frame);

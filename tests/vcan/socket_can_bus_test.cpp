@@ -1,7 +1,6 @@
 // SocketCanBus on a virtual CAN interface: frames, filters, times, overflow, and what can go wrong.
 #include "hal/socketcan/socket_can_bus.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/can.h>
 
@@ -13,9 +12,6 @@
 namespace hal {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using testing::interface_name;
 using testing::make_frame;
 
 class SocketCanBusTest : public testing::InterfaceTest {};
