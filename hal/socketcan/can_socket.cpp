@@ -3,7 +3,6 @@
 
 #include <linux/can/error.h>
 #include <linux/can/raw.h>
-#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -41,12 +40,6 @@ bool configure(int descriptor, const CanSocketSettings& settings) noexcept {
            set_option(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, on);
 }
 
-ifreq request_for(const InterfaceName& interface_name) noexcept {
-    ifreq request{};
-    std::memcpy(request.ifr_name, interface_name.data(), interface_name.size());
-    return request;
-}
-
 OpenFailure failure_of_socket(int system_error) noexcept {
     switch (system_error) {
         case EAFNOSUPPORT:
@@ -61,34 +54,28 @@ OpenFailure failure_of_socket(int system_error) noexcept {
     }
 }
 
-OpenFailure failure_of_interface(int system_error) noexcept {
-    switch (system_error) {
-        case ENODEV:
-        case ENXIO:
-            return OpenFailure::interface_missing;
-        case EPERM:
-        case EACCES:
-            return OpenFailure::not_permitted;
-        default:
-            return OpenFailure::system;
-    }
+CanSocketResult refused(OpenFailure failure, int system_error) noexcept {
+    return {failure, system_error, -1};
 }
 
-CanSocketResult bind_to_interface(int descriptor, const CanSocketSettings& settings) noexcept {
-    ifreq request = request_for(settings.interface_name);
-    if (ioctl(descriptor, SIOCGIFINDEX, &request) != 0) {
-        return {failure_of_interface(errno), errno, -1};
+CanSocketResult bind_to_interface(int descriptor, const InterfaceName& name) noexcept {
+    const InterfaceLookup interface = look_up_interface(name);
+    if (interface.system_error != 0) {
+        return refused(
+            interface.system_error == ENODEV ? OpenFailure::interface_missing : OpenFailure::system,
+            interface.system_error);
+    }
+    if (!interface.is_can) {
+        return refused(OpenFailure::interface_not_can, 0);
+    }
+    if (!interface.is_up) {
+        return refused(OpenFailure::interface_down, 0);
     }
     sockaddr_can address{};
     address.can_family = AF_CAN;
-    address.can_ifindex = request.ifr_ifindex;
+    address.can_ifindex = interface.index;
     if (bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
-        // The name has just been found, so ENODEV now means that the kernel wants another kind of interface.
-        const int reason = errno;
-        return {reason == ENODEV ? OpenFailure::interface_not_can : failure_of_interface(reason), reason, -1};
-    }
-    if (!is_interface_up(descriptor, settings.interface_name)) {
-        return {OpenFailure::interface_down, 0, -1};
+        return refused(OpenFailure::system, errno);
     }
     return {OpenFailure::none, 0, descriptor};
 }
@@ -115,23 +102,18 @@ void read_ancillary(msghdr& message, ReadResult& result) noexcept {
 CanSocketResult open_can_socket(const CanSocketSettings& settings) noexcept {
     const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW);
     if (descriptor < 0) {
-        return {failure_of_socket(errno), errno, -1};
+        return refused(failure_of_socket(errno), errno);
     }
     CanSocketResult result;
     if (configure(descriptor, settings)) {
-        result = bind_to_interface(descriptor, settings);
+        result = bind_to_interface(descriptor, settings.interface_name);
     } else {
-        result = {OpenFailure::system, errno, -1};
+        result = refused(OpenFailure::system, errno);
     }
     if (result.failure != OpenFailure::none) {
         close(descriptor);
     }
     return result;
-}
-
-bool is_interface_up(int descriptor, const InterfaceName& interface_name) noexcept {
-    ifreq request = request_for(interface_name);
-    return ioctl(descriptor, SIOCGIFFLAGS, &request) == 0 && (request.ifr_flags & IFF_UP) != 0;
 }
 
 ReadResult read_frame(int descriptor, canfd_frame& kernel_frame) noexcept {

@@ -2,20 +2,18 @@
 #pragma once
 
 #include <linux/can.h>
-#include <net/if.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "hal/interface/clock.hpp"
+#include "hal/socketcan/interface_lookup.hpp"
 #include "hal/socketcan/open_result.hpp"
 
 namespace hal {
 
 inline constexpr std::size_t most_receive_filters{64U};
-
-using InterfaceName = std::array<char, IFNAMSIZ>;  // ends in at least one zero
 
 // Everything needed to make the socket again after its interface has vanished.
 struct CanSocketSettings {
@@ -33,9 +31,6 @@ struct CanSocketResult {
 };
 
 CanSocketResult open_can_socket(const CanSocketSettings& settings) noexcept;
-
-// True when the interface exists and is up.
-bool is_interface_up(int descriptor, const InterfaceName& interface_name) noexcept;
 
 struct ReadResult {
     int system_error{0};  // EAGAIN when nothing waits

@@ -230,7 +230,7 @@ bool SocketCanBus::try_recovery() noexcept {
         descriptor_ = again.descriptor;
         drop_count_ = 0U;
         vanished_ = false;
-    } else if (!is_interface_up(descriptor_, settings_.interface_name)) {
+    } else if (!look_up_interface(settings_.interface_name).is_up) {
         return false;
     }
     state_ = BusState::error_active;
