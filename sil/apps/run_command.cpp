@@ -75,8 +75,8 @@ class Timing {
     Timing(const RunRequest& request, hal::SocketCanBus& socket) : socket_{socket} {
         if (request.lock_step) {
             log_.emplace(request.output / "candump.log");
-            recorded_.emplace(socket, *log_, request.interface);
-            lock_step_.emplace(socket, *recorded_);
+            recorded_.emplace(socket, simulated_time_, *log_, request.interface);
+            lock_step_.emplace(socket, *recorded_, simulated_time_);
         } else {
             wait_for_ecu(socket, request.interface);
             real_time_.emplace();
@@ -94,6 +94,7 @@ class Timing {
 
  private:
     hal::SocketCanBus& socket_;
+    hal::VirtualClock simulated_time_;
     std::optional<CandumpLogWriter> log_;
     std::optional<RecordedBus> recorded_;
     std::optional<LockStepPace> lock_step_;

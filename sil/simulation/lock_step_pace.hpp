@@ -3,9 +3,9 @@
 
 #include <stdexcept>
 
+#include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/simulation/pace.hpp"
-#include "sil/simulation/recorded_bus.hpp"
 #include "sil/simulation/sensor_frames.hpp"
 
 namespace sil {
@@ -14,12 +14,13 @@ namespace sil {
 // the cycle.
 class LockStepPace final : public Pace {
  public:
-    // `bus` is `socket` as the run sees it, with a log that gets simulated time. All must outlive the pace.
-    LockStepPace(hal::SocketCanBus& socket, RecordedBus& bus) : socket_{socket}, bus_{bus} {}
+    // `bus` is `socket` as the run sees it (recorded or not); `clock` gets simulated time. All must outlive
+    // the pace.
+    LockStepPace(hal::SocketCanBus& socket, hal::CanBus& bus, hal::VirtualClock& clock)
+        : socket_{socket}, bus_{bus}, clock_{clock} {}
 
     void begin_cycle(std::uint32_t number) override {
-        number_ = number;
-        bus_.set_time(hal::Time{number * cycle_time.nanoseconds});
+        clock_.set(hal::Time{number * cycle_time.nanoseconds});
     }
 
     void frames_sent(std::uint32_t number) override { SensorFrames::send_sync(bus_, number); }
@@ -32,14 +33,16 @@ class LockStepPace final : public Pace {
         return true;
     }
 
-    double reception_time_s(const hal::CanFrame&) const override { return number_ * cycle_time_s; }
+    double reception_time_s(const hal::CanFrame&) const override {
+        return static_cast<double>(clock_.now().nanoseconds) * 1.0e-9;
+    }
 
  private:
     static constexpr hal::Time longest_wait = hal::Time::from_milliseconds(5000);
 
     hal::SocketCanBus& socket_;
-    RecordedBus& bus_;
-    std::uint32_t number_{0U};
+    hal::CanBus& bus_;
+    hal::VirtualClock& clock_;
 };
 
 }  // namespace sil

@@ -3,21 +3,19 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "hal/interface/can_bus.hpp"
 #include "sil/analysis/candump_log.hpp"
 
 namespace sil {
 
-// For lock-step runs, whose log must not contain the machine's clock. The wrapped bus and the writer must
-// outlive it.
+// For lock-step runs, whose log must not contain the machine's clock. All three references must outlive it.
 class RecordedBus final : public hal::CanBus {
  public:
-    RecordedBus(hal::CanBus& bus, CandumpLogWriter& log, std::string interface)
-        : bus_{bus}, log_{log}, interface_{std::move(interface)} {}
-
-    // The time that frames get from now on.
-    void set_time(hal::Time time) { time_ = time; }
+    RecordedBus(hal::CanBus& bus, const hal::Clock& simulated_time, CandumpLogWriter& log,
+                std::string interface)
+        : bus_{bus}, simulated_time_{simulated_time}, log_{log}, interface_{std::move(interface)} {}
 
     hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
         const hal::ReceiveResult result = bus_.receive(frame);
@@ -41,14 +39,14 @@ class RecordedBus final : public hal::CanBus {
  private:
     void record(const hal::CanFrame& frame) {
         LoggedFrame logged{frame, interface_, 0U};
-        logged.frame.receive_time = time_;
+        logged.frame.receive_time = simulated_time_.now();
         log_.write(logged);
     }
 
     hal::CanBus& bus_;
+    const hal::Clock& simulated_time_;
     CandumpLogWriter& log_;
     std::string interface_;
-    hal::Time time_{};
 };
 
 }  // namespace sil

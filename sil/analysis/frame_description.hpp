@@ -1,0 +1,15 @@
+// Frame description: what a frame says, for people.
+#pragma once
+
+#include <string>
+
+#include "hal/interface/can_bus.hpp"
+
+namespace sil {
+
+// "RolloverWarning State=warning Side=right RollStabilityIndicator=1 LateralAcceleration=7.105 m/s^2 ..."; a
+// signal that is not valid shows why. Empty for a frame that the DBC file does not define or whose length is
+// another.
+std::string describe_frame(const hal::CanFrame& frame);
+
+}  // namespace sil

@@ -1,0 +1,150 @@
+// Candump regression: recorded sensor frames through the firmware must give the recorded ECU frames, byte for
+// byte.
+//
+// NAME.sensors.log holds the sensor frames, NAME.ecu.log what the firmware answered.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "application/sensor_reception.hpp"
+#include "sil/analysis/candump_compare.hpp"
+#include "sil/analysis/candump_log.hpp"
+#include "sil/analysis/frame_description.hpp"
+#include "sil/calibration/calibration_file.hpp"
+#include "sil/manoeuvres/catalogue.hpp"
+#include "sil/simulation/closed_loop.hpp"
+#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/recorded_bus.hpp"
+#include "sil/simulation/replay.hpp"
+#include "sil/vehicle/parameter_file.hpp"
+
+namespace {
+
+struct Request {
+    std::string base;        // path without ".sensors.log"
+    std::string parameters;  // calibration of the firmware
+    std::string manoeuvre;
+    std::string vehicle;
+    double duration_s{0.0};
+    std::uint64_t seed{1U};
+    bool mirrored{false};
+    bool noise{false};
+};
+
+std::string sensor_log(const Request& request) {
+    return request.base + ".sensors.log";
+}
+std::string ecu_log(const Request& request) {
+    return request.base + ".ecu.log";
+}
+
+void write_log(const std::string& path, const std::vector<sil::LoggedFrame>& frames) {
+    sil::CandumpLogWriter writer{path};
+    for (const sil::LoggedFrame& frame : frames) {
+        writer.write(frame);
+    }
+    writer.close();
+}
+
+std::vector<sil::LoggedFrame> answers(const Request& request) {
+    return sil::replay(sil::read_candump_log(sensor_log(request)), sil::load_calibration(request.parameters));
+}
+
+void check(const Request& request) {
+    sil::CompareOptions options;
+    options.describe = sil::describe_frame;
+    const sil::LogComparison comparison =
+        sil::compare_logs(sil::read_candump_log(ecu_log(request)), answers(request), options);
+    fmt::print("{}\n", comparison.report);
+    if (!comparison.equal) {
+        throw std::runtime_error(fmt::format(
+            "the firmware no longer answers {} as {} says. If that is meant, run tests/regression/renew "
+            "and commit the logs with the reason.",
+            sensor_log(request), ecu_log(request)));
+    }
+}
+
+void renew(const Request& request) {
+    write_log(ecu_log(request), answers(request));
+}
+
+class NoObserver final : public sil::RunObserver {
+ public:
+    void cycle(const sil::Truth&, const sil::SensorSample&, const sil::EcuFrames&,
+               const sil::RunEvents&) override {}
+};
+
+void drive(const Request& request, sil::CandumpLogWriter& log) {
+    sil::RunOptions options;
+    options.mirrored = request.mirrored;
+    options.duration_s = request.duration_s;
+    sil::ManoeuvreRun plant{sil::load_vehicle(request.vehicle), sil::find_manoeuvre(request.manoeuvre),
+                            options};
+    sil::SensorSuite sensors{request.noise ? sil::noisy_sensors(request.seed) : sil::SensorOptions{}};
+    sil::InProcessEcu ecu{sil::load_calibration(request.parameters)};
+    sil::RecordedBus bus{ecu.world_bus(), ecu.clock(), log, "vcan0"};
+    sil::InProcessPace pace{ecu};
+    NoObserver observer;
+    sil::ClosedLoop{plant, sensors, bus, pace}.run(observer);
+}
+
+// Keeps what the simulated sensors send; the answers come from a replay, as they will in every check.
+void record(const Request& request) {
+    sil::CandumpLogWriter whole{sensor_log(request)};
+    drive(request, whole);
+    whole.close();
+    std::vector<sil::LoggedFrame> frames = sil::read_candump_log(sensor_log(request));
+    const auto& received = application::received_identifiers;
+    frames.erase(std::remove_if(frames.begin(), frames.end(),
+                                [&](const sil::LoggedFrame& logged) {
+                                    return std::find(received.begin(), received.end(),
+                                                     logged.frame.identifier) == received.end();
+                                }),
+                 frames.end());
+    write_log(sensor_log(request), frames);
+    renew(request);
+}
+
+CLI::App* add_use(CLI::App& app, const char* name, const char* what, Request& request) {
+    CLI::App* use = app.add_subcommand(name, what);
+    use->add_option("base", request.base, "Path of the logs, without .sensors.log")->required();
+    use->add_option("--parameters", request.parameters, "Calibration of the firmware (TOML)")->required();
+    return use;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Sensor frames in, ECU frames out, compared with what is committed", "candump_regression"};
+    app.require_subcommand(1);
+    Request request;
+    add_use(app, "check", "Compare the firmware's answers with the committed ones", request)->callback([&] {
+        check(request);
+    });
+    add_use(app, "renew", "Write the firmware's answers to the committed sensor frames", request)
+        ->callback([&] { renew(request); });
+    CLI::App* recorded =
+        add_use(app, "record", "Drive a manoeuvre and write its sensor frames and answers", request);
+    recorded->add_option("--manoeuvre", request.manoeuvre)->required();
+    recorded->add_option("--vehicle", request.vehicle)->required();
+    recorded->add_option("--duration", request.duration_s);
+    recorded->add_option("--seed", request.seed);
+    recorded->add_flag("--mirror", request.mirrored);
+    recorded->add_flag("--noise", request.noise);
+    recorded->callback([&] { record(request); });
+    try {
+        app.parse(argc, argv);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "candump_regression: {}\n", error.what());
+        return 1;
+    }
+}
