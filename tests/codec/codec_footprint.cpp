@@ -1,0 +1,25 @@
+// Uses all of the codec and of the end-to-end protection, so that its object file shows what they need at run
+// time.
+#include <array>
+#include <cstdint>
+
+#include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+
+// Decodes and encodes a payload as every message in turn; what matters is the object file.
+extern "C" void codec_footprint(std::array<std::uint8_t, 8>& payload, std::uint8_t length);
+
+extern "C" void codec_footprint(std::array<std::uint8_t, 8>& payload, std::uint8_t length) {
+    can_dbc::visit_messages([&payload, length](auto type) {
+        using Message = typename decltype(type)::Type;
+        can_dbc::e2e::Profile11Receiver receiver{Message::e2e_data_id, Message::length, 2U};
+        can_dbc::e2e::Profile11Sender sender{Message::e2e_data_id};
+        if (is_usable(receiver.check(payload, length).status)) {
+            auto encoded = can_dbc::encode(can_dbc::decode<Message>(payload).value);
+            sender.protect(encoded);
+            for (std::size_t index = 0U; index < encoded.size(); ++index) {
+                payload[index] = encoded[index];
+            }
+        }
+    });
+}
