@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double frequency_hz = 0.3;
-constexpr double amplitude_rad = from_degrees(47.0);
+constexpr double amplitude_rad = from_degrees(43.0);
 constexpr double start_s = 1.0;
 constexpr double build_up_s = 5.0;  // so that the first swing does not overshoot
 

@@ -64,10 +64,11 @@ void write_kinematic_roll_centre(const FrontWheelPath& path, double track_width_
                                  Truth& truth) {
     truth.roll_centre_lateral_m = not_defined;
     truth.roll_centre_kinematic_height_m = not_defined;
-    const double left_angle = std::atan(path.slope(state.suspension[0])) - truth.roll_angle_rad;
-    const double right_angle = std::atan(path.slope(state.suspension[1])) + truth.roll_angle_rad;
-    const double left = std::tan(left_angle);
-    const double right = std::tan(right_angle);
+    const double lean = std::tan(truth.roll_angle_rad);
+    const double left_slope = path.slope(state.suspension[0]);
+    const double right_slope = path.slope(state.suspension[1]);
+    const double left = (left_slope - lean) / (1.0 + left_slope * lean);
+    const double right = (right_slope + lean) / (1.0 - right_slope * lean);
     const bool both_touch = truth.wheel_load_n[front_left] > 0.0 && truth.wheel_load_n[front_right] > 0.0;
     if (!both_touch || left + right < smallest_path_slope_sum) {
         return;
