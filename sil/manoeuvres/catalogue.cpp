@@ -25,7 +25,8 @@ Manoeuvre find_manoeuvre(std::string_view name) {
         }
         known += (known.empty() ? "" : ", ") + manoeuvre.name;
     }
-    throw UnknownManoeuvre("There is no manoeuvre '" + std::string{name} + "'. Choose one of: " + known + ".");
+    throw UnknownManoeuvre("There is no manoeuvre '" + std::string{name} + "'. Choose one of: " + known +
+                           ".");
 }
 
 }  // namespace sil

@@ -12,7 +12,7 @@ namespace sil {
 
 // The message lists the manoeuvres that exist.
 class UnknownManoeuvre : public std::invalid_argument {
-   public:
+ public:
     using std::invalid_argument::invalid_argument;
 };
 

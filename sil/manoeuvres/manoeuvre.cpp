@@ -8,11 +8,11 @@ namespace sil {
 namespace {
 
 class OpenLoopDriver final : public Driver {
-   public:
+ public:
     explicit OpenLoopDriver(std::function<DriverCommand(double)> command) : command_{std::move(command)} {}
     DriverCommand command(const Truth& truth) override { return command_(truth.time_s); }
 
-   private:
+ private:
     std::function<DriverCommand(double)> command_;
 };
 

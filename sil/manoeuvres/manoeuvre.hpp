@@ -20,7 +20,7 @@ struct DriverCommand {
 
 // Sees the vehicle and acts; may keep state, such as a steering reversal that has begun. One object a run.
 class Driver {
-   public:
+ public:
     Driver() = default;
     Driver(const Driver&) = delete;
     Driver& operator=(const Driver&) = delete;
@@ -47,8 +47,12 @@ std::function<std::unique_ptr<Driver>(const VehicleParameters&)> open_loop(
 // A level road.
 std::function<std::unique_ptr<Road>()> flat_road();
 
-constexpr double from_degrees(double degrees) { return degrees * 3.14159265358979323846 / 180.0; }
-constexpr double from_kmh(double kilometres_per_hour) { return kilometres_per_hour / 3.6; }
+constexpr double from_degrees(double degrees) {
+    return degrees * 3.14159265358979323846 / 180.0;
+}
+constexpr double from_kmh(double kilometres_per_hour) {
+    return kilometres_per_hour / 3.6;
+}
 
 // Turns to `angle` at `rate` from `start` on, and holds.
 double ramp_and_hold(double time_s, double start_s, double rate_radps, double angle_rad);

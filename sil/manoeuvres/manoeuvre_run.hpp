@@ -9,14 +9,14 @@
 namespace sil {
 
 struct RunOptions {
-    bool mirrored{false};    // steering and road with left and right exchanged
+    bool mirrored{false};  // steering and road with left and right exchanged
     double step_s{Vehicle::nominal_step_s};
     double duration_s{0.0};  // 0: as the manoeuvre says
 };
 
 // Owns road, driver and vehicle. After the last step the vehicle may be driven on; nothing stops it.
 class ManoeuvreRun {
-   public:
+ public:
     ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre& manoeuvre, RunOptions options = {});
 
     // One step of the vehicle under the driver's command.
@@ -27,7 +27,7 @@ class ManoeuvreRun {
     const Truth& truth() const { return vehicle_.truth(); }
     const Vehicle& vehicle() const { return vehicle_; }
 
-   private:
+ private:
     RunOptions options_;
     double duration_s_;
     double wanted_speed_mps_;

@@ -20,15 +20,14 @@ struct AxlePose {
     // The part of the centre's acceleration that comes from the rates alone.
     Vector3 rate_acceleration(double heave_rate_mps, double roll_rate_radps) const {
         const double roll_squared = roll_rate_radps * roll_rate_radps;
-        return Vector3{0.0,
-                       path_curvature_pm * heave_rate_mps * heave_rate_mps -
-                           pivot_m * direction.z() * roll_squared,
-                       pivot_m * direction.y() * roll_squared};
+        return Vector3{
+            0.0, path_curvature_pm * heave_rate_mps * heave_rate_mps - pivot_m * direction.z() * roll_squared,
+            pivot_m * direction.y() * roll_squared};
     }
 };
 
 class RearAxle {
-   public:
+ public:
     // `centre_at_rest`: of the axle in body axes, in static equilibrium.
     RearAxle(const RearSuspensionParameters& parameters, const Vector3& centre_at_rest)
         : centre_at_rest_{centre_at_rest},
@@ -38,7 +37,7 @@ class RearAxle {
 
     AxlePose pose(double heave_m, double roll_rad) const;
 
-   private:
+ private:
     Vector3 centre_at_rest_;
     double pivot_m_;
     double path_slope_;

@@ -12,15 +12,15 @@ namespace sil {
 
 // Drive torque of each wheel. Each axle has a differential that resists a difference of speeds, so that a
 // lifted wheel does not run away with all the power.
-inline std::array<double, wheel_count> drive_torques_nm(
-    const DrivelineParameters& parameters, double drive_force_n, double wheel_radius_m,
-    const std::array<double, wheel_count>& spin_radps) {
+inline std::array<double, wheel_count> drive_torques_nm(const DrivelineParameters& parameters,
+                                                        double drive_force_n, double wheel_radius_m,
+                                                        const std::array<double, wheel_count>& spin_radps) {
     const double limit = parameters.drive_force_limit_n;
     const double half_torque = 0.5 * std::clamp(drive_force_n, -limit, limit) * wheel_radius_m;
     const double front = half_torque * parameters.front_drive_share;
     const double rear = half_torque - front;
-    const double front_lock = 0.5 * parameters.differential_damping_nmsprad *
-                              (spin_radps[front_left] - spin_radps[front_right]);
+    const double front_lock =
+        0.5 * parameters.differential_damping_nmsprad * (spin_radps[front_left] - spin_radps[front_right]);
     const double rear_lock =
         0.5 * parameters.differential_damping_nmsprad * (spin_radps[rear_left] - spin_radps[rear_right]);
     return {front - front_lock, front + front_lock, rear - rear_lock, rear + rear_lock};

@@ -38,8 +38,8 @@ void EquationsOfMotion::add_rear_axle(double mass_kg, double inertia_kgm2, const
     add_mass(mass_kg, pose.centre);
     const Vector3 velocity = pose.centre_by_heave * heave_rate_mps + pose.centre_by_roll * roll_rate_radps;
     const Vector3 force =
-        mass_kg * (free_acceleration_ - inertial(pose.centre, velocity,
-                                                 pose.rate_acceleration(heave_rate_mps, roll_rate_radps)));
+        mass_kg * (free_acceleration_ -
+                   inertial(pose.centre, velocity, pose.rate_acceleration(heave_rate_mps, roll_rate_radps)));
     add_force(force, pose.centre);
 
     // Inertia of a thin rod along d: J (1 - d d^T), applied to the axle's angular velocity and bias.

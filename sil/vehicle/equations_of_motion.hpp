@@ -20,7 +20,7 @@ struct Accelerations {
 };
 
 class EquationsOfMotion {
-   public:
+ public:
     // The sprung body alone. `free_acceleration` is gravity less omega x v: what every mass shares.
     EquationsOfMotion(double mass_kg, const Vector3& principal_inertia_kgm2, const Vector3& angular_velocity,
                       const Vector3& free_acceleration);
@@ -45,7 +45,7 @@ class EquationsOfMotion {
 
     Accelerations solve() const;
 
-   private:
+ private:
     // Acceleration of a point that moves in the body, apart from the unknown accelerations.
     Vector3 inertial(const Vector3& position, const Vector3& relative_velocity,
                      const Vector3& relative_acceleration) const {

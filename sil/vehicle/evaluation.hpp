@@ -12,21 +12,22 @@ namespace sil {
 
 struct WheelEvaluation {
     double load_n{0.0};
-    double lateral_force_n{0.0};  // of the tyre's own lateral direction and forward force, left of the heading
-    double deflection_m{0.0};     // of the tyre, < 0 in the air
+    double lateral_force_n{
+        0.0};                  // of the tyre's own lateral direction and forward force, left of the heading
+    double deflection_m{0.0};  // of the tyre, < 0 in the air
     double spin_acceleration_radps2{0.0};
 };
 
 struct Evaluation {
-    Matrix3 rotation{Matrix3::Identity()};    // body axes to earth-fixed
-    Vector3 road_normal{Vector3::UnitZ()};    // below the CG, earth-fixed
-    Vector3 heading{Vector3::UnitX()};        // body x axis projected on the road plane, earth-fixed
+    Matrix3 rotation{Matrix3::Identity()};  // body axes to earth-fixed
+    Vector3 road_normal{Vector3::UnitZ()};  // below the CG, earth-fixed
+    Vector3 heading{Vector3::UnitX()};      // body x axis projected on the road plane, earth-fixed
     Vector3 tyre_force_body_n{Vector3::Zero()};
     Accelerations accelerations{};
     std::array<WheelEvaluation, wheel_count> wheels{};
     RoadWheelAngle road_wheel{};
     double steering_wheel_angle_rad{0.0};
-    double suspension_roll_moment_nm{0.0};    // of springs, stops, dampers and anti-roll bars
+    double suspension_roll_moment_nm{0.0};  // of springs, stops, dampers and anti-roll bars
 };
 
 }  // namespace sil

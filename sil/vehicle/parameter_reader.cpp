@@ -31,8 +31,8 @@ toml::table parse_parameter_file(const std::filesystem::path& file) {
     try {
         return toml::parse_file(file.string());
     } catch (const toml::parse_error& error) {
-        throw ParameterError(place(file, error.source()) + "not valid TOML: " +
-                             std::string{error.description()} + ". Correct this line.");
+        throw ParameterError(place(file, error.source()) +
+                             "not valid TOML: " + std::string{error.description()} + ". Correct this line.");
     }
 }
 

@@ -1,10 +1,10 @@
 // Parameter reader: takes checked numbers out of a TOML file and knows which keys nobody asked for.
 #pragma once
 
+#include <toml++/toml.h>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 #include <vector>
 
 namespace sil {
@@ -16,7 +16,7 @@ struct Range {
 
 // One table of the file, whose name is empty for the file itself. All failures throw ParameterError.
 class ParameterTable {
-   public:
+ public:
     ParameterTable(const std::filesystem::path& file, const toml::table& table, std::string name);
 
     double number(std::string_view key, Range range);
@@ -26,7 +26,7 @@ class ParameterTable {
     // To be called after the last key has been read: refuses any other.
     void refuse_unknown_keys() const;
 
-   private:
+ private:
     const toml::node& find(std::string_view key, std::string_view what);
     std::string full_name(std::string_view key) const;
     [[noreturn]] void fail(const toml::source_region& where, std::string_view key,

@@ -86,11 +86,11 @@ struct SteeringParameters {
 };
 
 struct DrivelineParameters {
-    double front_drive_share{};           // 0: rear-wheel drive, 1: front-wheel drive
-    double drive_force_limit_n{};         // sum over the wheels
-    double engine_braking_n{};            // drag at the wheels when off the throttle
+    double front_drive_share{};             // 0: rear-wheel drive, 1: front-wheel drive
+    double drive_force_limit_n{};           // sum over the wheels
+    double engine_braking_n{};              // drag at the wheels when off the throttle
     double differential_damping_nmsprad{};  // torque per difference of speed between the wheels of an axle
-    double front_brake_nm{};              // each wheel, at full brake
+    double front_brake_nm{};                // each wheel, at full brake
     double rear_brake_nm{};
 };
 

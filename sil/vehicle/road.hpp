@@ -15,7 +15,7 @@ struct RoadPoint {
 
 // Implementations must be pure functions of position, so that a run can be repeated.
 class Road {
-   public:
+ public:
     Road() = default;
     Road(const Road&) = delete;
     Road& operator=(const Road&) = delete;
@@ -27,23 +27,24 @@ class Road {
 
 // Level, or inclined sideways about the x axis: the side of positive y is up for a positive bank.
 class PlaneRoad final : public Road {
-   public:
+ public:
     explicit PlaneRoad(double bank_rad = 0.0, double friction_factor = 1.0);
     RoadPoint at(double x_m, double y_m) const noexcept override;
 
-   private:
+ private:
     double slope_;
     RoadPoint point_;
 };
 
-// A circular track of constant bank about a centre at (0, radius), counter-clockwise; the outer edge is up for
-// a positive outer bank. Height is zero on the circle of the given radius, which passes through the origin.
+// A circular track of constant bank about a centre at (0, radius), counter-clockwise; the outer edge is up
+// for a positive outer bank. Height is zero on the circle of the given radius, which passes through the
+// origin.
 class BankedCircleRoad final : public Road {
-   public:
+ public:
     BankedCircleRoad(double radius_m, double outer_bank_rad, double friction_factor = 1.0);
     RoadPoint at(double x_m, double y_m) const noexcept override;
 
-   private:
+ private:
     double radius_m_;
     double slope_;
     double cosine_;
@@ -53,11 +54,11 @@ class BankedCircleRoad final : public Road {
 
 // Another road with left and right exchanged.
 class MirroredRoad final : public Road {
-   public:
+ public:
     explicit MirroredRoad(std::unique_ptr<const Road> original);
     RoadPoint at(double x_m, double y_m) const noexcept override;
 
-   private:
+ private:
     std::unique_ptr<const Road> original_;
 };
 

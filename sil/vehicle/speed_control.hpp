@@ -10,7 +10,7 @@ enum class SpeedPolicy { held, off_throttle };
 // Proportional and integral control of the drive force; the integral stands still while the force is at its
 // limit.
 class SpeedControl {
-   public:
+ public:
     explicit SpeedControl(const VehicleParameters& parameters);
 
     void reset() { integral_n_ = 0.0; }
@@ -18,7 +18,7 @@ class SpeedControl {
     // Drive force to ask for, from -engine braking to the vehicle's limit.
     double drive_force_n(SpeedPolicy policy, double wanted_speed_mps, double speed_mps, double step_s);
 
-   private:
+ private:
     double proportional_nspm_;
     double integral_npm_;
     double lower_limit_n_;

@@ -11,7 +11,7 @@ namespace sil {
 
 struct State {
     double time_s{0.0};
-    Vector3 position{Vector3::Zero()};  // sprung CG in the earth-fixed frame
+    Vector3 position{Vector3::Zero()};                               // sprung CG in the earth-fixed frame
     Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  // body axes to earth-fixed
     Vector3 velocity{Vector3::Zero()};                               // body components
     Vector3 angular_velocity{Vector3::Zero()};                       // body components

@@ -7,7 +7,7 @@ namespace sil {
 
 // Force that pushes wheel and body apart, and the energy that its elastic part has stored.
 class SpringDamper {
-   public:
+ public:
     SpringDamper(const SpringDamperParameters& parameters, double preload_n)
         : parameters_{parameters}, preload_n_{preload_n} {}
 
@@ -30,16 +30,16 @@ class SpringDamper {
 
     double stored_energy_j(double jounce_m) const;
 
-   private:
+ private:
     SpringDamperParameters parameters_;
     double preload_n_;
 };
 
-// Where the wheel stands sideways at a given jounce, and how it moves there. Outwards is positive. The lateral
-// tyre force times the slope is the jacking force (virtual work), so the slope is all there is to a roll
-// centre.
+// Where the wheel stands sideways at a given jounce, and how it moves there. Outwards is positive. The
+// lateral tyre force times the slope is the jacking force (virtual work), so the slope is all there is to a
+// roll centre.
 class FrontWheelPath {
-   public:
+ public:
     explicit FrontWheelPath(const FrontSuspensionParameters& parameters)
         : slope_0_{parameters.path_slope_0},
           slope_1_{parameters.path_slope_1_pm},
@@ -48,12 +48,10 @@ class FrontWheelPath {
     double outward_m(double jounce_m) const {
         return jounce_m * (slope_0_ + jounce_m * (-slope_1_ / 2.0 + jounce_m * slope_2_ / 3.0));
     }
-    double slope(double jounce_m) const {
-        return slope_0_ + jounce_m * (-slope_1_ + jounce_m * slope_2_);
-    }
+    double slope(double jounce_m) const { return slope_0_ + jounce_m * (-slope_1_ + jounce_m * slope_2_); }
     double slope_rate_pm(double jounce_m) const { return -slope_1_ + 2.0 * slope_2_ * jounce_m; }
 
-   private:
+ private:
     double slope_0_;
     double slope_1_;
     double slope_2_;

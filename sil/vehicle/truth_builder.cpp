@@ -42,8 +42,8 @@ void write_accelerations(const State& state, const Evaluation& evaluation, Truth
     const Vector3 earth = evaluation.rotation * body;
     const double heading_x = evaluation.heading.x();
     const double heading_y = evaluation.heading.y();
-    truth.lateral_acceleration_mps2 = (heading_x * earth.y() - heading_y * earth.x()) /
-                                      std::max(1e-6, std::hypot(heading_x, heading_y));
+    truth.lateral_acceleration_mps2 =
+        (heading_x * earth.y() - heading_y * earth.x()) / std::max(1e-6, std::hypot(heading_x, heading_y));
 }
 
 // Equation (24): the load transfer that goes through the links, over the lateral force.
@@ -53,21 +53,22 @@ double force_based_roll_centre_height(const Truth& truth, double track_width_m, 
     if (!all_touch || std::abs(truth.lateral_tyre_force_n) < smallest_lateral_force_n) {
         return not_defined;
     }
-    const double moment = 0.5 * track_width_m *
-                          (load[front_right] + load[rear_right] - load[front_left] - load[rear_left]);
+    const double moment =
+        0.5 * track_width_m * (load[front_right] + load[rear_right] - load[front_left] - load[rear_left]);
     return (moment - suspension_moment_nm) / truth.lateral_tyre_force_n;
 }
 
-// Front suspension: each contact's path has an outward slope relative to the road; the lines square to the two
-// paths meet at the roll centre.
+// Front suspension: each contact's path has an outward slope relative to the road; the lines square to the
+// two paths meet at the roll centre.
 void write_kinematic_roll_centre(const FrontWheelPath& path, double track_width_m, const State& state,
                                  Truth& truth) {
     truth.roll_centre_lateral_m = not_defined;
     truth.roll_centre_kinematic_height_m = not_defined;
-    const double left_angle = std::atan(path.slope(state.suspension[0])) - truth.roll_angle_rad;
-    const double right_angle = std::atan(path.slope(state.suspension[1])) + truth.roll_angle_rad;
-    const double left = std::tan(left_angle);
-    const double right = std::tan(right_angle);
+    const double lean = std::tan(truth.roll_angle_rad);
+    const double left_slope = path.slope(state.suspension[0]);
+    const double right_slope = path.slope(state.suspension[1]);
+    const double left = (left_slope - lean) / (1.0 + left_slope * lean);
+    const double right = (right_slope + lean) / (1.0 - right_slope * lean);
     const bool both_touch = truth.wheel_load_n[front_left] > 0.0 && truth.wheel_load_n[front_right] > 0.0;
     if (!both_touch || left + right < smallest_path_slope_sum) {
         return;
@@ -96,8 +97,8 @@ Truth build_truth(const VehicleParameters& parameters, const FrontWheelPath& fro
                                      state.suspension[2] - at_wheel};
     const Vector3 left = evaluation.road_normal.cross(evaluation.heading);
     truth.lateral_tyre_force_n = (evaluation.rotation * evaluation.tyre_force_body_n).dot(left);
-    truth.roll_centre_height_m = force_based_roll_centre_height(
-        truth, parameters.geometry.track_width_m, evaluation.suspension_roll_moment_nm);
+    truth.roll_centre_height_m = force_based_roll_centre_height(truth, parameters.geometry.track_width_m,
+                                                                evaluation.suspension_roll_moment_nm);
     write_kinematic_roll_centre(front_path, parameters.geometry.track_width_m, state, truth);
     return truth;
 }

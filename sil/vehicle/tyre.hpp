@@ -5,8 +5,8 @@
 
 namespace sil {
 
-// Slip that the tyre's deflection has built up: longitudinal kappa, and lateral tan(alpha), positive where the
-// force is to the left.
+// Slip that the tyre's deflection has built up: longitudinal kappa, and lateral tan(alpha), positive where
+// the force is to the left.
 struct TyreSlip {
     double longitudinal{0.0};
     double lateral{0.0};
@@ -18,7 +18,7 @@ struct TyreForces {
 };
 
 class Tyre {
-   public:
+ public:
     Tyre(const TyreParameters& parameters, double friction_factor);
 
     // Never negative: a lifted wheel does not pull. Zero exactly when the tyre does not touch.
@@ -40,7 +40,7 @@ class Tyre {
         return 0.5 * parameters_.vertical_stiffness_npm * deflection_m * deflection_m;
     }
 
-   private:
+ private:
     TyreParameters parameters_;
     double friction_at_no_load_;
     double friction_slope_pn_;

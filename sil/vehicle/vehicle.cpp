@@ -28,8 +28,12 @@ double rear_spring_load_n(const VehicleParameters& p) {
     return 0.5 * p.mass.sprung_kg * gravity_mps2 * p.geometry.front_axle_to_cg_m / wheelbase_m(p.geometry);
 }
 
-constexpr bool is_front(int wheel) { return wheel == front_left || wheel == front_right; }
-constexpr double side(int wheel) { return wheel == front_left || wheel == rear_left ? 1.0 : -1.0; }
+constexpr bool is_front(int wheel) {
+    return wheel == front_left || wheel == front_right;
+}
+constexpr double side(int wheel) {
+    return wheel == front_left || wheel == rear_left ? 1.0 : -1.0;
+}
 
 }  // namespace
 
@@ -131,7 +135,8 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
     evaluation_.road_wheel = road_wheel_angle(parameters_.steering, input.steering_wheel_angle_rad);
     evaluation_.tyre_force_body_n.setZero();
     const Matrix3& rotation = evaluation_.rotation;
-    const Vector3& normal = evaluation_.road_normal = road_.at(state_.position.x(), state_.position.y()).normal;
+    const Vector3& normal = evaluation_.road_normal =
+        road_.at(state_.position.x(), state_.position.y()).normal;
     const Vector3 body_x = rotation.col(0);
     const Vector3 in_plane = body_x - normal * normal.dot(body_x);
     const double length = in_plane.norm();
@@ -139,8 +144,8 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
         evaluation_.heading = in_plane / length;
     }
 
-    const Vector3 free_acceleration = -gravity_mps2 * rotation.row(2).transpose() -
-                                      state_.angular_velocity.cross(state_.velocity);
+    const Vector3 free_acceleration =
+        -gravity_mps2 * rotation.row(2).transpose() - state_.angular_velocity.cross(state_.velocity);
     EquationsOfMotion equations{parameters_.mass.sprung_kg, inertia_, state_.angular_velocity,
                                 free_acceleration};
 
@@ -157,8 +162,7 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
         const Vector3 curvature{0.0, side(wheel) * front_path_.slope_rate_pm(jounce), 0.0};
         const double lean = side(wheel) * parameters_.front_suspension.camber_gain_radpm * jounce;
         const RoadWheelAngle& steer = evaluation_.road_wheel;
-        const Vector3 axis =
-            Vector3{-steer.sine, steer.cosine, lean} * (1.0 / std::sqrt(1.0 + lean * lean));
+        const Vector3 axis = Vector3{-steer.sine, steer.cosine, lean} * (1.0 / std::sqrt(1.0 + lean * lean));
         const WheelPose pose{front_wheel_position(wheel), axis, path * rate, 0.0, slope, nullptr};
         equations.add_front_wheel(wheel, parameters_.mass.front_unsprung_kg, pose.centre, path, curvature,
                                   rate);
@@ -173,13 +177,13 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
                             heave_rate, roll_rate);
     for (int wheel = rear_left; wheel <= rear_right; ++wheel) {
         const double offset = side(wheel) * 0.5 * parameters_.geometry.track_width_m;
-        const WheelPose pose{axle.centre + offset * axle.direction,
-                             axle.direction,
-                             axle.centre_by_heave * heave_rate +
-                                 (axle.centre_by_roll + offset * axle.upright) * roll_rate,
-                             roll_rate,
-                             0.0,
-                             &axle};
+        const WheelPose pose{
+            axle.centre + offset * axle.direction,
+            axle.direction,
+            axle.centre_by_heave * heave_rate + (axle.centre_by_roll + offset * axle.upright) * roll_rate,
+            roll_rate,
+            0.0,
+            &axle};
         wheel_forces(wheel, pose, drive[static_cast<std::size_t>(wheel)],
                      brake * parameters_.driveline.rear_brake_nm, step_s, equations);
     }
@@ -196,8 +200,8 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
     evaluation_.accelerations = equations.solve();
 }
 
-void Vehicle::wheel_forces(int wheel, const WheelPose& pose, double drive_torque_nm,
-                           double brake_torque_nm, double step_s, EquationsOfMotion& equations) {
+void Vehicle::wheel_forces(int wheel, const WheelPose& pose, double drive_torque_nm, double brake_torque_nm,
+                           double step_s, EquationsOfMotion& equations) {
     const auto index = static_cast<std::size_t>(wheel);
     WheelEvaluation& result = evaluation_.wheels[index];
     const Tyre& tyre = is_front(wheel) ? front_tyre_ : rear_tyre_;
@@ -211,8 +215,7 @@ void Vehicle::wheel_forces(int wheel, const WheelPose& pose, double drive_torque
         find_wheel_contact(pose.axis, normal, clearance, parameters_.geometry.wheel_radius_m);
 
     const Vector3 point = pose.centre + contact.arm;
-    const Vector3 carrier_rotation =
-        state_.angular_velocity + Vector3{pose.relative_roll_rate, 0.0, 0.0};
+    const Vector3 carrier_rotation = state_.angular_velocity + Vector3{pose.relative_roll_rate, 0.0, 0.0};
     const Vector3 velocity = state_.velocity + state_.angular_velocity.cross(pose.centre) +
                              pose.relative_velocity + carrier_rotation.cross(contact.arm);
     const double forward_speed = velocity.dot(contact.forward);
@@ -270,11 +273,11 @@ double Vehicle::suspension_forces(const AxlePose& axle, EquationsOfMotion& equat
         const double spring_at = at * rear.spring_half_base_m;
         const double damper_at = at * rear.damper_half_base_m;
         const double spring = rear_spring_.elastic_force_n(lift + spring_at * sine);
-        const double damper = rear_spring_.damper_force_n(
-            rate[2] + (lift_by_roll + damper_at * cosine) * rate[3]);
+        const double damper =
+            rear_spring_.damper_force_n(rate[2] + (lift_by_roll + damper_at * cosine) * rate[3]);
         equations.add_suspension_force(2, -(spring + damper));
-        equations.add_suspension_force(
-            3, -(spring * (lift_by_roll + spring_at * cosine) + damper * (lift_by_roll + damper_at * cosine)));
+        equations.add_suspension_force(3, -(spring * (lift_by_roll + spring_at * cosine) +
+                                            damper * (lift_by_roll + damper_at * cosine)));
         roll_moment -= spring * spring_at + damper * damper_at;
     }
     const double rear_bar = rear.anti_roll_bar_nmprad * q[3];

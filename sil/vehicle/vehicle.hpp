@@ -1,8 +1,8 @@
 // Vehicle: body, suspensions, tyres and wheels put together, and one step of time.
 //
-// 14 degrees of freedom: body 6 (quaternion, valid at any angle), front left and right jounce, rear axle heave
-// and roll, four wheel spins. Integration is semi-implicit Euler: velocities first, positions with the new
-// velocities; meant for steps of 1 ms.
+// 14 degrees of freedom: body 6 (quaternion, valid at any angle), front left and right jounce, rear axle
+// heave and roll, four wheel spins. Integration is semi-implicit Euler: velocities first, positions with the
+// new velocities; meant for steps of 1 ms.
 #pragma once
 
 #include "sil/vehicle/axle.hpp"
@@ -31,14 +31,14 @@ struct InitialState {
 
 // Owns all its state; no heap use and no exception after construction. The road must outlive it.
 class Vehicle {
-   public:
+ public:
     // Nominal step; the largest at which the model is accurate.
     static constexpr double nominal_step_s = 0.001;
 
     Vehicle(const VehicleParameters& parameters, const Road& road);
 
-    // Time zero; body square to the road, wheels rolling, spring forces in balance with the weights of a level
-    // road.
+    // Time zero; body square to the road, wheels rolling, spring forces in balance with the weights of a
+    // level road.
     void reset(const InitialState& initial = {});
 
     // Advances by `step_s` (above 0, at most 2 ms); `input` holds at the end of the step.
@@ -51,7 +51,7 @@ class Vehicle {
     // Kinetic and potential energy of everything, zero height being that of the earth-fixed origin.
     double mechanical_energy_j() const;
 
-   private:
+ private:
     struct WheelPose;
 
     void evaluate(const DriverInput& input, double step_s);

@@ -1,0 +1,62 @@
+// Braking: load moves to the front by deceleration times height over wheelbase, and the vehicle stops.
+#include <gtest/gtest.h>
+
+#include "scenario.hpp"
+
+namespace {
+
+sil::Manoeuvre braking(double duration_s, double brake) {
+    return scenario::manoeuvre(80.0, duration_s, [brake](double time_s) {
+        return sil::DriverCommand{0.0, sil::SpeedPolicy::off_throttle, time_s > 0.5 ? brake : 0.0};
+    });
+}
+
+TEST(Braking, TransfersLoadToTheFrontAxleAsTheDecelerationAndTheHeightOfTheCentreOfGravitySay) {
+    for (sil::VehicleParameters parameters : {scenario::large_suv(), scenario::ordinary_suv()}) {
+        parameters.aerodynamics.drag_area_m2 = 0.0;  // acts at another height
+        sil::ManoeuvreRun run{parameters, braking(2.0, 0.4)};
+        while (!run.finished()) {
+            run.step();
+        }
+        const sil::Truth& truth = run.truth();
+        const auto& load = truth.wheel_load_n;
+        const double deceleration = -truth.specific_force_mps2[0];
+        const double wheelbase =
+            parameters.geometry.front_axle_to_cg_m + parameters.geometry.rear_axle_to_cg_m;
+        const double transfer =
+            load[sil::front_left] + load[sil::front_right] - scenario::front_axle_weight_n(parameters);
+        ASSERT_GT(deceleration, 1.5);
+        EXPECT_NEAR(transfer,
+                    sil::total_mass_kg(parameters) * deceleration * scenario::total_cg_height_m(parameters) /
+                        wheelbase,
+                    0.05 * transfer);
+        EXPECT_GT(truth.pitch_angle_rad, 0.0) << "the nose should dive";
+        EXPECT_GT(truth.suspension_deflection_m[sil::front_left], 0.0);
+    }
+}
+
+TEST(Braking, CannotExceedTheFrictionOfTheTyres) {
+    const sil::VehicleParameters parameters = scenario::large_suv();
+    sil::ManoeuvreRun run{parameters, braking(2.0, 1.0)};
+    double largest = 0.0;
+    while (!run.finished()) {
+        run.step();
+        largest = std::max(largest, -run.truth().specific_force_mps2[0]);
+    }
+    EXPECT_GT(largest, 5.0);
+    EXPECT_LT(largest, 1.15 * parameters.tyre.friction * sil::gravity_mps2);
+}
+
+TEST(Braking, BringsTheVehicleToRestAndKeepsItThere) {
+    sil::ManoeuvreRun run{scenario::large_suv(), braking(12.0, 0.6)};
+    while (!run.finished()) {
+        run.step();
+    }
+    EXPECT_NEAR(run.truth().speed_mps, 0.0, 0.05);
+    EXPECT_NEAR(run.truth().position_y_m, 0.0, 0.05);
+    for (const double spin : run.truth().wheel_spin_radps) {
+        EXPECT_NEAR(spin, 0.0, 0.2);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,84 @@
+// Energy: none is made from nothing. A road without friction leaves springs, masses and dampers alone.
+#include <gtest/gtest.h>
+#include <cmath>
+
+#include "scenario.hpp"
+
+namespace {
+
+const sil::PlaneRoad& ice() {
+    static const sil::PlaneRoad road{0.0, 0.0};
+    return road;
+}
+
+sil::InitialState disturbance() {
+    sil::InitialState initial;
+    initial.height_offset_m = 0.04;
+    initial.roll_offset_rad = 0.06;
+    initial.pitch_offset_rad = 0.02;
+    initial.roll_rate_radps = 0.4;
+    return initial;
+}
+
+// Largest change of energy over three seconds, as a share of what the disturbance brought in.
+double energy_drift(const sil::VehicleParameters& parameters, double step_s) {
+    sil::Vehicle vehicle{parameters, ice()};
+    const double at_rest = vehicle.mechanical_energy_j();
+    vehicle.reset(disturbance());
+    const double start = vehicle.mechanical_energy_j();
+    double largest = 0.0;
+    for (double time_s = 0.0; time_s < 3.0; time_s += step_s) {
+        vehicle.step({}, step_s);
+        largest = std::max(largest, std::abs(vehicle.mechanical_energy_j() - start));
+    }
+    return largest / (start - at_rest);
+}
+
+TEST(Energy, NeverGrowsInFreeDecayWithDampersOn) {
+    for (const sil::VehicleParameters& parameters : {scenario::large_suv(), scenario::ordinary_suv()}) {
+        sil::Vehicle vehicle{parameters, ice()};
+        const double at_rest = vehicle.mechanical_energy_j();
+        vehicle.reset(disturbance());
+        double before = vehicle.mechanical_energy_j();
+        const double brought_in = before - at_rest;
+        ASSERT_GT(brought_in, 100.0);
+        for (int step = 0; step < 5000; ++step) {
+            vehicle.step({});
+            const double now = vehicle.mechanical_energy_j();
+            // Semi-implicit Euler lets energy ripple by the step's order; a tenth of a per mille is rounding
+            // of that kind, a wrong force would make a hundred times more.
+            ASSERT_LT(now, before + 1e-4 * brought_in) << "step " << step;
+            before = now;
+        }
+        EXPECT_LT(before - at_rest, 0.01 * brought_in);
+    }
+}
+
+TEST(Energy, IsKeptWithoutDampersUpToAnErrorThatShrinksWithTheStep) {
+    const sil::VehicleParameters parameters = scenario::undamped(scenario::large_suv());
+    const double coarse = energy_drift(parameters, 0.001);
+    const double fine = energy_drift(parameters, 0.00025);
+    EXPECT_LT(coarse, 0.05);
+    EXPECT_LT(fine, 0.35 * coarse);
+}
+
+TEST(Energy, IsKeptWhileTumblingThroughTheAir) {
+    const sil::VehicleParameters parameters = scenario::undamped(scenario::large_suv());
+    sil::Vehicle vehicle{parameters, ice()};
+    sil::InitialState thrown;
+    thrown.height_offset_m = 12.0;
+    thrown.roll_rate_radps = 4.0;
+    thrown.pitch_offset_rad = 0.5;
+    thrown.speed_mps = 10.0;
+    vehicle.reset(thrown);
+    const double start = vehicle.mechanical_energy_j();
+    const double kinetic = start - 2374.0 * sil::gravity_mps2 * 12.0;
+    ASSERT_GT(kinetic, 0.0);
+    for (int step = 0; step < 1200; ++step) {
+        vehicle.step({});
+    }
+    EXPECT_GT(std::abs(vehicle.truth().roll_angle_rad), 0.5);
+    EXPECT_NEAR(vehicle.mechanical_energy_j(), start, 0.01 * start);
+}
+
+}  // namespace
