@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <ostream>
 #include <random>
 #include <string>
@@ -112,7 +113,9 @@ struct Malformed {
     const char* message;  // a part of it
 };
 
-void PrintTo(const Malformed& malformed, std::ostream* stream) { *stream << '"' << malformed.line << '"'; }
+void PrintTo(const Malformed& malformed, std::ostream* stream) {
+    *stream << '"' << malformed.line << '"';
+}
 
 class MalformedCandumpLine : public testing::TestWithParam<Malformed> {};
 
@@ -191,6 +194,29 @@ TEST(CandumpLog, WhatIsWrittenIsReadBack) {
     ASSERT_EQ(frames.size(), 2U);
     expect_equal(frames[0], frame_of(10'000, 0x120, {1, 2, 3}));
     expect_equal(frames[1], frame_of(20'000, 0x121, {}));
+}
+
+TEST(CandumpLog, CanUtilsReadsTheSameFramesFromIt) {
+    if (std::system("command -v log2asc > /dev/null") != 0) {
+        GTEST_SKIP() << "log2asc of Debian's can-utils is not installed";
+    }
+    const ScratchFolder folder;
+    const std::string log = (folder.path() / "candump.log").string();
+    const std::string asc = (folder.path() / "candump.asc").string();
+    sil::LoggedFrame extended = frame_of(20'000, 0x1ABCDEF0, {0xAB});
+    extended.frame.extended = true;
+    sil::LoggedFrame flexible = frame_of(30'000, 0x124, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
+    flexible.frame.flexible_data_rate = true;
+    sil::CandumpLogWriter writer(log);
+    writer.write(frame_of(10'000, 0x120, {1, 2, 0xF3}));
+    writer.write(extended);
+    writer.write(flexible);
+    writer.close();
+    ASSERT_EQ(std::system(("log2asc -I '" + log + "' -O '" + asc + "' vcan0").c_str()), 0);
+    const std::string text = text_of(asc);
+    EXPECT_NE(text.find("1  120             Rx   d 3 01 02 F3"), std::string::npos) << text;
+    EXPECT_NE(text.find("1  1ABCDEF0x       Rx   d 1 AB"), std::string::npos) << text;
+    EXPECT_NE(text.find(" 12 00 01 02 03 04 05 06 07 08 09 0A 0B "), std::string::npos) << text;
 }
 
 std::string error_of_reading(const std::filesystem::path& path) {
