@@ -13,7 +13,7 @@ namespace rsi {
 inline constexpr float largest_angle_rad = 1.5707963F;
 inline constexpr float largest_tangent_argument_rad = 1.3F;
 
-// Error below 1.5e-7.
+// Error below 2e-7.
 constexpr float bounded_sine(float angle_rad) {
     const float x = clamp(angle_rad, -largest_angle_rad, largest_angle_rad);
     const float z = x * x;
@@ -44,7 +44,8 @@ constexpr float bounded_tangent(float angle_rad) {
 constexpr float decaying_exponential(float x) {
     const float y = clamp(x, 0.0F, 16.0F) / 64.0F;
     float result =
-        1.0F - y * (1.0F - y * (0.5F - y * (1.0F / 6.0F - y * (1.0F / 24.0F - y * (1.0F / 120.0F)))));
+        1.0F - y * (1.0F - y * (0.5F - y * (1.0F / 6.0F -
+                                            y * (1.0F / 24.0F - y * (1.0F / 120.0F - y * (1.0F / 720.0F))))));
     for (int squaring = 0; squaring < 6; ++squaring) {
         result *= result;
     }

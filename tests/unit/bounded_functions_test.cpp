@@ -1,0 +1,92 @@
+// The bounded functions against the C library in double, over the whole range of arguments.
+#include "rsi/numeric/bounded_functions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+constexpr int points = 400000;
+
+// Largest of error(x) at evenly spaced floats from `from` to `to`, both included.
+template <typename Error>
+double largest_over(double from, double to, Error error) {
+    double largest = 0.0;
+    for (int i = 0; i <= points; ++i) {
+        const float x = static_cast<float>(from + (to - from) * i / points);
+        largest = std::fmax(largest, error(x));
+    }
+    return largest;
+}
+
+double as_double(float value) {
+    return static_cast<double>(value);
+}
+
+constexpr double right_angle = 1.5707963;
+
+TEST(BoundedFunctions, SineStaysWithinItsDocumentedError) {
+    const double error = largest_over(-right_angle, right_angle, [](float x) {
+        return std::fabs(as_double(rsi::bounded_sine(x)) - std::sin(as_double(x)));
+    });
+    EXPECT_LT(error, 2.0e-7);
+}
+
+TEST(BoundedFunctions, CosineStaysWithinItsDocumentedError) {
+    const double error = largest_over(-right_angle, right_angle, [](float x) {
+        return std::fabs(as_double(rsi::bounded_cosine(x)) - std::cos(as_double(x)));
+    });
+    EXPECT_LT(error, 1.5e-7);
+}
+
+TEST(BoundedFunctions, TangentStaysWithinItsDocumentedRelativeError) {
+    const double error = largest_over(-1.3, 1.3, [](float x) {
+        const double truth = std::tan(as_double(x));
+        return (truth == 0.0) ? std::fabs(as_double(rsi::bounded_tangent(x)))
+                              : std::fabs(as_double(rsi::bounded_tangent(x)) / truth - 1.0);
+    });
+    EXPECT_LT(error, 1.0e-6);
+}
+
+TEST(BoundedFunctions, DecayingExponentialStaysWithinItsDocumentedRelativeError) {
+    const double error = largest_over(0.0, 16.0, [](float x) {
+        return std::fabs(as_double(rsi::decaying_exponential(x)) / std::exp(-as_double(x)) - 1.0);
+    });
+    EXPECT_LT(error, 1.0e-5);
+}
+
+TEST(BoundedFunctions, ArgumentsBeyondTheRangeCountAsItsEnd) {
+    const float huge = std::numeric_limits<float>::max();
+    for (const float beyond : {1.6F, 2.2F, 100.0F, huge}) {
+        EXPECT_EQ(rsi::bounded_sine(beyond), rsi::bounded_sine(rsi::largest_angle_rad));
+        EXPECT_EQ(rsi::bounded_sine(-beyond), rsi::bounded_sine(-rsi::largest_angle_rad));
+        EXPECT_EQ(rsi::bounded_cosine(beyond), rsi::bounded_cosine(rsi::largest_angle_rad));
+        EXPECT_EQ(rsi::bounded_tangent(beyond), rsi::bounded_tangent(rsi::largest_tangent_argument_rad));
+        EXPECT_EQ(rsi::bounded_tangent(-beyond), rsi::bounded_tangent(-rsi::largest_tangent_argument_rad));
+        EXPECT_EQ(rsi::decaying_exponential(16.0F + beyond), rsi::decaying_exponential(16.0F));
+        EXPECT_EQ(rsi::decaying_exponential(-beyond), 1.0F);
+    }
+}
+
+TEST(BoundedFunctions, SineAndTangentAreExactlyOddAndCosineExactlyEven) {
+    for (int i = 0; i <= 1000; ++i) {
+        const float x = 0.002F * static_cast<float>(i);
+        EXPECT_EQ(rsi::bounded_sine(-x), -rsi::bounded_sine(x));
+        EXPECT_EQ(rsi::bounded_tangent(-x), -rsi::bounded_tangent(x));
+        EXPECT_EQ(rsi::bounded_cosine(-x), rsi::bounded_cosine(x));
+    }
+}
+
+TEST(BoundedFunctions, NotANumberAndInfinitiesAreNotFinite) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    EXPECT_FALSE(rsi::is_finite(infinity));
+    EXPECT_FALSE(rsi::is_finite(-infinity));
+    EXPECT_FALSE(rsi::is_finite(std::numeric_limits<float>::quiet_NaN()));
+    EXPECT_TRUE(rsi::is_finite(std::numeric_limits<float>::max()));
+    EXPECT_TRUE(rsi::is_finite(std::numeric_limits<float>::denorm_min()));
+    EXPECT_FALSE(rsi::is_within(std::numeric_limits<float>::quiet_NaN(), -1.0F, 1.0F));
+}
+
+}  // namespace

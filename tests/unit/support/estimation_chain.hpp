@@ -1,0 +1,37 @@
+// The component's way from sensors to the regression, out of its own parts: measurement, fixed-roll-centre
+// model, regression.
+#pragma once
+
+#include "rsi/estimation/regression.hpp"
+#include "rsi/measurement/measurement.hpp"
+#include "rsi/model/roll_plane_model.hpp"
+
+namespace rsi_test {
+
+class EstimationChain {
+ public:
+    explicit EstimationChain(const rsi_parameters& parameters) {
+        stage_.init(parameters);
+        model_.init(parameters);
+        fixed_.reset(0.0F);
+    }
+
+    // False when the inputs give no measurement.
+    bool step(const rsi_inputs& inputs, rsi::Regression& regression) {
+        if (!stage_.update(inputs, measurement_)) {
+            return false;
+        }
+        fixed_.evaluate(model_, measurement_);
+        regression = rsi::regress(model_, measurement_, fixed_);
+        fixed_.advance(model_, measurement_);
+        return true;
+    }
+
+ private:
+    rsi::MeasurementStage stage_{};
+    rsi::RollPlaneModel model_{};
+    rsi::FixedModelRoll fixed_{};
+    rsi::Measurement measurement_{};
+};
+
+}  // namespace rsi_test
