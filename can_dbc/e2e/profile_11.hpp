@@ -40,7 +40,8 @@ template <std::size_t size>
 constexpr void protect_profile_11(std::array<std::uint8_t, size>& payload, std::uint16_t data_id,
                                   std::uint8_t counter) {
     static_assert(size >= profile_11_header_length, "profile 11 needs two bytes of the payload");
-    payload[1] = static_cast<std::uint8_t>((detail::profile_11_nibble(data_id) << 4U) | (counter & 0x0FU));
+    const unsigned nibble = detail::profile_11_nibble(data_id);
+    payload[1] = static_cast<std::uint8_t>((nibble << 4U) | (counter & 0x0FU));
     payload[0] = detail::profile_11_crc(payload.data(), size, data_id);
 }
 

@@ -6,16 +6,18 @@ import sys
 import tempfile
 import unittest
 
+from libraries import give_up
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GENERATOR = ROOT / "can_dbc/generator/generate.py"
 DBC = ROOT / "can_dbc/rollover_warning.dbc"
 HEADER = ROOT / "can_dbc/generated/rollover_warning.hpp"
-REMEDY = f"Run: {sys.executable} -m pip install -r can_dbc/generator/requirements.txt"
+GUIDE = ROOT / "docs/can.md"
 
 try:
     import cantools
 except ModuleNotFoundError:
-    sys.exit(f"Python package 'cantools' is missing for {sys.executable}.\n{REMEDY}")
+    give_up("cantools")
 
 
 def generate(*arguments, options=()):
@@ -154,6 +156,13 @@ class Completeness(unittest.TestCase):
                 self.assertTrue(message.receivers)
                 for attribute in ("GenMsgCycleTime", "VFrameFormat", "E2EProfile"):
                     self.assertIn(f'BA_ "{attribute}" BO_ {message.frame_id} ', self.text)
+
+    def test_the_guide_lists_every_message_with_its_identifiers(self):
+        guide = GUIDE.read_text()
+        for message in self.database.messages:
+            data_id = message.dbc.attributes.get("E2EDataId")
+            row = f"| {message.name} | 0x{message.frame_id:03X} | " + (f"0x{data_id.value:03X}" if data_id else "none")
+            self.assertIn(row, guide)
 
     def test_every_signal_is_described(self):
         for message in self.database.messages:

@@ -68,14 +68,16 @@ class Canmatrix:
 
 
 LIBRARIES = {"cantools": Cantools, "canmatrix": Canmatrix}
-REMEDIES = {"cantools": "-m pip install -r can_dbc/generator/requirements.txt", "canmatrix": None, "crccheck": None}
+REMEDIES = {
+    "cantools": "python3 -m venv build/venv && build/venv/bin/pip install -r can_dbc/generator/requirements.txt",
+    "canmatrix": "apt-get install python3-canmatrix",
+    "crccheck": "apt-get install python3-crccheck",
+}
 
 
 def give_up(package):
     """Ends the test as failed, saying how to get a missing package."""
-    remedy = REMEDIES[package]
-    sys.exit(f"Python package '{package}' is missing for {sys.executable}.\n"
-             + (f"Run: {sys.executable} {remedy}" if remedy else f"Run: apt-get install python3-{package}"))
+    sys.exit(f"Python package '{package}' is missing for {sys.executable}.\nRun: {REMEDIES[package]}")
 
 
 def open_library(name, path):
