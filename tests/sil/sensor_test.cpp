@@ -237,6 +237,11 @@ TEST(SensorSuite, AddsTheBiasAndRoundsToTheStep) {
     const sil::SensorSample sample = sensors.report(some_truth());
     EXPECT_DOUBLE_EQ(sample.roll_angle_rad, 0.06);  // 0.063 in steps of 0.01
     EXPECT_DOUBLE_EQ(sample.speed_mps, 24.5);
+    sil::Truth truth = some_truth();
+    truth.roll_angle_rad = 0.054;
+    EXPECT_DOUBLE_EQ(sensors.report(truth).roll_angle_rad, 0.07);  // 0.067: to the nearest, not down
+    truth.roll_angle_rad = -0.08;
+    EXPECT_DOUBLE_EQ(sensors.report(truth).roll_angle_rad, -0.07);  // -0.067
 }
 
 TEST(SensorSuite, SpeedFromWheelSpeedsNeverGetsNegative) {
