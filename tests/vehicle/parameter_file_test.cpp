@@ -93,19 +93,21 @@ TEST_F(ParameterFile, AMissingTableIsNamed) {
 }
 
 TEST_F(ParameterFile, ATextInPlaceOfANumberIsRefused) {
-    expect_error(replaced("ratio = 20.0", "ratio = \"20\""), "ratio", "steering.ratio", "plain number");
+    expect_error(replaced("ratio = 20.0", "ratio = \"20\""), "ratio = \"20\"", "steering.ratio",
+                 "plain number");
 }
 
 TEST_F(ParameterFile, NotANumberIsRefused) {
-    expect_error(replaced("ratio = 20.0", "ratio = nan"), "ratio", "steering.ratio", "from 1 to 60");
+    expect_error(replaced("ratio = 20.0", "ratio = nan"), "ratio = nan", "steering.ratio", "from 1 to 60");
 }
 
 TEST_F(ParameterFile, InfinityIsRefused) {
-    expect_error(replaced("ratio = 20.0", "ratio = inf"), "ratio", "steering.ratio", "not finite");
+    expect_error(replaced("ratio = 20.0", "ratio = inf"), "ratio = inf", "steering.ratio", "not finite");
 }
 
 TEST_F(ParameterFile, AValueOutOfRangeIsRefusedWithTheRange) {
-    expect_error(replaced("ratio = 20.0", "ratio = -20.0"), "ratio", "steering.ratio", "from 1 to 60");
+    expect_error(replaced("ratio = 20.0", "ratio = -20.0"), "ratio = -20.0", "steering.ratio",
+                 "from 1 to 60");
 }
 
 TEST_F(ParameterFile, BrokenTomlIsRefusedWithItsLine) {

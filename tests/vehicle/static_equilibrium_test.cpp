@@ -73,6 +73,7 @@ TEST_P(StaticEquilibrium, RollingStraightAtConstantSpeedNeedsTheForceOfDragAndRo
 }
 
 INSTANTIATE_TEST_SUITE_P(Vehicles, StaticEquilibrium,
-                         testing::Values(&scenario::large_suv, &scenario::ordinary_suv));
+                         testing::Values(&scenario::large_suv, &scenario::ordinary_suv),
+                         [](const auto& test) { return test.index == 0 ? "LargeSuv" : "OrdinarySuv"; });
 
 }  // namespace
