@@ -1,0 +1,19 @@
+/* A C program's way of using the component, for the test of the C face. */
+#ifndef TESTS_UNIT_C_FACE_RUN_H
+#define TESTS_UNIT_C_FACE_RUN_H
+
+#include "rsi/rsi.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Starts a component on the stack and steps it through `count` inputs; returns the answer of rsi_init. */
+rsi_validation c_face_run(const rsi_parameters* parameters, const rsi_inputs* inputs, rsi_outputs* outputs,
+                          unsigned count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

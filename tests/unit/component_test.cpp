@@ -1,0 +1,243 @@
+// The component as a whole, through its C++ face.
+#include "rsi/component.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/unit/support/body_kinematics.hpp"
+#include "tests/unit/support/nominal.hpp"
+#include "tests/unit/support/output_fields.hpp"
+#include "tests/unit/support/random_manoeuvre.hpp"
+
+namespace {
+
+using rsi_test::GroundMotion;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+class Scenario {
+ public:
+    explicit Scenario(const rsi_parameters& parameters = rsi_test::large_suv()) {
+        EXPECT_EQ(component.init(parameters).accepted, 1);
+    }
+    const rsi_outputs& step(const rsi_inputs& inputs) {
+        component.step(inputs, outputs);
+        return outputs;
+    }
+    const rsi_outputs& run(double seconds, const rsi_inputs& inputs) {
+        for (int k = 0; k < static_cast<int>(std::lround(seconds * 100.0)); ++k) {
+            step(inputs);
+        }
+        return outputs;
+    }
+    rsi::Component component{};
+    rsi_outputs outputs{};
+};
+
+rsi_inputs in_turn(double lateral_acceleration_mps2) {
+    return rsi_test::sensed(
+        GroundMotion{lateral_acceleration_mps2, 0.0, 0.0, lateral_acceleration_mps2 * 0.012});
+}
+
+rsi_inputs without_roll_angle() {
+    rsi_inputs inputs = rsi_test::at_rest();
+    inputs.roll_angle_rad = nan;
+    return inputs;
+}
+
+TEST(Component, IsUnavailableBeforeItIsStarted) {
+    rsi::Component component;
+    rsi_outputs outputs{};
+    component.step(rsi_test::at_rest(), outputs);
+    EXPECT_EQ(outputs.state, RSI_STATE_UNAVAILABLE);
+    EXPECT_TRUE(rsi_test::all_not_available(outputs));
+}
+
+TEST(Component, RefusedParametersLeaveItUnavailableAtEveryStep) {
+    Scenario scenario;
+    ASSERT_EQ(scenario.run(1.0, rsi_test::at_rest()).state, RSI_STATE_READY);
+    rsi_parameters bad = rsi_test::large_suv();
+    bad.track_width_m = nan;
+    const rsi_validation answer = scenario.component.init(bad);
+    EXPECT_EQ(answer.accepted, 0);
+    EXPECT_STREQ(answer.field, "track_width_m");
+    for (int k = 0; k < 500; ++k) {
+        const rsi_outputs& outputs = scenario.step(rsi_test::at_rest());
+        ASSERT_EQ(outputs.state, RSI_STATE_UNAVAILABLE);
+        ASSERT_EQ(outputs.side, RSI_SIDE_NONE);
+        ASSERT_TRUE(rsi_test::all_not_available(outputs));
+    }
+    EXPECT_EQ(scenario.component.init(rsi_test::large_suv()).accepted, 1);
+    EXPECT_EQ(scenario.run(1.0, rsi_test::at_rest()).state, RSI_STATE_READY);
+}
+
+TEST(Component, StandingStillIsReadyWithoutRisk) {
+    Scenario scenario;
+    const rsi_outputs& outputs = scenario.run(10.0, rsi_test::at_rest());
+    EXPECT_EQ(outputs.state, RSI_STATE_READY);
+    EXPECT_EQ(outputs.side, RSI_SIDE_NONE);
+    EXPECT_EQ(outputs.rsi, 0.0F);
+    EXPECT_EQ(outputs.rsi_bank_free, 0.0F);
+}
+
+TEST(Component, AGentleTurnStaysReadyAndASharpOneWarnsOfTheOuterSide) {
+    for (const double direction : {1.0, -1.0}) {
+        Scenario scenario;
+        EXPECT_EQ(scenario.run(3.0, in_turn(direction * 3.0)).state, RSI_STATE_READY);
+        const rsi_outputs& outputs = scenario.run(1.0, in_turn(direction * 8.5));
+        EXPECT_EQ(outputs.state, RSI_STATE_WARNING);
+        EXPECT_EQ(outputs.side, (direction > 0.0) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT);
+    }
+}
+
+// A slow left turn on a steep bank that falls to the left: the published form sees no risk, the bank-free one
+// does.
+TEST(Component, TheSelectedIndicatorDrivesTheWarning) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.advisory_on = parameters.advisory_off = 0.5F;
+    const rsi_inputs inputs = rsi_test::sensed(GroundMotion{1.0, 0.0, -0.6, -0.05});
+    for (const std::int32_t indicator : {RSI_INDICATOR_PUBLISHED, RSI_INDICATOR_BANK_FREE}) {
+        parameters.warning_indicator = indicator;
+        Scenario scenario(parameters);
+        const rsi_outputs& outputs = scenario.run(0.5, inputs);
+        ASSERT_LT(outputs.rsi, 0.4F);
+        ASSERT_GT(outputs.rsi_bank_free, 0.6F);
+        EXPECT_EQ(outputs.state,
+                  (indicator == RSI_INDICATOR_PUBLISHED) ? RSI_STATE_READY : RSI_STATE_ADVISORY);
+    }
+}
+
+TEST(Component, AMissingNecessaryInputIsUnavailableInTheSameStep) {
+    for (float rsi_inputs::* const necessary : {&rsi_inputs::lateral_specific_force_mps2,
+                                                &rsi_inputs::roll_rate_radps, &rsi_inputs::roll_angle_rad}) {
+        Scenario scenario;
+        ASSERT_EQ(scenario.run(1.0, in_turn(8.5)).state, RSI_STATE_WARNING);
+        rsi_inputs inputs = in_turn(8.5);
+        inputs.*necessary = nan;
+        const rsi_outputs& outputs = scenario.step(inputs);
+        EXPECT_EQ(outputs.state, RSI_STATE_UNAVAILABLE);
+        EXPECT_EQ(outputs.side, RSI_SIDE_NONE);
+        EXPECT_TRUE(rsi_test::all_not_available(outputs));
+    }
+}
+
+TEST(Component, OptionalInputsMayBeMissing) {
+    rsi_inputs inputs = in_turn(4.0);
+    inputs.vertical_specific_force_mps2 = nan;
+    inputs.yaw_rate_radps = nan;
+    inputs.bank_angle_rad = nan;
+    inputs.speed_mps = nan;
+    Scenario scenario;
+    const rsi_outputs& outputs = scenario.run(1.0, inputs);
+    EXPECT_EQ(outputs.state, RSI_STATE_READY);
+    EXPECT_TRUE(rsi_test::all_finite(outputs));
+}
+
+TEST(Component, AfterAGapTheModelsStartAtTheMeasuredAngleAndTheStateWaitsForRecovery) {
+    Scenario scenario;
+    scenario.run(2.0, in_turn(5.0));
+    scenario.step(without_roll_angle());
+    const rsi_inputs again = in_turn(-6.0);
+    for (int k = 1; k <= 10; ++k) {  // recovery 0.1 s
+        const rsi_outputs& outputs = scenario.step(again);
+        if (k == 1) {
+            EXPECT_EQ(outputs.fixed_model_roll_angle_rad, again.roll_angle_rad);
+            EXPECT_EQ(outputs.compensated_roll_angle_rad, again.roll_angle_rad);
+        }
+        EXPECT_TRUE(rsi_test::all_finite(outputs));
+        EXPECT_EQ(outputs.state == RSI_STATE_UNAVAILABLE, k < 10) << k;
+    }
+}
+
+TEST(Component, WhatTheEstimatorHasLearntOutlivesAGap) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    Scenario scenario(parameters);
+    rsi_test::RandomManoeuvre drive(parameters, 41U, false);
+    rsi_inputs last{};
+    for (int k = 0; k < 3000; ++k) {
+        last = drive.next();
+        scenario.step(last);
+    }
+    const float before = scenario.outputs.roll_centre_vertical_m;
+    ASSERT_GT(std::fabs(before), 0.05F);
+    scenario.step(without_roll_angle());
+    scenario.step(last);
+    EXPECT_NEAR(static_cast<double>(scenario.outputs.roll_centre_vertical_m), static_cast<double>(before),
+                0.02);
+}
+
+TEST(Component, AnOverturnedVehicleWarnsWhateverTheAccelerationSays) {
+    for (const float roll : {1.4F, -1.4F, 2.0F, -2.0F}) {
+        Scenario scenario;
+        rsi_inputs inputs = rsi_test::at_rest();
+        inputs.roll_angle_rad = roll;
+        inputs.vertical_specific_force_mps2 = 0.5F;
+        inputs.lateral_specific_force_mps2 = 0.0F;
+        const rsi_outputs& outputs = scenario.run(0.5, inputs);
+        EXPECT_EQ(outputs.state, RSI_STATE_WARNING);
+        EXPECT_EQ(outputs.side, (roll > 0.0F) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT);
+    }
+}
+
+TEST(Component, StartingAgainForgetsEverything) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    Scenario used(parameters);
+    rsi_test::RandomManoeuvre before(parameters, 43U, true);
+    for (int k = 0; k < 2000; ++k) {
+        used.step(before.next());
+    }
+    ASSERT_EQ(used.component.init(parameters).accepted, 1);
+    Scenario fresh(parameters);
+    rsi_test::RandomManoeuvre drive(parameters, 44U, true);
+    for (int k = 0; k < 2000; ++k) {
+        const rsi_inputs inputs = drive.next();
+        ASSERT_TRUE(rsi_test::identical(used.step(inputs), fresh.step(inputs))) << k;
+    }
+}
+
+// Left and right exchanged: the IMU on the other side, every lateral signal with the other sign.
+TEST(Component, AMirroredManoeuvreGivesExactlyMirroredOutputs) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.imu_x_m = 0.5F;
+    parameters.imu_y_m = 0.3F;
+    parameters.imu_z_m = -0.4F;
+    rsi_parameters mirrored_parameters = parameters;
+    mirrored_parameters.imu_y_m = -parameters.imu_y_m;
+    for (const std::int32_t indicator : {RSI_INDICATOR_PUBLISHED, RSI_INDICATOR_BANK_FREE}) {
+        parameters.warning_indicator = mirrored_parameters.warning_indicator = indicator;
+        Scenario scenario(parameters);
+        Scenario mirror(mirrored_parameters);
+        rsi_test::RandomManoeuvre drive(parameters, 47U, true);
+        int warnings = 0;
+        for (int k = 0; k < 60000; ++k) {
+            const rsi_inputs inputs = drive.next();
+            rsi_inputs other = inputs;
+            for (float rsi_inputs::* const lateral :
+                 {&rsi_inputs::lateral_specific_force_mps2, &rsi_inputs::roll_rate_radps,
+                  &rsi_inputs::roll_angle_rad, &rsi_inputs::yaw_rate_radps, &rsi_inputs::bank_angle_rad}) {
+                other.*lateral = -(other.*lateral);
+            }
+            rsi_outputs expected = scenario.step(inputs);
+            warnings += (expected.state == RSI_STATE_WARNING) ? 1 : 0;
+            for (const rsi_test::OutputField& field : rsi_test::output_fields) {
+                float& value = expected.*field.member;
+                // Adding zero makes -0 and +0 the same; not a number keeps its bits when it is not turned.
+                value = (field.turns_with_the_mirror && !std::isnan(value)) ? -value + 0.0F : value + 0.0F;
+            }
+            expected.side = (expected.side == RSI_SIDE_NONE)
+                                ? RSI_SIDE_NONE
+                                : ((expected.side == RSI_SIDE_LEFT) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT);
+            rsi_outputs actual = mirror.step(other);
+            for (const rsi_test::OutputField& field : rsi_test::output_fields) {
+                actual.*field.member += 0.0F;
+            }
+            ASSERT_TRUE(rsi_test::identical(expected, actual)) << "step " << k;
+        }
+        EXPECT_GT(warnings, 1000);
+        EXPECT_LT(warnings, 59000);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,147 @@
+#include "tests/unit/include_rules.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+namespace rsi_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One folder's rule. The first rule whose folder is a prefix of the file's path counts.
+struct Rule {
+    std::string folder;
+    std::vector<std::string> project;  // folders of the project that it may include
+    enum class Others { listed, standard, any } others;
+    std::vector<std::string> listed;  // further headers, or prefixes that end in a slash
+};
+
+// What exists without an operating system, and what the component uses of it.
+const std::vector<std::string> freestanding{"array",    "cfloat",   "climits",     "cstddef",    "cstdint",
+                                            "limits",   "new",      "type_traits", "float.h",    "limits.h",
+                                            "stddef.h", "stdint.h", "stdbool.h",   "stdalign.h", "iso646.h"};
+
+std::vector<std::string> with_eigen() {
+    std::vector<std::string> headers = freestanding;
+    headers.emplace_back("Eigen/");
+    return headers;
+}
+
+const std::vector<Rule>& rules() {
+    static const std::vector<Rule> all{
+        {"firmware/rsi/", {"rsi/"}, Rule::Others::listed, with_eigen()},
+        {"firmware/application/",
+         {"rsi/", "can_dbc/", "hal/interface/", "application/"},
+         Rule::Others::standard,
+         {}},
+        {"can_dbc/", {"can_dbc/"}, Rule::Others::standard, {}},
+        {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
+        {"hal/", {"hal/"}, Rule::Others::any, {}},
+        {"sil/", {"rsi/", "can_dbc/", "hal/", "application/", "sil/"}, Rule::Others::any, {}},
+        {"tests/", {"rsi/", "can_dbc/", "hal/", "application/", "sil/", "tests/"}, Rule::Others::any, {}},
+    };
+    return all;
+}
+
+bool starts_with(const std::string& text, const std::string& beginning) {
+    return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+// The project's folder that a header is in, as it is written in an include; empty for all others.
+std::string project_folder(const std::string& header) {
+    static const std::vector<std::string> folders{"rsi/", "application/", "firmware/", "can_dbc/",
+                                                  "hal/", "sil/",         "tests/"};
+    for (const std::string& folder : folders) {
+        if (starts_with(header, folder)) {
+            return folder;
+        }
+    }
+    return {};
+}
+
+// Standard headers of C++ have neither a folder nor an ending; those of C end in .h and are named here.
+bool is_standard(const std::string& header) {
+    static const std::vector<std::string> of_c{"assert.h", "errno.h",  "inttypes.h", "math.h",
+                                               "stdio.h",  "stdlib.h", "string.h",   "time.h"};
+    return (header.find_first_of("/.") == std::string::npos) ||
+           (std::find(of_c.begin(), of_c.end(), header) != of_c.end()) ||
+           (std::find(freestanding.begin(), freestanding.end(), header) != freestanding.end());
+}
+
+bool is_listed(const Rule& rule, const std::string& header) {
+    return std::any_of(rule.listed.begin(), rule.listed.end(), [&header](const std::string& entry) {
+        return (entry.back() == '/') ? starts_with(header, entry) : (header == entry);
+    });
+}
+
+bool may_include_other(const Rule& rule, const std::string& header) {
+    switch (rule.others) {
+        case Rule::Others::listed:
+            return is_listed(rule, header);
+        case Rule::Others::standard:
+            return is_standard(header);
+        case Rule::Others::any:
+            return true;
+    }
+    return false;
+}
+
+bool is_source(const fs::path& path) {
+    static const std::vector<std::string> endings{".c", ".cc", ".cpp", ".h", ".hpp", ".inc", ".ipp"};
+    return std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end();
+}
+
+void check_file(const fs::path& file, const std::string& path, std::vector<std::string>& found) {
+    static const std::regex include(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
+    std::ifstream lines(file);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        std::smatch match;
+        if (std::regex_search(line, match, include)) {
+            const std::string why = objection(path, match[1].str());
+            if (!why.empty()) {
+                found.push_back(path + ":" + std::to_string(number) + ": " + why);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::string objection(const std::string& path, const std::string& header) {
+    const auto rule = std::find_if(rules().begin(), rules().end(), [&path](const Rule& candidate) {
+        return starts_with(path, candidate.folder);
+    });
+    if (rule == rules().end()) {
+        return "the folder has no rule: add one to tests/unit/include_rules.cpp";
+    }
+    if (header.find("../") != std::string::npos) {
+        return "include \"" + header + "\" by its path from the project, without ..";
+    }
+    const bool allowed =
+        project_folder(header).empty()
+            ? may_include_other(*rule, header)
+            : std::any_of(rule->project.begin(), rule->project.end(),
+                          [&header](const std::string& folder) { return starts_with(header, folder); });
+    return allowed ? std::string{} : rule->folder + " may not include " + header;
+}
+
+std::vector<std::string> forbidden_includes(const std::string& root) {
+    std::vector<std::string> found;
+    for (const std::string top : {"can_dbc", "firmware", "hal", "sil", "tests"}) {
+        if (!fs::exists(fs::path(root) / top)) {
+            continue;
+        }
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(root) / top)) {
+            if (entry.is_regular_file() && is_source(entry.path())) {
+                check_file(entry.path(), fs::relative(entry.path(), root).generic_string(), found);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+}  // namespace rsi_test

@@ -1,0 +1,160 @@
+// The calibration: every field is known, ranged and refused by its name.
+#include "rsi/parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "tests/unit/support/nominal.hpp"
+
+namespace {
+
+std::ptrdiff_t offset_of(float rsi_parameters::* member) {
+    static const rsi_parameters parameters{};
+    return reinterpret_cast<const char*>(&(parameters.*member)) - reinterpret_cast<const char*>(&parameters);
+}
+
+void expect_refused(const rsi_parameters& parameters, const char* field) {
+    const rsi_validation answer = rsi::validate(parameters);
+    EXPECT_EQ(answer.accepted, 0) << field;
+    EXPECT_STREQ(answer.field, field);
+    EXPECT_GT(std::strlen(answer.reason), 0U);
+}
+
+TEST(Parameters, TheNominalVehicleIsAccepted) {
+    const rsi_validation answer = rsi::validate(rsi_test::large_suv());
+    EXPECT_EQ(answer.accepted, 1);
+    EXPECT_STREQ(answer.field, "");
+    EXPECT_STREQ(answer.reason, "");
+}
+
+// The floats fill the structure from its start to the selections without a gap, so every one of them is in
+// the table.
+TEST(Parameters, TheTableHoldsEveryNumberOnceAndInOrder) {
+    std::ptrdiff_t expected = 0;
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        EXPECT_EQ(offset_of(field.member), expected) << field.name;
+        expected += static_cast<std::ptrdiff_t>(sizeof(float));
+    }
+    EXPECT_EQ(expected, static_cast<std::ptrdiff_t>(offsetof(rsi_parameters, estimator)));
+}
+
+TEST(Parameters, TheTableHoldsEverySelection) {
+    EXPECT_EQ(offsetof(rsi_parameters, estimator) + rsi::selection_fields.size() * sizeof(std::int32_t),
+              sizeof(rsi_parameters));
+}
+
+TEST(Parameters, EveryNameIsItsOwn) {
+    std::set<std::string> names;
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        EXPECT_TRUE(names.insert(field.name).second) << field.name;
+        EXPECT_LT(field.minimum, field.maximum) << field.name;
+    }
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        EXPECT_TRUE(names.insert(field.name).second) << field.name;
+    }
+}
+
+TEST(Parameters, EachFieldIsRefusedByNameWhenItIsNotFinite) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        for (const float bad : {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity}) {
+            rsi_parameters parameters = rsi_test::large_suv();
+            parameters.*field.member = bad;
+            expect_refused(parameters, field.name);
+        }
+    }
+}
+
+TEST(Parameters, EachFieldIsRefusedByNameJustOutsideItsRange) {
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.*field.member = std::nextafterf(field.minimum, -1.0e30F);
+        expect_refused(parameters, field.name);
+        parameters.*field.member = std::nextafterf(field.maximum, 1.0e30F);
+        expect_refused(parameters, field.name);
+    }
+}
+
+// The limits belong to the range: what is refused there, if anything, is refused by a rule between fields.
+TEST(Parameters, TheLimitsThemselvesAreInRange) {
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        for (const float limit : {field.minimum, field.maximum}) {
+            rsi_parameters parameters = rsi_test::large_suv();
+            parameters.*field.member = limit;
+            EXPECT_EQ(std::string(rsi::validate(parameters).reason).find("its range"), std::string::npos)
+                << field.name;
+        }
+    }
+}
+
+TEST(Parameters, SelectionsOutsideTheirChoicesAreRefusedByName) {
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        for (const std::int32_t bad : {-1, field.choice_count, std::numeric_limits<std::int32_t>::max()}) {
+            rsi_parameters parameters = rsi_test::large_suv();
+            parameters.*field.member = bad;
+            expect_refused(parameters, field.name);
+        }
+    }
+}
+
+TEST(Parameters, TheChoicesAreNamedInTheOrderOfTheirNumbers) {
+    EXPECT_STREQ(rsi::estimator_choices[RSI_ESTIMATOR_PUBLISHED], "published");
+    EXPECT_STREQ(rsi::indicator_choices[RSI_INDICATOR_PUBLISHED], "published");
+    EXPECT_STREQ(rsi::indicator_choices[RSI_INDICATOR_BANK_FREE], "bank_free");
+}
+
+TEST(Parameters, TheRollCentreMustLieBelowTheCentreOfGravity) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.fixed_roll_centre_height_m = parameters.sprung_cg_height_m;
+    expect_refused(parameters, "fixed_roll_centre_height_m");
+    parameters.fixed_roll_centre_height_m = parameters.sprung_cg_height_m + 0.1F;
+    expect_refused(parameters, "fixed_roll_centre_height_m");
+}
+
+TEST(Parameters, TheRollStiffnessMustHoldTheBodyUp) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    const float least = 1.2F * 2060.0F * 9.80665F * (0.988F - 0.281F);
+    parameters.roll_stiffness_nmprad = 0.99F * least;
+    expect_refused(parameters, "roll_stiffness_nmprad");
+    parameters.roll_stiffness_nmprad = 1.01F * least;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+}
+
+TEST(Parameters, TheModelsTimeConstantMustBeAtLeastHalfAStep) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.roll_damping_nmsprad = 0.0049F * parameters.roll_stiffness_nmprad;
+    expect_refused(parameters, "roll_damping_nmsprad");
+    parameters.roll_damping_nmsprad = 0.0051F * parameters.roll_stiffness_nmprad;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+}
+
+TEST(Parameters, TheWarningLevelsMustBeInOrder) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.advisory_off = parameters.advisory_on + 0.01F;
+    expect_refused(parameters, "advisory_off");
+    parameters = rsi_test::large_suv();
+    parameters.warning_off = parameters.warning_on + 0.01F;
+    expect_refused(parameters, "warning_off");
+    parameters = rsi_test::large_suv();
+    parameters.advisory_on = parameters.warning_on + 0.01F;
+    expect_refused(parameters, "advisory_on");
+    parameters = rsi_test::large_suv();
+    parameters.advisory_on = parameters.advisory_off = parameters.warning_off = parameters.warning_on;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+}
+
+TEST(Parameters, AWarningLevelThatThePublishedIndicatorCannotReachIsRefused) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_on = 1.01F;
+    expect_refused(parameters, "warning_on");
+    parameters.warning_indicator = RSI_INDICATOR_BANK_FREE;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+}
+
+}  // namespace
