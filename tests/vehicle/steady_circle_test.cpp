@@ -53,7 +53,7 @@ TEST_P(SteadyCircle, NeedsTheSteeringAngleOfTheHandlingEquation) {
         ASSERT_GT(a_y, 0.01 * sil::gravity_mps2);
         ASSERT_LT(a_y, 0.11 * sil::gravity_mps2);
         EXPECT_NEAR(truth.road_wheel_angle_rad, wheelbase * curvature + understeer * a_y,
-                    0.02 * truth.road_wheel_angle_rad);
+                    0.005 * truth.road_wheel_angle_rad);
     }
 }
 
@@ -96,7 +96,7 @@ TEST(SteadyTurn, LateralLoadTransferBalancesTheOverturningMoment) {
     const double moment = weight * truth.lateral_acceleration_mps2 / sil::gravity_mps2 *
                               scenario::total_cg_height_m(parameters) +
                           moved;
-    EXPECT_NEAR(0.5 * transfer * parameters.geometry.track_width_m, moment, 0.04 * moment);
+    EXPECT_NEAR(0.5 * transfer * parameters.geometry.track_width_m, moment, 0.03 * moment);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(TiltTable, ARigidVehicleTipsAtTheAngleOfHalfTrackOverHeight) {
         const Tipping tipping = tilt_until_two_wheels_lift(parameters);
         const double closed_form =
             std::atan(0.5 * parameters.geometry.track_width_m / scenario::total_cg_height_m(parameters));
-        EXPECT_NEAR(tipping.angle_rad / degree, closed_form / degree, 0.6);
+        EXPECT_NEAR(tipping.angle_rad / degree, closed_form / degree, 0.3);
     }
 }
 
@@ -89,7 +89,7 @@ TEST(TiltTable, ASprungVehicleTipsEarlierByWhatItsRollTakesFromTheLever) {
         const double rigid_form = std::atan(half_track / scenario::total_cg_height_m(parameters));
         EXPECT_GT(tipping.roll_rad, 0.0);
         EXPECT_LT(tipping.angle_rad, rigid_form - 1.0 * degree);
-        EXPECT_NEAR(tipping.angle_rad / degree, closed_form / degree, 1.0);
+        EXPECT_NEAR(tipping.angle_rad / degree, closed_form / degree, 0.7);
     }
 }
 
