@@ -13,6 +13,7 @@
 #include "sil/apps/account.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
 #include "sil/simulation/lock_step_pace.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/simulation/real_time_pace.hpp"
 #include "sil/simulation/recorded_bus.hpp"
 #include "sil/vehicle/parameter_file.hpp"
@@ -128,7 +129,7 @@ void run_manoeuvre(const RunRequest& request) {
     options.mirrored = request.mirrored;
     options.duration_s = request.duration_s;
     ManoeuvreRun plant{parameters, manoeuvre, options};
-    SensorSuite sensors{request.noise ? noisy_sensors(request.seed) : SensorOptions{}};
+    SensorSuite sensors{mounted_sensors(parameters, request.noise, request.seed)};
 
     hal::SocketCanBus socket;
     open_or_throw(socket, request.interface);

@@ -130,6 +130,15 @@ HullParameters read_hull(ParameterTable table) {
     return p;
 }
 
+ImuMountParameters read_imu_mount(ParameterTable table) {
+    ImuMountParameters p;
+    p.x_m = table.number("x_m", {-10.0, 10.0});
+    p.y_m = table.number("y_m", {-2.0, 2.0});
+    p.z_m = table.number("z_m", {-3.0, 3.0});
+    table.refuse_unknown_keys();
+    return p;
+}
+
 NominalRollModelParameters read_nominal_roll_model(ParameterTable table) {
     NominalRollModelParameters p;
     p.roll_centre_height_m = table.number("roll_centre_height_m", {0.0, 2.0});
@@ -159,6 +168,7 @@ VehicleParameters load_vehicle(const std::filesystem::path& path) {
     p.driveline = read_driveline(top.table("driveline"));
     p.aerodynamics = read_aerodynamics(top.table("aerodynamics"));
     p.hull = read_hull(top.table("hull"));
+    p.imu_mount = read_imu_mount(top.table("imu_mount"));
     p.nominal_roll_model = read_nominal_roll_model(top.table("nominal_roll_model"));
     top.refuse_unknown_keys();
     return p;

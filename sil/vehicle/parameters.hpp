@@ -106,6 +106,13 @@ struct HullParameters {
     double bottom_below_cg_m{};
 };
 
+// Where the IMU is fixed to the body, from the sprung CG in body axes.
+struct ImuMountParameters {
+    double x_m{};
+    double y_m{};
+    double z_m{};
+};
+
 // What a firmware calibration for this vehicle starts from: the paper's roll-plane model with a fixed roll
 // centre. K(phi) = stiffness_0 + stiffness_2 phi^2 + stiffness_4 phi^4 (the moment is K phi) is the measured
 // curve.
@@ -130,6 +137,7 @@ struct VehicleParameters {
     DrivelineParameters driveline{};
     AerodynamicParameters aerodynamics{};
     HullParameters hull{};
+    ImuMountParameters imu_mount{};
     NominalRollModelParameters nominal_roll_model{};
 };
 

@@ -20,6 +20,7 @@
 #include "sil/manoeuvres/catalogue.hpp"
 #include "sil/simulation/closed_loop.hpp"
 #include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/simulation/recorded_bus.hpp"
 #include "sil/simulation/replay.hpp"
 #include "sil/vehicle/parameter_file.hpp"
@@ -84,9 +85,10 @@ void drive(const Request& request, sil::CandumpLogWriter& log) {
     sil::RunOptions options;
     options.mirrored = request.mirrored;
     options.duration_s = request.duration_s;
-    sil::ManoeuvreRun plant{sil::load_vehicle(request.vehicle), sil::find_manoeuvre(request.manoeuvre),
+    const sil::VehicleParameters vehicle = sil::load_vehicle(request.vehicle);
+    sil::ManoeuvreRun plant{vehicle, sil::find_manoeuvre(request.manoeuvre),
                             options};
-    sil::SensorSuite sensors{request.noise ? sil::noisy_sensors(request.seed) : sil::SensorOptions{}};
+    sil::SensorSuite sensors{sil::mounted_sensors(vehicle, request.noise, request.seed)};
     sil::InProcessEcu ecu{sil::load_calibration(request.parameters)};
     sil::RecordedBus bus{ecu.world_bus(), ecu.clock(), log, "vcan0"};
     sil::InProcessPace pace{ecu};
