@@ -152,4 +152,14 @@ TEST(RollPlaneModel, ExtremeForcesOnExtremeVehiclesNeverLeaveTheModelsRange) {
     });
 }
 
+// A vehicle pressed down so hard that gravity outweighs its springs: the step still goes the way of the rate.
+TEST(RollPlaneModel, ANegativeLocalStiffnessDoesNotTurnTheStepAround) {
+    rsi::RollPlaneModel model;
+    model.init(rsi_test::large_suv());
+    for (const float stiffness : {-1.0e5F, -1.6e6F, -1.0e7F}) {
+        EXPECT_GT(model.next_angle_rad(0.0F, 0.5F, stiffness), 0.0F);
+        EXPECT_LT(model.next_angle_rad(0.0F, -0.5F, stiffness), 0.0F);
+    }
+}
+
 }  // namespace
