@@ -1,0 +1,11 @@
+// Allocation count: how often this program has asked for heap memory, by whatever way.
+#pragma once
+
+#include <cstdint>
+
+namespace testing_application {
+
+// Of malloc, calloc, realloc and the aligned kinds; operator new comes down to them.
+std::uint64_t allocation_count();
+
+}  // namespace testing_application

@@ -1,0 +1,137 @@
+#include "tests/application/bench.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/application/end_to_end.hpp"
+
+namespace testing_application {
+
+rsi::Parameters large_suv() {
+    rsi::Parameters parameters{};
+    parameters.sprung_mass_kg = 2060.0F;
+    parameters.sprung_cg_height_m = 0.988F;
+    parameters.track_width_m = 1.60F;
+    parameters.fixed_roll_centre_height_m = 0.281F;
+    parameters.roll_stiffness_nmprad = 96.0e3F;
+    parameters.roll_damping_nmsprad = 8000.0F;
+    parameters.angular_acceleration_lag_s = 0.02F;
+    parameters.forgetting_factor = 0.999F;
+    parameters.disturbance_cutoff_hz = 0.1F;
+    parameters.regression_scale_nm = 450.0F;
+    parameters.initial_roll_centre_deviation_m = 0.1F;
+    parameters.initial_stiffness_deviation_nmprad = 10.0e3F;
+    parameters.initial_damping_deviation_nmsprad = 1000.0F;
+    parameters.covariance_limit = 300.0F;
+    parameters.advisory_on = 0.9F;
+    parameters.advisory_off = 0.8F;
+    parameters.warning_on = 1.0F;
+    parameters.warning_off = 0.9F;
+    parameters.warning_confirmation_s = 0.02F;
+    parameters.advisory_hold_s = 0.5F;
+    parameters.warning_hold_s = 1.0F;
+    parameters.recovery_s = 0.1F;
+    parameters.estimator = RSI_ESTIMATOR_PUBLISHED;
+    parameters.warning_indicator = RSI_INDICATOR_PUBLISHED;
+    return parameters;
+}
+
+Bench::Bench(const rsi::Parameters& parameters, hal::Time ecu_delay)
+    : ecu_delay_{ecu_delay}, answer_{ecu_.init(parameters)} {
+    drive(Motion{});
+}
+
+void Bench::drive(const Motion& motion) {
+    motion_ = [motion](double) { return motion; };
+}
+
+void Bench::run_cycles(int count) {
+    for (int index = 0; index < count; ++index) {
+        const hal::Time time = hal::Time::from_milliseconds(10 * cycle_number_);
+        clock_.set(time);
+        send_sensor_frames();
+        clock_.set(time + ecu_delay_);
+        step_ecu();
+        ++cycle_number_;
+    }
+}
+
+void Bench::run_for(double seconds) {
+    run_cycles(static_cast<int>(std::lround(seconds * 100.0)));
+}
+
+void Bench::run_until_ready() {
+    run_for(0.2);
+}
+
+void Bench::stop_all() {
+    for (const Sensor sensor : all_sensors) {
+        stop(sensor);
+    }
+}
+
+void Bench::resume_all() {
+    for (const Sensor sensor : all_sensors) {
+        resume(sensor);
+    }
+}
+
+void Bench::lose_frames(Sensor sensor, unsigned count) {
+    line(sensor).counter = (line(sensor).counter + count) % 15U;
+}
+
+void Bench::send_sensor_frames() {
+    const Motion motion = motion_(static_cast<double>(cycle_number_) * 0.01);
+    send(Sensor::imu, motion.imu);
+    send(Sensor::roll_angle, motion.roll_angle);
+    send(Sensor::vehicle_motion, motion.vehicle_motion);
+}
+
+template <typename Message>
+void Bench::send(Sensor sensor, const Message& message) {
+    Line& line = this->line(sensor);
+    if (line.silent) {
+        return;
+    }
+    hal::CanFrame frame;
+    frame.identifier = Message::identifier;
+    frame.length = Message::length;
+    const auto payload = can_dbc::encode(message);
+    std::copy(payload.begin(), payload.end(), frame.data.begin());
+    protect(frame, Message::e2e_data_id, line.counter);
+    if (!line.counter_stands) {
+        line.counter = (line.counter + 1U) % 15U;
+    }
+    if (line.change) {
+        line.change(frame);
+    }
+    line.last = frame;
+    last_sensor_time_ = clock_.now();
+    bus_.endpoint(world).send(frame);
+}
+
+void Bench::step_ecu() {
+    ecu_.step(missed_cycles_);
+    Cycle cycle;
+    cycle.time = clock_.now();
+    hal::CanFrame frame;
+    while (bus_.endpoint(world).receive(frame) == hal::ReceiveResult::frame) {
+        cycle.frames.push_back(frame);
+        switch (frame.identifier) {
+            case can_dbc::RolloverWarning::identifier:
+                cycle.warning = can_dbc::decode<can_dbc::RolloverWarning>(frame.data);
+                break;
+            case can_dbc::RollCentreEstimate::identifier:
+                cycle.estimate = can_dbc::decode<can_dbc::RollCentreEstimate>(frame.data);
+                break;
+            case can_dbc::RolloverStatus::identifier:
+                cycle.status = can_dbc::decode<can_dbc::RolloverStatus>(frame.data);
+                break;
+            default:
+                break;
+        }
+    }
+    cycles_.push_back(std::move(cycle));
+}
+
+}  // namespace testing_application

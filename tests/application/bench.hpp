@@ -1,0 +1,128 @@
+// Test bench: the ECU on a memory bus with three sensors that can be told to misbehave, and an ear on the
+// bus.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "application/rollover_ecu.hpp"
+#include "can_dbc/codec/message.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "hal/memory/memory_bus.hpp"
+#include "hal/memory/virtual_clock.hpp"
+
+namespace testing_application {
+
+enum class Sensor : std::uint8_t { imu, roll_angle, vehicle_motion };
+inline constexpr std::array<Sensor, 3> all_sensors{Sensor::imu, Sensor::roll_angle, Sensor::vehicle_motion};
+inline constexpr std::array<Sensor, 2> necessary_sensors{Sensor::imu, Sensor::roll_angle};
+
+// What the sensors see. The default: straight on at 80 km/h on level ground, bank not measured.
+struct Motion {
+    can_dbc::Imu imu{0.0F, 9.80665F, 0.0F};
+    can_dbc::RollAngle roll_angle{0.0F, can_dbc::not_available};
+    can_dbc::VehicleMotion vehicle_motion{80.0F, 0.0F, 0.0F};
+};
+
+// The three frames that the ECU sends in one cycle, as they came and decoded.
+struct Cycle {
+    hal::Time time{};
+    std::vector<hal::CanFrame> frames{};
+    can_dbc::Decoded<can_dbc::RolloverWarning> warning{};
+    can_dbc::Decoded<can_dbc::RollCentreEstimate> estimate{};
+    can_dbc::Decoded<can_dbc::RolloverStatus> status{};
+
+    can_dbc::RolloverWarning::State state() const { return warning.value.state; }
+};
+
+// The calibration of a large SUV, with the IMU at the centre of gravity.
+rsi::Parameters large_suv();
+
+// Sensor frames are sent every 10 ms, the ECU steps `ecu_delay` after them.
+class Bench {
+ public:
+    using FrameChange = std::function<void(hal::CanFrame&)>;
+
+    explicit Bench(const rsi::Parameters& parameters = large_suv(),
+                   hal::Time ecu_delay = hal::Time::from_milliseconds(1));
+
+    // What the sensors see from now on.
+    void drive(const Motion& motion);
+    // The same as a function of the time in seconds.
+    void drive(std::function<Motion(double time_s)> motion) { motion_ = std::move(motion); }
+
+    void run_cycles(int count);
+    void run_for(double seconds);
+    // A fresh bench after its recovery time: the ECU is ready.
+    void run_until_ready();
+
+    void stop(Sensor sensor) { line(sensor).silent = true; }
+    void stop_all();
+    void resume(Sensor sensor) { line(sensor).silent = false; }
+    void resume_all();
+
+    // Lets `change` alter each frame of a sensor after it was protected; an empty one ends that.
+    void tamper(Sensor sensor, FrameChange change) { line(sensor).change = std::move(change); }
+    // Moves a sensor's counter on, as if `count` frames had been lost on the way.
+    void lose_frames(Sensor sensor, unsigned count);
+    // Sends the sensor's next frames with the counter of the one before.
+    void repeat_counter(Sensor sensor, bool repeat) { line(sensor).counter_stands = repeat; }
+
+    // A frame of somebody else, at once.
+    void send_foreign(const hal::CanFrame& frame) { bus_.endpoint(world).send(frame); }
+    // The last frame that a sensor has sent.
+    const hal::CanFrame& last_frame(Sensor sensor) { return line(sensor).last; }
+    // When the last sensor frame went out.
+    hal::Time last_sensor_time() const { return last_sensor_time_; }
+
+    // Reported to the ECU with each further cycle.
+    void miss_cycles(std::uint32_t count) { missed_cycles_ = count; }
+    void set_bus_state(hal::BusState state) { bus_.endpoint(ecu).set_state(state); }
+
+    const std::vector<Cycle>& cycles() const { return cycles_; }
+    const Cycle& last() const { return cycles_.back(); }
+    can_dbc::RolloverWarning::State state() const { return last().state(); }
+    const can_dbc::RolloverStatus& status() const { return last().status.value; }
+    int watchdog_feeds() const { return watchdog_.feeds; }
+    const rsi::Validation& parameters_answer() const { return answer_; }
+
+ private:
+    static constexpr std::size_t ecu = 0U;
+    static constexpr std::size_t world = 1U;
+
+    struct Line {
+        bool silent{false};
+        bool counter_stands{false};
+        unsigned counter{0U};
+        FrameChange change{};
+        hal::CanFrame last{};
+    };
+
+    struct CountingWatchdog final : hal::Watchdog {
+        void feed() noexcept override { ++feeds; }
+        int feeds{0};
+    };
+
+    Line& line(Sensor sensor) { return lines_[static_cast<std::size_t>(sensor)]; }
+    void send_sensor_frames();
+    template <typename Message>
+    void send(Sensor sensor, const Message& message);
+    void step_ecu();
+
+    hal::Time ecu_delay_;
+    hal::VirtualClock clock_{};
+    hal::MemoryBus<2U> bus_{clock_};
+    CountingWatchdog watchdog_{};
+    application::RolloverEcu ecu_{bus_.endpoint(ecu), clock_, watchdog_};
+    rsi::Validation answer_;
+    std::function<Motion(double)> motion_{};
+    std::array<Line, 3> lines_{};
+    std::int64_t cycle_number_{0};
+    hal::Time last_sensor_time_{};
+    std::uint32_t missed_cycles_{0U};
+    std::vector<Cycle> cycles_{};
+};
+
+}  // namespace testing_application

@@ -1,0 +1,200 @@
+// Frames that are not what they should be: wrong length, damaged, of another kind, of somebody else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/application/bench.hpp"
+#include "tests/application/end_to_end.hpp"
+
+namespace testing_application {
+namespace {
+
+using State = can_dbc::RolloverWarning::State;
+
+bool checksum_error(const can_dbc::RolloverStatus& status, Sensor sensor) {
+    switch (sensor) {
+        case Sensor::imu:
+            return status.imu_checksum_error;
+        case Sensor::roll_angle:
+            return status.roll_angle_checksum_error;
+        case Sensor::vehicle_motion:
+            return status.vehicle_motion_checksum_error;
+    }
+    return false;
+}
+
+bool timeout(const can_dbc::RolloverStatus& status, Sensor sensor) {
+    switch (sensor) {
+        case Sensor::imu:
+            return status.imu_timeout;
+        case Sensor::roll_angle:
+            return status.roll_angle_timeout;
+        case Sensor::vehicle_motion:
+            return status.vehicle_motion_timeout;
+    }
+    return false;
+}
+
+class DamagedFrames : public ::testing::TestWithParam<Sensor> {
+ protected:
+    void SetUp() override {
+        bench.run_until_ready();
+        ASSERT_EQ(bench.state(), State::ready);
+    }
+
+    // Every frame of the sensor is changed for a while: each one must be rejected, the flag set, the sensor
+    // taken for silent, and nothing of it remembered when the frames are good again.
+    void expect_refused(const Bench::FrameChange& change) {
+        const unsigned before = bench.status().frames_rejected;
+        bench.tamper(sensor, change);
+        for (int cycle = 1; cycle <= 6; ++cycle) {
+            bench.run_cycles(1);
+            ASSERT_TRUE(checksum_error(bench.status(), sensor));
+            ASSERT_EQ(bench.status().frames_rejected, std::min(before + static_cast<unsigned>(cycle), 255U));
+        }
+        ASSERT_TRUE(timeout(bench.status(), sensor));
+        ASSERT_EQ(bench.state(), sensor == Sensor::vehicle_motion ? State::ready : State::unavailable);
+        recover();
+    }
+
+    // The same for frames that are not even taken for the sensor's: no error, but silence.
+    void expect_ignored(const Bench::FrameChange& change) {
+        const unsigned before = bench.status().frames_rejected;
+        bench.tamper(sensor, change);
+        bench.run_cycles(6);
+        EXPECT_FALSE(checksum_error(bench.status(), sensor));
+        EXPECT_EQ(bench.status().frames_rejected, before);
+        EXPECT_TRUE(timeout(bench.status(), sensor));
+        recover();
+    }
+
+    void recover() {
+        bench.tamper(sensor, {});
+        bench.run_for(0.2);
+        ASSERT_FALSE(checksum_error(bench.status(), sensor));
+        ASSERT_EQ(bench.state(), State::ready);
+    }
+
+    Sensor sensor{GetParam()};
+    Bench bench;
+};
+
+TEST_P(DamagedFrames, OfEachWrongLengthAreRefused) {
+    for (unsigned length = 0U; length < 8U; ++length) {
+        SCOPED_TRACE("length " + std::to_string(length));
+        expect_refused([length](hal::CanFrame& frame) { frame.length = static_cast<std::uint8_t>(length); });
+    }
+}
+
+TEST_P(DamagedFrames, WithAnySingleBitFlippedAreRefused) {
+    for (unsigned bit = 0U; bit < 64U; ++bit) {
+        SCOPED_TRACE("bit " + std::to_string(bit));
+        expect_refused([bit](hal::CanFrame& frame) {
+            frame.data[bit / 8U] = static_cast<std::uint8_t>(frame.data[bit / 8U] ^ (1U << (bit % 8U)));
+        });
+    }
+}
+
+TEST_P(DamagedFrames, WithAnotherDataIdentifierAreRefused) {
+    // The low byte alone, which only the checksum knows, the nibble alone, and a whole other message's.
+    for (const int data_id : {0x3A6, 0x4A7, 0x45D, 0x35C, 0x5B0, 0x4B1, 0x61E, 0x000}) {
+        SCOPED_TRACE("data identifier " + std::to_string(data_id));
+        expect_refused([data_id](hal::CanFrame& frame) {
+            protect(frame, static_cast<std::uint16_t>(data_id), counter_of(frame));
+        });
+    }
+}
+
+TEST_P(DamagedFrames, ThatCarryAnotherMessagesPayloadAreRefused) {
+    const Sensor other = all_sensors[(static_cast<std::size_t>(sensor) + 1U) % all_sensors.size()];
+    expect_refused([this, other](hal::CanFrame& frame) { frame.data = bench.last_frame(other).data; });
+}
+
+TEST_P(DamagedFrames, OfOneCycleOnlyDoNotInterruptTheWarning) {
+    for (int time = 0; time < 20; ++time) {
+        bench.tamper(sensor, [](hal::CanFrame& frame) { frame.data[0] ^= 0xFFU; });
+        bench.run_cycles(1);
+        EXPECT_TRUE(checksum_error(bench.status(), sensor));
+        EXPECT_EQ(bench.state(), State::ready);
+        bench.tamper(sensor, {});
+        bench.run_cycles(1);
+        EXPECT_FALSE(checksum_error(bench.status(), sensor));
+        EXPECT_EQ(bench.state(), State::ready);
+    }
+    EXPECT_EQ(bench.status().frames_lost, 20U);
+}
+
+TEST_P(DamagedFrames, OfCanFdAreIgnored) {
+    expect_ignored([](hal::CanFrame& frame) { frame.flexible_data_rate = true; });
+}
+
+TEST_P(DamagedFrames, WithAnExtendedIdentifierAreIgnored) {
+    expect_ignored([](hal::CanFrame& frame) { frame.extended = true; });
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEachSensor, DamagedFrames, ::testing::ValuesIn(all_sensors));
+
+TEST(ForeignFrames, OfEveryOtherIdentifierAreIgnored) {
+    Bench bench;
+    bench.run_until_ready();
+    const std::vector<hal::CanFrame> quiet = bench.last().frames;
+    for (std::uint32_t identifier = 0U; identifier <= 0x7FFU; ++identifier) {
+        if (identifier >= can_dbc::Imu::identifier && identifier <= can_dbc::VehicleMotion::identifier) {
+            continue;
+        }
+        hal::CanFrame frame = bench.last_frame(Sensor::imu);
+        frame.identifier = identifier;
+        bench.send_foreign(frame);
+        if (identifier % 32U == 31U) {
+            bench.run_cycles(1);
+            ASSERT_EQ(bench.state(), State::ready) << identifier;
+            ASSERT_EQ(bench.status().frames_rejected, 0U) << identifier;
+        }
+    }
+    EXPECT_EQ(bench.last().frames.size(), quiet.size());
+}
+
+TEST(ForeignFrames, InAFloodDoNotStopTheCycle) {
+    Bench bench;
+    bench.run_until_ready();
+    hal::CanFrame foreign;
+    foreign.identifier = 0x001U;
+    foreign.length = 8U;
+    const std::size_t from = bench.cycles().size();
+    for (int cycle = 0; cycle < 100; ++cycle) {
+        for (int count = 0; count < 1000; ++count) {
+            bench.send_foreign(foreign);
+        }
+        bench.run_cycles(1);
+    }
+    for (std::size_t index = from; index < bench.cycles().size(); ++index) {
+        ASSERT_EQ(bench.cycles()[index].frames.size(), 3U);
+    }
+    // The controller has lost frames, the sensors' among them: no statement is better than an old one.
+    EXPECT_TRUE(bench.status().receive_overflow);
+    EXPECT_TRUE(bench.status().imu_timeout);
+    EXPECT_EQ(bench.state(), State::unavailable);
+    bench.run_for(0.3);
+    EXPECT_FALSE(bench.status().receive_overflow);
+    EXPECT_EQ(bench.state(), State::ready);
+}
+
+// 500 kbit/s carry 45 frames of eight bytes in 10 ms.
+TEST(ForeignFrames, ThatFillABusOf500KilobitsLeaveTheWarningAvailable) {
+    Bench bench;
+    hal::CanFrame foreign;
+    foreign.identifier = 0x001U;
+    foreign.length = 8U;
+    for (int cycle = 0; cycle < 300; ++cycle) {
+        for (int count = 0; count < 42; ++count) {
+            bench.send_foreign(foreign);
+        }
+        bench.run_cycles(1);
+    }
+    EXPECT_EQ(bench.state(), State::ready);
+    EXPECT_FALSE(bench.status().receive_overflow);
+}
+
+}  // namespace
+}  // namespace testing_application

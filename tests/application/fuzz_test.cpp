@@ -1,0 +1,173 @@
+// Random payloads with a good end-to-end protection: whatever the sensors say, the ECU's answer is defined.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "application/rollover_ecu.hpp"
+#include "can_dbc/codec/message.hpp"
+#include "hal/memory/memory_bus.hpp"
+#include "hal/memory/virtual_clock.hpp"
+#include "tests/application/bench.hpp"
+#include "tests/application/end_to_end.hpp"
+
+namespace testing_application {
+namespace {
+
+using can_dbc::RolloverWarning;
+using State = RolloverWarning::State;
+
+struct NoWatchdog final : hal::Watchdog {
+    void feed() noexcept override {}
+};
+
+// A bench without records, for a million cycles.
+class FuzzBench {
+ public:
+    explicit FuzzBench(const rsi::Parameters& parameters) { ecu_.init(parameters); }
+
+    // One cycle on three random payloads.
+    void random_cycle() {
+        send_random(0x120U, 0x3A7U);
+        send_random(0x121U, 0x45CU);
+        send_random(0x122U, 0x5B1U);
+        step();
+    }
+
+    // One cycle on three given messages.
+    void cycle(const Motion& motion) {
+        send(0x120U, 0x3A7U, can_dbc::encode(motion.imu));
+        send(0x121U, 0x45CU, can_dbc::encode(motion.roll_angle));
+        send(0x122U, 0x5B1U, can_dbc::encode(motion.vehicle_motion));
+        step();
+    }
+
+    std::uint64_t cycles{0U};
+    std::uint64_t undefined{0U};   // cycles with a state, side or number that the DBC file does not define
+    std::uint64_t incomplete{0U};  // cycles with a state other than unavailable and a number missing
+    std::uint64_t states[4]{};     // how often each state was sent
+    std::uint64_t not_three{0U};   // cycles that did not send three frames
+    RolloverWarning last{};
+
+ private:
+    template <typename Payload>
+    void send(std::uint32_t identifier, std::uint16_t data_id, const Payload& payload) {
+        hal::CanFrame frame;
+        frame.identifier = identifier;
+        frame.length = 8U;
+        std::copy(payload.begin(), payload.end(), frame.data.begin());
+        protect(frame, data_id, static_cast<unsigned>(cycles % 15U));
+        bus_.endpoint(1U).send(frame);
+    }
+
+    void send_random(std::uint32_t identifier, std::uint16_t data_id) {
+        std::array<std::uint8_t, 8> payload;
+        const std::uint64_t bits = random_();
+        for (std::size_t index = 0U; index < payload.size(); ++index) {
+            payload[index] = static_cast<std::uint8_t>(bits >> (8U * index));
+        }
+        send(identifier, data_id, payload);
+    }
+
+    void step() {
+        clock_.advance(hal::Time::from_milliseconds(10));
+        ecu_.step(0U);
+        ++cycles;
+        int frames = 0;
+        hal::CanFrame frame;
+        while (bus_.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+            ++frames;
+            judge(frame);
+        }
+        not_three += frames == 3 ? 0U : 1U;
+    }
+
+    void judge(const hal::CanFrame& frame) {
+        if (frame.identifier == RolloverWarning::identifier) {
+            judge_warning(can_dbc::decode<RolloverWarning>(frame.data), frame.data[2]);
+        } else if (frame.identifier == can_dbc::RollCentreEstimate::identifier) {
+            judge_estimate(can_dbc::decode<can_dbc::RollCentreEstimate>(frame.data));
+        }
+    }
+
+    // State and side are the lowest five bits of byte 2, read here without the codec.
+    void judge_warning(const can_dbc::Decoded<RolloverWarning>& warning, std::uint8_t byte) {
+        const unsigned state = byte & 0x7U;
+        const unsigned side = (byte >> 3U) & 0x3U;
+        last = warning.value;
+        if (state > 3U || side > 2U || any_out_of_range<RolloverWarning>(warning)) {
+            ++undefined;
+            return;
+        }
+        ++states[state];
+        const bool available = state != 0U;
+        const bool sided = state >= 2U;
+        if ((available && !warning.status.all_valid()) || sided != (side != 0U)) {
+            ++incomplete;
+        }
+        available_ = available;
+    }
+
+    void judge_estimate(const can_dbc::Decoded<can_dbc::RollCentreEstimate>& estimate) {
+        undefined += any_out_of_range<can_dbc::RollCentreEstimate>(estimate) ? 1U : 0U;
+        incomplete += available_ && !estimate.status.all_valid() ? 1U : 0U;
+    }
+
+    template <typename Message>
+    static bool any_out_of_range(const can_dbc::Decoded<Message>& decoded) {
+        bool found = false;
+        Message::visit_signals([&](const char*, const char*, auto, auto status) {
+            found = found || decoded.status.*status == can_dbc::SignalStatus::out_of_range;
+        });
+        return found;
+    }
+
+    hal::VirtualClock clock_;
+    hal::MemoryBus<2U, 16U> bus_{clock_};
+    NoWatchdog watchdog_;
+    application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
+    std::mt19937_64 random_{20090815U};
+    bool available_{false};
+};
+
+// The parameter: which indicator drives the warning.
+class RandomPayloads : public ::testing::TestWithParam<rsi_indicator> {
+ protected:
+    // Without a recovery time, so that many cycles make a statement.
+    static rsi::Parameters parameters() {
+        rsi::Parameters parameters = large_suv();
+        parameters.warning_indicator = GetParam();
+        parameters.recovery_s = 0.0F;
+        parameters.warning_confirmation_s = 0.0F;
+        parameters.warning_hold_s = 0.0F;
+        parameters.advisory_hold_s = 0.0F;
+        return parameters;
+    }
+};
+
+TEST_P(RandomPayloads, GiveAMillionDefinedAnswersAndDoNotPoisonTheEcu) {
+    FuzzBench bench{parameters()};
+    for (int cycle = 0; cycle < 1'000'000; ++cycle) {
+        bench.random_cycle();
+    }
+    EXPECT_EQ(bench.not_three, 0U);
+    EXPECT_EQ(bench.undefined, 0U);
+    EXPECT_EQ(bench.incomplete, 0U);
+    // The test has reached every state, or it would prove little.
+    EXPECT_GT(bench.states[0], 1000U);
+    EXPECT_GT(bench.states[1], 1000U);
+    EXPECT_GT(bench.states[2], 100U);
+    EXPECT_GT(bench.states[3], 1000U);
+
+    for (int cycle = 0; cycle < 100; ++cycle) {
+        bench.cycle(Motion{});
+    }
+    EXPECT_EQ(bench.last.state, State::ready);
+    EXPECT_NEAR(static_cast<double>(bench.last.roll_stability_indicator), 0.0, 1.0e-3);
+    EXPECT_EQ(bench.incomplete, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(WithEitherIndicator, RandomPayloads,
+                         ::testing::Values(RSI_INDICATOR_PUBLISHED, RSI_INDICATOR_BANK_FREE));
+
+}  // namespace
+}  // namespace testing_application

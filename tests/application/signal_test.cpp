@@ -1,0 +1,165 @@
+// Signals that carry no usable value: the "not available" code and raw values outside the range.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/application/bench.hpp"
+#include "tests/application/end_to_end.hpp"
+
+namespace testing_application {
+namespace {
+
+using State = can_dbc::RolloverWarning::State;
+
+// A signal as the DBC file places it; the codes here are read from there, not from the codec.
+struct SignalCase {
+    const char* name;
+    Sensor sensor;
+    std::uint16_t data_id;
+    std::size_t first_byte;
+    bool big_endian;
+    std::vector<std::uint16_t> unusable;  // "not available" first, then the codes just beyond the range
+    std::vector<std::uint16_t> limits;    // the outermost codes that are still good
+    bool necessary;
+    bool may_be_missing;  // "not available" raises no flag
+};
+
+std::uint16_t code(int raw) {
+    return static_cast<std::uint16_t>(raw);
+}
+
+std::vector<SignalCase> signal_cases() {
+    const std::vector<std::uint16_t> beyond_30000{code(-32768), code(-32767), code(-30001), code(30001),
+                                                  code(32767)};
+    const std::vector<std::uint16_t> within_30000{code(-30000), code(30000)};
+    const std::vector<std::uint16_t> beyond_24000{code(-32768), code(-24001), code(24001), code(32767)};
+    const std::vector<std::uint16_t> beyond_9000{code(-32768), code(-9001), code(9001), code(32767)};
+    const std::vector<std::uint16_t> beyond_12000{code(-32768), code(-12001), code(12001), code(32767)};
+    const std::vector<std::uint16_t> beyond_speed{0xFFFFU, 40001U, 0xFFFEU};
+    return {
+        {"LateralAcceleration", Sensor::imu, 0x3A7U, 2U, false, beyond_30000, within_30000, true, false},
+        {"VerticalAcceleration", Sensor::imu, 0x3A7U, 4U, false, beyond_30000, within_30000, false, false},
+        {"RollRate", Sensor::imu, 0x3A7U, 6U, false, beyond_30000, within_30000, true, false},
+        {"RollAngle",
+         Sensor::roll_angle,
+         0x45CU,
+         2U,
+         true,
+         beyond_24000,
+         {code(-24000), code(24000)},
+         true,
+         false},
+        {"BankAngle",
+         Sensor::roll_angle,
+         0x45CU,
+         4U,
+         true,
+         beyond_9000,
+         {code(-9000), code(9000)},
+         false,
+         true},
+        {"Speed", Sensor::vehicle_motion, 0x5B1U, 2U, false, beyond_speed, {0U, 40000U}, false, false},
+        {"YawRate", Sensor::vehicle_motion, 0x5B1U, 4U, false, beyond_30000, within_30000, false, false},
+        {"SteeringWheelAngle",
+         Sensor::vehicle_motion,
+         0x5B1U,
+         6U,
+         false,
+         beyond_12000,
+         {code(-12000), code(12000)},
+         false,
+         false},
+    };
+}
+
+class Signal : public ::testing::TestWithParam<SignalCase> {
+ protected:
+    void SetUp() override {
+        bench.run_until_ready();
+        ASSERT_EQ(bench.state(), State::ready);
+    }
+
+    // All further frames of the sensor carry this code, with a good checksum.
+    void put(std::uint16_t raw) {
+        const SignalCase& signal = GetParam();
+        bench.tamper(signal.sensor, [&signal, raw](hal::CanFrame& frame) {
+            const std::size_t high = signal.first_byte + (signal.big_endian ? 0U : 1U);
+            const std::size_t low = signal.first_byte + (signal.big_endian ? 1U : 0U);
+            frame.data[high] = static_cast<std::uint8_t>(raw >> 8U);
+            frame.data[low] = static_cast<std::uint8_t>(raw & 0xFFU);
+            protect(frame, signal.data_id, counter_of(frame));
+        });
+    }
+
+    bool flag(Sensor sensor) const {
+        const can_dbc::RolloverStatus& status = bench.status();
+        const bool flags[] = {status.imu_signal_invalid, status.roll_angle_signal_invalid,
+                              status.vehicle_motion_signal_invalid};
+        return flags[static_cast<std::size_t>(sensor)];
+    }
+
+    Bench bench;
+};
+
+TEST_P(Signal, WithoutAUsableValueMakesTheEcuUnavailableExactlyWhenItIsNecessary) {
+    const SignalCase& signal = GetParam();
+    for (const std::uint16_t raw : signal.unusable) {
+        SCOPED_TRACE("raw " + std::to_string(raw));
+        put(raw);
+        const std::size_t from = bench.cycles().size();
+        bench.run_for(0.5);
+        for (std::size_t index = from; index < bench.cycles().size(); ++index) {
+            ASSERT_EQ(bench.cycles()[index].state(), signal.necessary ? State::unavailable : State::ready);
+        }
+        const bool excused = signal.may_be_missing && raw == signal.unusable.front();
+        for (const Sensor sensor : all_sensors) {
+            EXPECT_EQ(flag(sensor), sensor == signal.sensor && !excused) << static_cast<int>(sensor);
+        }
+        EXPECT_EQ(bench.status().frames_rejected, 0U);
+        EXPECT_FALSE(bench.status().imu_timeout || bench.status().roll_angle_timeout);
+
+        bench.tamper(signal.sensor, {});
+        bench.run_for(0.2);
+        EXPECT_EQ(bench.state(), State::ready);
+        EXPECT_FALSE(flag(signal.sensor));
+    }
+}
+
+TEST_P(Signal, AtTheLimitsOfItsRangeIsUsed) {
+    const SignalCase& signal = GetParam();
+    for (const std::uint16_t raw : signal.limits) {
+        SCOPED_TRACE("raw " + std::to_string(raw));
+        put(raw);
+        bench.run_for(0.5);
+        EXPECT_NE(bench.state(), State::unavailable);
+        EXPECT_FALSE(flag(signal.sensor));
+        bench.tamper(signal.sensor, {});
+        bench.run_for(0.2);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEachSensorFrame, Signal, ::testing::ValuesIn(signal_cases()),
+                         [](const auto& tested) { return std::string{tested.param.name}; });
+
+// What is necessary for a statement must not be replaced by an old value either.
+TEST(ANecessarySignal, ThatIsNotAvailableHidesEveryComputedNumber) {
+    Bench bench;
+    bench.run_until_ready();
+    Motion motion;
+    motion.imu.lateral_acceleration_mps2 = can_dbc::not_available;
+    bench.drive(motion);
+    bench.run_cycles(1);
+    const auto& warning = bench.last().warning.status;
+    EXPECT_EQ(warning.roll_stability_indicator, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(warning.lateral_acceleration_mps2, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(warning.lateral_acceleration_threshold_mps2, can_dbc::SignalStatus::not_available);
+    const auto& estimate = bench.last().estimate.status;
+    EXPECT_EQ(estimate.vertical_movement_m, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(estimate.lateral_movement_m, can_dbc::SignalStatus::not_available);
+}
+
+}  // namespace
+}  // namespace testing_application

@@ -1,0 +1,146 @@
+// A bus that falls silent: "unavailable" in a sent frame within 50 ms, never "ready", and back again.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/application/bench.hpp"
+
+namespace testing_application {
+namespace {
+
+using State = can_dbc::RolloverWarning::State;
+
+constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
+
+// The parameter is the distance of the ECU's cycle from the sensor frames, in milliseconds.
+class Silence : public ::testing::TestWithParam<int> {
+ protected:
+    // The first cycle since `from` that says "unavailable"; the test fails when there is none, when it comes
+    // late, or when a later cycle says something else.
+    void expect_unavailable_in_time_and_for_ever(std::size_t from) {
+        const auto& cycles = bench.cycles();
+        std::size_t first = from;
+        while (first < cycles.size() && cycles[first].state() != State::unavailable) {
+            ++first;
+        }
+        ASSERT_LT(first, cycles.size()) << "never unavailable";
+        const hal::Time delay = cycles[first].time - silent_since;
+        EXPECT_FALSE(longest_silence < delay) << static_cast<double>(delay.nanoseconds) * 1.0e-6 << " ms";
+        for (std::size_t index = first; index < cycles.size(); ++index) {
+            ASSERT_EQ(cycles[index].state(), State::unavailable) << "cycle " << index;
+            ASSERT_EQ(cycles[index].warning.value.side, can_dbc::RolloverWarning::Side::none);
+            ASSERT_EQ(cycles[index].warning.status.roll_stability_indicator,
+                      can_dbc::SignalStatus::not_available);
+        }
+    }
+
+    void expect_back_after_recovery_time() {
+        bench.resume_all();
+        bench.run_for(0.09);
+        EXPECT_EQ(bench.state(), State::unavailable) << "before the recovery time";
+        bench.run_for(0.03);
+        EXPECT_EQ(bench.state(), State::ready);
+    }
+
+    Bench bench{large_suv(), hal::Time::from_milliseconds(GetParam())};
+    hal::Time silent_since{};
+};
+
+TEST_P(Silence, OfAllSensorsIsUnavailableWithin50Milliseconds) {
+    bench.run_until_ready();
+    ASSERT_EQ(bench.state(), State::ready);
+    const std::size_t from = bench.cycles().size();
+    silent_since = bench.last_sensor_time();
+    bench.stop_all();
+    bench.run_for(5.0);
+    expect_unavailable_in_time_and_for_ever(from);
+    EXPECT_TRUE(bench.status().imu_timeout);
+    EXPECT_TRUE(bench.status().roll_angle_timeout);
+    EXPECT_TRUE(bench.status().vehicle_motion_timeout);
+    expect_back_after_recovery_time();
+    EXPECT_FALSE(bench.status().imu_timeout);
+    EXPECT_FALSE(bench.status().roll_angle_timeout);
+    EXPECT_FALSE(bench.status().vehicle_motion_timeout);
+}
+
+TEST_P(Silence, OfOneNecessarySensorIsUnavailableWithin50Milliseconds) {
+    for (const Sensor sensor : necessary_sensors) {
+        SCOPED_TRACE("sensor " + std::to_string(static_cast<int>(sensor)));
+        bench.run_for(0.3);
+        ASSERT_EQ(bench.state(), State::ready);
+        const std::size_t from = bench.cycles().size();
+        silent_since = bench.last_sensor_time();
+        bench.stop(sensor);
+        bench.run_for(5.0);
+        expect_unavailable_in_time_and_for_ever(from);
+        EXPECT_EQ(bench.status().imu_timeout, sensor == Sensor::imu);
+        EXPECT_EQ(bench.status().roll_angle_timeout, sensor == Sensor::roll_angle);
+        EXPECT_FALSE(bench.status().vehicle_motion_timeout);
+        expect_back_after_recovery_time();
+    }
+}
+
+TEST_P(Silence, OfVehicleMotionIsReportedButTheEcuStaysAvailable) {
+    bench.run_until_ready();
+    bench.stop(Sensor::vehicle_motion);
+    const std::size_t from = bench.cycles().size();
+    bench.run_for(5.0);
+    for (std::size_t index = from; index < bench.cycles().size(); ++index) {
+        ASSERT_EQ(bench.cycles()[index].state(), State::ready) << "cycle " << index;
+    }
+    EXPECT_TRUE(bench.cycles()[from + 4U].status.value.vehicle_motion_timeout);
+    EXPECT_TRUE(bench.status().vehicle_motion_timeout);
+    EXPECT_FALSE(bench.status().imu_timeout);
+    bench.resume_all();
+    bench.run_cycles(2);
+    EXPECT_FALSE(bench.status().vehicle_motion_timeout);
+}
+
+TEST_P(Silence, OfTwoFramesIsBridged) {
+    bench.run_until_ready();
+    const std::size_t from = bench.cycles().size();
+    bench.stop_all();
+    bench.run_cycles(2);
+    bench.resume_all();
+    bench.run_cycles(1);
+    for (std::size_t index = from; index < bench.cycles().size(); ++index) {
+        EXPECT_EQ(bench.cycles()[index].state(), State::ready) << "cycle " << index;
+    }
+}
+
+TEST_P(Silence, EndsWhateverTheSendersCountedMeanwhile) {
+    for (unsigned counted = 0U; counted < 15U; ++counted) {
+        SCOPED_TRACE("counted " + std::to_string(counted));
+        bench.run_for(0.3);
+        ASSERT_EQ(bench.state(), State::ready);
+        bench.stop_all();
+        bench.run_for(0.1);
+        for (const Sensor sensor : all_sensors) {
+            bench.lose_frames(sensor, counted);
+        }
+        expect_back_after_recovery_time();
+    }
+}
+
+TEST_P(Silence, FromTheStartIsUnavailable) {
+    bench.stop_all();
+    bench.run_for(1.0);
+    expect_unavailable_in_time_and_for_ever(0U);
+}
+
+TEST_P(Silence, IsNotBrokenByASensorThatRepeatsItsLastFrame) {
+    bench.run_until_ready();
+    const std::size_t from = bench.cycles().size();
+    silent_since = bench.last_sensor_time();
+    const hal::CanFrame stuck = bench.last_frame(Sensor::imu);
+    bench.tamper(Sensor::imu, [&stuck](hal::CanFrame& frame) { frame = stuck; });
+    bench.run_for(1.0);
+    expect_unavailable_in_time_and_for_ever(from);
+    EXPECT_TRUE(bench.status().imu_timeout);
+    EXPECT_TRUE(bench.status().imu_counter_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(AtEveryPhase, Silence, ::testing::Range(0, 10));
+
+}  // namespace
+}  // namespace testing_application
