@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 
 namespace rsi_test {
 namespace {
@@ -93,17 +92,30 @@ bool is_source(const fs::path& path) {
     return std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end();
 }
 
+// The header that a line includes; empty when it includes none.
+std::string included_by(const std::string& line) {
+    const std::string blanks = " \t";
+    std::size_t at = line.find_first_not_of(blanks);
+    if ((at == std::string::npos) || (line[at] != '#')) {
+        return {};
+    }
+    at = line.find_first_not_of(blanks, at + 1);
+    if ((at == std::string::npos) || (line.compare(at, 7, "include") != 0)) {
+        return {};
+    }
+    const std::size_t begin = line.find_first_of("<\"", at);
+    const std::size_t end = (begin == std::string::npos) ? begin : line.find_first_of(">\"", begin + 1);
+    return (end == std::string::npos) ? std::string{} : line.substr(begin + 1, end - begin - 1);
+}
+
 void check_file(const fs::path& file, const std::string& path, std::vector<std::string>& found) {
-    static const std::regex include(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
     std::ifstream lines(file);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
-        std::smatch match;
-        if (std::regex_search(line, match, include)) {
-            const std::string why = objection(path, match[1].str());
-            if (!why.empty()) {
-                found.push_back(path + ":" + std::to_string(number) + ": " + why);
-            }
+        const std::string header = included_by(line);
+        const std::string why = header.empty() ? std::string{} : objection(path, header);
+        if (!why.empty()) {
+            found.push_back(path + ":" + std::to_string(number) + ": " + why);
         }
     }
 }
