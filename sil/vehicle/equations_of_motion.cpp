@@ -1,7 +1,7 @@
 // Equations of motion: assembly body by body, elimination of the suspension coordinates, solution.
 #include "sil/vehicle/equations_of_motion.hpp"
 
-#include <Eigen/Cholesky>
+#include "sil/vehicle/symmetric_solver.hpp"
 
 namespace sil {
 
@@ -63,32 +63,41 @@ void EquationsOfMotion::add_rear_axle(double mass_kg, double inertia_kgm2, const
 }
 
 Accelerations EquationsOfMotion::solve() const {
-    Matrix6 matrix;
-    matrix.topLeftCorner<3, 3>() = mass_ * Matrix3::Identity();
-    // d/dt of angular momentum under linear acceleration: first moment x acceleration.
-    matrix.bottomLeftCorner<3, 3>() << 0.0, -first_moment_.z(), first_moment_.y(), first_moment_.z(), 0.0,
-        -first_moment_.x(), -first_moment_.y(), first_moment_.x(), 0.0;
-    matrix.topRightCorner<3, 3>() = matrix.bottomLeftCorner<3, 3>().transpose();
-    matrix.bottomRightCorner<3, 3>() = inertia_;
+    // Lower triangle; the angular momentum's rate under a linear acceleration is first moment x acceleration.
+    SymmetricMatrix6 matrix{};
+    for (int row = 0; row < 3; ++row) {
+        matrix(row, row) = mass_;
+        for (int column = 0; column <= row; ++column) {
+            matrix(3 + row, 3 + column) = inertia_(row, column);
+        }
+    }
+    matrix(3, 1) = -first_moment_.z();
+    matrix(3, 2) = first_moment_.y();
+    matrix(4, 0) = first_moment_.z();
+    matrix(4, 2) = -first_moment_.x();
+    matrix(5, 0) = -first_moment_.y();
+    matrix(5, 1) = first_moment_.x();
     Vector6 right_hand_side;
     right_hand_side << force_, moment_;
 
     // Each coordinate's acceleration with the body held, and per unit of the body's acceleration.
     const double determinant = heave_mass_ * roll_inertia_ - heave_roll_mass_ * heave_roll_mass_;
-    const std::array<double, 4> held{
-        suspension_force_[0] / front_left_mass_, suspension_force_[1] / front_right_mass_,
-        (roll_inertia_ * suspension_force_[2] - heave_roll_mass_ * suspension_force_[3]) / determinant,
-        (heave_mass_ * suspension_force_[3] - heave_roll_mass_ * suspension_force_[2]) / determinant};
-    const std::array<Vector6, 4> gain{
-        coupling_[0] / front_left_mass_, coupling_[1] / front_right_mass_,
-        (roll_inertia_ * coupling_[2] - heave_roll_mass_ * coupling_[3]) / determinant,
-        (heave_mass_ * coupling_[3] - heave_roll_mass_ * coupling_[2]) / determinant};
+    const double by_heave = roll_inertia_ / determinant;
+    const double by_both = -heave_roll_mass_ / determinant;
+    const double by_roll = heave_mass_ / determinant;
+    const std::array<double, 4> held{suspension_force_[0] / front_left_mass_,
+                                     suspension_force_[1] / front_right_mass_,
+                                     by_heave * suspension_force_[2] + by_both * suspension_force_[3],
+                                     by_roll * suspension_force_[3] + by_both * suspension_force_[2]};
+    const std::array<Vector6, 4> gain{coupling_[0] / front_left_mass_, coupling_[1] / front_right_mass_,
+                                      by_heave * coupling_[2] + by_both * coupling_[3],
+                                      by_roll * coupling_[3] + by_both * coupling_[2]};
     for (std::size_t i = 0; i < 4; ++i) {
-        matrix.noalias() -= coupling_[i] * gain[i].transpose();
+        matrix.subtract_product(coupling_[i], gain[i]);
         right_hand_side -= coupling_[i] * held[i];
     }
 
-    const Vector6 body = matrix.llt().solve(right_hand_side);
+    const Vector6 body = solve_positive_definite(matrix, right_hand_side);
     Accelerations result;
     result.linear = body.head<3>();
     result.angular = body.tail<3>();
