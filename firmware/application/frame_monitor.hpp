@@ -6,6 +6,7 @@
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "hal/interface/can_bus.hpp"
+#include "hal/interface/saturating_count.hpp"
 
 namespace application {
 
@@ -64,9 +65,9 @@ class FrameMonitor {
         counter_error_ = counter_error_ || (check.status == CheckStatus::repeated) ||
                          (check.status == CheckStatus::wrong_sequence);
         if (!can_dbc::e2e::is_usable(check.status)) {
-            ++frames_rejected_;
+            hal::count_up(frames_rejected_);
         }
-        frames_lost_ += check.lost_frames;
+        hal::count_up(frames_lost_, check.lost_frames);
     }
 
     can_dbc::e2e::Profile11Receiver receiver_{Message::e2e_data_id, Message::length, largest_counter_step};
@@ -75,7 +76,7 @@ class FrameMonitor {
     bool received_{false};
     bool checksum_error_{false};
     bool counter_error_{false};
-    std::uint32_t frames_rejected_{0U};  // wraps after more than a year of nothing but bad frames
+    std::uint32_t frames_rejected_{0U};
     std::uint32_t frames_lost_{0U};
 };
 

@@ -1,5 +1,7 @@
 #include "application/rollover_ecu.hpp"
 
+#include "hal/interface/saturating_count.hpp"
+
 namespace application {
 
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
@@ -19,7 +21,7 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
 }
 
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {
-    cycle_overruns_ += missed_cycles;
+    hal::count_up(cycle_overruns_, missed_cycles);
     Health health{};
     health.parameters_valid = parameters_valid_;
     health.receive_overflow = receive_overflow();

@@ -1,5 +1,7 @@
 #include "application/sensor_reception.hpp"
 
+#include "hal/interface/saturating_count.hpp"
+
 namespace application {
 namespace {
 
@@ -12,6 +14,12 @@ template <typename Message>
 FrameFaults faults(const FrameMonitor<Message>& monitor, hal::Time now, bool signals_valid) {
     return FrameFaults{!monitor.is_fresh(now), monitor.checksum_error(), monitor.counter_error(),
                        monitor.is_fresh(now) && !signals_valid};
+}
+
+template <typename Message>
+void add_counts(const FrameMonitor<Message>& monitor, ReceptionReport& report) {
+    hal::count_up(report.frames_rejected, monitor.frames_rejected());
+    hal::count_up(report.frames_lost, monitor.frames_lost());
 }
 
 }  // namespace
@@ -77,9 +85,9 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
     report.imu = faults(imu_, now, imu_.latest().status.all_valid());
     report.roll_angle = faults(roll_angle_, now, roll_valid);
     report.vehicle_motion = faults(vehicle_motion_, now, vehicle_motion_.latest().status.all_valid());
-    report.frames_rejected =
-        imu_.frames_rejected() + roll_angle_.frames_rejected() + vehicle_motion_.frames_rejected();
-    report.frames_lost = imu_.frames_lost() + roll_angle_.frames_lost() + vehicle_motion_.frames_lost();
+    add_counts(imu_, report);
+    add_counts(roll_angle_, report);
+    add_counts(vehicle_motion_, report);
     return report;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "application/rollover_ecu.hpp"
@@ -94,13 +95,17 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
     hal::VirtualClock clock;
     LockStepReceiver bus{socket, clock};
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
-    application::RolloverEcu ecu{bus, clock, watchdog};
-    start(ecu, parameters);
+    std::optional<application::RolloverEcu> ecu;
+    start(ecu.emplace(bus, clock, watchdog), parameters);
     say_listening(request);
     while (end_requested == 0) {
         // Short enough to notice a request to end, long enough to cost nothing.
         if (bus.wait_for_cycle(hal::Time::from_milliseconds(100))) {
-            ecu.step(0U);
+            // A new run must not see what the ECU has learnt and counted in the one before.
+            if (bus.run_begins()) {
+                start(ecu.emplace(bus, clock, watchdog), parameters);
+            }
+            ecu->step(0U);
         }
     }
 }

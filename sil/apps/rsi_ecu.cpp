@@ -51,6 +51,7 @@ void replay_log(const ReplayRequest& request) {
 
 int main(int argc, char** argv) {
     CLI::App app{"The rollover-warning firmware on a CAN interface", "rsi-ecu"};
+    app.failure_message(CLI::FailureMessage::help);
     sil::EcuRequest request;
     std::string parameters;
     ReplayRequest replay;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -20,6 +21,15 @@ void list_manoeuvres() {
     }
 }
 
+// CLI::PositiveNumber lets NaN pass, and a run of that length would never end.
+std::string check_duration(const std::string& text) {
+    double seconds = 0.0;
+    const bool is_number = CLI::detail::lexical_cast(text, seconds);
+    return is_number && std::isfinite(seconds) && seconds > 0.0
+               ? std::string{}
+               : "wants a number of seconds above 0, not " + text;
+}
+
 void add_run(CLI::App& app, sil::RunRequest& request) {
     CLI::App* run = app.add_subcommand("run", "Drive a manoeuvre against an ECU on a CAN interface");
     run->add_option("manoeuvre", request.manoeuvre, "Its name; `rsi-sil list` names all")->required();
@@ -27,9 +37,11 @@ void add_run(CLI::App& app, sil::RunRequest& request) {
     run->add_option("--vehicle", request.vehicle_file, "Parameter file of the simulated vehicle (TOML)")
         ->required();
     run->add_option("--output", request.output, "Folder for the results")->required();
-    run->add_option("--seed", request.seed, "Seed of the sensor noise")->capture_default_str();
+    run->add_option("--seed", request.seed, "Seed of the sensor noise")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     run->add_option("--duration", request.duration_s, "Seconds of simulated time (default: the manoeuvre's)")
-        ->check(CLI::PositiveNumber);
+        ->check(check_duration);
     run->add_flag("--noise", request.noise, "Sensors with noise");
     run->add_flag("--mirror", request.mirrored, "Left and right exchanged");
     run->add_flag("--lock-step", request.lock_step, "Simulated time: every cycle waits for the ECU's answer");
@@ -49,6 +61,7 @@ void add_timing(CLI::App& app, std::filesystem::path& log) {
 int main(int argc, char** argv) {
     CLI::App app{"The simulated world of the rollover-warning ECU", "rsi-sil"};
     app.require_subcommand(1);
+    app.failure_message(CLI::FailureMessage::help);
     sil::RunRequest request;
     std::filesystem::path log;
     app.add_subcommand("list", "Name all manoeuvres")->callback(list_manoeuvres);

@@ -33,6 +33,10 @@ class LockStepReceiver final : public hal::CanBus {
         return false;
     }
 
+    // Whether the cycle is the first of a run. A receiver may serve one run after the other: each new one
+    // starts at zero again, but the clock goes on.
+    bool run_begins() const { return run_begins_; }
+
     hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
         if (!waiting_.pop(frame)) {
             return hal::ReceiveResult::empty;
@@ -46,12 +50,20 @@ class LockStepReceiver final : public hal::CanBus {
 
  private:
     void begin_cycle(std::uint32_t number) {
-        clock_.set(hal::Time{number * hal::Time::from_milliseconds(10).nanoseconds});
+        run_begins_ = !previous_number_ || number <= *previous_number_;
+        if (run_begins_) {
+            origin_ = clock_.now();
+        }
+        previous_number_ = number;
+        clock_.set(origin_ + hal::Time{number * hal::Time::from_milliseconds(10).nanoseconds});
     }
 
     hal::SocketCanBus& socket_;
     hal::VirtualClock& clock_;
     hal::FrameRing<256U> waiting_;
+    std::optional<std::uint32_t> previous_number_;
+    hal::Time origin_{};
+    bool run_begins_{false};
 };
 
 }  // namespace sil

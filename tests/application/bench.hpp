@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <ostream>
 #include <vector>
 
 #include "application/rollover_ecu.hpp"
@@ -18,6 +19,15 @@ namespace testing_application {
 enum class Sensor : std::uint8_t { imu, roll_angle, vehicle_motion };
 inline constexpr std::array<Sensor, 3> all_sensors{Sensor::imu, Sensor::roll_angle, Sensor::vehicle_motion};
 inline constexpr std::array<Sensor, 2> necessary_sensors{Sensor::imu, Sensor::roll_angle};
+
+constexpr const char* name_of(Sensor sensor) {
+    constexpr std::array<const char*, 3> names{"Imu", "RollAngle", "VehicleMotion"};
+    return names[static_cast<std::size_t>(sensor)];
+}
+// How a failing test shows a sensor.
+inline void PrintTo(Sensor sensor, std::ostream* out) {
+    *out << name_of(sensor);
+}
 
 // What the sensors see. The default: straight on at 80 km/h on level ground, bank not measured.
 struct Motion {

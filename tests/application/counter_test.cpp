@@ -32,7 +32,7 @@ class Counter : public ::testing::TestWithParam<Sensor> {
 
     void expect_only_this_sensors_flag() {
         for (const Sensor other : all_sensors) {
-            EXPECT_EQ(counter_error(bench.status(), other), other == sensor) << static_cast<int>(other);
+            EXPECT_EQ(counter_error(bench.status(), other), other == sensor) << name_of(other);
         }
     }
 
@@ -113,7 +113,8 @@ TEST_P(Counter, OfADuplicatedFrameIsRejectedAndTheFirstOneUsed) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEachSensor, Counter, ::testing::ValuesIn(all_sensors));
+INSTANTIATE_TEST_SUITE_P(OfEachSensor, Counter, ::testing::ValuesIn(all_sensors),
+                         [](const auto& tested) { return std::string{name_of(tested.param)}; });
 
 }  // namespace
 }  // namespace testing_application

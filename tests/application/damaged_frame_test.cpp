@@ -133,7 +133,8 @@ TEST_P(DamagedFrames, WithAnExtendedIdentifierAreIgnored) {
     expect_ignored([](hal::CanFrame& frame) { frame.extended = true; });
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEachSensor, DamagedFrames, ::testing::ValuesIn(all_sensors));
+INSTANTIATE_TEST_SUITE_P(OfEachSensor, DamagedFrames, ::testing::ValuesIn(all_sensors),
+                         [](const auto& tested) { return std::string{name_of(tested.param)}; });
 
 TEST(ForeignFrames, OfEveryOtherIdentifierAreIgnored) {
     Bench bench;
@@ -178,6 +179,39 @@ TEST(ForeignFrames, InAFloodDoNotStopTheCycle) {
     bench.run_for(0.3);
     EXPECT_FALSE(bench.status().receive_overflow);
     EXPECT_EQ(bench.state(), State::ready);
+}
+
+// A bus on which the next foreign frame is always there already.
+class EndlessBus final : public hal::CanBus {
+ public:
+    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
+        frame = hal::CanFrame{};
+        return ++received > 1'000'000U ? hal::ReceiveResult::empty : hal::ReceiveResult::frame;
+    }
+    hal::SendResult send(const hal::CanFrame&) noexcept override {
+        ++sent;
+        return hal::SendResult::sent;
+    }
+    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
+    hal::BusStatistics statistics() const noexcept override { return {}; }
+
+    std::uint32_t received{0U};
+    std::uint32_t sent{0U};
+};
+
+struct NoWatchdog final : hal::Watchdog {
+    void feed() noexcept override {}
+};
+
+TEST(ForeignFrames, WithoutEndAreLeftWaitingAfterABoundedNumber) {
+    EndlessBus bus;
+    const hal::VirtualClock clock;
+    NoWatchdog watchdog;
+    application::RolloverEcu ecu{bus, clock, watchdog};
+    ecu.init(large_suv());
+    ecu.step(0U);
+    EXPECT_LE(bus.received, 256U);
+    EXPECT_EQ(bus.sent, 3U);
 }
 
 // 500 kbit/s carry 45 frames of eight bytes in 10 ms.

@@ -93,10 +93,11 @@ TEST(MissedCycles, StayAt255) {
 TEST(MissedCycles, StayAt255BeyondTheRangeOfTheirCounter) {
     Bench bench;
     bench.miss_cycles(std::numeric_limits<std::uint32_t>::max());
-    for (int cycle = 0; cycle < 5; ++cycle) {
-        bench.run_cycles(1);
-        EXPECT_EQ(bench.status().cycle_overruns, 255U) << cycle;
-    }
+    bench.run_cycles(1);
+    EXPECT_EQ(bench.status().cycle_overruns, 255U);
+    bench.miss_cycles(2U);
+    bench.run_cycles(1);
+    EXPECT_EQ(bench.status().cycle_overruns, 255U);
 }
 
 TEST(RejectedAndLostFrames, StayAt255) {
@@ -159,7 +160,10 @@ TEST_P(DeadBus, EndsInUnavailableUntilTheSensorsAreHeardAgain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OffOrClosed, DeadBus,
-                         ::testing::Values(hal::BusState::bus_off, hal::BusState::closed));
+                         ::testing::Values(hal::BusState::bus_off, hal::BusState::closed),
+                         [](const auto& tested) {
+                             return std::string{tested.param == hal::BusState::closed ? "Closed" : "BusOff"};
+                         });
 
 TEST(ReceiveOverflow, IsReportedInTheCycleThatFollowsIt) {
     Bench bench;

@@ -167,7 +167,11 @@ TEST_P(RandomPayloads, GiveAMillionDefinedAnswersAndDoNotPoisonTheEcu) {
 }
 
 INSTANTIATE_TEST_SUITE_P(WithEitherIndicator, RandomPayloads,
-                         ::testing::Values(RSI_INDICATOR_PUBLISHED, RSI_INDICATOR_BANK_FREE));
+                         ::testing::Values(RSI_INDICATOR_PUBLISHED, RSI_INDICATOR_BANK_FREE),
+                         [](const auto& tested) {
+                             return std::string{tested.param == RSI_INDICATOR_PUBLISHED ? "Published"
+                                                                                        : "BankFree"};
+                         });
 
 }  // namespace
 }  // namespace testing_application

@@ -27,6 +27,11 @@ struct SignalCase {
     bool may_be_missing;  // "not available" raises no flag
 };
 
+// How a failing test shows a signal.
+void PrintTo(const SignalCase& signal, std::ostream* out) {
+    *out << signal.name;
+}
+
 std::uint16_t code(int raw) {
     return static_cast<std::uint16_t>(raw);
 }
@@ -116,7 +121,7 @@ TEST_P(Signal, WithoutAUsableValueMakesTheEcuUnavailableExactlyWhenItIsNecessary
         }
         const bool excused = signal.may_be_missing && raw == signal.unusable.front();
         for (const Sensor sensor : all_sensors) {
-            EXPECT_EQ(flag(sensor), sensor == signal.sensor && !excused) << static_cast<int>(sensor);
+            EXPECT_EQ(flag(sensor), sensor == signal.sensor && !excused) << name_of(sensor);
         }
         EXPECT_EQ(bench.status().frames_rejected, 0U);
         EXPECT_FALSE(bench.status().imu_timeout || bench.status().roll_angle_timeout);

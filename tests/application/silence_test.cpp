@@ -65,7 +65,7 @@ TEST_P(Silence, OfAllSensorsIsUnavailableWithin50Milliseconds) {
 
 TEST_P(Silence, OfOneNecessarySensorIsUnavailableWithin50Milliseconds) {
     for (const Sensor sensor : necessary_sensors) {
-        SCOPED_TRACE("sensor " + std::to_string(static_cast<int>(sensor)));
+        SCOPED_TRACE(name_of(sensor));
         bench.run_for(0.3);
         ASSERT_EQ(bench.state(), State::ready);
         const std::size_t from = bench.cycles().size();
@@ -140,7 +140,8 @@ TEST_P(Silence, IsNotBrokenByASensorThatRepeatsItsLastFrame) {
     EXPECT_TRUE(bench.status().imu_counter_error);
 }
 
-INSTANTIATE_TEST_SUITE_P(AtEveryPhase, Silence, ::testing::Range(0, 10));
+INSTANTIATE_TEST_SUITE_P(AtEveryPhase, Silence, ::testing::Range(0, 10),
+                         [](const auto& tested) { return std::to_string(tested.param) + "Milliseconds"; });
 
 }  // namespace
 }  // namespace testing_application

@@ -1,0 +1,107 @@
+#include "tests/simulation/recorded_run.hpp"
+
+#include <algorithm>
+
+#include "application/sensor_reception.hpp"
+#include "sil/calibration/calibration_file.hpp"
+#include "sil/manoeuvres/catalogue.hpp"
+#include "sil/simulation/closed_loop.hpp"
+#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/recorded_bus.hpp"
+#include "sil/vehicle/parameter_file.hpp"
+#include "tests/sil/scratch_folder.hpp"
+
+namespace testing_simulation {
+namespace {
+
+const std::string project_folder = RSI_PROJECT_FOLDER;
+
+// The in-process pace, and the log told what time it is.
+class RecordedPace final : public sil::Pace {
+ public:
+    RecordedPace(sil::InProcessEcu& ecu, sil::RecordedBus& bus) : pace_{ecu}, bus_{bus} {}
+
+    void begin_cycle(std::uint32_t number) override {
+        pace_.begin_cycle(number);
+        bus_.set_time(hal::Time{number * sil::cycle_time.nanoseconds});
+    }
+    void frames_sent(std::uint32_t number) override { pace_.frames_sent(number); }
+    bool wait_for_answer(std::uint32_t number) override { return pace_.wait_for_answer(number); }
+    double reception_time_s(const hal::CanFrame& frame) const override {
+        return pace_.reception_time_s(frame);
+    }
+
+ private:
+    sil::InProcessPace pace_;
+    sil::RecordedBus& bus_;
+};
+
+class OutputRecorder final : public sil::RunObserver {
+ public:
+    explicit OutputRecorder(std::vector<sil::EcuOutput>& outputs) : outputs_{outputs} {}
+    void cycle(const sil::Truth&, const sil::SensorSample&, const sil::EcuFrames& ecu,
+               const sil::RunEvents&) override {
+        outputs_.push_back(ecu.output());
+    }
+
+ private:
+    std::vector<sil::EcuOutput>& outputs_;
+};
+
+}  // namespace
+
+sil::Manoeuvre hard_turn() {
+    sil::Manoeuvre manoeuvre = sil::find_manoeuvre("j-turn-45");
+    manoeuvre.name = "hard-turn";
+    manoeuvre.initial_speed_mps = sil::from_kmh(80.0);
+    manoeuvre.make_driver = sil::open_loop([](double time_s) {
+        return sil::DriverCommand{
+            sil::ramp_and_hold(time_s, 0.5, sil::from_degrees(400.0), sil::from_degrees(300.0)),
+            sil::SpeedPolicy::held};
+    });
+    return manoeuvre;
+}
+
+rsi::Parameters large_suv_calibration() {
+    return sil::load_calibration(project_folder + "/firmware/calibrations/large_suv.toml");
+}
+
+RecordedRun run_and_record(const sil::Manoeuvre& manoeuvre, const RunSettings& settings) {
+    const testing_sil::ScratchFolder folder;
+    const std::filesystem::path path = folder.path() / "candump.log";
+    sil::RunOptions options;
+    options.mirrored = settings.mirrored;
+    options.duration_s = settings.duration_s;
+    sil::ManoeuvreRun plant{sil::load_vehicle(project_folder + "/sil/vehicles/large_suv.toml"), manoeuvre,
+                            options};
+    sil::SensorSuite sensors{settings.noise ? sil::noisy_sensors(settings.seed) : sil::SensorOptions{}};
+    sil::InProcessEcu ecu{large_suv_calibration()};
+    sil::CandumpLogWriter log{path};
+    sil::RecordedBus bus{ecu.world_bus(), log, "vcan0"};
+    RecordedPace pace{ecu, bus};
+    sil::ClosedLoop loop{plant, sensors, bus, pace};
+
+    RecordedRun run;
+    OutputRecorder recorder{run.ecu_outputs};
+    loop.run(recorder);
+    log.close();
+    run.log_text = testing_sil::text_of(path);
+    run.log = sil::read_candump_log(path);
+    run.events = loop.events();
+    run.frames_refused = loop.ecu().frames_refused();
+    return run;
+}
+
+std::vector<std::string> ecu_payloads(const std::vector<sil::LoggedFrame>& log) {
+    const auto& sensors = application::received_identifiers;
+    std::vector<std::string> lines;
+    for (sil::LoggedFrame logged : log) {
+        if (std::find(sensors.begin(), sensors.end(), logged.frame.identifier) == sensors.end()) {
+            logged.frame.receive_time = {};
+            lines.push_back(sil::format_candump_line(logged));
+        }
+    }
+    return lines;
+}
+
+}  // namespace testing_simulation

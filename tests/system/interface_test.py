@@ -1,0 +1,46 @@
+"""Starting and ending on a CAN interface, and interfaces that are not there."""
+
+import signal
+import tempfile
+import unittest
+
+import programs
+
+
+class Interface(unittest.TestCase):
+    def test_rsi_ecu_ends_well_on_request_in_either_mode(self):
+        for options in ((), ("--lock-step",)):
+            for with_signal in (signal.SIGTERM, signal.SIGINT):
+                with self.subTest(options=options, signal=with_signal), programs.Ecu(*options) as ecu:
+                    self.assertEqual(ecu.stop(with_signal), 0, ecu.output)
+
+    def test_rsi_ecu_without_its_interface_says_how_to_make_one(self):
+        finished = programs.run("rsi-ecu", "--interface", "missing0", "--parameters", programs.CALIBRATION)
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn("missing0", finished.stderr)
+        self.assertIn("ip link add dev missing0 type vcan", finished.stderr)
+
+    def test_rsi_ecu_refuses_what_is_no_can_interface(self):
+        finished = programs.run("rsi-ecu", "--interface", "lo", "--parameters", programs.CALIBRATION)
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn("not a CAN interface", finished.stderr)
+
+    def test_rsi_sil_without_its_interface_says_how_to_make_one(self):
+        with tempfile.TemporaryDirectory() as folder:
+            finished = programs.run(
+                "rsi-sil", "run", "straight", "--interface", "missing0", "--vehicle", programs.VEHICLE,
+                "--output", folder,
+            )
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn("ip link add dev missing0 type vcan", finished.stderr)
+
+    def test_rsi_sil_without_an_ecu_says_how_to_start_one(self):
+        with tempfile.TemporaryDirectory() as folder:
+            finished = programs.run_manoeuvre("straight", folder, "--duration", "1")
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn(f"no ECU is heard on {programs.INTERFACE}", finished.stderr)
+        self.assertIn(f"rsi-ecu --interface {programs.INTERFACE}", finished.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,112 @@
+"""The programs under test and what listens to them: started, watched and ended by the tests of this folder."""
+
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import time
+
+PROJECT = pathlib.Path(os.environ["RSI_PROJECT"])
+PROGRAMS = pathlib.Path(os.environ["RSI_PROGRAMS"])
+INTERFACE = os.environ.get("RSI_CAN_INTERFACE", "vcan0")
+VEHICLE = PROJECT / "sil/vehicles/large_suv.toml"
+CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
+
+SENSOR_IDENTIFIERS = ("120", "121", "122")
+WARNING_IDENTIFIER = "0D0"
+SYNC_IDENTIFIER = "7F0"
+
+
+def run(program, *arguments, timeout=120):
+    """Runs rsi-ecu or rsi-sil to its end; output and errors as text."""
+    return subprocess.run(
+        [PROGRAMS / program, *map(str, arguments)], capture_output=True, text=True, timeout=timeout
+    )
+
+
+def run_manoeuvre(name, output, *options, timeout=120):
+    return run(
+        "rsi-sil", "run", name, "--interface", INTERFACE, "--vehicle", VEHICLE, "--output", output, *options,
+        timeout=timeout,
+    )
+
+
+class Ecu:
+    """rsi-ecu on the interface, from the moment it listens to the end of the `with` block."""
+
+    def __init__(self, *options):
+        command = [PROGRAMS / "rsi-ecu", "--interface", INTERFACE, "--parameters", CALIBRATION, *options]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.output = self.process.stdout.readline()
+        if "listening" not in self.output:
+            self.output += self.process.communicate()[0]
+            raise RuntimeError(f"rsi-ecu did not start: {self.output}")
+
+    def stop(self, with_signal=signal.SIGTERM):
+        """Ends it; its exit status."""
+        self.process.send_signal(with_signal)
+        self.output += self.process.communicate(timeout=10)[0]
+        return self.process.returncode
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+
+
+class Candump:
+    """`candump -L` on the interface, writing to a file."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path)
+        self.file = open(self.path, "w", encoding="ascii")
+        listeners = self._listeners()
+        command = ["candump", "-L", "-r", "8388608", INTERFACE]
+        self.process = subprocess.Popen(command, stdout=self.file, stderr=subprocess.PIPE)
+        deadline = time.monotonic() + 10
+        while self._listeners() <= listeners:
+            if time.monotonic() > deadline or self.process.poll() is not None:
+                raise RuntimeError("candump does not listen")
+            time.sleep(0.02)
+
+    @staticmethod
+    def _listeners():
+        """How many sockets hear everything on the interface, as the kernel lists them."""
+        text = pathlib.Path("/proc/net/can/rcvlist_all").read_text(encoding="ascii")
+        return len(re.findall(rf"^\s*{INTERFACE}\s+000\s", text, re.MULTILINE))
+
+    def stop(self):
+        """Ends it after it has read what waits; the frames as (time, identifier, data)."""
+        time.sleep(0.5)
+        self.process.send_signal(signal.SIGTERM)
+        self.process.communicate(timeout=10)
+        self.file.close()
+        return read_log(self.path)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+        self.file.close()
+
+
+def read_log(path):
+    """The lines of a candump log as (seconds, identifier, data)."""
+    frames = []
+    for line in pathlib.Path(path).read_text(encoding="ascii").splitlines():
+        stamp, _, frame = line.split()[:3]
+        identifier, data = frame.split("#")
+        frames.append((float(stamp.strip("()")), identifier, data))
+    return frames
+
+
+def state_of(data):
+    """The state in a RolloverWarning's payload: the lowest three bits of byte 2."""
+    return int(data[4:6], 16) & 0x7
