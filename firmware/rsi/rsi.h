@@ -64,7 +64,7 @@ typedef struct {
     float imu_x_m;
     float imu_y_m;
     float imu_z_m;
-    float angular_acceleration_lag_s; /* first-order lag of the derivatives that carry f_y from the IMU to the CG */
+    float angular_acceleration_lag_s; /* first-order lag of the derivatives that carry f_y and f_z to the CG */
 
     /* Robust least squares with disturbance observer, (9) to (11) */
     float forgetting_factor;                  /* lambda */

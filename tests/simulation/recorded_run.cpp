@@ -7,6 +7,7 @@
 #include "sil/manoeuvres/catalogue.hpp"
 #include "sil/simulation/closed_loop.hpp"
 #include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/simulation/recorded_bus.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 #include "tests/sil/scratch_folder.hpp"
@@ -15,26 +16,6 @@ namespace testing_simulation {
 namespace {
 
 const std::string project_folder = RSI_PROJECT_FOLDER;
-
-// The in-process pace, and the log told what time it is.
-class RecordedPace final : public sil::Pace {
- public:
-    RecordedPace(sil::InProcessEcu& ecu, sil::RecordedBus& bus) : pace_{ecu}, bus_{bus} {}
-
-    void begin_cycle(std::uint32_t number) override {
-        pace_.begin_cycle(number);
-        bus_.set_time(hal::Time{number * sil::cycle_time.nanoseconds});
-    }
-    void frames_sent(std::uint32_t number) override { pace_.frames_sent(number); }
-    bool wait_for_answer(std::uint32_t number) override { return pace_.wait_for_answer(number); }
-    double reception_time_s(const hal::CanFrame& frame) const override {
-        return pace_.reception_time_s(frame);
-    }
-
- private:
-    sil::InProcessPace pace_;
-    sil::RecordedBus& bus_;
-};
 
 class OutputRecorder final : public sil::RunObserver {
  public:
@@ -74,11 +55,12 @@ RecordedRun run_and_record(const sil::Manoeuvre& manoeuvre, const RunSettings& s
     options.duration_s = settings.duration_s;
     sil::ManoeuvreRun plant{sil::load_vehicle(project_folder + "/sil/vehicles/large_suv.toml"), manoeuvre,
                             options};
-    sil::SensorSuite sensors{settings.noise ? sil::noisy_sensors(settings.seed) : sil::SensorOptions{}};
+    sil::SensorSuite sensors{
+        sil::mounted_sensors(plant.vehicle().parameters(), settings.noise, settings.seed)};
     sil::InProcessEcu ecu{large_suv_calibration()};
     sil::CandumpLogWriter log{path};
-    sil::RecordedBus bus{ecu.world_bus(), log, "vcan0"};
-    RecordedPace pace{ecu, bus};
+    sil::RecordedBus bus{ecu.world_bus(), ecu.clock(), log, "vcan0"};
+    sil::InProcessPace pace{ecu};
     sil::ClosedLoop loop{plant, sensors, bus, pace};
 
     RecordedRun run;

@@ -36,11 +36,13 @@ void RobustLeastSquares::update(const Regression& regression) {
     const Eigen::Vector3f g = covariance_ * psi;
     const float s = larger(psi.dot(g), 0.0F);
     const float n_s = 1.0F + s;
-    const float divisor = forgetting_factor_ * n_s + s;  // at least lambda
+    // Without excitation forgetting would let P grow without bound; above the limit nothing is forgotten.
+    const float lambda = (covariance_.trace() > covariance_limit_) ? 1.0F : forgetting_factor_;
+    const float divisor = lambda * n_s + s;  // at least lambda
 
     const float innovation = output - psi.dot(theta_) - disturbance_;
     theta_ += g * (innovation / divisor);
-    update_covariance(g, divisor);
+    update_covariance(g, divisor, 1.0F / lambda);
     disturbance_ += disturbance_weight_ * innovation;
 
     const float sum = theta_.sum() + covariance_.trace() + disturbance_;
@@ -49,9 +51,8 @@ void RobustLeastSquares::update(const Regression& regression) {
     }
 }
 
-// (10). Without excitation forgetting would let P grow without bound; above the limit nothing is forgotten.
-void RobustLeastSquares::update_covariance(const Eigen::Vector3f& g, float divisor) {
-    const float growth = (covariance_.trace() > covariance_limit_) ? 1.0F : 1.0F / forgetting_factor_;
+// (10), in six elements.
+void RobustLeastSquares::update_covariance(const Eigen::Vector3f& g, float divisor, float growth) {
     const Eigen::Vector3f u = g / divisor;
     covariance_.p00 = (covariance_.p00 - u.x() * g.x()) * growth;
     covariance_.p01 = (covariance_.p01 - u.x() * g.y()) * growth;

@@ -39,7 +39,7 @@ class RobustLeastSquares {
     const Covariance& covariance() const { return covariance_; }
 
  private:
-    void update_covariance(const Eigen::Vector3f& gain_direction, float divisor);
+    void update_covariance(const Eigen::Vector3f& g, float divisor, float growth);
 
     float forgetting_factor_{1.0F};
     float disturbance_weight_{0.0F};  // alpha of (11)

@@ -31,7 +31,7 @@ RoadForces rotate_to_road(float lateral, float vertical, float sine, float cosin
     return RoadForces{lateral * cosine - vertical * sine, lateral * sine + vertical * cosine};
 }
 
-// Without f_z: f_y = A cos phi + N sin phi, with N = g / cos b - A tan b, which holds while the road's normal
+// Without f_z: f_y = A cos phi + N sin phi, with N = g / cos b - A tan b, which holds while the vertical
 // acceleration is zero. The divisor is cos(phi + b) / cos b.
 RoadForces assume_no_heave(float lateral, float sine, float cosine, float bank_angle_rad) {
     const float tan_bank = bounded_tangent(bank_angle_rad);
@@ -56,21 +56,27 @@ void MeasurementStage::reset() {
     yaw_acceleration_.reset();
 }
 
-// f_cg = f_imu - alpha x r - omega x (omega x r), lateral component, with pitch rate q = 0:
+// f_cg = f_imu - alpha x r - omega x (omega x r) with pitch rate q = 0:
 //   f_y,cg = f_y - (r' x - p' z) + (p^2 + r^2) y
-float MeasurementStage::lateral_force_at_cg(const Inputs& inputs) {
-    const float roll_rate = inputs.roll_rate_radps;
+//   f_z,cg = f_z - p' y - p (r x - p z)
+BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs) {
+    const float p = inputs.roll_rate_radps;
     const bool yaw_known = within(inputs.yaw_rate_radps, largest_rate_radps);
-    const float yaw_rate = yaw_known ? inputs.yaw_rate_radps : 0.0F;
-    const float roll_acceleration = roll_acceleration_.update(roll_rate);
+    const float r = yaw_known ? inputs.yaw_rate_radps : 0.0F;
+    const float roll_acceleration = roll_acceleration_.update(p);
     float yaw_acceleration = 0.0F;
     if (yaw_known) {
-        yaw_acceleration = yaw_acceleration_.update(yaw_rate);
+        yaw_acceleration = yaw_acceleration_.update(r);
     } else {
         yaw_acceleration_.reset();
     }
-    return inputs.lateral_specific_force_mps2 - (yaw_acceleration * imu_x_m_ - roll_acceleration * imu_z_m_) +
-           (roll_rate * roll_rate + yaw_rate * yaw_rate) * imu_y_m_;
+    BodyForces forces;
+    forces.lateral_mps2 = inputs.lateral_specific_force_mps2 -
+                          (yaw_acceleration * imu_x_m_ - roll_acceleration * imu_z_m_) +
+                          (p * p + r * r) * imu_y_m_;
+    forces.vertical_mps2 = inputs.vertical_specific_force_mps2 - roll_acceleration * imu_y_m_ -
+                           p * (r * imu_x_m_ - p * imu_z_m_);
+    return forces;
 }
 
 bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
@@ -82,10 +88,10 @@ bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
     const float bank = bank_known ? inputs.bank_angle_rad : 0.0F;
     const float sine = bounded_sine(inputs.roll_angle_rad);
     const float cosine = bounded_cosine(inputs.roll_angle_rad);
-    const float lateral = lateral_force_at_cg(inputs);
+    const BodyForces at_cg = carry_to_cg(inputs);
     const RoadForces forces = within(inputs.vertical_specific_force_mps2, largest_force_mps2)
-                                  ? rotate_to_road(lateral, inputs.vertical_specific_force_mps2, sine, cosine)
-                                  : assume_no_heave(lateral, sine, cosine, bank);
+                                  ? rotate_to_road(at_cg.lateral_mps2, at_cg.vertical_mps2, sine, cosine)
+                                  : assume_no_heave(at_cg.lateral_mps2, sine, cosine, bank);
 
     measurement.road_parallel_force_mps2 = forces.parallel;
     measurement.road_normal_force_mps2 = larger(forces.normal, smallest_normal_force_mps2);

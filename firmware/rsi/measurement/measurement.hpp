@@ -18,6 +18,12 @@ struct Measurement {
     float bank_angle_rad{0.0F};  // b, 0 where it is not known
 };
 
+// Specific force in body axes; the vertical one is NaN where it is not available.
+struct BodyForces {
+    float lateral_mps2{0.0F};
+    float vertical_mps2{0.0F};
+};
+
 class MeasurementStage {
  public:
     void init(const Parameters& parameters);
@@ -27,8 +33,8 @@ class MeasurementStage {
     bool update(const Inputs& inputs, Measurement& measurement);
 
  private:
-    // f_y carried from the IMU to the CG; pitch rate is not measured and left out.
-    float lateral_force_at_cg(const Inputs& inputs);
+    // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
+    BodyForces carry_to_cg(const Inputs& inputs);
 
     float imu_x_m_{0.0F};
     float imu_y_m_{0.0F};

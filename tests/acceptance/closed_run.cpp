@@ -1,0 +1,57 @@
+#include "tests/acceptance/closed_run.hpp"
+
+#include <algorithm>
+
+#include "sil/calibration/calibration_file.hpp"
+#include "sil/manoeuvres/catalogue.hpp"
+#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
+#include "sil/vehicle/parameter_file.hpp"
+
+namespace rsi_test {
+namespace {
+
+class Collector final : public sil::RunObserver {
+ public:
+    explicit Collector(RunResult& result) : result_{result} {}
+
+    void cycle(const sil::Truth& truth, const sil::SensorSample&, const sil::EcuFrames& ecu,
+               const sil::RunEvents&) override {
+        result_.states.push_back(ecu.output().state);
+        result_.truths.push_back(truth);
+        if (ecu.output().roll_stability_indicator > result_.largest_rsi) {
+            result_.largest_rsi = ecu.output().roll_stability_indicator;
+        }
+    }
+
+ private:
+    RunResult& result_;
+};
+
+}  // namespace
+
+bool RunResult::reached(sil::WarningState state) const {
+    return std::find(states.begin(), states.end(), state) != states.end();
+}
+
+RunResult drive(const RunSettings& settings) {
+    const std::string source{RSI_SOURCE_DIR};
+    const sil::VehicleParameters vehicle =
+        sil::load_vehicle(source + "/sil/vehicles/" + settings.vehicle + ".toml");
+    sil::RunOptions options;
+    options.mirrored = settings.mirrored;
+    options.duration_s = settings.duration_s;
+    sil::ManoeuvreRun plant{vehicle, sil::find_manoeuvre(settings.manoeuvre), options};
+    sil::SensorSuite sensors{sil::mounted_sensors(vehicle, settings.noise, settings.seed)};
+    sil::InProcessEcu ecu{
+        sil::load_calibration(source + "/firmware/calibrations/" + settings.vehicle + ".toml")};
+    sil::InProcessPace pace{ecu};
+    sil::ClosedLoop loop{plant, sensors, ecu.world_bus(), pace};
+    RunResult result;
+    Collector collector{result};
+    loop.run(collector);
+    result.events = loop.events();
+    return result;
+}
+
+}  // namespace rsi_test

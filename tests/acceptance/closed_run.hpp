@@ -1,0 +1,32 @@
+// Closed run: one manoeuvre of a vehicle with the firmware in the same process, and what came of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sil/analysis/events.hpp"
+#include "sil/simulation/closed_loop.hpp"
+
+namespace rsi_test {
+
+struct RunSettings {
+    std::string manoeuvre;
+    std::string vehicle{"large_suv"};
+    bool mirrored{false};
+    bool noise{false};
+    std::uint64_t seed{1U};
+    double duration_s{0.0};  // 0: the manoeuvre's own
+};
+
+struct RunResult {
+    sil::RunEvents events;
+    std::vector<sil::WarningState> states;  // one a cycle
+    std::vector<sil::Truth> truths;         // one a cycle
+    double largest_rsi{0.0};
+
+    bool reached(sil::WarningState state) const;
+};
+
+RunResult drive(const RunSettings& settings);
+
+}  // namespace rsi_test

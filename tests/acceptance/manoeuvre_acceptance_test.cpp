@@ -1,0 +1,107 @@
+// The manoeuvres and what must come of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/acceptance/closed_run.hpp"
+
+namespace rsi_test {
+namespace {
+
+constexpr double g_mps2 = 9.80665;
+constexpr double degrees_per_radian = 57.295779513082321;
+
+TEST(JTurn45, EndsInASteadyTurnWithoutAWarning) {
+    const RunResult run = drive({"j-turn-45"});
+
+    EXPECT_FALSE(run.events.one_wheel_lift.has_value());
+    EXPECT_FALSE(run.reached(sil::WarningState::warning));
+    EXPECT_LT(run.events.largest_lateral_acceleration_mps2, 0.8 * g_mps2);
+    // Without a real turn the test would say nothing.
+    EXPECT_GT(run.events.largest_lateral_acceleration_mps2, 0.6 * g_mps2);
+
+    const auto last_two_seconds = run.truths.end() - 200;
+    const auto by_roll = [](const sil::Truth& a, const sil::Truth& b) {
+        return a.roll_angle_rad < b.roll_angle_rad;
+    };
+    const auto [smallest, largest] = std::minmax_element(last_two_seconds, run.truths.end(), by_roll);
+    EXPECT_GT(smallest->roll_angle_rad * degrees_per_radian, 5.5);
+    EXPECT_LT(largest->roll_angle_rad * degrees_per_radian, 6.8);
+}
+
+TEST(JTurn110, IsWarnedOfBeforeTwoWheelsLift) {
+    const RunResult run = drive({"j-turn-110"});
+
+    ASSERT_TRUE(run.events.warning.has_value());
+    ASSERT_TRUE(run.events.two_wheel_lift.has_value());
+    ASSERT_TRUE(run.events.ssf_crossing.has_value());
+    EXPECT_EQ(run.events.warning_side, sil::WarningSide::right);
+    EXPECT_GE(run.events.warning->lateral_acceleration_mps2, 0.70 * g_mps2);
+    EXPECT_LE(run.events.warning->lateral_acceleration_mps2, 0.75 * g_mps2);
+    EXPECT_GE(run.events.lead_time_s().value(), 0.2);
+    EXPECT_GT(run.events.ssf_crossing->time_s, run.events.two_wheel_lift->time_s);
+}
+
+TEST(JTurn110, KeepsWarningUntilTheVehicleLiesOnItsSide) {
+    const RunResult run = drive({"j-turn-110"});
+
+    const auto first = std::find(run.states.begin(), run.states.end(), sil::WarningState::warning);
+    ASSERT_NE(first, run.states.end());
+    EXPECT_TRUE(std::all_of(first, run.states.end(),
+                            [](sil::WarningState state) { return state == sil::WarningState::warning; }));
+    EXPECT_GT(run.events.final_roll_angle_rad * degrees_per_radian, 60.0);
+}
+
+TEST(JTurn110, MirroredGivesTheMirroredResult) {
+    const RunResult left = drive({"j-turn-110"});
+    RunSettings settings{"j-turn-110"};
+    settings.mirrored = true;
+    const RunResult right = drive(settings);
+
+    ASSERT_TRUE(left.events.warning.has_value());
+    ASSERT_TRUE(right.events.warning.has_value());
+    EXPECT_EQ(right.events.warning_side, sil::WarningSide::left);
+    EXPECT_NEAR(right.events.warning->time_s, left.events.warning->time_s, 0.01);
+    EXPECT_NEAR(right.events.one_wheel_lift->time_s, left.events.one_wheel_lift->time_s, 0.01);
+    EXPECT_NEAR(right.events.two_wheel_lift->time_s, left.events.two_wheel_lift->time_s, 0.01);
+    EXPECT_NEAR(right.events.ssf_crossing->time_s, left.events.ssf_crossing->time_s, 0.01);
+    EXPECT_NEAR(right.events.warning->lateral_acceleration_mps2,
+                -left.events.warning->lateral_acceleration_mps2, 0.01 * g_mps2);
+}
+
+TEST(JTurn110, IsWarnedOfInTimeWithSensorNoise) {
+    for (std::uint64_t seed = 1U; seed <= 10U; ++seed) {
+        RunSettings settings{"j-turn-110"};
+        settings.noise = true;
+        settings.seed = seed;
+        const RunResult run = drive(settings);
+
+        ASSERT_TRUE(run.events.lead_time_s().has_value()) << "seed " << seed;
+        EXPECT_GE(*run.events.lead_time_s(), 0.2) << "seed " << seed;
+        EXPECT_EQ(run.events.warning_side, sil::WarningSide::right) << "seed " << seed;
+    }
+}
+
+class TenMinutes : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(TenMinutes, WithSensorNoiseBringNoWarning) {
+    RunSettings settings{std::get<0>(GetParam()), std::get<1>(GetParam())};
+    settings.noise = true;
+    settings.duration_s = 600.0;
+    const RunResult run = drive(settings);
+
+    EXPECT_EQ(run.states.size(), 60001U);
+    EXPECT_FALSE(run.reached(sil::WarningState::advisory));
+    EXPECT_FALSE(run.reached(sil::WarningState::warning));
+    // Ready from the tenth cycle on: a component that says "unavailable" would pass the above.
+    EXPECT_EQ(std::count(run.states.begin(), run.states.end(), sil::WarningState::unavailable), 9);
+    EXPECT_LT(run.largest_rsi, 0.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(StraightAndSlalom, TenMinutes,
+                         testing::Combine(testing::Values("straight", "slalom"),
+                                          testing::Values("large_suv", "ordinary_suv")));
+
+}  // namespace
+}  // namespace rsi_test
