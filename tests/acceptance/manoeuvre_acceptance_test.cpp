@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 #include "tests/acceptance/closed_run.hpp"
 
@@ -83,7 +85,7 @@ TEST(JTurn110, IsWarnedOfInTimeWithSensorNoise) {
     }
 }
 
-class TenMinutes : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+class TenMinutes : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 TEST_P(TenMinutes, WithSensorNoiseBringNoWarning) {
     RunSettings settings{std::get<0>(GetParam()), std::get<1>(GetParam())};
@@ -101,7 +103,10 @@ TEST_P(TenMinutes, WithSensorNoiseBringNoWarning) {
 
 INSTANTIATE_TEST_SUITE_P(StraightAndSlalom, TenMinutes,
                          testing::Combine(testing::Values("straight", "slalom"),
-                                          testing::Values("large_suv", "ordinary_suv")));
+                                          testing::Values("large_suv", "ordinary_suv")),
+                         [](const testing::TestParamInfo<TenMinutes::ParamType>& info) {
+                             return std::get<0>(info.param) + "_" + std::get<1>(info.param);
+                         });
 
 }  // namespace
 }  // namespace rsi_test
