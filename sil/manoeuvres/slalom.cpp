@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double frequency_hz = 0.3;
-constexpr double amplitude_rad = from_degrees(43.0);
+constexpr double amplitude_rad = from_degrees(42.0);
 constexpr double start_s = 1.0;
 constexpr double build_up_s = 5.0;  // so that the first swing does not overshoot
 
@@ -24,7 +24,7 @@ Manoeuvre slalom() {
     Manoeuvre manoeuvre;
     manoeuvre.name = "slalom";
     manoeuvre.description =
-        "slalom at 80 km/h, held, 0.43 g to either side on a level road: within the limits";
+        "slalom at 80 km/h, held, above 0.4 g to either side on a level road: within the limits";
     manoeuvre.duration_s = 60.0;
     manoeuvre.initial_speed_mps = from_kmh(80.0);
     manoeuvre.make_road = flat_road();

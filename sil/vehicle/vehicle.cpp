@@ -84,7 +84,8 @@ void Vehicle::reset(const InitialState& initial) {
                          Eigen::AngleAxisd{initial.pitch_offset_rad, Vector3::UnitY()} *
                          Eigen::AngleAxisd{initial.roll_offset_rad, Vector3::UnitX()};
     state_.velocity = state_.orientation.conjugate() * (forward * initial.speed_mps);
-    state_.angular_velocity = Vector3{initial.roll_rate_radps, 0.0, 0.0};
+    state_.angular_velocity =
+        Vector3{initial.roll_rate_radps, initial.pitch_rate_radps, initial.yaw_rate_radps};
     for (int wheel = 0; wheel < wheel_count; ++wheel) {
         const double deflection = is_front(wheel) ? front_tyre_deflection_m_ : rear_tyre_deflection_m_;
         state_.wheel_spin_radps[static_cast<std::size_t>(wheel)] =
@@ -105,7 +106,9 @@ void Vehicle::step(const DriverInput& input, double step_s) {
 void Vehicle::integrate(double step_s) {
     const Accelerations& acceleration = evaluation_.accelerations;
     state_.time_s += step_s;
-    state_.velocity += step_s * acceleration.linear;
+    // In the earth-fixed frame, where turning the axes cannot add to the speed.
+    const Vector3 body_acceleration = acceleration.linear + state_.angular_velocity.cross(state_.velocity);
+    const Vector3 earth_velocity = evaluation_.rotation * (state_.velocity + step_s * body_acceleration);
     state_.angular_velocity += step_s * acceleration.angular;
     for (std::size_t i = 0; i < 4; ++i) {
         state_.suspension_rate[i] += step_s * acceleration.suspension[i];
@@ -118,7 +121,8 @@ void Vehicle::integrate(double step_s) {
     const Vector3 vector = (1.0 - square / 6.0) * half;
     const Eigen::Quaterniond turn{1.0 - 0.5 * square, vector.x(), vector.y(), vector.z()};
     state_.orientation = (state_.orientation * turn).normalized();
-    state_.position += step_s * (state_.orientation * state_.velocity);
+    state_.velocity = state_.orientation.conjugate() * earth_velocity;
+    state_.position += step_s * earth_velocity;
 }
 
 Vector3 Vehicle::front_wheel_position(int wheel) const {

@@ -26,7 +26,9 @@ struct InitialState {
     double height_offset_m{0.0};
     double roll_offset_rad{0.0};
     double pitch_offset_rad{0.0};
-    double roll_rate_radps{0.0};
+    double roll_rate_radps{0.0};  // rates are body components
+    double pitch_rate_radps{0.0};
+    double yaw_rate_radps{0.0};
 };
 
 // Owns all its state; no heap use and no exception after construction. The road must outlive it.

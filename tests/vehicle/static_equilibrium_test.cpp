@@ -72,6 +72,25 @@ TEST_P(StaticEquilibrium, RollingStraightAtConstantSpeedNeedsTheForceOfDragAndRo
     EXPECT_NEAR(vehicle.truth().speed_mps, 25.0, largest_speed_gain);
 }
 
+TEST_P(StaticEquilibrium, AFreelyRollingWheelTurnsAtTheSpeedOverItsLoadedRadius) {
+    sil::VehicleParameters parameters = GetParam()();
+    parameters.tyre.rolling_resistance = 0.0;
+    parameters.aerodynamics.drag_area_m2 = 0.0;
+    const sil::PlaneRoad road;
+    sil::Vehicle vehicle{parameters, road};
+    sil::InitialState rolling;
+    rolling.speed_mps = 20.0;
+    vehicle.reset(rolling);
+    for (int step = 0; step < 3000; ++step) {
+        vehicle.step({});
+    }
+    const double front_radius =
+        parameters.geometry.wheel_radius_m -
+        0.5 * scenario::front_axle_weight_n(parameters) / parameters.tyre.vertical_stiffness_npm;
+    EXPECT_NEAR(vehicle.truth().speed_mps, 20.0, 0.001);
+    EXPECT_NEAR(vehicle.truth().wheel_spin_radps[sil::front_left] * front_radius, 20.0, 0.005);
+}
+
 INSTANTIATE_TEST_SUITE_P(Vehicles, StaticEquilibrium,
                          testing::Values(&scenario::large_suv, &scenario::ordinary_suv),
                          [](const auto& test) { return test.index == 0 ? "LargeSuv" : "OrdinarySuv"; });
