@@ -104,8 +104,8 @@ TEST_P(TenMinutes, WithSensorNoiseBringNoWarning) {
 INSTANTIATE_TEST_SUITE_P(StraightAndSlalom, TenMinutes,
                          testing::Combine(testing::Values("straight", "slalom"),
                                           testing::Values("large_suv", "ordinary_suv")),
-                         [](const testing::TestParamInfo<TenMinutes::ParamType>& info) {
-                             return std::get<0>(info.param) + "_" + std::get<1>(info.param);
+                         [](const testing::TestParamInfo<TenMinutes::ParamType>& run) {
+                             return std::get<0>(run.param) + "_" + std::get<1>(run.param);
                          });
 
 }  // namespace
