@@ -12,8 +12,6 @@ namespace sil {
 
 struct WheelEvaluation {
     double load_n{0.0};
-    double lateral_force_n{
-        0.0};                  // of the tyre's own lateral direction and forward force, left of the heading
     double deflection_m{0.0};  // of the tyre, < 0 in the air
     double spin_acceleration_radps2{0.0};
 };

@@ -254,7 +254,6 @@ void Vehicle::wheel_forces(int wheel, const WheelPose& pose, double drive_torque
     result.spin_acceleration_radps2 = (free_torque + friction) / inertia;
     equations.add_moment(-inertia * (result.spin_acceleration_radps2 * pose.axis +
                                      spin * state_.angular_velocity.cross(pose.axis)));
-    result.lateral_force_n = in_plane.lateral_n;
     evaluation_.tyre_force_body_n += force;
 }
 
