@@ -69,7 +69,9 @@ class RunningEcu : public ::testing::Test {
         motion.roll_angle.roll_angle_deg = second % 4U == 3U ? 6.0F : 0.0F;
         if (second % 3U != 2U) {
             hal::CanFrame imu = protected_frame(motion.imu, number);
-            imu.data[0] ^= number % 7U == 0U ? 0xFFU : 0U;
+            if (number % 7U == 0U) {
+                imu.data[0] ^= 0xFFU;
+            }
             bus.endpoint(1U).send(imu);
             bus.endpoint(1U).send(protected_frame(motion.roll_angle, number));
             bus.endpoint(1U).send(protected_frame(motion.vehicle_motion, number));

@@ -58,7 +58,7 @@ TEST(EachSentFrame, PassesAnIndependentEndToEndCheckAndCountsFrom0To14) {
     }
 }
 
-TEST(EachSentStatus, BearsTheSoftwaresVersionAndNoUnusedBit) {
+TEST(EachSentStatus, BearsTheSoftwaresVersion) {
     for (const Cycle& cycle : eventful_run()) {
         ASSERT_TRUE(cycle.status.status.all_valid());
         ASSERT_GT(cycle.status.value.software_version, 0U);

@@ -1,6 +1,7 @@
 // The closed loop in one process: deterministic, complete, and the same to the left as to the right.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "sil/manoeuvres/catalogue.hpp"
@@ -66,9 +67,12 @@ TEST(ARun, MirroredHasTheSameStatesOnTheOtherSide) {
     ASSERT_EQ(left.events.warning_side, WarningSide::right);
     ASSERT_EQ(right.events.warning_side, WarningSide::left);
     EXPECT_NEAR(left.events.warning->time_s, right.events.warning->time_s, 0.0101);
-    ASSERT_EQ(left.ecu_outputs.size(), right.ecu_outputs.size());
+    // A vehicle that rolls over ends its run.
+    EXPECT_NEAR(static_cast<double>(left.ecu_outputs.size()), static_cast<double>(right.ecu_outputs.size()),
+                2.0);
+    const std::size_t cycles = std::min(left.ecu_outputs.size(), right.ecu_outputs.size());
     std::size_t differing = 0U;
-    for (std::size_t index = 0U; index < left.ecu_outputs.size(); ++index) {
+    for (std::size_t index = 0U; index < cycles; ++index) {
         const sil::EcuOutput& output = left.ecu_outputs[index];
         const sil::EcuOutput& mirrored = right.ecu_outputs[index];
         const WarningSide expected = output.side == WarningSide::none    ? WarningSide::none
@@ -78,7 +82,7 @@ TEST(ARun, MirroredHasTheSameStatesOnTheOtherSide) {
     }
     // What the simulated vehicle's own rounding makes of left and right may move a change of state by a few
     // cycles: 2 % of them.
-    EXPECT_LE(differing, left.ecu_outputs.size() / 50U);
+    EXPECT_LE(differing, cycles / 50U);
 }
 
 TEST(ARunOnAStraightRoad, IsReadyAndNothingElseAfterTheRecoveryTime) {
