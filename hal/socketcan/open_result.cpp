@@ -83,7 +83,7 @@ OpenResult describe_open_failure(OpenFailure failure, int system_error, const ch
     append(result, used, explanation.what, interface_name);
     if (system_error != 0) {
         append(result, used, " (", interface_name);
-        append(result, used, "%s", std::strerror(system_error));
+        append(result, used, std::strerror(system_error), interface_name);
         append(result, used, ")", interface_name);
     }
     append(result, used, ". Next: ", interface_name);

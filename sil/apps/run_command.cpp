@@ -45,8 +45,28 @@ void wait_for_ecu(hal::SocketCanBus& socket, const std::string& interface) {
             }
         }
     }
-    throw std::runtime_error(fmt::format(
-        "no ECU is heard on {0}. Start one first: rsi-ecu --interface {0} --parameters FILE", interface));
+    throw std::runtime_error(
+        fmt::format("no ECU is heard on {0}. Start one first: rsi-ecu --interface {0} --parameters FILE "
+                    "(without --lock-step)",
+                    interface));
+}
+
+// In lock-step the ECU speaks only when asked. One that sends by itself would be taken for one that answers.
+void refuse_real_time_ecu(hal::SocketCanBus& socket, const std::string& interface) {
+    hal::SteadyClock clock;
+    const hal::Time deadline = clock.now() + hal::Time::from_milliseconds(50);
+    hal::CanFrame frame;
+    while (clock.now() < deadline && socket.wait_for_frame(deadline - clock.now())) {
+        while (socket.receive(frame) == hal::ReceiveResult::frame) {
+            if (frame.identifier == can_dbc::RolloverStatus::identifier) {
+                throw std::runtime_error(
+                    fmt::format("an ECU is sending on {0} by itself. Start it for lock-step: rsi-ecu "
+                                "--lock-step --interface {0} "
+                                "--parameters FILE",
+                                interface));
+            }
+        }
+    }
 }
 
 class Recorder final : public RunObserver {
@@ -75,6 +95,7 @@ class Timing {
  public:
     Timing(const RunRequest& request, hal::SocketCanBus& socket) : socket_{socket} {
         if (request.lock_step) {
+            refuse_real_time_ecu(socket, request.interface);
             log_.emplace(request.output / "candump.log");
             recorded_.emplace(socket, simulated_time_, *log_, request.interface);
             lock_step_.emplace(socket, *recorded_, simulated_time_);

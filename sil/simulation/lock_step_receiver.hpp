@@ -23,7 +23,8 @@ class LockStepReceiver final : public hal::CanBus {
         hal::CanFrame frame;
         while (socket_.wait_for_frame(longest)) {
             while (socket_.receive(frame) == hal::ReceiveResult::frame) {
-                if (frame.identifier == can_dbc::SimulationSync::identifier) {
+                if (frame.identifier == can_dbc::SimulationSync::identifier &&
+                    frame.length == can_dbc::SimulationSync::length) {
                     begin_cycle(can_dbc::decode<can_dbc::SimulationSync>(frame.data).value.cycle_number);
                     return true;
                 }
