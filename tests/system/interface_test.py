@@ -41,6 +41,13 @@ class Interface(unittest.TestCase):
         self.assertIn(f"no ECU is heard on {programs.INTERFACE}", finished.stderr)
         self.assertIn(f"rsi-ecu --interface {programs.INTERFACE}", finished.stderr)
 
+    def test_a_lock_step_run_notices_an_ecu_that_runs_in_real_time(self):
+        with tempfile.TemporaryDirectory() as folder, programs.Ecu() as ecu:
+            finished = programs.run_manoeuvre("straight", folder, "--lock-step", "--duration", "1")
+            self.assertEqual(ecu.stop(signal.SIGTERM), 0, ecu.output)
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn("rsi-ecu --lock-step", finished.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
