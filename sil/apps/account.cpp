@@ -111,7 +111,8 @@ void Account::report_diagnostics(const Truth& truth, const can_dbc::RolloverStat
     told_status_ = status;
 }
 
-void Account::end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent) {
+void Account::end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent,
+                  std::uint64_t missed_cycles) {
     print_line("");
     print_line(moment_line("warning", events.warning) +
                (events.warning ? fmt::format(", {} side", to_string(events.warning_side)) : ""));
@@ -127,6 +128,12 @@ void Account::end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t f
                            events.final_roll_angle_rad * degrees_per_radian));
     print_line(fmt::format("  {:<22} {} sensor frames sent, {} ECU frames received, {} refused", "bus",
                            frames_sent, ecu.frames_received(), ecu.frames_refused()));
+    if (missed_cycles > 0U) {
+        print_line(fmt::format(
+            "  {:<22} {} cycles of the world came late: this machine was busy, so times on the bus "
+            "are less exact",
+            "real time", missed_cycles));
+    }
 }
 
 }  // namespace sil

@@ -10,7 +10,8 @@ class Account {
  public:
     void begin(const Manoeuvre& manoeuvre, const RunOptions& options, bool lock_step, double duration_s);
     void cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& events, double duration_s);
-    void end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent);
+    void end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent,
+             std::uint64_t missed_cycles);
 
  private:
     void report_state(const Truth& truth, const EcuOutput& output);

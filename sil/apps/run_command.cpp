@@ -108,6 +108,8 @@ class Timing {
     hal::CanBus& bus() { return recorded_ ? static_cast<hal::CanBus&>(*recorded_) : socket_; }
     Pace& pace() { return lock_step_ ? static_cast<Pace&>(*lock_step_) : *real_time_; }
 
+    std::uint64_t missed_cycles() const { return real_time_ ? real_time_->missed_cycles() : 0U; }
+
     void close() {
         if (log_) {
             log_->close();
@@ -161,7 +163,7 @@ void run_manoeuvre(const RunRequest& request) {
 
     recorder.account().begin(manoeuvre, options, request.lock_step, plant.duration_s());
     loop.run(recorder);
-    recorder.account().end(loop.events(), loop.ecu(), loop.frames_sent());
+    recorder.account().end(loop.events(), loop.ecu(), loop.frames_sent(), timing.missed_cycles());
     recorder.close();
     timing.close();
     write_results(request, plant, loop);

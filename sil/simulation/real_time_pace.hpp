@@ -16,9 +16,12 @@ class RealTimePace final : public Pace {
         if (number == 0U) {
             tick_.restart();
         }
-        tick_.wait();
+        const std::uint32_t missed = tick_.wait();
         if (number == 0U) {
             origin_ = clock_.now();
+        } else {
+            origin_ = origin_ + hal::Time{missed * cycle_time.nanoseconds};
+            missed_cycles_ += missed;
         }
     }
 
@@ -30,12 +33,14 @@ class RealTimePace final : public Pace {
         return static_cast<double>((frame.receive_time - origin_).nanoseconds) * 1.0e-9;
     }
 
-    const hal::PeriodicTick<hal::SteadyClock>& tick() const { return tick_; }
+    // Cycles at which the machine was too slow: simulated time stood still for each of them.
+    std::uint64_t missed_cycles() const { return missed_cycles_; }
 
  private:
     hal::SteadyClock clock_;
     hal::PeriodicTick<hal::SteadyClock> tick_;
-    hal::Time origin_{};
+    hal::Time origin_{};  // of simulated time, on the clock
+    std::uint64_t missed_cycles_{0U};
 };
 
 }  // namespace sil
