@@ -3,11 +3,13 @@
  * The component takes body-fixed sensor values at 100 Hz, estimates how the suspension's roll centre moves,
  * computes the roll stability indicator (RSI: the lateral acceleration at which the inner wheels lift) and
  * decides on a warning. It allocates nothing, keeps all state in the object that the caller owns, knows no
- * clock, no CAN and no file, and gives the same bits on every target. One object is not for two threads at once.
+ * clock, no CAN and no file, and gives the same bits on every target. One object is not for two threads at
+ * once.
  *
  * Source: Jung, Shim, Gertsch, "A Vehicle Roll-Stability Indicator Incorporating Roll-Center Movements",
  * IEEE Transactions on Vehicular Technology 58(8), 2009; numbers in brackets are its equations.
- * Signs: ISO 8855 (x forward, y left, z up); a left turn has positive lateral acceleration, yaw rate and roll.
+ * Signs: ISO 8855 (x forward, y left, z up); a left turn has positive lateral acceleration, yaw rate and
+ * roll.
  *
  * Use:
  *     rsi_component component;
@@ -51,47 +53,49 @@ typedef enum { RSI_SIDE_NONE = 0, RSI_SIDE_LEFT = 1, RSI_SIDE_RIGHT = 2 } rsi_si
 /* The calibration. Every field has a range; rsi_init refuses a value outside it by the field's name. */
 typedef struct {
     /* Vehicle */
-    float sprung_mass_kg;       /* m_s */
-    float sprung_cg_height_m;   /* h_cg,s above the road */
-    float track_width_m;        /* c_w */
+    float sprung_mass_kg;     /* m_s */
+    float sprung_cg_height_m; /* h_cg,s above the road */
+    float track_width_m;      /* c_w */
 
     /* Roll-plane model with a fixed roll centre, (1) */
-    float fixed_roll_centre_height_m;  /* h_frc above the road */
-    float roll_stiffness_nmprad;       /* K_f */
-    float roll_damping_nmsprad;        /* c_f */
+    float fixed_roll_centre_height_m; /* h_frc above the road */
+    float roll_stiffness_nmprad;      /* K_f */
+    float roll_damping_nmsprad;       /* c_f */
 
     /* Where the IMU sits, from the sprung mass's centre of gravity in body axes */
     float imu_x_m;
     float imu_y_m;
     float imu_z_m;
-    float angular_acceleration_lag_s; /* first-order lag of the derivatives that carry f_y and f_z to the CG */
+    float
+        angular_acceleration_lag_s; /* first-order lag of the derivatives that carry f_y and f_z to the CG */
 
     /* Robust least squares with disturbance observer, (9) to (11) */
-    float forgetting_factor;                  /* lambda */
-    float disturbance_cutoff_hz;              /* f_c of Q(z); 0 switches the disturbance observer off */
-    float regression_scale_nm;                /* Y is divided by this before normalisation */
-    float initial_roll_centre_deviation_m;    /* square roots of the diagonal of P(0) */
+    float forgetting_factor;               /* lambda */
+    float disturbance_cutoff_hz;           /* f_c of Q(z); 0 switches the disturbance observer off */
+    float regression_scale_nm;             /* Y is divided by this before normalisation */
+    float initial_roll_centre_deviation_m; /* square roots of the diagonal of P(0) */
     float initial_stiffness_deviation_nmprad;
     float initial_damping_deviation_nmsprad;
-    float covariance_limit;                   /* no forgetting while trace(P), in units of P(0), exceeds this */
+    float covariance_limit; /* no forgetting while trace(P), in units of P(0), exceeds this */
 
     /* Warning */
-    float advisory_on;       /* indicator at which the advisory state is entered */
-    float advisory_off;      /* indicator below which it may be left */
-    float warning_on;        /* indicator at which the warning state is entered */
-    float warning_off;       /* indicator below which it may be left */
-    float warning_confirmation_s; /* the indicator must stay at warning_on this long; 0: one sample is enough */
-    float advisory_hold_s;   /* least time in the advisory state */
-    float warning_hold_s;    /* least time in the warning state */
-    float recovery_s;        /* inputs must be good this long before "unavailable" is left */
+    float advisory_on;  /* indicator at which the advisory state is entered */
+    float advisory_off; /* indicator below which it may be left */
+    float warning_on;   /* indicator at which the warning state is entered */
+    float warning_off;  /* indicator below which it may be left */
+    float
+        warning_confirmation_s; /* the indicator must stay at warning_on this long; 0: one sample is enough */
+    float advisory_hold_s;      /* least time in the advisory state */
+    float warning_hold_s;       /* least time in the warning state */
+    float recovery_s;           /* inputs must be good this long before "unavailable" is left */
 
     /* Selections */
-    int32_t estimator;          /* rsi_estimator */
-    int32_t warning_indicator;  /* rsi_indicator */
+    int32_t estimator;         /* rsi_estimator */
+    int32_t warning_indicator; /* rsi_indicator */
 } rsi_parameters;
 
-/* One sample of the sensors, all body-fixed. A value that is not finite or outside its range is "not available".
- * Without the first, third or fourth the component is unavailable; the others are optional. */
+/* One sample of the sensors, all body-fixed. A value that is not finite or outside its range is "not
+ * available". Without the first, third or fourth the component is unavailable; the others are optional. */
 typedef struct {
     float lateral_specific_force_mps2;  /* f_y at the IMU, -60 to 60 */
     float vertical_specific_force_mps2; /* f_z at the IMU, near +9.81 at rest, -60 to 60 (optional) */
@@ -115,14 +119,14 @@ typedef struct {
     float road_parallel_force_mps2; /* A: specific force along the road, left */
     float road_normal_force_mps2;   /* N: specific force normal to the road, up */
 
-    float fixed_model_roll_angle_rad;   /* phi_f, (1) */
-    float compensated_roll_angle_rad;   /* (1) with the additional roll moment (7) */
-    float additional_roll_moment_nm;    /* M_add, (7) */
-    float roll_centre_vertical_m;       /* dh */
-    float roll_centre_lateral_m;        /* c_rc, (6) */
-    float roll_stiffness_deviation_nmprad;  /* dK */
-    float roll_damping_deviation_nmsprad;   /* dc */
-    float disturbance_nm;               /* d of (11), in units of Y */
+    float fixed_model_roll_angle_rad;      /* phi_f, (1) */
+    float compensated_roll_angle_rad;      /* (1) with the additional roll moment (7) */
+    float additional_roll_moment_nm;       /* M_add, (7) */
+    float roll_centre_vertical_m;          /* dh */
+    float roll_centre_lateral_m;           /* c_rc, (6) */
+    float roll_stiffness_deviation_nmprad; /* dK */
+    float roll_damping_deviation_nmsprad;  /* dc */
+    float disturbance_nm;                  /* d of (11), in units of Y */
 } rsi_outputs;
 
 /* Answer of rsi_init. `field` and `reason` point to constant text; both are empty when accepted. */
@@ -140,11 +144,12 @@ typedef union {
     const void* alignment_pointer;
 } rsi_component;
 
-/* Starts `component` with `parameters` (copied). When refused, the component is safe to step and says "unavailable".
- * Neither pointer may be null. May be called again at any time: it forgets everything. */
+/* Starts `component` with `parameters` (copied). When refused, the component is safe to step and says
+ * "unavailable". Neither pointer may be null. May be called again at any time: it forgets everything. */
 rsi_validation rsi_init(rsi_component* component, const rsi_parameters* parameters);
 
-/* One step of 10 ms. `component` must have been through rsi_init; no pointer may be null. Constant cost, no errors. */
+/* One step of 10 ms. `component` must have been through rsi_init; no pointer may be null. Constant cost, no
+ * errors. */
 void rsi_step(rsi_component* component, const rsi_inputs* inputs, rsi_outputs* outputs);
 
 #ifdef __cplusplus

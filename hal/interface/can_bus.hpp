@@ -8,14 +8,15 @@
 
 namespace hal {
 
-// One data frame, classic (up to 8 bytes) or CAN FD (up to 64). Error and remote frames never reach an application.
+// One data frame, classic (up to 8 bytes) or CAN FD (up to 64). Error and remote frames never reach an
+// application.
 struct CanFrame {
-    std::uint32_t identifier{0U};     // 11 bits, or 29 bits when `extended`
+    std::uint32_t identifier{0U};  // 11 bits, or 29 bits when `extended`
     bool extended{false};
     bool flexible_data_rate{false};
-    std::uint8_t length{0U};          // payload bytes, 0 to 8 (classic) or 0 to 64 (CAN FD)
+    std::uint8_t length{0U};  // payload bytes, 0 to 8 (classic) or 0 to 64 (CAN FD)
     std::array<std::uint8_t, 64> data{};
-    Time receive_time{};              // on the platform's Clock; ignored when sending
+    Time receive_time{};  // on the platform's Clock; ignored when sending
 };
 
 enum class ReceiveResult : std::uint8_t {
@@ -37,14 +38,14 @@ enum class BusState : std::uint8_t { error_active, error_passive, bus_off, close
 struct BusStatistics {
     std::uint32_t frames_received{0U};
     std::uint32_t frames_sent{0U};
-    std::uint32_t frames_lost{0U};    // received by the controller or the driver, but dropped for want of room
+    std::uint32_t frames_lost{0U};  // received by the controller or the driver, but dropped for want of room
     std::uint32_t error_frames{0U};
     std::uint32_t send_failures{0U};  // sends that ended in `full` or `failed`
 };
 
 // No call blocks, allocates or throws.
 class CanBus {
-   public:
+ public:
     CanBus(const CanBus&) = delete;
     CanBus& operator=(const CanBus&) = delete;
 
@@ -57,7 +58,7 @@ class CanBus {
     virtual BusState state() const noexcept = 0;
     virtual BusStatistics statistics() const noexcept = 0;
 
-   protected:
+ protected:
     CanBus() = default;
     ~CanBus() = default;  // never deleted through this interface, so no virtual destructor and no heap
 };

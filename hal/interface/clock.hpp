@@ -13,19 +13,27 @@ struct Time {
     }
 };
 
-constexpr bool operator==(Time a, Time b) { return a.nanoseconds == b.nanoseconds; }
-constexpr bool operator<(Time a, Time b) { return a.nanoseconds < b.nanoseconds; }
-constexpr Time operator-(Time a, Time b) { return Time{a.nanoseconds - b.nanoseconds}; }
-constexpr Time operator+(Time a, Time b) { return Time{a.nanoseconds + b.nanoseconds}; }
+constexpr bool operator==(Time a, Time b) {
+    return a.nanoseconds == b.nanoseconds;
+}
+constexpr bool operator<(Time a, Time b) {
+    return a.nanoseconds < b.nanoseconds;
+}
+constexpr Time operator-(Time a, Time b) {
+    return Time{a.nanoseconds - b.nanoseconds};
+}
+constexpr Time operator+(Time a, Time b) {
+    return Time{a.nanoseconds + b.nanoseconds};
+}
 
 class Clock {
-   public:
+ public:
     Clock(const Clock&) = delete;
     Clock& operator=(const Clock&) = delete;
 
     virtual Time now() const noexcept = 0;
 
-   protected:
+ protected:
     Clock() = default;
     ~Clock() = default;
 };

@@ -4,14 +4,14 @@
 namespace hal {
 
 class Watchdog {
-   public:
+ public:
     Watchdog(const Watchdog&) = delete;
     Watchdog& operator=(const Watchdog&) = delete;
 
     // Called once after each healthy step, and never otherwise.
     virtual void feed() noexcept = 0;
 
-   protected:
+ protected:
     Watchdog() = default;
     ~Watchdog() = default;
 };

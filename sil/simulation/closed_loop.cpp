@@ -11,7 +11,6 @@ constexpr int steps_per_cycle = 10;
 
 }  // namespace
 
-
 ClosedLoop::ClosedLoop(ManoeuvreRun& plant, SensorSuite& sensors, hal::CanBus& bus, Pace& pace)
     : plant_{plant},
       sensors_{sensors},
