@@ -62,6 +62,8 @@ std::string summary_json(const Summary& summary) {
     json["lock_step"] = summary.lock_step;
     json["seed"] = summary.seed;
     json["noise"] = summary.noise;
+    json["bias_g"] = summary.bias_g;
+    json["quantisation_g"] = summary.quantisation_g;
     json["versions"] = json_of(summary.versions);
     json["warning_time_s"] = time_of(events.warning);
     json["warning_side"] = side_of(events);

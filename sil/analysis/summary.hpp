@@ -16,7 +16,9 @@ struct Summary {
     bool mirrored{false};
     bool lock_step{false};
     std::uint64_t seed{0U};
-    std::string noise;  // name of the sensors' preset: "none", "noise", ...
+    std::string noise;           // name of the sensors' preset: "none", "noise"
+    double bias_g{0.0};          // of the accelerometers
+    double quantisation_g{0.0};  // of the accelerometers
     Versions versions;
     RunEvents events;
     std::uint64_t frames_sent{0U};      // by the simulator
@@ -24,7 +26,8 @@ struct Summary {
 };
 
 // A JSON object with these keys, always all of them, in this order:
-//   manoeuvre, vehicle, mirrored, lock_step, seed, noise, versions {component, git_revision, compiler},
+//   manoeuvre, vehicle, mirrored, lock_step, seed, noise, bias_g, quantisation_g,
+//   versions {component, git_revision, compiler},
 //   warning_time_s, warning_side ("left", "right"), warning_ay_g, one_wheel_lift_time_s,
 //   two_wheel_lift_time_s, ssf_crossing_time_s, lead_time_s, max_ay_g, final_roll_deg, frames_sent,
 //   frames_received.

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "sil/analysis/bus_timing.hpp"
@@ -21,13 +21,14 @@ void list_manoeuvres() {
     }
 }
 
-// CLI::PositiveNumber lets NaN pass, and a run of that length would never end.
-std::string check_duration(const std::string& text) {
-    double seconds = 0.0;
-    const bool is_number = CLI::detail::lexical_cast(text, seconds);
-    return is_number && std::isfinite(seconds) && seconds > 0.0
-               ? std::string{}
-               : "wants a number of seconds above 0, not " + text;
+// CLI's own range checks let NaN pass, and a run of that length would never end.
+std::function<std::string(const std::string&)> number_within(double minimum, double maximum) {
+    return [=](const std::string& text) {
+        double value = 0.0;
+        const bool is_good = CLI::detail::lexical_cast(text, value) && value >= minimum && value <= maximum;
+        return is_good ? std::string{}
+                       : fmt::format("wants a number from {} to {}, not {}", minimum, maximum, text);
+    };
 }
 
 void add_run(CLI::App& app, sil::RunRequest& request) {
@@ -37,12 +38,17 @@ void add_run(CLI::App& app, sil::RunRequest& request) {
     run->add_option("--vehicle", request.vehicle_file, "Parameter file of the simulated vehicle (TOML)")
         ->required();
     run->add_option("--output", request.output, "Folder for the results")->required();
-    run->add_option("--seed", request.seed, "Seed of the sensor noise")
+    run->add_option("--seed", request.sensors.seed, "Seed of the sensor noise")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     run->add_option("--duration", request.duration_s, "Seconds of simulated time (default: the manoeuvre's)")
-        ->check(check_duration);
-    run->add_flag("--noise", request.noise, "Sensors with noise");
+        ->check(number_within(0.01, 1.0e6));
+    run->add_option("--bias", request.sensors.bias_g, "Bias of the accelerometers, in g (-1 to 1)")
+        ->check(number_within(-1.0, 1.0));
+    run->add_option("--quantisation", request.sensors.quantisation_g,
+                    "Least step of the accelerometers, in g (0 to 1)")
+        ->check(number_within(0.0, 1.0));
+    run->add_flag("--noise", request.sensors.noise, "Sensors with noise");
     run->add_flag("--mirror", request.mirrored, "Left and right exchanged");
     run->add_flag("--lock-step", request.lock_step, "Simulated time: every cycle waits for the ECU's answer");
     run->callback([&request] { sil::run_manoeuvre(request); });

@@ -131,8 +131,10 @@ void write_results(const RunRequest& request, const ManoeuvreRun& plant, const C
     summary.vehicle = plant.vehicle().parameters().name;
     summary.mirrored = request.mirrored;
     summary.lock_step = request.lock_step;
-    summary.seed = request.seed;
-    summary.noise = request.noise ? "noise" : "none";
+    summary.seed = request.sensors.seed;
+    summary.noise = request.sensors.noise ? "noise" : "none";
+    summary.bias_g = request.sensors.bias_g;
+    summary.quantisation_g = request.sensors.quantisation_g;
     summary.versions = built_versions();
     summary.events = loop.events();
     summary.frames_sent = loop.frames_sent();
@@ -152,7 +154,7 @@ void run_manoeuvre(const RunRequest& request) {
     options.mirrored = request.mirrored;
     options.duration_s = request.duration_s;
     ManoeuvreRun plant{parameters, manoeuvre, options};
-    SensorSuite sensors{mounted_sensors(parameters, request.noise, request.seed)};
+    SensorSuite sensors{mounted_sensors(parameters, request.sensors)};
 
     hal::SocketCanBus socket;
     open_or_throw(socket, request.interface);

@@ -1,9 +1,10 @@
 // Run command: one manoeuvre on a CAN interface, from request to results.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
+
+#include "sil/simulation/mounted_sensors.hpp"
 
 namespace sil {
 
@@ -12,9 +13,8 @@ struct RunRequest {
     std::string interface{"vcan0"};
     std::string vehicle_file;
     std::filesystem::path output;
-    std::uint64_t seed{1U};
+    SensorFlaws sensors{};
     double duration_s{0.0};  // 0: the manoeuvre's own
-    bool noise{false};
     bool mirrored{false};
     bool lock_step{false};
 };

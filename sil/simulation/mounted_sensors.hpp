@@ -8,9 +8,23 @@
 
 namespace sil {
 
-inline SensorOptions mounted_sensors(const VehicleParameters& vehicle, bool noise, std::uint64_t seed) {
-    SensorOptions options = noise ? noisy_sensors(seed) : SensorOptions{};
+// What is wrong with a run's sensors. The default is nothing.
+struct SensorFlaws {
+    bool noise{false};           // the preset of ordinary automotive sensors
+    std::uint64_t seed{1U};      // of the noise
+    double bias_g{0.0};          // of the accelerometers, on both axes
+    double quantisation_g{0.0};  // least step of the accelerometers; the CAN frame has one of its own
+};
+
+inline SensorOptions mounted_sensors(const VehicleParameters& vehicle, const SensorFlaws& flaws) {
+    constexpr double g_mps2 = 9.80665;
+    SensorOptions options = flaws.noise ? noisy_sensors(flaws.seed) : SensorOptions{};
     options.imu.position = {vehicle.imu_mount.x_m, vehicle.imu_mount.y_m, vehicle.imu_mount.z_m};
+    for (ChannelOptions* channel :
+         {&options.imu.lateral_acceleration_mps2, &options.imu.vertical_acceleration_mps2}) {
+        channel->bias = flaws.bias_g * g_mps2;
+        channel->quantisation_step = flaws.quantisation_g * g_mps2;
+    }
     return options;
 }
 

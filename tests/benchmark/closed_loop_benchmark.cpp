@@ -26,7 +26,7 @@ void drive(benchmark::State& state, const char* name, bool noise) {
     double simulated_s = 0.0;
     for (auto _ : state) {
         sil::ManoeuvreRun plant{vehicle, manoeuvre};
-        sil::SensorSuite sensors{sil::mounted_sensors(vehicle, noise, 1U)};
+        sil::SensorSuite sensors{sil::mounted_sensors(vehicle, {noise})};
         sil::InProcessEcu ecu{calibration};
         sil::InProcessPace pace{ecu};
         sil::ClosedLoop loop{plant, sensors, ecu.world_bus(), pace};

@@ -87,7 +87,7 @@ void drive(const Request& request, sil::CandumpLogWriter& log) {
     options.duration_s = request.duration_s;
     const sil::VehicleParameters vehicle = sil::load_vehicle(request.vehicle);
     sil::ManoeuvreRun plant{vehicle, sil::find_manoeuvre(request.manoeuvre), options};
-    sil::SensorSuite sensors{sil::mounted_sensors(vehicle, request.noise, request.seed)};
+    sil::SensorSuite sensors{sil::mounted_sensors(vehicle, {request.noise, request.seed})};
     sil::InProcessEcu ecu{sil::load_calibration(request.parameters)};
     sil::RecordedBus bus{ecu.world_bus(), ecu.clock(), log, "vcan0"};
     sil::InProcessPace pace{ecu};

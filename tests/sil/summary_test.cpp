@@ -29,6 +29,8 @@ sil::Summary quiet_run() {
     summary.vehicle = "large_suv";
     summary.seed = 18446744073709551615U;
     summary.noise = "none";
+    summary.bias_g = 0.005;
+    summary.quantisation_g = 0.001;
     summary.versions = {"1.2.3", "abcdef", "GNU 12"};
     return summary;
 }
@@ -56,6 +58,8 @@ TEST(SummaryJson, HasExactlyTheAgreedKeysInTheirOrder) {
                                             "lock_step",
                                             "seed",
                                             "noise",
+                                            "bias_g",
+                                            "quantisation_g",
                                             "versions",
                                             "warning_time_s",
                                             "warning_side",
@@ -108,6 +112,8 @@ TEST(SummaryJson, GivesTheEventsInTheirUnits) {
 TEST(SummaryJson, TellsSeedAndVersions) {
     const ordered_json json = ordered_json::parse(sil::summary_json(quiet_run()));
     EXPECT_EQ(json.at("seed").get<std::uint64_t>(), 18446744073709551615U);
+    EXPECT_EQ(json.at("bias_g").get<double>(), 0.005);
+    EXPECT_EQ(json.at("quantisation_g").get<double>(), 0.001);
     EXPECT_EQ(json.at("versions").at("component"), "1.2.3");
     EXPECT_EQ(json.at("versions").at("git_revision"), "abcdef");
     EXPECT_EQ(json.at("versions").at("compiler"), "GNU 12");

@@ -56,7 +56,7 @@ RecordedRun run_and_record(const sil::Manoeuvre& manoeuvre, const RunSettings& s
     sil::ManoeuvreRun plant{sil::load_vehicle(project_folder + "/sil/vehicles/large_suv.toml"), manoeuvre,
                             options};
     sil::SensorSuite sensors{
-        sil::mounted_sensors(plant.vehicle().parameters(), settings.noise, settings.seed)};
+        sil::mounted_sensors(plant.vehicle().parameters(), {settings.noise, settings.seed})};
     sil::InProcessEcu ecu{large_suv_calibration()};
     sil::CandumpLogWriter log{path};
     sil::RecordedBus bus{ecu.world_bus(), ecu.clock(), log, "vcan0"};
