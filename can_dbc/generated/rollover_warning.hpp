@@ -481,7 +481,7 @@ struct RolloverStatus {
     bool vehicle_motion_signal_invalid{false};
     // Received frames were lost for want of room.
     bool receive_overflow{false};
-    // The bus is not error-active.
+    // The bus is not error-active, or it did not take a frame.
     bool bus_error{false};
     // The vehicle parameters were refused.
     bool parameters_invalid{false};

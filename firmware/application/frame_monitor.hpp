@@ -10,8 +10,8 @@
 
 namespace application {
 
-// A value older than this is not used. With frames and cycles of 10 ms a silent sender is noticed 40 to 45 ms
-// after its last frame, whatever the phase between the two.
+// A value older than this is not used. With frames and cycles of 10 ms a silent sender is noticed 35 to 45 ms
+// after its last frame, depending on the phase between the two.
 inline constexpr hal::Time frame_time_limit = hal::Time::from_milliseconds(35);
 
 // Two lost frames in a row are tolerated: the fourth one would be older than the time limit anyway.
@@ -22,7 +22,7 @@ struct FrameFaults {
     bool timeout{false};         // no usable frame within the time limit
     bool checksum_error{false};  // CRC, data identifier or length
     bool counter_error{false};   // repeated, or more frames lost than tolerated
-    bool signal_invalid{false};  // the latest usable frame carries a necessary signal that is not valid
+    bool signal_invalid{false};  // the latest usable frame carries a signal that is not valid
 };
 
 // Message is one of the structures that can_dbc generates.

@@ -3,6 +3,18 @@
 #include "hal/interface/saturating_count.hpp"
 
 namespace application {
+namespace {
+
+constexpr std::uint32_t most_missed_cycles = 2U;
+
+// True when `count` is not what it was at the last call.
+bool has_changed(std::uint32_t count, std::uint32_t& previous) {
+    const bool changed = (count != previous);
+    previous = count;
+    return changed;
+}
+
+}  // namespace
 
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
@@ -15,7 +27,8 @@ rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
 void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     reception_.receive(bus_);
     const hal::Time now = clock_.now();
-    component_.step(reception_.inputs(now), outputs_);
+    const bool stalled = (missed_cycles > most_missed_cycles);
+    component_.step(stalled ? no_inputs : reception_.inputs(now), outputs_);
     transmission_.send(bus_, warning_indicator_, outputs_, health(now, missed_cycles));
     watchdog_.feed();
 }
@@ -25,19 +38,22 @@ Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept 
     Health health{};
     health.parameters_valid = parameters_valid_;
     health.receive_overflow = receive_overflow();
-    health.bus_state = bus_.state();
+    health.bus_error = bus_error();
     health.cycle_overrun = (missed_cycles > 0U);
     health.cycle_overruns = cycle_overruns_;
     health.reception = reception_.report(now);
     return health;
 }
 
+// The bus is not error-active, or did not take a frame in the last cycle.
+bool RolloverEcu::bus_error() noexcept {
+    const bool failed = has_changed(bus_.statistics().send_failures, send_failure_count_);
+    return failed || (bus_.state() != hal::BusState::error_active);
+}
+
 // True in the cycle that follows a loss.
 bool RolloverEcu::receive_overflow() noexcept {
-    const std::uint32_t count = bus_.statistics().frames_lost;
-    const bool grown = (count != overflow_count_);
-    overflow_count_ = count;
-    return grown;
+    return has_changed(bus_.statistics().frames_lost, overflow_count_);
 }
 
 }  // namespace application

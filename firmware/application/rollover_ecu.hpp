@@ -23,7 +23,8 @@ class RolloverEcu {
     rsi::Validation init(const rsi::Parameters& parameters) noexcept;
 
     // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
-    // when all is well. Feeds the watchdog at its end.
+    // when all is well; after more than two the component starts anew, because its models know no step but 10
+    // ms. Feeds the watchdog at its end.
     void step(std::uint32_t missed_cycles) noexcept;
 
     // What the last cycle computed, for a platform that shows or records it.
@@ -31,6 +32,7 @@ class RolloverEcu {
 
  private:
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
+    bool bus_error() noexcept;
     bool receive_overflow() noexcept;
 
     hal::CanBus& bus_;
@@ -44,6 +46,7 @@ class RolloverEcu {
     bool parameters_valid_{false};
     std::uint32_t cycle_overruns_{0U};
     std::uint32_t overflow_count_{0U};
+    std::uint32_t send_failure_count_{0U};
 };
 
 }  // namespace application

@@ -6,6 +6,7 @@
 
 #include "application/frame_monitor.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
 namespace application {
@@ -24,6 +25,11 @@ struct ReceptionReport {
     std::uint32_t frames_rejected{0U};  // since the start
     std::uint32_t frames_lost{0U};      // since the start, by the counters
 };
+
+// A cycle in which nothing is known.
+inline constexpr rsi::Inputs no_inputs{rsi::not_available, rsi::not_available, rsi::not_available,
+                                       rsi::not_available, rsi::not_available, rsi::not_available,
+                                       rsi::not_available};
 
 class SensorReception {
  public:

@@ -54,7 +54,7 @@ can_dbc::RolloverStatus status_message(const Health& health) {
     message.vehicle_motion_counter_error = reception.vehicle_motion.counter_error;
     message.vehicle_motion_signal_invalid = reception.vehicle_motion.signal_invalid;
     message.receive_overflow = health.receive_overflow;
-    message.bus_error = (health.bus_state != hal::BusState::error_active);
+    message.bus_error = health.bus_error;
     message.parameters_invalid = !health.parameters_valid;
     message.cycle_overrun = health.cycle_overrun;
     message.cycle_overruns = saturate(health.cycle_overruns);

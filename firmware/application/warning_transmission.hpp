@@ -13,7 +13,7 @@ namespace application {
 struct Health {
     bool parameters_valid{false};
     bool receive_overflow{false};
-    hal::BusState bus_state{hal::BusState::error_active};
+    bool bus_error{false};
     bool cycle_overrun{false};         // this cycle began late
     std::uint32_t cycle_overruns{0U};  // since the start
     ReceptionReport reception{};

@@ -37,9 +37,16 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     if (!running_) {
         resume(measured);
     }
+    // A vehicle that lies on its side teaches nothing; once it stands again, all starts anew.
+    const bool overturned = has_overturned(measured, parameters_);
+    if (overturned) {
+        estimator_.reset();
+        running_ = false;
+    }
 
     fixed_.evaluate(model_, measured);
-    const RollCentreEstimate estimate = estimator_.update(model_, measured, fixed_);
+    const RollCentreEstimate estimate =
+        overturned ? RollCentreEstimate{} : estimator_.update(model_, measured, fixed_);
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);

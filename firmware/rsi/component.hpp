@@ -28,7 +28,7 @@ class Component {
                          const Outputs& outputs) const;
 
     bool initialised_{false};
-    bool running_{false};  // false until the first good sample after init or after a gap
+    bool running_{false};  // false until the first good sample after init, a gap or an overturn
     Parameters parameters_{};
     MeasurementStage measurement_{};
     RollPlaneModel model_{};

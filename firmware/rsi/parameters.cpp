@@ -38,6 +38,10 @@ Validation validate_vehicle(const Parameters& parameters) {
     if (H < 0.01F) {
         return refuse("fixed_roll_centre_height_m", "must lie below sprung_cg_height_m");
     }
+    // Beyond this the angle at which the CG leaves the track lies outside what the component can tell apart.
+    if (parameters.track_width_m > 6.0F * parameters.sprung_cg_height_m) {
+        return refuse("track_width_m", "must not exceed six times sprung_cg_height_m");
+    }
     if (parameters.roll_stiffness_nmprad < 1.2F * parameters.sprung_mass_kg * gravity_mps2 * H) {
         return refuse("roll_stiffness_nmprad",
                       "does not hold the body up: it must exceed 1.2 m_s g (h_cg,s - h_frc)");

@@ -3,8 +3,9 @@
  * The component takes body-fixed sensor values at 100 Hz, estimates how the suspension's roll centre moves,
  * computes the roll stability indicator (RSI: the lateral acceleration at which the inner wheels lift) and
  * decides on a warning. It allocates nothing, keeps all state in the object that the caller owns, knows no
- * clock, no CAN and no file, and gives the same bits on every target. One object is not for two threads at
- * once.
+ * clock, no CAN and no file, and gives the same bits on every target that has IEEE 754 floats, provided that
+ * the compiler neither fuses a*b+c nor reorders (-ffp-contract=off, no -ffast-math). One object is not for
+ * two threads at once.
  *
  * Source: Jung, Shim, Gertsch, "A Vehicle Roll-Stability Indicator Incorporating Roll-Center Movements",
  * IEEE Transactions on Vehicular Technology 58(8), 2009; numbers in brackets are its equations.
@@ -79,15 +80,14 @@ typedef struct {
     float covariance_limit; /* no forgetting while trace(P), in units of P(0), exceeds this */
 
     /* Warning */
-    float advisory_on;  /* indicator at which the advisory state is entered */
-    float advisory_off; /* indicator below which it may be left */
-    float warning_on;   /* indicator at which the warning state is entered */
-    float warning_off;  /* indicator below which it may be left */
-    float
-        warning_confirmation_s; /* the indicator must stay at warning_on this long; 0: one sample is enough */
-    float advisory_hold_s;      /* least time in the advisory state */
-    float warning_hold_s;       /* least time in the warning state */
-    float recovery_s;           /* inputs must be good this long before "unavailable" is left */
+    float advisory_on;            /* indicator at which the advisory state is entered */
+    float advisory_off;           /* indicator below which it may be left */
+    float warning_on;             /* indicator at which the warning state is entered */
+    float warning_off;            /* indicator below which it may be left */
+    float warning_confirmation_s; /* so many samples of 10 ms in a row at warning_on; 0: one */
+    float advisory_hold_s;        /* least time in the advisory state */
+    float warning_hold_s;         /* least time in the warning state */
+    float recovery_s;             /* inputs must be good this long before "unavailable" is left */
 
     /* Selections */
     int32_t estimator;         /* rsi_estimator */
@@ -99,11 +99,11 @@ typedef struct {
 typedef struct {
     float lateral_specific_force_mps2;  /* f_y at the IMU, -60 to 60 */
     float vertical_specific_force_mps2; /* f_z at the IMU, near +9.81 at rest, -60 to 60 (optional) */
-    float roll_rate_radps;              /* -10 to 10 */
-    float roll_angle_rad;               /* of the body relative to the road, -2.2 to 2.2 */
-    float yaw_rate_radps;               /* -10 to 10 (optional: lever-arm correction) */
-    float bank_angle_rad;               /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
-    float speed_mps;                    /* -20 to 120 (optional) */
+    float roll_rate_radps; /* p, of the body's gyro, -10 to 10; taken for the rate of the roll angle */
+    float roll_angle_rad;  /* of the body relative to the road, -2.2 to 2.2 */
+    float yaw_rate_radps;  /* -10 to 10 (optional: lever-arm correction) */
+    float bank_angle_rad;  /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
+    float speed_mps;       /* (optional; the published algorithm does not use it) */
 } rsi_inputs;
 
 /* The answer to one sample. A number that could not be computed is NaN. */

@@ -96,17 +96,41 @@ TEST(Component, AGentleTurnStaysReadyAndASharpOneWarnsOfTheOuterSide) {
 // does.
 TEST(Component, TheSelectedIndicatorDrivesTheWarning) {
     rsi_parameters parameters = rsi_test::large_suv();
-    parameters.advisory_on = parameters.advisory_off = 0.5F;
-    const rsi_inputs inputs = rsi_test::sensed(GroundMotion{1.0, 0.0, -0.6, -0.05});
+    parameters.advisory_on = parameters.advisory_off = 0.45F;
+    const rsi_inputs inputs = rsi_test::sensed(GroundMotion{1.0, 0.0, -0.5, -0.05});
     for (const std::int32_t indicator : {RSI_INDICATOR_PUBLISHED, RSI_INDICATOR_BANK_FREE}) {
         parameters.warning_indicator = indicator;
         Scenario scenario(parameters);
         const rsi_outputs& outputs = scenario.run(0.5, inputs);
         ASSERT_LT(outputs.rsi, 0.4F);
-        ASSERT_GT(outputs.rsi_bank_free, 0.6F);
+        ASSERT_GT(outputs.rsi_bank_free, 0.5F);
         EXPECT_EQ(outputs.state,
                   (indicator == RSI_INDICATOR_PUBLISHED) ? RSI_STATE_READY : RSI_STATE_ADVISORY);
     }
+}
+
+// Here the threshold (23) is zero or negative, and (25) as printed says nothing.
+TEST(Component, ABankThatOverturnsTheStandingVehicleIsWarnedOf) {
+    for (const double bank : {0.70, 0.75, 0.79, -0.70, -0.75, -0.79}) {
+        Scenario scenario;
+        const rsi_inputs inputs = rsi_test::sensed(GroundMotion{0.0, 0.0, bank, (bank > 0.0) ? 0.1 : -0.1});
+        const rsi_outputs& outputs = scenario.run(1.0, inputs);
+        EXPECT_EQ(outputs.state, RSI_STATE_WARNING) << "bank " << bank;
+        EXPECT_EQ(outputs.side, (bank > 0.0) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT) << "bank " << bank;
+        EXPECT_EQ(outputs.rsi, 1.0F) << "bank " << bank;
+    }
+}
+
+TEST(Component, WhatItSeemedToLearnOfAnOverturnedVehicleIsForgotten) {
+    Scenario scenario;
+    rsi_inputs on_its_side = in_turn(0.0);
+    on_its_side.lateral_specific_force_mps2 = 9.8F;
+    on_its_side.vertical_specific_force_mps2 = 0.5F;
+    on_its_side.roll_angle_rad = 1.4F;
+    ASSERT_EQ(scenario.run(5.0, on_its_side).state, RSI_STATE_WARNING);
+    const rsi_outputs& outputs = scenario.run(0.5, in_turn(0.0));
+    EXPECT_LT(std::abs(outputs.roll_stiffness_deviation_nmprad), 5000.0F);
+    EXPECT_LT(std::abs(outputs.roll_centre_vertical_m), 0.05F);
 }
 
 TEST(Component, AMissingNecessaryInputIsUnavailableInTheSameStep) {

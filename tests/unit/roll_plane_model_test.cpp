@@ -93,6 +93,7 @@ void for_each_extreme_vehicle(Check check) {
                         rsi_parameters parameters = rsi_test::large_suv();
                         parameters.sprung_mass_kg = mass;
                         parameters.sprung_cg_height_m = height;
+                        parameters.track_width_m = std::fmin(parameters.track_width_m, 5.9F * height);
                         parameters.fixed_roll_centre_height_m = height - arm;
                         parameters.roll_stiffness_nmprad =
                             std::fmax(stiffness_ratio * mass * 9.80665F * arm, 1.0e3F);

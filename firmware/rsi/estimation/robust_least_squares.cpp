@@ -45,8 +45,7 @@ void RobustLeastSquares::update(const Regression& regression) {
     update_covariance(g, divisor, 1.0F / lambda);
     disturbance_ += disturbance_weight_ * innovation;
 
-    const float sum = theta_.sum() + covariance_.trace() + disturbance_;
-    if (!is_finite(sum)) {
+    if (!is_finite(theta_.sum() + covariance_.sum() + disturbance_)) {
         reset();
     }
 }

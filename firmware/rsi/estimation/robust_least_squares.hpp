@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 
 #include "rsi/estimation/regression.hpp"
 #include "rsi/estimation/roll_centre_estimate.hpp"
@@ -20,6 +19,7 @@ struct Covariance {
                                p01 * v.x() + p11 * v.y() + p12 * v.z(),
                                p02 * v.x() + p12 * v.y() + p22 * v.z()};
     }
+    float sum() const { return p00 + p01 + p02 + p11 + p12 + p22; }
     float trace() const { return p00 + p11 + p22; }
 };
 

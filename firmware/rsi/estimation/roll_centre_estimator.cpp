@@ -3,6 +3,7 @@
 namespace rsi {
 
 void RollCentreEstimator::init(const Parameters& parameters) {
+    in_use_ = static_cast<rsi_estimator>(parameters.estimator);
     published_.init(parameters);
 }
 
@@ -12,8 +13,12 @@ void RollCentreEstimator::reset() {
 
 RollCentreEstimate RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
                                                const FixedModelRoll& fixed) {
-    published_.update(regress(model, measured, fixed));
-    return published_.estimate();
+    switch (in_use_) {
+        case RSI_ESTIMATOR_PUBLISHED:
+            published_.update(regress(model, measured, fixed));
+            return published_.estimate();
+    }
+    return RollCentreEstimate{};
 }
 
 }  // namespace rsi

@@ -16,6 +16,7 @@ class RollCentreEstimator {
                               const FixedModelRoll& fixed);
 
  private:
+    rsi_estimator in_use_{RSI_ESTIMATOR_PUBLISHED};
     RobustLeastSquares published_{};
 };
 

@@ -3,7 +3,10 @@
 namespace rsi {
 
 float normalised_indicator(const Measurement& measured, const StabilityThreshold& threshold) {
-    return clamp(measured.lateral_acceleration_mps2 / threshold.lateral_acceleration_mps2, 0.0F, 1.0F);
+    const float ratio = threshold.is_defined
+                            ? measured.lateral_acceleration_mps2 / threshold.lateral_acceleration_mps2
+                            : bank_free_indicator(measured, threshold);
+    return clamp(ratio, 0.0F, 1.0F);
 }
 
 float bank_free_indicator(const Measurement& measured, const StabilityThreshold& threshold) {

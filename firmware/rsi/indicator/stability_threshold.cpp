@@ -24,13 +24,14 @@ StabilityThreshold StabilityThresholdStage::evaluate(const Measurement& measured
     const float h_rc = fixed_roll_centre_height_m_ + vertical_movement_m;
     const float shift_m = lateral_movement_m + (cg_height_m_ - h_rc) * measured.tan_roll_angle;
     const float T = larger((half_track_m_ - s * shift_m) / cg_height_m_, smallest_half_track_ratio);
-    const float e_b = -s * bounded_tangent(measured.bank_angle_rad);
-    const float ratio = (e_b + T) / larger(1.0F - e_b * T, smallest_divisor);
+    const float e = -s * bounded_tangent(measured.bank_angle_rad);
+    const float magnitude_mps2 = gravity_mps2 * (e + T) / larger(1.0F - e * T, smallest_divisor);
 
     StabilityThreshold threshold;
     threshold.side = s;
     threshold.half_track_ratio = T;
-    threshold.lateral_acceleration_mps2 = s * larger(gravity_mps2 * ratio, smallest_threshold_mps2);
+    threshold.lateral_acceleration_mps2 = s * larger(magnitude_mps2, smallest_threshold_mps2);
+    threshold.is_defined = (magnitude_mps2 >= smallest_threshold_mps2);
     return threshold;
 }
 
