@@ -29,17 +29,20 @@ double quantile(const std::vector<double>& sorted, double share) {
     return sorted[std::min(index, sorted.size() - 1U)];
 }
 
-DurationStatistics statistics(std::vector<double> durations_ms) {
+std::optional<DurationStatistics> statistics(std::vector<double> durations_ms) {
     if (durations_ms.empty()) {
-        return {};
+        return std::nullopt;
     }
     std::sort(durations_ms.begin(), durations_ms.end());
-    return {quantile(durations_ms, 0.5), quantile(durations_ms, 0.99), durations_ms.back()};
+    return DurationStatistics{quantile(durations_ms, 0.5), quantile(durations_ms, 0.99), durations_ms.back()};
 }
 
-std::string describe(const char* what, const DurationStatistics& statistics) {
+std::string describe(const char* what, const std::optional<DurationStatistics>& statistics) {
+    if (!statistics) {
+        return fmt::format("  {:<32} not to be seen in this log\n", what);
+    }
     return fmt::format("  {:<32} median {:.3f} ms, 99th percentile {:.3f} ms, largest {:.3f} ms\n", what,
-                       statistics.median_ms, statistics.percentile_99_ms, statistics.largest_ms);
+                       statistics->median_ms, statistics->percentile_99_ms, statistics->largest_ms);
 }
 
 }  // namespace
@@ -53,6 +56,12 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
     std::optional<hal::Time> last_sensor;
     for (const LoggedFrame& logged : log) {
         const hal::Time time = logged.frame.receive_time;
+        if (logged.frame.identifier == can_dbc::SimulationSync::identifier) {
+            throw NoTiming{
+                "this is the log of a run in lock-step (it has SimulationSync frames), so it has no real "
+                "times; "
+                "take one of a run in real time"};
+        }
         if (is_sensor_frame(logged.frame.identifier)) {
             last_sensor = time;
         } else if (logged.frame.identifier == can_dbc::RolloverWarning::identifier) {
@@ -68,9 +77,12 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
             last_warning = time;
         }
     }
-    if (first_warning) {
-        timing.duration_s = 1.0e-3 * milliseconds(*last_warning - *first_warning);
+    if (!first_warning) {
+        throw NoTiming{
+            fmt::format("there is no warning frame (0x{:03X}) in this log: did an ECU run on this bus?",
+                        can_dbc::RolloverWarning::identifier)};
     }
+    timing.duration_s = 1.0e-3 * milliseconds(*last_warning - *first_warning);
     timing.cycle_jitter = statistics(std::move(jitter_ms));
     timing.reaction_time = statistics(std::move(reaction_ms));
     return timing;

@@ -263,6 +263,7 @@ std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path) {
                                               parsed.error.message));
         }
         frames.push_back(std::move(*parsed.frame));
+        frames.back().line = number;
     }
     if (file.bad()) {
         throw CandumpLogError(fmt::format("{}: reading failed: {}", path.string(), reason_of_failure()));

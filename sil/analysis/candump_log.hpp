@@ -21,6 +21,7 @@ struct LoggedFrame {
     // CAN FD only: bit 0 bit-rate switch, bit 1 error state indicator. Kernels differ in whether they also
     // set bit 2, which says nothing but "CAN FD"; here it is always 0, when written and when read.
     std::uint8_t fd_flags{0U};
+    std::size_t line{0U};  // where it stands in the file it was read from, counted from 1; 0: not from a file
 };
 
 inline constexpr std::uint8_t canonical_fd_flags = 0x3U;
@@ -51,7 +52,8 @@ class CandumpLogError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// All frames of a log, in the order of the file. Empty lines are skipped. Throws CandumpLogError.
+// All frames of a log, in the order of the file, whatever their times (candump may write two frames that
+// arrived on two processors in the wrong order). Empty lines are skipped. Throws CandumpLogError.
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path);
 
 class CandumpLogWriter {

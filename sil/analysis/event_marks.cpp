@@ -15,7 +15,7 @@ constexpr double g_mps2 = 9.80665;
 constexpr double deg_per_rad = 180.0 / 3.14159265358979323846;
 
 std::string number(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : "NaN";
+    return std::isfinite(value) ? fmt::format("{:.9g}", value) : "NaN";
 }
 
 std::string assignments(const char* name, const std::optional<EventMoment>& event) {

@@ -10,7 +10,7 @@ namespace sil {
 
 // A file that gnuplot can `load`: title, end_time_s, ssf, and for each EVENT of warning, one_wheel_lift,
 // two_wheel_lift and ssf_crossing the variables EVENT_time_s, EVENT_ay_g and EVENT_roll_deg, NaN where it did
-// not happen. `title` is shown above the pictures.
+// not happen; numbers have up to nine significant digits. `title` is shown above the pictures.
 std::string event_marks(const RunEvents& events, double static_stability_factor, const std::string& title);
 
 // Writes it atomically; `draw` expects the name events.gp. Throws std::runtime_error with path and reason.

@@ -105,7 +105,7 @@ std::string signal_csv_row(const Truth& truth, const SensorSample& sample, const
     for (const NumberColumn& column : number_columns) {
         const double value = column.value(row);
         if (std::isfinite(value)) {
-            fmt::format_to(std::back_inserter(line), "{}", value);
+            fmt::format_to(std::back_inserter(line), "{:.9g}", value);
         }
         line += ',';
     }

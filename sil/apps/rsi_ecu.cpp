@@ -7,10 +7,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "sil/analysis/candump_log.hpp"
+#include "sil/apps/command_line.hpp"
 #include "sil/apps/ecu_loop.hpp"
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/simulation/replay.hpp"
@@ -21,6 +24,11 @@ struct ReplayRequest {
     std::string parameters;
     std::filesystem::path log;
     std::filesystem::path output;
+};
+
+class UsageError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
 };
 
 // A handler may only set this; the loop looks at it once a cycle.
@@ -36,9 +44,33 @@ void run_loop(const sil::EcuRequest& request, const std::string& parameters) {
     sil::run_ecu(request, sil::load_calibration(parameters), end_requested);
 }
 
+void require_parameters(const std::string& parameters) {
+    if (parameters.empty()) {
+        throw UsageError{
+            "--parameters FILE is missing: the calibration of the component. The project has some in "
+            "firmware/calibrations, for example firmware/calibrations/large_suv.toml"};
+    }
+}
+
+std::vector<sil::LoggedFrame> answers_to(const ReplayRequest& request) {
+    const std::vector<sil::LoggedFrame> log = sil::read_candump_log(request.log);
+    const rsi::Parameters parameters = sil::load_calibration(request.parameters);
+    try {
+        return sil::replay(log, parameters);
+    } catch (const sil::ReplayError& error) {
+        const std::string place = error.line() == 0U ? "" : fmt::format(":{}", error.line());
+        throw std::runtime_error(fmt::format("{}{}: {}", request.log.string(), place, error.what()));
+    }
+}
+
 void replay_log(const ReplayRequest& request) {
-    const std::vector<sil::LoggedFrame> answers =
-        sil::replay(sil::read_candump_log(request.log), sil::load_calibration(request.parameters));
+    std::error_code ignored;  // set when the output does not exist, as it should be
+    if (std::filesystem::equivalent(request.log, request.output, ignored)) {
+        throw UsageError{
+            fmt::format("--output {} is the log to replay, which would be lost; choose another name",
+                        request.output.string())};
+    }
+    const std::vector<sil::LoggedFrame> answers = answers_to(request);
     sil::CandumpLogWriter writer{request.output};
     for (const sil::LoggedFrame& answer : answers) {
         writer.write(answer);
@@ -51,7 +83,6 @@ void replay_log(const ReplayRequest& request) {
 
 int main(int argc, char** argv) {
     CLI::App app{"The rollover-warning firmware on a CAN interface", "rsi-ecu"};
-    app.failure_message(CLI::FailureMessage::help);
     sil::EcuRequest request;
     std::string parameters;
     ReplayRequest replay;
@@ -66,22 +97,23 @@ int main(int argc, char** argv) {
     CLI::App* replayed =
         app.add_subcommand("replay", "Feed recorded sensor frames to the firmware in simulated time");
     replayed->add_option("log", replay.log, "Log written by `candump -L`")->required();
-    replayed->add_option("--parameters", replay.parameters, "Calibration of the component (TOML)")
-        ->required();
+    replayed->add_option("--parameters", replay.parameters, "Calibration of the component (TOML)");
     replayed->add_option("--output", replay.output, "Log of the frames that the firmware sends")->required();
 
     try {
         app.parse(argc, argv);
         if (replayed->parsed()) {
+            require_parameters(replay.parameters);
             replay_log(replay);
-        } else if (parameters.empty()) {
-            throw CLI::RequiredError("--parameters");
         } else {
+            require_parameters(parameters);
             run_loop(request, parameters);
         }
         return 0;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error);
+        return sil::report(app, error);
+    } catch (const UsageError& error) {
+        return sil::report_usage_error(app, error.what());
     } catch (const std::exception& error) {
         fmt::print(stderr, "rsi-ecu: {}\n", error.what());
         return 1;

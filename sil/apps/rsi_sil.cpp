@@ -6,10 +6,11 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <functional>
+#include <stdexcept>
 #include <string>
 
 #include "sil/analysis/bus_timing.hpp"
+#include "sil/apps/command_line.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
 
@@ -21,14 +22,12 @@ void list_manoeuvres() {
     }
 }
 
-// CLI's own range checks let NaN pass, and a run of that length would never end.
-std::function<std::string(const std::string&)> number_within(double minimum, double maximum) {
-    return [=](const std::string& text) {
-        double value = 0.0;
-        const bool is_good = CLI::detail::lexical_cast(text, value) && value >= minimum && value <= maximum;
-        return is_good ? std::string{}
-                       : fmt::format("wants a number from {} to {}, not {}", minimum, maximum, text);
-    };
+void print_timing(const std::filesystem::path& log) {
+    try {
+        fmt::print("{}", sil::describe(sil::bus_timing(sil::read_candump_log(log))));
+    } catch (const sil::NoTiming& error) {
+        throw std::runtime_error(fmt::format("{}: {}", log.string(), error.what()));
+    }
 }
 
 void add_run(CLI::App& app, sil::RunRequest& request) {
@@ -38,16 +37,23 @@ void add_run(CLI::App& app, sil::RunRequest& request) {
     run->add_option("--vehicle", request.vehicle_file, "Parameter file of the simulated vehicle (TOML)")
         ->required();
     run->add_option("--output", request.output, "Folder for the results")->required();
-    run->add_option("--seed", request.sensors.seed, "Seed of the sensor noise")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
+    // Not CLI11's own conversion, which takes 010 for eight.
+    run->add_option_function<std::string>(
+           "--seed",
+           [&request](const std::string& text) {
+               request.sensors.seed = sil::whole_number(text).value_or(request.sensors.seed);
+           },
+           "Seed of the sensor noise")
+        ->check(sil::check_whole_number)
+        ->type_name("UINT")
+        ->default_str(fmt::format("{}", request.sensors.seed));
     run->add_option("--duration", request.duration_s, "Seconds of simulated time (default: the manoeuvre's)")
-        ->check(number_within(0.01, 1.0e6));
+        ->check(sil::number_within(0.01, 1.0e6));
     run->add_option("--bias", request.sensors.bias_g, "Bias of the accelerometers, in g (-1 to 1)")
-        ->check(number_within(-1.0, 1.0));
+        ->check(sil::number_within(-1.0, 1.0));
     run->add_option("--quantisation", request.sensors.quantisation_g,
                     "Least step of the accelerometers, in g (0 to 1)")
-        ->check(number_within(0.0, 1.0));
+        ->check(sil::number_within(0.0, 1.0));
     run->add_flag("--noise", request.sensors.noise, "Sensors with noise");
     run->add_flag("--mirror", request.mirrored, "Left and right exchanged");
     run->add_flag("--lock-step", request.lock_step, "Simulated time: every cycle waits for the ECU's answer");
@@ -58,8 +64,7 @@ void add_timing(CLI::App& app, std::filesystem::path& log) {
     CLI::App* timing =
         app.add_subcommand("timing", "Cycle jitter and reaction time of the ECU from a candump log");
     timing->add_option("log", log, "Log written by `candump -L`")->required();
-    timing->callback(
-        [&log] { fmt::print("{}", sil::describe(sil::bus_timing(sil::read_candump_log(log)))); });
+    timing->callback([&log] { print_timing(log); });
 }
 
 }  // namespace
@@ -67,7 +72,6 @@ void add_timing(CLI::App& app, std::filesystem::path& log) {
 int main(int argc, char** argv) {
     CLI::App app{"The simulated world of the rollover-warning ECU", "rsi-sil"};
     app.require_subcommand(1);
-    app.failure_message(CLI::FailureMessage::help);
     sil::RunRequest request;
     std::filesystem::path log;
     app.add_subcommand("list", "Name all manoeuvres")->callback(list_manoeuvres);
@@ -77,7 +81,9 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         return 0;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error);
+        return sil::report(app, error);
+    } catch (const sil::UnknownManoeuvre& error) {
+        return sil::report_usage_error(app, error.what());
     } catch (const std::exception& error) {
         fmt::print(stderr, "rsi-sil: {}\n", error.what());
         return 1;

@@ -125,6 +125,14 @@ class Timing {
     std::optional<RealTimePace> real_time_;
 };
 
+// Results of an earlier run must not be taken for those of this one, should it fail.
+void prepare_folder(const std::filesystem::path& output) {
+    std::filesystem::create_directories(output);
+    for (const char* name : {"signals.csv", "events.gp", "summary.json"}) {
+        std::filesystem::remove(output / name);
+    }
+}
+
 void write_results(const RunRequest& request, const ManoeuvreRun& plant, const ClosedLoop& loop) {
     Summary summary;
     summary.manoeuvre = request.manoeuvre;
@@ -158,7 +166,7 @@ void run_manoeuvre(const RunRequest& request) {
 
     hal::SocketCanBus socket;
     open_or_throw(socket, request.interface);
-    std::filesystem::create_directories(request.output);
+    prepare_folder(request.output);
     Timing timing{request, socket};
     Recorder recorder{request.output, plant.duration_s()};
     ClosedLoop loop{plant, sensors, timing.bus(), timing.pace()};

@@ -17,7 +17,7 @@ Manoeuvre j_turn_110() {
     Manoeuvre manoeuvre;
     manoeuvre.name = "j-turn-110";
     manoeuvre.description =
-        "J-turn at 110 km/h, throttle released, 360 degrees at the handwheel on a level road: rolls over";
+        "J-turn at 110 km/h, throttle released, 360 degrees at the handwheel on a level road";
     manoeuvre.duration_s = 6.0;
     manoeuvre.initial_speed_mps = from_kmh(110.0);
     manoeuvre.make_road = flat_road();

@@ -1,5 +1,7 @@
 #include "sil/simulation/replay.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "application/sensor_reception.hpp"
@@ -12,15 +14,42 @@ namespace {
 
 bool is_sensor_frame(const LoggedFrame& logged) {
     const auto& known = application::received_identifiers;
-    return std::find(known.begin(), known.end(), logged.frame.identifier) != known.end();
+    return !logged.frame.extended &&
+           std::find(known.begin(), known.end(), logged.frame.identifier) != known.end();
+}
+
+double seconds(hal::Time time) {
+    return static_cast<double>(time.nanoseconds) * 1.0e-9;
+}
+
+[[noreturn]] void refuse_without_sensor_frames() {
+    std::string expected;
+    for (const std::uint32_t identifier : application::received_identifiers) {
+        expected += fmt::format("{}0x{:03X}", expected.empty() ? "" : ", ", identifier);
+    }
+    throw ReplayError{0U, fmt::format("there is no sensor frame in this log; the firmware receives the "
+                                      "standard identifiers {}",
+                                      expected)};
 }
 
 std::vector<hal::CanFrame> sensor_frames(const std::vector<LoggedFrame>& log) {
     std::vector<hal::CanFrame> frames;
     for (const LoggedFrame& logged : log) {
-        if (is_sensor_frame(logged)) {
-            frames.push_back(logged.frame);
+        if (!is_sensor_frame(logged)) {
+            continue;
         }
+        const hal::Time time = logged.frame.receive_time;
+        if (!frames.empty() && time < frames.back().receive_time) {
+            throw ReplayError{
+                logged.line,
+                fmt::format("the time goes back from {:.6f} s to {:.6f} s; a replay needs one recording, in "
+                            "the order of time",
+                            seconds(frames.back().receive_time), seconds(time))};
+        }
+        frames.push_back(logged.frame);
+    }
+    if (frames.empty()) {
+        refuse_without_sensor_frames();
     }
     return frames;
 }
@@ -30,9 +59,6 @@ std::vector<hal::CanFrame> sensor_frames(const std::vector<LoggedFrame>& log) {
 std::vector<LoggedFrame> replay(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters) {
     std::vector<LoggedFrame> answers;
     const std::vector<hal::CanFrame> frames = sensor_frames(log);
-    if (frames.empty()) {
-        return answers;
-    }
     InProcessEcu ecu{parameters};
     hal::FrameReplay player{frames.data(), frames.size(), ecu.clock(), ecu.world_bus()};
     hal::CanFrame frame;
@@ -40,7 +66,7 @@ std::vector<LoggedFrame> replay(const std::vector<LoggedFrame>& log, const rsi::
         player.run_until(time);
         ecu.step();
         while (ecu.world_bus().receive(frame) == hal::ReceiveResult::frame) {
-            answers.push_back(LoggedFrame{frame, log.front().interface, 0U});
+            answers.push_back(LoggedFrame{frame, log.front().interface});
         }
         if (player.finished()) {
             return answers;

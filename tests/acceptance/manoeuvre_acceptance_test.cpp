@@ -61,8 +61,12 @@ TEST(JTurn110, MirroredGivesTheMirroredResult) {
     settings.mirrored = true;
     const RunResult right = drive(settings);
 
-    ASSERT_TRUE(left.events.warning.has_value());
-    ASSERT_TRUE(right.events.warning.has_value());
+    for (const sil::RunEvents* events : {&left.events, &right.events}) {
+        ASSERT_TRUE(events->warning.has_value());
+        ASSERT_TRUE(events->one_wheel_lift.has_value());
+        ASSERT_TRUE(events->two_wheel_lift.has_value());
+        ASSERT_TRUE(events->ssf_crossing.has_value());
+    }
     EXPECT_EQ(right.events.warning_side, sil::WarningSide::left);
     EXPECT_NEAR(right.events.warning->time_s, left.events.warning->time_s, 0.01);
     EXPECT_NEAR(right.events.one_wheel_lift->time_s, left.events.one_wheel_lift->time_s, 0.01);

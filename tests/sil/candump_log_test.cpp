@@ -251,6 +251,17 @@ TEST(ReadCandumpLog, TheLastLineNeedsNoEnd) {
     EXPECT_EQ(sil::read_candump_log(folder.path() / "a.log").size(), 2U);
 }
 
+TEST(ReadCandumpLog, FramesKnowTheirLineAndMayComeInAnyOrderOfTime) {
+    const ScratchFolder folder;
+    write_text(folder.path() / "a.log",
+               "(0.020000) vcan0 120#\n\n(0.020000) vcan0 121#\n(0.010000) vcan0 122#\n");
+    const auto frames = sil::read_candump_log(folder.path() / "a.log");
+    ASSERT_EQ(frames.size(), 3U);
+    EXPECT_EQ(frames[0].line, 1U);
+    EXPECT_EQ(frames[1].line, 3U);
+    EXPECT_EQ(frames[2].line, 4U);
+}
+
 TEST(CandumpLogWriter, AFileThatCannotBeWrittenIsNamed) {
     const ScratchFolder folder;
     EXPECT_THROW(sil::CandumpLogWriter(folder.path() / "nowhere" / "a.log"), std::runtime_error);

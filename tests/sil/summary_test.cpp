@@ -179,4 +179,10 @@ TEST(EventMarks, GiveGnuplotEveryEventOrNaN) {
     EXPECT_NE(rollover.find("\nssf_crossing_time_s = 2.095\n"), std::string::npos);
 }
 
+TEST(EventMarks, DoNotShowTheRoundingOfSums) {
+    sil::RunEvents events;
+    events.end_time_s = 3.0299999999999773;
+    EXPECT_NE(sil::event_marks(events, 0.81, "").find("end_time_s = 3.03\n"), std::string::npos);
+}
+
 }  // namespace

@@ -43,12 +43,44 @@ TEST(AReplay, DoesNotDependOnWhenTheLogWasRecorded) {
     EXPECT_EQ(ecu_payloads(sil::replay(run.log, large_suv_calibration())), expected);
 }
 
-TEST(AReplay, WithoutSensorFramesIsEmpty) {
-    EXPECT_TRUE(sil::replay({}, large_suv_calibration()).empty());
-    sil::LoggedFrame foreign;
-    foreign.frame.identifier = 0x0D0U;
-    foreign.frame.length = 8U;
-    EXPECT_TRUE(sil::replay({foreign}, large_suv_calibration()).empty());
+sil::LoggedFrame frame_at(std::uint32_t identifier, std::int64_t time_ms, std::size_t line) {
+    sil::LoggedFrame logged;
+    logged.frame.identifier = identifier;
+    logged.frame.length = 8U;
+    logged.frame.receive_time = hal::Time::from_milliseconds(time_ms);
+    logged.line = line;
+    return logged;
+}
+
+TEST(AReplay, WithoutSensorFramesIsRefusedNamingTheIdentifiersExpected) {
+    sil::LoggedFrame extended = frame_at(0x120U, 0, 2U);
+    extended.frame.extended = true;
+    for (const std::vector<sil::LoggedFrame>& log :
+         {std::vector<sil::LoggedFrame>{}, {frame_at(0x0D0U, 0, 1U)}, {extended}}) {
+        try {
+            sil::replay(log, large_suv_calibration());
+            FAIL() << "accepted";
+        } catch (const sil::ReplayError& error) {
+            EXPECT_EQ(error.line(), 0U);
+            EXPECT_THAT(error.what(), ::testing::HasSubstr("0x120, 0x121, 0x122"));
+        }
+    }
+}
+
+TEST(AReplay, OfSensorFramesWhoseTimeGoesBackIsRefusedNamingTheLine) {
+    try {
+        sil::replay({frame_at(0x120U, 20, 4U), frame_at(0x120U, 10, 7U)}, large_suv_calibration());
+        FAIL() << "accepted";
+    } catch (const sil::ReplayError& error) {
+        EXPECT_EQ(error.line(), 7U);
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("from 0.020000 s to 0.010000 s"));
+    }
+}
+
+TEST(AReplay, AcceptsEqualTimesAndDisorderedFramesThatAreNotForTheFirmware) {
+    const std::vector<sil::LoggedFrame> log{frame_at(0x120U, 10, 1U), frame_at(0x121U, 10, 2U),
+                                            frame_at(0x0D0U, 0, 3U), frame_at(0x120U, 20, 4U)};
+    EXPECT_EQ(sil::replay(log, large_suv_calibration()).size(), 2U * 3U);
 }
 
 TEST(AReplay, WithRefusedParametersSaysWhichFieldIsWrong) {

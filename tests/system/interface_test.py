@@ -36,7 +36,11 @@ class Interface(unittest.TestCase):
 
     def test_rsi_sil_without_an_ecu_says_how_to_start_one(self):
         with tempfile.TemporaryDirectory() as folder:
+            for name in ("summary.json", "notes.txt"):
+                (programs.pathlib.Path(folder) / name).write_text("of an earlier run", encoding="ascii")
             finished = programs.run_manoeuvre("straight", folder, "--duration", "1")
+            left = [path.name for path in programs.pathlib.Path(folder).iterdir()]
+        self.assertEqual(left, ["notes.txt"])
         self.assertEqual(finished.returncode, 1)
         self.assertIn(f"no ECU is heard on {programs.INTERFACE}", finished.stderr)
         self.assertIn(f"rsi-ecu --interface {programs.INTERFACE}", finished.stderr)

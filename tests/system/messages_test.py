@@ -9,7 +9,20 @@ import programs
 MANOEUVRES = ("j-turn-110", "j-turn-45", "straight", "slalom")
 
 
-class RsiSil(unittest.TestCase):
+class Messages(unittest.TestCase):
+    def assert_usage_error(self, finished, *words, help_of):
+        """Status 2, and on stderr one line with the cause, all of `words` in it, and one that leads to the help."""
+        self.assertEqual(finished.returncode, 2, finished.stderr)
+        self.assertEqual(finished.stdout, "")
+        lines = finished.stderr.splitlines()
+        self.assertEqual(len(lines), 2, finished.stderr)
+        self.assertTrue(lines[0].startswith(f"{help_of.split()[0]}: "), lines[0])
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual(lines[1], f"Try: {help_of} --help")
+
+
+class RsiSil(Messages):
     def run_straight(self, *options):
         with tempfile.TemporaryDirectory() as folder:
             return programs.run("rsi-sil", "run", "straight", "--vehicle", programs.VEHICLE, "--output", folder, *options)
@@ -25,37 +38,49 @@ class RsiSil(unittest.TestCase):
             finished = programs.run(
                 "rsi-sil", "run", "looping", "--vehicle", programs.VEHICLE, "--output", folder
             )
-        self.assertEqual(finished.returncode, 1)
-        for name in ("looping", *MANOEUVRES):
-            self.assertIn(name, finished.stderr)
+        self.assert_usage_error(finished, "looping", *MANOEUVRES, help_of="rsi-sil run")
+
+    def test_help_is_no_error(self):
+        for arguments in (("--help",), ("run", "--help")):
+            finished = programs.run("rsi-sil", *arguments)
+            self.assertEqual((finished.returncode, finished.stderr), (0, ""))
+            self.assertIn("--help", finished.stdout)
 
     def test_names_the_options_that_exist_when_it_does_not_know_one(self):
-        finished = self.run_straight("--looping")
-        self.assertNotEqual(finished.returncode, 0)
-        said = finished.stdout + finished.stderr
-        for name in ("--looping", "--interface", "--seed", "--lock-step", "--mirror", "--noise", "--duration"):
-            self.assertIn(name, said)
+        names = ("unknown option --looping", "--interface", "--seed", "--lock-step", "--mirror", "--noise", "--duration")
+        self.assert_usage_error(self.run_straight("--looping"), *names, help_of="rsi-sil run")
+        finished = programs.run("rsi-sil", "run", "--looping")
+        self.assert_usage_error(finished, *names, help_of="rsi-sil run")
 
     def test_names_the_commands_that_exist_when_it_does_not_know_one(self):
-        for arguments in ((), ("fly",)):
-            finished = programs.run("rsi-sil", *arguments)
-            self.assertNotEqual(finished.returncode, 0)
-            for name in ("list", "run", "timing"):
-                self.assertIn(name, finished.stdout + finished.stderr)
+        finished = programs.run("rsi-sil", "fly")
+        self.assert_usage_error(finished, "unknown command fly", "list", "run", "timing", help_of="rsi-sil")
 
-    def test_refuses_durations_that_are_no_positive_number(self):
-        for value in ("0", "-1", "nan", "inf", "ten"):
-            with self.subTest(value=value):
-                finished = self.run_straight("--duration", value)
-                self.assertNotEqual(finished.returncode, 0)
-                self.assertIn("--duration", finished.stdout + finished.stderr)
+    def test_names_the_commands_that_exist_when_there_is_none(self):
+        finished = programs.run("rsi-sil")
+        self.assert_usage_error(finished, "a command is missing", "list", "run", "timing", help_of="rsi-sil")
 
-    def test_refuses_seeds_that_are_no_natural_number(self):
-        for value in ("-1", "1.5", "one"):
-            with self.subTest(value=value):
-                finished = self.run_straight("--seed", value)
-                self.assertNotEqual(finished.returncode, 0)
-                self.assertIn("--seed", finished.stdout + finished.stderr)
+    def test_names_what_is_missing_or_too_much(self):
+        finished = programs.run("rsi-sil", "run", "straight", "--output", "anywhere")
+        self.assert_usage_error(finished, "--vehicle is required", help_of="rsi-sil run")
+        self.assert_usage_error(self.run_straight("slalom"), "slalom is one argument too many", help_of="rsi-sil run")
+        self.assert_usage_error(self.run_straight("--seed"), "option --seed needs one value", help_of="rsi-sil run")
+
+    def test_refuses_numbers_out_of_range_or_none(self):
+        for option, wanted, values in (
+            ("--duration", "wants a number from 0.01", ("0", "-1", "nan", "inf", "ten")),
+            ("--bias", "wants a number from -1", ("1.1", "-2", "nan", "little")),
+            ("--quantisation", "wants a number from 0 to 1", ("-0.1", "1.1", "nan", "little")),
+            (
+                "--seed",
+                "wants a whole number from 0 to 18446744073709551615",
+                ("-1", "1.5", "abc", "0x10", " 5", "18446744073709551616"),
+            ),
+        ):
+            for value in values:
+                with self.subTest(option=option, value=value):
+                    finished = self.run_straight(f"{option}={value}")
+                    self.assert_usage_error(finished, option, wanted, help_of="rsi-sil run")
 
     def test_names_a_vehicle_file_that_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -70,18 +95,39 @@ class RsiSil(unittest.TestCase):
         self.assertEqual(finished.returncode, 1)
         self.assertIn("/nowhere/candump.log", finished.stderr)
 
+    def timing_of(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            log = pathlib.Path(folder) / "candump.log"
+            log.write_text(text, encoding="ascii")
+            finished = programs.run("rsi-sil", "timing", log)
+        self.assertEqual(finished.stdout, "")
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn(f"{log}: ", finished.stderr)
+        return finished.stderr
 
-class RsiEcu(unittest.TestCase):
-    def test_asks_for_its_parameters(self):
-        finished = programs.run("rsi-ecu")
-        self.assertNotEqual(finished.returncode, 0)
-        self.assertIn("--parameters", finished.stdout + finished.stderr)
+    def test_tells_no_timing_of_a_log_without_warning_frames(self):
+        self.assertIn("0x0D0", self.timing_of("(1.000000) vcan0 120#00\n"))
+
+    def test_tells_no_timing_of_a_log_in_simulated_time(self):
+        text = "(0.000000) vcan0 7F0#00\n(0.000000) vcan0 0D0#00\n(0.010000) vcan0 0D0#00\n"
+        self.assertIn("no real times", self.timing_of(text))
+
+
+class RsiEcu(Messages):
+    def test_says_where_calibrations_are_when_it_has_none(self):
+        words = ("--parameters FILE is missing", "firmware/calibrations/large_suv.toml")
+        self.assertTrue(programs.CALIBRATION.match(words[1]))
+        self.assert_usage_error(programs.run("rsi-ecu"), *words, help_of="rsi-ecu")
+        finished = programs.run("rsi-ecu", "replay", "in.log", "--output", "out.log")
+        self.assert_usage_error(finished, *words, help_of="rsi-ecu replay")
 
     def test_names_the_options_that_exist_when_it_does_not_know_one(self):
         finished = programs.run("rsi-ecu", "--looping", "--parameters", programs.CALIBRATION)
-        self.assertNotEqual(finished.returncode, 0)
-        for name in ("--looping", "--interface", "--parameters", "--lock-step", "--priority", "--lock-memory"):
-            self.assertIn(name, finished.stdout + finished.stderr)
+        names = ("--looping", "--interface", "--parameters", "--lock-step", "--priority", "--lock-memory")
+        self.assert_usage_error(finished, *names, help_of="rsi-ecu")
+
+    def test_names_the_command_that_exists_when_it_does_not_know_one(self):
+        self.assert_usage_error(programs.run("rsi-ecu", "fly"), "unknown command fly", "replay", help_of="rsi-ecu")
 
     def test_names_a_parameter_file_that_is_missing(self):
         finished = programs.run("rsi-ecu", "--parameters", "/nowhere/calibration.toml")
@@ -109,6 +155,39 @@ class RsiEcu(unittest.TestCase):
             frames = programs.read_log(output)
         self.assertEqual(len(frames), 11 * 3)
         self.assertEqual({programs.state_of(data) for _, identifier, data in frames if identifier == "0D0"}, {0})
+
+    def replay(self, text):
+        """The error of a replay that must fail and leave no output; "LOG" stands for the log's path."""
+        with tempfile.TemporaryDirectory() as folder:
+            log, output = pathlib.Path(folder) / "in.log", pathlib.Path(folder) / "out.log"
+            log.write_text(text, encoding="ascii")
+            finished = programs.run(
+                "rsi-ecu", "replay", log, "--parameters", programs.CALIBRATION, "--output", output
+            )
+            self.assertFalse(output.exists())
+        self.assertEqual(finished.returncode, 1)
+        return finished.stderr.replace(str(log), "LOG")
+
+    def test_refuses_to_replay_a_log_without_sensor_frames(self):
+        self.assertIn("LOG: there is no sensor frame", self.replay("(1.000000) vcan0 0D0#00\n"))
+        self.assertIn("0x120, 0x121, 0x122", self.replay(""))
+
+    def test_names_file_and_line_where_the_time_of_a_log_goes_back(self):
+        said = self.replay("(3.000000) vcan0 120#00\n\n(1.000000) vcan0 120#00\n")
+        self.assertIn("LOG:3: the time goes back from 3.000000 s to 1.000000 s", said)
+
+    def test_refuses_to_write_the_answers_over_the_log(self):
+        text = "(1.000000) vcan0 120#0000000000000000\n"
+        with tempfile.TemporaryDirectory() as folder:
+            log, link = pathlib.Path(folder) / "in.log", pathlib.Path(folder) / "link.log"
+            log.write_text(text, encoding="ascii")
+            link.symlink_to(log)
+            for output in (log, link, f"{folder}/./in.log"):
+                finished = programs.run(
+                    "rsi-ecu", "replay", log, "--parameters", programs.CALIBRATION, "--output", output
+                )
+                self.assert_usage_error(finished, str(output), "choose another name", help_of="rsi-ecu replay")
+                self.assertEqual(log.read_text(encoding="ascii"), text)
 
     def test_names_file_line_and_column_of_a_wrong_log(self):
         with tempfile.TemporaryDirectory() as folder:
