@@ -7,35 +7,6 @@
 
 namespace testing_application {
 
-rsi::Parameters large_suv() {
-    rsi::Parameters parameters{};
-    parameters.sprung_mass_kg = 2060.0F;
-    parameters.sprung_cg_height_m = 0.988F;
-    parameters.track_width_m = 1.60F;
-    parameters.fixed_roll_centre_height_m = 0.281F;
-    parameters.roll_stiffness_nmprad = 96.0e3F;
-    parameters.roll_damping_nmsprad = 8000.0F;
-    parameters.angular_acceleration_lag_s = 0.02F;
-    parameters.forgetting_factor = 0.999F;
-    parameters.disturbance_cutoff_hz = 0.1F;
-    parameters.regression_scale_nm = 450.0F;
-    parameters.initial_roll_centre_deviation_m = 0.1F;
-    parameters.initial_stiffness_deviation_nmprad = 10.0e3F;
-    parameters.initial_damping_deviation_nmsprad = 1000.0F;
-    parameters.covariance_limit = 300.0F;
-    parameters.advisory_on = 0.9F;
-    parameters.advisory_off = 0.8F;
-    parameters.warning_on = 1.0F;
-    parameters.warning_off = 0.9F;
-    parameters.warning_confirmation_s = 0.02F;
-    parameters.advisory_hold_s = 0.5F;
-    parameters.warning_hold_s = 1.0F;
-    parameters.recovery_s = 0.1F;
-    parameters.estimator = RSI_ESTIMATOR_PUBLISHED;
-    parameters.warning_indicator = RSI_INDICATOR_PUBLISHED;
-    return parameters;
-}
-
 Bench::Bench(const rsi::Parameters& parameters, hal::Time ecu_delay)
     : ecu_delay_{ecu_delay}, answer_{ecu_.init(parameters)} {
     drive(Motion{});

@@ -13,6 +13,7 @@
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "tests/support/large_suv.h"
 
 namespace testing_application {
 
@@ -48,7 +49,9 @@ struct Cycle {
 };
 
 // The calibration of a large SUV, with the IMU at the centre of gravity.
-rsi::Parameters large_suv();
+inline rsi::Parameters large_suv() {
+    return rsi_test_large_suv();
+}
 
 // Sensor frames are sent every 10 ms, the ECU steps `ecu_delay` after them.
 class Bench {

@@ -1,8 +1,9 @@
-# Fails when an archive needs a symbol that is neither its own nor allowed.
-#   cmake -DNM=nm -DARCHIVE=librsi.a -P check_symbols.cmake
+# Fails when an archive, or several taken together, need a symbol that is neither their own nor allowed.
+#   cmake -DNM=nm -DARCHIVE=libapplication.a,librsi.a -P check_symbols.cmake
 set(allowed memcpy memset memmove _GLOBAL_OFFSET_TABLE_)
 
-execute_process(COMMAND ${NM} ${ARCHIVE} OUTPUT_VARIABLE listing RESULT_VARIABLE result)
+string(REPLACE "," ";" archives "${ARCHIVE}")
+execute_process(COMMAND ${NM} ${archives} OUTPUT_VARIABLE listing RESULT_VARIABLE result)
 if(NOT result EQUAL 0 OR listing STREQUAL "")
     message(FATAL_ERROR "${NM} cannot list ${ARCHIVE}")
 endif()

@@ -7,9 +7,12 @@
 
 namespace {
 
-// Levels: advisory on 0.8, off 0.7; warning on 1.0, off 0.9.
 rsi_parameters quick() {
     rsi_parameters parameters = rsi_test::large_suv();
+    parameters.advisory_on = 0.8F;
+    parameters.advisory_off = 0.7F;
+    parameters.warning_on = 1.0F;
+    parameters.warning_off = 0.9F;
     parameters.warning_confirmation_s = 0.0F;
     parameters.advisory_hold_s = 0.0F;
     parameters.warning_hold_s = 0.0F;
