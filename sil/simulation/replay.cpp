@@ -12,6 +12,10 @@
 namespace sil {
 namespace {
 
+// A longer silence is no drive, but two recordings on clocks of their own; stepping through it could take for
+// ever.
+constexpr hal::Time longest_gap = hal::Time::from_milliseconds(3'600'000);
+
 bool is_sensor_frame(const LoggedFrame& logged) {
     const auto& known = application::received_identifiers;
     return !logged.frame.extended &&
@@ -45,6 +49,13 @@ std::vector<hal::CanFrame> sensor_frames(const std::vector<LoggedFrame>& log) {
                 fmt::format("the time goes back from {:.6f} s to {:.6f} s; a replay needs one recording, in "
                             "the order of time",
                             seconds(frames.back().receive_time), seconds(time))};
+        }
+        if (!frames.empty() && longest_gap < time - frames.back().receive_time) {
+            throw ReplayError{
+                logged.line,
+                fmt::format(
+                    "a gap of {:.0f} s between two sensor frames; cut the recording in two before this line",
+                    seconds(time - frames.back().receive_time))};
         }
         frames.push_back(logged.frame);
     }

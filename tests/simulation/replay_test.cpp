@@ -77,6 +77,16 @@ TEST(AReplay, OfSensorFramesWhoseTimeGoesBackIsRefusedNamingTheLine) {
     }
 }
 
+TEST(AReplay, OfTwoRecordingsOnClocksOfTheirOwnIsRefusedNamingTheLine) {
+    try {
+        sil::replay({frame_at(0x120U, 10, 1U), frame_at(0x120U, 3'700'000, 5U)}, large_suv_calibration());
+        FAIL() << "accepted";
+    } catch (const sil::ReplayError& error) {
+        EXPECT_EQ(error.line(), 5U);
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("gap of 3700 s"));
+    }
+}
+
 TEST(AReplay, AcceptsEqualTimesAndDisorderedFramesThatAreNotForTheFirmware) {
     const std::vector<sil::LoggedFrame> log{frame_at(0x120U, 10, 1U), frame_at(0x121U, 10, 2U),
                                             frame_at(0x0D0U, 0, 3U), frame_at(0x120U, 20, 4U)};
