@@ -8,8 +8,8 @@ class Watchdog {
     Watchdog(const Watchdog&) = delete;
     Watchdog& operator=(const Watchdog&) = delete;
 
-    // Called once after each step that ran to its end. A step that finds its inputs or parameters bad has run to its
-    // end: it has said so on the bus, and a reset would not help.
+    // Called once after each step that ran to its end. A step that finds its inputs or parameters bad has run
+    // to its end: it has said so on the bus, and a reset would not help.
     virtual void feed() noexcept = 0;
 
  protected:
