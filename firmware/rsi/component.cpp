@@ -10,6 +10,19 @@ constexpr Outputs no_outputs{RSI_STATE_UNAVAILABLE, RSI_SIDE_NONE, not_available
                              not_available,         not_available, not_available, not_available,
                              not_available,         not_available, not_available, not_available};
 
+void write_measurement(const Measurement& measured, Outputs& outputs) {
+    outputs.lateral_acceleration_mps2 = measured.lateral_acceleration_mps2;
+    outputs.road_parallel_force_mps2 = measured.road_parallel_force_mps2;
+    outputs.road_normal_force_mps2 = measured.road_normal_force_mps2;
+}
+
+void write_estimate(const RollCentreEstimate& estimate, Outputs& outputs) {
+    outputs.roll_centre_vertical_m = estimate.vertical_movement_m;
+    outputs.roll_stiffness_deviation_nmprad = estimate.stiffness_deviation_nmprad;
+    outputs.roll_damping_deviation_nmsprad = estimate.damping_deviation_nmsprad;
+    outputs.disturbance_nm = estimate.disturbance_nm;
+}
+
 }  // namespace
 
 Validation Component::init(const Parameters& parameters) {
@@ -51,22 +64,19 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
 
+    write_measurement(measured, outputs);
+    write_estimate(estimate, outputs);
     outputs.rsi = normalised_indicator(measured, threshold);
     outputs.rsi_bank_free = bank_free_indicator(measured, threshold);
-    outputs.lateral_acceleration_mps2 = measured.lateral_acceleration_mps2;
     outputs.lateral_acceleration_threshold_mps2 = threshold.lateral_acceleration_mps2;
-    outputs.road_parallel_force_mps2 = measured.road_parallel_force_mps2;
-    outputs.road_normal_force_mps2 = measured.road_normal_force_mps2;
+    outputs.roll_centre_lateral_m = c_rc;
+    outputs.additional_roll_moment_nm = M_add;
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
-    outputs.additional_roll_moment_nm = M_add;
-    outputs.roll_centre_vertical_m = estimate.vertical_movement_m;
-    outputs.roll_centre_lateral_m = c_rc;
-    outputs.roll_stiffness_deviation_nmprad = estimate.stiffness_deviation_nmprad;
-    outputs.roll_damping_deviation_nmsprad = estimate.damping_deviation_nmsprad;
-    outputs.disturbance_nm = estimate.disturbance_nm;
 
-    warning_.update(risk_level(measured, threshold, outputs));
+    const float falling_side = (measured.roll_angle_rad < 0.0F) ? -1.0F : 1.0F;
+    warning_.update(overturned ? RiskLevel{parameters_.warning_on, falling_side}
+                               : risk_level(threshold, outputs));
     outputs.state = warning_.state();
     outputs.side = warning_.side();
 
@@ -87,11 +97,7 @@ void Component::resume(const Measurement& measured) {
     running_ = true;
 }
 
-RiskLevel Component::risk_level(const Measurement& measured, const StabilityThreshold& threshold,
-                                const Outputs& outputs) const {
-    if (has_overturned(measured, parameters_)) {
-        return RiskLevel{parameters_.warning_on, (measured.roll_angle_rad < 0.0F) ? -1.0F : 1.0F};
-    }
+RiskLevel Component::risk_level(const StabilityThreshold& threshold, const Outputs& outputs) const {
     const bool bank_free = (parameters_.warning_indicator == RSI_INDICATOR_BANK_FREE);
     return RiskLevel{bank_free ? outputs.rsi_bank_free : outputs.rsi, threshold.side};
 }

@@ -24,8 +24,7 @@ class Component {
  private:
     void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
-    RiskLevel risk_level(const Measurement& measured, const StabilityThreshold& threshold,
-                         const Outputs& outputs) const;
+    RiskLevel risk_level(const StabilityThreshold& threshold, const Outputs& outputs) const;
 
     bool initialised_{false};
     bool running_{false};  // false until the first good sample after init, a gap or an overturn

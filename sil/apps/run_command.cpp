@@ -21,8 +21,6 @@
 namespace sil {
 namespace {
 
-constexpr hal::Time longest_wait_for_ecu = hal::Time::from_milliseconds(5000);
-
 void open_or_throw(hal::SocketCanBus& socket, const std::string& interface) {
     hal::SocketCanSettings settings;
     settings.interface_name = interface.c_str();
@@ -32,40 +30,38 @@ void open_or_throw(hal::SocketCanBus& socket, const std::string& interface) {
     }
 }
 
-// In real time the ECU sends its status every cycle by itself; without it a run would only show that nobody
-// answers.
-void wait_for_ecu(hal::SocketCanBus& socket, const std::string& interface) {
+// Whether an ECU sends its status frame within `longest`.
+bool hears_ecu(hal::SocketCanBus& socket, hal::Time longest) {
     hal::SteadyClock clock;
-    const hal::Time deadline = clock.now() + longest_wait_for_ecu;
+    const hal::Time deadline = clock.now() + longest;
     hal::CanFrame frame;
     while (clock.now() < deadline && socket.wait_for_frame(deadline - clock.now())) {
         while (socket.receive(frame) == hal::ReceiveResult::frame) {
             if (frame.identifier == can_dbc::RolloverStatus::identifier) {
-                return;
+                return true;
             }
         }
     }
-    throw std::runtime_error(
-        fmt::format("no ECU is heard on {0}. Start one first: rsi-ecu --interface {0} --parameters FILE "
-                    "(without --lock-step)",
-                    interface));
+    return false;
+}
+
+// In real time the ECU sends by itself; without it a run would only show that nobody answers.
+void expect_real_time_ecu(hal::SocketCanBus& socket, const std::string& interface) {
+    if (!hears_ecu(socket, hal::Time::from_milliseconds(5000))) {
+        throw std::runtime_error(
+            fmt::format("no ECU is heard on {0}. Start one first: rsi-ecu --interface {0} --parameters FILE "
+                        "(without --lock-step)",
+                        interface));
+    }
 }
 
 // In lock-step the ECU speaks only when asked. One that sends by itself would be taken for one that answers.
-void refuse_real_time_ecu(hal::SocketCanBus& socket, const std::string& interface) {
-    hal::SteadyClock clock;
-    const hal::Time deadline = clock.now() + hal::Time::from_milliseconds(50);
-    hal::CanFrame frame;
-    while (clock.now() < deadline && socket.wait_for_frame(deadline - clock.now())) {
-        while (socket.receive(frame) == hal::ReceiveResult::frame) {
-            if (frame.identifier == can_dbc::RolloverStatus::identifier) {
-                throw std::runtime_error(
-                    fmt::format("an ECU is sending on {0} by itself. Start it for lock-step: rsi-ecu "
-                                "--lock-step --interface {0} "
-                                "--parameters FILE",
-                                interface));
-            }
-        }
+void expect_silent_ecu(hal::SocketCanBus& socket, const std::string& interface) {
+    if (hears_ecu(socket, hal::Time::from_milliseconds(50))) {
+        throw std::runtime_error(fmt::format(
+            "an ECU is sending on {0} by itself. Start it for lock-step: rsi-ecu --lock-step --interface {0} "
+            "--parameters FILE",
+            interface));
     }
 }
 
@@ -95,12 +91,12 @@ class Timing {
  public:
     Timing(const RunRequest& request, hal::SocketCanBus& socket) : socket_{socket} {
         if (request.lock_step) {
-            refuse_real_time_ecu(socket, request.interface);
+            expect_silent_ecu(socket, request.interface);
             log_.emplace(request.output / "candump.log");
             recorded_.emplace(socket, simulated_time_, *log_, request.interface);
             lock_step_.emplace(socket, *recorded_, simulated_time_);
         } else {
-            wait_for_ecu(socket, request.interface);
+            expect_real_time_ecu(socket, request.interface);
             real_time_.emplace();
         }
     }
