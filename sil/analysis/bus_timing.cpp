@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/analysis/sensor_frame.hpp"
 
 namespace sil {
 namespace {
@@ -15,11 +16,6 @@ constexpr double cycle_ms = 10.0;
 
 double milliseconds(hal::Time time) {
     return static_cast<double>(time.nanoseconds) * 1.0e-6;
-}
-
-bool is_sensor_frame(std::uint32_t identifier) {
-    return identifier == can_dbc::Imu::identifier || identifier == can_dbc::RollAngle::identifier ||
-           identifier == can_dbc::VehicleMotion::identifier;
 }
 
 // The value that `share` of the sorted values do not exceed.
@@ -62,7 +58,7 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
                 "times; "
                 "take one of a run in real time"};
         }
-        if (is_sensor_frame(logged.frame.identifier)) {
+        if (is_sensor_frame(logged.frame)) {
             last_sensor = time;
         } else if (logged.frame.identifier == can_dbc::RolloverWarning::identifier) {
             ++timing.warning_frames;

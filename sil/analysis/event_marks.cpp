@@ -7,12 +7,10 @@
 #include <optional>
 
 #include "sil/analysis/atomic_file.hpp"
+#include "sil/units.hpp"
 
 namespace sil {
 namespace {
-
-constexpr double g_mps2 = 9.80665;
-constexpr double deg_per_rad = 180.0 / 3.14159265358979323846;
 
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{:.9g}", value) : "NaN";
@@ -24,7 +22,7 @@ std::string assignments(const char* name, const std::optional<EventMoment>& even
     }
     return fmt::format("{0}_time_s = {1}\n{0}_ay_g = {2}\n{0}_roll_deg = {3}\n", name, number(event->time_s),
                        number(event->lateral_acceleration_mps2 / g_mps2),
-                       number(event->roll_angle_rad * deg_per_rad));
+                       number(event->roll_angle_rad * degrees_per_radian));
 }
 
 // In gnuplot's single quotes only the quote itself is special.

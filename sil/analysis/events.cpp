@@ -1,13 +1,12 @@
 // EventObserver: first lift-offs, first crossing of the SSF, first warning.
 #include "sil/analysis/events.hpp"
+#include "sil/units.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sil {
 namespace {
-
-constexpr double g_mps2 = 9.80665;
 
 bool has_lifted(const Truth& truth, Wheel wheel) {
     return truth.wheel_load_n[static_cast<std::size_t>(wheel)] <= 0.0;

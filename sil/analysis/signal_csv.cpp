@@ -1,5 +1,6 @@
 // SignalCsvWriter: the table of columns and their formatting.
 #include "sil/analysis/signal_csv.hpp"
+#include "sil/units.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +13,6 @@
 
 namespace sil {
 namespace {
-
-constexpr double deg_per_rad = 180.0 / 3.14159265358979323846;
 
 struct Row {
     const Truth& truth;
@@ -30,21 +29,21 @@ struct NumberColumn {
 constexpr NumberColumn number_columns[] = {
     {"time_s", [](const Row& row) { return row.truth.time_s; }},
 
-    {"true_steering_wheel_angle_deg", [](const Row& row) { return row.truth.steering_wheel_angle_rad * deg_per_rad; }},
-    {"true_road_wheel_angle_deg", [](const Row& row) { return row.truth.road_wheel_angle_rad * deg_per_rad; }},
+    {"true_steering_wheel_angle_deg", [](const Row& row) { return row.truth.steering_wheel_angle_rad * degrees_per_radian; }},
+    {"true_road_wheel_angle_deg", [](const Row& row) { return row.truth.road_wheel_angle_rad * degrees_per_radian; }},
     {"true_position_x_m", [](const Row& row) { return row.truth.position_x_m; }},
     {"true_position_y_m", [](const Row& row) { return row.truth.position_y_m; }},
     {"true_position_z_m", [](const Row& row) { return row.truth.position_z_m; }},
-    {"true_yaw_angle_deg", [](const Row& row) { return row.truth.yaw_angle_rad * deg_per_rad; }},
+    {"true_yaw_angle_deg", [](const Row& row) { return row.truth.yaw_angle_rad * degrees_per_radian; }},
     {"true_speed_mps", [](const Row& row) { return row.truth.speed_mps; }},
     {"true_lateral_velocity_mps", [](const Row& row) { return row.truth.lateral_velocity_mps; }},
-    {"true_roll_angle_deg", [](const Row& row) { return row.truth.roll_angle_rad * deg_per_rad; }},
-    {"true_roll_to_horizon_deg", [](const Row& row) { return row.truth.roll_to_horizon_rad * deg_per_rad; }},
-    {"true_pitch_angle_deg", [](const Row& row) { return row.truth.pitch_angle_rad * deg_per_rad; }},
-    {"true_bank_angle_deg", [](const Row& row) { return row.truth.bank_angle_rad * deg_per_rad; }},
-    {"true_roll_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[0] * deg_per_rad; }},
-    {"true_pitch_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[1] * deg_per_rad; }},
-    {"true_yaw_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[2] * deg_per_rad; }},
+    {"true_roll_angle_deg", [](const Row& row) { return row.truth.roll_angle_rad * degrees_per_radian; }},
+    {"true_roll_to_horizon_deg", [](const Row& row) { return row.truth.roll_to_horizon_rad * degrees_per_radian; }},
+    {"true_pitch_angle_deg", [](const Row& row) { return row.truth.pitch_angle_rad * degrees_per_radian; }},
+    {"true_bank_angle_deg", [](const Row& row) { return row.truth.bank_angle_rad * degrees_per_radian; }},
+    {"true_roll_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[0] * degrees_per_radian; }},
+    {"true_pitch_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[1] * degrees_per_radian; }},
+    {"true_yaw_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[2] * degrees_per_radian; }},
     {"true_longitudinal_specific_force_mps2", [](const Row& row) { return row.truth.specific_force_mps2[0]; }},
     {"true_lateral_specific_force_mps2", [](const Row& row) { return row.truth.specific_force_mps2[1]; }},
     {"true_vertical_specific_force_mps2", [](const Row& row) { return row.truth.specific_force_mps2[2]; }},
@@ -67,12 +66,12 @@ constexpr NumberColumn number_columns[] = {
 
     {"sensor_lateral_acceleration_mps2", [](const Row& row) { return row.sample.lateral_acceleration_mps2; }},
     {"sensor_vertical_acceleration_mps2", [](const Row& row) { return row.sample.vertical_acceleration_mps2; }},
-    {"sensor_roll_rate_degps", [](const Row& row) { return row.sample.roll_rate_radps * deg_per_rad; }},
-    {"sensor_roll_angle_deg", [](const Row& row) { return row.sample.roll_angle_rad * deg_per_rad; }},
-    {"sensor_bank_angle_deg", [](const Row& row) { return row.sample.bank_angle_rad * deg_per_rad; }},
+    {"sensor_roll_rate_degps", [](const Row& row) { return row.sample.roll_rate_radps * degrees_per_radian; }},
+    {"sensor_roll_angle_deg", [](const Row& row) { return row.sample.roll_angle_rad * degrees_per_radian; }},
+    {"sensor_bank_angle_deg", [](const Row& row) { return row.sample.bank_angle_rad * degrees_per_radian; }},
     {"sensor_speed_mps", [](const Row& row) { return row.sample.speed_mps; }},
-    {"sensor_yaw_rate_degps", [](const Row& row) { return row.sample.yaw_rate_radps * deg_per_rad; }},
-    {"sensor_steering_wheel_angle_deg", [](const Row& row) { return row.sample.steering_wheel_angle_rad * deg_per_rad; }},
+    {"sensor_yaw_rate_degps", [](const Row& row) { return row.sample.yaw_rate_radps * degrees_per_radian; }},
+    {"sensor_steering_wheel_angle_deg", [](const Row& row) { return row.sample.steering_wheel_angle_rad * degrees_per_radian; }},
 
     {"ecu_state_number", [](const Row& row) { return static_cast<double>(row.output.state); }},
     {"ecu_roll_stability_indicator", [](const Row& row) { return row.output.roll_stability_indicator; }},

@@ -6,14 +6,12 @@
 #include <optional>
 
 #include "sil/analysis/atomic_file.hpp"
+#include "sil/units.hpp"
 
 namespace sil {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double g_mps2 = 9.80665;
-constexpr double deg_per_rad = 180.0 / 3.14159265358979323846;
 
 // Floating-point sums leave 2.0520000000000005 where 2.052 is meant; nobody needs more than a nanounit.
 Json number(double value) {
@@ -73,7 +71,7 @@ std::string summary_json(const Summary& summary) {
     json["ssf_crossing_time_s"] = time_of(events.ssf_crossing);
     json["lead_time_s"] = number(events.lead_time_s());
     json["max_ay_g"] = number(events.largest_lateral_acceleration_mps2 / g_mps2);
-    json["final_roll_deg"] = number(events.final_roll_angle_rad * deg_per_rad);
+    json["final_roll_deg"] = number(events.final_roll_angle_rad * degrees_per_radian);
     json["frames_sent"] = summary.frames_sent;
     json["frames_received"] = summary.frames_received;
     // Names come from the command line: bytes that are not UTF-8 are replaced and never thrown about.

@@ -1,4 +1,5 @@
 #include "sil/apps/account.hpp"
+#include "sil/units.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +12,6 @@
 namespace sil {
 namespace {
 
-constexpr double g_mps2 = 9.80665;
-constexpr double degrees_per_radian = 57.295779513082321;
 constexpr double line_interval_s = 0.5;
 
 void print_line(const std::string& line) {

@@ -16,11 +16,11 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/simulation/lock_step_receiver.hpp"
+#include "sil/simulation/pace.hpp"
 
 namespace sil {
 namespace {
 
-constexpr hal::Time period = hal::Time::from_milliseconds(10);
 constexpr hal::Time watchdog_limit = hal::Time::from_milliseconds(500);
 
 void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
@@ -80,7 +80,7 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
         throw std::runtime_error(real_time.message());
     }
     say_listening(request);
-    hal::PeriodicTick<hal::SteadyClock> tick{clock, period};
+    hal::PeriodicTick<hal::SteadyClock> tick{clock, cycle_time};
     while (end_requested == 0) {
         ecu.step(tick.wait());
         if (watchdog.expired()) {

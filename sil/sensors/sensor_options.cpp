@@ -1,10 +1,10 @@
 // SensorOptions: the preset of ordinary automotive sensors.
 #include "sil/sensors/sensor_options.hpp"
+#include "sil/units.hpp"
 
 namespace sil {
 namespace {
 
-constexpr double g_mps2 = 9.80665;
 constexpr double rad_per_deg = 3.14159265358979323846 / 180.0;
 constexpr double mps_per_kmph = 1.0 / 3.6;
 

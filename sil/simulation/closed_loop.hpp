@@ -13,7 +13,7 @@
 
 namespace sil {
 
-// Sees each cycle of a run.
+// Sees each cycle of a run; this one looks away.
 class RunObserver {
  public:
     RunObserver() = default;
@@ -21,8 +21,8 @@ class RunObserver {
     RunObserver& operator=(const RunObserver&) = delete;
     virtual ~RunObserver() = default;
 
-    virtual void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
-                       const RunEvents& events) = 0;
+    virtual void cycle(const Truth& /*truth*/, const SensorSample& /*sample*/, const EcuFrames& /*ecu*/,
+                       const RunEvents& /*events*/) {}
 };
 
 class ClosedLoop {

@@ -9,6 +9,7 @@
 #include "hal/memory/frame_ring.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/simulation/pace.hpp"
 
 namespace sil {
 
@@ -56,7 +57,7 @@ class LockStepReceiver final : public hal::CanBus {
             origin_ = clock_.now();
         }
         previous_number_ = number;
-        clock_.set(origin_ + hal::Time{number * hal::Time::from_milliseconds(10).nanoseconds});
+        clock_.set(origin_ + hal::Time{number * cycle_time.nanoseconds});
     }
 
     hal::SocketCanBus& socket_;

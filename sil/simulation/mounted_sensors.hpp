@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "sil/sensors/sensor_options.hpp"
+#include "sil/units.hpp"
 #include "sil/vehicle/parameters.hpp"
 
 namespace sil {
@@ -17,7 +18,6 @@ struct SensorFlaws {
 };
 
 inline SensorOptions mounted_sensors(const VehicleParameters& vehicle, const SensorFlaws& flaws) {
-    constexpr double g_mps2 = 9.80665;
     SensorOptions options = flaws.noise ? noisy_sensors(flaws.seed) : SensorOptions{};
     options.imu.position = {vehicle.imu_mount.x_m, vehicle.imu_mount.y_m, vehicle.imu_mount.z_m};
     for (ChannelOptions* channel :

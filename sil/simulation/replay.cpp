@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "application/sensor_reception.hpp"
 #include "hal/memory/frame_replay.hpp"
+#include "sil/analysis/sensor_frame.hpp"
 #include "sil/simulation/in_process_ecu.hpp"
 #include "sil/simulation/pace.hpp"
 
@@ -15,12 +14,6 @@ namespace {
 // A longer silence is no drive, but two recordings on clocks of their own; stepping through it could take for
 // ever.
 constexpr hal::Time longest_gap = hal::Time::from_milliseconds(3'600'000);
-
-bool is_sensor_frame(const LoggedFrame& logged) {
-    const auto& known = application::received_identifiers;
-    return !logged.frame.extended &&
-           std::find(known.begin(), known.end(), logged.frame.identifier) != known.end();
-}
 
 double seconds(hal::Time time) {
     return static_cast<double>(time.nanoseconds) * 1.0e-9;
@@ -39,7 +32,7 @@ double seconds(hal::Time time) {
 std::vector<hal::CanFrame> sensor_frames(const std::vector<LoggedFrame>& log) {
     std::vector<hal::CanFrame> frames;
     for (const LoggedFrame& logged : log) {
-        if (!is_sensor_frame(logged)) {
+        if (!is_sensor_frame(logged.frame)) {
             continue;
         }
         const hal::Time time = logged.frame.receive_time;

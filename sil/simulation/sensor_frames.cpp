@@ -1,14 +1,13 @@
 #include "sil/simulation/sensor_frames.hpp"
+#include "sil/units.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace sil {
 namespace {
 
-constexpr double degrees_per_radian = 57.295779513082321;
 constexpr double kmh_per_mps = 3.6;
 
 float to_degrees(double radians) {
@@ -34,9 +33,7 @@ void SensorFrames::send_protected(hal::CanBus& bus, const Message& message,
                                   can_dbc::e2e::Profile11Sender& sender) {
     auto payload = can_dbc::encode(message);
     sender.protect(payload);
-    hal::CanFrame frame = to_frame(message);
-    std::copy(payload.begin(), payload.end(), frame.data.begin());
-    send_or_throw(bus, frame);
+    send_or_throw(bus, to_frame<Message>(payload));
     ++frames_sent_;
 }
 
@@ -60,7 +57,8 @@ void SensorFrames::send(hal::CanBus& bus, const SensorSample& sample) {
 }
 
 void SensorFrames::send_sync(hal::CanBus& bus, std::uint32_t cycle_number) {
-    send_or_throw(bus, to_frame(can_dbc::SimulationSync{cycle_number}));
+    send_or_throw(bus,
+                  to_frame<can_dbc::SimulationSync>(can_dbc::encode(can_dbc::SimulationSync{cycle_number})));
 }
 
 }  // namespace sil

@@ -1,6 +1,8 @@
 // Sensor frames: what the car's sensors put on the bus, protected end to end.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "can_dbc/e2e/profile_11.hpp"
@@ -10,14 +12,13 @@
 
 namespace sil {
 
-// An unprotected classic frame with this message's identifier and payload.
+// A classic frame with this message's identifier and an encoded payload.
 template <typename Message>
-hal::CanFrame to_frame(const Message& message) {
+hal::CanFrame to_frame(const std::array<std::uint8_t, Message::length>& payload) {
     hal::CanFrame frame;
     frame.identifier = Message::identifier;
     frame.extended = Message::extended;
     frame.length = Message::length;
-    const auto payload = can_dbc::encode(message);
     std::copy(payload.begin(), payload.end(), frame.data.begin());
     return frame;
 }

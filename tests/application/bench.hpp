@@ -48,6 +48,11 @@ struct Cycle {
     can_dbc::RolloverWarning::State state() const { return warning.value.state; }
 };
 
+// For tests that put an ECU on a bus of their own.
+struct NoWatchdog final : hal::Watchdog {
+    void feed() noexcept override {}
+};
+
 // The calibration of a large SUV, with the IMU at the centre of gravity.
 inline rsi::Parameters large_suv() {
     return rsi_test_large_suv();

@@ -199,10 +199,6 @@ class EndlessBus final : public hal::CanBus {
     std::uint32_t sent{0U};
 };
 
-struct NoWatchdog final : hal::Watchdog {
-    void feed() noexcept override {}
-};
-
 TEST(ForeignFrames, WithoutEndAreLeftWaitingAfterABoundedNumber) {
     EndlessBus bus;
     const hal::VirtualClock clock;

@@ -76,10 +76,6 @@ class RefusingBus final : public hal::CanBus {
     std::uint32_t failures_{0U};
 };
 
-struct NoWatchdog final : hal::Watchdog {
-    void feed() noexcept override {}
-};
-
 TEST(ARefusedFrame, IsABusErrorInTheNextStatus) {
     RefusingBus bus;
     const hal::VirtualClock clock;

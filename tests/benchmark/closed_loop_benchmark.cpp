@@ -11,12 +11,6 @@
 
 namespace {
 
-class NoObserver final : public sil::RunObserver {
- public:
-    void cycle(const sil::Truth&, const sil::SensorSample&, const sil::EcuFrames&,
-               const sil::RunEvents&) override {}
-};
-
 // One iteration is one whole run; steps of 1 ms, cycles of 10 ms.
 void drive(benchmark::State& state, const char* name, bool noise) {
     const sil::VehicleParameters vehicle = sil::load_vehicle(RSI_SOURCE_DIR "/sil/vehicles/large_suv.toml");
@@ -30,8 +24,8 @@ void drive(benchmark::State& state, const char* name, bool noise) {
         sil::InProcessEcu ecu{calibration};
         sil::InProcessPace pace{ecu};
         sil::ClosedLoop loop{plant, sensors, ecu.world_bus(), pace};
-        NoObserver observer;
-        loop.run(observer);
+        sil::RunObserver nobody;
+        loop.run(nobody);
         simulated_s += plant.truth().time_s;
         benchmark::DoNotOptimize(loop.events());
     }

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "application/sensor_reception.hpp"
 #include "sil/analysis/candump_compare.hpp"
 #include "sil/analysis/candump_log.hpp"
 #include "sil/analysis/frame_description.hpp"
+#include "sil/analysis/sensor_frame.hpp"
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
 #include "sil/simulation/closed_loop.hpp"
@@ -75,12 +75,6 @@ void renew(const Request& request) {
     write_log(ecu_log(request), answers(request));
 }
 
-class NoObserver final : public sil::RunObserver {
- public:
-    void cycle(const sil::Truth&, const sil::SensorSample&, const sil::EcuFrames&,
-               const sil::RunEvents&) override {}
-};
-
 void drive(const Request& request, sil::CandumpLogWriter& log) {
     sil::RunOptions options;
     options.mirrored = request.mirrored;
@@ -91,8 +85,8 @@ void drive(const Request& request, sil::CandumpLogWriter& log) {
     sil::InProcessEcu ecu{sil::load_calibration(request.parameters)};
     sil::RecordedBus bus{ecu.world_bus(), ecu.clock(), log, "vcan0"};
     sil::InProcessPace pace{ecu};
-    NoObserver observer;
-    sil::ClosedLoop{plant, sensors, bus, pace}.run(observer);
+    sil::RunObserver nobody;
+    sil::ClosedLoop{plant, sensors, bus, pace}.run(nobody);
 }
 
 // Keeps what the simulated sensors send; the answers come from a replay, as they will in every check.
@@ -101,13 +95,10 @@ void record(const Request& request) {
     drive(request, whole);
     whole.close();
     std::vector<sil::LoggedFrame> frames = sil::read_candump_log(sensor_log(request));
-    const auto& received = application::received_identifiers;
-    frames.erase(std::remove_if(frames.begin(), frames.end(),
-                                [&](const sil::LoggedFrame& logged) {
-                                    return std::find(received.begin(), received.end(),
-                                                     logged.frame.identifier) == received.end();
-                                }),
-                 frames.end());
+    frames.erase(
+        std::remove_if(frames.begin(), frames.end(),
+                       [](const sil::LoggedFrame& logged) { return !sil::is_sensor_frame(logged.frame); }),
+        frames.end());
     write_log(sensor_log(request), frames);
     renew(request);
 }

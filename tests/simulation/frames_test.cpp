@@ -103,7 +103,7 @@ class EcuFrames : public ::testing::Test {
  protected:
     template <typename Message>
     static hal::CanFrame frame_of(const Message& message, unsigned counter) {
-        hal::CanFrame frame = sil::to_frame(message);
+        hal::CanFrame frame = sil::to_frame<Message>(can_dbc::encode(message));
         protect(frame, Message::e2e_data_id, counter);
         return frame;
     }

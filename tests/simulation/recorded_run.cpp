@@ -1,8 +1,6 @@
 #include "tests/simulation/recorded_run.hpp"
 
-#include <algorithm>
-
-#include "application/sensor_reception.hpp"
+#include "sil/analysis/sensor_frame.hpp"
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
 #include "sil/simulation/closed_loop.hpp"
@@ -75,10 +73,9 @@ RecordedRun run_and_record(const sil::Manoeuvre& manoeuvre, const RunSettings& s
 }
 
 std::vector<std::string> ecu_payloads(const std::vector<sil::LoggedFrame>& log) {
-    const auto& sensors = application::received_identifiers;
     std::vector<std::string> lines;
     for (sil::LoggedFrame logged : log) {
-        if (std::find(sensors.begin(), sensors.end(), logged.frame.identifier) == sensors.end()) {
+        if (!sil::is_sensor_frame(logged.frame)) {
             logged.frame.receive_time = {};
             lines.push_back(sil::format_candump_line(logged));
         }

@@ -1,0 +1,9 @@
+// Units: the factors between SI and what people read.
+#pragma once
+
+namespace sil {
+
+inline constexpr double g_mps2 = 9.80665;
+inline constexpr double degrees_per_radian = 180.0 / 3.14159265358979323846;
+
+}  // namespace sil
