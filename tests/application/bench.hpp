@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <ostream>
@@ -37,7 +38,10 @@ struct Motion {
     can_dbc::VehicleMotion vehicle_motion{80.0F, 0.0F, 0.0F};
 };
 
-// The three frames that the ECU sends in one cycle, as they came and decoded.
+// How many frames the ECU sends in one cycle.
+inline constexpr std::size_t frames_per_cycle = 6U;
+
+// They, as they came; those that matter here decoded.
 struct Cycle {
     hal::Time time{};
     std::vector<hal::CanFrame> frames{};

@@ -170,7 +170,7 @@ TEST(ForeignFrames, InAFloodDoNotStopTheCycle) {
         bench.run_cycles(1);
     }
     for (std::size_t index = from; index < bench.cycles().size(); ++index) {
-        ASSERT_EQ(bench.cycles()[index].frames.size(), 3U);
+        ASSERT_EQ(bench.cycles()[index].frames.size(), frames_per_cycle);
     }
     // The controller has lost frames, the sensors' among them: no statement is better than an old one.
     EXPECT_TRUE(bench.status().receive_overflow);
@@ -207,7 +207,7 @@ TEST(ForeignFrames, WithoutEndAreLeftWaitingAfterABoundedNumber) {
     ecu.init(large_suv());
     ecu.step(0U);
     EXPECT_LE(bus.received, 256U);
-    EXPECT_EQ(bus.sent, 3U);
+    EXPECT_EQ(bus.sent, frames_per_cycle);
 }
 
 // 500 kbit/s carry 45 frames of eight bytes in 10 ms.

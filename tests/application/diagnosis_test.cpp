@@ -20,7 +20,7 @@ TEST(RefusedParameters, AreAnsweredByNameAndLeaveTheEcuUnavailableWithItsFlagInE
     EXPECT_STREQ(bench.parameters_answer().field, "track_width_m");
     bench.run_for(2.0);
     for (const Cycle& cycle : bench.cycles()) {
-        ASSERT_EQ(cycle.frames.size(), 3U);
+        ASSERT_EQ(cycle.frames.size(), frames_per_cycle);
         ASSERT_EQ(cycle.state(), State::unavailable);
         ASSERT_TRUE(cycle.status.value.parameters_invalid);
         ASSERT_EQ(cycle.warning.status.roll_stability_indicator, can_dbc::SignalStatus::not_available);
@@ -153,7 +153,7 @@ TEST_P(DeadBus, EndsInUnavailableUntilTheSensorsAreHeardAgain) {
     bench.set_bus_state(hal::BusState::error_active);
     bench.run_cycles(1);
     EXPECT_EQ(bench.watchdog_feeds(), feeds + 1);
-    EXPECT_EQ(bench.last().frames.size(), 3U);
+    EXPECT_EQ(bench.last().frames.size(), frames_per_cycle);
     EXPECT_EQ(bench.state(), State::unavailable);
     bench.run_for(0.2);
     EXPECT_EQ(bench.state(), State::ready);

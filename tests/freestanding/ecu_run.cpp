@@ -11,20 +11,21 @@
 
 namespace {
 
-constexpr unsigned frames_per_cycle = 3U;
+constexpr unsigned sensor_frames = 3U;
+constexpr unsigned ecu_frames = 6U;
 
-// Three frames towards the ECU, three from it; the test refills and reads them between two cycles.
+// The frames of one cycle; the test refills and reads them between two cycles.
 class Bus final : public hal::CanBus {
  public:
     hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
-        if (taken_ == frames_per_cycle) {
+        if (taken_ == sensor_frames) {
             return hal::ReceiveResult::empty;
         }
         frame = to_ecu[taken_++];
         return hal::ReceiveResult::frame;
     }
     hal::SendResult send(const hal::CanFrame& frame) noexcept override {
-        if (sent_ == frames_per_cycle) {
+        if (sent_ == ecu_frames) {
             return hal::SendResult::full;
         }
         from_ecu[sent_++] = frame;
@@ -39,8 +40,8 @@ class Bus final : public hal::CanBus {
     }
     unsigned sent() const { return sent_; }
 
-    hal::CanFrame to_ecu[frames_per_cycle]{};
-    hal::CanFrame from_ecu[frames_per_cycle]{};
+    hal::CanFrame to_ecu[sensor_frames]{};
+    hal::CanFrame from_ecu[ecu_frames]{};
 
  private:
     unsigned taken_{0U};
@@ -105,9 +106,12 @@ struct World {
     SensorLine<can_dbc::VehicleMotion> vehicle_motion{};
     Ear<can_dbc::RolloverWarning> warning{};
     Ear<can_dbc::RollCentreEstimate> estimate{};
+    Ear<can_dbc::RollIndicesAhead> indices_ahead{};
+    Ear<can_dbc::RollIndicesClassic> indices_classic{};
+    Ear<can_dbc::RollObserver> observer{};
     Ear<can_dbc::RolloverStatus> status{};
 
-    // One cycle; whether the ECU sent its three frames as it should.
+    // One cycle; whether the ECU sent its frames as it should.
     bool cycle(float lateral_acceleration_mps2, float roll_angle_deg) {
         clock.time = clock.time + hal::Time::from_milliseconds(10);
         bus.begin_cycle();
@@ -115,8 +119,10 @@ struct World {
         roll_angle.put({roll_angle_deg, can_dbc::not_available}, clock.time, bus.to_ecu[1]);
         vehicle_motion.put({80.0F, 0.0F, 0.0F}, clock.time, bus.to_ecu[2]);
         ecu.step(0U);
-        return (bus.sent() == frames_per_cycle) && warning.hear(bus.from_ecu[0]) &&
-               estimate.hear(bus.from_ecu[1]) && status.hear(bus.from_ecu[2]);
+        return (bus.sent() == ecu_frames) && warning.hear(bus.from_ecu[0]) &&
+               estimate.hear(bus.from_ecu[1]) && indices_ahead.hear(bus.from_ecu[2]) &&
+               indices_classic.hear(bus.from_ecu[3]) && observer.hear(bus.from_ecu[4]) &&
+               status.hear(bus.from_ecu[5]);
     }
 
     bool drive(int cycles, float lateral_acceleration_mps2, float roll_angle_deg) {

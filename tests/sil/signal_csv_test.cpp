@@ -42,7 +42,21 @@ std::string field(const std::string& row, const std::string& column) {
 
 TEST(SignalCsv, EveryColumnHasANameOfItsOwnAndAUnitOrNeedsNone) {
     const std::set<std::string> units{"s", "m", "mps", "mps2", "deg", "degps", "n", "nmprad", "nmsprad"};
-    const std::set<std::string> without_unit{"ecu_state_number", "ecu_roll_stability_indicator", "ecu_state",
+    const std::set<std::string> without_unit{"ecu_state_number",
+                                             "ecu_roll_stability_indicator",
+                                             "ecu_predicted_load_transfer_ratio",
+                                             "ecu_predicted_rsi",
+                                             "ecu_load_transfer_ratio",
+                                             "ecu_extended_rsi",
+                                             "ecu_published_rsi",
+                                             "ecu_bank_free_rsi",
+                                             "ecu_dynamic_stability_index",
+                                             "ecu_energy_margin",
+                                             "ecu_rollover_index",
+                                             "ecu_roll_source_number",
+                                             "ecu_roll_sensor_disagrees",
+                                             "ecu_estimate_frozen",
+                                             "ecu_state",
                                              "ecu_side"};
     const std::vector<std::string> names = sil::signal_csv_columns();
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
