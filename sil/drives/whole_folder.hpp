@@ -1,0 +1,31 @@
+// Whole folder: a folder of results that appears complete or not at all.
+#pragma once
+
+#include <filesystem>
+
+namespace sil {
+
+// Results are written into a folder NAME.partial beside the one that is meant; commit() gives it its name.
+// Without commit the destructor removes it. A folder that an earlier replay left under the name is removed at
+// the start, so that it cannot be taken for this one's.
+class WholeFolder {
+ public:
+    // `mark`: the file by which an earlier result is known. Throws std::runtime_error when the folder exists
+    // without it (then it is somebody else's) or cannot be made.
+    WholeFolder(std::filesystem::path folder, const char* mark);
+    ~WholeFolder();
+    WholeFolder(const WholeFolder&) = delete;
+    WholeFolder& operator=(const WholeFolder&) = delete;
+
+    // Where to write.
+    const std::filesystem::path& path() const { return partial_; }
+
+    // Throws std::runtime_error.
+    void commit();
+
+ private:
+    std::filesystem::path folder_;
+    std::filesystem::path partial_;
+};
+
+}  // namespace sil
