@@ -37,6 +37,12 @@ bool is_interrupted() {
     return interruption != 0;
 }
 
+const std::vector<std::string>& replay_contents() {
+    static const std::vector<std::string> names{"indices.csv",  "warnings.csv", "events.gp",
+                                                "summary.json", "replay.svg",   "replay.png"};
+    return names;
+}
+
 // The first line of a log begins with "(", no CSV header does.
 bool is_candump_log(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -112,7 +118,7 @@ class Replayer {
 
     DriveReplay replay_file(std::size_t index) {
         const std::filesystem::path& file = request_.files[index];
-        WholeFolder folder{request_.output / names_[index], "summary.json"};
+        WholeFolder folder{request_.output / names_[index], replay_contents()};
         ReplaySource source{names_[index], file.string(), "csv", request_.parameters.stem().string(), {}};
         DriveReplay replay;
         if (is_candump_log(file)) {

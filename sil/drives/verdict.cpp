@@ -1,6 +1,11 @@
 #include "sil/drives/verdict.hpp"
 
 namespace sil {
+namespace {
+
+constexpr double near_lift_ratio = 0.9;
+
+}  // namespace
 
 Verdict verdict(const DriveReplay& replay) {
     const RunEvents& events = replay.events;
@@ -16,7 +21,10 @@ Verdict verdict(const DriveReplay& replay) {
     if (!events.warning) {
         return Verdict::quiet;
     }
-    return events.one_wheel_lift ? Verdict::one_wheel_alarm : Verdict::false_alarm;
+    if (events.one_wheel_lift) {
+        return Verdict::one_wheel_alarm;
+    }
+    return replay.largest_load_transfer_ratio >= near_lift_ratio ? Verdict::near_alarm : Verdict::false_alarm;
 }
 
 const char* to_string(Verdict verdict) {
@@ -29,6 +37,8 @@ const char* to_string(Verdict verdict) {
             return "missed";
         case Verdict::one_wheel_alarm:
             return "one-wheel alarm";
+        case Verdict::near_alarm:
+            return "near alarm";
         case Verdict::false_alarm:
             return "false alarm";
         case Verdict::quiet:

@@ -10,7 +10,8 @@ enum class Verdict : unsigned char {
     late,             // two wheels lifted; the warning came with it or after
     missed,           // two wheels lifted without a warning
     one_wheel_alarm,  // a wheel lifted, but not two of a side; there was a warning
-    false_alarm,      // no wheel lifted; there was a warning
+    near_alarm,       // no wheel lifted, but the largest |LTR| reached 0.9; there was a warning
+    false_alarm,      // no wheel lifted; there was a warning, and |LTR| is below 0.9 or not known
     quiet,            // no two wheels lifted and no warning
     warning,          // there was a warning; whether wheels lifted is not known
     no_warning        // there was none; whether wheels lifted is not known

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -17,22 +18,34 @@ void expect(const std::error_code& error, const std::filesystem::path& path) {
     }
 }
 
+// An earlier result, and nothing else.
+void remove_earlier(const std::filesystem::path& folder, const std::vector<std::string>& contents) {
+    std::error_code error;
+    const std::filesystem::directory_iterator entries{folder, error};
+    expect(error, folder);
+    for (const std::filesystem::directory_entry& entry : entries) {
+        const std::string name = entry.path().filename().string();
+        if (std::find(contents.begin(), contents.end(), name) == contents.end()) {
+            throw std::runtime_error(fmt::format(
+                "{} is already there, and {} in it is no result of a replay; choose another --output, or "
+                "move it away",
+                folder.string(), name));
+        }
+    }
+    std::filesystem::remove_all(folder, error);
+    expect(error, folder);
+}
+
 }  // namespace
 
-WholeFolder::WholeFolder(std::filesystem::path folder, const char* mark) : folder_{std::move(folder)} {
-    partial_ = folder_;
-    partial_ += ".partial";
+WholeFolder::WholeFolder(std::filesystem::path folder, const std::vector<std::string>& contents)
+    : folder_{std::move(folder)} {
     std::error_code error;
     if (std::filesystem::exists(folder_, error)) {
-        if (!std::filesystem::exists(folder_ / mark, error) && !std::filesystem::is_empty(folder_, error)) {
-            throw std::runtime_error(
-                fmt::format("{} exists and is no result of a replay (there is no {} in it); choose another "
-                            "--output, or remove it",
-                            folder_.string(), mark));
-        }
-        std::filesystem::remove_all(folder_, error);
-        expect(error, folder_);
+        remove_earlier(folder_, contents);
     }
+    partial_ = folder_;
+    partial_ += ".partial";
     std::filesystem::remove_all(partial_, error);
     std::filesystem::create_directories(partial_, error);
     expect(error, partial_);

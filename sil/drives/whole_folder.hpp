@@ -2,17 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace sil {
 
 // Results are written into a folder NAME.partial beside the one that is meant; commit() gives it its name.
-// Without commit the destructor removes it. A folder that an earlier replay left under the name is removed at
-// the start, so that it cannot be taken for this one's.
+// Without commit the destructor removes it. What an earlier replay left under the name is removed at the
+// start, so that it cannot be taken for this one's.
 class WholeFolder {
  public:
-    // `mark`: the file by which an earlier result is known. Throws std::runtime_error when the folder exists
-    // without it (then it is somebody else's) or cannot be made.
-    WholeFolder(std::filesystem::path folder, const char* mark);
+    // `contents`: the files that a result may have. Throws std::runtime_error when the folder exists with
+    // anything else in it (then it is not, or not only, a result, and stays) or cannot be made.
+    WholeFolder(std::filesystem::path folder, const std::vector<std::string>& contents);
     ~WholeFolder();
     WholeFolder(const WholeFolder&) = delete;
     WholeFolder& operator=(const WholeFolder&) = delete;
