@@ -58,6 +58,20 @@ TEST_F(ReplayProgram, LeavesAFolderWithEveryResultAndATable) {
     EXPECT_THAT(out, testing::HasSubstr("1 drives: 1 "));
 }
 
+// Without a roll angle most of what is drawn can be missing.
+TEST_F(ReplayProgram, DrawsADriveThatLacksMostSignals) {
+    std::vector<std::string> lines{
+        "time_s,lateral_acceleration_mps2,roll_rate_degps,speed_mps,yaw_rate_degps"};
+    for (int index = 10; index < 60; ++index) {
+        lines.push_back("0." + std::to_string(index) + ",0.1,0,10,0");
+    }
+    write_text(path("bare.csv"), text_of_lines(lines));
+    ASSERT_EQ(replay("bare.csv", ""), 0) << err;
+    EXPECT_EQ(err, "[1/1] bare.csv\n");
+    EXPECT_THAT(text_of(results("bare") / "replay.svg"),
+                testing::HasSubstr("|LTR|, wheel loads: none"));
+}
+
 TEST_F(ReplayProgram, KnowsALogByItsContent) {
     static_cast<void>(testing_drives::record_drive(testing_drives::hard_turn(), 3.0, path(".")));
     fs::rename(path("candump.log"), path("log.csv"));
