@@ -41,7 +41,6 @@ class Recorder {
           events_{static_stability_factor(parameters)} {}
 
     InProcessEcu& ecu() { return ecu_; }
-    DriveReplay& result() { return result_; }
 
     // After the cycle's frames have been sent.
     void step(const DriveSample& sample, bool has_frames) {

@@ -68,8 +68,7 @@ TEST_F(ReplayProgram, DrawsADriveThatLacksMostSignals) {
     write_text(path("bare.csv"), text_of_lines(lines));
     ASSERT_EQ(replay("bare.csv", ""), 0) << err;
     EXPECT_EQ(err, "[1/1] bare.csv\n");
-    EXPECT_THAT(text_of(results("bare") / "replay.svg"),
-                testing::HasSubstr("|LTR|, wheel loads: none"));
+    EXPECT_THAT(text_of(results("bare") / "replay.svg"), testing::HasSubstr("|LTR|, wheel loads: none"));
 }
 
 TEST_F(ReplayProgram, KnowsALogByItsContent) {
