@@ -15,12 +15,6 @@
 namespace sil {
 namespace {
 
-// The level, whose 1 means "warn", of the indicator that drives the warning.
-double warning_level(const rsi::Outputs& outputs, const rsi::Parameters& parameters) {
-    return static_cast<double>(parameters.warning_indicator == RSI_INDICATOR_BANK_FREE ? outputs.rsi_bank_free
-                                                                                       : outputs.rsi);
-}
-
 // What EventObserver wants to know; the wheels stay on the road, because lift-off is found elsewhere.
 Truth known_truth(const ReplayCycle& cycle) {
     Truth truth;
@@ -35,10 +29,7 @@ Truth known_truth(const ReplayCycle& cycle) {
 class Recorder {
  public:
     Recorder(const rsi::Parameters& parameters, const Interruption& interrupted)
-        : parameters_{parameters},
-          interrupted_{interrupted},
-          ecu_{parameters},
-          events_{static_stability_factor(parameters)} {}
+        : interrupted_{interrupted}, ecu_{parameters}, events_{static_stability_factor(parameters)} {}
 
     InProcessEcu& ecu() { return ecu_; }
 
@@ -58,7 +49,7 @@ class Recorder {
         cycle.outputs = ecu_.ecu().outputs();
         cycle.ecu = frames_.output();
         cycle.load_transfer_ratio = load_transfer_ratio(sample);
-        cycle.warning_level = warning_level(cycle.outputs, parameters_);
+        cycle.warning_level = static_cast<double>(cycle.outputs.warning_level);
         events_.observe(known_truth(cycle));
         if (has_answer) {
             events_.observe(cycle.ecu, sample.time_s);
@@ -108,7 +99,6 @@ class Recorder {
         }
     }
 
-    const rsi::Parameters& parameters_;
     const Interruption& interrupted_;
     InProcessEcu ecu_;
     EcuFrames frames_;
@@ -159,8 +149,12 @@ DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Paramet
 }
 
 double static_stability_factor(const rsi::Parameters& parameters) {
-    return static_cast<double>(parameters.track_width_m) /
-           (2.0 * static_cast<double>(parameters.sprung_cg_height_m));
+    const double m_s = static_cast<double>(parameters.sprung_mass_kg);
+    const double m_u = static_cast<double>(parameters.unsprung_mass_kg);
+    const double h = (m_s * static_cast<double>(parameters.sprung_cg_height_m) +
+                      m_u * static_cast<double>(parameters.unsprung_cg_height_m)) /
+                     (m_s + m_u);
+    return static_cast<double>(parameters.track_width_m) / (2.0 * h);
 }
 
 }  // namespace sil

@@ -55,7 +55,7 @@ DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
 DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters,
                          const Interruption& interrupted = {});
 
-// c_w / (2 h), as far as the component's parameters tell.
+// c_w / (2 h), h the height of the whole vehicle's CG.
 double static_stability_factor(const rsi::Parameters& parameters);
 
 }  // namespace sil

@@ -56,6 +56,22 @@ constexpr NumberColumn number_columns[] = {
     {"roll_stiffness_deviation_nmprad", [](const Cycle& c) { return number(c.outputs.roll_stiffness_deviation_nmprad); }},
     {"roll_damping_deviation_nmsprad", [](const Cycle& c) { return number(c.outputs.roll_damping_deviation_nmsprad); }},
     {"disturbance_nm", [](const Cycle& c) { return number(c.outputs.disturbance_nm); }},
+    {"roll_centre_deviation_m", [](const Cycle& c) { return number(c.outputs.roll_centre_deviation_m); }},
+    {"observed_roll_angle_deg", [](const Cycle& c) { return degrees(c.outputs.observed_roll_angle_rad); }},
+    {"observed_bank_angle_deg", [](const Cycle& c) { return degrees(c.outputs.observed_bank_angle_rad); }},
+    {"rsi_extended", [](const Cycle& c) { return number(c.outputs.rsi_extended); }},
+    {"load_transfer_ratio", [](const Cycle& c) { return number(c.outputs.load_transfer_ratio); }},
+    {"predicted_load_transfer_ratio", [](const Cycle& c) { return number(c.outputs.predicted_load_transfer_ratio); }},
+    {"predicted_rsi", [](const Cycle& c) { return number(c.outputs.predicted_rsi); }},
+    {"static_stability_level", [](const Cycle& c) { return number(c.outputs.static_stability_level); }},
+    {"dynamic_stability_index", [](const Cycle& c) { return number(c.outputs.dynamic_stability_index); }},
+    {"dynamic_stability_index_late", [](const Cycle& c) { return number(c.outputs.dynamic_stability_index_late); }},
+    {"energy_margin", [](const Cycle& c) { return number(c.outputs.energy_margin); }},
+    {"rollover_index", [](const Cycle& c) { return number(c.outputs.rollover_index); }},
+    {"time_to_rollover_s", [](const Cycle& c) { return number(c.outputs.time_to_rollover_s); }},
+    {"roll_source_number", [](const Cycle& c) { return static_cast<double>(c.outputs.roll_source); }},
+    {"roll_sensor_disagrees", [](const Cycle& c) { return static_cast<double>(c.outputs.roll_sensor_disagrees); }},
+    {"estimate_frozen", [](const Cycle& c) { return static_cast<double>(c.outputs.estimate_frozen); }},
 };
 // clang-format on
 
