@@ -82,6 +82,18 @@ TEST(Fishhook1a, RollsTheLargeSuvOverInTheCounterSteerOneWheelFirst) {
     }
 }
 
+TEST(PaperCases, MirroredRunsAgreeWithinTenMilliseconds) {
+    for (const char* name :
+         {"j-turn-110", "j-turn-banked", "fishhook-1a", "fishhook-1b", "roll-centre-fixed"}) {
+        const scenario::Outcome left = drive(name, false);
+        const scenario::Outcome right = drive(name, true);
+        ASSERT_NE(left.two_wheel_lift_s, scenario::not_yet) << name;
+        EXPECT_NEAR(left.one_wheel_lift_s, right.one_wheel_lift_s, 0.01) << name;
+        EXPECT_NEAR(left.two_wheel_lift_s, right.two_wheel_lift_s, 0.01) << name;
+        EXPECT_NEAR(left.rsi_crossing_s, right.rsi_crossing_s, 0.01) << name;
+    }
+}
+
 TEST(RollCentreComparison, TheFixedOneRollsOverWhereTheMovingOneStaysUp) {
     for (const bool mirrored : {false, true}) {
         EXPECT_GT(drive("roll-centre-fixed", mirrored).largest_roll_deg, 60.0);
