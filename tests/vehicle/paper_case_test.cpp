@@ -44,7 +44,7 @@ TEST(BankedJTurn, FollowsTheCurveAtItsSpeedWithTheRaisedCentreOfGravity) {
     EXPECT_NEAR(run.truth().speed_mps, sil::from_kmh(110.0), 0.3);
 }
 
-// Figs 13 to 15. A front wheel has already been light for an instant in the first turn; the wheels of
+// Figs 13 to 15. A front wheel may already have been light for an instant in the first turn; the wheels of
 // the rollover are those of the second.
 TEST(Fishhook1a, RollsTheLargeSuvOverInTheCounterSteerOneWheelFirst) {
     for (const bool mirrored : {false, true}) {
