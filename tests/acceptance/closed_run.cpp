@@ -42,7 +42,8 @@ RunResult drive(const RunSettings& settings) {
     options.mirrored = settings.mirrored;
     options.duration_s = settings.duration_s;
     sil::ManoeuvreRun plant{vehicle, sil::find_manoeuvre(settings.manoeuvre), options};
-    sil::SensorSuite sensors{sil::mounted_sensors(vehicle, {settings.noise, settings.seed})};
+    sil::SensorSuite sensors{
+        sil::mounted_sensors(plant.vehicle().parameters(), {settings.noise, settings.seed})};
     sil::InProcessEcu ecu{
         sil::load_calibration(source + "/firmware/calibrations/" + settings.vehicle + ".toml")};
     sil::InProcessPace pace{ecu};

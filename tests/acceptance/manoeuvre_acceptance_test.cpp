@@ -89,6 +89,50 @@ TEST(JTurn110, IsWarnedOfInTimeWithSensorNoise) {
     }
 }
 
+// Roads and driving that are rough, but far from rollover.
+class HarmlessManoeuvre : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
+
+TEST_P(HarmlessManoeuvre, BringsNoWarning) {
+    RunSettings settings{std::get<0>(GetParam()), std::get<1>(GetParam())};
+    settings.noise = true;
+    const RunResult run = drive(settings);
+
+    EXPECT_FALSE(run.events.one_wheel_lift.has_value());
+    EXPECT_FALSE(run.reached(sil::WarningState::warning));
+    EXPECT_TRUE(run.reached(sil::WarningState::ready));
+}
+
+INSTANTIATE_TEST_SUITE_P(RoughAndFirm, HarmlessManoeuvre,
+                         testing::Combine(testing::Values("step-steer", "rough-road", "banked-straight",
+                                                          "one-sided-bump", "slow-ramp"),
+                                          testing::Values("large_suv", "ordinary_suv")),
+                         [](const testing::TestParamInfo<HarmlessManoeuvre::ParamType>& run) {
+                             std::string name = std::get<0>(run.param) + "_" + std::get<1>(run.param);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(BankedJTurn, IsDrivenByTheAdaptedVehicle) {
+    const RunResult run = drive({"j-turn-banked"});
+
+    ASSERT_TRUE(run.events.two_wheel_lift.has_value());
+    EXPECT_GT(run.events.final_roll_angle_rad * degrees_per_radian, 60.0);
+    // The SSF of the raised vehicle, 1.6 / (2 1.1) = 0.727, is crossed on the bank long before wheels lift.
+    ASSERT_TRUE(run.events.ssf_crossing.has_value());
+    EXPECT_NEAR(run.events.ssf_crossing->lateral_acceleration_mps2, 0.727 * g_mps2, 0.01 * g_mps2);
+}
+
+TEST(Fishhook1a, RollsTheLargeSuvOver) {
+    const RunResult run = drive({"fishhook-1a"});
+
+    ASSERT_TRUE(run.events.one_wheel_lift.has_value());
+    ASSERT_TRUE(run.events.two_wheel_lift.has_value());
+    ASSERT_TRUE(run.events.ssf_crossing.has_value());
+    EXPECT_LT(run.events.one_wheel_lift->time_s, run.events.two_wheel_lift->time_s);
+    EXPECT_LT(run.events.two_wheel_lift->time_s, run.events.ssf_crossing->time_s);
+    EXPECT_LT(run.events.final_roll_angle_rad * degrees_per_radian, -60.0);
+}
+
 class TenMinutes : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 TEST_P(TenMinutes, WithSensorNoiseBringNoWarning) {

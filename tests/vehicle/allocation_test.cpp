@@ -39,4 +39,17 @@ TEST(Allocation, AStepTakesNoMemoryFromTheHeapEvenWhileRollingOver) {
     EXPECT_EQ(allocations, before);
 }
 
+TEST(Allocation, AStepOfAnyManoeuvreTakesNoMemoryFromTheHeap) {
+    for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+        sil::RunOptions options;
+        options.duration_s = 4.0;
+        sil::ManoeuvreRun run{scenario::large_suv(), manoeuvre, options};
+        const std::size_t before = allocations;
+        while (!run.finished()) {
+            run.step();
+        }
+        EXPECT_EQ(allocations, before) << manoeuvre.name;
+    }
+}
+
 }  // namespace

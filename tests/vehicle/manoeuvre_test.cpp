@@ -32,10 +32,13 @@ TEST(Catalogue, EveryManoeuvreHasItsOwnNameAndADescriptionOfOneLine) {
         EXPECT_EQ(manoeuvre.description.find('\n'), std::string::npos);
         EXPECT_GT(manoeuvre.duration_s, 0.0);
     }
-    EXPECT_EQ(names.count("j-turn-45"), 1U);
-    EXPECT_EQ(names.count("j-turn-110"), 1U);
-    EXPECT_EQ(names.count("straight"), 1U);
-    EXPECT_EQ(names.count("slalom"), 1U);
+    for (const char* name :
+         {"j-turn-110", "j-turn-45", "j-turn-banked", "fishhook-1a", "fishhook-1b", "roll-centre-fixed",
+          "roll-centre-moving", "slowly-increasing-steer", "double-lane-change", "slalom", "sine-with-dwell",
+          "slow-ramp", "step-steer", "braking-in-turn", "rough-turn", "rough-road", "banked-straight",
+          "one-sided-bump", "straight"}) {
+        EXPECT_EQ(names.count(name), 1U) << name;
+    }
 }
 
 TEST(ManoeuvreRun, LastsAsLongAsTheManoeuvreOrAsAsked) {
