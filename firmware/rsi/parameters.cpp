@@ -64,11 +64,6 @@ Validation validate_indicators(const Parameters& parameters) {
         return refuse("rollover_index_acceleration_weight",
                       "must not exceed 1 less rollover_index_angle_weight");
     }
-    const float largest_step_s = 1.0F / 8.0F * parameters.prediction_horizon_s;
-    if (parameters.roll_stiffness_nmprad * largest_step_s * largest_step_s > parameters.roll_inertia_kgm2) {
-        return refuse("prediction_horizon_s",
-                      "is too long for this vehicle: an eighth of it must not exceed sqrt(Ixx / K_f)");
-    }
     return accepted;
 }
 

@@ -6,9 +6,8 @@
 namespace rsi {
 namespace {
 
-constexpr int step_count = 8;
+constexpr int step_count = 4;
 constexpr float largest_predicted_angle_rad = 0.5F;
-constexpr float largest_predicted_rate_radps = 10.0F;
 
 struct ForceBounds {
     float lowest;
@@ -28,54 +27,61 @@ ForceBounds bounds_of(float force_mps2, const DemandedForce& demand) {
 }  // namespace
 
 void RollPredictor::init(const Parameters& parameters) {
-    step_s_ = parameters.prediction_horizon_s / static_cast<float>(step_count);
+    const float step_s = parameters.prediction_horizon_s / static_cast<float>(step_count);
+    half_step_s_ = 0.5F * step_s;
     trend_s_ = parameters.acceleration_trend_s;
-    trend_decay_ = decaying_exponential(step_s_ / trend_s_);
+    trend_decay_ = decaying_exponential(step_s / trend_s_);
     moment_arm_kgm_ =
         parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
-    inertia_inverse_ = 1.0F / parameters.roll_inertia_kgm2;
-    const float damping_nmsprad = parameters.roll_damping_nmsprad;
-    // y(t) under M - c_f y: y + (M - c_f y) (1 - exp(-c_f t/Ixx)) / c_f.
+    // Positive: K_f >= 1.2 m_s g H is validated.
+    half_step_stiffness_nms_ =
+        (parameters.roll_stiffness_nmprad - moment_arm_kgm_ * gravity_mps2) * half_step_s_;
     rate_gain_radpnms_ =
-        (1.0F - decaying_exponential(damping_nmsprad * step_s_ * inertia_inverse_)) / damping_nmsprad;
+        step_s / (parameters.roll_inertia_kgm2 +
+                  half_step_s_ * (parameters.roll_damping_nmsprad + half_step_stiffness_nms_));
 }
 
 Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce& demand,
                                    const LoadTransfer& load_transfer,
                                    const ExtendedIndicator& extended) const {
+    const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
-    const float normal_inverse = 1.0F / N;
-    const ForceBounds bounds = bounds_of(motion.road_parallel_force_mps2, demand);
-    const float full_trend_mps2 = motion.road_parallel_force_rate_mps3 * trend_s_;
+    const ForceBounds bounds = bounds_of(A, demand);
+    const float settled_force_mps2 = A + motion.road_parallel_force_rate_mps3 * trend_s_;
+    float outstanding_mps2 = motion.road_parallel_force_rate_mps3 * trend_s_;
 
     float x = clamp(motion.roll_angle_rad, -largest_predicted_angle_rad, largest_predicted_angle_rad);
     float y = motion.roll_rate_radps;
-    float tan_x = short_tangent(x);
-    float remaining = 1.0F;  // exp(-t/tau_j)
+    float a = A;
     float suspension_nm = load_transfer.suspension_moment_nm(x, y);
-    const float present_moment_nm = load_transfer.moment_nm(motion.road_parallel_force_mps2, suspension_nm);
-    const float present_level = extended.level(motion.road_parallel_force_mps2, normal_inverse, tan_x,
-                                               motion.roll_acceleration_radps2);
-    float worst_moment_nm = present_moment_nm;
-    float worst_level = present_level;
+    const float present_nm = load_transfer.moment_nm(a, suspension_nm);
+    float lowest_nm = present_nm;
+    float highest_nm = present_nm;
     for (int step = 0; step < step_count; ++step) {
-        remaining *= trend_decay_;
-        const float a = clamp(motion.road_parallel_force_mps2 + full_trend_mps2 * (1.0F - remaining),
-                              bounds.lowest, bounds.highest);
-        const float moment_nm = moment_arm_kgm_ * (a + N * tan_x) - suspension_nm;
-        y = clamp(y + rate_gain_radpnms_ * moment_nm, -largest_predicted_rate_radps,
-                  largest_predicted_rate_radps);
-        x = clamp(x + step_s_ * y, -largest_predicted_angle_rad, largest_predicted_angle_rad);
-        tan_x = short_tangent(x);
+        outstanding_mps2 *= trend_decay_;
+        const float next_a = clamp(settled_force_mps2 - outstanding_mps2, bounds.lowest, bounds.highest);
+        const float mean_a = 0.5F * (a + next_a);
+        const float moment_nm = moment_arm_kgm_ * (mean_a + N * short_tangent(x)) - suspension_nm;
+        const float next_y = y + rate_gain_radpnms_ * (moment_nm - half_step_stiffness_nms_ * y);
+        x = clamp(x + half_step_s_ * (y + next_y), -largest_predicted_angle_rad, largest_predicted_angle_rad);
+        y = next_y;
+        a = next_a;
         suspension_nm = load_transfer.suspension_moment_nm(x, y);
         const float transfer_nm = load_transfer.moment_nm(a, suspension_nm);
-        worst_moment_nm = (absolute(transfer_nm) > absolute(worst_moment_nm)) ? transfer_nm : worst_moment_nm;
-        worst_level =
-            larger(extended.level(a, normal_inverse, tan_x, moment_nm * inertia_inverse_), worst_level);
+        lowest_nm = smaller(lowest_nm, transfer_nm);
+        highest_nm = larger(highest_nm, transfer_nm);
     }
+
+    const float N_inverse = 1.0F / N;
+    const float worst_nm = (-lowest_nm > highest_nm) ? lowest_nm : highest_nm;
     Prediction prediction;
-    prediction.present = RollRisk{load_transfer.ratio(present_moment_nm, normal_inverse), present_level};
-    prediction.worst = RollRisk{load_transfer.ratio(worst_moment_nm, normal_inverse), worst_level};
+    prediction.present.load_transfer_ratio = load_transfer.ratio(present_nm, N_inverse);
+    prediction.present.rsi_extended =
+        extended.level(A, N, short_tangent(motion.roll_angle_rad), motion.roll_acceleration_radps2);
+    prediction.worst.load_transfer_ratio = load_transfer.ratio(worst_nm, N_inverse);
+    const float worst_a = (worst_nm < 0.0F) ? smaller(A, a) : larger(A, a);
+    prediction.worst.rsi_extended =
+        larger(prediction.present.rsi_extended, extended.level_under_load(worst_a, N, worst_nm));
     return prediction;
 }
 

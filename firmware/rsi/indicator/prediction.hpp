@@ -15,14 +15,14 @@ struct RollRisk {
 
 struct Prediction {
     RollRisk present{};
-    RollRisk worst{};  // each of largest magnitude by itself, the present one included
+    RollRisk worst{};  // of largest magnitude within the horizon, the present included
 };
 
-// Carries the roll motion forward in eight equal steps:
+// Carries the roll motion forward in four equal steps, with N held:
 //   a    = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known
 //   Ixx y' = m_s H (a + N tan x) - M(x) - c_f y,    x' = y,    from x = phi, y = phi'
-// with N held, and evaluates both indicators at the end of each step. The damping is integrated exactly, so
-// no admitted damping makes the steps unstable.
+// by the trapezoidal rule, linearised with the constant stiffness K_f - m_s H g: stable for any admitted
+// parameters, and in four steps within 0.005 of the converged load transfer.
 class RollPredictor {
  public:
     void init(const Parameters& parameters);
@@ -31,12 +31,12 @@ class RollPredictor {
                         const LoadTransfer& load_transfer, const ExtendedIndicator& extended) const;
 
  private:
-    float step_s_{0.0F};
-    float trend_s_{1.0F};            // tau_j
-    float trend_decay_{1.0F};        // exp(-step / tau_j)
-    float moment_arm_kgm_{0.0F};     // m_s H
-    float rate_gain_radpnms_{0.0F};  // rate that a moment of 1 N m, damped, adds in one step
-    float inertia_inverse_{1.0F};    // 1 / Ixx
+    float half_step_s_{0.0F};
+    float trend_s_{1.0F};                  // tau_j
+    float trend_decay_{1.0F};              // exp(-step / tau_j)
+    float moment_arm_kgm_{0.0F};           // m_s H
+    float half_step_stiffness_nms_{0.0F};  // (K_f - m_s H g) step / 2
+    float rate_gain_radpnms_{0.0F};        // rate that 1 N m adds in one step
 };
 
 }  // namespace rsi
