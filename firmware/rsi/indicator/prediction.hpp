@@ -22,7 +22,7 @@ struct Prediction {
 //   a    = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known
 //   Ixx y' = m_s H (a + N tan x) - M(x) - c_f y,    x' = y,    from x = phi, y = phi'
 // by the trapezoidal rule, linearised with the constant stiffness K_f - m_s H g: stable for any admitted
-// parameters, and in four steps within 0.02 of the converged load transfer where that is below 1.
+// parameters, and in four steps within 0.025 of the converged load transfer where that is below 1.
 class RollPredictor {
  public:
     void init(const Parameters& parameters);
