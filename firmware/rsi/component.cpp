@@ -69,6 +69,7 @@ Validation Component::init(const Parameters& parameters) {
         model_.init(parameters);
         estimator_.init(parameters);
         threshold_.init(parameters);
+        further_.init(parameters);
         warning_.init(parameters);
     }
     return answer;
@@ -110,16 +111,26 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    outputs.warning_level = indicator_level(outputs, parameters_);
-
-    const float falling_side = (measured.roll_angle_rad < 0.0F) ? -1.0F : 1.0F;
-    warning_.update(overturned ? RiskLevel{parameters_.warning_on, falling_side}
-                               : RiskLevel{outputs.warning_level, threshold.side});
-    outputs.state = warning_.state();
-    outputs.side = warning_.side();
+    further_.update(inputs, measured, outputs);
+    warn(measured, overturned, outputs);
 
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_, measured);
+}
+
+// An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.
+void Component::warn(const Measurement& measured, bool overturned, Outputs& outputs) {
+    outputs.warning_level = indicator_level(outputs, parameters_);
+    if (overturned) {
+        warning_.update(RiskLevel{parameters_.warning_on, (measured.roll_angle_rad < 0.0F) ? -1.0F : 1.0F});
+    } else if (is_finite(outputs.warning_level)) {
+        warning_.update(
+            RiskLevel{outputs.warning_level, indicator_side(outputs, parameters_, measured.roll_angle_rad)});
+    } else {
+        warning_.update_unavailable();
+    }
+    outputs.state = warning_.state();
+    outputs.side = warning_.side();
 }
 
 void Component::step_unavailable(Outputs& outputs) {
@@ -132,6 +143,7 @@ void Component::step_unavailable(Outputs& outputs) {
 void Component::resume(const Measurement& measured) {
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
+    further_.reset(measured);
     running_ = true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rsi/estimation/roll_centre_estimator.hpp"
+#include "rsi/indicator/further_indicators.hpp"
 #include "rsi/indicator/roll_stability_indicator.hpp"
 #include "rsi/indicator/stability_threshold.hpp"
 #include "rsi/measurement/measurement.hpp"
@@ -24,6 +25,7 @@ class Component {
  private:
     void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
+    void warn(const Measurement& measured, bool overturned, Outputs& outputs);
 
     bool initialised_{false};
     bool running_{false};  // false until the first good sample after init, a gap or an overturn
@@ -34,6 +36,7 @@ class Component {
     CompensatedModelRoll compensated_{};
     RollCentreEstimator estimator_{};
     StabilityThresholdStage threshold_{};
+    FurtherIndicators further_{};
     WarningStateMachine warning_{};
 };
 

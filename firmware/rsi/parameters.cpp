@@ -1,5 +1,6 @@
 #include "rsi/parameters.hpp"
 
+#include "rsi/indicator/energy_margin.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {
@@ -51,6 +52,18 @@ Validation validate_vehicle(const Parameters& parameters) {
         return refuse("roll_damping_nmsprad",
                       "is too small for a step of 10 ms: c_f / K_f must be at least 5 ms");
     }
+    if (!is_finite(critical_roll_angle_rad(parameters))) {
+        return refuse("roll_stiffness_nmprad",
+                      "is too small for this track width: no roll angle below 1 rad lifts the inner wheels");
+    }
+    return accepted;
+}
+
+Validation validate_indicators(const Parameters& parameters) {
+    if (parameters.rollover_index_angle_weight + parameters.rollover_index_acceleration_weight > 1.0F) {
+        return refuse("rollover_index_acceleration_weight",
+                      "must not exceed 1 less rollover_index_angle_weight");
+    }
     return accepted;
 }
 
@@ -77,6 +90,9 @@ Validation validate(const Parameters& parameters) {
     Validation answer = validate_ranges(parameters);
     if (answer.accepted != 0) {
         answer = validate_vehicle(parameters);
+    }
+    if (answer.accepted != 0) {
+        answer = validate_indicators(parameters);
     }
     if (answer.accepted != 0) {
         answer = validate_warning(parameters);

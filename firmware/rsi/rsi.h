@@ -37,7 +37,9 @@ typedef enum {
         1 /* one unknown, with the roll stiffness as a curve and the roll inertia */
 } rsi_estimator;
 
-/* Which indicator drives the warning. Each has a level, 0 without risk, at which 1 means "warn". */
+/* Which indicator drives the warning. Each has a level, 0 without risk, at which 1 means "warn", and a side
+ * of its own. All are available whenever the component is; one that had no number would make the state
+ * "unavailable". */
 typedef enum {
     RSI_INDICATOR_PUBLISHED = 0,               /* (25): lateral acceleration over its threshold (23) */
     RSI_INDICATOR_BANK_FREE = 1,               /* |A/N| over the modified half-track ratio */
@@ -196,8 +198,8 @@ typedef struct {
 
     float rsi_extended;                  /* |A/N| / T_dyn, 0 to 20 */
     float load_transfer_ratio;           /* (26) from the roll state, > 0 in a left turn, -20 to 20 */
-    float predicted_load_transfer_ratio; /* the same, largest within the horizon */
-    float predicted_rsi;                 /* rsi_extended, largest within the horizon */
+    float predicted_load_transfer_ratio; /* the same, of largest magnitude within the horizon */
+    float predicted_rsi;                 /* rsi_extended at that load transfer, or now if larger */
     float static_stability_level;        /* |a_y| / (g SSF) */
     float dynamic_stability_index;       /* (27) with minus, in g, > 0 in a left turn */
     float dynamic_stability_index_late;  /* (27) with plus */

@@ -1,5 +1,7 @@
 // EventObserver: first lift-offs, first crossing of the SSF, first warning.
 #include "sil/analysis/events.hpp"
+
+#include "sil/analysis/indices.hpp"
 #include "sil/units.hpp"
 
 #include <algorithm>
@@ -12,9 +14,12 @@ bool has_lifted(const Truth& truth, Wheel wheel) {
     return truth.wheel_load_n[static_cast<std::size_t>(wheel)] <= 0.0;
 }
 
-bool one_wheel_has_lifted(const Truth& truth) {
-    return has_lifted(truth, front_left) || has_lifted(truth, front_right) || has_lifted(truth, rear_left) ||
-           has_lifted(truth, rear_right);
+bool front_wheel_has_lifted(const Truth& truth) {
+    return has_lifted(truth, front_left) || has_lifted(truth, front_right);
+}
+
+bool rear_wheel_has_lifted(const Truth& truth) {
+    return has_lifted(truth, rear_left) || has_lifted(truth, rear_right);
 }
 
 bool one_side_has_lifted(const Truth& truth) {
@@ -70,11 +75,18 @@ void EventObserver::observe(const Truth& truth) {
     latest_ = {truth.time_s, truth.lateral_acceleration_mps2, truth.roll_angle_rad};
     const double magnitude_mps2 = std::fabs(truth.lateral_acceleration_mps2);
     if (truth.time_s >= start_time_s_) {
-        keep_first(events_.one_wheel_lift, one_wheel_has_lifted(truth), latest_);
+        const bool front_lifted = front_wheel_has_lifted(truth);
+        const bool rear_lifted = rear_wheel_has_lifted(truth);
+        keep_first(events_.one_wheel_lift, front_lifted || rear_lifted, latest_);
+        keep_first(events_.front_axle_lift, front_lifted, latest_);
+        keep_first(events_.rear_axle_lift, rear_lifted, latest_);
         keep_first(events_.two_wheel_lift, one_side_has_lifted(truth), latest_);
         keep_first(events_.ssf_crossing, magnitude_mps2 >= ssf_acceleration_mps2_, latest_);
         events_.largest_lateral_acceleration_mps2 =
             std::max(events_.largest_lateral_acceleration_mps2, magnitude_mps2);
+        // fmax ignores the ratio of a vehicle in the air, which is not a number.
+        events_.largest_load_transfer_ratio =
+            std::fmax(events_.largest_load_transfer_ratio, std::fabs(true_load_transfer_ratio(truth)));
     }
     events_.final_roll_angle_rad = truth.roll_angle_rad;
     events_.end_time_s = truth.time_s;

@@ -16,13 +16,16 @@ struct EventMoment {
 };
 
 struct RunEvents {
-    std::optional<EventMoment> one_wheel_lift;  // the first time that any wheel carries no load
-    std::optional<EventMoment> two_wheel_lift;  // the first time that both wheels of one side carry none
-    std::optional<EventMoment> ssf_crossing;    // the first time that |a_y| >= SSF g, SSF = c_w/(2h)
-    std::optional<EventMoment> warning;         // the first frame whose state is `warning`
+    std::optional<EventMoment> one_wheel_lift;   // the first time that any wheel carries no load
+    std::optional<EventMoment> front_axle_lift;  // the same on the front axle: |LTR| of this axle is 1
+    std::optional<EventMoment> rear_axle_lift;   // the same on the rear axle
+    std::optional<EventMoment> two_wheel_lift;   // the first time that both wheels of one side carry none
+    std::optional<EventMoment> ssf_crossing;     // the first time that |a_y| >= SSF g, SSF = c_w/(2h)
+    std::optional<EventMoment> warning;          // the first frame whose state is `warning`
     WarningSide warning_side{WarningSide::none};
 
     double largest_lateral_acceleration_mps2{0.0};  // largest |a_y|
+    double largest_load_transfer_ratio{0.0};        // largest |LTR|, (26), of the wheel loads
     double final_roll_angle_rad{0.0};               // relative to the road, of the last truth
     double end_time_s{0.0};                         // of the last truth
 

@@ -1,7 +1,10 @@
 // Events: when they happen, what counts, and what does not.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sil/analysis/events.hpp"
+#include "sil/analysis/indices.hpp"
 
 namespace {
 
@@ -46,6 +49,43 @@ TEST(EventObserver, InAQuietRunNothingHappens) {
     EXPECT_DOUBLE_EQ(events.largest_lateral_acceleration_mps2, 0.5 * g_mps2);
     EXPECT_EQ(events.final_roll_angle_rad, -0.04);
     EXPECT_DOUBLE_EQ(events.end_time_s, 0.999);
+}
+
+TEST(EventObserver, EachAxleHasItsOwnFirstLiftOff) {
+    sil::EventObserver observer(ssf);
+    observer.observe(truth_with_loads(1.0, {0.0, 5.0, 1.0, 5.0}));
+    observer.observe(truth_with_loads(1.2, {1.0, 5.0, 5.0, 0.0}));
+    observer.observe(truth_with_loads(1.3, {0.0, 5.0, 0.0, 5.0}));
+    const sil::RunEvents& events = observer.events();
+    ASSERT_TRUE(events.front_axle_lift && events.rear_axle_lift && events.one_wheel_lift &&
+                events.two_wheel_lift);
+    EXPECT_EQ(events.front_axle_lift->time_s, 1.0);
+    EXPECT_EQ(events.rear_axle_lift->time_s, 1.2);
+    EXPECT_EQ(events.one_wheel_lift->time_s, 1.0);
+    EXPECT_EQ(events.two_wheel_lift->time_s, 1.3);
+}
+
+TEST(EventObserver, TheLargestLoadTransferIsOfEitherSideAndNotOfAVehicleInTheAir) {
+    sil::EventObserver observer(ssf);
+    observer.observe(truth_with_loads(1.0, {1.0, 2.0, 1.0, 2.0}));  // 1/3, a left turn
+    observer.observe(truth_with_loads(1.1, {3.0, 1.0, 3.0, 1.0}));  // -1/2, a right turn
+    observer.observe(truth_with_loads(1.2, {0.0, 0.0, 0.0, 0.0}));
+    EXPECT_DOUBLE_EQ(observer.events().largest_load_transfer_ratio, 0.5);
+}
+
+TEST(TrueIndices, TheLoadTransferIsPositiveInALeftTurnAndOneWhereTheSideHasLifted) {
+    const sil::Truth truth = truth_with_loads(0.0, {1000.0, 3000.0, 0.0, 4000.0});
+    EXPECT_DOUBLE_EQ(sil::true_load_transfer_ratio(truth), 6000.0 / 8000.0);
+    EXPECT_DOUBLE_EQ(sil::true_load_transfer_ratio(truth, sil::Axle::front), 0.5);
+    EXPECT_DOUBLE_EQ(sil::true_load_transfer_ratio(truth, sil::Axle::rear), 1.0);
+    const sil::Truth lifted = truth_with_loads(0.0, {3000.0, 0.0, 4000.0, 0.0});
+    EXPECT_DOUBLE_EQ(sil::true_load_transfer_ratio(lifted), -1.0);
+    EXPECT_TRUE(std::isnan(sil::true_load_transfer_ratio(truth_with_loads(0.0, {}))));
+}
+
+TEST(TrueIndices, TheStaticStabilityLevelIsOneAtTheStaticStabilityFactor) {
+    EXPECT_DOUBLE_EQ(sil::true_static_stability_level(truth_at(0.0, -0.4), ssf), 0.5);
+    EXPECT_DOUBLE_EQ(sil::true_static_stability_level(truth_at(0.0, 0.8), ssf), 1.0);
 }
 
 TEST(EventObserver, EveryWheelCanBeTheFirstToLift) {

@@ -27,6 +27,7 @@ constexpr InputRange input_ranges[] = {
     {&rsi_inputs::yaw_rate_radps, 10.0F},
     {&rsi_inputs::bank_angle_rad, 0.8F},
     {&rsi_inputs::speed_mps, 120.0F},
+    {&rsi_inputs::steering_wheel_angle_rad, 30.0F},
 };
 
 float of_bits(std::uint32_t bits) {
@@ -137,7 +138,7 @@ TEST(ComponentUnderRandomInput, EveryCalibrationThatIsAdmittedSurvives) {
                     field.minimum + static_cast<float>(noise.unit()) * (field.maximum - field.minimum);
             }
         }
-        parameters.warning_indicator = static_cast<std::int32_t>(noise.bits() % 2U);
+        parameters.warning_indicator = static_cast<std::int32_t>(noise.bits() % 12U);
         parameters.recovery_s = 0.0F;
         // The rules between fields would refuse most of them otherwise.
         parameters.advisory_off = parameters.warning_off = 0.5F;

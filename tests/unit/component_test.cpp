@@ -229,7 +229,8 @@ TEST(Component, AMirroredManoeuvreGivesExactlyMirroredOutputs) {
     parameters.imu_z_m = -0.4F;
     rsi_parameters mirrored_parameters = parameters;
     mirrored_parameters.imu_y_m = -parameters.imu_y_m;
-    for (const std::int32_t indicator : {RSI_INDICATOR_PUBLISHED, RSI_INDICATOR_BANK_FREE}) {
+    for (std::int32_t indicator = RSI_INDICATOR_PUBLISHED; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER;
+         ++indicator) {
         parameters.warning_indicator = mirrored_parameters.warning_indicator = indicator;
         Scenario scenario(parameters);
         Scenario mirror(mirrored_parameters);

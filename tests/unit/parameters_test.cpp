@@ -119,11 +119,28 @@ TEST(Parameters, TheRollCentreMustLieBelowTheCentreOfGravity) {
 
 TEST(Parameters, TheRollStiffnessMustHoldTheBodyUp) {
     rsi_parameters parameters = rsi_test::large_suv();
+    parameters.track_width_m = 1.2F;  // narrow enough that even such springs lift the inner wheels
     const float least = 1.2F * 2060.0F * 9.80665F * (0.988F - 0.281F);
     parameters.roll_stiffness_nmprad = 0.99F * least;
     expect_refused(parameters, "roll_stiffness_nmprad");
     parameters.roll_stiffness_nmprad = 1.01F * least;
     EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+}
+
+// 1.21 m_s g H on 1.6 m: k phi - c_w/(2h) - (h_frc/h) tan phi stays below zero up to 1 rad.
+TEST(Parameters, ThereMustBeARollAngleThatLiftsTheInnerWheels) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.roll_stiffness_nmprad = 1.21F * 2060.0F * 9.80665F * (0.988F - 0.281F);
+    expect_refused(parameters, "roll_stiffness_nmprad");
+}
+
+TEST(Parameters, TheRolloverIndexsWeightsMustLeaveRoomForTheThird) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.rollover_index_angle_weight = 0.75F;
+    parameters.rollover_index_acceleration_weight = 0.25F;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+    parameters.rollover_index_acceleration_weight = 0.26F;
+    expect_refused(parameters, "rollover_index_acceleration_weight");
 }
 
 TEST(Parameters, TheModelsTimeConstantMustBeAtLeastHalfAStep) {

@@ -36,10 +36,39 @@ float raw_level(const Outputs& outputs, const Parameters& parameters) {
     return not_available;
 }
 
+float signed_indicator(const Outputs& outputs, const Parameters& parameters, float roll_angle_rad) {
+    switch (static_cast<rsi_indicator>(parameters.warning_indicator)) {
+        case RSI_INDICATOR_PUBLISHED:
+        case RSI_INDICATOR_BANK_FREE:
+        case RSI_INDICATOR_EXTENDED:
+            return outputs.road_parallel_force_mps2;
+        case RSI_INDICATOR_LOAD_TRANSFER:
+            return outputs.load_transfer_ratio;
+        case RSI_INDICATOR_PREDICTED_LOAD_TRANSFER:
+        case RSI_INDICATOR_PREDICTED_RSI:
+            return outputs.predicted_load_transfer_ratio;
+        case RSI_INDICATOR_STATIC_STABILITY_FACTOR:
+            return outputs.lateral_acceleration_mps2;
+        case RSI_INDICATOR_DYNAMIC_STABILITY:
+            return outputs.dynamic_stability_index;
+        case RSI_INDICATOR_DYNAMIC_STABILITY_LATE:
+            return outputs.dynamic_stability_index_late;
+        case RSI_INDICATOR_ENERGY:
+        case RSI_INDICATOR_ROLLOVER_INDEX:
+        case RSI_INDICATOR_TIME_TO_ROLLOVER:
+            return roll_angle_rad;
+    }
+    return 0.0F;
+}
+
 }  // namespace
 
 float indicator_level(const Outputs& outputs, const Parameters& parameters) {
     return clamp(raw_level(outputs, parameters), 0.0F, 20.0F);
+}
+
+float indicator_side(const Outputs& outputs, const Parameters& parameters, float roll_angle_rad) {
+    return (signed_indicator(outputs, parameters, roll_angle_rad) < 0.0F) ? -1.0F : 1.0F;
 }
 
 }  // namespace rsi

@@ -25,6 +25,10 @@ constexpr float absolute(float value) {
     return (value < 0.0F) ? -value : value;
 }
 
+constexpr float smaller(float a, float b) {
+    return (a < b) ? a : b;
+}
+
 constexpr float larger(float a, float b) {
     return (a > b) ? a : b;
 }

@@ -33,6 +33,8 @@ class RandomManoeuvre {
             static_cast<float>(vehicle_.rate_radps(force.left, force.up, motion_.roll_angle_rad));
         inputs.yaw_rate_radps = static_cast<float>(motion_.lateral_acceleration_mps2 / 20.0);
         inputs.speed_mps = 20.0F;
+        // Now more, now less than the force it goes with, and ahead of it.
+        inputs.steering_wheel_angle_rad = static_cast<float>(0.2 * wanted_mps2_);
         add_noise(noise_, inputs);
         drop_values(inputs);
         vehicle_.advance(force.left, force.up, 0.01);
@@ -50,6 +52,9 @@ class RandomManoeuvre {
         }
         if (noise_.unit() < 0.02) {
             inputs.bank_angle_rad = missing;
+        }
+        if (noise_.unit() < 0.02) {
+            inputs.steering_wheel_angle_rad = missing;
         }
         if (gaps_ && (noise_.unit() < 0.002)) {
             inputs.roll_angle_rad = missing;

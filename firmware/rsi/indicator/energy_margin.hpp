@@ -1,0 +1,34 @@
+// Energy margin: how far the roll energy is from what tips the vehicle, equation (28).
+#pragma once
+
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+// phi_c of (28): where the linear spring moment K_f phi equals m_s H g [T(phi) + tan phi],
+// T(phi) = (c_w/2 - H tan phi)/h, so that the inner wheels lift in a steady turn. NaN where there is no such
+// angle below 1 rad: the springs are then too soft for it, or the track too wide.
+float critical_roll_angle_rad(const Parameters& parameters);
+
+// W = (E_crit - E)/E_crit,  E = K_f phi^2/2 - m_s g H (1 - cos phi) + (Ixx + m_s H^2) phi'^2/2,
+// E_crit = E(phi_c, 0). As published: linear springs, and blind to the lateral force.
+class EnergyMargin {
+ public:
+    void init(const Parameters& parameters);
+
+    // 1 at rest, 0 at the critical energy, not below -20.
+    float evaluate(float roll_angle_rad, float roll_rate_radps) const;
+
+    float critical_roll_angle_rad() const { return critical_roll_angle_rad_; }
+
+ private:
+    float energy_nm(float roll_angle_rad, float roll_rate_radps) const;
+
+    float roll_stiffness_nmprad_{1.0F};
+    float gravity_moment_nm_{0.0F};  // m_s g H
+    float roll_inertia_kgm2_{0.0F};  // about the roll centre
+    float critical_roll_angle_rad_{1.0F};
+    float critical_energy_inverse_{1.0F};
+};
+
+}  // namespace rsi

@@ -1,0 +1,46 @@
+// Roll motion through the lags that the further indicators share: forces, roll state and their derivatives at
+// one and the same delay.
+#pragma once
+
+#include "rsi/measurement/measurement.hpp"
+#include "rsi/numeric/two_lags.hpp"
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+// tan x to within 1 % up to 0.5 rad, which is further than a body rolls on its springs; finite beyond.
+constexpr float short_tangent(float angle_rad) {
+    return angle_rad * (1.0F + angle_rad * angle_rad * (1.0F / 3.0F));
+}
+
+// All finite.
+struct RollMotion {
+    float road_parallel_force_mps2{0.0F};       // A
+    float road_normal_force_mps2{1.0F};         // N, at least 0.1 g
+    float lateral_acceleration_mps2{0.0F};      // a_y
+    float roll_angle_rad{0.0F};                 // phi
+    float roll_rate_radps{0.0F};                // phi'
+    float roll_acceleration_radps2{0.0F};       // phi''
+    float road_parallel_force_rate_mps3{0.0F};  // A', through one more lag
+};
+
+class RollMotionFilter {
+ public:
+    void init(const Parameters& parameters);
+
+    // The signals start where they are; the derivatives at zero.
+    void reset(const Measurement& measured);
+
+    RollMotion update(const Measurement& measured);
+
+ private:
+    float weight_{1.0F};
+    TwoLags parallel_force_{};
+    TwoLags normal_force_{};
+    TwoLags lateral_acceleration_{};
+    TwoLags roll_angle_{};
+    TwoLags roll_rate_{};
+    float parallel_force_rate_mps3_{0.0F};
+};
+
+}  // namespace rsi

@@ -1,0 +1,34 @@
+// Indices that need wheel loads, or the true motion.
+#include "sil/analysis/indices.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "sil/units.hpp"
+
+namespace sil {
+namespace {
+
+double ratio(double left_n, double right_n) {
+    const double sum_n = left_n + right_n;
+    return (sum_n > 0.0) ? (right_n - left_n) / sum_n : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+double true_load_transfer_ratio(const Truth& truth) {
+    const auto& load = truth.wheel_load_n;
+    return ratio(load[front_left] + load[rear_left], load[front_right] + load[rear_right]);
+}
+
+double true_load_transfer_ratio(const Truth& truth, Axle axle) {
+    const auto& load = truth.wheel_load_n;
+    return (axle == Axle::front) ? ratio(load[front_left], load[front_right])
+                                 : ratio(load[rear_left], load[rear_right]);
+}
+
+double true_static_stability_level(const Truth& truth, double static_stability_factor) {
+    return std::fabs(truth.lateral_acceleration_mps2) / (g_mps2 * static_stability_factor);
+}
+
+}  // namespace sil

@@ -1,0 +1,87 @@
+// Which indicator drives the warning, at which level, and towards which side.
+#include "rsi/indicator/indicator_level.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/unit/support/nominal.hpp"
+
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+struct Expected {
+    rsi_indicator indicator;
+    double level;
+    float side;
+};
+
+rsi_parameters driven_by(rsi_indicator indicator) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_indicator = indicator;
+    return parameters;
+}
+
+// Every indicator has another value, and the signs disagree on purpose.
+rsi_outputs all_different() {
+    rsi_outputs outputs{};
+    outputs.rsi = 0.11F;
+    outputs.rsi_bank_free = 0.22F;
+    outputs.rsi_extended = 0.33F;
+    outputs.load_transfer_ratio = -0.44F;
+    outputs.predicted_load_transfer_ratio = -0.55F;
+    outputs.predicted_rsi = 0.66F;
+    outputs.static_stability_level = 0.77F;
+    outputs.dynamic_stability_index = 0.405F;  // half of c_w/(2h) = 0.8097
+    outputs.dynamic_stability_index_late = -0.81F;
+    outputs.energy_margin = -0.25F;
+    outputs.rollover_index = 0.88F;
+    outputs.time_to_rollover_s = 0.25F;  // the limit is 0.5 s
+    outputs.road_parallel_force_mps2 = 2.0F;
+    outputs.lateral_acceleration_mps2 = -1.0F;
+    return outputs;
+}
+
+TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
+    const rsi_outputs outputs = all_different();
+    const float roll_angle = -0.1F;
+    const std::vector<Expected> all{
+        {RSI_INDICATOR_PUBLISHED, 0.11, 1.0F},
+        {RSI_INDICATOR_BANK_FREE, 0.22, 1.0F},
+        {RSI_INDICATOR_EXTENDED, 0.33, 1.0F},
+        {RSI_INDICATOR_LOAD_TRANSFER, 0.44, -1.0F},
+        {RSI_INDICATOR_PREDICTED_LOAD_TRANSFER, 0.55, -1.0F},
+        {RSI_INDICATOR_PREDICTED_RSI, 0.66, -1.0F},
+        {RSI_INDICATOR_STATIC_STABILITY_FACTOR, 0.77, -1.0F},
+        {RSI_INDICATOR_DYNAMIC_STABILITY, 0.5002, 1.0F},
+        {RSI_INDICATOR_DYNAMIC_STABILITY_LATE, 1.0003, -1.0F},
+        {RSI_INDICATOR_ENERGY, 1.25, -1.0F},
+        {RSI_INDICATOR_ROLLOVER_INDEX, 0.88, -1.0F},
+        {RSI_INDICATOR_TIME_TO_ROLLOVER, 2.0, -1.0F},
+    };
+    for (const Expected& expected : all) {
+        const rsi_parameters parameters = driven_by(expected.indicator);
+        EXPECT_NEAR(static_cast<double>(rsi::indicator_level(outputs, parameters)), expected.level, 1e-4)
+            << expected.indicator;
+        EXPECT_EQ(rsi::indicator_side(outputs, parameters, roll_angle), expected.side) << expected.indicator;
+    }
+}
+
+TEST(IndicatorLevel, OneThatIsNotAvailableHasNoLevel) {
+    rsi_outputs outputs = all_different();
+    outputs.predicted_rsi = nan;
+    EXPECT_TRUE(std::isnan(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_PREDICTED_RSI))));
+}
+
+TEST(IndicatorLevel, StaysBetweenZeroAndTwenty) {
+    rsi_outputs outputs = all_different();
+    outputs.time_to_rollover_s = 0.0F;
+    EXPECT_EQ(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_TIME_TO_ROLLOVER)), 20.0F);
+    outputs.energy_margin = 1.0F;
+    EXPECT_EQ(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_ENERGY)), 0.0F);
+}
+
+}  // namespace
