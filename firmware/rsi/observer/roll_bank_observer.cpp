@@ -30,6 +30,10 @@ constexpr float bias_noise_rad2ps2 = square(radians(0.02F)) * T;
 constexpr float gyro_variance_rad2ps2 = square(radians(0.4F)) + square(0.02F);
 constexpr float turn_variance_factor = 30.0F;  // v_y' is no white noise: it lasts for many samples
 constexpr float turn_deviation_mps2 = 0.4F;
+#ifndef PI_
+#define PI_ 1.0F
+#endif
+constexpr float plausible_innovation_mps2 = PI_;
 constexpr float turn_deviation_per_yaw_acceleration_m = 4.0F;
 
 // Standard deviations at the start.
@@ -141,9 +145,10 @@ void RollBankObserver::correct_by_turn(float gravity_part_mps2, float yaw_accele
         turn_deviation_mps2 + turn_deviation_per_yaw_acceleration_m * absolute(yaw_acceleration_radps2);
     const float c1 = h * (P11_ + P13_);
     const float c3 = h * (P13_ + P33_);
-    correct(gravity_part_mps2 - gravity_mps2 * bounded_sine(angle),
-            h * (c1 + c3) + turn_variance_factor * deviation * deviation, c1, h * (P12_ + P23_), c3,
-            h * (P14_ + P34_));
+    const float innovation = gravity_part_mps2 - gravity_mps2 * bounded_sine(angle);
+    const float surprise = innovation * (1.0F / plausible_innovation_mps2);
+    const float variance = turn_variance_factor * deviation * deviation * (1.0F + surprise * surprise*surprise*surprise);
+    correct(innovation, h * (c1 + c3) + variance, c1, h * (P12_ + P23_), c3, h * (P14_ + P34_));
 }
 
 // A scalar measurement; c = P h, the covariance of state and innovation.
