@@ -17,29 +17,28 @@ constexpr float T = sample_time_s;
 constexpr float largest_roll_rad = 0.5F;
 constexpr float largest_rate_radps = 10.0F;
 constexpr float largest_bank_rad = 0.5F;
-constexpr float largest_bias_radps = radians(5.0F);
+constexpr float largest_offset_radps = radians(5.0F);
 
 // Below this speed a wheel-speed signal is poor and has no sign, so the turn says nothing about the bank.
 constexpr float smallest_speed_mps = 5.0F;
 constexpr float yaw_acceleration_lag_s = 0.1F;
 
 // What the model and the measurements are worth, tuned on simulated drives; variances of one step.
-constexpr float roll_noise_rad2 = 4.0e-5F * T;
-constexpr float rate_noise_rad2ps2 = 2.25F * T;
-constexpr float bias_noise_rad2ps2 = square(radians(0.02F)) * T;
-constexpr float gyro_variance_rad2ps2 = square(radians(0.4F)) + square(0.02F);
-constexpr float turn_variance_factor = 30.0F;  // v_y' is no white noise: it lasts for many samples
-constexpr float turn_deviation_mps2 = 0.4F;
-#ifndef PI_
-#define PI_ 1.0F
-#endif
-constexpr float plausible_innovation_mps2 = PI_;
-constexpr float turn_deviation_per_yaw_acceleration_m = 4.0F;
+constexpr float roll_noise_rad2 = 9.0e-5F * T;
+constexpr float rate_noise_rad2ps2 = 0.36F * T;
+constexpr float offset_noise_rad2ps2 = square(radians(2.0F)) * T;
+constexpr float offset_decay = 1.0F - T / 0.6F;
+constexpr float gyro_variance_rad2ps2 = square(radians(0.45F));
+// v_y' is no white noise: it lasts for many samples, so it counts as more than it is.
+constexpr float turn_deviation_mps2 = 6.0F;
+constexpr float turn_deviation_per_yaw_acceleration_m = 7.0F;
+// A larger one comes from a vehicle that slides, not from a road that has suddenly tilted.
+constexpr float plausible_innovation_mps2 = 2.0F;
 
-// Standard deviations at the start.
+// Standard deviations at the start, and largest ones.
 constexpr float initial_roll_rad = 0.05F;
 constexpr float initial_bank_rad = 0.1F;
-constexpr float initial_bias_radps = radians(0.5F);
+constexpr float initial_offset_radps = radians(1.0F);
 
 // Any value is replaced when it is smaller than rounding could make of zero, or larger than the bounds above.
 float variance_within(float variance, float largest) {
@@ -81,60 +80,66 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     phi_ = clamp(linear_angle_rad, -0.2F, 0.2F);
     rate_ = roll_rate_radps;
     bank_ = 0.0F;
-    bias_ = 0.0F;
+    offset_ = 0.0F;
     P11_ = square(initial_roll_rad);
     P22_ = gyro_variance_rad2ps2;
     P33_ = square(initial_bank_rad);
-    P44_ = square(initial_bias_radps);
+    P44_ = square(initial_offset_radps);
     P12_ = P13_ = P14_ = P23_ = P24_ = P34_ = 0.0F;
     yaw_acceleration_.reset();
     running_ = true;
 }
 
 // Trapezoidal rule with the local stiffness k, stable for any admitted parameters:
-//   phi+ = phi + T phi' + T/2 d,  phi'+ = phi' + d,  d = T (phi'' - T/2 k phi') / (1 + T/2 c + T^2/4 k)
+//   phi+ = phi + T (w - o) + T/2 d,  w+ = w + d,  b+ = b + T o,  o+ = decay o,
+//   d = T [m_s H f_yb / cos phi - M - (c + T/2 k) (w - o)] / Ixx / (1 + T/2 c + T^2/4 k)
 void RollBankObserver::predict(float lateral_force_mps2) {
     const float secant = 1.0F / bounded_cosine(phi_);
-    const float force_secant = force_to_acceleration_ * lateral_force_mps2 * secant;
-    const float acceleration =
-        force_secant - stiffness_.moment_nm(phi_) * inverse_inertia_ - damping_over_inertia_ * rate_;
-    const float k = larger(
-        stiffness_.slope_nmprad(phi_) * inverse_inertia_ - force_secant * secant * bounded_sine(phi_), 0.0F);
-    const float c = damping_over_inertia_;
-    const float step = T / (1.0F + 0.5F * T * (c + 0.5F * T * k));
+    const float force = force_to_acceleration_ * lateral_force_mps2 * secant;
+    const float k =
+        larger(stiffness_.slope_nmprad(phi_) * inverse_inertia_ - force * secant * bounded_sine(phi_), 0.0F);
+    const float c = damping_over_inertia_ + 0.5F * T * k;
+    const float step = T / (1.0F + 0.5F * T * c);
 
-    const float d = step * (acceleration - 0.5F * T * k * rate_);
-    phi_ += T * (rate_ + 0.5F * d);
+    const float roll_rate = rate_ - offset_;
+    const float d = step * (force - stiffness_.moment_nm(phi_) * inverse_inertia_ - c * roll_rate);
+    phi_ += T * (roll_rate + 0.5F * d);
     rate_ += d;
-
-    // P = F P F^T + Q; F is the identity but for the first two rows and columns.
-    const float F21 = -step * k;
-    const float F22 = 1.0F - step * (c + 0.5F * T * k);
-    const float F11 = 1.0F + 0.5F * T * F21;
-    const float F12 = 0.5F * T * (1.0F + F22);
-    const float a11 = F11 * P11_ + F12 * P12_;
-    const float a12 = F11 * P12_ + F12 * P22_;
-    const float a21 = F21 * P11_ + F22 * P12_;
-    const float a22 = F21 * P12_ + F22 * P22_;
-    P11_ = a11 * F11 + a12 * F12 + roll_noise_rad2;
-    P12_ = a11 * F21 + a12 * F22;
-    P22_ = a21 * F21 + a22 * F22 + rate_noise_rad2ps2;
-    const float p13 = P13_;
-    const float p14 = P14_;
-    P13_ = F11 * p13 + F12 * P23_;
-    P23_ = F21 * p13 + F22 * P23_;
-    P14_ = F11 * p14 + F12 * P24_;
-    P24_ = F21 * p14 + F22 * P24_;
-    P33_ += bank_drift_variance_rad2_;
-    P44_ += bias_noise_rad2ps2;
+    bank_ += T * offset_;
+    offset_ *= offset_decay;
+    predict_covariance(step * k, step * c);
 }
 
-// p = phi' + bias
+// P = F P F^T + Q with F = [[1 - T/2 s, T - T/2 e, 0, -(T - T/2 e)], [-s, 1 - e, 0, e], [0, 0, 1, T],
+// [0, 0, 0, decay]].
+void RollBankObserver::predict_covariance(float s, float e) {
+    const float F11 = 1.0F - 0.5F * T * s;
+    const float F12 = T - 0.5F * T * e;
+    const float a1 = F11 * P11_ + F12 * (P12_ - P14_);
+    const float a2 = F11 * P12_ + F12 * (P22_ - P24_);
+    const float a3 = F11 * P13_ + F12 * (P23_ - P34_);
+    const float a4 = F11 * P14_ + F12 * (P24_ - P44_);
+    const float b1 = P12_ + e * (P14_ - P12_) - s * P11_;
+    const float b2 = P22_ + e * (P24_ - P22_) - s * P12_;
+    const float b3 = P23_ + e * (P34_ - P23_) - s * P13_;
+    const float b4 = P24_ + e * (P44_ - P24_) - s * P14_;
+    const float c3 = P33_ + T * P34_;
+    const float c4 = P34_ + T * P44_;
+    P11_ = F11 * a1 + F12 * (a2 - a4) + roll_noise_rad2;
+    P12_ = a2 + e * (a4 - a2) - s * a1;
+    P13_ = a3 + T * a4;
+    P14_ = offset_decay * a4;
+    P22_ = b2 + e * (b4 - b2) - s * b1 + rate_noise_rad2ps2;
+    P23_ = b3 + T * b4;
+    P24_ = offset_decay * b4;
+    P33_ = c3 + T * c4 + bank_drift_variance_rad2_;
+    P34_ = offset_decay * c4;
+    P44_ = offset_decay * offset_decay * P44_ + offset_noise_rad2ps2;
+}
+
+// p = w
 void RollBankObserver::correct_by_roll_rate(float roll_rate_radps) {
-    const float c2 = P22_ + P24_;
-    const float c4 = P24_ + P44_;
-    correct(roll_rate_radps - rate_ - bias_, c2 + c4 + gyro_variance_rad2ps2, P12_ + P14_, c2, P23_ + P34_,
-            c4);
+    correct(roll_rate_radps - rate_, P22_ + gyro_variance_rad2ps2, P12_, P22_, P23_, P24_);
 }
 
 // f_yb - r V = g sin(phi + b) + v_y'
@@ -146,8 +151,8 @@ void RollBankObserver::correct_by_turn(float gravity_part_mps2, float yaw_accele
     const float c1 = h * (P11_ + P13_);
     const float c3 = h * (P13_ + P33_);
     const float innovation = gravity_part_mps2 - gravity_mps2 * bounded_sine(angle);
-    const float surprise = innovation * (1.0F / plausible_innovation_mps2);
-    const float variance = turn_variance_factor * deviation * deviation * (1.0F + surprise * surprise*surprise*surprise);
+    const float surprise = square(innovation * (1.0F / plausible_innovation_mps2));
+    const float variance = square(deviation) * (1.0F + square(surprise));
     correct(innovation, h * (c1 + c3) + variance, c1, h * (P12_ + P23_), c3, h * (P14_ + P34_));
 }
 
@@ -162,7 +167,7 @@ void RollBankObserver::correct(float innovation, float innovation_variance, floa
     phi_ += k1 * innovation;
     rate_ += k2 * innovation;
     bank_ += k3 * innovation;
-    bias_ += k4 * innovation;
+    offset_ += k4 * innovation;
     P11_ -= k1 * c1;
     P12_ -= k1 * c2;
     P13_ -= k1 * c3;
@@ -178,7 +183,7 @@ void RollBankObserver::correct(float innovation, float innovation_variance, floa
 void RollBankObserver::keep_in_bounds() {
     // A sum is not finite when a summand is not.
     const float sum =
-        phi_ + rate_ + bank_ + bias_ + P11_ + P12_ + P13_ + P14_ + P22_ + P23_ + P24_ + P33_ + P34_ + P44_;
+        phi_ + rate_ + bank_ + offset_ + P11_ + P12_ + P13_ + P14_ + P22_ + P23_ + P24_ + P33_ + P34_ + P44_;
     if (!is_finite(sum)) {
         reset();
         return;
@@ -186,11 +191,11 @@ void RollBankObserver::keep_in_bounds() {
     phi_ = clamp(phi_, -largest_roll_rad, largest_roll_rad);
     rate_ = clamp(rate_, -largest_rate_radps, largest_rate_radps);
     bank_ = clamp(bank_, -largest_bank_rad, largest_bank_rad);
-    bias_ = clamp(bias_, -largest_bias_radps, largest_bias_radps);
+    offset_ = clamp(offset_, -largest_offset_radps, largest_offset_radps);
     P11_ = variance_within(P11_, 1.0F);
     P22_ = variance_within(P22_, 100.0F);
     P33_ = variance_within(P33_, square(initial_bank_rad));
-    P44_ = variance_within(P44_, square(initial_bias_radps));
+    P44_ = variance_within(P44_, square(largest_offset_radps));
 }
 
 }  // namespace rsi

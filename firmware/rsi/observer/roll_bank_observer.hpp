@@ -8,10 +8,13 @@
 
 namespace rsi {
 
-// Extended Kalman filter with four states [phi, phi', b, gyro bias]:
-//   phi'' = [m_s H f_yb / cos phi - M(phi) - c_f phi'] / Ixx;  b and the bias wander
-// and two scalar measurements: the gyro p = phi' + bias, and the kinematics of the turn
-// f_yb - r V = g sin(phi + b) + v_y', where the unknown v_y' counts as noise that grows with |r'|.
+// Extended Kalman filter with four states [phi, w, b, o]: roll angle relative to the road, the body's roll
+// rate against the horizon, the road's bank, and the part of w that is not phi': the bank's rate, or the
+// gyro's bias.
+//   phi' = w - o,  w' = [m_s H f_yb / cos phi - M(phi) - c_f phi'] / Ixx,  b' = o,  o decays, all wander.
+// Two scalar measurements: the gyro, p = w, and the kinematics of the turn,
+// f_yb - r V = g sin(phi + b) + v_y', where the unknown v_y' counts as noise that grows with |r'|, and with
+// an innovation that no road explains.
 class RollBankObserver {
  public:
     void init(const Parameters& parameters);
@@ -28,13 +31,8 @@ class RollBankObserver {
     bool roll_known() const { return running_ && (P11_ < largest_roll_variance_rad2); }
     bool bank_known() const { return running_ && (P33_ < largest_bank_variance_rad2); }
 
-    float roll_angle_rad() const { return phi_; }    // relative to the road, within +-0.5
-    float roll_rate_radps() const { return rate_; }  // without the gyro's bias
-    float bank_angle_rad() const { return bank_; }   // left side up is positive, within +-0.5
-    float gyro_bias_radps() const { return bias_; }
-
-    float roll_variance_rad2() const { return P11_; }
-    float bank_variance_rad2() const { return P33_; }
+    float roll_angle_rad() const { return phi_; }   // relative to the road, within +-0.5
+    float bank_angle_rad() const { return bank_; }  // left side up is positive, within +-0.5
 
  private:
     static constexpr float largest_roll_variance_rad2 = 0.0175F * 0.0175F;  // 1 deg
@@ -42,6 +40,7 @@ class RollBankObserver {
 
     void start(float lateral_force_mps2, float roll_rate_radps);
     void predict(float lateral_force_mps2);
+    void predict_covariance(float s, float e);
     void correct_by_roll_rate(float roll_rate_radps);
     void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
     void correct(float innovation, float innovation_variance, float c1, float c2, float c3, float c4);
@@ -58,7 +57,7 @@ class RollBankObserver {
     float phi_{0.0F};
     float rate_{0.0F};
     float bank_{0.0F};
-    float bias_{0.0F};
+    float offset_{0.0F};
 
     // Covariance: one triangle, so it cannot become unsymmetric.
     float P11_{0.0F}, P12_{0.0F}, P13_{0.0F}, P14_{0.0F};
