@@ -14,7 +14,7 @@ constexpr float radians(float degrees) {
 constexpr float T = sample_time_s;
 
 // Beyond these the suspension's curve, or the sensor, means nothing.
-constexpr float largest_roll_rad = 0.5F;
+constexpr float largest_roll_rad = 1.57F;
 constexpr float largest_rate_radps = 10.0F;
 constexpr float largest_bank_rad = 0.5F;
 constexpr float largest_offset_radps = radians(5.0F);
@@ -41,6 +41,10 @@ constexpr float initial_bank_rad = 0.1F;
 constexpr float initial_offset_radps = radians(1.0F);
 
 // Any value is replaced when it is smaller than rounding could make of zero, or larger than the bounds above.
+float within_model(float angle_rad) {
+    return clamp(angle_rad, -0.5F, 0.5F);
+}
+
 float variance_within(float variance, float largest) {
     return clamp(variance, 1.0e-9F, largest);
 }
@@ -54,6 +58,7 @@ void RollBankObserver::init(const Parameters& parameters) {
     force_to_acceleration_ = parameters.sprung_mass_kg * H * inverse_inertia_;
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia_;
     bank_drift_variance_rad2_ = square(parameters.observer_bank_drift_radps) * T;
+    tipping_force_mps2_ = 0.5F * gravity_mps2 * parameters.track_width_m / parameters.sprung_cg_height_m;
     yaw_acceleration_.init(yaw_acceleration_lag_s);
     reset();
 }
@@ -67,7 +72,7 @@ void RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, f
     }
     const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
     correct_by_roll_rate(roll_rate_radps);
-    if (speed_mps > smallest_speed_mps) {
+    if ((speed_mps > smallest_speed_mps) && !tipped_) {
         correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
     }
     keep_in_bounds();
@@ -87,22 +92,32 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     P44_ = square(initial_offset_radps);
     P12_ = P13_ = P14_ = P23_ = P24_ = P34_ = 0.0F;
     yaw_acceleration_.reset();
+    tipped_ = false;
     running_ = true;
+}
+
+// The inner wheels have lifted, so the suspension no longer holds the body: from the force that tips the
+// standing vehicle until the body has come back to where the suspension would hold it.
+bool RollBankObserver::tips(float lateral_force_mps2, float roll_acceleration_radps2) const {
+    const bool beyond_suspension = (phi_ * roll_acceleration_radps2 < 0.0F);
+    return (tipped_ && beyond_suspension) || (absolute(lateral_force_mps2) > tipping_force_mps2_);
 }
 
 // Trapezoidal rule with the local stiffness k, stable for any admitted parameters:
 //   phi+ = phi + T (w - o) + T/2 d,  w+ = w + d,  b+ = b + T o,  o+ = decay o,
 //   d = T [m_s H f_yb / cos phi - M - (c + T/2 k) (w - o)] / Ixx / (1 + T/2 c + T^2/4 k)
 void RollBankObserver::predict(float lateral_force_mps2) {
-    const float secant = 1.0F / bounded_cosine(phi_);
+    const float secant = 1.0F / bounded_cosine(within_model(phi_));
     const float force = force_to_acceleration_ * lateral_force_mps2 * secant;
+    const float spring = stiffness_.moment_nm(phi_) * inverse_inertia_;
+    tipped_ = tips(lateral_force_mps2, force - spring);
     const float k =
         larger(stiffness_.slope_nmprad(phi_) * inverse_inertia_ - force * secant * bounded_sine(phi_), 0.0F);
     const float c = damping_over_inertia_ + 0.5F * T * k;
-    const float step = T / (1.0F + 0.5F * T * c);
+    const float step = tipped_ ? 0.0F : T / (1.0F + 0.5F * T * c);
 
     const float roll_rate = rate_ - offset_;
-    const float d = step * (force - stiffness_.moment_nm(phi_) * inverse_inertia_ - c * roll_rate);
+    const float d = step * (force - spring - c * roll_rate);
     phi_ += T * (roll_rate + 0.5F * d);
     rate_ += d;
     bank_ += T * offset_;

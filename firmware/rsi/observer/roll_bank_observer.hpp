@@ -14,7 +14,8 @@ namespace rsi {
 //   phi' = w - o,  w' = [m_s H f_yb / cos phi - M(phi) - c_f phi'] / Ixx,  b' = o,  o decays, all wander.
 // Two scalar measurements: the gyro, p = w, and the kinematics of the turn,
 // f_yb - r V = g sin(phi + b) + v_y', where the unknown v_y' counts as noise that grows with |r'|, and with
-// an innovation that no road explains.
+// an innovation that no road explains. While the inner wheels are up, the suspension says nothing and the
+// gyro alone moves phi.
 class RollBankObserver {
  public:
     void init(const Parameters& parameters);
@@ -28,18 +29,22 @@ class RollBankObserver {
 
     // Whether the angle's standard deviation is small enough to be relied on. False after a start for as long
     // as the filter needs.
-    bool roll_known() const { return running_ && (P11_ < largest_roll_variance_rad2); }
+    bool roll_known() const {
+        return running_ && (P11_ < (tipped_ ? largest_tipped_variance_rad2 : largest_roll_variance_rad2));
+    }
     bool bank_known() const { return running_ && (P33_ < largest_bank_variance_rad2); }
 
-    float roll_angle_rad() const { return phi_; }   // relative to the road, within +-0.5
+    float roll_angle_rad() const { return phi_; }   // relative to the road, within +-1.57
     float bank_angle_rad() const { return bank_; }  // left side up is positive, within +-0.5
 
  private:
     static constexpr float largest_roll_variance_rad2 = 0.0175F * 0.0175F;  // 1 deg
-    static constexpr float largest_bank_variance_rad2 = 0.0524F * 0.0524F;  // 3 deg
+    static constexpr float largest_tipped_variance_rad2 = 0.175F * 0.175F;  // 10 deg
+    static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
 
     void start(float lateral_force_mps2, float roll_rate_radps);
     void predict(float lateral_force_mps2);
+    bool tips(float lateral_force_mps2, float roll_acceleration_radps2) const;
     void predict_covariance(float s, float e);
     void correct_by_roll_rate(float roll_rate_radps);
     void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
@@ -51,9 +56,11 @@ class RollBankObserver {
     float inverse_inertia_{0.0F};           // 1 / Ixx
     float damping_over_inertia_{0.0F};      // c_f / Ixx
     float bank_drift_variance_rad2_{0.0F};  // in one step
+    float tipping_force_mps2_{0.0F};
     FilteredDerivative yaw_acceleration_{};
 
     bool running_{false};
+    bool tipped_{false};
     float phi_{0.0F};
     float rate_{0.0F};
     float bank_{0.0F};
