@@ -98,10 +98,10 @@ void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Me
     RollObservation& observed = measurement.observed;
     observed.roll_angle_rad = observer_.roll_known() ? observer_.roll_angle_rad() : not_available;
     observed.bank_angle_rad = observer_.bank_known() ? observer_.bank_angle_rad() : not_available;
-    if (sensor_available && observer_.roll_known()) {
-        check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
-    } else {
+    if (!sensor_available || !observer_.roll_known()) {
         check_.reset();
+    } else if (!observer_.tipped()) {
+        check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
     }
     observed.sensor_disagrees = check_.disagrees();
     measurement.roll_source = sensor_available         ? RSI_ROLL_SENSOR

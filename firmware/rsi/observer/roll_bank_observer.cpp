@@ -100,7 +100,9 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
 // standing vehicle until the body has come back to where the suspension would hold it.
 bool RollBankObserver::tips(float lateral_force_mps2, float roll_acceleration_radps2) const {
     const bool beyond_suspension = (phi_ * roll_acceleration_radps2 < 0.0F);
-    return (tipped_ && beyond_suspension) || (absolute(lateral_force_mps2) > tipping_force_mps2_);
+    const bool begins =
+        (absolute(lateral_force_mps2) > tipping_force_mps2_) && (P11_ < largest_roll_variance_rad2);
+    return begins || (tipped_ && beyond_suspension);
 }
 
 // Trapezoidal rule with the local stiffness k, stable for any admitted parameters:

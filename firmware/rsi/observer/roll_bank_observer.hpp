@@ -34,6 +34,9 @@ class RollBankObserver {
     }
     bool bank_known() const { return running_ && (P33_ < largest_bank_variance_rad2); }
 
+    // The inner wheels are up: the roll angle comes from the gyro alone, to some ten degrees.
+    bool tipped() const { return tipped_; }
+
     float roll_angle_rad() const { return phi_; }   // relative to the road, within +-1.57
     float bank_angle_rad() const { return bank_; }  // left side up is positive, within +-0.5
 
