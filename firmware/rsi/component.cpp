@@ -46,6 +46,10 @@ void write_measurement(const Measurement& measured, Outputs& outputs) {
     outputs.lateral_acceleration_mps2 = measured.lateral_acceleration_mps2;
     outputs.road_parallel_force_mps2 = measured.road_parallel_force_mps2;
     outputs.road_normal_force_mps2 = measured.road_normal_force_mps2;
+    outputs.roll_source = measured.roll_source;
+    outputs.observed_roll_angle_rad = measured.observed.roll_angle_rad;
+    outputs.observed_bank_angle_rad = measured.observed.bank_angle_rad;
+    outputs.roll_sensor_disagrees = measured.observed.sensor_disagrees ? 1 : 0;
 }
 
 void write_estimate(const RollCentreEstimate& estimate, Outputs& outputs) {
@@ -101,7 +105,6 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
 
     outputs = no_outputs();
     write_measurement(measured, outputs);
-    outputs.roll_source = RSI_ROLL_SENSOR;
     write_estimate(estimate, outputs);
     outputs.rsi = normalised_indicator(measured, threshold);
     outputs.rsi_bank_free = bank_free_indicator(measured, threshold);

@@ -153,15 +153,16 @@ typedef struct {
 } rsi_parameters;
 
 /* One sample of the sensors, all body-fixed. A value that is not finite or outside its range is "not
- * available". Without the first, third or fourth the component is unavailable; the others are optional. */
+ * available". Without the first or third the component is unavailable; so it is without the fourth while the
+ * observer, which needs yaw rate and speed, does not know the roll angle. The others are optional. */
 typedef struct {
     float lateral_specific_force_mps2;  /* f_y at the IMU, -60 to 60 */
     float vertical_specific_force_mps2; /* f_z at the IMU, near +9.81 at rest, -60 to 60 (optional) */
     float roll_rate_radps; /* p, of the body's gyro, -10 to 10; taken for the rate of the roll angle */
-    float roll_angle_rad;  /* of the body relative to the road, -2.2 to 2.2 */
-    float yaw_rate_radps;  /* -10 to 10 (optional: lever-arm correction) */
+    float roll_angle_rad;  /* of the body relative to the road, -2.2 to 2.2 (the observer's if absent) */
+    float yaw_rate_radps;  /* -10 to 10 (optional: lever-arm correction, observer) */
     float bank_angle_rad;  /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
-    float speed_mps;       /* (optional; the published algorithm does not use it) */
+    float speed_mps;       /* -150 to 150 (optional: observer) */
     float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
 } rsi_inputs;
 

@@ -20,7 +20,6 @@ namespace testing_application {
 
 enum class Sensor : std::uint8_t { imu, roll_angle, vehicle_motion };
 inline constexpr std::array<Sensor, 3> all_sensors{Sensor::imu, Sensor::roll_angle, Sensor::vehicle_motion};
-inline constexpr std::array<Sensor, 2> necessary_sensors{Sensor::imu, Sensor::roll_angle};
 
 constexpr const char* name_of(Sensor sensor) {
     constexpr std::array<const char*, 3> names{"Imu", "RollAngle", "VehicleMotion"};

@@ -12,6 +12,17 @@ using State = can_dbc::RolloverWarning::State;
 
 constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
 
+// Fails the test when the cycle has no such frame.
+can_dbc::RollObserver::RollSource roll_source(const Cycle& cycle) {
+    for (const hal::CanFrame& frame : cycle.frames) {
+        if (frame.identifier == can_dbc::RollObserver::identifier) {
+            return can_dbc::decode<can_dbc::RollObserver>(frame.data).value.roll_source;
+        }
+    }
+    ADD_FAILURE() << "no RollObserver frame";
+    return can_dbc::RollObserver::RollSource::none;
+}
+
 // The parameter is the distance of the ECU's cycle from the sensor frames, in milliseconds.
 class Silence : public ::testing::TestWithParam<int> {
  protected:
@@ -63,21 +74,54 @@ TEST_P(Silence, OfAllSensorsIsUnavailableWithin50Milliseconds) {
     EXPECT_FALSE(bench.status().vehicle_motion_timeout);
 }
 
-TEST_P(Silence, OfOneNecessarySensorIsUnavailableWithin50Milliseconds) {
-    for (const Sensor sensor : necessary_sensors) {
-        SCOPED_TRACE(name_of(sensor));
-        bench.run_for(0.3);
-        ASSERT_EQ(bench.state(), State::ready);
-        const std::size_t from = bench.cycles().size();
-        silent_since = bench.last_sensor_time();
-        bench.stop(sensor);
-        bench.run_for(5.0);
-        expect_unavailable_in_time_and_for_ever(from);
-        EXPECT_EQ(bench.status().imu_timeout, sensor == Sensor::imu);
-        EXPECT_EQ(bench.status().roll_angle_timeout, sensor == Sensor::roll_angle);
-        EXPECT_FALSE(bench.status().vehicle_motion_timeout);
-        expect_back_after_recovery_time();
+TEST_P(Silence, OfTheImuIsUnavailableWithin50Milliseconds) {
+    bench.run_for(0.3);
+    ASSERT_EQ(bench.state(), State::ready);
+    const std::size_t from = bench.cycles().size();
+    silent_since = bench.last_sensor_time();
+    bench.stop(Sensor::imu);
+    bench.run_for(5.0);
+    expect_unavailable_in_time_and_for_ever(from);
+    EXPECT_TRUE(bench.status().imu_timeout);
+    EXPECT_FALSE(bench.status().roll_angle_timeout);
+    EXPECT_FALSE(bench.status().vehicle_motion_timeout);
+    expect_back_after_recovery_time();
+}
+
+TEST_P(Silence, OfRollSensorAndVehicleMotionIsUnavailableWithin50Milliseconds) {
+    bench.run_for(0.3);
+    ASSERT_EQ(bench.state(), State::ready);
+    const std::size_t from = bench.cycles().size();
+    silent_since = bench.last_sensor_time();
+    bench.stop(Sensor::roll_angle);
+    bench.stop(Sensor::vehicle_motion);
+    bench.run_for(5.0);
+    expect_unavailable_in_time_and_for_ever(from);
+    EXPECT_FALSE(bench.status().imu_timeout);
+    EXPECT_TRUE(bench.status().roll_angle_timeout);
+    EXPECT_TRUE(bench.status().vehicle_motion_timeout);
+    expect_back_after_recovery_time();
+}
+
+TEST_P(Silence, OfTheRollSensorIsReportedAndTheObserverStandsIn) {
+    using RollSource = can_dbc::RollObserver::RollSource;
+    bench.run_for(1.0);
+    ASSERT_EQ(bench.state(), State::ready);
+    ASSERT_EQ(roll_source(bench.last()), RollSource::sensor);
+    const std::size_t from = bench.cycles().size();
+    bench.stop(Sensor::roll_angle);
+    bench.run_for(5.0);
+    for (std::size_t index = from; index < bench.cycles().size(); ++index) {
+        ASSERT_EQ(bench.cycles()[index].state(), State::ready) << "cycle " << index;
+        if (index >= from + 5U) {
+            ASSERT_EQ(roll_source(bench.cycles()[index]), RollSource::observer) << "cycle " << index;
+        }
     }
+    EXPECT_TRUE(bench.status().roll_angle_timeout);
+    bench.resume_all();
+    bench.run_cycles(2);
+    EXPECT_FALSE(bench.status().roll_angle_timeout);
+    EXPECT_EQ(roll_source(bench.last()), RollSource::sensor);
 }
 
 TEST_P(Silence, OfVehicleMotionIsReportedButTheEcuStaysAvailable) {

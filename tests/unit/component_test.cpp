@@ -41,9 +41,11 @@ rsi_inputs in_turn(double lateral_acceleration_mps2) {
         GroundMotion{lateral_acceleration_mps2, 0.0, 0.0, lateral_acceleration_mps2 * 0.012});
 }
 
+// No roll sensor, and no speed either, so that the observer cannot stand in.
 rsi_inputs without_roll_angle() {
     rsi_inputs inputs = rsi_test::at_rest();
     inputs.roll_angle_rad = nan;
+    inputs.speed_mps = nan;
     return inputs;
 }
 
@@ -140,11 +142,83 @@ TEST(Component, AMissingNecessaryInputIsUnavailableInTheSameStep) {
         ASSERT_EQ(scenario.run(1.0, in_turn(8.5)).state, RSI_STATE_WARNING);
         rsi_inputs inputs = in_turn(8.5);
         inputs.*necessary = nan;
+        inputs.speed_mps = nan;  // or the observer would stand in for the roll sensor
         const rsi_outputs& outputs = scenario.step(inputs);
         EXPECT_EQ(outputs.state, RSI_STATE_UNAVAILABLE);
         EXPECT_EQ(outputs.side, RSI_SIDE_NONE);
         EXPECT_TRUE(rsi_test::all_not_available(outputs));
     }
+}
+
+// A steady turn at 20 m/s in which the suspension holds the body where the calibration says.
+rsi_inputs in_steady_turn(double lateral_acceleration_mps2) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    rsi_inputs inputs =
+        rsi_test::sensed(GroundMotion{lateral_acceleration_mps2, 0.0, 0.0,
+                                      rsi_test::held_roll_angle_rad(parameters, lateral_acceleration_mps2)});
+    inputs.yaw_rate_radps = static_cast<float>(lateral_acceleration_mps2 / 20.0);
+    inputs.speed_mps = 20.0F;
+    inputs.bank_angle_rad = nan;
+    return inputs;
+}
+
+TEST(Component, ALostRollSensorIsReplacedByTheObserverAndTheStateStays) {
+    for (const double acceleration_mps2 : {3.0, -6.5}) {
+        Scenario scenario;
+        const rsi_inputs inputs = in_steady_turn(acceleration_mps2);
+        const rsi_outputs with_sensor = scenario.run(3.0, inputs);
+        ASSERT_NE(with_sensor.state, RSI_STATE_UNAVAILABLE);
+        EXPECT_EQ(with_sensor.roll_source, RSI_ROLL_SENSOR);
+        EXPECT_EQ(with_sensor.roll_sensor_disagrees, 0);
+        rsi_inputs lost = inputs;
+        lost.roll_angle_rad = nan;
+        for (int k = 0; k < 500; ++k) {
+            const rsi_outputs& outputs = scenario.step(lost);
+            ASSERT_EQ(outputs.state, with_sensor.state) << k;
+            ASSERT_EQ(outputs.roll_source, RSI_ROLL_OBSERVER) << k;
+            ASSERT_NEAR(static_cast<double>(outputs.rsi), static_cast<double>(with_sensor.rsi), 0.03) << k;
+        }
+        EXPECT_EQ(scenario.step(inputs).roll_source, RSI_ROLL_SENSOR);
+    }
+}
+
+TEST(Component, WithoutARollSensorFromTheStartItIsReadyOnceTheObserverKnows) {
+    Scenario scenario;
+    rsi_inputs inputs = in_steady_turn(4.0);
+    inputs.roll_angle_rad = nan;
+    EXPECT_EQ(scenario.step(inputs).state, RSI_STATE_UNAVAILABLE);
+    EXPECT_EQ(scenario.step(inputs).roll_source, RSI_ROLL_NONE);
+    const rsi_outputs& outputs = scenario.run(0.5, inputs);
+    EXPECT_EQ(outputs.state, RSI_STATE_READY);
+    EXPECT_EQ(outputs.roll_source, RSI_ROLL_OBSERVER);
+}
+
+TEST(Component, WithoutRollSensorAndWithoutSpeedOrYawRateItIsUnavailable) {
+    for (float rsi_inputs::* const needed : {&rsi_inputs::speed_mps, &rsi_inputs::yaw_rate_radps}) {
+        Scenario scenario;
+        rsi_inputs inputs = in_steady_turn(3.0);
+        inputs.roll_angle_rad = nan;
+        ASSERT_EQ(scenario.run(1.0, inputs).state, RSI_STATE_READY);
+        inputs.*needed = nan;
+        const rsi_outputs& outputs = scenario.step(inputs);
+        EXPECT_EQ(outputs.state, RSI_STATE_UNAVAILABLE);
+        EXPECT_EQ(outputs.roll_source, RSI_ROLL_NONE);
+        EXPECT_TRUE(rsi_test::all_not_available(outputs));
+    }
+}
+
+TEST(Component, ARollSensorThatContradictsTheObserverIsReportedAndStaysInUse) {
+    Scenario scenario;
+    rsi_inputs inputs = in_steady_turn(6.5);
+    ASSERT_EQ(scenario.run(3.0, inputs).roll_sensor_disagrees, 0);
+    inputs.roll_angle_rad += 0.087F;  // 5 degrees
+    EXPECT_EQ(scenario.run(0.25, inputs).roll_sensor_disagrees, 0);
+    const rsi_outputs& outputs = scenario.run(0.15, inputs);  // 0.3 s are over
+    EXPECT_EQ(outputs.roll_sensor_disagrees, 1);
+    EXPECT_EQ(outputs.roll_source, RSI_ROLL_SENSOR);
+    inputs.roll_angle_rad -= 0.087F;
+    EXPECT_EQ(scenario.run(0.25, inputs).roll_sensor_disagrees, 1);
+    EXPECT_EQ(scenario.run(0.15, inputs).roll_sensor_disagrees, 0);
 }
 
 TEST(Component, OptionalInputsMayBeMissing) {

@@ -173,7 +173,7 @@ TEST(Measurement, AGapForgetsTheRatesBeforeIt) {
     before.roll_rate_radps = -8.0F;
     ASSERT_TRUE(stage.update(before, measured));
     rsi_inputs gap = before;
-    gap.roll_angle_rad = nan;
+    gap.lateral_specific_force_mps2 = nan;
     ASSERT_FALSE(stage.update(gap, measured));
     ASSERT_TRUE(stage.update(inputs_of(body, 1.0), measured));
     const double missing = body.angular_acceleration.cross(body.imu).y();

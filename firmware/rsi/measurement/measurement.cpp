@@ -7,6 +7,7 @@ constexpr float largest_force_mps2 = 60.0F;
 constexpr float largest_rate_radps = 10.0F;
 constexpr float largest_roll_angle_rad = 2.2F;
 constexpr float largest_bank_angle_rad = 0.8F;
+constexpr float largest_speed_mps = 150.0F;
 
 // A vehicle that is nearly weightless has no meaningful ratio A/N; the bound keeps the division safe.
 constexpr float smallest_normal_force_mps2 = 0.1F * gravity_mps2;
@@ -17,8 +18,11 @@ bool within(float value, float limit) {
 
 bool necessary_inputs_available(const Inputs& inputs) {
     return within(inputs.lateral_specific_force_mps2, largest_force_mps2) &&
-           within(inputs.roll_rate_radps, largest_rate_radps) &&
-           within(inputs.roll_angle_rad, largest_roll_angle_rad);
+           within(inputs.roll_rate_radps, largest_rate_radps);
+}
+
+bool observer_inputs_available(const Inputs& inputs) {
+    return within(inputs.yaw_rate_radps, largest_rate_radps) && within(inputs.speed_mps, largest_speed_mps);
 }
 
 struct RoadForces {
@@ -49,11 +53,15 @@ void MeasurementStage::init(const Parameters& parameters) {
     imu_z_m_ = parameters.imu_z_m;
     roll_acceleration_.init(parameters.angular_acceleration_lag_s);
     yaw_acceleration_.init(parameters.angular_acceleration_lag_s);
+    observer_.init(parameters);
+    check_.init(parameters);
 }
 
 void MeasurementStage::reset() {
     roll_acceleration_.reset();
     yaw_acceleration_.reset();
+    observer_.reset();
+    check_.reset();
 }
 
 // f_cg = f_imu - alpha x r - omega x (omega x r) with pitch rate q = 0:
@@ -79,16 +87,46 @@ BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs) {
     return forces;
 }
 
+// The observer runs whether it is needed or not, so that it knows the angle when the sensor fails.
+void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Measurement& measurement) {
+    const bool sensor_available = within(inputs.roll_angle_rad, largest_roll_angle_rad);
+    if (observer_inputs_available(inputs)) {
+        observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps, inputs.speed_mps);
+    } else {
+        observer_.reset();
+    }
+    RollObservation& observed = measurement.observed;
+    observed.roll_angle_rad = observer_.roll_known() ? observer_.roll_angle_rad() : not_available;
+    observed.bank_angle_rad = observer_.bank_known() ? observer_.bank_angle_rad() : not_available;
+    if (!sensor_available || !observer_.roll_known()) {
+        check_.reset();
+    } else if (!observer_.tipped()) {
+        check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
+    }
+    observed.sensor_disagrees = check_.disagrees();
+    measurement.roll_source = sensor_available         ? RSI_ROLL_SENSOR
+                              : observer_.roll_known() ? RSI_ROLL_OBSERVER
+                                                       : RSI_ROLL_NONE;
+    measurement.roll_angle_rad = sensor_available ? inputs.roll_angle_rad : observed.roll_angle_rad;
+}
+
 bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
     if (!necessary_inputs_available(inputs)) {
         reset();
         return false;
     }
+    const BodyForces at_cg = carry_to_cg(inputs);
+    observe(inputs, at_cg, measurement);
+    if (measurement.roll_source == RSI_ROLL_NONE) {
+        roll_acceleration_.reset();
+        yaw_acceleration_.reset();
+        return false;
+    }
+    const float phi = measurement.roll_angle_rad;
     const bool bank_known = within(inputs.bank_angle_rad, largest_bank_angle_rad);
     const float bank = bank_known ? inputs.bank_angle_rad : 0.0F;
-    const float sine = bounded_sine(inputs.roll_angle_rad);
-    const float cosine = bounded_cosine(inputs.roll_angle_rad);
-    const BodyForces at_cg = carry_to_cg(inputs);
+    const float sine = bounded_sine(phi);
+    const float cosine = bounded_cosine(phi);
     const RoadForces forces = within(inputs.vertical_specific_force_mps2, largest_force_mps2)
                                   ? rotate_to_road(at_cg.lateral_mps2, at_cg.vertical_mps2, sine, cosine)
                                   : assume_no_heave(at_cg.lateral_mps2, sine, cosine, bank);
@@ -99,9 +137,8 @@ bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
     measurement.lateral_acceleration_mps2 =
         bank_known ? forces.parallel * bounded_cosine(bank) - forces.normal * bounded_sine(bank)
                    : forces.parallel;
-    measurement.roll_angle_rad = inputs.roll_angle_rad;
     measurement.roll_rate_radps = inputs.roll_rate_radps;
-    measurement.tan_roll_angle = bounded_tangent(inputs.roll_angle_rad);
+    measurement.tan_roll_angle = bounded_tangent(phi);
     measurement.bank_angle_rad = bank;
     return true;
 }

@@ -1,13 +1,22 @@
 // Measure: from body-fixed sensor values to the road-parallel and road-normal specific forces at the sprung
-// CG.
+// CG, with the observer's roll angle where the sensor has none.
 #pragma once
 
 #include "rsi/numeric/filtered_derivative.hpp"
+#include "rsi/observer/roll_bank_observer.hpp"
+#include "rsi/observer/roll_sensor_check.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
 
-// What the algorithm knows of the vehicle in one step. All finite.
+// What the observer says, NaN where it does not know.
+struct RollObservation {
+    float roll_angle_rad{not_available};
+    float bank_angle_rad{not_available};
+    bool sensor_disagrees{false};
+};
+
+// What the algorithm knows of the vehicle in one step. All finite but for the observation.
 struct Measurement {
     float road_parallel_force_mps2{0.0F};   // A = a_y cos b + g sin b, left
     float road_normal_force_mps2{0.0F};     // N = g cos b - a_y sin b, up; at least 0.1 g
@@ -16,6 +25,8 @@ struct Measurement {
     float roll_rate_radps{0.0F};            // phi_m'
     float tan_roll_angle{0.0F};
     float bank_angle_rad{0.0F};  // b, 0 where it is not known
+    rsi_roll_source roll_source{RSI_ROLL_NONE};
+    RollObservation observed{};
 };
 
 // Specific force in body axes; the vertical one is NaN where it is not available.
@@ -29,18 +40,22 @@ class MeasurementStage {
     void init(const Parameters& parameters);
     void reset();
 
-    // True and a measurement when lateral force, roll rate and roll angle are available and in range.
+    // True and a measurement when lateral force and roll rate are available and in range, and the roll angle
+    // is, or the observer knows it.
     bool update(const Inputs& inputs, Measurement& measurement);
 
  private:
     // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
     BodyForces carry_to_cg(const Inputs& inputs);
+    void observe(const Inputs& inputs, const BodyForces& at_cg, Measurement& measurement);
 
     float imu_x_m_{0.0F};
     float imu_y_m_{0.0F};
     float imu_z_m_{0.0F};
     FilteredDerivative roll_acceleration_{};
     FilteredDerivative yaw_acceleration_{};
+    RollBankObserver observer_{};
+    RollSensorCheck check_{};
 };
 
 }  // namespace rsi

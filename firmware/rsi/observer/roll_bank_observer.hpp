@@ -1,0 +1,79 @@
+// Roll and bank observer: the body's roll angle and the road's bank from IMU, yaw rate and speed, without a
+// roll sensor.
+#pragma once
+
+#include "rsi/model/roll_stiffness_curve.hpp"
+#include "rsi/numeric/filtered_derivative.hpp"
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+// Extended Kalman filter with four states [phi, w, b, o]: roll angle relative to the road, the body's roll
+// rate against the horizon, the road's bank, and the part of w that is not phi': the bank's rate, or the
+// gyro's bias.
+//   phi' = w - o,  w' = [m_s H f_yb / cos phi - M(phi) - c_f phi'] / Ixx,  b' = o,  o decays, all wander.
+// Two scalar measurements: the gyro, p = w, and the kinematics of the turn,
+// f_yb - r V = g sin(phi + b) + v_y', where the unknown v_y' counts as noise that grows with |r'|, and with
+// an innovation that no road explains. While the inner wheels are up, the suspension says nothing and the
+// gyro alone moves phi.
+class RollBankObserver {
+ public:
+    void init(const Parameters& parameters);
+
+    // Forgets everything; the next update starts anew.
+    void reset() { running_ = false; }
+
+    // One sample. All values finite; `lateral_force_mps2` is f_yb, the specific force at the sprung CG along
+    // the body's y axis. A state that is not finite starts anew at the next sample.
+    void update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps);
+
+    // Whether the angle's standard deviation is small enough to be relied on. False after a start for as long
+    // as the filter needs.
+    bool roll_known() const {
+        return running_ && (P11_ < (tipped_ ? largest_tipped_variance_rad2 : largest_roll_variance_rad2));
+    }
+    bool bank_known() const { return running_ && (P33_ < largest_bank_variance_rad2); }
+
+    // The inner wheels are up: the roll angle comes from the gyro alone, to some ten degrees.
+    bool tipped() const { return tipped_; }
+
+    float roll_angle_rad() const { return phi_; }   // relative to the road, within +-1.57
+    float bank_angle_rad() const { return bank_; }  // left side up is positive, within +-0.5
+
+ private:
+    static constexpr float largest_roll_variance_rad2 = 0.0175F * 0.0175F;  // 1 deg
+    static constexpr float largest_tipped_variance_rad2 = 0.175F * 0.175F;  // 10 deg
+    static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
+
+    void start(float lateral_force_mps2, float roll_rate_radps);
+    void predict(float lateral_force_mps2);
+    bool tips(float lateral_force_mps2, float roll_acceleration_radps2) const;
+    void predict_covariance(float s, float e);
+    void correct_by_roll_rate(float roll_rate_radps);
+    void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
+    void correct(float innovation, float innovation_variance, float c1, float c2, float c3, float c4);
+    void keep_in_bounds();
+
+    RollStiffnessCurve stiffness_{};
+    float force_to_acceleration_{0.0F};     // m_s H / Ixx
+    float inverse_inertia_{0.0F};           // 1 / Ixx
+    float damping_over_inertia_{0.0F};      // c_f / Ixx
+    float bank_drift_variance_rad2_{0.0F};  // in one step
+    float tipping_force_mps2_{0.0F};
+    FilteredDerivative yaw_acceleration_{};
+
+    bool running_{false};
+    bool tipped_{false};
+    float phi_{0.0F};
+    float rate_{0.0F};
+    float bank_{0.0F};
+    float offset_{0.0F};
+
+    // Covariance: one triangle, so it cannot become unsymmetric.
+    float P11_{0.0F}, P12_{0.0F}, P13_{0.0F}, P14_{0.0F};
+    float P22_{0.0F}, P23_{0.0F}, P24_{0.0F};
+    float P33_{0.0F}, P34_{0.0F};
+    float P44_{0.0F};
+};
+
+}  // namespace rsi
