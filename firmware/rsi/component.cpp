@@ -93,7 +93,7 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
 
     fixed_.evaluate(model_, measured);
     const RollCentreEstimate estimate =
-        overturned ? RollCentreEstimate{} : estimator_.update(model_, measured, fixed_);
+        overturned ? RollCentreEstimate{} : estimator_.update(model_, measured, fixed_, extended_rsi_);
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
@@ -110,6 +110,7 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
+    extended_rsi_ = outputs.rsi_extended;
     outputs.warning_level = indicator_level(outputs, parameters_);
 
     const float falling_side = (measured.roll_angle_rad < 0.0F) ? -1.0F : 1.0F;
@@ -132,6 +133,8 @@ void Component::step_unavailable(Outputs& outputs) {
 void Component::resume(const Measurement& measured) {
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
+    estimator_.restart();
+    extended_rsi_ = not_available;
     running_ = true;
 }
 
