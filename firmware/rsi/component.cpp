@@ -93,7 +93,7 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
 
     fixed_.evaluate(model_, measured);
     const RollCentreEstimate estimate =
-        overturned ? RollCentreEstimate{} : estimator_.update(model_, measured, fixed_, extended_rsi_);
+        overturned ? RollCentreEstimate{} : estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps);
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);

@@ -45,11 +45,12 @@ RecordedDrive record(const std::string& manoeuvre, const std::string& vehicle, b
     RecordedDrive drive;
     drive.manoeuvre = manoeuvre;
     drive.vehicle = vehicle;
-    drive.vehicle_parameters =
-        sil::load_vehicle(std::string{RSI_SOURCE_DIR} + "/sil/vehicles/" + vehicle + ".toml");
     sil::RunOptions options;
     options.mirrored = mirrored;
-    sil::ManoeuvreRun run{drive.vehicle_parameters, sil::find_manoeuvre(manoeuvre), options};
+    sil::ManoeuvreRun run{
+        sil::load_vehicle(std::string{RSI_SOURCE_DIR} + "/sil/vehicles/" + vehicle + ".toml"),
+        sil::find_manoeuvre(manoeuvre), options};
+    drive.vehicle_parameters = run.vehicle().parameters();
     drive.truths.push_back(run.truth());
     while (!run.finished() && std::abs(run.truth().roll_angle_rad) < lies_on_its_side_rad) {
         run.step();

@@ -12,13 +12,25 @@ constexpr float inertia_error = 0.3F;
 constexpr float offset_prior_mps2 = 0.03F * gravity_mps2;
 constexpr float offset_drift_mps2_per_root_s = 0.0005F * gravity_mps2;
 // The noise of neighbouring samples is alike, because F makes it so; the factor is for that.
-constexpr float noise_nm = 250.0F;
+constexpr float noise_nm = 400.0F;
 constexpr float correlation = 3.0F;
 // Innovations beyond three of their standard deviations lose weight with the square of their size.
 constexpr float outlier_variances = 9.0F;
 // d is learnt below this share of the excitation threshold.
 constexpr float straight_share = 0.5F;
+// d is known once its deviation is below this share of its prior.
+constexpr float learnt_share = 0.5F;
 constexpr float smallest_deviation_m = 1.0e-3F;
+// dh depends on how the suspension stands: it moves while the body rolls, by its prior deviation in about
+// this angle, and hardly in a steady turn.
+constexpr float memory_angle_rad = 0.05F;
+constexpr float steady_share = 0.1F;  // of the mean reversion that remains in a steady turn
+// Harder braking and faster gathering of speed pitch the body and move the suspension away from the stiffness
+// curve.
+constexpr float largest_speed_change_mps2 = 2.5F;
+constexpr float speed_lag_s = 0.2F;
+// Rolling faster than this is no driving straight.
+constexpr float straight_roll_rate_radps = 0.01F;
 
 constexpr float square(float x) {
     return x * x;
@@ -29,7 +41,7 @@ constexpr float square(float x) {
 void ConsiderKalman::init(const Parameters& parameters) {
     equation_.init(parameters);
     prior_variance_m2_ = square(parameters.roll_centre_prior_deviation_m);
-    retention_ = decaying_exponential(sample_time_s / parameters.roll_centre_reversion_s);
+    reversion_ = 1.0F - decaying_exponential(sample_time_s / parameters.roll_centre_reversion_s);
     limit_m_ = parameters.roll_centre_limit_m;
     excitation_threshold_n_ = parameters.sprung_mass_kg * parameters.excitation_threshold_mps2;
     freeze_level_ = parameters.freeze_level;
@@ -43,7 +55,7 @@ void ConsiderKalman::init(const Parameters& parameters) {
 }
 
 void ConsiderKalman::reset() {
-    equation_.restart();
+    restart();
     movement_m_ = 0.0F;
     variance_m2_ = prior_variance_m2_;
     stiffness_covariance_m_ = 0.0F;
@@ -53,15 +65,19 @@ void ConsiderKalman::reset() {
     deviation_m_ = larger(smallest_deviation_m, limit_m_);
 }
 
-RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float extended_rsi) {
+RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float extended_rsi, float speed_mps) {
     const RollEquation equation = equation_.update(measured);
-    const bool near_lift = extended_rsi > freeze_level_;
-    pass_time(near_lift);
+    const bool held = (extended_rsi > freeze_level_) | changes_speed(speed_mps);
     const float force_n = absolute(equation.lateral_force_n);
-    const bool learns = equation.settled && !near_lift && (force_n > excitation_threshold_n_);
+    const bool excited = force_n > excitation_threshold_n_;
+    // A turn cannot tell an unknown offset from dh.
+    const bool offset_known = offset_variance_nm2_ < square(learnt_share) * offset_prior_nm2_;
+    const bool learns = equation.settled && excited && offset_known && !held;
+    pass_time(equation, excited, held);
     if (learns) {
         learn_movement(equation);
-    } else if (equation.settled && (force_n < straight_share * excitation_threshold_n_)) {
+    } else if (equation.settled && (force_n < straight_share * excitation_threshold_n_) &&
+               (absolute(equation.roll_rate_radps) < straight_roll_rate_radps)) {
         learn_offset(equation);
     }
     update_deviation();
@@ -78,15 +94,33 @@ RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float ext
     return estimate;
 }
 
-void ConsiderKalman::pass_time(bool frozen) {
-    const float retained = square(retention_);
+void ConsiderKalman::pass_time(const RollEquation& equation, bool excited, bool held) {
+    const float rolled = absolute(equation.roll_rate_radps) * (sample_time_s / memory_angle_rad);
+    const float forgotten = (excited ? steady_share * reversion_ : reversion_) + rolled;
+    const float retention = 1.0F - clamp(forgotten, 0.0F, 0.5F);
+    const float retained = square(retention);
     variance_m2_ = retained * variance_m2_ + (1.0F - retained) * prior_variance_m2_;
     offset_variance_nm2_ = clamp(offset_variance_nm2_ + offset_drift_nm2_, 0.0F, offset_prior_nm2_);
-    if (!frozen) {
-        movement_m_ *= retention_;
-        stiffness_covariance_m_ *= retention_;
-        offset_covariance_nm2_ *= retention_;
+    if (!held) {
+        movement_m_ *= retention;
+        stiffness_covariance_m_ *= retention;
+        offset_covariance_nm2_ *= retention;
     }
+}
+
+// A speed that is not available does not hold.
+bool ConsiderKalman::changes_speed(float speed_mps) {
+    if (!is_within(speed_mps, 0.0F, 150.0F)) {
+        speed_known_ = false;
+        return false;
+    }
+    if (!speed_known_) {
+        lagged_speed_mps_ = speed_mps;
+        speed_known_ = true;
+    }
+    const float behind_mps = lagged_speed_mps_ - speed_mps;
+    lagged_speed_mps_ -= behind_mps * (sample_time_s / speed_lag_s);
+    return absolute(behind_mps) > largest_speed_change_mps2 * speed_lag_s;
 }
 
 ConsiderKalman::Innovation ConsiderKalman::innovation(const RollEquation& equation) const {

@@ -19,10 +19,14 @@ class ConsiderKalman {
     void reset();
 
     // Forgets the signals, not what has been learnt: for a gap in the measurements.
-    void restart() { equation_.restart(); }
+    void restart() {
+        equation_.restart();
+        speed_known_ = false;
+    }
 
-    // `extended_rsi` is that of the cycle before; one that is not a number does not freeze.
-    RollCentreEstimate update(const Measurement& measured, float extended_rsi);
+    // `extended_rsi` is that of the cycle before. Near wheel lift, in hard braking and while speed is
+    // gathered fast dh is held; a number that is not available holds nothing.
+    RollCentreEstimate update(const Measurement& measured, float extended_rsi, float speed_mps);
 
  private:
     // z against what was expected, and its covariances with what is unknown.
@@ -35,7 +39,8 @@ class ConsiderKalman {
         float weight;          // 1, less for an outlier
     };
 
-    void pass_time(bool frozen);
+    void pass_time(const RollEquation& equation, bool excited, bool held);
+    bool changes_speed(float speed_mps);
     Innovation innovation(const RollEquation& equation) const;
     void learn_movement(const RollEquation& equation);
     void learn_offset(const RollEquation& equation);
@@ -44,7 +49,7 @@ class ConsiderKalman {
 
     FilteredRollEquation equation_{};
     float prior_variance_m2_{0.0F};
-    float retention_{1.0F};  // of dh over one sample
+    float reversion_{0.0F};  // of dh over one sample without excitation
     float limit_m_{0.0F};
     float excitation_threshold_n_{0.0F};
     float freeze_level_{0.0F};
@@ -53,6 +58,8 @@ class ConsiderKalman {
     float offset_prior_nm2_{0.0F};
     float offset_drift_nm2_{0.0F};  // a sample
 
+    bool speed_known_{false};
+    float lagged_speed_mps_{0.0F};
     float movement_m_{0.0F};              // dh
     float variance_m2_{0.0F};             // of dh
     float stiffness_covariance_m_{0.0F};  // of dh with the relative error of M(phi)
