@@ -110,7 +110,6 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    extended_rsi_ = outputs.rsi_extended;
     outputs.warning_level = indicator_level(outputs, parameters_);
 
     const float falling_side = (measured.roll_angle_rad < 0.0F) ? -1.0F : 1.0F;
@@ -121,6 +120,7 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
 
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_, measured);
+    extended_rsi_ = outputs.rsi_extended;
 }
 
 void Component::step_unavailable(Outputs& outputs) {

@@ -11,11 +11,12 @@ constexpr float damping_error = 0.25F;
 constexpr float inertia_error = 0.3F;
 constexpr float offset_prior_mps2 = 0.03F * gravity_mps2;
 constexpr float offset_drift_mps2_per_root_s = 0.0005F * gravity_mps2;
-// The noise of neighbouring samples is alike, because F makes it so; the factor is for that.
+// The noise of neighbouring samples is alike, because F makes it so; both numbers are larger for that.
 constexpr float noise_nm = 400.0F;
 constexpr float correlation = 3.0F;
-// Innovations beyond three of their standard deviations lose weight with the square of their size.
-constexpr float outlier_variances = 9.0F;
+// The variance holds what neighbouring samples share, so one sample's innovation is far smaller as a rule.
+// Beyond half a standard deviation it loses weight with the square of its size: a kerb, a pothole.
+constexpr float outlier_variances = 0.25F;
 // d is learnt below this share of the excitation threshold.
 constexpr float straight_share = 0.5F;
 // d is known once its deviation is below this share of its prior.
@@ -28,7 +29,7 @@ constexpr float steady_share = 0.1F;  // of the mean reversion that remains in a
 // Harder braking and faster gathering of speed pitch the body and move the suspension away from the stiffness
 // curve.
 constexpr float largest_speed_change_mps2 = 2.5F;
-constexpr float speed_lag_s = 0.2F;
+constexpr float speed_lag_s = 0.1F;
 // Rolling faster than this is no driving straight.
 constexpr float straight_roll_rate_radps = 0.01F;
 
@@ -81,10 +82,13 @@ RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float ext
         learn_offset(equation);
     }
     update_deviation();
-    if (!all_finite()) {
-        reset();
-    }
     RollCentreEstimate estimate;
+    if (!all_finite() || !equation.all_finite()) {
+        reset();
+        estimate.deviation_m = deviation_m_;
+        estimate.frozen = true;
+        return estimate;
+    }
     estimate.vertical_movement_m = movement_m_;
     estimate.stiffness_deviation_nmprad = equation.stiffness_deviation_nmprad;
     estimate.disturbance_nm = equation.residual_nm - equation.lateral_force_n * movement_m_;

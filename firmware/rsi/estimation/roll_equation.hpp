@@ -3,6 +3,7 @@
 
 #include "rsi/measurement/measurement.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
+#include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -15,7 +16,12 @@ struct RollEquation {
     float stiffness_deviation_nmprad{0.0F};  // M(phi) / phi - K_f, unfiltered
     float roll_rate_radps{0.0F};             // F[phi']
     float roll_acceleration_radps2{0.0F};    // F[phi'']
-    bool settled{false};                     // false until the lags have forgotten how they were started
+    bool all_finite() const {
+        return is_finite(residual_nm + lateral_force_n + roll_rate_radps + roll_acceleration_radps2 +
+                         stiffness_deviation_nmprad);
+    }
+
+    bool settled{false};  // false until the lags have forgotten how they were started
 };
 
 // F is two first-order lags in a row, and the roll acceleration is what the second one does with the roll
