@@ -98,7 +98,8 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
 
     fixed_.evaluate(model_, measured);
     const RollCentreEstimate estimate =
-        overturned ? RollCentreEstimate{} : estimator_.update(model_, measured, fixed_);
+        overturned ? RollCentreEstimate{}
+                   : estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps);
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
@@ -119,6 +120,7 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
 
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_, measured);
+    extended_rsi_ = outputs.rsi_extended;
 }
 
 // An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.
@@ -147,6 +149,8 @@ void Component::resume(const Measurement& measured) {
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
     further_.reset(measured);
+    estimator_.restart();
+    extended_rsi_ = not_available;
     running_ = true;
 }
 

@@ -28,7 +28,8 @@ class Component {
     void warn(const Measurement& measured, bool overturned, Outputs& outputs);
 
     bool initialised_{false};
-    bool running_{false};  // false until the first good sample after init, a gap or an overturn
+    bool running_{false};       // false until the first good sample after init, a gap or an overturn
+    float extended_rsi_{0.0F};  // of the cycle before
     Parameters parameters_{};
     MeasurementStage measurement_{};
     RollPlaneModel model_{};

@@ -5,17 +5,20 @@ namespace rsi {
 void RollCentreEstimator::init(const Parameters& parameters) {
     in_use_ = static_cast<rsi_estimator>(parameters.estimator);
     published_.init(parameters);
+    consider_kalman_.init(parameters);
 }
 
 void RollCentreEstimator::reset() {
     published_.reset();
+    consider_kalman_.reset();
 }
 
 RollCentreEstimate RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
-                                               const FixedModelRoll& fixed) {
+                                               const FixedModelRoll& fixed, float extended_rsi,
+                                               float speed_mps) {
     switch (in_use_) {
         case RSI_ESTIMATOR_CONSIDER_KALMAN:
-            break;
+            return consider_kalman_.update(measured, extended_rsi, speed_mps);
         case RSI_ESTIMATOR_PUBLISHED:
             published_.update(regress(model, measured, fixed));
             return published_.estimate();

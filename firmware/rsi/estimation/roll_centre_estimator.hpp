@@ -1,6 +1,7 @@
 // The estimator's seat: one interface for every estimator, the one in use chosen by a parameter.
 #pragma once
 
+#include "rsi/estimation/consider_kalman.hpp"
 #include "rsi/estimation/robust_least_squares.hpp"
 
 namespace rsi {
@@ -11,13 +12,18 @@ class RollCentreEstimator {
     void init(const Parameters& parameters);
     void reset();
 
-    // `fixed` must have been evaluated at the same measurement.
+    // For a gap in the measurements: what has been learnt stays.
+    void restart() { consider_kalman_.restart(); }
+
+    // `fixed` must have been evaluated at the same measurement; `extended_rsi` is that of the cycle before;
+    // NaN where a number is not available.
     RollCentreEstimate update(const RollPlaneModel& model, const Measurement& measured,
-                              const FixedModelRoll& fixed);
+                              const FixedModelRoll& fixed, float extended_rsi, float speed_mps);
 
  private:
     rsi_estimator in_use_{RSI_ESTIMATOR_PUBLISHED};
     RobustLeastSquares published_{};
+    ConsiderKalman consider_kalman_{};
 };
 
 }  // namespace rsi

@@ -14,7 +14,8 @@ float additional_roll_moment_nm(const RollPlaneModel& model, const Measurement& 
     return -(m_s * measured.road_parallel_force_mps2 * estimate.vertical_movement_m +
              m_s * measured.road_normal_force_mps2 * lateral_roll_centre_m +
              estimate.stiffness_deviation_nmprad * measured.roll_angle_rad +
-             estimate.damping_deviation_nmsprad * measured.roll_rate_radps);
+             estimate.damping_deviation_nmsprad * measured.roll_rate_radps) +
+           estimate.inertia_moment_nm;
 }
 
 }  // namespace rsi

@@ -11,7 +11,8 @@ namespace rsi {
 float lateral_roll_centre_m(const RollPlaneModel& model, const Measurement& measured,
                             const FixedModelRoll& fixed, float vertical_movement_m);
 
-// M_add of (7) with N' in place of the flat-road m_s g: -[A' dh + N' c_rc + dK phi_m + dc phi_m'].
+// M_add of (7) with N' in place of the flat-road m_s g: -[A' dh + N' c_rc + dK phi_m + dc phi_m'], and the
+// roll inertia's moment where the estimator knows one: (1) has no inertia, the vehicle has.
 float additional_roll_moment_nm(const RollPlaneModel& model, const Measurement& measured,
                                 const RollCentreEstimate& estimate, float lateral_roll_centre_m);
 

@@ -19,6 +19,12 @@ class RollStiffnessCurve {
         return angle_rad * (linear_ + z * (cubic_ + z * quintic_));
     }
 
+    // M(phi) / phi - K_f
+    float secant_deviation_nmprad(float angle_rad) const {
+        const float z = angle_rad * angle_rad;
+        return z * (cubic_ + z * quintic_);
+    }
+
     // dM/dphi
     float slope_nmprad(float angle_rad) const {
         const float z = angle_rad * angle_rad;

@@ -1,0 +1,184 @@
+#include "rsi/estimation/consider_kalman.hpp"
+
+#include "rsi/numeric/bounded_functions.hpp"
+
+namespace rsi {
+namespace {
+
+// What the calibration and the sensors are taken to be wrong by, one standard deviation each.
+constexpr float stiffness_error = 0.07F;
+constexpr float damping_error = 0.25F;
+constexpr float inertia_error = 0.3F;
+constexpr float offset_prior_mps2 = 0.03F * gravity_mps2;
+constexpr float offset_drift_mps2_per_root_s = 0.0005F * gravity_mps2;
+// The noise of neighbouring samples is alike, because F makes it so; both numbers are larger for that.
+constexpr float noise_nm = 400.0F;
+constexpr float correlation = 3.0F;
+// The variance holds what neighbouring samples share, so one sample's innovation is far smaller as a rule.
+// Beyond half a standard deviation it loses weight with the square of its size: a kerb, a pothole.
+constexpr float outlier_variances = 0.25F;
+// d is learnt below this share of the excitation threshold.
+constexpr float straight_share = 0.5F;
+// d is known once its deviation is below this share of its prior.
+constexpr float learnt_share = 0.5F;
+constexpr float smallest_deviation_m = 1.0e-3F;
+// dh depends on how the suspension stands: it moves while the body rolls, by its prior deviation in about
+// this angle, and hardly in a steady turn.
+constexpr float memory_angle_rad = 0.05F;
+constexpr float steady_share = 0.1F;  // of the mean reversion that remains in a steady turn
+// Harder braking and faster gathering of speed pitch the body and move the suspension away from the stiffness
+// curve.
+constexpr float largest_speed_change_mps2 = 2.5F;
+constexpr float speed_lag_s = 0.1F;
+// Rolling faster than this is no driving straight.
+constexpr float straight_roll_rate_radps = 0.01F;
+
+constexpr float square(float x) {
+    return x * x;
+}
+
+}  // namespace
+
+void ConsiderKalman::init(const Parameters& parameters) {
+    equation_.init(parameters);
+    prior_variance_m2_ = square(parameters.roll_centre_prior_deviation_m);
+    reversion_ = 1.0F - decaying_exponential(sample_time_s / parameters.roll_centre_reversion_s);
+    limit_m_ = parameters.roll_centre_limit_m;
+    excitation_threshold_n_ = parameters.sprung_mass_kg * parameters.excitation_threshold_mps2;
+    freeze_level_ = parameters.freeze_level;
+    damping_nmsprad_ = parameters.roll_damping_nmsprad;
+    inertia_kgm2_ = parameters.roll_inertia_kgm2;
+    const float nm_per_mps2 =
+        parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+    offset_prior_nm2_ = square(offset_prior_mps2 * nm_per_mps2);
+    offset_drift_nm2_ = square(offset_drift_mps2_per_root_s * nm_per_mps2) * sample_time_s;
+    reset();
+}
+
+void ConsiderKalman::reset() {
+    restart();
+    movement_m_ = 0.0F;
+    variance_m2_ = prior_variance_m2_;
+    stiffness_covariance_m_ = 0.0F;
+    offset_covariance_nm2_ = 0.0F;
+    offset_nm_ = 0.0F;
+    offset_variance_nm2_ = offset_prior_nm2_;
+    deviation_m_ = larger(smallest_deviation_m, limit_m_);
+}
+
+RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float extended_rsi, float speed_mps) {
+    const RollEquation equation = equation_.update(measured);
+    const bool held = (extended_rsi > freeze_level_) | changes_speed(speed_mps);
+    const float force_n = absolute(equation.lateral_force_n);
+    const bool excited = force_n > excitation_threshold_n_;
+    // A turn cannot tell an unknown offset from dh.
+    const bool offset_known = offset_variance_nm2_ < square(learnt_share) * offset_prior_nm2_;
+    const bool learns = equation.settled && excited && offset_known && !held;
+    pass_time(equation, excited, held);
+    if (learns) {
+        learn_movement(equation);
+    } else if (equation.settled && (force_n < straight_share * excitation_threshold_n_) &&
+               (absolute(equation.roll_rate_radps) < straight_roll_rate_radps)) {
+        learn_offset(equation);
+    }
+    update_deviation();
+    RollCentreEstimate estimate;
+    if (!all_finite() || !equation.all_finite()) {
+        reset();
+        estimate.deviation_m = deviation_m_;
+        estimate.frozen = true;
+        return estimate;
+    }
+    estimate.vertical_movement_m = movement_m_;
+    estimate.stiffness_deviation_nmprad = equation.stiffness_deviation_nmprad;
+    estimate.disturbance_nm = equation.residual_nm - equation.lateral_force_n * movement_m_;
+    estimate.inertia_moment_nm = -inertia_kgm2_ * equation.roll_acceleration_radps2;
+    estimate.deviation_m = deviation_m_;
+    estimate.frozen = !learns;
+    return estimate;
+}
+
+void ConsiderKalman::pass_time(const RollEquation& equation, bool excited, bool held) {
+    const float rolled = absolute(equation.roll_rate_radps) * (sample_time_s / memory_angle_rad);
+    const float forgotten = (excited ? steady_share * reversion_ : reversion_) + rolled;
+    const float retention = 1.0F - clamp(forgotten, 0.0F, 0.5F);
+    const float retained = square(retention);
+    variance_m2_ = retained * variance_m2_ + (1.0F - retained) * prior_variance_m2_;
+    offset_variance_nm2_ = clamp(offset_variance_nm2_ + offset_drift_nm2_, 0.0F, offset_prior_nm2_);
+    if (!held) {
+        movement_m_ *= retention;
+        stiffness_covariance_m_ *= retention;
+        offset_covariance_nm2_ *= retention;
+    }
+}
+
+// A speed that is not available does not hold.
+bool ConsiderKalman::changes_speed(float speed_mps) {
+    if (!is_within(speed_mps, 0.0F, 150.0F)) {
+        speed_known_ = false;
+        return false;
+    }
+    if (!speed_known_) {
+        lagged_speed_mps_ = speed_mps;
+        speed_known_ = true;
+    }
+    const float behind_mps = lagged_speed_mps_ - speed_mps;
+    lagged_speed_mps_ -= behind_mps * (sample_time_s / speed_lag_s);
+    return absolute(behind_mps) > largest_speed_change_mps2 * speed_lag_s;
+}
+
+ConsiderKalman::Innovation ConsiderKalman::innovation(const RollEquation& equation) const {
+    const float G = equation.lateral_force_n;
+    const float M = equation.stiffness_moment_nm;
+    const float noise = square(noise_nm) +
+                        square(damping_error * damping_nmsprad_ * equation.roll_rate_radps) +
+                        square(inertia_error * inertia_kgm2_ * equation.roll_acceleration_radps2);
+    Innovation innovation;
+    innovation.value_nm = equation.residual_nm - G * movement_m_ - offset_nm_;
+    innovation.with_movement = G * variance_m2_ + M * stiffness_covariance_m_ + offset_covariance_nm2_;
+    innovation.with_stiffness = G * stiffness_covariance_m_ + M * square(stiffness_error);
+    innovation.with_offset = G * offset_covariance_nm2_ + offset_variance_nm2_;
+    innovation.variance_nm2 = G * innovation.with_movement + M * innovation.with_stiffness +
+                              innovation.with_offset + correlation * noise;
+    // Positive semidefinite in exact numbers; rounding must not undercut the noise.
+    innovation.variance_nm2 = larger(innovation.variance_nm2, square(noise_nm));
+    const float excess = square(innovation.value_nm) - outlier_variances * innovation.variance_nm2;
+    innovation.weight =
+        (excess > 0.0F) ? outlier_variances * innovation.variance_nm2 / square(innovation.value_nm) : 1.0F;
+    return innovation;
+}
+
+void ConsiderKalman::learn_movement(const RollEquation& equation) {
+    const Innovation e = innovation(equation);
+    const float gain = e.weight * e.with_movement / e.variance_nm2;
+    movement_m_ = clamp(movement_m_ + gain * e.value_nm, -limit_m_, limit_m_);
+    variance_m2_ -= (2.0F - e.weight) * gain * e.with_movement;
+    variance_m2_ = clamp(variance_m2_, square(smallest_deviation_m), prior_variance_m2_);
+    stiffness_covariance_m_ -= gain * e.with_stiffness;
+    offset_covariance_nm2_ -= gain * e.with_offset;
+}
+
+void ConsiderKalman::learn_offset(const RollEquation& equation) {
+    const Innovation e = innovation(equation);
+    const float gain = e.weight * e.with_offset / e.variance_nm2;
+    offset_nm_ += gain * e.value_nm;
+    offset_variance_nm2_ -= (2.0F - e.weight) * gain * e.with_offset;
+    offset_variance_nm2_ = larger(offset_variance_nm2_, offset_drift_nm2_);
+    offset_covariance_nm2_ -= gain * e.with_movement;
+}
+
+// Newton's iteration for the square root, begun at the sample before; from its first step on never below the
+// root.
+void ConsiderKalman::update_deviation() {
+    for (int step = 0; step < 2; ++step) {
+        deviation_m_ = 0.5F * (deviation_m_ + variance_m2_ / deviation_m_);
+    }
+    deviation_m_ = larger(deviation_m_, smallest_deviation_m);
+}
+
+bool ConsiderKalman::all_finite() const {
+    return is_finite(movement_m_ + variance_m2_ + stiffness_covariance_m_ + offset_covariance_nm2_ +
+                     offset_nm_ + offset_variance_nm2_ + deviation_m_);
+}
+
+}  // namespace rsi
