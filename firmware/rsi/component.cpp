@@ -115,7 +115,9 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    further_.update(inputs, measured, outputs);
+    // The published estimate drifts to where it fits anything; it must not move the prediction.
+    const bool sound = (parameters_.estimator == RSI_ESTIMATOR_CONSIDER_KALMAN);
+    further_.update(inputs, measured, sound ? estimate.vertical_movement_m : 0.0F, outputs);
     warn(measured, overturned, outputs);
 
     compensated_.advance(model_, measured, fixed_, M_add);

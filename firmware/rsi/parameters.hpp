@@ -25,7 +25,7 @@ struct SelectionField {
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.
-inline constexpr std::array<ParameterField, 53> parameter_fields{{
+inline constexpr std::array<ParameterField, 54> parameter_fields{{
     {"sprung_mass_kg", &Parameters::sprung_mass_kg, 100.0F, 60000.0F},
     {"sprung_cg_height_m", &Parameters::sprung_cg_height_m, 0.2F, 4.0F},
     {"track_width_m", &Parameters::track_width_m, 0.8F, 3.0F},
@@ -58,6 +58,7 @@ inline constexpr std::array<ParameterField, 53> parameter_fields{{
     {"estimator_filter_lag_s", &Parameters::estimator_filter_lag_s, 0.0F, 1.0F},
     {"excitation_threshold_mps2", &Parameters::excitation_threshold_mps2, 0.1F, 20.0F},
     {"freeze_level", &Parameters::freeze_level, 0.1F, 20.0F},
+    {"load_transfer_inertial_weight", &Parameters::load_transfer_inertial_weight, 0.0F, 1.0F},
     {"prediction_horizon_s", &Parameters::prediction_horizon_s, 0.0F, 0.5F},
     {"acceleration_trend_s", &Parameters::acceleration_trend_s, 0.02F, 5.0F},
     {"prediction_filter_lag_s", &Parameters::prediction_filter_lag_s, 0.0F, 0.5F},

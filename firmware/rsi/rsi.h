@@ -118,6 +118,10 @@ typedef struct {
     float excitation_threshold_mps2;     /* no update while |A + N tan phi| is smaller */
     float freeze_level;                  /* no update while the extended RSI is above */
 
+    /* Load transfer from the roll state: 0 as the suspension's moments say, 1 as the forces and the roll
+     * acceleration say, between them a mean of both. The former trusts K, the latter the height of the CG. */
+    float load_transfer_inertial_weight;
+
     /* Looking ahead */
     float prediction_horizon_s;    /* how far */
     float acceleration_trend_s;    /* time constant with which the trend of A dies away */

@@ -19,7 +19,7 @@ namespace {
 
 void list_manoeuvres() {
     for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
-        fmt::print("{:<20} {}\n", manoeuvre.name, manoeuvre.description);
+        fmt::print("{:<24} {}\n", manoeuvre.name, manoeuvre.description);
     }
 }
 

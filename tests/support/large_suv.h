@@ -40,6 +40,7 @@ static inline rsi_parameters rsi_test_large_suv(void) {
     parameters.estimator_filter_lag_s = 0.04F;
     parameters.excitation_threshold_mps2 = 1.5F;
     parameters.freeze_level = 0.9F;
+    parameters.load_transfer_inertial_weight = 0.0F;
     parameters.prediction_horizon_s = 0.2F;
     parameters.acceleration_trend_s = 0.15F;
     parameters.prediction_filter_lag_s = 0.02F;

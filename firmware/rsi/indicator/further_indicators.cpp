@@ -11,10 +11,11 @@ void FurtherIndicators::init(const Parameters& parameters) {
     classic_.init(parameters);
 }
 
-void FurtherIndicators::update(const Inputs& inputs, const Measurement& measured, Outputs& outputs) {
+void FurtherIndicators::update(const Inputs& inputs, const Measurement& measured, float vertical_movement_m,
+                               Outputs& outputs) {
     const RollMotion motion = filter_.update(measured);
-    const Prediction prediction =
-        predictor_.evaluate(motion, steering_demand_.evaluate(inputs, measured), load_transfer_, extended_);
+    const Prediction prediction = predictor_.evaluate(motion, steering_demand_.evaluate(inputs, measured),
+                                                      load_transfer_, extended_, vertical_movement_m);
     outputs.rsi_extended = prediction.present.rsi_extended;
     outputs.load_transfer_ratio = prediction.present.load_transfer_ratio;
     outputs.predicted_load_transfer_ratio = prediction.worst.load_transfer_ratio;

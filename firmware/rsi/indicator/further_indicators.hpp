@@ -18,7 +18,9 @@ class FurtherIndicators {
     void reset(const Measurement& measured) { filter_.reset(measured); }
 
     // Writes rsi_extended, load_transfer_ratio and all that follows in rsi_outputs; every one is finite.
-    void update(const Inputs& inputs, const Measurement& measured, Outputs& outputs);
+    // `vertical_movement_m`: dh for the prediction, 0 where no sound estimate is.
+    void update(const Inputs& inputs, const Measurement& measured, float vertical_movement_m,
+                Outputs& outputs);
 
  private:
     RollMotionFilter filter_{};

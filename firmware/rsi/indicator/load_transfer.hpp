@@ -1,13 +1,19 @@
 // Load transfer from the roll state: (26) without wheel loads.
 #pragma once
 
+#include "rsi/indicator/roll_motion.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
 
-// LTR_int = 2 / (m N c_w) [alpha A + M(phi) + c_f phi'],  alpha = m_s h_frc + m_u h_u,  m = m_s + m_u:
-// what the links, the springs and the dampers carry from one side to the other. > 0 in a left turn.
+// LTR = 2 / (m N c_w) moment,  m = m_s + m_u, > 0 in a left turn. The moment that the wheels hold against is
+// both
+//   alpha A + M(phi) + c_f phi',  alpha = m_s h_frc + m_u h_u:
+//       what the links, the springs and the dampers carry from one side to the other, and
+//   (m_s h + m_u h_u) A + m_s (h - h_frc) N tan phi - Ixx phi'':
+//       what the forces on the vehicle leave after the body's roll acceleration.
+// The first is as good as K, the second as good as h; the weighted mean of both errs less than either.
 class LoadTransfer {
  public:
     void init(const Parameters& parameters);
@@ -17,9 +23,13 @@ class LoadTransfer {
         return curve_.moment_nm(roll_angle_rad) + roll_damping_nmsprad_ * roll_rate_radps;
     }
 
-    // The bracket: the moment that the wheels hold against.
-    float moment_nm(float parallel_force_mps2, float suspension_moment_nm) const {
-        return force_arm_kgm_ * parallel_force_mps2 + suspension_moment_nm;
+    // The weighted mean of both at present.
+    float present_moment_nm(const RollMotion& motion, float suspension_moment_nm) const;
+
+    // How much the moment grows for each m/s^2 of A while the suspension's moment stays: alpha with the roll
+    // centre `vertical_movement_m` higher.
+    float force_arm_kgm(float vertical_movement_m) const {
+        return force_arm_kgm_ + sprung_mass_kg_ * vertical_movement_m;
     }
 
     // The ratio for such a moment, -20 to 20. `normal_inverse` is 1/N.
@@ -27,7 +37,12 @@ class LoadTransfer {
 
  private:
     RollStiffnessCurve curve_{};
-    float force_arm_kgm_{0.0F};  // alpha
+    float inertial_weight_{0.0F};
+    float sprung_mass_kg_{0.0F};
+    float force_arm_kgm_{0.0F};      // alpha
+    float height_moment_kgm_{0.0F};  // m_s h + m_u h_u
+    float shift_moment_kgm_{0.0F};   // m_s (h - h_frc)
+    float roll_inertia_kgm2_{0.0F};
     float roll_damping_nmsprad_{0.0F};
     float half_weight_arm_kgm_{1.0F};  // m c_w / 2
 };

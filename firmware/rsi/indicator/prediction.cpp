@@ -31,6 +31,7 @@ void RollPredictor::init(const Parameters& parameters) {
     half_step_s_ = 0.5F * step_s;
     trend_s_ = parameters.acceleration_trend_s;
     trend_decay_ = decaying_exponential(step_s / trend_s_);
+    sprung_mass_kg_ = parameters.sprung_mass_kg;
     moment_arm_kgm_ =
         parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
     // Positive: K_f >= 1.2 m_s g H is validated.
@@ -42,8 +43,8 @@ void RollPredictor::init(const Parameters& parameters) {
 }
 
 Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce& demand,
-                                   const LoadTransfer& load_transfer,
-                                   const ExtendedIndicator& extended) const {
+                                   const LoadTransfer& load_transfer, const ExtendedIndicator& extended,
+                                   float vertical_movement_m) const {
     const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
     const ForceBounds bounds = bounds_of(A, demand);
@@ -54,20 +55,23 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce
     float y = motion.roll_rate_radps;
     float a = A;
     float suspension_nm = load_transfer.suspension_moment_nm(x, y);
-    const float present_nm = load_transfer.moment_nm(a, suspension_nm);
+    const float force_arm_kgm = load_transfer.force_arm_kgm(vertical_movement_m);
+    const float arm_kgm = moment_arm_kgm_ - sprung_mass_kg_ * vertical_movement_m;
+    const float present_nm = load_transfer.present_moment_nm(motion, suspension_nm);
+    const float offset_nm = present_nm - force_arm_kgm * a - suspension_nm;
     float lowest_nm = present_nm;
     float highest_nm = present_nm;
     for (int step = 0; step < step_count; ++step) {
         outstanding_mps2 *= trend_decay_;
         const float next_a = clamp(settled_force_mps2 - outstanding_mps2, bounds.lowest, bounds.highest);
         const float mean_a = 0.5F * (a + next_a);
-        const float moment_nm = moment_arm_kgm_ * (mean_a + N * short_tangent(x)) - suspension_nm;
+        const float moment_nm = arm_kgm * (mean_a + N * short_tangent(x)) - suspension_nm;
         const float next_y = y + rate_gain_radpnms_ * (moment_nm - half_step_stiffness_nms_ * y);
         x = clamp(x + half_step_s_ * (y + next_y), -largest_predicted_angle_rad, largest_predicted_angle_rad);
         y = next_y;
         a = next_a;
         suspension_nm = load_transfer.suspension_moment_nm(x, y);
-        const float transfer_nm = load_transfer.moment_nm(a, suspension_nm);
+        const float transfer_nm = offset_nm + force_arm_kgm * a + suspension_nm;
         lowest_nm = smaller(lowest_nm, transfer_nm);
         highest_nm = larger(highest_nm, transfer_nm);
     }

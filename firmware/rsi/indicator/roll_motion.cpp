@@ -13,6 +13,7 @@ void RollMotionFilter::reset(const Measurement& measured) {
     roll_angle_.reset(measured.roll_angle_rad);
     roll_rate_.reset(measured.roll_rate_radps);
     parallel_force_rate_mps3_ = 0.0F;
+    roll_acceleration_radps2_ = 0.0F;
 }
 
 RollMotion RollMotionFilter::update(const Measurement& measured) {
@@ -23,13 +24,15 @@ RollMotion RollMotionFilter::update(const Measurement& measured) {
     roll_rate_.update(measured.roll_rate_radps, weight_);
     parallel_force_rate_mps3_ += weight_ * (parallel_force_.derivative() - parallel_force_rate_mps3_);
 
+    roll_acceleration_radps2_ += weight_ * (roll_rate_.derivative() - roll_acceleration_radps2_);
+
     RollMotion motion;
     motion.road_parallel_force_mps2 = parallel_force_.value();
     motion.road_normal_force_mps2 = larger(normal_force_.value(), 0.1F * gravity_mps2);
     motion.lateral_acceleration_mps2 = lateral_acceleration_.value();
     motion.roll_angle_rad = roll_angle_.value();
     motion.roll_rate_radps = roll_rate_.value();
-    motion.roll_acceleration_radps2 = roll_rate_.derivative();
+    motion.roll_acceleration_radps2 = roll_acceleration_radps2_;
     motion.road_parallel_force_rate_mps3 = parallel_force_rate_mps3_;
     return motion;
 }

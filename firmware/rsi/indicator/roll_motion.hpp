@@ -20,7 +20,7 @@ struct RollMotion {
     float lateral_acceleration_mps2{0.0F};      // a_y
     float roll_angle_rad{0.0F};                 // phi
     float roll_rate_radps{0.0F};                // phi'
-    float roll_acceleration_radps2{0.0F};       // phi''
+    float roll_acceleration_radps2{0.0F};       // phi'', through one more lag
     float road_parallel_force_rate_mps3{0.0F};  // A', through one more lag
 };
 
@@ -41,6 +41,7 @@ class RollMotionFilter {
     TwoLags roll_angle_{};
     TwoLags roll_rate_{};
     float parallel_force_rate_mps3_{0.0F};
+    float roll_acceleration_radps2_{0.0F};
 };
 
 }  // namespace rsi
