@@ -38,6 +38,8 @@ struct Manoeuvre {
     double initial_speed_mps{0.0};
     std::function<std::unique_ptr<Road>()> make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
+    // What the manoeuvre changes in the vehicle, such as a roof load; empty: nothing.
+    std::function<VehicleParameters(VehicleParameters)> adapt_vehicle{};
 };
 
 // A driver who acts by the clock alone: the command as a function of time in seconds.
