@@ -10,6 +10,7 @@
 #include <string>
 
 #include "sil/analysis/bus_timing.hpp"
+#include "sil/apps/campaign_command.hpp"
 #include "sil/apps/command_line.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
@@ -77,6 +78,7 @@ int main(int argc, char** argv) {
     app.add_subcommand("list", "Name all manoeuvres")->callback(list_manoeuvres);
     add_run(app, request);
     add_timing(app, log);
+    sil::add_campaign(app);
     try {
         app.parse(argc, argv);
         return 0;
