@@ -15,6 +15,7 @@
 
 #include "sil/apps/command_line.hpp"
 #include "sil/campaign/campaign.hpp"
+#include "sil/campaign/report.hpp"
 #include "sil/campaign/settings.hpp"
 
 namespace sil {
@@ -27,6 +28,7 @@ struct CampaignRequest {
     std::vector<std::string> vehicles;
     std::filesystem::path output{"output/campaign"};
     unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
+    bool report_only{false};
 };
 
 std::atomic<bool> stop_requested{false};
@@ -78,6 +80,14 @@ class ProgressLine {
     double next_s_{0.0};
 };
 
+void report(const CampaignRequest& request) {
+    const std::uint64_t wanted = load_campaign(request.output / "campaign.toml").runs;
+    const CampaignReport report = make_report(load_rows(request.output / "runs.csv"), wanted);
+    write_report(report, request.output);
+    fmt::print("{}\nAll of it is in {}; sil/campaign/draw {} makes the pictures.\n", report_markdown(report),
+               (request.output / "report.json").string(), request.output.string());
+}
+
 void run(const CampaignRequest& request) {
     const CampaignWorld world{settings_of(request)};
     std::signal(SIGINT, request_stop);
@@ -121,7 +131,13 @@ void add_campaign(CLI::App& app) {
     command->add_option("--jobs", request->jobs, "Threads")
         ->check(CLI::Range(1U, 1024U))
         ->capture_default_str();
-    command->callback([request] { run(*request); });
+    command->add_flag("--report-only", request->report_only, "No runs: report on the rows that are there");
+    command->callback([request] {
+        if (!request->report_only) {
+            run(*request);
+        }
+        report(*request);
+    });
 }
 
 }  // namespace sil
