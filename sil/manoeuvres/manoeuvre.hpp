@@ -36,6 +36,7 @@ struct Manoeuvre {
     std::string description{};  // one line
     double duration_s{0.0};
     double initial_speed_mps{0.0};
+    double start_speed_factor{1.0};  // below 1 the run begins slower, and the driver first gathers speed
     std::function<std::unique_ptr<Road>()> make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
     // What the manoeuvre changes in the vehicle, such as a roof load; empty: nothing.
@@ -54,6 +55,10 @@ constexpr double from_degrees(double degrees) {
 }
 constexpr double from_kmh(double kilometres_per_hour) {
     return kilometres_per_hour / 3.6;
+}
+
+constexpr double from_mph(double miles_per_hour) {
+    return miles_per_hour * 0.44704;
 }
 
 // Turns to `angle` at `rate` from `start` on, and holds.

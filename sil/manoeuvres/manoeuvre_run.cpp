@@ -36,7 +36,7 @@ ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre&
       speed_control_{parameters},
       vehicle_{parameters, *road_} {
     InitialState initial;
-    initial.speed_mps = wanted_speed_mps_;
+    initial.speed_mps = wanted_speed_mps_ * manoeuvre.start_speed_factor;
     vehicle_.reset(initial);
 }
 

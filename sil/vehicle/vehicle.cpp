@@ -140,7 +140,7 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
     evaluation_.tyre_force_body_n.setZero();
     const Matrix3& rotation = evaluation_.rotation;
     const Vector3& normal = evaluation_.road_normal =
-        road_.at(state_.position.x(), state_.position.y()).normal;
+        road_.mean_normal(state_.position.x(), state_.position.y());
     const Vector3 body_x = rotation.col(0);
     const Vector3 in_plane = body_x - normal * normal.dot(body_x);
     const double length = in_plane.norm();
