@@ -1,10 +1,10 @@
-// Campaign run: one drawn run, from its numbers to its row.
+// Campaign run: from the number of a run to its row.
 #pragma once
 
 #include <vector>
 
 #include "rsi/types.hpp"
-#include "sil/campaign/draw.hpp"
+#include "sil/campaign/drawn_run.hpp"
 #include "sil/campaign/row.hpp"
 #include "sil/campaign/settings.hpp"
 #include "sil/manoeuvres/manoeuvre.hpp"
@@ -20,6 +20,9 @@ class CampaignWorld {
 
     // Safe to call from several threads at once. Throws std::exception when the run fails.
     CampaignRow run(std::uint64_t number) const;
+
+    // What run() drives.
+    DrawnRun prepare(std::uint64_t number) const;
 
     const CampaignSettings& settings() const { return settings_; }
 

@@ -7,17 +7,9 @@
 
 #include "sil/campaign/draw.hpp"
 #include "sil/campaign/outcome.hpp"
+#include "sil/campaign/peaks.hpp"
 
 namespace sil {
-
-// How high an index came. A peak counts only what lasted as many cycles as the firmware wants for a warning
-// (warning_confirmation_s), so that an index driving the warning at threshold x would have warned exactly in
-// the runs whose peak is at least x.
-struct IndexPeaks {
-    double whole{0.0};         // over the run, but not beyond two-wheel lift-off
-    double before_100ms{0.0};  // up to 0.1 s before two-wheel lift-off; as `whole` when there is none
-    std::optional<double> first_time_s{};  // at level 1, within the time of `whole`
-};
 
 struct CampaignRow {
     RunDraw draw{};
