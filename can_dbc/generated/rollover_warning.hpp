@@ -242,7 +242,7 @@ struct RolloverWarning {
     State state{State::unavailable};
     // Side towards which the vehicle would fall.
     Side side{Side::none};
-    // Normalised roll stability indicator: 0 without lateral acceleration, 1 at the rollover threshold. Dimensionless, 0 to 2.
+    // Level of the indicator that drives the warning: 0 without risk, 1 at the rollover threshold. Dimensionless, 0 to 2.
     float roll_stability_indicator{not_available};
     // Lateral acceleration that was compared with the threshold, positive to the left. m/s^2, -40 to 40.
     float lateral_acceleration_mps2{not_available};
@@ -664,6 +664,313 @@ constexpr Decoded<RolloverStatus> RolloverStatus::decode(const std::uint8_t* pay
     return decoded;
 }
 
+// Indices that look ahead, and the present ones that they come from.
+// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+struct RollIndicesAhead {
+    static constexpr const char* name{"RollIndicesAhead"};
+    static constexpr std::uint32_t identifier{0x232U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0x9A6U};
+
+    // Load-transfer ratio that the roll state, the trend of the lateral acceleration and the steering lead to within the prediction horizon; largest magnitude, positive in a left turn. Dimensionless, -2 to 2.
+    float predicted_load_transfer_ratio{not_available};
+    // Extended roll stability indicator, largest within the prediction horizon. Dimensionless, 0 to 2.
+    float predicted_rsi{not_available};
+    // Load-transfer ratio computed from the roll state, positive in a left turn. Dimensionless, -2 to 2.
+    float load_transfer_ratio{not_available};
+    // Roll stability indicator with unsprung mass and roll inertia. Dimensionless, 0 to 2.
+    float extended_rsi{not_available};
+
+    struct Status {
+        SignalStatus predicted_load_transfer_ratio{SignalStatus::not_available};
+        SignalStatus predicted_rsi{SignalStatus::not_available};
+        SignalStatus load_transfer_ratio{SignalStatus::not_available};
+        SignalStatus extended_rsi{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return predicted_load_transfer_ratio == SignalStatus::valid &&
+                   predicted_rsi == SignalStatus::valid &&
+                   load_transfer_ratio == SignalStatus::valid &&
+                   extended_rsi == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> predicted_load_transfer_ratio{
+            {ByteOrder::little_endian, 16U, 12U, true}, 1.0F, 0.0F, 1000.0F, -2.0F, 2.0F,
+            -2000, 2000, -2048, true};
+        static constexpr PhysicalSignal<std::int32_t> predicted_rsi{
+            {ByteOrder::little_endian, 28U, 12U, false}, 1.0F, 0.0F, 2000.0F, 0.0F, 2.0F,
+            0, 4000, 4095, true};
+        static constexpr PhysicalSignal<std::int32_t> load_transfer_ratio{
+            {ByteOrder::little_endian, 40U, 12U, true}, 1.0F, 0.0F, 1000.0F, -2.0F, 2.0F,
+            -2000, 2000, -2048, true};
+        static constexpr PhysicalSignal<std::int32_t> extended_rsi{
+            {ByteOrder::little_endian, 52U, 12U, false}, 1.0F, 0.0F, 2000.0F, 0.0F, 2.0F,
+            0, 4000, 4095, true};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::predicted_load_transfer_ratio, predicted_load_transfer_ratio, payload.data());
+        write_signal(Signals::predicted_rsi, predicted_rsi, payload.data());
+        write_signal(Signals::load_transfer_ratio, load_transfer_ratio, payload.data());
+        write_signal(Signals::extended_rsi, extended_rsi, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<RollIndicesAhead> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("PredictedLoadTransferRatio", "-", &RollIndicesAhead::predicted_load_transfer_ratio, &Status::predicted_load_transfer_ratio);
+        visitor("PredictedRsi", "-", &RollIndicesAhead::predicted_rsi, &Status::predicted_rsi);
+        visitor("LoadTransferRatio", "-", &RollIndicesAhead::load_transfer_ratio, &Status::load_transfer_ratio);
+        visitor("ExtendedRsi", "-", &RollIndicesAhead::extended_rsi, &Status::extended_rsi);
+    }
+};
+
+constexpr Decoded<RollIndicesAhead> RollIndicesAhead::decode(const std::uint8_t* payload) {
+    Decoded<RollIndicesAhead> decoded{};
+    read_signal(Signals::predicted_load_transfer_ratio, payload, decoded.value.predicted_load_transfer_ratio, decoded.status.predicted_load_transfer_ratio);
+    read_signal(Signals::predicted_rsi, payload, decoded.value.predicted_rsi, decoded.status.predicted_rsi);
+    read_signal(Signals::load_transfer_ratio, payload, decoded.value.load_transfer_ratio, decoded.status.load_transfer_ratio);
+    read_signal(Signals::extended_rsi, payload, decoded.value.extended_rsi, decoded.status.extended_rsi);
+    return decoded;
+}
+
+// The paper's indices.
+// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+struct RollIndicesClassic {
+    static constexpr const char* name{"RollIndicesClassic"};
+    static constexpr std::uint32_t identifier{0x233U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0xAC3U};
+
+    // Roll stability indicator as published. Dimensionless, 0 to 1.2.
+    float published_rsi{not_available};
+    // Roll stability indicator without bank angle. Dimensionless, 0 to 2.
+    float bank_free_rsi{not_available};
+    // Dynamic stability index with the physical sign, in g, positive in a left turn. Dimensionless, -2 to 2.
+    float dynamic_stability_index{not_available};
+    // Energy measure: 1 at rest, 0 at the critical energy. Dimensionless, -1 to 1.
+    float energy_margin{not_available};
+    // Rollover index. Dimensionless, 0 to 2.
+    float rollover_index{not_available};
+    // Time to rollover; 10 while the vehicle does not roll outwards. s, 0 to 10.
+    float time_to_rollover_s{not_available};
+
+    struct Status {
+        SignalStatus published_rsi{SignalStatus::not_available};
+        SignalStatus bank_free_rsi{SignalStatus::not_available};
+        SignalStatus dynamic_stability_index{SignalStatus::not_available};
+        SignalStatus energy_margin{SignalStatus::not_available};
+        SignalStatus rollover_index{SignalStatus::not_available};
+        SignalStatus time_to_rollover_s{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return published_rsi == SignalStatus::valid &&
+                   bank_free_rsi == SignalStatus::valid &&
+                   dynamic_stability_index == SignalStatus::valid &&
+                   energy_margin == SignalStatus::valid &&
+                   rollover_index == SignalStatus::valid &&
+                   time_to_rollover_s == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> published_rsi{
+            {ByteOrder::little_endian, 16U, 8U, false}, 1.0F, 0.0F, 200.0F, 0.0F, 1.2F,
+            0, 240, 255, true};
+        static constexpr PhysicalSignal<std::int32_t> bank_free_rsi{
+            {ByteOrder::little_endian, 24U, 8U, false}, 1.0F, 0.0F, 100.0F, 0.0F, 2.0F,
+            0, 200, 255, true};
+        static constexpr PhysicalSignal<std::int32_t> dynamic_stability_index{
+            {ByteOrder::little_endian, 32U, 9U, true}, 1.0F, 0.0F, 100.0F, -2.0F, 2.0F,
+            -200, 200, -256, true};
+        static constexpr PhysicalSignal<std::int32_t> energy_margin{
+            {ByteOrder::little_endian, 41U, 8U, true}, 1.0F, 0.0F, 100.0F, -1.0F, 1.0F,
+            -100, 100, -128, true};
+        static constexpr PhysicalSignal<std::int32_t> rollover_index{
+            {ByteOrder::little_endian, 49U, 7U, false}, 1.0F, 0.0F, 50.0F, 0.0F, 2.0F,
+            0, 100, 127, true};
+        static constexpr PhysicalSignal<std::int32_t> time_to_rollover_s{
+            {ByteOrder::little_endian, 56U, 8U, false}, 1.0F, 0.0F, 25.0F, 0.0F, 10.0F,
+            0, 250, 255, true};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::published_rsi, published_rsi, payload.data());
+        write_signal(Signals::bank_free_rsi, bank_free_rsi, payload.data());
+        write_signal(Signals::dynamic_stability_index, dynamic_stability_index, payload.data());
+        write_signal(Signals::energy_margin, energy_margin, payload.data());
+        write_signal(Signals::rollover_index, rollover_index, payload.data());
+        write_signal(Signals::time_to_rollover_s, time_to_rollover_s, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<RollIndicesClassic> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("PublishedRsi", "-", &RollIndicesClassic::published_rsi, &Status::published_rsi);
+        visitor("BankFreeRsi", "-", &RollIndicesClassic::bank_free_rsi, &Status::bank_free_rsi);
+        visitor("DynamicStabilityIndex", "-", &RollIndicesClassic::dynamic_stability_index, &Status::dynamic_stability_index);
+        visitor("EnergyMargin", "-", &RollIndicesClassic::energy_margin, &Status::energy_margin);
+        visitor("RolloverIndex", "-", &RollIndicesClassic::rollover_index, &Status::rollover_index);
+        visitor("TimeToRollover", "s", &RollIndicesClassic::time_to_rollover_s, &Status::time_to_rollover_s);
+    }
+};
+
+constexpr Decoded<RollIndicesClassic> RollIndicesClassic::decode(const std::uint8_t* payload) {
+    Decoded<RollIndicesClassic> decoded{};
+    read_signal(Signals::published_rsi, payload, decoded.value.published_rsi, decoded.status.published_rsi);
+    read_signal(Signals::bank_free_rsi, payload, decoded.value.bank_free_rsi, decoded.status.bank_free_rsi);
+    read_signal(Signals::dynamic_stability_index, payload, decoded.value.dynamic_stability_index, decoded.status.dynamic_stability_index);
+    read_signal(Signals::energy_margin, payload, decoded.value.energy_margin, decoded.status.energy_margin);
+    read_signal(Signals::rollover_index, payload, decoded.value.rollover_index, decoded.status.rollover_index);
+    read_signal(Signals::time_to_rollover_s, payload, decoded.value.time_to_rollover_s, decoded.status.time_to_rollover_s);
+    return decoded;
+}
+
+// Observer of roll angle and bank, and how good the estimate of the roll centre is.
+// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+struct RollObserver {
+    // Where the roll angle in use comes from.
+    enum class RollSource : std::uint8_t {
+        none = 0,
+        sensor = 1,
+        observer = 2,
+    };
+
+    static constexpr const char* name{"RollObserver"};
+    static constexpr std::uint32_t identifier{0x234U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0xBE8U};
+
+    // Roll angle relative to the road as the observer has it without the roll sensor. deg, -60 to 60.
+    float observed_roll_angle_deg{not_available};
+    // Bank angle of the road as the observer has it, positive with the left side up. deg, -45 to 45.
+    float observed_bank_angle_deg{not_available};
+    // Standard deviation of the vertical movement of the roll centre. m, 0 to 0.5.
+    float roll_centre_deviation_m{not_available};
+    // Where the roll angle in use comes from.
+    RollSource roll_source{RollSource::none};
+    // Roll sensor and observer contradict each other.
+    bool roll_sensor_disagrees{false};
+    // The estimator of the roll centre learns nothing at present.
+    bool estimate_frozen{false};
+
+    struct Status {
+        SignalStatus observed_roll_angle_deg{SignalStatus::not_available};
+        SignalStatus observed_bank_angle_deg{SignalStatus::not_available};
+        SignalStatus roll_centre_deviation_m{SignalStatus::not_available};
+        SignalStatus roll_source{SignalStatus::not_available};
+        SignalStatus roll_sensor_disagrees{SignalStatus::not_available};
+        SignalStatus estimate_frozen{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return observed_roll_angle_deg == SignalStatus::valid &&
+                   observed_bank_angle_deg == SignalStatus::valid &&
+                   roll_centre_deviation_m == SignalStatus::valid &&
+                   roll_source == SignalStatus::valid &&
+                   roll_sensor_disagrees == SignalStatus::valid &&
+                   estimate_frozen == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> observed_roll_angle_deg{
+            {ByteOrder::little_endian, 16U, 13U, true}, 1.0F, 0.0F, 50.0F, -60.0F, 60.0F,
+            -3000, 3000, -4096, true};
+        static constexpr PhysicalSignal<std::int32_t> observed_bank_angle_deg{
+            {ByteOrder::little_endian, 29U, 12U, true}, 1.0F, 0.0F, 40.0F, -45.0F, 45.0F,
+            -1800, 1800, -2048, true};
+        static constexpr PhysicalSignal<std::int32_t> roll_centre_deviation_m{
+            {ByteOrder::little_endian, 41U, 10U, false}, 1.0F, 0.0F, 2000.0F, 0.0F, 0.5F,
+            0, 1000, 1023, true};
+        static constexpr EnumerationSignal roll_source{
+            {ByteOrder::little_endian, 51U, 2U, false}, 0, false, 0};
+        static constexpr IntegerSignal roll_sensor_disagrees{
+            {ByteOrder::little_endian, 53U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal estimate_frozen{
+            {ByteOrder::little_endian, 54U, 1U, false}, 0, 1, 0};
+    };
+
+    static constexpr bool is_known(RollSource value) {
+        switch (value) {
+            case RollSource::none:
+            case RollSource::sensor:
+            case RollSource::observer:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(RollSource value) {
+        switch (value) {
+            case RollSource::none:
+                return "none";
+            case RollSource::sensor:
+                return "sensor";
+            case RollSource::observer:
+                return "observer";
+        }
+        return "unknown";
+    }
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::observed_roll_angle_deg, observed_roll_angle_deg, payload.data());
+        write_signal(Signals::observed_bank_angle_deg, observed_bank_angle_deg, payload.data());
+        write_signal(Signals::roll_centre_deviation_m, roll_centre_deviation_m, payload.data());
+        write_enumeration(Signals::roll_source, &RollObserver::is_known, roll_source, payload.data());
+        write_signal(Signals::roll_sensor_disagrees, roll_sensor_disagrees, payload.data());
+        write_signal(Signals::estimate_frozen, estimate_frozen, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<RollObserver> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("ObservedRollAngle", "deg", &RollObserver::observed_roll_angle_deg, &Status::observed_roll_angle_deg);
+        visitor("ObservedBankAngle", "deg", &RollObserver::observed_bank_angle_deg, &Status::observed_bank_angle_deg);
+        visitor("RollCentreDeviation", "m", &RollObserver::roll_centre_deviation_m, &Status::roll_centre_deviation_m);
+        visitor("RollSource", "-", &RollObserver::roll_source, &Status::roll_source);
+        visitor("RollSensorDisagrees", "-", &RollObserver::roll_sensor_disagrees, &Status::roll_sensor_disagrees);
+        visitor("EstimateFrozen", "-", &RollObserver::estimate_frozen, &Status::estimate_frozen);
+    }
+};
+
+constexpr Decoded<RollObserver> RollObserver::decode(const std::uint8_t* payload) {
+    Decoded<RollObserver> decoded{};
+    read_signal(Signals::observed_roll_angle_deg, payload, decoded.value.observed_roll_angle_deg, decoded.status.observed_roll_angle_deg);
+    read_signal(Signals::observed_bank_angle_deg, payload, decoded.value.observed_bank_angle_deg, decoded.status.observed_bank_angle_deg);
+    read_signal(Signals::roll_centre_deviation_m, payload, decoded.value.roll_centre_deviation_m, decoded.status.roll_centre_deviation_m);
+    read_enumeration(Signals::roll_source, &RollObserver::is_known, payload, decoded.value.roll_source, decoded.status.roll_source);
+    read_signal(Signals::roll_sensor_disagrees, payload, decoded.value.roll_sensor_disagrees, decoded.status.roll_sensor_disagrees);
+    read_signal(Signals::estimate_frozen, payload, decoded.value.estimate_frozen, decoded.status.estimate_frozen);
+    return decoded;
+}
+
 // Lock-step simulation only: tells the control unit to step at simulated time CycleNumber * 10 ms.
 // From Simulator to RolloverEcu, every 10 ms.
 struct SimulationSync {
@@ -722,6 +1029,9 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<RolloverWarning>{});
     visitor(MessageType<RollCentreEstimate>{});
     visitor(MessageType<RolloverStatus>{});
+    visitor(MessageType<RollIndicesAhead>{});
+    visitor(MessageType<RollIndicesClassic>{});
+    visitor(MessageType<RollObserver>{});
     visitor(MessageType<SimulationSync>{});
 }
 

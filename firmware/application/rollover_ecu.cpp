@@ -19,8 +19,6 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
     parameters_valid_ = (answer.accepted != 0);
-    warning_indicator_ = parameters_valid_ ? static_cast<rsi_indicator>(parameters.warning_indicator)
-                                           : RSI_INDICATOR_PUBLISHED;
     return answer;
 }
 
@@ -29,7 +27,7 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     const hal::Time now = clock_.now();
     const bool stalled = (missed_cycles > most_missed_cycles);
     component_.step(stalled ? no_inputs : reception_.inputs(now), outputs_);
-    transmission_.send(bus_, warning_indicator_, outputs_, health(now, missed_cycles));
+    transmission_.send(bus_, outputs_, health(now, missed_cycles));
     watchdog_.feed();
 }
 

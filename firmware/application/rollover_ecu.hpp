@@ -42,7 +42,6 @@ class RolloverEcu {
     SensorReception reception_{};
     WarningTransmission transmission_{};
     rsi::Outputs outputs_{};
-    rsi_indicator warning_indicator_{RSI_INDICATOR_PUBLISHED};
     bool parameters_valid_{false};
     std::uint32_t cycle_overruns_{0U};
     std::uint32_t overflow_count_{0U};

@@ -4,18 +4,19 @@ namespace application {
 namespace {
 
 // Raised with every change of behaviour that a receiver could notice.
-constexpr std::uint8_t software_version = 1U;
+constexpr std::uint8_t software_version = 2U;
 
 std::uint8_t saturate(std::uint32_t count) {
     return (count < 255U) ? static_cast<std::uint8_t>(count) : std::uint8_t{255U};
 }
 
-can_dbc::RolloverWarning warning_message(rsi_indicator warning_indicator, const rsi::Outputs& outputs) {
+constexpr float degrees_per_radian = 57.295780F;
+
+can_dbc::RolloverWarning warning_message(const rsi::Outputs& outputs) {
     can_dbc::RolloverWarning message{};
     message.state = static_cast<can_dbc::RolloverWarning::State>(outputs.state);
     message.side = static_cast<can_dbc::RolloverWarning::Side>(outputs.side);
-    message.roll_stability_indicator =
-        (warning_indicator == RSI_INDICATOR_BANK_FREE) ? outputs.rsi_bank_free : outputs.rsi;
+    message.roll_stability_indicator = outputs.warning_level;
     message.lateral_acceleration_mps2 = outputs.lateral_acceleration_mps2;
     message.lateral_acceleration_threshold_mps2 = outputs.lateral_acceleration_threshold_mps2;
     return message;
@@ -35,6 +36,41 @@ can_dbc::RollCentreEstimate estimate_message(const rsi::Outputs& outputs) {
     message.lateral_movement_m = outputs.roll_centre_lateral_m;
     message.roll_stiffness_deviation_n_m_per_rad = outputs.roll_stiffness_deviation_nmprad;
     message.roll_damping_deviation_n_m_s_per_rad = outputs.roll_damping_deviation_nmsprad;
+    return message;
+}
+
+can_dbc::RollIndicesAhead indices_ahead_message(const rsi::Outputs& outputs) {
+    can_dbc::RollIndicesAhead message{};
+    message.predicted_load_transfer_ratio = outputs.predicted_load_transfer_ratio;
+    message.predicted_rsi = outputs.predicted_rsi;
+    message.load_transfer_ratio = outputs.load_transfer_ratio;
+    message.extended_rsi = outputs.rsi_extended;
+    return message;
+}
+
+can_dbc::RollIndicesClassic indices_classic_message(const rsi::Outputs& outputs) {
+    can_dbc::RollIndicesClassic message{};
+    message.published_rsi = outputs.rsi;
+    message.bank_free_rsi = outputs.rsi_bank_free;
+    message.dynamic_stability_index = outputs.dynamic_stability_index;
+    message.energy_margin = outputs.energy_margin;
+    message.rollover_index = outputs.rollover_index;
+    message.time_to_rollover_s = outputs.time_to_rollover_s;
+    return message;
+}
+
+static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::none) == RSI_ROLL_NONE);
+static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::sensor) == RSI_ROLL_SENSOR);
+static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::observer) == RSI_ROLL_OBSERVER);
+
+can_dbc::RollObserver observer_message(const rsi::Outputs& outputs) {
+    can_dbc::RollObserver message{};
+    message.observed_roll_angle_deg = outputs.observed_roll_angle_rad * degrees_per_radian;
+    message.observed_bank_angle_deg = outputs.observed_bank_angle_rad * degrees_per_radian;
+    message.roll_centre_deviation_m = outputs.roll_centre_deviation_m;
+    message.roll_source = static_cast<can_dbc::RollObserver::RollSource>(outputs.roll_source);
+    message.roll_sensor_disagrees = (outputs.roll_sensor_disagrees != 0);
+    message.estimate_frozen = (outputs.estimate_frozen != 0);
     return message;
 }
 
@@ -80,10 +116,12 @@ void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Prof
 
 }  // namespace
 
-void WarningTransmission::send(hal::CanBus& bus, rsi_indicator warning_indicator, const rsi::Outputs& outputs,
-                               const Health& health) noexcept {
-    send_protected(bus, warning_message(warning_indicator, outputs), warning_);
+void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept {
+    send_protected(bus, warning_message(outputs), warning_);
     send_protected(bus, estimate_message(outputs), estimate_);
+    send_protected(bus, indices_ahead_message(outputs), indices_ahead_);
+    send_protected(bus, indices_classic_message(outputs), indices_classic_);
+    send_protected(bus, observer_message(outputs), observer_);
     send_protected(bus, status_message(health), status_);
 }
 

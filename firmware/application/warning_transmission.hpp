@@ -23,12 +23,14 @@ class WarningTransmission {
  public:
     // Sends the warning first, because it matters most, and the status last: who has seen the status has seen
     // all of the cycle. A frame that the bus does not take is not repeated; the next cycle's is newer.
-    void send(hal::CanBus& bus, rsi_indicator warning_indicator, const rsi::Outputs& outputs,
-              const Health& health) noexcept;
+    void send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept;
 
  private:
     can_dbc::e2e::Profile11Sender warning_{can_dbc::RolloverWarning::e2e_data_id};
     can_dbc::e2e::Profile11Sender estimate_{can_dbc::RollCentreEstimate::e2e_data_id};
+    can_dbc::e2e::Profile11Sender indices_ahead_{can_dbc::RollIndicesAhead::e2e_data_id};
+    can_dbc::e2e::Profile11Sender indices_classic_{can_dbc::RollIndicesClassic::e2e_data_id};
+    can_dbc::e2e::Profile11Sender observer_{can_dbc::RollObserver::e2e_data_id};
     can_dbc::e2e::Profile11Sender status_{can_dbc::RolloverStatus::e2e_data_id};
 };
 

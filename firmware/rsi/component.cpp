@@ -1,14 +1,46 @@
 #include "rsi/component.hpp"
 
+#include "rsi/indicator/indicator_level.hpp"
 #include "rsi/model/roll_centre.hpp"
 
 namespace rsi {
 namespace {
 
-constexpr Outputs no_outputs{RSI_STATE_UNAVAILABLE, RSI_SIDE_NONE, not_available, not_available,
-                             not_available,         not_available, not_available, not_available,
-                             not_available,         not_available, not_available, not_available,
-                             not_available,         not_available, not_available, not_available};
+Outputs no_outputs() {
+    Outputs outputs{};
+    outputs.state = RSI_STATE_UNAVAILABLE;
+    outputs.side = RSI_SIDE_NONE;
+    outputs.roll_source = RSI_ROLL_NONE;
+    outputs.warning_level = not_available;
+    outputs.rsi = not_available;
+    outputs.rsi_bank_free = not_available;
+    outputs.lateral_acceleration_mps2 = not_available;
+    outputs.lateral_acceleration_threshold_mps2 = not_available;
+    outputs.road_parallel_force_mps2 = not_available;
+    outputs.road_normal_force_mps2 = not_available;
+    outputs.fixed_model_roll_angle_rad = not_available;
+    outputs.compensated_roll_angle_rad = not_available;
+    outputs.additional_roll_moment_nm = not_available;
+    outputs.roll_centre_vertical_m = not_available;
+    outputs.roll_centre_lateral_m = not_available;
+    outputs.roll_stiffness_deviation_nmprad = not_available;
+    outputs.roll_damping_deviation_nmsprad = not_available;
+    outputs.disturbance_nm = not_available;
+    outputs.roll_centre_deviation_m = not_available;
+    outputs.observed_roll_angle_rad = not_available;
+    outputs.observed_bank_angle_rad = not_available;
+    outputs.rsi_extended = not_available;
+    outputs.load_transfer_ratio = not_available;
+    outputs.predicted_load_transfer_ratio = not_available;
+    outputs.predicted_rsi = not_available;
+    outputs.static_stability_level = not_available;
+    outputs.dynamic_stability_index = not_available;
+    outputs.dynamic_stability_index_late = not_available;
+    outputs.energy_margin = not_available;
+    outputs.rollover_index = not_available;
+    outputs.time_to_rollover_s = not_available;
+    return outputs;
+}
 
 void write_measurement(const Measurement& measured, Outputs& outputs) {
     outputs.lateral_acceleration_mps2 = measured.lateral_acceleration_mps2;
@@ -21,6 +53,8 @@ void write_estimate(const RollCentreEstimate& estimate, Outputs& outputs) {
     outputs.roll_stiffness_deviation_nmprad = estimate.stiffness_deviation_nmprad;
     outputs.roll_damping_deviation_nmsprad = estimate.damping_deviation_nmsprad;
     outputs.disturbance_nm = estimate.disturbance_nm;
+    outputs.roll_centre_deviation_m = estimate.deviation_m;
+    outputs.estimate_frozen = estimate.frozen ? 1 : 0;
 }
 
 }  // namespace
@@ -64,7 +98,9 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
 
+    outputs = no_outputs();
     write_measurement(measured, outputs);
+    outputs.roll_source = RSI_ROLL_SENSOR;
     write_estimate(estimate, outputs);
     outputs.rsi = normalised_indicator(measured, threshold);
     outputs.rsi_bank_free = bank_free_indicator(measured, threshold);
@@ -74,9 +110,11 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
+    outputs.warning_level = indicator_level(outputs, parameters_);
+
     const float falling_side = (measured.roll_angle_rad < 0.0F) ? -1.0F : 1.0F;
     warning_.update(overturned ? RiskLevel{parameters_.warning_on, falling_side}
-                               : risk_level(threshold, outputs));
+                               : RiskLevel{outputs.warning_level, threshold.side});
     outputs.state = warning_.state();
     outputs.side = warning_.side();
 
@@ -87,7 +125,7 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
 void Component::step_unavailable(Outputs& outputs) {
     running_ = false;
     warning_.update_unavailable();
-    outputs = no_outputs;
+    outputs = no_outputs();
 }
 
 // After a gap the models start where the vehicle is; what the estimator has learnt stays.
@@ -95,11 +133,6 @@ void Component::resume(const Measurement& measured) {
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
     running_ = true;
-}
-
-RiskLevel Component::risk_level(const StabilityThreshold& threshold, const Outputs& outputs) const {
-    const bool bank_free = (parameters_.warning_indicator == RSI_INDICATOR_BANK_FREE);
-    return RiskLevel{bank_free ? outputs.rsi_bank_free : outputs.rsi, threshold.side};
 }
 
 }  // namespace rsi

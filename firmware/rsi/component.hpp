@@ -24,7 +24,6 @@ class Component {
  private:
     void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
-    RiskLevel risk_level(const StabilityThreshold& threshold, const Outputs& outputs) const;
 
     bool initialised_{false};
     bool running_{false};  // false until the first good sample after init, a gap or an overturn

@@ -32,14 +32,29 @@ extern "C" {
 
 /* Which estimator moves the roll centre. */
 typedef enum {
-    RSI_ESTIMATOR_PUBLISHED = 0 /* robust least squares with disturbance observer, (5) and (8) to (11) */
+    RSI_ESTIMATOR_PUBLISHED = 0, /* robust least squares with disturbance observer, (5), (8) to (11) */
+    RSI_ESTIMATOR_CONSIDER_KALMAN =
+        1 /* one unknown, with the roll stiffness as a curve and the roll inertia */
 } rsi_estimator;
 
-/* Which indicator drives the warning. */
+/* Which indicator drives the warning. Each has a level, 0 without risk, at which 1 means "warn". */
 typedef enum {
-    RSI_INDICATOR_PUBLISHED = 0, /* (25): lateral acceleration over its threshold (23) */
-    RSI_INDICATOR_BANK_FREE = 1  /* |A/N| over the modified half-track ratio: needs no bank angle */
+    RSI_INDICATOR_PUBLISHED = 0,               /* (25): lateral acceleration over its threshold (23) */
+    RSI_INDICATOR_BANK_FREE = 1,               /* |A/N| over the modified half-track ratio */
+    RSI_INDICATOR_EXTENDED = 2,                /* the same with unsprung mass and roll inertia */
+    RSI_INDICATOR_LOAD_TRANSFER = 3,           /* (26) from the roll state instead of wheel loads */
+    RSI_INDICATOR_PREDICTED_LOAD_TRANSFER = 4, /* its largest value within the prediction horizon */
+    RSI_INDICATOR_PREDICTED_RSI = 5,           /* the extended RSI's largest value within the horizon */
+    RSI_INDICATOR_STATIC_STABILITY_FACTOR = 6, /* |a_y| / g over c_w / (2 h) */
+    RSI_INDICATOR_DYNAMIC_STABILITY = 7,       /* (27) with minus, the physical sign, over c_w / (2 h) */
+    RSI_INDICATOR_DYNAMIC_STABILITY_LATE = 8,  /* (27) with plus, as printed, over c_w / (2 h) */
+    RSI_INDICATOR_ENERGY = 9,                  /* 1 - W, (28) */
+    RSI_INDICATOR_ROLLOVER_INDEX = 10,         /* (29) */
+    RSI_INDICATOR_TIME_TO_ROLLOVER = 11        /* the limit over the time to rollover */
 } rsi_indicator;
+
+/* Where the roll angle in use comes from. */
+typedef enum { RSI_ROLL_NONE = 0, RSI_ROLL_SENSOR = 1, RSI_ROLL_OBSERVER = 2 } rsi_roll_source;
 
 typedef enum {
     RSI_STATE_UNAVAILABLE = 0, /* no statement on the risk is possible */
@@ -54,14 +69,28 @@ typedef enum { RSI_SIDE_NONE = 0, RSI_SIDE_LEFT = 1, RSI_SIDE_RIGHT = 2 } rsi_si
 /* The calibration. Every field has a range; rsi_init refuses a value outside it by the field's name. */
 typedef struct {
     /* Vehicle */
-    float sprung_mass_kg;     /* m_s */
-    float sprung_cg_height_m; /* h_cg,s above the road */
-    float track_width_m;      /* c_w */
+    float sprung_mass_kg;       /* m_s */
+    float sprung_cg_height_m;   /* h_cg,s above the road */
+    float track_width_m;        /* c_w */
+    float roll_inertia_kgm2;    /* Ixx of the sprung mass about its centre of gravity */
+    float unsprung_mass_kg;     /* m_u: axles, wheels, brakes */
+    float unsprung_cg_height_m; /* h_u above the road */
 
     /* Roll-plane model with a fixed roll centre, (1) */
     float fixed_roll_centre_height_m; /* h_frc above the road */
     float roll_stiffness_nmprad;      /* K_f */
     float roll_damping_nmsprad;       /* c_f */
+
+    /* What makes the suspension's roll moment a curve: M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5. The
+     * published algorithm does not use it. */
+    float roll_stiffness_cubic_nmprad3;   /* K_2 */
+    float roll_stiffness_quintic_nmprad5; /* K_4 */
+
+    /* What the steering asks for: a_d = V^2 delta / (L + K_us V^2) */
+    float wheelbase_m;                       /* L */
+    float steering_ratio;                    /* angle of the steering wheel over that of the front wheels */
+    float understeer_gradient_s2pm;          /* K_us, > 0 for an understeering vehicle */
+    float largest_lateral_acceleration_mps2; /* the tyres give no more */
 
     /* Where the IMU sits, from the sprung mass's centre of gravity in body axes */
     float imu_x_m;
@@ -78,6 +107,33 @@ typedef struct {
     float initial_stiffness_deviation_nmprad;
     float initial_damping_deviation_nmsprad;
     float covariance_limit; /* no forgetting while trace(P), in units of P(0), exceeds this */
+
+    /* Consider-Kalman filter */
+    float roll_centre_prior_deviation_m; /* standard deviation of dh before anything is known */
+    float roll_centre_limit_m;           /* |dh| stays within */
+    float roll_centre_reversion_s;       /* without excitation dh returns to the nominal within this time */
+    float estimator_filter_lag_s;        /* two such lags on both sides of the roll equation */
+    float excitation_threshold_mps2;     /* no update while |A + N tan phi| is smaller */
+    float freeze_level;                  /* no update while the extended RSI is above */
+
+    /* Looking ahead */
+    float prediction_horizon_s;    /* how far */
+    float acceleration_trend_s;    /* time constant with which the trend of A dies away */
+    float prediction_filter_lag_s; /* two such lags on the signals, a third on the trend */
+
+    /* The paper's other indices */
+    float rollover_index_angle_weight;        /* C_1 of (29) */
+    float rollover_index_acceleration_weight; /* C_2 of (29) */
+    float rollover_index_slope_radps;         /* k_1 of (29): phi' (rad/s) per rad of phi */
+    float rollover_index_roll_angle_rad;      /* phi_th of (29) */
+    float rollover_index_roll_rate_radps;     /* phi'_th of (29) */
+    float rollover_index_acceleration_mps2;   /* a_yc of (29) */
+    float time_to_rollover_limit_s;           /* a shorter time is a risk of 1 */
+
+    /* Observer of roll angle and bank, and the check of the roll sensor against it */
+    float observer_bank_drift_radps; /* how fast the bank changes: random walk, rad per square root of s */
+    float observer_disagreement_rad; /* the sensor disagrees when further from the observer ... */
+    float observer_disagreement_s;   /* ... for longer than this */
 
     /* Warning */
     float advisory_on;            /* indicator at which the advisory state is entered */
@@ -104,12 +160,18 @@ typedef struct {
     float yaw_rate_radps;  /* -10 to 10 (optional: lever-arm correction) */
     float bank_angle_rad;  /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
     float speed_mps;       /* (optional; the published algorithm does not use it) */
+    float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
 } rsi_inputs;
 
 /* The answer to one sample. A number that could not be computed is NaN. */
 typedef struct {
     rsi_state state;
     rsi_side side; /* none while unavailable or ready */
+    rsi_roll_source roll_source;
+    int32_t roll_sensor_disagrees; /* 1: the roll sensor and the observer contradict each other */
+    int32_t estimate_frozen;       /* 1: the estimator in use learns nothing at present */
+
+    float warning_level; /* of the indicator that drives the warning, 0 to 20 */
 
     float rsi;                                 /* (25), 0 to 1 */
     float rsi_bank_free;                       /* |A/N| / T, 0 to 20 */
@@ -127,6 +189,21 @@ typedef struct {
     float roll_stiffness_deviation_nmprad; /* dK */
     float roll_damping_deviation_nmsprad;  /* dc */
     float disturbance_nm;                  /* d of (11), in units of Y */
+    float roll_centre_deviation_m;         /* standard deviation of dh */
+
+    float observed_roll_angle_rad; /* relative to the road, without the roll sensor */
+    float observed_bank_angle_rad;
+
+    float rsi_extended;                  /* |A/N| / T_dyn, 0 to 20 */
+    float load_transfer_ratio;           /* (26) from the roll state, > 0 in a left turn, -20 to 20 */
+    float predicted_load_transfer_ratio; /* the same, largest within the horizon */
+    float predicted_rsi;                 /* rsi_extended, largest within the horizon */
+    float static_stability_level;        /* |a_y| / (g SSF) */
+    float dynamic_stability_index;       /* (27) with minus, in g, > 0 in a left turn */
+    float dynamic_stability_index_late;  /* (27) with plus */
+    float energy_margin;                 /* W of (28): 1 at rest, 0 at the critical energy */
+    float rollover_index;                /* (29) */
+    float time_to_rollover_s;            /* 0 to 10; 10 while it does not roll outwards */
 } rsi_outputs;
 
 /* Answer of rsi_init. `field` and `reason` point to constant text; both are empty when accepted. */
@@ -137,7 +214,7 @@ typedef struct {
 } rsi_validation;
 
 /* Storage of one component; only the functions below look inside. */
-#define RSI_COMPONENT_SIZE 512U
+#define RSI_COMPONENT_SIZE 1024U
 typedef union {
     unsigned char bytes[RSI_COMPONENT_SIZE];
     uint64_t alignment_integer;

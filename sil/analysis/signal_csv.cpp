@@ -81,6 +81,22 @@ constexpr NumberColumn number_columns[] = {
     {"ecu_roll_centre_lateral_movement_m", [](const Row& row) { return row.output.roll_centre_lateral_movement_m; }},
     {"ecu_roll_stiffness_deviation_nmprad", [](const Row& row) { return row.output.roll_stiffness_deviation_nmprad; }},
     {"ecu_roll_damping_deviation_nmsprad", [](const Row& row) { return row.output.roll_damping_deviation_nmsprad; }},
+    {"ecu_roll_centre_deviation_m", [](const Row& row) { return row.output.roll_centre_deviation_m; }},
+    {"ecu_predicted_load_transfer_ratio", [](const Row& row) { return row.output.predicted_load_transfer_ratio; }},
+    {"ecu_predicted_rsi", [](const Row& row) { return row.output.predicted_rsi; }},
+    {"ecu_load_transfer_ratio", [](const Row& row) { return row.output.load_transfer_ratio; }},
+    {"ecu_extended_rsi", [](const Row& row) { return row.output.extended_rsi; }},
+    {"ecu_published_rsi", [](const Row& row) { return row.output.published_rsi; }},
+    {"ecu_bank_free_rsi", [](const Row& row) { return row.output.bank_free_rsi; }},
+    {"ecu_dynamic_stability_index", [](const Row& row) { return row.output.dynamic_stability_index; }},
+    {"ecu_energy_margin", [](const Row& row) { return row.output.energy_margin; }},
+    {"ecu_rollover_index", [](const Row& row) { return row.output.rollover_index; }},
+    {"ecu_time_to_rollover_s", [](const Row& row) { return row.output.time_to_rollover_s; }},
+    {"ecu_observed_roll_angle_deg", [](const Row& row) { return row.output.observed_roll_angle_rad * degrees_per_radian; }},
+    {"ecu_observed_bank_angle_deg", [](const Row& row) { return row.output.observed_bank_angle_rad * degrees_per_radian; }},
+    {"ecu_roll_source_number", [](const Row& row) { return static_cast<double>(row.output.roll_source); }},
+    {"ecu_roll_sensor_disagrees", [](const Row& row) { return row.output.roll_sensor_disagrees ? 1.0 : 0.0; }},
+    {"ecu_estimate_frozen", [](const Row& row) { return row.output.estimate_frozen ? 1.0 : 0.0; }},
 };
 // clang-format on
 

@@ -1,6 +1,7 @@
 #include "sil/simulation/ecu_frames.hpp"
 
 #include "can_dbc/codec/message.hpp"
+#include "sil/units.hpp"
 
 namespace sil {
 
@@ -37,6 +38,30 @@ EcuFrameKind EcuFrames::take(const hal::CanFrame& frame) {
         take_estimate(message);
         return EcuFrameKind::estimate;
     }
+    if (frame.identifier == can_dbc::RollIndicesAhead::identifier) {
+        can_dbc::RollIndicesAhead message;
+        if (!accept(frame, indices_ahead_receiver_, message)) {
+            return EcuFrameKind::refused;
+        }
+        take_indices(message);
+        return EcuFrameKind::indices;
+    }
+    if (frame.identifier == can_dbc::RollIndicesClassic::identifier) {
+        can_dbc::RollIndicesClassic message;
+        if (!accept(frame, indices_classic_receiver_, message)) {
+            return EcuFrameKind::refused;
+        }
+        take_indices(message);
+        return EcuFrameKind::indices;
+    }
+    if (frame.identifier == can_dbc::RollObserver::identifier) {
+        can_dbc::RollObserver message;
+        if (!accept(frame, observer_receiver_, message)) {
+            return EcuFrameKind::refused;
+        }
+        take_observer(message);
+        return EcuFrameKind::observer;
+    }
     if (frame.identifier == can_dbc::RolloverStatus::identifier) {
         return accept(frame, status_receiver_, status_) ? EcuFrameKind::status : EcuFrameKind::refused;
     }
@@ -59,6 +84,33 @@ void EcuFrames::take_estimate(const can_dbc::RollCentreEstimate& message) {
         static_cast<double>(message.roll_stiffness_deviation_n_m_per_rad);
     output_.roll_damping_deviation_nmsprad =
         static_cast<double>(message.roll_damping_deviation_n_m_s_per_rad);
+}
+
+void EcuFrames::take_indices(const can_dbc::RollIndicesAhead& message) {
+    output_.predicted_load_transfer_ratio = static_cast<double>(message.predicted_load_transfer_ratio);
+    output_.predicted_rsi = static_cast<double>(message.predicted_rsi);
+    output_.load_transfer_ratio = static_cast<double>(message.load_transfer_ratio);
+    output_.extended_rsi = static_cast<double>(message.extended_rsi);
+}
+
+void EcuFrames::take_indices(const can_dbc::RollIndicesClassic& message) {
+    output_.published_rsi = static_cast<double>(message.published_rsi);
+    output_.bank_free_rsi = static_cast<double>(message.bank_free_rsi);
+    output_.dynamic_stability_index = static_cast<double>(message.dynamic_stability_index);
+    output_.energy_margin = static_cast<double>(message.energy_margin);
+    output_.rollover_index = static_cast<double>(message.rollover_index);
+    output_.time_to_rollover_s = static_cast<double>(message.time_to_rollover_s);
+}
+
+void EcuFrames::take_observer(const can_dbc::RollObserver& message) {
+    output_.observed_roll_angle_rad =
+        static_cast<double>(message.observed_roll_angle_deg) / degrees_per_radian;
+    output_.observed_bank_angle_rad =
+        static_cast<double>(message.observed_bank_angle_deg) / degrees_per_radian;
+    output_.roll_centre_deviation_m = static_cast<double>(message.roll_centre_deviation_m);
+    output_.roll_source = static_cast<RollSource>(message.roll_source);
+    output_.roll_sensor_disagrees = message.roll_sensor_disagrees;
+    output_.estimate_frozen = message.estimate_frozen;
 }
 
 }  // namespace sil

@@ -10,7 +10,7 @@
 
 namespace sil {
 
-enum class EcuFrameKind : std::uint8_t { foreign, refused, warning, estimate, status };
+enum class EcuFrameKind : std::uint8_t { foreign, refused, warning, estimate, indices, observer, status };
 
 class EcuFrames {
  public:
@@ -28,11 +28,20 @@ class EcuFrames {
     bool accept(const hal::CanFrame& frame, can_dbc::e2e::Profile11Receiver& receiver, Message& message);
     void take_warning(const can_dbc::RolloverWarning& message);
     void take_estimate(const can_dbc::RollCentreEstimate& message);
+    void take_indices(const can_dbc::RollIndicesAhead& message);
+    void take_indices(const can_dbc::RollIndicesClassic& message);
+    void take_observer(const can_dbc::RollObserver& message);
 
     can_dbc::e2e::Profile11Receiver warning_receiver_{can_dbc::RolloverWarning::e2e_data_id,
                                                       can_dbc::RolloverWarning::length, 14U};
     can_dbc::e2e::Profile11Receiver estimate_receiver_{can_dbc::RollCentreEstimate::e2e_data_id,
                                                        can_dbc::RollCentreEstimate::length, 14U};
+    can_dbc::e2e::Profile11Receiver indices_ahead_receiver_{can_dbc::RollIndicesAhead::e2e_data_id,
+                                                            can_dbc::RollIndicesAhead::length, 14U};
+    can_dbc::e2e::Profile11Receiver indices_classic_receiver_{can_dbc::RollIndicesClassic::e2e_data_id,
+                                                              can_dbc::RollIndicesClassic::length, 14U};
+    can_dbc::e2e::Profile11Receiver observer_receiver_{can_dbc::RollObserver::e2e_data_id,
+                                                       can_dbc::RollObserver::length, 14U};
     can_dbc::e2e::Profile11Receiver status_receiver_{can_dbc::RolloverStatus::e2e_data_id,
                                                      can_dbc::RolloverStatus::length, 14U};
     EcuOutput output_{};

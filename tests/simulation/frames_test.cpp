@@ -139,13 +139,39 @@ TEST_F(EcuFrames, AreUnderstoodAsTheyWereMeant) {
     EXPECT_NEAR(ecu.output().roll_stiffness_deviation_nmprad, 5000.0, 50.0);
     EXPECT_TRUE(std::isnan(ecu.output().roll_damping_deviation_nmsprad));
 
+    can_dbc::RollIndicesAhead ahead;
+    ahead.predicted_load_transfer_ratio = -0.7F;
+    ahead.extended_rsi = 0.6F;
+    EXPECT_EQ(ecu.take(frame_of(ahead, 3U)), sil::EcuFrameKind::indices);
+    EXPECT_NEAR(ecu.output().predicted_load_transfer_ratio, -0.7, 5.0e-4);
+    EXPECT_NEAR(ecu.output().extended_rsi, 0.6, 2.5e-4);
+    EXPECT_TRUE(std::isnan(ecu.output().predicted_rsi));
+
+    can_dbc::RollIndicesClassic classic;
+    classic.energy_margin = -0.25F;
+    classic.time_to_rollover_s = 1.2F;
+    EXPECT_EQ(ecu.take(frame_of(classic, 3U)), sil::EcuFrameKind::indices);
+    EXPECT_NEAR(ecu.output().energy_margin, -0.25, 5.0e-3);
+    EXPECT_NEAR(ecu.output().time_to_rollover_s, 1.2, 0.02);
+    EXPECT_TRUE(std::isnan(ecu.output().rollover_index));
+
+    can_dbc::RollObserver observer;
+    observer.observed_bank_angle_deg = -6.0F;
+    observer.roll_source = can_dbc::RollObserver::RollSource::observer;
+    observer.roll_sensor_disagrees = true;
+    EXPECT_EQ(ecu.take(frame_of(observer, 3U)), sil::EcuFrameKind::observer);
+    EXPECT_NEAR(ecu.output().observed_bank_angle_rad, -6.0 * 3.14159265 / 180.0, 2.5e-4);
+    EXPECT_EQ(ecu.output().roll_source, sil::RollSource::observer);
+    EXPECT_TRUE(ecu.output().roll_sensor_disagrees);
+    EXPECT_FALSE(ecu.output().estimate_frozen);
+
     can_dbc::RolloverStatus status;
     status.imu_timeout = true;
     status.frames_lost = 12U;
     EXPECT_EQ(ecu.take(frame_of(status, 3U)), sil::EcuFrameKind::status);
     EXPECT_TRUE(ecu.status().imu_timeout);
     EXPECT_EQ(ecu.status().frames_lost, 12U);
-    EXPECT_EQ(ecu.frames_received(), 3U);
+    EXPECT_EQ(ecu.frames_received(), 6U);
     EXPECT_EQ(ecu.frames_refused(), 0U);
 }
 

@@ -144,7 +144,7 @@ class RsiEcu(Messages):
         self.assertEqual(finished.returncode, 1)
         self.assertIn(f'{path}:{line}: "track_width_m"', finished.stderr)
 
-    def test_replays_a_log_and_writes_three_frames_a_cycle(self):
+    def test_replays_a_log_and_writes_all_frames_of_each_cycle(self):
         with tempfile.TemporaryDirectory() as folder:
             log, output = pathlib.Path(folder) / "in.log", pathlib.Path(folder) / "out.log"
             log.write_text("(1.000000) vcan0 120#0000000000000000\n(1.100000) vcan0 120#0000000000000000\n")
@@ -153,7 +153,7 @@ class RsiEcu(Messages):
             )
             self.assertEqual(finished.returncode, 0, finished.stderr)
             frames = programs.read_log(output)
-        self.assertEqual(len(frames), 11 * 3)
+        self.assertEqual(len(frames), 11 * 6)
         self.assertEqual({programs.state_of(data) for _, identifier, data in frames if identifier == "0D0"}, {0})
 
     def replay(self, text):

@@ -240,7 +240,8 @@ TEST(Component, AMirroredManoeuvreGivesExactlyMirroredOutputs) {
             rsi_inputs other = inputs;
             for (float rsi_inputs::* const lateral :
                  {&rsi_inputs::lateral_specific_force_mps2, &rsi_inputs::roll_rate_radps,
-                  &rsi_inputs::roll_angle_rad, &rsi_inputs::yaw_rate_radps, &rsi_inputs::bank_angle_rad}) {
+                  &rsi_inputs::roll_angle_rad, &rsi_inputs::yaw_rate_radps, &rsi_inputs::bank_angle_rad,
+                  &rsi_inputs::steering_wheel_angle_rad}) {
                 other.*lateral = -(other.*lateral);
             }
             rsi_outputs expected = scenario.step(inputs);

@@ -1,6 +1,8 @@
 // What every roll-centre estimator gives.
 #pragma once
 
+#include "rsi/numeric/bounded.hpp"
+
 namespace rsi {
 
 struct RollCentreEstimate {
@@ -8,6 +10,8 @@ struct RollCentreEstimate {
     float stiffness_deviation_nmprad{0.0F};  // dK = K_m - K_f
     float damping_deviation_nmsprad{0.0F};   // dc = c_m - c_f
     float disturbance_nm{0.0F};              // d, in units of Y
+    float deviation_m{not_available};        // standard deviation of dh; not of every estimator
+    bool frozen{false};                      // nothing is learnt at present
 };
 
 }  // namespace rsi

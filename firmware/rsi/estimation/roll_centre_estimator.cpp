@@ -14,6 +14,8 @@ void RollCentreEstimator::reset() {
 RollCentreEstimate RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
                                                const FixedModelRoll& fixed) {
     switch (in_use_) {
+        case RSI_ESTIMATOR_CONSIDER_KALMAN:
+            break;
         case RSI_ESTIMATOR_PUBLISHED:
             published_.update(regress(model, measured, fixed));
             return published_.estimate();

@@ -1,0 +1,45 @@
+#include "rsi/indicator/indicator_level.hpp"
+
+#include "rsi/numeric/bounded.hpp"
+
+namespace rsi {
+namespace {
+
+float raw_level(const Outputs& outputs, const Parameters& parameters) {
+    const float static_stability_factor = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
+    switch (static_cast<rsi_indicator>(parameters.warning_indicator)) {
+        case RSI_INDICATOR_PUBLISHED:
+            return outputs.rsi;
+        case RSI_INDICATOR_BANK_FREE:
+            return outputs.rsi_bank_free;
+        case RSI_INDICATOR_EXTENDED:
+            return outputs.rsi_extended;
+        case RSI_INDICATOR_LOAD_TRANSFER:
+            return absolute(outputs.load_transfer_ratio);
+        case RSI_INDICATOR_PREDICTED_LOAD_TRANSFER:
+            return absolute(outputs.predicted_load_transfer_ratio);
+        case RSI_INDICATOR_PREDICTED_RSI:
+            return outputs.predicted_rsi;
+        case RSI_INDICATOR_STATIC_STABILITY_FACTOR:
+            return outputs.static_stability_level;
+        case RSI_INDICATOR_DYNAMIC_STABILITY:
+            return absolute(outputs.dynamic_stability_index) / static_stability_factor;
+        case RSI_INDICATOR_DYNAMIC_STABILITY_LATE:
+            return absolute(outputs.dynamic_stability_index_late) / static_stability_factor;
+        case RSI_INDICATOR_ENERGY:
+            return 1.0F - outputs.energy_margin;
+        case RSI_INDICATOR_ROLLOVER_INDEX:
+            return outputs.rollover_index;
+        case RSI_INDICATOR_TIME_TO_ROLLOVER:
+            return parameters.time_to_rollover_limit_s / larger(outputs.time_to_rollover_s, 0.01F);
+    }
+    return not_available;
+}
+
+}  // namespace
+
+float indicator_level(const Outputs& outputs, const Parameters& parameters) {
+    return clamp(raw_level(outputs, parameters), 0.0F, 20.0F);
+}
+
+}  // namespace rsi
