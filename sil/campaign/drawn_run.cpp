@@ -14,10 +14,13 @@ float with_error(double truth, double error) {
 // Mass and CG height are wrong by the drawn shares of what they are in this run, load included: whatever the
 // load changes is a part of the error and not on top of it.
 rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& truth, const RunDraw& draw) {
-    const auto stiffness = static_cast<double>(calibration.roll_stiffness_nmprad);
     calibration.sprung_mass_kg = with_error(truth.mass.sprung_kg, draw.mass_error);
     calibration.sprung_cg_height_m = with_error(truth.geometry.cg_height_m, draw.cg_height_error);
-    calibration.roll_stiffness_nmprad = with_error(stiffness, draw.stiffness_error);
+    // The whole curve of the roll stiffness by the same share.
+    for (float* coefficient : {&calibration.roll_stiffness_nmprad, &calibration.roll_stiffness_cubic_nmprad3,
+                               &calibration.roll_stiffness_quintic_nmprad5}) {
+        *coefficient = with_error(static_cast<double>(*coefficient), draw.stiffness_error);
+    }
     return calibration;
 }
 

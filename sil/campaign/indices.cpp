@@ -1,41 +1,41 @@
-// Indices: the table, one line an index.
+// Indices: the firmware's own scale for each of its indicators, and a reference.
 #include "sil/campaign/indices.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+
+#include "rsi/indicator/indicator_level.hpp"
+#include "rsi/parameters.hpp"
 
 namespace sil {
 namespace {
 
-double published_rsi(const IndexSample& sample) {
-    return static_cast<double>(sample.outputs.rsi);
-}
-
-double bank_free_rsi(const IndexSample& sample) {
-    return static_cast<double>(sample.outputs.rsi_bank_free);
-}
-
-// |a_y| / (g SSF), SSF = c_w/(2 h) as the firmware knows them.
-double static_stability(const IndexSample& sample) {
-    const double limit_mps2 = static_cast<double>(rsi::gravity_mps2) *
-                              static_cast<double>(sample.parameters.track_width_m) /
-                              (2.0 * static_cast<double>(sample.parameters.sprung_cg_height_m));
-    return std::abs(static_cast<double>(sample.outputs.lateral_acceleration_mps2)) / limit_mps2;
+std::function<double(const IndexSample&)> level_of(std::int32_t indicator) {
+    return [indicator](const IndexSample& sample) {
+        rsi::Parameters parameters = sample.parameters;
+        parameters.warning_indicator = indicator;
+        return static_cast<double>(rsi::indicator_level(sample.outputs, parameters));
+    };
 }
 
 double true_load_transfer(const IndexSample& sample) {
     return std::abs(load_transfer_ratio(sample.truth));
 }
 
+std::vector<Index> all_indices() {
+    std::vector<Index> indices;
+    for (const char* name : rsi::indicator_choices) {
+        indices.push_back({name, level_of(static_cast<std::int32_t>(indices.size()))});
+    }
+    indices.push_back({"true_load_transfer", true_load_transfer});
+    return indices;
+}
+
 }  // namespace
 
 const std::vector<Index>& campaign_indices() {
-    static const std::vector<Index> indices{
-        {"rsi", published_rsi},
-        {"rsi_bank_free", bank_free_rsi},
-        {"static_stability", static_stability},
-        {"true_ltr", true_load_transfer},
-    };
+    static const std::vector<Index> indices = all_indices();
     return indices;
 }
 

@@ -1,6 +1,8 @@
 // Indices: every measure of rollover risk that a campaign compares, as a level at which 1 means "warn".
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "rsi/types.hpp"
@@ -16,11 +18,12 @@ struct IndexSample {
 };
 
 struct Index {
-    const char* name;                            // of its columns
-    double (*level)(const IndexSample& sample);  // 0 and above; NaN where there is none
+    std::string name;                                 // of its columns
+    std::function<double(const IndexSample&)> level;  // 0 and above; NaN where there is none
 };
 
-// In the order of their columns. A new index is one line in indices.cpp.
+// In the order of their columns: every indicator that the firmware can be told to warn by, under the name
+// that a calibration knows it by, and then what only the true wheel loads tell.
 const std::vector<Index>& campaign_indices();
 
 // Load transfer ratio of the four true wheel loads, (left - right) / sum, so below 0 in a left turn; NaN

@@ -31,6 +31,9 @@ TEST(DrawnRun, TheFirmwareIsToldTheTruthTimesOnePlusTheError) {
         EXPECT_NEAR(static_cast<double>(run.calibration.roll_stiffness_nmprad) /
                         static_cast<double>(nominal.roll_stiffness_nmprad),
                     1.0 + run.draw.stiffness_error, float_rounding);
+        EXPECT_NEAR(static_cast<double>(run.calibration.roll_stiffness_quintic_nmprad5) /
+                        static_cast<double>(nominal.roll_stiffness_quintic_nmprad5),
+                    1.0 + run.draw.stiffness_error, float_rounding);
         EXPECT_EQ(run.calibration.track_width_m, nominal.track_width_m);
         EXPECT_EQ(run.calibration.imu_z_m, nominal.imu_z_m);
     }
