@@ -81,7 +81,13 @@ class ProgressLine {
 };
 
 void report(const CampaignRequest& request) {
-    const std::uint64_t wanted = load_campaign(request.output / "campaign.toml").runs;
+    const std::filesystem::path settings = request.output / "campaign.toml";
+    if (!std::filesystem::exists(settings)) {
+        throw std::runtime_error(
+            fmt::format("there is no campaign in {}; the same command without --report-only makes one",
+                        request.output.string()));
+    }
+    const std::uint64_t wanted = load_campaign(settings).runs;
     const CampaignReport report = make_report(load_rows(request.output / "runs.csv"), wanted);
     write_report(report, request.output);
     fmt::print("{}\nAll of it is in {}; sil/campaign/draw {} makes the pictures.\n", report_markdown(report),

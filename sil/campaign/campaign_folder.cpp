@@ -23,6 +23,8 @@ std::string text_of(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
 }
 
+constexpr const char* made_with = "[made_with]";
+
 // FNV-1a: tells whether a file has changed, not whether somebody meant to deceive.
 std::string fingerprint(const std::filesystem::path& path) {
     std::uint64_t hash = 0xCBF29CE484222325U;
@@ -36,7 +38,7 @@ std::string described(const CampaignSettings& settings) {
     const Versions versions = built_versions();
     std::string text = "# The settings of the campaign whose rows are beside; `rsi-sil campaign` wrote it.\n";
     text += to_toml(settings);
-    text += fmt::format("\n[made_with]\ncomponent = \"{}\"\ngit_revision = \"{}\"\n", versions.component,
+    text += fmt::format("\n{}\ncomponent = \"{}\"\ngit_revision = \"{}\"\n", made_with, versions.component,
                         versions.git_revision);
     for (std::size_t i = 0U; i < settings.vehicles.size(); ++i) {
         text += fmt::format("vehicle_{0}_parameters = \"{1}\"\nvehicle_{0}_calibration = \"{2}\"\n", i + 1U,
@@ -55,14 +57,17 @@ void refuse_difference(const std::filesystem::path& path, const std::string& sto
                        const std::string& wanted) {
     std::istringstream stored_lines{stored};
     std::istringstream wanted_lines{wanted};
+    std::string advice = fmt::format(", or the settings of this one: --settings {}", path.string());
     while (stored_lines && wanted_lines) {
         const std::string there = line_or_nothing(stored_lines);
         const std::string here = line_or_nothing(wanted_lines);
+        if (there == made_with || here == made_with) {
+            advice = ", so that rows of different programs or vehicles do not get mixed";
+        }
         if (there != here) {
             throw CampaignError(fmt::format(
-                "{} is of another campaign: it has `{}` where now `{}` is asked for. Use another output "
-                "folder, or the settings of this one: --settings {}",
-                path.string(), there, here, path.string()));
+                "{} is of another campaign: it has `{}` where now there is `{}`. Use another output folder{}",
+                path.string(), there, here, advice));
         }
     }
 }

@@ -31,6 +31,9 @@ Detection detection_of(const std::vector<RecordedCampaignRun>& runs, const TimeO
                 break;
             case RunKind::calm:
                 detection.false_alarms.add(time_s.has_value());
+                if (run.largest_ltr >= hard_ltr) {
+                    detection.hard_false_alarms.add(time_s.has_value());
+                }
                 break;
             case RunKind::between:
                 detection.alarms_between.add(time_s.has_value());

@@ -12,6 +12,8 @@ namespace sil {
 
 // A run is calm while its largest |LTR| stays below this: no wheel lifts.
 inline constexpr double calm_ltr = 0.9;
+// Calm runs from here on are hard to tell from others; the rest of them say little about an index.
+inline constexpr double hard_ltr = 0.7;
 
 enum class RunKind { calm, between, lifted };
 
@@ -23,6 +25,7 @@ struct Detection {
     Share warned{};                      // of two-wheel lift-offs, before they happen or as they do
     Share warned_100ms{};                // 0.1 s before them or earlier
     Share false_alarms{};                // of calm runs
+    Share hard_false_alarms{};           // of calm runs with a largest |LTR| of hard_ltr or more
     Share alarms_between{};              // of the runs in between
     std::vector<double> lead_times_s{};  // of all two-wheel lift-offs that were warned of, negative if late
 };

@@ -34,6 +34,7 @@ Json json_of(const Detection& detection) {
     json["warned"] = json_of(detection.warned);
     json["warned_100ms_before"] = json_of(detection.warned_100ms);
     json["false_alarms"] = json_of(detection.false_alarms);
+    json["hard_false_alarms"] = json_of(detection.hard_false_alarms);
     json["alarms_between"] = json_of(detection.alarms_between);
     json["lead_time_median_s"] = number(quantile(detection.lead_times_s, 0.5));
     json["lead_time_10th_percentile_s"] = number(quantile(detection.lead_times_s, 0.1));
@@ -97,16 +98,18 @@ std::string seconds(const std::optional<double>& time_s) {
 }
 
 std::string table_at_one(const RunGroup& group) {
-    std::string text =
+    std::string text = fmt::format(
         "| | warned, % | 0.1 s before, % | median lead, s | 10th percentile, s | alarms in calm runs, % | "
-        "alarms in between, % |\n|---|---|---|---|---|---|---|\n";
+        "of those from \\|LTR\\| {}, % | alarms in between, % |\n|---|---|---|---|---|---|---|---|\n",
+        hard_ltr);
     for (const Judgement& judgement : group.judgements) {
         const Detection& detection = judgement.detection;
         text += fmt::format(
-            "| {} | {} | {} | {} | {} | {} | {} |\n", judgement.name,
+            "| {} | {} | {} | {} | {} | {} | {} | {} |\n", judgement.name,
             percent_with_confidence(detection.warned), percent_with_confidence(detection.warned_100ms),
             seconds(quantile(detection.lead_times_s, 0.5)), seconds(quantile(detection.lead_times_s, 0.1)),
-            percent_with_confidence(detection.false_alarms), percent(detection.alarms_between));
+            percent_with_confidence(detection.false_alarms), percent(detection.hard_false_alarms),
+            percent(detection.alarms_between));
     }
     return text;
 }
@@ -155,6 +158,7 @@ std::string report_json(const CampaignReport& report) {
     json["complete"] = report.all.runs >= report.runs_wanted;
     json["runs_wanted"] = report.runs_wanted;
     json["calm_below_ltr"] = calm_ltr;
+    json["hard_from_ltr"] = hard_ltr;
     json["all"] = json_of(report.all);
     json["vehicles"] = json_of(report.vehicles);
     json["manoeuvres"] = json_of(report.manoeuvres);

@@ -186,6 +186,9 @@ CampaignSettings default_campaign() {
 }
 
 CampaignSettings load_campaign(const std::filesystem::path& path) {
+    if (!std::filesystem::is_regular_file(path)) {
+        throw CampaignError(fmt::format("{}: there is no such file", path.string()));
+    }
     toml::table table;
     try {
         table = toml::parse_file(path.string());

@@ -129,10 +129,10 @@ TEST(Campaign, RefusesAFolderWithOtherSettings) {
     run(small_campaign(2U), folder.path());
     sil::CampaignSettings settings = small_campaign(2U);
     settings.seed = 8U;
-    expect_refused(settings, folder, "`seed = 7` where now `seed = 8`");
+    expect_refused(settings, folder, "`seed = 7` where now there is `seed = 8`");
     settings = small_campaign(2U);
     settings.spread.stiffness_error = 0.2;
-    expect_refused(settings, folder, "`stiffness_error = 0.1` where now `stiffness_error = 0.2`");
+    expect_refused(settings, folder, "`stiffness_error = 0.1` where now there is `stiffness_error = 0.2`");
     expect_refused(small_campaign(1U), folder, "can grow, not shrink");
 }
 

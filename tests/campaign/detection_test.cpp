@@ -53,6 +53,7 @@ TEST(Detection, CountsWarningsBeforeLiftOffAndAlarmsApart) {
     expect_share(detection.warned, 4U, 6U);
     expect_share(detection.warned_100ms, 2U, 6U);
     expect_share(detection.false_alarms, 1U, 3U);
+    expect_share(detection.hard_false_alarms, 0U, 2U);
     expect_share(detection.alarms_between, 1U, 2U);
     EXPECT_THAT(detection.lead_times_s,
                 testing::ElementsAre(testing::DoubleNear(0.5, 1e-9), testing::DoubleNear(0.1, 1e-9),

@@ -73,6 +73,15 @@ TEST(CampaignSettings, WhatIsWrongIsNamedWithLineAndKey) {
     expect_refused("runs = \n", "mine.toml:1: cannot be read as TOML");
 }
 
+TEST(CampaignSettings, AFileThatIsNotThereIsNamed) {
+    try {
+        sil::load_campaign("/nowhere/mine.toml");
+        FAIL() << "was accepted";
+    } catch (const sil::CampaignError& error) {
+        EXPECT_STREQ(error.what(), "/nowhere/mine.toml: there is no such file");
+    }
+}
+
 TEST(CampaignSettings, AVehicleOnTheCommandLineIsTwoPaths) {
     const sil::CampaignVehicle vehicle = sil::parse_campaign_vehicle("a/b.toml:c.toml");
     EXPECT_EQ(vehicle.parameters, "a/b.toml");
