@@ -6,6 +6,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -33,8 +34,15 @@ class Workers {
 
     CampaignProgress work() {
         std::vector<std::thread> threads;
-        for (unsigned i = 0U; i < progress_.jobs; ++i) {
-            threads.emplace_back([this] { work_alone(); });
+        try {
+            while (threads.size() < progress_.jobs) {
+                threads.emplace_back([this] { work_alone(); });
+            }
+        } catch (const std::system_error&) {
+            // No more threads than these are to be had.
+            if (threads.empty()) {
+                throw;
+            }
         }
         for (std::thread& thread : threads) {
             thread.join();
