@@ -1,5 +1,5 @@
 # Detection against false alarms while the threshold moves: above, any warning before lift-off; below, 0.1 s before.
-width = 1000
+width = 1150
 height = 1150
 load scripts."/picture_style.gp"
 load scripts."/../campaign/index_style.gp"
@@ -10,7 +10,8 @@ share(name, wanted) = strcol("index") eq wanted ? 100 * column(name) : NaN
 set xrange [0:5]
 set yrange [50:100.5]
 set ylabel "two-wheel lift-offs warned of [%]"
-set key at graph 0.985, graph 0.02 right bottom Left reverse noenhanced samplen 2.5 spacing 1.15 opaque
+set rmargin at screen 0.77
+set key at screen 0.785, graph 1 left top Left reverse noenhanced samplen 2.5 spacing 1.15
 set multiplot layout 2,1 title sprintf("%d runs, %d two-wheel lift-offs, %d without wheel lift", \
     runs, lifted_runs, calm_runs) font ",13"
 set title "warned before lift-off"
