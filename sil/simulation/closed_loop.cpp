@@ -24,18 +24,20 @@ void ClosedLoop::run(RunObserver& observer) {
         const SensorSample sample = sensors_.report(plant_.truth());
         exchange_frames(number, sample);
         observer.cycle(plant_.truth(), sample, ecu_, events_.events());
-        if (plant_.finished() || std::abs(plant_.truth().roll_angle_rad) > rolled_over_rad) {
+        if (plant_.finished() || observer.settled() ||
+            std::abs(plant_.truth().roll_angle_rad) > rolled_over_rad) {
             return;
         }
-        advance_vehicle();
+        advance_vehicle(observer);
     }
 }
 
-void ClosedLoop::advance_vehicle() {
+void ClosedLoop::advance_vehicle(RunObserver& observer) {
     for (int step = 0; step < steps_per_cycle; ++step) {
         plant_.step();
         sensors_.observe(plant_.truth());
         events_.observe(plant_.truth());
+        observer.step(plant_.truth());
     }
 }
 

@@ -13,7 +13,7 @@
 
 namespace sil {
 
-// Sees each cycle of a run; this one looks away.
+// Sees each cycle of a run, and each step of the vehicle if it wants to; this one looks away.
 class RunObserver {
  public:
     RunObserver() = default;
@@ -23,6 +23,12 @@ class RunObserver {
 
     virtual void cycle(const Truth& /*truth*/, const SensorSample& /*sample*/, const EcuFrames& /*ecu*/,
                        const RunEvents& /*events*/) {}
+
+    // After every step of the vehicle, ten a cycle.
+    virtual void step(const Truth& /*truth*/) {}
+
+    // Asked after each cycle: whether what the run was for is known. True ends it.
+    virtual bool settled() const { return false; }
 };
 
 class ClosedLoop {
@@ -30,8 +36,8 @@ class ClosedLoop {
     // All must outlive the loop.
     ClosedLoop(ManoeuvreRun& plant, SensorSuite& sensors, hal::CanBus& bus, Pace& pace);
 
-    // Runs until the manoeuvre is over or the vehicle lies on its side. Throws std::runtime_error when the
-    // bus or the ECU fails.
+    // Runs until the manoeuvre is over, the vehicle lies on its side, or the observer has seen enough. Throws
+    // std::runtime_error when the bus or the ECU fails.
     void run(RunObserver& observer);
 
     const RunEvents& events() const { return events_.events(); }
@@ -39,7 +45,7 @@ class ClosedLoop {
     std::uint64_t frames_sent() const { return sensor_frames_.frames_sent(); }
 
  private:
-    void advance_vehicle();
+    void advance_vehicle(RunObserver& observer);
     void exchange_frames(std::uint32_t number, const SensorSample& sample);
     bool take(const hal::CanFrame& frame);
 

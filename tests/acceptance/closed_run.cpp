@@ -4,7 +4,7 @@
 
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
-#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/in_process_run.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 
@@ -41,17 +41,15 @@ RunResult drive(const RunSettings& settings) {
     sil::RunOptions options;
     options.mirrored = settings.mirrored;
     options.duration_s = settings.duration_s;
-    sil::ManoeuvreRun plant{vehicle, sil::find_manoeuvre(settings.manoeuvre), options};
-    sil::SensorSuite sensors{
-        sil::mounted_sensors(plant.vehicle().parameters(), {settings.noise, settings.seed})};
-    sil::InProcessEcu ecu{
+    const sil::Manoeuvre manoeuvre = sil::find_manoeuvre(settings.manoeuvre);
+    const sil::VehicleParameters adapted =
+        manoeuvre.adapt_vehicle ? manoeuvre.adapt_vehicle(vehicle) : vehicle;
+    sil::InProcessRun run{
+        vehicle, manoeuvre, options, sil::mounted_sensors(adapted, {settings.noise, settings.seed}),
         sil::load_calibration(source + "/firmware/calibrations/" + settings.vehicle + ".toml")};
-    sil::InProcessPace pace{ecu};
-    sil::ClosedLoop loop{plant, sensors, ecu.world_bus(), pace};
     RunResult result;
     Collector collector{result};
-    loop.run(collector);
-    result.events = loop.events();
+    result.events = run.run(collector);
     return result;
 }
 

@@ -4,8 +4,7 @@
 
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
-#include "sil/simulation/closed_loop.hpp"
-#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/in_process_run.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 
@@ -19,15 +18,9 @@ void drive(benchmark::State& state, const char* name, bool noise) {
     const sil::Manoeuvre manoeuvre = sil::find_manoeuvre(name);
     double simulated_s = 0.0;
     for (auto _ : state) {
-        sil::ManoeuvreRun plant{vehicle, manoeuvre};
-        sil::SensorSuite sensors{sil::mounted_sensors(vehicle, {noise})};
-        sil::InProcessEcu ecu{calibration};
-        sil::InProcessPace pace{ecu};
-        sil::ClosedLoop loop{plant, sensors, ecu.world_bus(), pace};
-        sil::RunObserver nobody;
-        loop.run(nobody);
-        simulated_s += plant.truth().time_s;
-        benchmark::DoNotOptimize(loop.events());
+        sil::InProcessRun run{vehicle, manoeuvre, {}, sil::mounted_sensors(vehicle, {noise}), calibration};
+        benchmark::DoNotOptimize(run.run());
+        simulated_s += run.truth().time_s;
     }
     state.counters["times_real_time"] = benchmark::Counter(simulated_s, benchmark::Counter::kIsRate);
 }

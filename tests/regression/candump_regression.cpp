@@ -18,10 +18,8 @@
 #include "sil/analysis/sensor_frame.hpp"
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
-#include "sil/simulation/closed_loop.hpp"
-#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/in_process_run.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
-#include "sil/simulation/recorded_bus.hpp"
 #include "sil/simulation/replay.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 
@@ -80,13 +78,13 @@ void drive(const Request& request, sil::CandumpLogWriter& log) {
     options.mirrored = request.mirrored;
     options.duration_s = request.duration_s;
     const sil::VehicleParameters vehicle = sil::load_vehicle(request.vehicle);
-    sil::ManoeuvreRun plant{vehicle, sil::find_manoeuvre(request.manoeuvre), options};
-    sil::SensorSuite sensors{sil::mounted_sensors(vehicle, {request.noise, request.seed})};
-    sil::InProcessEcu ecu{sil::load_calibration(request.parameters)};
-    sil::RecordedBus bus{ecu.world_bus(), ecu.clock(), log, "vcan0"};
-    sil::InProcessPace pace{ecu};
-    sil::RunObserver nobody;
-    sil::ClosedLoop{plant, sensors, bus, pace}.run(nobody);
+    sil::InProcessRun{vehicle,
+                      sil::find_manoeuvre(request.manoeuvre),
+                      options,
+                      sil::mounted_sensors(vehicle, {request.noise, request.seed}),
+                      sil::load_calibration(request.parameters),
+                      &log}
+        .run();
 }
 
 // Keeps what the simulated sensors send; the answers come from a replay, as they will in every check.

@@ -3,10 +3,8 @@
 #include "sil/analysis/sensor_frame.hpp"
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
-#include "sil/simulation/closed_loop.hpp"
-#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/in_process_run.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
-#include "sil/simulation/recorded_bus.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 #include "tests/sil/scratch_folder.hpp"
 
@@ -51,24 +49,22 @@ RecordedRun run_and_record(const sil::Manoeuvre& manoeuvre, const RunSettings& s
     sil::RunOptions options;
     options.mirrored = settings.mirrored;
     options.duration_s = settings.duration_s;
-    sil::ManoeuvreRun plant{sil::load_vehicle(project_folder + "/sil/vehicles/large_suv.toml"), manoeuvre,
-                            options};
-    sil::SensorSuite sensors{
-        sil::mounted_sensors(plant.vehicle().parameters(), {settings.noise, settings.seed})};
-    sil::InProcessEcu ecu{large_suv_calibration()};
+    const sil::VehicleParameters vehicle = sil::load_vehicle(project_folder + "/sil/vehicles/large_suv.toml");
     sil::CandumpLogWriter log{path};
-    sil::RecordedBus bus{ecu.world_bus(), ecu.clock(), log, "vcan0"};
-    sil::InProcessPace pace{ecu};
-    sil::ClosedLoop loop{plant, sensors, bus, pace};
+    sil::InProcessRun whole{vehicle,
+                            manoeuvre,
+                            options,
+                            sil::mounted_sensors(vehicle, {settings.noise, settings.seed}),
+                            large_suv_calibration(),
+                            &log};
 
     RecordedRun run;
     OutputRecorder recorder{run.ecu_outputs};
-    loop.run(recorder);
+    run.events = whole.run(recorder);
     log.close();
     run.log_text = testing_sil::text_of(path);
     run.log = sil::read_candump_log(path);
-    run.events = loop.events();
-    run.frames_refused = loop.ecu().frames_refused();
+    run.frames_refused = whole.frames().frames_refused();
     return run;
 }
 

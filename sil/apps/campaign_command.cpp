@@ -1,0 +1,149 @@
+#include "sil/apps/campaign_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sil/apps/command_line.hpp"
+#include "sil/campaign/campaign.hpp"
+#include "sil/campaign/report.hpp"
+#include "sil/campaign/settings.hpp"
+
+namespace sil {
+namespace {
+
+struct CampaignRequest {
+    std::string settings_file;
+    std::optional<std::uint64_t> runs;
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> vehicles;
+    std::filesystem::path output{"output/campaign"};
+    unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
+    bool report_only{false};
+};
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
+
+void request_stop(int) {
+    stop_requested = true;
+}
+
+CampaignSettings settings_of(const CampaignRequest& request) {
+    CampaignSettings settings =
+        request.settings_file.empty() ? default_campaign() : load_campaign(request.settings_file);
+    settings.runs = request.runs.value_or(settings.runs);
+    settings.seed = request.seed.value_or(settings.seed);
+    if (!request.vehicles.empty()) {
+        settings.vehicles.clear();
+        for (const std::string& vehicle : request.vehicles) {
+            settings.vehicles.push_back(parse_campaign_vehicle(vehicle));
+        }
+    }
+    check_campaign(settings);
+    return settings;
+}
+
+std::string duration(double seconds) {
+    const auto whole = static_cast<long>(seconds + 0.5);
+    return whole < 120 ? fmt::format("{} s", whole) : fmt::format("{} min {:02} s", whole / 60, whole % 60);
+}
+
+// A line on stderr: over and over on a terminal, now and then in a log.
+class ProgressLine {
+ public:
+    void show(const CampaignProgress& progress) {
+        const bool last = progress.finished == progress.total;
+        if (!last && progress.elapsed_s < next_s_) {
+            return;
+        }
+        next_s_ = progress.elapsed_s + (terminal_ ? 0.5 : 10.0);
+        const double rate = static_cast<double>(progress.finished - progress.begun_with) / progress.elapsed_s;
+        const double left_s = static_cast<double>(progress.total - progress.finished) / rate;
+        fmt::print(stderr, "{}{} of {} runs, {:.1f} runs/s, {:.0f} times real time a thread, {} left{}",
+                   terminal_ ? "\r" : "", progress.finished, progress.total, rate,
+                   progress.simulated_s / progress.elapsed_s / progress.jobs, duration(left_s),
+                   terminal_ && !last ? "      " : "\n");
+    }
+
+ private:
+    const bool terminal_{::isatty(STDERR_FILENO) == 1};
+    double next_s_{0.0};
+};
+
+void report(const CampaignRequest& request) {
+    const std::filesystem::path settings = request.output / "campaign.toml";
+    if (!std::filesystem::exists(settings)) {
+        throw std::runtime_error(
+            fmt::format("there is no campaign in {}; the same command without --report-only makes one",
+                        request.output.string()));
+    }
+    const std::uint64_t wanted = load_campaign(settings).runs;
+    const CampaignReport report = make_report(load_rows(request.output / "runs.csv"), wanted);
+    write_report(report, request.output);
+    fmt::print("{}\nAll of it is in {}; sil/campaign/draw {} makes the pictures.\n", report_markdown(report),
+               (request.output / "report.json").string(), request.output.string());
+}
+
+void run(const CampaignRequest& request) {
+    const CampaignWorld world{settings_of(request)};
+    std::signal(SIGINT, request_stop);
+    std::signal(SIGTERM, request_stop);
+    ProgressLine line;
+    const CampaignProgress progress = run_campaign(world, request.output, request.jobs, stop_requested,
+                                                   [&line](const CampaignProgress& now) { line.show(now); });
+    if (progress.finished < progress.total) {
+        throw std::runtime_error(fmt::format(
+            "interrupted after {} of {} runs, which are kept in {}. The same command goes on from "
+            "there.",
+            progress.finished, progress.total, request.output.string()));
+    }
+}
+
+void add_whole_number(CLI::App& command, const std::string& name, std::optional<std::uint64_t>& value,
+                      const std::string& description) {
+    // Not CLI11's own conversion, which takes 010 for eight.
+    command
+        .add_option_function<std::string>(
+            name, [&value](const std::string& text) { value = whole_number(text); }, description)
+        ->check(check_whole_number)
+        ->type_name("UINT");
+}
+
+}  // namespace
+
+void add_campaign(CLI::App& app) {
+    const auto request = std::make_shared<CampaignRequest>();
+    CLI::App* command = app.add_subcommand(
+        "campaign",
+        "Monte Carlo: many drawn runs in this process, one row each, and a report on all indices");
+    command->add_option("--settings", request->settings_file,
+                        "What to draw from (TOML; default: sil/campaign/default.toml, built in)");
+    add_whole_number(*command, "--runs", request->runs, "How many runs (default: the settings')");
+    add_whole_number(*command, "--seed", request->seed, "Seed of everything drawn (default: the settings')");
+    command->add_option("--vehicle", request->vehicles,
+                        "VEHICLE_FILE:CALIBRATION_FILE, instead of the settings' vehicles; may be repeated");
+    command->add_option("--output", request->output, "Folder of the rows; taken up where it was left")
+        ->capture_default_str();
+    command->add_option("--jobs", request->jobs, "Threads")
+        ->check(CLI::Range(1U, 1024U))
+        ->capture_default_str();
+    command->add_flag("--report-only", request->report_only, "No runs: report on the rows that are there");
+    command->callback([request] {
+        if (!request->report_only) {
+            run(*request);
+        }
+        report(*request);
+    });
+}
+
+}  // namespace sil

@@ -1,0 +1,50 @@
+// Indices: the firmware's own scale for each of its indicators, and a reference.
+#include "sil/campaign/indices.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "rsi/indicator/indicator_level.hpp"
+#include "rsi/parameters.hpp"
+
+namespace sil {
+namespace {
+
+std::function<double(const IndexSample&)> level_of(std::int32_t indicator) {
+    return [indicator](const IndexSample& sample) {
+        rsi::Parameters parameters = sample.parameters;
+        parameters.warning_indicator = indicator;
+        return static_cast<double>(rsi::indicator_level(sample.outputs, parameters));
+    };
+}
+
+double true_load_transfer(const IndexSample& sample) {
+    return std::abs(load_transfer_ratio(sample.truth));
+}
+
+std::vector<Index> all_indices() {
+    std::vector<Index> indices;
+    for (const char* name : rsi::indicator_choices) {
+        indices.push_back({name, level_of(static_cast<std::int32_t>(indices.size()))});
+    }
+    indices.push_back({"true_load_transfer", true_load_transfer});
+    return indices;
+}
+
+}  // namespace
+
+const std::vector<Index>& campaign_indices() {
+    static const std::vector<Index> indices = all_indices();
+    return indices;
+}
+
+double load_transfer_ratio(const Truth& truth) {
+    const auto& load = truth.wheel_load_n;
+    const double left_n = load[front_left] + load[rear_left];
+    const double right_n = load[front_right] + load[rear_right];
+    const double sum_n = left_n + right_n;
+    return sum_n > 0.0 ? (left_n - right_n) / sum_n : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace sil
