@@ -1,7 +1,7 @@
 #include "rsi/indicator/classic_indices.hpp"
 
 #include "rsi/numeric/bounded.hpp"
-#include "rsi/numeric/square_root.hpp"
+#include "rsi/numeric/vector_length.hpp"
 
 namespace rsi {
 namespace {
@@ -46,7 +46,7 @@ ClassicIndexValues ClassicIndices::evaluate(const Measurement& measured, const R
 float ClassicIndices::rollover_index(const Measurement& measured) const {
     const float phi = measured.roll_angle_rad;
     const float rate = measured.roll_rate_radps;
-    const float length = square_root(phi * phi + rate * rate);
+    const float length = vector_length(phi, rate);
     if (!(phi * (rate - gate_slope_radps_ * phi) > 0.0F) || !(length > 0.0F)) {
         return 0.0F;
     }

@@ -1,20 +1,23 @@
-// The numeric helpers of the further indicators: two lags, square root.
+// The numeric helpers of the further indicators: two lags, length of a vector.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "rsi/numeric/square_root.hpp"
 #include "rsi/numeric/two_lags.hpp"
+#include "rsi/numeric/vector_length.hpp"
 
 namespace {
 
-TEST(SquareRoot, IsWithinThreeInTenMillionFromTheSmallestToTheLargest) {
-    EXPECT_EQ(rsi::square_root(0.0F), 0.0F);
-    EXPECT_EQ(rsi::square_root(1.0e-38F), 0.0F);
-    EXPECT_EQ(rsi::square_root(-1.0F), 0.0F);
-    for (float value = 1.0e-37F; value < 1.0e38F; value *= 1.037F) {
-        const double exact = std::sqrt(static_cast<double>(value));
-        ASSERT_NEAR(static_cast<double>(rsi::square_root(value)), exact, 3.0e-7 * exact) << value;
+TEST(VectorLength, IsWithinThreeInTenMillionAtAnyDirectionAndScale) {
+    EXPECT_EQ(rsi::vector_length(0.0F, -0.0F), 0.0F);
+    for (float scale = 1.0e-30F; scale < 1.0e30F; scale *= 977.0F) {
+        for (int degrees = 0; degrees < 360; ++degrees) {
+            const float a = scale * static_cast<float>(std::cos(degrees * 0.0174532925));
+            const float b = scale * static_cast<float>(std::sin(degrees * 0.0174532925));
+            const double exact = std::hypot(static_cast<double>(a), static_cast<double>(b));
+            ASSERT_NEAR(static_cast<double>(rsi::vector_length(a, b)), exact, 3.0e-7 * exact)
+                << scale << ' ' << degrees;
+        }
     }
 }
 
