@@ -82,7 +82,7 @@ Validation Component::init(const Parameters& parameters) {
 // The paper's Fig. 3 from left to right.
 void Component::step(const Inputs& inputs, Outputs& outputs) {
     Measurement measured;
-    if (!initialised_ || !measurement_.update(inputs, measured)) {
+    if (!initialised_ || !measurement_.update(inputs, measured, movement_m_)) {
         step_unavailable(outputs);
         return;
     }
@@ -115,9 +115,10 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    // The published estimate drifts to where it fits anything; it must not move the prediction.
+    // The published estimate drifts to where it fits anything; it must move neither prediction nor observer.
     const bool sound = (parameters_.estimator == RSI_ESTIMATOR_CONSIDER_KALMAN);
-    further_.update(inputs, measured, sound ? estimate.vertical_movement_m : 0.0F, outputs);
+    movement_m_ = sound ? estimate.vertical_movement_m : 0.0F;
+    further_.update(inputs, measured, movement_m_, outputs);
     warn(measured, overturned, outputs);
 
     compensated_.advance(model_, measured, fixed_, M_add);

@@ -29,6 +29,7 @@ class Component {
 
     bool initialised_{false};
     bool running_{false};       // false until the first good sample after init, a gap or an overturn
+    float movement_m_{0.0F};    // dh of the sample before; 0 where no sound estimate is
     float extended_rsi_{0.0F};  // of the cycle before
     Parameters parameters_{};
     MeasurementStage measurement_{};

@@ -255,7 +255,7 @@ TEST(FurtherIndicators, AGapIsNoMovement) {
         component.step(turning(-6.0, -0.08), out);
     }
     rsi_inputs missing = turning(6.0, 0.08);
-    missing.roll_angle_rad = nan;
+    missing.roll_rate_radps = nan;
     component.step(missing, out);
     EXPECT_TRUE(std::isnan(out.predicted_load_transfer_ratio));
     component.step(turning(6.0, 0.08), out);

@@ -22,7 +22,7 @@ class Look {
         extended_.init(parameters);
     }
     rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {}) const {
-        return predictor_.evaluate(motion, demand, load_transfer_, extended_);
+        return predictor_.evaluate(motion, demand, load_transfer_, extended_, 0.0F);
     }
 
  private:

@@ -31,7 +31,9 @@ float raw_level(const Outputs& outputs, const Parameters& parameters) {
         case RSI_INDICATOR_ROLLOVER_INDEX:
             return outputs.rollover_index;
         case RSI_INDICATOR_TIME_TO_ROLLOVER:
-            return parameters.time_to_rollover_limit_s / larger(outputs.time_to_rollover_s, 0.01F);
+            return is_finite(outputs.time_to_rollover_s)
+                       ? parameters.time_to_rollover_limit_s / larger(outputs.time_to_rollover_s, 0.01F)
+                       : not_available;
     }
     return not_available;
 }

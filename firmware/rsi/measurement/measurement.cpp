@@ -88,10 +88,12 @@ BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs) {
 }
 
 // The observer runs whether it is needed or not, so that it knows the angle when the sensor fails.
-void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Measurement& measurement) {
+void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, float vertical_movement_m,
+                               Measurement& measurement) {
     const bool sensor_available = within(inputs.roll_angle_rad, largest_roll_angle_rad);
     if (observer_inputs_available(inputs)) {
-        observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps, inputs.speed_mps);
+        observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps, inputs.speed_mps,
+                         vertical_movement_m);
     } else {
         observer_.reset();
     }
@@ -110,13 +112,13 @@ void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Me
     measurement.roll_angle_rad = sensor_available ? inputs.roll_angle_rad : observed.roll_angle_rad;
 }
 
-bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
+bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement, float vertical_movement_m) {
     if (!necessary_inputs_available(inputs)) {
         reset();
         return false;
     }
     const BodyForces at_cg = carry_to_cg(inputs);
-    observe(inputs, at_cg, measurement);
+    observe(inputs, at_cg, vertical_movement_m, measurement);
     if (measurement.roll_source == RSI_ROLL_NONE) {
         roll_acceleration_.reset();
         yaw_acceleration_.reset();

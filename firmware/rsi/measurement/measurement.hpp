@@ -42,12 +42,14 @@ class MeasurementStage {
 
     // True and a measurement when lateral force and roll rate are available and in range, and the roll angle
     // is, or the observer knows it.
-    bool update(const Inputs& inputs, Measurement& measurement);
+    // `vertical_movement_m`: dh for the observer, of the sample before.
+    bool update(const Inputs& inputs, Measurement& measurement, float vertical_movement_m = 0.0F);
 
  private:
     // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
     BodyForces carry_to_cg(const Inputs& inputs);
-    void observe(const Inputs& inputs, const BodyForces& at_cg, Measurement& measurement);
+    void observe(const Inputs& inputs, const BodyForces& at_cg, float vertical_movement_m,
+                 Measurement& measurement);
 
     float imu_x_m_{0.0F};
     float imu_y_m_{0.0F};

@@ -14,6 +14,7 @@ constexpr float radians(float degrees) {
 constexpr float T = sample_time_s;
 
 // Beyond these the suspension's curve, or the sensor, means nothing.
+constexpr float largest_movement_m = 0.05F;
 constexpr float largest_roll_rad = 1.57F;
 constexpr float largest_rate_radps = 10.0F;
 constexpr float largest_bank_rad = 0.5F;
@@ -55,7 +56,8 @@ void RollBankObserver::init(const Parameters& parameters) {
     const float H = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
     stiffness_.init(parameters);
     inverse_inertia_ = 1.0F / parameters.roll_inertia_kgm2;
-    force_to_acceleration_ = parameters.sprung_mass_kg * H * inverse_inertia_;
+    movement_to_acceleration_ = parameters.sprung_mass_kg * inverse_inertia_;
+    force_to_acceleration_ = movement_to_acceleration_ * H;
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia_;
     bank_drift_variance_rad2_ = square(parameters.observer_bank_drift_radps) * T;
     tipping_force_mps2_ = 0.5F * gravity_mps2 * parameters.track_width_m / parameters.sprung_cg_height_m;
@@ -64,11 +66,11 @@ void RollBankObserver::init(const Parameters& parameters) {
 }
 
 void RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps,
-                              float speed_mps) {
+                              float speed_mps, float vertical_movement_m) {
     if (!running_) {
         start(lateral_force_mps2, roll_rate_radps);
     } else {
-        predict(lateral_force_mps2);
+        predict(lateral_force_mps2, vertical_movement_m);
     }
     const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
     correct_by_roll_rate(roll_rate_radps);
@@ -108,9 +110,11 @@ bool RollBankObserver::tips(float lateral_force_mps2, float roll_acceleration_ra
 // Trapezoidal rule with the local stiffness k, stable for any admitted parameters:
 //   phi+ = phi + T (w - o) + T/2 d,  w+ = w + d,  b+ = b + T o,  o+ = decay o,
 //   d = T [m_s H f_yb / cos phi - M - (c + T/2 k) (w - o)] / Ixx / (1 + T/2 c + T^2/4 k)
-void RollBankObserver::predict(float lateral_force_mps2) {
+void RollBankObserver::predict(float lateral_force_mps2, float vertical_movement_m) {
     const float secant = 1.0F / bounded_cosine(within_model(phi_));
-    const float force = force_to_acceleration_ * lateral_force_mps2 * secant;
+    const float dh = clamp(vertical_movement_m, -largest_movement_m, largest_movement_m);
+    const float force =
+        (force_to_acceleration_ - movement_to_acceleration_ * dh) * lateral_force_mps2 * secant;
     const float spring = stiffness_.moment_nm(phi_) * inverse_inertia_;
     tipped_ = tips(lateral_force_mps2, force - spring);
     const float k =

@@ -24,8 +24,11 @@ class RollBankObserver {
     void reset() { running_ = false; }
 
     // One sample. All values finite; `lateral_force_mps2` is f_yb, the specific force at the sprung CG along
-    // the body's y axis. A state that is not finite starts anew at the next sample.
-    void update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps);
+    // the body's y axis. A state that is not finite starts anew at the next sample. `vertical_movement_m` is
+    // dh, 0 where no sound estimate is. Only its first 0.05 m count: dh has been learnt from the roll sensor,
+    // and a sensor that lies must not teach the observer to lie with it.
+    void update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps,
+                float vertical_movement_m = 0.0F);
 
     // Whether the angle's standard deviation is small enough to be relied on. False after a start for as long
     // as the filter needs.
@@ -46,7 +49,7 @@ class RollBankObserver {
     static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
 
     void start(float lateral_force_mps2, float roll_rate_radps);
-    void predict(float lateral_force_mps2);
+    void predict(float lateral_force_mps2, float vertical_movement_m);
     bool tips(float lateral_force_mps2, float roll_acceleration_radps2) const;
     void predict_covariance(float s, float e);
     void correct_by_roll_rate(float roll_rate_radps);
@@ -56,6 +59,7 @@ class RollBankObserver {
 
     RollStiffnessCurve stiffness_{};
     float force_to_acceleration_{0.0F};     // m_s H / Ixx
+    float movement_to_acceleration_{0.0F};  // m_s / Ixx
     float inverse_inertia_{0.0F};           // 1 / Ixx
     float damping_over_inertia_{0.0F};      // c_f / Ixx
     float bank_drift_variance_rad2_{0.0F};  // in one step
