@@ -29,7 +29,9 @@ double seconds(hal::Time time) {
                                       expected)};
 }
 
-std::vector<hal::CanFrame> sensor_frames(const std::vector<LoggedFrame>& log) {
+}  // namespace
+
+std::vector<hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log) {
     std::vector<hal::CanFrame> frames;
     for (const LoggedFrame& logged : log) {
         if (!is_sensor_frame(logged.frame)) {
@@ -58,11 +60,9 @@ std::vector<hal::CanFrame> sensor_frames(const std::vector<LoggedFrame>& log) {
     return frames;
 }
 
-}  // namespace
-
 std::vector<LoggedFrame> replay(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters) {
     std::vector<LoggedFrame> answers;
-    const std::vector<hal::CanFrame> frames = sensor_frames(log);
+    const std::vector<hal::CanFrame> frames = replayable_frames(log);
     InProcessEcu ecu{parameters};
     hal::FrameReplay player{frames.data(), frames.size(), ecu.clock(), ecu.world_bus()};
     hal::CanFrame frame;
