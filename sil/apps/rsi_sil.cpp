@@ -11,6 +11,7 @@
 
 #include "sil/analysis/bus_timing.hpp"
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
 
@@ -74,9 +75,11 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     sil::RunRequest request;
     std::filesystem::path log;
+    sil::ReplayRequest replay;
     app.add_subcommand("list", "Name all manoeuvres")->callback(list_manoeuvres);
     add_run(app, request);
     add_timing(app, log);
+    sil::add_replay_command(app, replay);
     try {
         app.parse(argc, argv);
         return 0;

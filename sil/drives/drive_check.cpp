@@ -62,13 +62,15 @@ void check_gravity(const Drive& drive, const DriveHeader& header, const CsvPlace
     }
 }
 
-void check_lift_off(const Drive& drive, const CsvPlace& place) {
-    for (const std::optional<double>& time_s : {drive.one_wheel_lift_s, drive.two_wheel_lift_s}) {
-        if (time_s && (*time_s < drive.samples.front().time_s || *time_s > drive.samples.back().time_s)) {
+void check_lift_off(const Drive& drive, const DriveHeader& header, const CsvPlace& place) {
+    for (const DriveHeader::GivenTime& given : header.given_times) {
+        const double first_s = drive.samples.front().time_s;
+        const double last_s = drive.samples.back().time_s;
+        if (given.time_s < first_s || given.time_s > last_s) {
             place.fail(
-                1U, 1U,
+                given.line, given.column,
                 fmt::format("a lift-off is given at {:.6g} s, but the rows go from {:.6g} s to {:.6g} s",
-                            *time_s, drive.samples.front().time_s, drive.samples.back().time_s),
+                            given.time_s, first_s, last_s),
                 "give it on the clock of the rows, or `none` when it did not happen within them");
         }
     }
@@ -97,7 +99,7 @@ void check_drive(const Drive& drive, const DriveHeader& header, const CsvPlace& 
     }
     check_rate(drive, header, place);
     check_gravity(drive, header, place);
-    check_lift_off(drive, place);
+    check_lift_off(drive, header, place);
 }
 
 }  // namespace sil

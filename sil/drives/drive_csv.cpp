@@ -73,12 +73,12 @@ class DriveCsvParser {
 
     bool read_header(CsvLine line) {
         while (line.text.front() == '#') {
-            read_remark(line, drive_, place_);
+            read_remark(line, header_, drive_, place_);
             if (!next(line)) {
                 return false;
             }
         }
-        header_ = read_drive_header(line, drive_, place_);
+        read_column_names(line, header_, drive_, place_);
         return true;
     }
 

@@ -148,21 +148,19 @@ const DriveHeader::Column* DriveHeader::find(const char* quantity) const {
     return found != columns.end() ? &*found : nullptr;
 }
 
-DriveHeader read_drive_header(const CsvLine& line, Drive& drive, const CsvPlace& place) {
+void read_column_names(const CsvLine& line, DriveHeader& header, Drive& drive, const CsvPlace& place) {
     refuse_other_separators(line, place);
     std::vector<CsvField> fields;
     split_fields(line.text, fields);
-    DriveHeader header;
     header.line = line.number;
     header.field_count = fields.size();
     for (std::size_t index = 0U; index < fields.size(); ++index) {
         add_column(header, index, fields[index], drive, place);
     }
     check_presence(header, drive, place);
-    return header;
 }
 
-void read_remark(const CsvLine& line, Drive& drive, const CsvPlace& place) {
+void read_remark(const CsvLine& line, DriveHeader& header, Drive& drive, const CsvPlace& place) {
     const Remark remark = split_remark(line.text);
     double factor = 1.0;
     std::optional<double>* target = nullptr;
@@ -187,6 +185,7 @@ void read_remark(const CsvLine& line, Drive& drive, const CsvPlace& place) {
             "give the time on the drive's clock, or `none` when it did not happen");
     }
     *target = value * factor;
+    header.given_times.push_back({value * factor, line.number, remark.value.column});
 }
 
 }  // namespace sil

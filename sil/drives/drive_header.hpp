@@ -21,6 +21,14 @@ struct DriveHeader {
         bool available{false};  // whether any row had a value
     };
 
+    // A lift-off of the remarks, and where it stands.
+    struct GivenTime {
+        double time_s;
+        std::size_t line;
+        std::size_t column;
+    };
+
+    std::vector<GivenTime> given_times;
     std::vector<Column> columns;
     std::size_t field_count{0U};
     std::size_t line{1U};
@@ -33,10 +41,10 @@ struct DriveHeader {
 
 // Reads the names of the columns and checks that those are there which a drive needs. Columns that nobody
 // knows go to drive.ignored_columns, unless they are those of a run's signals.csv. Throws DriveCsvError.
-DriveHeader read_drive_header(const CsvLine& line, Drive& drive, const CsvPlace& place);
+void read_column_names(const CsvLine& line, DriveHeader& header, Drive& drive, const CsvPlace& place);
 
 // A line that begins with '#'. "# one_wheel_lift_time_s: 2.34", "# two_wheel_lift_time_s: none" say when the
 // wheels lifted; others are passed over. Throws DriveCsvError.
-void read_remark(const CsvLine& line, Drive& drive, const CsvPlace& place);
+void read_remark(const CsvLine& line, DriveHeader& header, Drive& drive, const CsvPlace& place);
 
 }  // namespace sil

@@ -147,13 +147,14 @@ DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Paramet
     const hal::Time start = frames.front().receive_time;
     std::size_t taken = 0U;
     for (hal::Time time = start; !player.finished(); time = time + cycle_time) {
-        const std::size_t sent = player.run_until(time);
+        player.run_until(time);
         DriveSample sample;
         sample.time_s = seconds(time - start);
-        for (const std::size_t end = taken + sent; taken < end; ++taken) {
+        const std::size_t first = taken;
+        for (; taken < frames.size() && !(time < frames[taken].receive_time); ++taken) {
             take_frame(frames[taken], sample);
         }
-        recorder.step(sample, sent > 0U);
+        recorder.step(sample, taken > first);
     }
     return recorder.finish({}, frames.size());
 }

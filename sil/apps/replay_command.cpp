@@ -1,0 +1,192 @@
+#include "sil/apps/replay_command.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "sil/analysis/atomic_file.hpp"
+#include "sil/analysis/event_marks.hpp"
+#include "sil/calibration/calibration_file.hpp"
+#include "sil/drives/drive_csv.hpp"
+#include "sil/drives/drive_names.hpp"
+#include "sil/drives/drive_replay.hpp"
+#include "sil/drives/replay_csv.hpp"
+#include "sil/drives/replay_summary.hpp"
+#include "sil/drives/replay_table.hpp"
+#include "sil/drives/whole_folder.hpp"
+#include "sil/simulation/replay.hpp"
+
+extern char** environ;
+
+namespace sil {
+namespace {
+
+volatile std::sig_atomic_t interruption = 0;
+
+extern "C" void note_interruption(int) {
+    interruption = 1;
+}
+
+bool is_interrupted() {
+    return interruption != 0;
+}
+
+const std::vector<std::string>& replay_contents() {
+    static const std::vector<std::string> names{"indices.csv",  "warnings.csv", "events.gp",
+                                                "summary.json", "replay.svg",   "replay.png"};
+    return names;
+}
+
+// The first line of a log begins with "(", no CSV header does.
+bool is_candump_log(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    char first = '\0';
+    stream >> first;
+    return first == '(';
+}
+
+DriveReplay replay_log(const std::filesystem::path& file, const rsi::Parameters& parameters) {
+    try {
+        return replay_drive(read_candump_log(file), parameters, is_interrupted);
+    } catch (const ReplayError& error) {
+        throw std::runtime_error(error.line() > 0U
+                                     ? fmt::format("{}:{}:1: {}", file.string(), error.line(), error.what())
+                                     : fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+// gnuplot belongs to the project's packages, so its absence is an error like any other.
+void draw(const std::filesystem::path& folder) {
+    std::string script = RSI_REPLAY_DRAW_SCRIPT;
+    std::string argument = folder.string();
+    char* arguments[] = {script.data(), argument.data(), nullptr};
+    pid_t process = 0;
+    int status = 0;
+    if (::posix_spawn(&process, script.c_str(), nullptr, nullptr, arguments, environ) != 0 ||
+        ::waitpid(process, &status, 0) != process || status != 0) {
+        throw std::runtime_error(
+            fmt::format("{} failed (see above); with --no-pictures the replay does without it", script));
+    }
+}
+
+class Replayer {
+ public:
+    explicit Replayer(const ReplayRequest& request)
+        : request_{request},
+          parameters_{load_calibration(request.parameters.string())},
+          names_{drive_names(request.files)} {}
+
+    void run() {
+        std::filesystem::create_directories(request_.output);
+        std::filesystem::remove(request_.output / "table.csv");
+        for (std::size_t index = 0U; index < request_.files.size(); ++index) {
+            replay_or_tell(index);
+        }
+        write_file_atomically(request_.output / "table.csv", table_csv(rows_));
+        fmt::print("{}", table_text(rows_));
+        fmt::print("Results in {}\n", request_.output.string());
+        std::fflush(stdout);
+        if (!failed_.empty()) {
+            throw std::runtime_error(fmt::format("{} of {} files could not be replayed (see above): {}",
+                                                 failed_count_, request_.files.size(), failed_));
+        }
+    }
+
+ private:
+    void replay_or_tell(std::size_t index) {
+        const std::string file = request_.files[index].string();
+        fmt::print(stderr, "[{}/{}] {}\n", index + 1U, request_.files.size(), file);
+        try {
+            rows_.push_back(replay_row(file, names_[index], replay_file(index)));
+        } catch (const ReplayInterrupted&) {
+            throw std::runtime_error(fmt::format(
+                "interrupted at {}; there are whole results of the {} files before it, and no table", file,
+                index));
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "rsi-sil: {}\n", error.what());
+            rows_.push_back(failed_row(file, names_[index]));
+            failed_ += (failed_.empty() ? "" : ", ") + file;
+            ++failed_count_;
+        }
+    }
+
+    DriveReplay replay_file(std::size_t index) {
+        const std::filesystem::path& file = request_.files[index];
+        WholeFolder folder{request_.output / names_[index], replay_contents()};
+        ReplaySource source{names_[index], file.string(), "csv", request_.parameters.stem().string(), {}};
+        DriveReplay replay;
+        if (is_candump_log(file)) {
+            source.kind = "candump";
+            replay = replay_log(file, parameters_);
+        } else {
+            const Drive drive = read_drive_csv(file);
+            tell_ignored(drive);
+            source.ignored_columns = drive.ignored_columns;
+            replay = replay_drive(drive, parameters_, is_interrupted);
+        }
+        write(folder.path(), source, replay);
+        folder.commit();
+        return replay;
+    }
+
+    // Once for each set of columns: the files of one recorder all have the same.
+    void tell_ignored(const Drive& drive) {
+        if (drive.ignored_columns.empty() || drive.ignored_columns == told_ignored_) {
+            return;
+        }
+        told_ignored_ = drive.ignored_columns;
+        std::string names;
+        for (const std::string& name : drive.ignored_columns) {
+            names += (names.empty() ? "" : ", ") + name;
+        }
+        fmt::print(stderr, "  columns that a replay does not use: {}\n", names);
+    }
+
+    void write(const std::filesystem::path& folder, const ReplaySource& source, const DriveReplay& replay) {
+        write_file_atomically(folder / "indices.csv", indices_csv(replay));
+        write_file_atomically(folder / "warnings.csv", warnings_csv(replay));
+        write_event_marks(replay.events, static_stability_factor(parameters_),
+                          fmt::format("{}, {}", source.drive, source.parameters), folder / "events.gp");
+        write_file_atomically(folder / "summary.json", replay_summary_json(source, replay, parameters_));
+        if (!request_.without_pictures) {
+            draw(folder);
+        }
+        if (is_interrupted()) {
+            throw ReplayInterrupted{};
+        }
+    }
+
+    const ReplayRequest& request_;
+    rsi::Parameters parameters_;
+    std::vector<std::string> names_;
+    std::vector<ReplayRow> rows_;
+    std::vector<std::string> told_ignored_;
+    std::string failed_;
+    std::size_t failed_count_{0U};
+};
+
+}  // namespace
+
+void run_replay(const ReplayRequest& request) {
+    std::signal(SIGINT, note_interruption);
+    std::signal(SIGTERM, note_interruption);
+    Replayer{request}.run();
+}
+
+void add_replay_command(CLI::App& app, ReplayRequest& request) {
+    CLI::App* replay = app.add_subcommand("replay", "Send recorded drives through the firmware");
+    replay->add_option("files", request.files, "Drives as CSV (docs/drives.md) or candump logs")->required();
+    replay->add_option("--parameters", request.parameters, "Parameter file of the component (TOML)")
+        ->required();
+    replay->add_option("--output", request.output, "Folder for the results")->required();
+    replay->add_flag("--no-pictures", request.without_pictures, "Leave out the pictures");
+    replay->callback([&request] { run_replay(request); });
+}
+
+}  // namespace sil
