@@ -11,6 +11,7 @@
 
 #include "sil/analysis/bus_timing.hpp"
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/identify_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
@@ -80,6 +81,7 @@ int main(int argc, char** argv) {
     add_run(app, request);
     add_timing(app, log);
     sil::add_replay_command(app, replay);
+    sil::add_identify_command(app);
     try {
         app.parse(argc, argv);
         return 0;
