@@ -12,10 +12,17 @@ namespace {
 
 constexpr double entry_m = 40.0;
 constexpr double throttle_released_after_m = 2.0;
-constexpr double preview_s = 0.45;
-constexpr double room_to_cones_m = 0.35;  // of the body's inner side in sections 3 and 5
-constexpr double cutting_in_m = 5.5;      // how far a change of lane reaches into the sections beside it
-constexpr double entry_speed_kmh = 50.0;
+constexpr double preview_s = 0.5;
+constexpr double entry_speed_kmh = 55.0;  // each of the three vehicles still keeps the track
+
+// The line that the driver wants: in section 1 a little to the right, then close by the cones that he must
+// pass; a change of lane begins before the section ends and ends after the next one has begun.
+constexpr double first_lane_m = -0.08;
+constexpr double room_to_side_lane_cones_m = 0.42;
+constexpr double room_to_last_cones_m = 0.45;
+constexpr double leaving_first_m = 5.0;
+constexpr double leaving_side_m = 6.0;
+constexpr double entering_m = 6.0;
 
 // A change of lane from 0 to 1 with neither slope nor curvature at its ends.
 double change(double x, double from, double to) {
@@ -28,8 +35,8 @@ class LaneChangeDriver final : public Driver {
     LaneChangeDriver(const PathFollower& follower, double vehicle_width_m)
         : follower_{follower},
           track_{lane_change_track(entry_m, vehicle_width_m)},
-          side_lane_m_{track_[1].right_m + 0.5 * vehicle_width_m + room_to_cones_m},
-          last_lane_m_{track_[2].left_m - 0.5 * vehicle_width_m - room_to_cones_m} {}
+          side_lane_m_{track_[1].right_m + 0.5 * vehicle_width_m + room_to_side_lane_cones_m},
+          last_lane_m_{track_[2].left_m - 0.5 * vehicle_width_m - room_to_last_cones_m} {}
 
     DriverCommand command(const Truth& truth) override {
         const double ahead = truth.position_x_m + follower_.preview_m(truth);
@@ -40,9 +47,9 @@ class LaneChangeDriver final : public Driver {
 
  private:
     double path_m(double x) const {
-        const double out = change(x, track_[0].end_m - cutting_in_m, track_[1].begin_m + cutting_in_m);
-        const double back = change(x, track_[1].end_m - cutting_in_m, track_[2].begin_m + cutting_in_m);
-        return side_lane_m_ * out + (last_lane_m_ - side_lane_m_) * back;
+        const double out = change(x, track_[0].end_m - leaving_first_m, track_[1].begin_m + entering_m);
+        const double back = change(x, track_[1].end_m - leaving_side_m, track_[2].begin_m + entering_m);
+        return first_lane_m + (side_lane_m_ - first_lane_m) * out + (last_lane_m_ - side_lane_m_) * back;
     }
 
     PathFollower follower_;
@@ -69,7 +76,7 @@ Manoeuvre double_lane_change() {
     Manoeuvre manoeuvre;
     manoeuvre.name = "double-lane-change";
     manoeuvre.description =
-        "double lane change on the track of ISO 3888-2, entered at 50 km/h, throttle released";
+        "double lane change on the track of ISO 3888-2, entered at 55 km/h, throttle released";
     manoeuvre.duration_s = 11.0;
     manoeuvre.initial_speed_mps = from_kmh(entry_speed_kmh);
     manoeuvre.make_road = flat_road();

@@ -15,7 +15,8 @@ namespace sil {
 struct DriverCommand {
     double steering_wheel_angle_rad{0.0};  // > 0 turns left
     SpeedPolicy speed_policy{SpeedPolicy::held};
-    double brake{0.0};  // 0 to 1; the throttle is released while braking
+    double brake{0.0};        // 0 to 1; the throttle is released while braking
+    double speed_share{1.0};  // of the run's speed, for a driver who gathers speed first
 };
 
 // Sees the vehicle and acts; may keep state, such as a steering reversal that has begun. One object a run.
@@ -36,7 +37,7 @@ struct Manoeuvre {
     std::string description{};  // one line
     double duration_s{0.0};
     double initial_speed_mps{0.0};
-    double start_speed_factor{1.0};  // below 1 the run begins slower, and the driver first gathers speed
+    double start_speed_share{1.0};  // of that, with which the run begins
     std::function<std::unique_ptr<Road>()> make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
     // What the manoeuvre changes in the vehicle, such as a roof load; empty: nothing.

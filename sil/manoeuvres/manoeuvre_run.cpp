@@ -36,7 +36,7 @@ ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre&
       speed_control_{parameters},
       vehicle_{parameters, *road_} {
     InitialState initial;
-    initial.speed_mps = wanted_speed_mps_ * manoeuvre.start_speed_factor;
+    initial.speed_mps = wanted_speed_mps_ * manoeuvre.start_speed_share;
     vehicle_.reset(initial);
 }
 
@@ -48,8 +48,8 @@ void ManoeuvreRun::step() {
     const SpeedPolicy policy = command.brake > 0.0 ? SpeedPolicy::off_throttle : command.speed_policy;
     DriverInput input;
     input.steering_wheel_angle_rad = command.steering_wheel_angle_rad;
-    input.drive_force_n =
-        speed_control_.drive_force_n(policy, wanted_speed_mps_, truth.speed_mps, options_.step_s);
+    input.drive_force_n = speed_control_.drive_force_n(policy, wanted_speed_mps_ * command.speed_share,
+                                                       truth.speed_mps, options_.step_s);
     input.brake = command.brake;
     vehicle_.step(input, options_.step_s);
 }

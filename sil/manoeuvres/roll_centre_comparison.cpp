@@ -27,7 +27,7 @@ void make_linear_and_symmetric(SpringDamperParameters& unit) {
 Manoeuvre comparison() {
     Manoeuvre manoeuvre;
     manoeuvre.duration_s = 8.0;
-    manoeuvre.initial_speed_mps = from_kmh(70.0);
+    manoeuvre.initial_speed_mps = from_kmh(68.0);
     manoeuvre.make_road = flat_road();
     manoeuvre.make_driver = open_loop(command);
     return manoeuvre;
@@ -55,7 +55,7 @@ Manoeuvre roll_centre_moving() {
     Manoeuvre manoeuvre = comparison();
     manoeuvre.name = "roll-centre-moving";
     manoeuvre.description =
-        "J-turn at 70 km/h, throttle released, 180 degrees: the vehicle as it is, beside roll-centre-fixed";
+        "J-turn at 68 km/h, throttle released, 180 degrees: the vehicle as it is, beside roll-centre-fixed";
     return manoeuvre;
 }
 

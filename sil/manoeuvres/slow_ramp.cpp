@@ -10,10 +10,11 @@ namespace {
 
 constexpr double start_s = 1.0;
 constexpr double rate_radps = from_degrees(3.0);
-constexpr double largest_angle_rad = from_degrees(300.0);
+constexpr double largest_angle_rad = from_degrees(150.0);
 constexpr double light_from = 0.8;  // load transfer ratio at which the driver turns back
 constexpr double back_rate_radps = from_degrees(45.0);
 constexpr double straight_s = 2.0;
+constexpr double never_s = 1.0e9;
 
 double load_transfer_ratio(const Truth& truth) {
     const auto& load = truth.wheel_load_n;
@@ -44,8 +45,8 @@ class SlowRampDriver final : public Driver {
         angle_rad_ = std::max(0.0, angle_rad_ - back_rate_radps * step_s);
         if (angle_rad_ <= 0.0) {
             turning_back_ = false;
-            side_ = -side_;
-            next_ramp_s_ = truth.time_s + straight_s;
+            next_ramp_s_ = side_ > 0.0 ? truth.time_s + straight_s : never_s;
+            side_ = -1.0;
         }
     }
 
@@ -63,7 +64,7 @@ Manoeuvre slow_ramp() {
     manoeuvre.name = "slow-ramp";
     manoeuvre.description =
         "slow ramp steer at 60 km/h, held: 3 degrees/s to either side until the load transfer ratio is 0.8";
-    manoeuvre.duration_s = 90.0;
+    manoeuvre.duration_s = 115.0;
     manoeuvre.initial_speed_mps = from_kmh(60.0);
     manoeuvre.make_road = flat_road();
     manoeuvre.make_driver = [](const VehicleParameters&) { return std::make_unique<SlowRampDriver>(); };

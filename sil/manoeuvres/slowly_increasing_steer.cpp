@@ -10,10 +10,11 @@
 namespace sil {
 namespace {
 
-constexpr double start_s = 1.0;
+constexpr double straight_s = 1.0;
 constexpr double rate_radps = from_degrees(13.5);
 constexpr double largest_angle_rad = from_degrees(270.0);
 constexpr double held_s = 2.0;
+constexpr double coarse_step_s = 0.002;  // twice the nominal one moves the angle by 0.05 %
 constexpr double fit_from_mps2 = 0.1 * gravity_mps2;
 constexpr double fit_to_mps2 = 0.375 * gravity_mps2;
 constexpr double read_at_mps2 = 0.3 * gravity_mps2;
@@ -41,25 +42,32 @@ class Line {
     double xy_{0.0};
 };
 
-}  // namespace
-
-Manoeuvre slowly_increasing_steer();
-Manoeuvre slowly_increasing_steer() {
+Manoeuvre steer_from(double start_s) {
     Manoeuvre manoeuvre;
-    manoeuvre.name = "slowly-increasing-steer";
-    manoeuvre.description = "NHTSA's slowly increasing steer: 50 mph, held, 13.5 degrees/s up to 270 degrees";
     manoeuvre.initial_speed_mps = from_mph(50.0);
     manoeuvre.duration_s = start_s + largest_angle_rad / rate_radps + held_s;
     manoeuvre.make_road = flat_road();
-    manoeuvre.make_driver = open_loop([](double time_s) {
+    manoeuvre.make_driver = open_loop([start_s](double time_s) {
         return DriverCommand{ramp_and_hold(time_s, start_s, rate_radps, largest_angle_rad),
                              SpeedPolicy::held};
     });
     return manoeuvre;
 }
 
+}  // namespace
+
+Manoeuvre slowly_increasing_steer();
+Manoeuvre slowly_increasing_steer() {
+    Manoeuvre manoeuvre = steer_from(straight_s);
+    manoeuvre.name = "slowly-increasing-steer";
+    manoeuvre.description = "NHTSA's slowly increasing steer: 50 mph, held, 13.5 degrees/s up to 270 degrees";
+    return manoeuvre;
+}
+
 double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters) {
-    ManoeuvreRun run{parameters, slowly_increasing_steer()};
+    RunOptions options;
+    options.step_s = coarse_step_s;
+    ManoeuvreRun run{parameters, steer_from(0.0), options};
     Line line;
     while (!run.finished()) {
         run.step();

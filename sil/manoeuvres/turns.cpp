@@ -50,9 +50,9 @@ Manoeuvre step_steer() {
 
 Manoeuvre rough_turn() {
     Manoeuvre manoeuvre =
-        turn(4.0, [](double time_s) { return DriverCommand{ramp_and_hold(time_s, start_s, 1.0, 1.0)}; });
+        turn(3.0, [](double time_s) { return DriverCommand{ramp_and_hold(time_s, start_s, 1.0, 1.0)}; });
     manoeuvre.name = "rough-turn";
-    manoeuvre.description = "turn of about 0.4 g at 50 mph, held, on a rough plane (ISO 8608 class C)";
+    manoeuvre.description = "turn of about 0.3 g at 50 mph, held, on a rough plane (ISO 8608 class C)";
     manoeuvre.duration_s = 20.0;
     manoeuvre.make_road = [] { return std::make_unique<RoughPlane>(RoughnessProfile::class_c_m3, 8608U); };
     return manoeuvre;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double reference_pm = 0.1;       // n0
-constexpr double lowest_pm = 0.01;         // cycles per metre
+constexpr double lowest_pm = 0.05;         // cycles per metre
 constexpr std::size_t point_count = 8192;  // a power of two, so that a mask wraps
 constexpr std::size_t mask = point_count - 1U;
 static_assert(point_count * RoughnessProfile::spacing_m == RoughnessProfile::length_m);

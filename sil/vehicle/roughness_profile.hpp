@@ -11,8 +11,9 @@ struct ProfilePoint {
     double slope{0.0};  // of the height along the track
 };
 
-// Power spectral density of the height G(n) = G(n0) (n / n0)^-2 with n0 = 0.1 cycles/m, from 0.01 cycles/m
-// (below it even) up to what a tyre's contact patch still feels. The geometric mean of class C is G(n0) =
+// Power spectral density of the height G(n) = G(n0) (n / n0)^-2 with n0 = 0.1 cycles/m, from 0.05 cycles/m
+// (below it even: longer waves lift both sides of a real road together) up to what a tyre's contact patch
+// still feels. The geometric mean of class C is G(n0) =
 // 256e-6 m^3. The same seed gives the same profile on every machine. Repeats after `length_m`.
 class RoughnessProfile {
  public:
