@@ -15,7 +15,8 @@ namespace sil {
 struct DriverCommand {
     double steering_wheel_angle_rad{0.0};  // > 0 turns left
     SpeedPolicy speed_policy{SpeedPolicy::held};
-    double brake{0.0};  // 0 to 1; the throttle is released while braking
+    double brake{0.0};        // 0 to 1; the throttle is released while braking
+    double speed_share{1.0};  // of the run's speed, for a driver who gathers speed first
 };
 
 // Sees the vehicle and acts; may keep state, such as a steering reversal that has begun. One object a run.
@@ -36,8 +37,11 @@ struct Manoeuvre {
     std::string description{};  // one line
     double duration_s{0.0};
     double initial_speed_mps{0.0};
+    double start_speed_share{1.0};  // of that, with which the run begins
     std::function<std::unique_ptr<Road>()> make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
+    // What the manoeuvre changes in the vehicle, such as a roof load; empty: nothing.
+    std::function<VehicleParameters(VehicleParameters)> adapt_vehicle{};
 };
 
 // A driver who acts by the clock alone: the command as a function of time in seconds.
@@ -52,6 +56,10 @@ constexpr double from_degrees(double degrees) {
 }
 constexpr double from_kmh(double kilometres_per_hour) {
     return kilometres_per_hour / 3.6;
+}
+
+constexpr double from_mph(double miles_per_hour) {
+    return miles_per_hour * 0.44704;
 }
 
 // Turns to `angle` at `rate` from `start` on, and holds.

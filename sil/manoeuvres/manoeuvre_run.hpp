@@ -11,10 +11,13 @@ namespace sil {
 struct RunOptions {
     bool mirrored{false};  // steering and road with left and right exchanged
     double step_s{Vehicle::nominal_step_s};
-    double duration_s{0.0};  // 0: as the manoeuvre says
+    double duration_s{0.0};       // 0: as the manoeuvre says
+    double speed_factor{1.0};     // times the manoeuvre's speed
+    double steering_factor{1.0};  // times the driver's handwheel angle
 };
 
-// Owns road, driver and vehicle. After the last step the vehicle may be driven on; nothing stops it.
+// Owns road, driver and vehicle; vehicle().parameters() are those that the manoeuvre has adapted. After the
+// last step the vehicle may be driven on; nothing stops it.
 class ManoeuvreRun {
  public:
     ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre& manoeuvre, RunOptions options = {});
@@ -28,6 +31,9 @@ class ManoeuvreRun {
     const Vehicle& vehicle() const { return vehicle_; }
 
  private:
+    struct Adapted {};
+    ManoeuvreRun(const VehicleParameters& adapted, const Manoeuvre& manoeuvre, RunOptions options, Adapted);
+
     RunOptions options_;
     double duration_s_;
     double wanted_speed_mps_;

@@ -44,4 +44,10 @@ RoadPoint MirroredRoad::at(double x_m, double y_m) const noexcept {
     return point;
 }
 
+Vector3 MirroredRoad::mean_normal(double x_m, double y_m) const noexcept {
+    Vector3 normal = original_->mean_normal(x_m, -y_m);
+    normal.y() = -normal.y();
+    return normal;
+}
+
 }  // namespace sil

@@ -23,6 +23,9 @@ class Road {
 
     // The surface above or below the earth-fixed point (x, y).
     virtual RoadPoint at(double x_m, double y_m) const noexcept = 0;
+
+    // Normal of the road without its unevenness: what bank, roll and pitch relative to the road refer to.
+    virtual Vector3 mean_normal(double x_m, double y_m) const noexcept { return at(x_m, y_m).normal; }
 };
 
 // Level, or inclined sideways about the x axis: the side of positive y is up for a positive bank.
@@ -30,6 +33,7 @@ class PlaneRoad final : public Road {
  public:
     explicit PlaneRoad(double bank_rad = 0.0, double friction_factor = 1.0);
     RoadPoint at(double x_m, double y_m) const noexcept override;
+    Vector3 mean_normal(double, double) const noexcept override { return point_.normal; }
 
  private:
     double slope_;
@@ -57,6 +61,7 @@ class MirroredRoad final : public Road {
  public:
     explicit MirroredRoad(std::unique_ptr<const Road> original);
     RoadPoint at(double x_m, double y_m) const noexcept override;
+    Vector3 mean_normal(double x_m, double y_m) const noexcept override;
 
  private:
     std::unique_ptr<const Road> original_;

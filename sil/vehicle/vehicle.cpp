@@ -70,16 +70,41 @@ Vehicle::Vehicle(const VehicleParameters& parameters, const Road& road)
     reset();
 }
 
+// The plane on which the wheels stand: square to the lines that join the middles of the axles and of the
+// sides.
+Vehicle::Ground Vehicle::ground_below(const InitialState& initial) const {
+    const double front = parameters_.geometry.front_axle_to_cg_m;
+    const double rear = parameters_.geometry.rear_axle_to_cg_m;
+    const double half_track = 0.5 * parameters_.geometry.track_width_m;
+    const Vector3 ahead{std::cos(initial.yaw_angle_rad), std::sin(initial.yaw_angle_rad), 0.0};
+    const Vector3 left = Vector3::UnitZ().cross(ahead);
+    const Vector3 below{initial.position_x_m, initial.position_y_m, 0.0};
+    const auto contact = [&](double along, double across) {
+        Vector3 point = below + along * ahead + across * left;
+        point.z() = road_.at(point.x(), point.y()).height_m;
+        return point;
+    };
+    const Vector3 front_left_contact = contact(front, half_track);
+    const Vector3 front_right_contact = contact(front, -half_track);
+    const Vector3 rear_left_contact = contact(-rear, half_track);
+    const Vector3 rear_right_contact = contact(-rear, -half_track);
+    const Vector3 front_middle = 0.5 * (front_left_contact + front_right_contact);
+    const Vector3 rear_middle = 0.5 * (rear_left_contact + rear_right_contact);
+    const Vector3 across = front_left_contact + rear_left_contact - front_right_contact - rear_right_contact;
+    return {(rear * front_middle.z() + front * rear_middle.z()) / (front + rear),
+            (front_middle - rear_middle).cross(across).normalized()};
+}
+
 void Vehicle::reset(const InitialState& initial) {
-    const RoadPoint below = road_.at(initial.position_x_m, initial.position_y_m);
+    const Ground ground = ground_below(initial);
     const Vector3 course{std::cos(initial.yaw_angle_rad), std::sin(initial.yaw_angle_rad), 0.0};
-    const Vector3 forward = (course - below.normal * below.normal.dot(course)).normalized();
+    const Vector3 forward = (course - ground.normal * ground.normal.dot(course)).normalized();
     Matrix3 axes;
-    axes << forward, below.normal.cross(forward), below.normal;
+    axes << forward, ground.normal.cross(forward), ground.normal;
 
     state_ = State{};
-    state_.position = Vector3{initial.position_x_m, initial.position_y_m, below.height_m} +
-                      below.normal * (parameters_.geometry.cg_height_m + initial.height_offset_m);
+    state_.position = Vector3{initial.position_x_m, initial.position_y_m, ground.height_m} +
+                      ground.normal * (parameters_.geometry.cg_height_m + initial.height_offset_m);
     state_.orientation = Eigen::Quaterniond{axes} *
                          Eigen::AngleAxisd{initial.pitch_offset_rad, Vector3::UnitY()} *
                          Eigen::AngleAxisd{initial.roll_offset_rad, Vector3::UnitX()};
@@ -140,7 +165,7 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
     evaluation_.tyre_force_body_n.setZero();
     const Matrix3& rotation = evaluation_.rotation;
     const Vector3& normal = evaluation_.road_normal =
-        road_.at(state_.position.x(), state_.position.y()).normal;
+        road_.mean_normal(state_.position.x(), state_.position.y());
     const Vector3 body_x = rotation.col(0);
     const Vector3 in_plane = body_x - normal * normal.dot(body_x);
     const double length = in_plane.norm();

@@ -39,8 +39,8 @@ class Vehicle {
 
     Vehicle(const VehicleParameters& parameters, const Road& road);
 
-    // Time zero; body square to the road, wheels rolling, spring forces in balance with the weights of a
-    // level road.
+    // Time zero; body square to the plane on which the four wheels stand, wheels rolling, spring forces in
+    // balance with the weights of a level road.
     void reset(const InitialState& initial = {});
 
     // Advances by `step_s` (above 0, at most 2 ms); `input` holds at the end of the step.
@@ -55,6 +55,12 @@ class Vehicle {
 
  private:
     struct WheelPose;
+    struct Ground {
+        double height_m;  // below the CG
+        Vector3 normal;
+    };
+
+    Ground ground_below(const InitialState& initial) const;
 
     void evaluate(const DriverInput& input, double step_s);
     double suspension_forces(const AxlePose& axle, EquationsOfMotion& equations) const;

@@ -16,7 +16,8 @@ bool side_has_lifted(const sil::Truth& truth, sil::Wheel front, sil::Wheel rear)
     return truth.wheel_load_n[front] <= 0.0 && truth.wheel_load_n[rear] <= 0.0;
 }
 
-// Model (1) with an explicit Euler step, and the threshold (22) with c_rc from (6).
+// Model (1) with an explicit Euler step, and the threshold (22) with c_rc from (6). Bank is positive when the
+// left side is up, so that it acts as a lateral acceleration to the left does.
 class PublishedIndicator {
  public:
     explicit PublishedIndicator(const sil::VehicleParameters& parameters) : parameters_{parameters} {}
@@ -26,12 +27,17 @@ class PublishedIndicator {
         const double height = parameters_.geometry.cg_height_m;
         const double lever = height - model.roll_centre_height_m;
         const double a_y = truth.lateral_acceleration_mps2;
-        const double moment =
-            parameters_.mass.sprung_kg * lever * (a_y + sil::gravity_mps2 * std::tan(roll_));
+        const double sine = std::sin(truth.bank_angle_rad);
+        const double cosine = std::cos(truth.bank_angle_rad);
+        const double along = a_y * cosine + sil::gravity_mps2 * sine;
+        const double across = sil::gravity_mps2 * cosine - a_y * sine;
+        const double moment = parameters_.mass.sprung_kg * lever * (along + across * std::tan(roll_));
         roll_ += step_s * (moment - model.stiffness_nmprad * roll_) / model.damping_nmsprad;
         const double side = a_y >= 0.0 ? 1.0 : -1.0;
-        const double threshold =
+        const double level =
             (0.5 * parameters_.geometry.track_width_m - side * lever * std::tan(roll_)) / height;
+        const double bank = -side * std::tan(truth.bank_angle_rad);
+        const double threshold = (bank + level) / (1.0 - bank * level);
         return std::abs(a_y) / (sil::gravity_mps2 * threshold);
     }
 
@@ -42,12 +48,23 @@ class PublishedIndicator {
 
 }  // namespace
 
+double load_transfer(const sil::Truth& truth) {
+    const auto& load = truth.wheel_load_n;
+    const double left = load[sil::front_left] + load[sil::rear_left];
+    const double right = load[sil::front_right] + load[sil::rear_right];
+    return std::abs(right - left) / std::max(1.0, left + right);
+}
+
 sil::VehicleParameters large_suv() {
     return sil::load_vehicle(RSI_SOURCE_DIR "/sil/vehicles/large_suv.toml");
 }
 
 sil::VehicleParameters ordinary_suv() {
     return sil::load_vehicle(RSI_SOURCE_DIR "/sil/vehicles/ordinary_suv.toml");
+}
+
+sil::VehicleParameters van() {
+    return sil::load_vehicle(RSI_SOURCE_DIR "/sil/vehicles/van.toml");
 }
 
 sil::VehicleParameters symmetric(sil::VehicleParameters parameters) {
@@ -100,7 +117,7 @@ double total_cg_height_m(const sil::VehicleParameters& p) {
 Outcome drive(const sil::VehicleParameters& parameters, const sil::Manoeuvre& manoeuvre,
               sil::RunOptions options) {
     sil::ManoeuvreRun run{parameters, manoeuvre, options};
-    PublishedIndicator indicator{parameters};
+    PublishedIndicator indicator{run.vehicle().parameters()};
     Outcome outcome;
     while (!run.finished()) {
         run.step();
@@ -112,6 +129,9 @@ Outcome drive(const sil::VehicleParameters& parameters, const sil::Manoeuvre& ma
         const bool two = side_has_lifted(truth, sil::front_left, sil::rear_left) ||
                          side_has_lifted(truth, sil::front_right, sil::rear_right);
         outcome.largest_ay_g = std::max(outcome.largest_ay_g, ay_g);
+        outcome.largest_roll_deg =
+            std::max(outcome.largest_roll_deg, std::abs(truth.roll_angle_rad) * 180.0 / pi);
+        outcome.largest_load_transfer = std::max(outcome.largest_load_transfer, load_transfer(truth));
         if (outcome.two_wheel_lift_s == not_yet) {
             outcome.largest_ay_until_lift_g = std::max(outcome.largest_ay_until_lift_g, ay_g);
             outcome.largest_rsi = std::max(outcome.largest_rsi, rsi);
@@ -122,12 +142,14 @@ Outcome drive(const sil::VehicleParameters& parameters, const sil::Manoeuvre& ma
         if (two && outcome.two_wheel_lift_s == not_yet) {
             outcome.two_wheel_lift_s = truth.time_s;
             outcome.two_wheel_lift_ay_g = ay_g;
+            outcome.two_wheel_lift_horizon_deg = std::abs(truth.roll_to_horizon_rad) * 180.0 / pi;
         }
         if (rsi >= 1.0 && outcome.rsi_crossing_s == not_yet) {
             outcome.rsi_crossing_s = truth.time_s;
             outcome.rsi_crossing_ay_g = ay_g;
         }
-        if (ay_g >= sil::static_stability_factor(parameters) && outcome.ssf_crossing_s == not_yet) {
+        if (ay_g >= sil::static_stability_factor(run.vehicle().parameters()) &&
+            outcome.ssf_crossing_s == not_yet) {
             outcome.ssf_crossing_s = truth.time_s;
         }
     }

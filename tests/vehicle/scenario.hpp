@@ -14,6 +14,7 @@ constexpr double not_yet = -1.0;
 
 sil::VehicleParameters large_suv();
 sil::VehicleParameters ordinary_suv();
+sil::VehicleParameters van();
 
 // The same vehicle without what tells left from right: the Panhard rod's path is straight up and down.
 sil::VehicleParameters symmetric(sil::VehicleParameters parameters);
@@ -30,12 +31,18 @@ double total_cg_height_m(const sil::VehicleParameters& parameters);
 double front_axle_weight_n(const sil::VehicleParameters& parameters);
 double rear_axle_weight_n(const sil::VehicleParameters& parameters);
 
+// Share of the weight that has gone from the one side to the other, 0 to 1.
+double load_transfer(const sil::Truth& truth);
+
 struct Outcome {
     double one_wheel_lift_s{not_yet};
     double two_wheel_lift_s{not_yet};
     double two_wheel_lift_ay_g{0.0};
+    double two_wheel_lift_horizon_deg{0.0};  // roll relative to the horizon
     double ssf_crossing_s{not_yet};
     double largest_ay_g{0.0};
+    double largest_roll_deg{0.0};
+    double largest_load_transfer{0.0};
     double largest_ay_until_lift_g{0.0};
     double rsi_crossing_s{not_yet};
     double rsi_crossing_ay_g{0.0};
