@@ -11,8 +11,6 @@
 namespace sil {
 namespace {
 
-// Between independent suspensions (0 to 0.15 m) and a rigid axle behind (0.3 to 0.5 m).
-constexpr double usual_roll_centre_m = 0.2;
 constexpr double largest_lateral_mps2 = 1.1 * g_mps2;
 constexpr double smallest_damping_time_s = 0.005;  // c_f / K_f that the component admits
 
@@ -25,23 +23,42 @@ std::vector<PreparedDrive> prepare_all(const std::vector<Drive>& drives, const V
     return prepared;
 }
 
+double assumed_roll_centre_m(const VehicleData& vehicle) {
+    return std::min(usual_roll_centre_m, 0.5 * vehicle.sprung_cg_height_m);
+}
+
+void use_loads(Identification& result) {
+    const LoadFit& loads = *result.loads;
+    result.roll_centre_height_m = loads.roll_centre_height_m;
+    result.roll_centre_origin = fmt::format(
+        "effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %", loads.deviation_m);
+    if (loads.cg_height_m != result.given_cg_height_m) {
+        result.vehicle.sprung_cg_height_m = loads.cg_height_m;
+        result.cg_height_origin =
+            fmt::format("matched to the wheel loads; vehicle data {:.4g}", result.given_cg_height_m);
+    }
+}
+
 void choose_roll_centre(Identification& result) {
-    const VehicleData& vehicle = result.vehicle;
-    std::vector<PreparedDrive> all = result.ramps;
-    all.insert(all.end(), result.dynamics.begin(), result.dynamics.end());
-    result.loads = fit_loads(vehicle, result.roll, all);
+    VehicleData& vehicle = result.vehicle;
+    result.given_cg_height_m = vehicle.sprung_cg_height_m;
+    result.cg_height_origin = "vehicle data";
+    result.loads = fit_loads(vehicle, result.ramps);
     if (vehicle.roll_centre_height_m) {
         result.roll_centre_height_m = *vehicle.roll_centre_height_m;
-        result.roll_centre_origin = "given";
-    } else if (result.loads) {
-        result.roll_centre_height_m = result.loads->roll_centre_height_m;
-        result.roll_centre_origin =
-            fmt::format("fitted to the wheel loads, +-{:.3f}", result.loads->arm_m.deviation);
+        result.roll_centre_origin = "vehicle data";
+    } else if (result.loads && !result.loads->contradicts_data) {
+        use_loads(result);
     } else {
-        result.roll_centre_height_m = usual_roll_centre_m;
-        result.roll_centre_origin = "ASSUMED: no wheel loads, no data sheet";
+        result.roll_centre_height_m = assumed_roll_centre_m(vehicle);
+        result.roll_centre_origin = "ASSUMED: neither data sheet nor wheel loads tell it";
     }
     result.roll = result.roll.with_arm(vehicle.sprung_cg_height_m - result.roll_centre_height_m);
+    for (const auto* drives : {&result.ramps, &result.dynamics}) {
+        for (const DriveResidual& residual : load_transfer_residuals(vehicle, result.roll, *drives)) {
+            result.load_transfer.push_back(residual);
+        }
+    }
 }
 
 double largest_parallel(const Identification& result) {
@@ -62,7 +79,7 @@ void add_vehicle(Identification& result) {
     const VehicleData& vehicle = result.vehicle;
     auto& values = result.values;
     values.push_back({"sprung_mass_kg", vehicle.sprung_mass_kg, "vehicle data"});
-    values.push_back({"sprung_cg_height_m", vehicle.sprung_cg_height_m, "vehicle data"});
+    values.push_back({"sprung_cg_height_m", vehicle.sprung_cg_height_m, result.cg_height_origin});
     values.push_back({"track_width_m", vehicle.track_width_m, "vehicle data"});
     values.push_back({"unsprung_mass_kg", vehicle.unsprung_mass_kg, "vehicle data"});
     values.push_back({"unsprung_cg_height_m", vehicle.unsprung_cg_height_m, "vehicle data"});
@@ -149,8 +166,7 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
     result.ramps = prepare_all(ramps, vehicle, options);
     result.dynamics = prepare_all(dynamics, vehicle, options);
     const double assumed_arm_m =
-        vehicle.sprung_cg_height_m - std::min(vehicle.roll_centre_height_m.value_or(usual_roll_centre_m),
-                                              0.5 * vehicle.sprung_cg_height_m);
+        vehicle.sprung_cg_height_m - vehicle.roll_centre_height_m.value_or(assumed_roll_centre_m(vehicle));
     result.roll = fit_roll(vehicle, assumed_arm_m, result.ramps, result.dynamics);
     choose_roll_centre(result);
     result.steering = fit_steering(vehicle, result.ramps);

@@ -21,11 +21,14 @@ struct IdentifiedValue {
 };
 
 struct Identification {
-    VehicleData vehicle;
+    VehicleData vehicle;  // its CG height may have been matched to the wheel loads
+    double given_cg_height_m{};
+    std::string cg_height_origin;
     std::vector<PreparedDrive> ramps;
     std::vector<PreparedDrive> dynamics;
     RollFit roll;
     std::optional<LoadFit> loads;
+    std::vector<DriveResidual> load_transfer;  // with the values of the calibration; drives with wheel loads
     std::optional<SteeringFit> steering;
     double roll_centre_height_m{};
     std::string roll_centre_origin;

@@ -3,116 +3,154 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sil/identification/least_squares.hpp"
+#include "sil/units.hpp"
 
 namespace sil {
 namespace {
 
-constexpr double independence = 0.05;        // one independent observation a fifth of a second
-constexpr double model_error_share = 0.01;   // of the load moment: pitch, the axles' own inertia
-constexpr double usual_roll_centre_m = 0.2;  // before anything is known
-constexpr double roll_centre_deviation_m = 0.2;
-constexpr double cg_height_trust = 0.01;  // of the CG's height
-constexpr double cg_height_search = 0.3;
+constexpr double cg_height_uncertainty = 0.01;
+constexpr double lowest_roll_centre_m = 0.0;
+constexpr double highest_roll_centre_m = 0.5;
+constexpr double largest_cg_change = 0.06;
+// Tyres carry their load with about this deflection.
+constexpr double usual_tyre_deflection_m = 0.02;
 
-class LoadProblem {
- public:
-    LoadProblem(const VehicleData& vehicle, const RollFit& roll, const std::vector<PreparedDrive>& drives)
-        : vehicle_{vehicle}, inertia_share_{roll.inertia_kgm2.value / roll.arm_m} {
-        for (const PreparedDrive& drive : drives) {
-            if (drive.has_wheel_loads) {
-                drives_.push_back(&drive);
-            }
-        }
-    }
+double unsprung_moment_kgm(const VehicleData& vehicle) {
+    return vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m;
+}
 
-    bool empty() const { return drives_.empty(); }
+// Sums for a straight line y = slope x + offset of each drive, with one slope for all.
+struct Line {
+    double xx{};
+    double xy{};
 
-    // Unknowns: H, h, an offset a drive.
-    LinearFit solve(double cg_height_m, double cg_height_deviation_m) const {
-        const double expected_arm = cg_height_m - vehicle_.roll_centre_height_m.value_or(usual_roll_centre_m);
-        std::vector<Prior> priors{{expected_arm, roll_centre_deviation_m},
-                                  {cg_height_m, cg_height_deviation_m}};
-        for (const PreparedDrive* drive : drives_) {
-            priors.push_back({0.0, (drive->offsets.known ? 0.01 : 0.1) * vehicle_.total_mass_kg * 9.8});
-        }
-        LinearProblem problem{priors};
-        for (std::size_t i = 0U; i < drives_.size(); ++i) {
-            const double deviation_nm = std::max(1.0, model_error_share * load_rms(*drives_[i]));
-            for (const RollSample& sample : drives_[i]->samples) {
-                problem.add(psi(i, sample), known_removed(sample), deviation_nm, independence);
-            }
-        }
-        return problem.solve();
-    }
-
-    DriveResidual residual(std::size_t i, const LinearFit& fit) const {
-        double squares = 0.0, sum = 0.0, sum_of_squares = 0.0;
-        for (const RollSample& sample : drives_[i]->samples) {
-            const double error = known_removed(sample) - psi(i, sample).dot(fit.value);
-            squares += error * error;
-            sum += sample.load_moment_nm;
-            sum_of_squares += sample.load_moment_nm * sample.load_moment_nm;
-        }
-        const double count = static_cast<double>(drives_[i]->samples.size());
-        const double variation = sum_of_squares - sum * sum / count;
-        return DriveResidual{drives_[i]->name, std::sqrt(squares / count), 1.0 - squares / variation,
-                             fit.value[2 + static_cast<Eigen::Index>(i)]};
-    }
-
-    std::size_t count() const { return drives_.size(); }
-
- private:
-    static double load_rms(const PreparedDrive& drive) {
-        double sum = 0.0;
-        for (const RollSample& sample : drive.samples) {
-            sum += sample.load_moment_nm * sample.load_moment_nm;
-        }
-        return std::sqrt(sum / static_cast<double>(drive.samples.size()));
-    }
-
-    double unsprung_moment_kgm() const { return vehicle_.unsprung_mass_kg * vehicle_.unsprung_cg_height_m; }
-
-    double known_removed(const RollSample& sample) const {
-        return sample.load_moment_nm - unsprung_moment_kgm() * sample.parallel_mps2;
-    }
-
-    Eigen::VectorXd psi(std::size_t drive, const RollSample& sample) const {
-        Eigen::VectorXd psi = Eigen::VectorXd::Zero(2 + static_cast<Eigen::Index>(drives_.size()));
-        psi[0] = vehicle_.sprung_mass_kg * (sample.overturning_mps2 - sample.parallel_mps2) +
-                 (unsprung_moment_kgm() - inertia_share_) * sample.roll_acceleration_radps2;
-        psi[1] = vehicle_.sprung_mass_kg * sample.parallel_mps2;
-        psi[2 + static_cast<Eigen::Index>(drive)] = 1.0;
-        return psi;
-    }
-
-    const VehicleData& vehicle_;
-    double inertia_share_;  // Ixx / H
-    std::vector<const PreparedDrive*> drives_;
+    double slope() const { return xx > 0.0 ? xy / xx : 0.0; }
 };
+
+template <typename X, typename Y>
+Line regress(const std::vector<PreparedDrive>& drives, const X& x, const Y& y) {
+    Line line;
+    for (const PreparedDrive& drive : drives) {
+        if (!drive.has_wheel_loads) {
+            continue;
+        }
+        double count = 0.0, sum_x = 0.0, sum_y = 0.0, xx = 0.0, xy = 0.0;
+        for (const RollSample& sample : drive.samples) {
+            count += 1.0;
+            sum_x += x(sample);
+            sum_y += y(sample);
+            xx += x(sample) * x(sample);
+            xy += x(sample) * y(sample);
+        }
+        // After a straight the loads' offset is already off, and a line with an offset would be worse.
+        const double offset_known = drive.offsets.known ? 0.0 : 1.0;
+        line.xx += xx - offset_known * sum_x * sum_x / count;
+        line.xy += xy - offset_known * sum_x * sum_y / count;
+    }
+    return line;
+}
+
+double arm_for(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps, double cg_height_m) {
+    const double tipping_kgm = vehicle.sprung_mass_kg * cg_height_m + unsprung_moment_kgm(vehicle);
+    return regress(
+               ramps,
+               [&](const RollSample& sample) {
+                   return vehicle.sprung_mass_kg * (sample.overturning_mps2 - sample.parallel_mps2);
+               },
+               [&](const RollSample& sample) {
+                   return sample.load_moment_nm - tipping_kgm * sample.parallel_mps2;
+               })
+        .slope();
+}
+
+// The tyres let the whole vehicle roll by L / (c_w^2 k) about the road, with the arm h for the body.
+double arm_without_tyres(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps) {
+    const double tyre_npm = vehicle.total_mass_kg * g_mps2 / 4.0 / usual_tyre_deflection_m;
+    const double axle_nmprad = vehicle.track_width_m * vehicle.track_width_m * tyre_npm;
+    const double whole_kgm =
+        vehicle.sprung_mass_kg * vehicle.sprung_cg_height_m + unsprung_moment_kgm(vehicle);
+    return regress(
+               ramps,
+               [&](const RollSample& sample) {
+                   const double tyres_rad = sample.load_moment_nm / axle_nmprad;
+                   return vehicle.sprung_mass_kg * sample.normal_mps2 *
+                          std::tan(sample.roll_angle_rad - tyres_rad);
+               },
+               [&](const RollSample& sample) {
+                   const double tyres_rad = sample.load_moment_nm / axle_nmprad;
+                   return sample.load_moment_nm -
+                          whole_kgm * (sample.parallel_mps2 + sample.normal_mps2 * tyres_rad);
+               })
+        .slope();
+}
+
+double cg_height_for(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
+                     double roll_centre_m) {
+    return regress(
+               ramps,
+               [&](const RollSample& sample) { return vehicle.sprung_mass_kg * sample.overturning_mps2; },
+               [&](const RollSample& sample) {
+                   return sample.load_moment_nm - unsprung_moment_kgm(vehicle) * sample.parallel_mps2 +
+                          roll_centre_m * vehicle.sprung_mass_kg *
+                              (sample.overturning_mps2 - sample.parallel_mps2);
+               })
+        .slope();
+}
 
 }  // namespace
 
-std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const RollFit& roll,
-                                 const std::vector<PreparedDrive>& drives) {
-    const LoadProblem problem{vehicle, roll, drives};
-    if (problem.empty()) {
+std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps) {
+    const bool any = std::any_of(ramps.begin(), ramps.end(),
+                                 [](const PreparedDrive& drive) { return drive.has_wheel_loads; });
+    if (!any) {
         return std::nullopt;
     }
     const double h = vehicle.sprung_cg_height_m;
-    const LinearFit trusted = problem.solve(h, cg_height_trust * h);
-    const LinearFit free = problem.solve(h, cg_height_search * h);
+    const double arm_m = arm_for(vehicle, ramps, h);
+    const double other_arm_m = arm_for(vehicle, ramps, (1.0 + cg_height_uncertainty) * h);
     LoadFit fit;
-    fit.arm_m = {trusted.value[0], trusted.deviation[0], roll_centre_deviation_m};
-    fit.free_cg_height_m = {free.value[1], free.deviation[1], cg_height_search * h};
-    fit.condition_number = free.condition_number;
-    fit.roll_centre_height_m = h - fit.arm_m.value;
-    fit.lateral_share_kgm = vehicle.sprung_mass_kg * fit.roll_centre_height_m +
-                            vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m;
-    for (std::size_t i = 0U; i < problem.count(); ++i) {
-        fit.drives.push_back(problem.residual(i, trusted));
-    }
+    fit.roll_centre_at_given_height_m = h - arm_m;
+    fit.deviation_m = std::abs(other_arm_m - arm_m - cg_height_uncertainty * h);
+    fit.suspension_roll_centre_m = h - arm_without_tyres(vehicle, ramps);
+    fit.roll_centre_height_m = std::clamp(fit.roll_centre_at_given_height_m, lowest_roll_centre_m,
+                                          std::min(highest_roll_centre_m, 0.7 * h));
+    fit.cg_height_m = fit.roll_centre_height_m == fit.roll_centre_at_given_height_m
+                          ? h
+                          : cg_height_for(vehicle, ramps, fit.roll_centre_height_m);
+    fit.contradicts_data = std::abs(fit.cg_height_m / h - 1.0) > largest_cg_change;
     return fit;
+}
+
+double component_load_moment_nm(const VehicleData& vehicle, const RollFit& roll, const RollSample& sample) {
+    const double alpha_kgm =
+        vehicle.sprung_mass_kg * (vehicle.sprung_cg_height_m - roll.arm_m) + unsprung_moment_kgm(vehicle);
+    return alpha_kgm * sample.parallel_mps2 + roll.moment_nm(sample.roll_angle_rad) +
+           roll.damping_nmsprad.value * sample.roll_rate_radps;
+}
+
+std::vector<DriveResidual> load_transfer_residuals(const VehicleData& vehicle, const RollFit& roll,
+                                                   const std::vector<PreparedDrive>& drives) {
+    std::vector<DriveResidual> residuals;
+    for (const PreparedDrive& drive : drives) {
+        if (!drive.has_wheel_loads) {
+            continue;
+        }
+        double squares = 0.0, sum = 0.0, sum_of_squares = 0.0, errors = 0.0;
+        for (const RollSample& sample : drive.samples) {
+            const double scale = 2.0 / (vehicle.total_mass_kg * sample.normal_mps2 * vehicle.track_width_m);
+            const double ratio = scale * sample.load_moment_nm;
+            const double error = ratio - scale * component_load_moment_nm(vehicle, roll, sample);
+            errors += error;
+            squares += error * error;
+            sum += ratio;
+            sum_of_squares += ratio * ratio;
+        }
+        const double count = static_cast<double>(drive.samples.size());
+        const double variation = sum_of_squares - sum * sum / count;
+        residuals.push_back(DriveResidual{drive.name, std::sqrt(squares / count),
+                                          variation > 0.0 ? 1.0 - squares / variation : 0.0, errors / count});
+    }
+    return residuals;
 }
 
 }  // namespace sil

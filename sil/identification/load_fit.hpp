@@ -9,19 +9,36 @@
 
 namespace sil {
 
-// c_w/2 (F_zR - F_zL) = m_s (h - H) A + m_u h_u (A + H phi'') + m_s H f - Ixx phi'', with Ixx/H from the roll
-// fit: the moment about the road. Linear in H.
+// In a slow turn the loads balance what tips the vehicle over:
+//     c_w/2 (F_zR - F_zL) = (m_s h + m_u h_u) A + H m_s N tan phi
+// with the body's CG moving sideways by H tan phi. This H is the effective one, tyres included: with it the
+// component's load transfer alpha A + M(phi) + c phi', alpha = m_s h_rc + m_u h_u, is that of the wheels.
+//
+// Where that asks for a roll centre outside 0 to 0.5 m, something else moves the CG sideways with the force:
+// tyres that give way do. Then the nearest roll centre is taken, and the CG height that the loads speak for
+// with it.
 struct LoadFit {
-    Estimate arm_m;                     // H; the deviation contains 1 % of uncertainty of the CG's height
-    Estimate free_cg_height_m;          // h as the loads alone would have it, fitted together with H
-    double condition_number{};          // of that second fit
-    double roll_centre_height_m{};      // h - H
-    double lateral_share_kgm{};         // alpha = m_s h_rc + m_u h_u
-    std::vector<DriveResidual> drives;  // in N m
+    double roll_centre_at_given_height_m{};  // h_rc with the CG height of the vehicle data
+    double deviation_m{};                    // of it, for a CG height known to 1 %
+    double suspension_roll_centre_m{};       // the same without the tyres' roll: about h_rc of equation (24)
+    double roll_centre_height_m{};           // what the component is given
+    double cg_height_m{};                    // what the component is given
+    bool contradicts_data{false};            // the CG height would have to change by more than 6 %
 };
 
-// Uses the drives that have wheel loads; nothing when none has.
-std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const RollFit& roll,
-                                 const std::vector<PreparedDrive>& drives);
+// Uses the ramps that have wheel loads; nothing when none has.
+std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps);
+
+// How the component's load transfer ratio, 2/(m N c_w) [alpha A + M(phi) + c phi'], differs from that of the
+// wheels; one entry for each drive that has wheel loads, in units of the ratio.
+std::vector<DriveResidual> load_transfer_residuals(const VehicleData& vehicle, const RollFit& roll,
+                                                   const std::vector<PreparedDrive>& drives);
+
+// alpha A + M(phi) + c phi', N m.
+double component_load_moment_nm(const VehicleData& vehicle, const RollFit& roll, const RollSample& sample);
+
+// Where most roll centres lie: between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to
+// 0.5 m).
+inline constexpr double usual_roll_centre_m = 0.2;
 
 }  // namespace sil

@@ -62,15 +62,6 @@ double fitted_moment(const RollFit& roll, const RollSample& sample, bool dynamic
            (dynamic ? roll.dynamic_stiffness_difference_nmprad.value * sample.roll_angle_rad : 0.0);
 }
 
-// As the component computes it: alpha A + M(phi) + c p.
-double fitted_load_moment(const Identification& result, const RollSample& sample) {
-    const VehicleData& vehicle = result.vehicle;
-    const double alpha = vehicle.sprung_mass_kg * result.roll_centre_height_m +
-                         vehicle.unsprung_mass_kg * vehicle.unsprung_cg_height_m;
-    return alpha * sample.parallel_mps2 + result.roll.moment_nm(sample.roll_angle_rad) +
-           result.roll.damping_nmsprad.value * sample.roll_rate_radps;
-}
-
 double asked_acceleration(const Identification& result, const RollSample& sample) {
     if (!result.steering) {
         return std::nan("");
@@ -103,13 +94,15 @@ std::string identification_report(const Identification& result) {
     } else {
         const LoadFit& loads = *result.loads;
         text += fmt::format(
-            "\nWheel loads: c_w/2 (F_zR - F_zL) = alpha A + M(phi) + c phi' + axles\n"
-            "  h_rc {:.3f} +-{:.3f} m, alpha {:.0f} kg m; with the sprung CG's height left free it "
-            "comes out at {:.3f} +-{:.3f} m (vehicle data {:.3f} m)\n",
-            loads.roll_centre_height_m, loads.arm_m.deviation, loads.lateral_share_kgm,
-            loads.free_cg_height_m.value, loads.free_cg_height_m.deviation,
-            result.vehicle.sprung_cg_height_m);
-        text += residuals_text(loads.drives);
+            "\nWheel loads in the ramp: effective h_rc {:.3f} +-{:.3f} m (for a CG height known to 1 %); "
+            "without the "
+            "tyres' roll, as (24) counts it, about {:.2f} m\n",
+            loads.roll_centre_at_given_height_m, loads.deviation_m, loads.suspension_roll_centre_m);
+        text += "Load transfer ratio as the component computes it, against that of the wheels\n";
+        for (const DriveResidual& drive : result.load_transfer) {
+            text += fmt::format("  {}: R2 {:.4f}, error {:.4f} rms, {:+.4f} mean\n", drive.name,
+                                drive.r_squared, drive.rms, drive.offset);
+        }
     }
     if (result.steering) {
         const SteeringFit& steering = *result.steering;
@@ -118,8 +111,10 @@ std::string identification_report(const Identification& result) {
         text += line("ratio", steering.ratio, 1.0, steering.ratio_fitted ? "(fitted)" : "(given)", 2);
         text += line("K_us", steering.understeer_gradient_s2pm, 1.0,
                      steering.gradient_fitted ? "s^2/m (fitted)" : "s^2/m (given or assumed)", 5);
-        text += fmt::format("  R2 {:.4f}, residual {:.3f} deg at the front wheels\n", steering.r_squared,
-                            steering.rms_rad * degrees_per_radian);
+        text += fmt::format(
+            "  R2 {:.4f}, residual {:.3f} deg at the front wheels; the steering leads by {:.2f} deg\n",
+            steering.r_squared, steering.rms_rad * degrees_per_radian,
+            steering.lead_rad * degrees_per_radian);
     }
     text += result.warnings.empty() ? "\nNothing to warn of.\n" : "\nWarnings\n";
     for (const std::string& warning : result.warnings) {
@@ -152,7 +147,8 @@ std::string fit_csv(const Identification& result) {
                 for (const double value :
                      {sample.time_s, sample.roll_angle_rad * degrees_per_radian, sample.parallel_mps2, moment,
                       fitted, moment - fitted, moment - moving, sample.load_moment_nm,
-                      number_or_nan(drive.has_wheel_loads, fitted_load_moment(result, sample)),
+                      number_or_nan(drive.has_wheel_loads,
+                                    component_load_moment_nm(result.vehicle, result.roll, sample)),
                       sample.yaw_rate_radps * sample.speed_mps, asked_acceleration(result, sample)}) {
                     text += field(value);
                 }

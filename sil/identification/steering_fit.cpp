@@ -13,7 +13,7 @@ constexpr double step_s = 0.01;
 constexpr double correlation_s = 0.2;
 constexpr double slowest_mps = 5.0;
 // Tyres are linear up to about here.
-constexpr double smallest_mps2 = 0.05 * g_mps2;
+constexpr double smallest_mps2 = 0.1 * g_mps2;
 constexpr double largest_mps2 = 0.4 * g_mps2;
 constexpr double speeds_apart = 1.4;  // so much faster is another speed
 constexpr std::size_t fewest_samples = 50U;
@@ -109,6 +109,7 @@ class SteeringProblem {
             [&](const Row& row) { return row.steering - ratio * vehicle_.wheelbase_m * row.curvature; });
         fit.ratio.value = ratio;
         fit.understeer_gradient_s2pm = {linear.value[0] / ratio, linear.deviation[0] / ratio, 0.01};
+        fit.lead_rad = linear.value[1] / ratio;
         fit.gradient_fitted = true;
     }
 
@@ -123,6 +124,7 @@ class SteeringProblem {
             [](const Row& row) { return row.steering; });
         fit.ratio = {linear.value[0], linear.deviation[0], 10.0};
         fit.understeer_gradient_s2pm.value = gradient;
+        fit.lead_rad = linear.value[1] / linear.value[0];
         fit.ratio_fitted = true;
     }
 
@@ -137,17 +139,17 @@ class SteeringProblem {
         fit.ratio = {linear.value[0], linear.deviation[0], 10.0};
         fit.understeer_gradient_s2pm = {linear.value[1] / linear.value[0],
                                         linear.deviation[1] / linear.value[0], 0.15 / 17.0};
+        fit.lead_rad = linear.value[2] / linear.value[0];
         fit.ratio_fitted = true;
         fit.gradient_fitted = true;
     }
 
-    // The lead is left in the residual: the firmware knows none.
     void judge(SteeringFit& fit) const {
         double squares = 0.0, sum = 0.0, sum_of_squares = 0.0;
         for (const Row& row : rows_) {
             const double wheel = row.steering / fit.ratio.value;
             const double error = wheel - vehicle_.wheelbase_m * row.curvature -
-                                 fit.understeer_gradient_s2pm.value * row.lateral;
+                                 fit.understeer_gradient_s2pm.value * row.lateral - fit.lead_rad * row.side;
             squares += error * error;
             sum += wheel;
             sum_of_squares += wheel * wheel;

@@ -118,26 +118,36 @@ class Warnings {
         if (!result_.loads) {
             return;
         }
-        const Estimate& height = result_.loads->free_cg_height_m;
-        const double difference = height.value / vehicle.sprung_cg_height_m - 1.0;
-        if (std::abs(difference) > 0.03 && std::abs(difference) > 2.0 * height.deviation / height.value) {
+        const LoadFit& loads = *result_.loads;
+        if (loads.contradicts_data) {
             warn(
-                "the wheel loads speak for a sprung CG at {:.3f} m, the vehicle data for {:.3f} m: check "
-                "height, "
-                "masses and track width",
-                height.value, vehicle.sprung_cg_height_m);
+                "wheel loads and CG height contradict each other: with a roll centre at {:.2f} m the loads "
+                "speak for a "
+                "sprung CG at {:.3f} m, the vehicle data say {:.3f} m, and nothing was fitted to the loads: "
+                "check "
+                "height, masses and track width",
+                loads.roll_centre_height_m, loads.cg_height_m, result_.given_cg_height_m);
+        } else if (loads.cg_height_m != result_.given_cg_height_m && !vehicle.roll_centre_height_m) {
+            warn(
+                "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
+                "that give "
+                "sideways do that. It is set to {:.2f} m, and the CG height to {:.3f} m in place of {:.3f} "
+                "m, which "
+                "together give the wheel loads",
+                loads.roll_centre_at_given_height_m, loads.roll_centre_height_m, loads.cg_height_m,
+                result_.given_cg_height_m);
         }
         if (vehicle.roll_centre_height_m &&
-            std::abs(result_.loads->roll_centre_height_m - *vehicle.roll_centre_height_m) > 0.1) {
-            warn("the wheel loads speak for a roll centre at {:.2f} m; the given {:.2f} m is kept",
-                 result_.loads->roll_centre_height_m, *vehicle.roll_centre_height_m);
+            std::abs(loads.roll_centre_at_given_height_m - *vehicle.roll_centre_height_m) > 0.15) {
+            warn("the wheel loads speak for an effective roll centre at {:.2f} m; the given {:.2f} m is kept",
+                 loads.roll_centre_at_given_height_m, *vehicle.roll_centre_height_m);
         }
     }
 
     void about_steering() {
         if (!result_.steering) {
             warn(
-                "no ramp has steering-wheel angle, yaw rate and speed between 0.05 and 0.4 g: steering ratio "
+                "no ramp has steering-wheel angle, yaw rate and speed between 0.1 and 0.4 g: steering ratio "
                 "and "
                 "understeer gradient are not from the drives");
         } else if (result_.steering->r_squared < 0.9) {
