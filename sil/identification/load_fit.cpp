@@ -8,6 +8,7 @@
 namespace sil {
 namespace {
 
+constexpr double slow_radps = 0.05;  // faster, and inertia has its part in the loads
 constexpr double cg_height_uncertainty = 0.01;
 constexpr double lowest_roll_centre_m = 0.0;
 constexpr double highest_roll_centre_m = 0.5;
@@ -36,6 +37,9 @@ Line regress(const std::vector<PreparedDrive>& drives, const X& x, const Y& y) {
         }
         double count = 0.0, sum_x = 0.0, sum_y = 0.0, xx = 0.0, xy = 0.0;
         for (const RollSample& sample : drive.samples) {
+            if (std::abs(sample.roll_rate_radps) > slow_radps) {
+                continue;
+            }
             count += 1.0;
             sum_x += x(sample);
             sum_y += y(sample);
@@ -43,6 +47,9 @@ Line regress(const std::vector<PreparedDrive>& drives, const X& x, const Y& y) {
             xy += x(sample) * y(sample);
         }
         // After a straight the loads' offset is already off, and a line with an offset would be worse.
+        if (count < 1.0) {
+            continue;
+        }
         const double offset_known = drive.offsets.known ? 0.0 : 1.0;
         line.xx += xx - offset_known * sum_x * sum_x / count;
         line.xy += xy - offset_known * sum_x * sum_y / count;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sil/identification/least_squares.hpp"
+#include "sil/identification/zero_phase_filter.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -184,6 +185,44 @@ bool rises_up_to(const RollFit& fit, double limit_rad) {
     return true;
 }
 
+// A body leans out of the turn: with roll angle and lateral acceleration in ISO 8855 signs both grow
+// together.
+void refuse_wrong_roll_sign(const PreparedDrive& drive) {
+    double common = 0.0;
+    for (const RollSample& sample : drive.samples) {
+        common += sample.roll_angle_rad * sample.overturning_mps2;
+    }
+    if (common <= 0.0) {
+        throw IdentificationError(
+            fmt::format("{}: the body leans into the turn. Check the signs: in a left turn lateral "
+                        "acceleration, yaw rate and roll "
+                        "angle are positive",
+                        drive.name));
+    }
+}
+
+// The roll rate must be the roll angle's derivative: not so with a wrong sign or a wrong unit.
+void refuse_wrong_roll_rate(const PreparedDrive& drive) {
+    std::vector<double> angle;
+    for (const RollSample& sample : drive.samples) {
+        angle.push_back(sample.roll_angle_rad);
+    }
+    const std::vector<double> slope = differentiate(angle, step_s);
+    double common = 0.0, squares = 0.0;
+    for (std::size_t k = 0U; k < slope.size(); ++k) {
+        common += slope[k] * drive.samples[k].roll_rate_radps;
+        squares += drive.samples[k].roll_rate_radps * drive.samples[k].roll_rate_radps;
+    }
+    const double ratio = common / squares;
+    if (ratio < 0.5 || ratio > 2.0) {
+        throw IdentificationError(
+            fmt::format("{}: the roll angle changes {:.2g} times as fast as the roll rate says. Check sign "
+                        "and unit of both columns, "
+                        "and that they are of one clock",
+                        drive.name, ratio));
+    }
+}
+
 void refuse_without_excitation(const std::vector<PreparedDrive>& ramps,
                                const std::vector<PreparedDrive>& dynamics) {
     for (const PreparedDrive& drive : ramps) {
@@ -195,6 +234,9 @@ void refuse_without_excitation(const std::vector<PreparedDrive>& ramps,
                             drive.name, drive.largest_parallel_mps2 / g_mps2,
                             drive.largest_roll_angle_rad * degrees_per_radian));
         }
+    }
+    for (const PreparedDrive& drive : ramps) {
+        refuse_wrong_roll_sign(drive);
     }
     for (const PreparedDrive& drive : dynamics) {
         double largest_rate = 0.0;
@@ -208,6 +250,8 @@ void refuse_without_excitation(const std::vector<PreparedDrive>& ramps,
                             "step steer or a lane change that reaches 0.3 g",
                             drive.name, largest_rate * degrees_per_radian));
         }
+        refuse_wrong_roll_sign(drive);
+        refuse_wrong_roll_rate(drive);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sil/identification/least_squares.hpp"
+#include "sil/identification/zero_phase_filter.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -15,7 +16,8 @@ constexpr double slowest_mps = 5.0;
 // Tyres are linear up to about here.
 constexpr double smallest_mps2 = 0.1 * g_mps2;
 constexpr double largest_mps2 = 0.4 * g_mps2;
-constexpr double speeds_apart = 1.4;  // so much faster is another speed
+constexpr double fastest_steering_radps = 0.4;  // 23 deg/s at the steering wheel: faster is no ramp
+constexpr double speeds_apart = 1.4;            // so much faster is another speed
 constexpr std::size_t fewest_samples = 50U;
 
 bool usable(const RollSample& sample) {
@@ -27,8 +29,16 @@ struct Row {
     double steering;   // delta_sw
     double curvature;  // r / V
     double lateral;    // r V
-    double side;       // a steady steering leads the yaw rate by a constant angle in a ramp
+    double rate;       // of the steering wheel: the yaw rate follows with a lag
 };
+
+std::vector<double> steering_rate(const PreparedDrive& drive) {
+    std::vector<double> steering;
+    for (const RollSample& sample : drive.samples) {
+        steering.push_back(sample.steering_wheel_angle_rad);
+    }
+    return differentiate(steering, step_s);
+}
 
 std::vector<Row> rows_of(const std::vector<PreparedDrive>& ramps) {
     std::vector<Row> rows;
@@ -36,11 +46,12 @@ std::vector<Row> rows_of(const std::vector<PreparedDrive>& ramps) {
         if (!drive.has_steering) {
             continue;
         }
-        for (const RollSample& sample : drive.samples) {
-            if (usable(sample)) {
+        const std::vector<double> rate = steering_rate(drive);
+        for (std::size_t k = 0U; k < drive.samples.size(); ++k) {
+            const RollSample& sample = drive.samples[k];
+            if (usable(sample) && std::abs(rate[k]) < fastest_steering_radps) {
                 rows.push_back(Row{sample.steering_wheel_angle_rad, sample.yaw_rate_radps / sample.speed_mps,
-                                   sample.yaw_rate_radps * sample.speed_mps,
-                                   sample.yaw_rate_radps > 0.0 ? 1.0 : -1.0});
+                                   sample.yaw_rate_radps * sample.speed_mps, rate[k]});
             }
         }
     }
@@ -79,10 +90,10 @@ class SteeringProblem {
         return fastest > speeds_apart * slowest;
     }
 
-    // y = x theta + lead side; twice, the second time with the residual as what is not explained.
+    // y = x theta + lag rate; then again with the residual as what is not explained.
     template <typename X, typename Y>
     LinearFit regress(std::vector<Prior> priors, const X& x, const Y& y) const {
-        priors.push_back({0.0, 0.2});
+        priors.push_back({0.1, 0.1});
         double deviation = 0.05;
         LinearFit fit;
         for (int pass = 0; pass < 3; ++pass) {
@@ -105,11 +116,11 @@ class SteeringProblem {
         const double ratio = *vehicle_.steering_ratio;
         const LinearFit linear = regress(
             {{ratio * usual_understeer_gradient_s2pm, ratio * 0.01}},
-            [](const Row& row) { return Eigen::VectorXd{Eigen::Vector2d{row.lateral, row.side}}; },
+            [](const Row& row) { return Eigen::VectorXd{Eigen::Vector2d{row.lateral, row.rate}}; },
             [&](const Row& row) { return row.steering - ratio * vehicle_.wheelbase_m * row.curvature; });
         fit.ratio.value = ratio;
         fit.understeer_gradient_s2pm = {linear.value[0] / ratio, linear.deviation[0] / ratio, 0.01};
-        fit.lead_rad = linear.value[1] / ratio;
+        fit.lag_s = linear.value[1];
         fit.gradient_fitted = true;
     }
 
@@ -119,12 +130,12 @@ class SteeringProblem {
             {{17.0, 10.0}},
             [&](const Row& row) {
                 return Eigen::VectorXd{
-                    Eigen::Vector2d{vehicle_.wheelbase_m * row.curvature + gradient * row.lateral, row.side}};
+                    Eigen::Vector2d{vehicle_.wheelbase_m * row.curvature + gradient * row.lateral, row.rate}};
             },
             [](const Row& row) { return row.steering; });
         fit.ratio = {linear.value[0], linear.deviation[0], 10.0};
         fit.understeer_gradient_s2pm.value = gradient;
-        fit.lead_rad = linear.value[1] / linear.value[0];
+        fit.lag_s = linear.value[1];
         fit.ratio_fitted = true;
     }
 
@@ -133,13 +144,13 @@ class SteeringProblem {
             {{17.0, 10.0}, {17.0 * usual_understeer_gradient_s2pm, 0.15}},
             [&](const Row& row) {
                 return Eigen::VectorXd{
-                    Eigen::Vector3d{vehicle_.wheelbase_m * row.curvature, row.lateral, row.side}};
+                    Eigen::Vector3d{vehicle_.wheelbase_m * row.curvature, row.lateral, row.rate}};
             },
             [](const Row& row) { return row.steering; });
         fit.ratio = {linear.value[0], linear.deviation[0], 10.0};
         fit.understeer_gradient_s2pm = {linear.value[1] / linear.value[0],
                                         linear.deviation[1] / linear.value[0], 0.15 / 17.0};
-        fit.lead_rad = linear.value[2] / linear.value[0];
+        fit.lag_s = linear.value[2];
         fit.ratio_fitted = true;
         fit.gradient_fitted = true;
     }
@@ -147,9 +158,9 @@ class SteeringProblem {
     void judge(SteeringFit& fit) const {
         double squares = 0.0, sum = 0.0, sum_of_squares = 0.0;
         for (const Row& row : rows_) {
-            const double wheel = row.steering / fit.ratio.value;
+            const double wheel = (row.steering - fit.lag_s * row.rate) / fit.ratio.value;
             const double error = wheel - vehicle_.wheelbase_m * row.curvature -
-                                 fit.understeer_gradient_s2pm.value * row.lateral - fit.lead_rad * row.side;
+                                 fit.understeer_gradient_s2pm.value * row.lateral;
             squares += error * error;
             sum += wheel;
             sum_of_squares += wheel * wheel;

@@ -9,14 +9,14 @@
 
 namespace sil {
 
-// delta_sw / i = r (L/V + K_us V) + lead, at small lateral acceleration, the lead with the sign of the turn.
+// (delta_sw - lag delta_sw') / i = r (L/V + K_us V), at small lateral acceleration.
 struct SteeringFit {
     Estimate ratio;                     // i; deviation 0: given
     Estimate understeer_gradient_s2pm;  // K_us; deviation 0: given or assumed
     bool ratio_fitted{false};
     bool gradient_fitted{false};
-    double lead_rad{};  // of the front wheels in the ramp: the yaw rate needs time
-    double rms_rad{};   // at the front wheels
+    double lag_s{};    // by which the yaw rate follows the steering
+    double rms_rad{};  // at the front wheels
     double r_squared{};
     double largest_used_mps2{};  // |r V|
 };
