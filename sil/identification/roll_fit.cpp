@@ -26,6 +26,9 @@ constexpr double known_inertia_share = 0.05;
 constexpr double dynamic_stiffness_share = 0.05;
 constexpr double offset_after_straight_g = 0.01;
 constexpr double offset_otherwise_g = 0.06;
+// Stops and bump rubbers stiffen a suspension; none grows soft.
+constexpr double least_slope_share = 0.5;
+constexpr double beyond_rollover = 1.5;
 constexpr int reweightings = 4;
 
 enum Unknown : Eigen::Index { k_f, k_2, k_4, c, ixx, dk, first_offset };
@@ -44,7 +47,9 @@ class RollProblem {
         rough_stiffness_nmprad_ = rough_stiffness();
     }
 
-    RollFit solve(double curve_freedom) {
+    // `freedom` scales what the curve may be; 0 is a line. Without `quintic` K_4 stays zero.
+    RollFit solve(double curve_freedom, bool quintic) {
+        quintic_ = quintic;
         std::vector<double> deviation_nm(drives_.size(), 0.0);
         for (std::size_t i = 0U; i < drives_.size(); ++i) {
             deviation_nm[i] = 0.05 * moment_rms(*drives_[i].drive);
@@ -92,12 +97,13 @@ class RollProblem {
         const double inertia_share = vehicle_.roll_inertia_kgm2 ? known_inertia_share : inertia_prior_share;
         const double held = std::max(0.3 * k, k - mass_arm_kgm_ * g_mps2);
         const double damping = 2.0 * 0.3 * std::sqrt(held * inertia);
-        std::vector<Prior> priors{{k, k},
-                                  {0.0, curve_freedom * curve_share * k / square},
-                                  {0.0, curve_freedom * curve_share * k / (square * square)},
-                                  {damping, damping},
-                                  {inertia, inertia_share * inertia},
-                                  {0.0, dynamic_stiffness_share * k}};
+        std::vector<Prior> priors{
+            {k, k},
+            {0.0, curve_freedom * curve_share * k / square},
+            {0.0, (quintic_ ? curve_freedom : 1.0e-9) * curve_share * k / (square * square)},
+            {damping, damping},
+            {inertia, inertia_share * inertia},
+            {0.0, dynamic_stiffness_share * k}};
         for (const Member& member : drives_) {
             const double offset_g =
                 member.drive->offsets.known ? offset_after_straight_g : offset_otherwise_g;
@@ -158,7 +164,7 @@ class RollProblem {
         fit.arm_m = arm_m_;
         fit.stiffness_nmprad = estimate(k_f);
         fit.stiffness_cubic_nmprad3 = estimate(k_2);
-        fit.stiffness_quintic_nmprad5 = estimate(k_4);
+        fit.stiffness_quintic_nmprad5 = quintic_ ? estimate(k_4) : Estimate{};
         fit.damping_nmsprad = estimate(c);
         fit.inertia_kgm2 = estimate(ixx);
         fit.dynamic_stiffness_difference_nmprad = estimate(dk);
@@ -173,12 +179,13 @@ class RollProblem {
     double mass_arm_kgm_;
     double arm_m_;
     double rough_stiffness_nmprad_{};
+    bool quintic_{true};
     std::vector<Member> drives_;
 };
 
 bool rises_up_to(const RollFit& fit, double limit_rad) {
     for (int k = 0; k <= 100; ++k) {
-        if (fit.slope_nmprad(0.01 * k * limit_rad) < 0.3 * fit.stiffness_nmprad.value) {
+        if (fit.slope_nmprad(0.01 * k * limit_rad) < least_slope_share * fit.stiffness_nmprad.value) {
             return false;
         }
     }
@@ -293,14 +300,19 @@ RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<Pre
                  const std::vector<PreparedDrive>& dynamics) {
     refuse_without_excitation(ramps, dynamics);
     RollProblem problem{vehicle, arm_m, ramps, dynamics};
+    RollFit fit = problem.solve(1.0, true);
+    const bool quintic = fit.stiffness_quintic_nmprad5.value > 0.0;
+    if (!quintic) {
+        fit = problem.solve(1.0, false);
+    }
     double freedom = 1.0;
-    RollFit fit = problem.solve(freedom);
     for (int pass = 0; pass < 20; ++pass) {
-        if (rises_up_to(fit, rollover_angle_rad(vehicle, arm_m, fit.stiffness_nmprad.value))) {
+        const double rollover_rad = rollover_angle_rad(vehicle, arm_m, fit.stiffness_nmprad.value);
+        if (rises_up_to(fit, beyond_rollover * rollover_rad)) {
             break;
         }
         freedom *= 0.6;
-        fit = problem.solve(freedom);
+        fit = problem.solve(freedom, quintic);
         fit.curve_flattened = true;
     }
     return fit;
