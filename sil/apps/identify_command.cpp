@@ -106,11 +106,11 @@ void draw(const std::filesystem::path& output) {
 }
 
 void identify_vehicle(IdentifyRequest& request) {
+    prepare_folder(request.output);
     refuse_unclear(request);
     const VehicleData vehicle = load_vehicle_data(request.vehicle_data, request.settings);
     PreparationOptions options;
     options.until_s = request.until_s;
-    prepare_folder(request.output);
     if (!request.simulated_vehicle.empty()) {
         simulate_drives(request);
     }
