@@ -28,7 +28,10 @@ double assumed_roll_centre_m(const VehicleData& vehicle) {
 }
 
 void use_loads(Identification& result) {
-    const LoadFit& loads = *result.loads;
+    LoadFit& loads = *result.loads;
+    if (loads.cg_height_m != result.given_cg_height_m) {
+        match_dynamic_loads(result.vehicle, result.roll, result.ramps, result.dynamics, loads);
+    }
     result.roll_centre_height_m = loads.roll_centre_height_m;
     result.roll_centre_origin = fmt::format(
         "effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %", loads.deviation_m);

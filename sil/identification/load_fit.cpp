@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sil/units.hpp"
 
@@ -91,8 +92,10 @@ double arm_without_tyres(const VehicleData& vehicle, const std::vector<PreparedD
         .slope();
 }
 
-double cg_height_for(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
-                     double roll_centre_m) {
+}  // namespace
+
+double matched_cg_height_m(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
+                           double roll_centre_m) {
     return regress(
                ramps,
                [&](const RollSample& sample) { return vehicle.sprung_mass_kg * sample.overturning_mps2; },
@@ -103,8 +106,6 @@ double cg_height_for(const VehicleData& vehicle, const std::vector<PreparedDrive
                })
         .slope();
 }
-
-}  // namespace
 
 std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps) {
     const bool any = std::any_of(ramps.begin(), ramps.end(),
@@ -123,9 +124,34 @@ std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<P
                                           std::min(highest_roll_centre_m, 0.7 * h));
     fit.cg_height_m = fit.roll_centre_height_m == fit.roll_centre_at_given_height_m
                           ? h
-                          : cg_height_for(vehicle, ramps, fit.roll_centre_height_m);
+                          : matched_cg_height_m(vehicle, ramps, fit.roll_centre_height_m);
     fit.contradicts_data = std::abs(fit.cg_height_m / h - 1.0) > largest_cg_change;
     return fit;
+}
+
+void match_dynamic_loads(const VehicleData& vehicle, const RollFit& roll,
+                         const std::vector<PreparedDrive>& ramps, const std::vector<PreparedDrive>& dynamics,
+                         LoadFit& fit) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= 50; ++k) {
+        const double roll_centre_m = lowest_roll_centre_m + 0.01 * k;
+        VehicleData matched = vehicle;
+        matched.sprung_cg_height_m = matched_cg_height_m(vehicle, ramps, roll_centre_m);
+        const double change = matched.sprung_cg_height_m / vehicle.sprung_cg_height_m - 1.0;
+        if (std::abs(change) > largest_cg_change || roll_centre_m > 0.7 * vehicle.sprung_cg_height_m) {
+            continue;
+        }
+        double squares = 0.0;
+        for (const DriveResidual& drive : load_transfer_residuals(
+                 matched, roll.with_arm(matched.sprung_cg_height_m - roll_centre_m), dynamics)) {
+            squares += drive.rms * drive.rms;
+        }
+        if (squares > 0.0 && squares < least) {
+            least = squares;
+            fit.roll_centre_height_m = roll_centre_m;
+            fit.cg_height_m = matched.sprung_cg_height_m;
+        }
+    }
 }
 
 double component_load_moment_nm(const VehicleData& vehicle, const RollFit& roll, const RollSample& sample) {
