@@ -12,6 +12,7 @@
 #include "sil/analysis/bus_timing.hpp"
 #include "sil/apps/campaign_command.hpp"
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/identify_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
@@ -82,6 +83,7 @@ int main(int argc, char** argv) {
     add_timing(app, log);
     sil::add_replay_command(app, replay);
     sil::add_campaign(app);
+    sil::add_identify_command(app);
     try {
         app.parse(argc, argv);
         return 0;

@@ -1,0 +1,179 @@
+#include "sil/apps/identify_command.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sil/analysis/atomic_file.hpp"
+#include "sil/apps/command_line.hpp"
+#include "sil/calibration/calibration_file.hpp"
+#include "sil/drives/drive_csv.hpp"
+#include "sil/identification/calibration_writer.hpp"
+#include "sil/identification/identification.hpp"
+#include "sil/identification/report.hpp"
+#include "sil/identification/simulated_drive.hpp"
+#include "sil/manoeuvres/catalogue.hpp"
+#include "sil/vehicle/parameter_file.hpp"
+
+extern char** environ;
+
+namespace sil {
+namespace {
+
+struct IdentifyRequest {
+    std::string vehicle_data;
+    std::vector<std::string> settings;
+    std::vector<std::string> ramps;
+    std::vector<std::string> dynamics;
+    std::filesystem::path output;
+    double until_s{1.0e9};
+    std::string simulated_vehicle;
+    SensorFlaws sensors;
+    bool no_pictures{false};
+};
+
+// Two drives of a simulated vehicle, left behind as the CSV files that they are read from.
+void simulate_drives(IdentifyRequest& request) {
+    const VehicleParameters vehicle = load_vehicle(request.simulated_vehicle);
+    const std::filesystem::path folder = request.output / "drives";
+    std::filesystem::create_directories(folder);
+    const auto drive = [&](const char* manoeuvre, std::vector<std::string>& files) {
+        const std::filesystem::path file = folder / (std::string{manoeuvre} + ".csv");
+        write_file_atomically(file,
+                              drive_csv(simulate_drive(vehicle, find_manoeuvre(manoeuvre), request.sensors)));
+        files.push_back(file.string());
+        ++request.sensors.seed;
+    };
+    drive("slow-ramp", request.ramps);
+    drive("step-steer", request.dynamics);
+}
+
+void refuse_unclear(const IdentifyRequest& request) {
+    const bool drives = !request.ramps.empty() || !request.dynamics.empty();
+    if (!request.simulated_vehicle.empty() && drives) {
+        throw std::runtime_error(
+            "--simulate makes drives of its own: leave --ramp and --dynamic out, or --simulate");
+    }
+    if (request.simulated_vehicle.empty() && (request.ramps.empty() || request.dynamics.empty())) {
+        throw std::runtime_error(
+            "a slow ramp and a dynamic drive are both needed: give --ramp FILE and --dynamic FILE "
+            "(docs/identification.md "
+            "says how to drive them), or --simulate VEHICLE.toml");
+    }
+    if (request.vehicle_data.empty() && request.settings.empty()) {
+        throw std::runtime_error(
+            "nothing is said of the vehicle: give --vehicle-data FILE (docs/identification.md)");
+    }
+}
+
+std::vector<Drive> read_all(const std::vector<std::string>& files) {
+    std::vector<Drive> drives;
+    for (const std::string& file : files) {
+        drives.push_back(read_drive_csv(file));
+    }
+    return drives;
+}
+
+// Results of an earlier identification must not be taken for those of this one, should it fail.
+void prepare_folder(const std::filesystem::path& output) {
+    std::filesystem::create_directories(output);
+    for (const char* name :
+         {"calibration.toml", "report.txt", "fit.csv", "curve.csv", "fit.gp", "calibration.refused.toml",
+          "roll_stiffness.svg", "roll_stiffness.png", "fit.svg", "fit.png"}) {
+        std::filesystem::remove(output / name);
+    }
+}
+
+void draw(const std::filesystem::path& output) {
+    std::string script = RSI_IDENTIFICATION_DRAW_SCRIPT;
+    std::string folder = std::filesystem::absolute(output).string();
+    char* arguments[] = {script.data(), folder.data(), nullptr};
+    pid_t child = 0;
+    int status = 1;
+    const bool drawn = posix_spawn(&child, script.c_str(), nullptr, nullptr, arguments, environ) == 0 &&
+                       waitpid(child, &status, 0) == child && status == 0;
+    if (!drawn) {
+        fmt::print(stderr,
+                   "rsi-sil: no pictures were drawn; the calibration does not need them. Later: "
+                   "sil/identification/draw {}\n",
+                   output.string());
+    }
+}
+
+void identify_vehicle(IdentifyRequest& request) {
+    prepare_folder(request.output);
+    refuse_unclear(request);
+    const VehicleData vehicle = load_vehicle_data(request.vehicle_data, request.settings);
+    PreparationOptions options;
+    options.until_s = request.until_s;
+    if (!request.simulated_vehicle.empty()) {
+        simulate_drives(request);
+    }
+    const Identification result =
+        identify(vehicle, read_all(request.ramps), read_all(request.dynamics), options);
+    const std::string report = identification_report(result);
+    fmt::print("{}", report);
+    write_file_atomically(request.output / "report.txt", report);
+    write_file_atomically(request.output / "fit.csv", fit_csv(result));
+    write_file_atomically(request.output / "curve.csv", curve_csv(result));
+    write_file_atomically(request.output / "fit.gp", fit_marks(result));
+    const std::filesystem::path calibration = request.output / "calibration.toml";
+    write_file_atomically(calibration, calibration_text(result));
+    try {
+        load_calibration(calibration.string());
+    } catch (const CalibrationError& error) {
+        const std::filesystem::path refused = request.output / "calibration.refused.toml";
+        std::filesystem::rename(calibration, refused);
+        throw std::runtime_error(
+            fmt::format("the component would refuse what was fitted ({}). It is left in {} to look at; check "
+                        "the vehicle data and "
+                        "the drives' signs and units, and heed the warnings above",
+                        error.what(), refused.string()));
+    }
+    if (!request.no_pictures) {
+        draw(request.output);
+    }
+    fmt::print("\n{} is complete. Try it: rsi-sil replay DRIVE.csv --parameters {} --output FOLDER\n",
+               calibration.string(), calibration.string());
+}
+
+}  // namespace
+
+void add_identify_command(CLI::App& app) {
+    const auto request = std::make_shared<IdentifyRequest>();
+    CLI::App* identify =
+        app.add_subcommand("identify", "Fit a vehicle's parameters to test drives and write its calibration");
+    identify->add_option("--vehicle-data", request->vehicle_data,
+                         "What the data sheet says (TOML; docs/identification.md names the keys)");
+    identify->add_option("--set", request->settings,
+                         "KEY=VALUE in place of, or besides, the vehicle-data file");
+    identify->add_option("--ramp", request->ramps,
+                         "Drive CSV of a slow ramp steer or slowly increasing steer");
+    identify->add_option("--dynamic", request->dynamics, "Drive CSV of a step steer, J-turn or lane change");
+    identify->add_option("--output", request->output, "Folder for calibration.toml, report.txt and pictures")
+        ->required();
+    identify
+        ->add_option("--until", request->until_s, "Use no sample later than this, in s on the drives' clocks")
+        ->check(number_within(0.0, 1.0e9));
+    identify->add_option("--simulate", request->simulated_vehicle,
+                         "Drive this simulated vehicle (TOML) in place of --ramp and --dynamic");
+    identify->add_flag("--noise", request->sensors.noise, "Simulated sensors with noise");
+    identify
+        ->add_option_function<std::string>(
+            "--seed",
+            [request](const std::string& text) {
+                request->sensors.seed = whole_number(text).value_or(request->sensors.seed);
+            },
+            "Seed of the noise")
+        ->check(check_whole_number)
+        ->type_name("UINT");
+    identify->add_flag("--no-pictures", request->no_pictures, "Leave the pictures out");
+    identify->callback([request] { identify_vehicle(*request); });
+}
+
+}  // namespace sil

@@ -1,0 +1,44 @@
+// Vehicle data: what the data sheet and the workshop say of a vehicle, before any test drive.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace sil {
+
+// SI units. Heights are above the road, the IMU's place is counted from the sprung mass's centre of gravity
+// in body axes (forward, left, up).
+struct VehicleData {
+    std::string name{};
+    double total_mass_kg{};
+    double sprung_mass_kg{};
+    double unsprung_mass_kg{};
+    double sprung_cg_height_m{};
+    double unsprung_cg_height_m{};
+    double track_width_m{};
+    double wheelbase_m{};
+    double imu_x_m{};
+    double imu_y_m{};
+    double imu_z_m{};
+    std::optional<double> steering_ratio{};
+    std::optional<double> understeer_gradient_s2pm{};
+    std::optional<double> roll_centre_height_m{};
+    std::optional<double> roll_inertia_kgm2{};  // of the sprung mass about its centre of gravity
+    std::vector<std::string> assumptions{};     // what was not given and what was taken for it, in words
+};
+
+// what() is "FILE:LINE: what is wrong; what to do", or "--set KEY: ..." for an option.
+class VehicleDataError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+// The keys are those of docs/identification.md. `file` may be empty when `settings` ("KEY=VALUE") give all;
+// a setting replaces the file's value. Throws VehicleDataError.
+VehicleData load_vehicle_data(const std::filesystem::path& file,
+                              const std::vector<std::string>& settings = {});
+
+}  // namespace sil
