@@ -115,10 +115,10 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    // The published estimate drifts to where it fits anything; it must move neither prediction nor observer.
+    // The published estimate drifts to where it fits anything; it must not move the observer.
     const bool sound = (parameters_.estimator == RSI_ESTIMATOR_CONSIDER_KALMAN);
     movement_m_ = sound ? estimate.vertical_movement_m : 0.0F;
-    further_.update(inputs, measured, movement_m_, outputs);
+    further_.update(inputs, measured, outputs);
     warn(measured, overturned, outputs);
 
     compensated_.advance(model_, measured, fixed_, M_add);

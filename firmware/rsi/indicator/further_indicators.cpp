@@ -7,15 +7,19 @@ void FurtherIndicators::init(const Parameters& parameters) {
     extended_.init(parameters);
     load_transfer_.init(parameters);
     steering_demand_.init(parameters);
+    moment_arm_error_.init(parameters);
     predictor_.init(parameters);
     classic_.init(parameters);
 }
 
-void FurtherIndicators::update(const Inputs& inputs, const Measurement& measured, float vertical_movement_m,
-                               Outputs& outputs) {
+void FurtherIndicators::update(const Inputs& inputs, const Measurement& measured, Outputs& outputs) {
     const RollMotion motion = filter_.update(measured);
+    const float suspension_nm =
+        load_transfer_.suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps);
+    const float error = moment_arm_error_.update(motion, suspension_nm, load_transfer_ratio_);
     const Prediction prediction = predictor_.evaluate(motion, steering_demand_.evaluate(inputs, measured),
-                                                      load_transfer_, extended_, vertical_movement_m);
+                                                      load_transfer_, extended_, error);
+    load_transfer_ratio_ = prediction.present.load_transfer_ratio;
     outputs.rsi_extended = prediction.present.rsi_extended;
     outputs.load_transfer_ratio = prediction.present.load_transfer_ratio;
     outputs.predicted_load_transfer_ratio = prediction.worst.load_transfer_ratio;

@@ -9,7 +9,6 @@ void LoadTransfer::init(const Parameters& parameters) {
     const float m_u = parameters.unsprung_mass_kg;
     curve_.init(parameters);
     inertial_weight_ = parameters.load_transfer_inertial_weight;
-    sprung_mass_kg_ = m_s;
     height_moment_kgm_ = m_s * parameters.sprung_cg_height_m + m_u * parameters.unsprung_cg_height_m;
     shift_moment_kgm_ = m_s * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
     roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;

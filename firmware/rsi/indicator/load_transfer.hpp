@@ -26,11 +26,8 @@ class LoadTransfer {
     // The weighted mean of both at present.
     float present_moment_nm(const RollMotion& motion, float suspension_moment_nm) const;
 
-    // How much the moment grows for each m/s^2 of A while the suspension's moment stays: alpha with the roll
-    // centre `vertical_movement_m` higher.
-    float force_arm_kgm(float vertical_movement_m) const {
-        return force_arm_kgm_ + sprung_mass_kg_ * vertical_movement_m;
-    }
+    // alpha: how much the moment grows for each m/s^2 of A while the suspension's moment stays.
+    float force_arm_kgm() const { return force_arm_kgm_; }
 
     // The ratio for such a moment, -20 to 20. `normal_inverse` is 1/N.
     float ratio(float moment_nm, float normal_inverse) const;
@@ -38,7 +35,6 @@ class LoadTransfer {
  private:
     RollStiffnessCurve curve_{};
     float inertial_weight_{0.0F};
-    float sprung_mass_kg_{0.0F};
     float force_arm_kgm_{0.0F};      // alpha
     float height_moment_kgm_{0.0F};  // m_s h + m_u h_u
     float shift_moment_kgm_{0.0F};   // m_s (h - h_frc)

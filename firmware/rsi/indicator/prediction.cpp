@@ -8,6 +8,8 @@ namespace {
 
 constexpr int step_count = 4;
 constexpr float largest_predicted_angle_rad = 0.5F;
+// Of e: it is noisy, and a little too little of it costs less than too much.
+constexpr float trusted_share = 0.75F;
 
 struct ForceBounds {
     float lowest;
@@ -31,7 +33,6 @@ void RollPredictor::init(const Parameters& parameters) {
     half_step_s_ = 0.5F * step_s;
     trend_s_ = parameters.acceleration_trend_s;
     trend_decay_ = decaying_exponential(step_s / trend_s_);
-    sprung_mass_kg_ = parameters.sprung_mass_kg;
     moment_arm_kgm_ =
         parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
     // Positive: K_f >= 1.2 m_s g H is validated.
@@ -44,7 +45,7 @@ void RollPredictor::init(const Parameters& parameters) {
 
 Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce& demand,
                                    const LoadTransfer& load_transfer, const ExtendedIndicator& extended,
-                                   float vertical_movement_m) const {
+                                   float moment_arm_error) const {
     const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
     const ForceBounds bounds = bounds_of(A, demand);
@@ -55,8 +56,9 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce
     float y = motion.roll_rate_radps;
     float a = A;
     float suspension_nm = load_transfer.suspension_moment_nm(x, y);
-    const float force_arm_kgm = load_transfer.force_arm_kgm(vertical_movement_m);
-    const float arm_kgm = moment_arm_kgm_ - sprung_mass_kg_ * vertical_movement_m;
+    const float correction_kgm = trusted_share * moment_arm_error * moment_arm_kgm_;
+    const float force_arm_kgm = load_transfer.force_arm_kgm() + correction_kgm;
+    const float arm_kgm = moment_arm_kgm_ - correction_kgm;
     const float present_nm = load_transfer.present_moment_nm(motion, suspension_nm);
     const float offset_nm = present_nm - force_arm_kgm * a - suspension_nm;
     float lowest_nm = present_nm;

@@ -20,7 +20,7 @@ struct Prediction {
 
 // Carries the roll motion forward in four equal steps, with N held:
 //   a    = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known
-//   Ixx y' = m_s (H - dh) (a + N tan x) - M(x) - c_f y,    x' = y,    from x = phi, y = phi'
+//   Ixx y' = m_s H (1 - 3/4 e) (a + N tan x) - M(x) - c_f y,    x' = y,    from x = phi, y = phi'
 // The load transfer is the present one plus what these change in alpha A + M(phi) + c_f phi'. The motion is
 // found
 // by the trapezoidal rule, linearised with the constant stiffness K_f - m_s H g: stable for any admitted
@@ -29,17 +29,15 @@ class RollPredictor {
  public:
     void init(const Parameters& parameters);
 
-    // `vertical_movement_m`: dh, 0 where no sound estimate is; it makes the roll equation agree with the
-    // measured roll.
+    // `moment_arm_error`: e of MomentArmError.
     Prediction evaluate(const RollMotion& motion, const DemandedForce& demand,
                         const LoadTransfer& load_transfer, const ExtendedIndicator& extended,
-                        float vertical_movement_m) const;
+                        float moment_arm_error) const;
 
  private:
     float half_step_s_{0.0F};
-    float trend_s_{1.0F};      // tau_j
-    float trend_decay_{1.0F};  // exp(-step / tau_j)
-    float sprung_mass_kg_{0.0F};
+    float trend_s_{1.0F};                  // tau_j
+    float trend_decay_{1.0F};              // exp(-step / tau_j)
     float moment_arm_kgm_{0.0F};           // m_s H
     float half_step_stiffness_nms_{0.0F};  // (K_f - m_s H g) step / 2
     float rate_gain_radpnms_{0.0F};        // rate that 1 N m adds in one step

@@ -1,0 +1,35 @@
+// Moment arm error: by which share the calibrated roll equation disagrees with how the vehicle rolls.
+#pragma once
+
+#include "rsi/indicator/load_transfer.hpp"
+#include "rsi/indicator/roll_motion.hpp"
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+// A vehicle that is loaded otherwise, or whose stiffness is not the calibrated one, rolls more or less than
+// m_s H (A + N tan phi) = M(phi) + c_f phi' + Ixx phi'' says. A prediction that starts from the measured roll
+// would take the difference for motion to come. This is a slow Kalman filter on the one share e of
+//   m_s H (A + N tan phi) - M(phi) - c_f phi' - Ixx phi'' = m_s H (A + N tan phi) e
+// whatever its cause. It is no estimate of the roll centre: it is slower than the roll centre moves, and
+// holds the errors of K and h as well. Independent of the estimator in use.
+class MomentArmError {
+ public:
+    void init(const Parameters& parameters);
+    void reset();
+
+    // One sample; `suspension_moment_nm` is M(phi) + c_f phi' of the same motion. Returns e, -0.35 to 0.35.
+    float update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio);
+
+ private:
+    float moment_arm_kgm_{1.0F};  // m_s H
+    float stiffness_nmprad_{0.0F};
+    float damping_nmsprad_{0.0F};
+    float inertia_kgm2_{0.0F};
+    float excitation_nm_{0.0F};
+    float noise_nm2_{1.0F};
+    float error_{0.0F};     // e
+    float variance_{0.0F};  // of e
+};
+
+}  // namespace rsi
