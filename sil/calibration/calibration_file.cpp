@@ -25,7 +25,7 @@ class CalibrationReader {
         const std::string key = text.substr(0U, equals);
         if (equals == std::string::npos || !is_known(key)) {
             throw CalibrationError(fmt::format(
-                "\"{}\" must be KEY=VALUE with a KEY of {}, such as sprung_cg_height_m=1.1", text, path_));
+                "\"{}\" must be KEY=VALUE with a key of {}, such as sprung_cg_height_m=1.1", text, path_));
         }
         const std::string value = text.substr(equals + 1U);
         toml::table changed = parsed_or_quoted(value);

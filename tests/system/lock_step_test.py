@@ -31,6 +31,18 @@ class LockStep(unittest.TestCase):
         self.assertGreater(len(logs[0]), 1000)
         self.assertEqual(logs[0], logs[1])
 
+    def test_a_run_in_process_gives_the_same_log_byte_for_byte(self):
+        with programs.Ecu("--lock-step"):
+            log = self.drive("lock_step")
+        finished = programs.run(
+            "rsi-sil", "run", "j-turn-110", "--in-process", "--parameters", programs.CALIBRATION, "--vehicle",
+            programs.VEHICLE, "--output", self.output("in_process"), "--noise", "--seed", 5, "--duration", "1.5",
+        )
+        self.assertEqual(finished.returncode, 0, finished.stdout + finished.stderr)
+        written = (self.output("in_process") / "candump.log").read_bytes()
+        interface = programs.INTERFACE.encode()
+        self.assertEqual(log.replace(b" " + interface + b" ", b" vcan0 "), written)
+
     def test_another_seed_gives_another_log(self):
         logs = []
         for name, seed in (("first", 5), ("second", 6)):
