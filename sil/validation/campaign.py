@@ -4,7 +4,8 @@ import json
 import re
 import tomllib
 
-PAPERS_INDICES = ("published", "static_stability_factor", "dynamic_stability", "dynamic_stability_late", "energy",
+# The published RSI ends at 1, (25), and has no threshold beyond; the bank-free one is the same without that end.
+PAPERS_INDICES = ("published", "bank_free", "static_stability_factor", "dynamic_stability", "dynamic_stability_late", "energy",
                   "rollover_index", "time_to_rollover")
 DEFAULT_INDEX = "predicted_load_transfer"
 
