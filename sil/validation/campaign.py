@@ -7,33 +7,43 @@ import tomllib
 # The published RSI ends at 1, (25), and has no threshold beyond; the bank-free one is the same without that end.
 PAPERS_INDICES = ("published", "bank_free", "static_stability_factor", "dynamic_stability", "dynamic_stability_late", "energy",
                   "rollover_index", "time_to_rollover")
-DEFAULT_INDEX = "predicted_load_transfer"
 
 
 def _percent(share):
     return f"{100.0 * share['share']:.2f} %"
 
 
-def _goals(report):
-    """What was aimed at, beside what came out."""
-    warning = report["all"]["indices"]["warning"]
+def _goals(group, slack):
+    """What was aimed at, beside what came out. The shares that fail may be `slack` times those of the goal."""
+    warning = group["indices"]["warning"]
     median = warning["lead_time_median_s"]
     goals = [
-        ("two-wheel lift-offs warned before they happen", "at least 99.5 %", warning["warned"]["share"] >= 0.995, _percent(warning["warned"])),
-        ("0.1 s or more before", "at least 98 %", warning["warned_100ms_before"]["share"] >= 0.98, _percent(warning["warned_100ms_before"])),
-        ("median lead", "at least 0.30 s", median >= 0.3, f"{median:.3f} s"),
-        ("alarms in calm runs", "at most 1 %", warning["false_alarms"]["share"] <= 0.01, _percent(warning["false_alarms"])),
+        ("two-wheel lift-offs warned before they happen", "at least", 1.0 - 0.005 * slack, warning["warned"]),
+        ("0.1 s or more before", "at least", 1.0 - 0.02 * slack, warning["warned_100ms_before"]),
+        ("alarms in calm runs", "at most", 0.01 * slack, warning["false_alarms"]),
     ]
-    lines = ["| the default warning | goal | reached | |", "|---|---|---|---|"]
-    lines += [f"| {what} | {goal} | {value} | {'yes' if met else '**no**'} |" for what, goal, met, value in goals]
+    lines = []
+    for what, bound, limit, share in goals:
+        met = share["share"] >= limit if bound == "at least" else share["share"] <= limit
+        lines.append((what, f"{bound} {100 * limit:g} %", _percent(share), met))
+    lines.append(("median lead", f"at least {0.3 / slack:.2f} s", f"{median:.3f} s", median >= 0.3 / slack))
+    return [f"| {group['name']} | {what} | {goal} | {value} | {'yes' if met else '**no**'} |" for what, goal, value, met in lines]
+
+
+def _goal_table(report):
+    every = dict(report["all"], name="all vehicles")
+    lines = ["| the default warning | | goal | reached | |", "|---|---|---|---|---|", *_goals(every, 1.0)]
+    for group in report["vehicles"]:
+        if group["name"] == "van":  # which nobody tuned for
+            lines += _goals(group, 2.0)
     return "\n".join(lines)
 
 
-def _curves(report):
+def _curves(report, chosen):
     """The default index against the best of the paper's, at equal false alarms."""
     indices = report["all"]["indices"]
-    lines = ["| alarms in calm runs, at most | predicted load transfer: warned, 0.1 s before | best of the paper's, 0.1 s before | above it |", "|---|---|---|---|"]
-    for k, own in enumerate(indices[DEFAULT_INDEX]["best"]):
+    lines = [f"| alarms in calm runs, at most | {chosen}: warned, 0.1 s before | best of the paper's, 0.1 s before | above it |", "|---|---|---|---|"]
+    for k, own in enumerate(indices[chosen]["best"]):
         others = [(indices[name]["best"][k], name) for name in PAPERS_INDICES]
         others = [(best["warned_100ms_before"]["share"], name) for best, name in others if best["threshold"] is not None]
         share, name = max(others, default=(0.0, "none"))
@@ -46,7 +56,8 @@ def _curves(report):
     return "\n".join(lines)
 
 
-def section(folder):
+def section(folder, chosen):
+    """`chosen`: the index that drives the default warning."""
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
     settings = tomllib.loads((folder / "campaign.toml").read_text(encoding="utf-8"))
     text = (folder / "report.md").read_text(encoding="utf-8")
@@ -56,8 +67,8 @@ def section(folder):
     return "\n\n".join([
         f"{settings['runs']} runs, seed {settings['seed']}, vehicles {vehicles}; what is drawn and what counts: [campaign.md](campaign.md). Without the firmware's being told: sensor noise, biases, load, friction, "
         "and errors of its CG height (5 %), roll stiffness (10 %) and mass (5 %).",
-        _goals(report),
+        _goal_table(report),
         "![Detection against false alarms](pictures/validation/campaign_detection.png)\n![Lead times](pictures/validation/campaign_leads.png)",
-        _curves(report),
+        _curves(report, chosen),
         text,
     ])

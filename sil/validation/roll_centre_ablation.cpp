@@ -1,5 +1,5 @@
 // Prints what in the paper's Fig. 2 makes the vehicle roll over, as CSV: the manoeuvre of roll-centre-moving
-// with every combination of a roll centre that moves or not and a suspension that is linear or not.
+// with a roll centre that moves or not and a suspension as it is, without its stops, or linear.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 
 #include "sil/manoeuvres/catalogue.hpp"
 #include "sil/manoeuvres/manoeuvre_run.hpp"
@@ -31,17 +32,29 @@ double largest_roll_deg(const sil::VehicleParameters& vehicle, double speed_kmh)
     return largest_rad * sil::degrees_per_radian;
 }
 
+sil::VehicleParameters without_stops(sil::VehicleParameters parameters) {
+    for (sil::SpringDamperParameters* unit :
+         {&parameters.front_suspension.spring_damper, &parameters.rear_suspension.spring_damper}) {
+        unit->jounce_stop_npm2 = 0.0;
+        unit->rebound_stop_npm2 = 0.0;
+    }
+    return parameters;
+}
+
+void print_row(const sil::VehicleParameters& vehicle, double speed_kmh, const char* roll_centre,
+               const char* suspension) {
+    fmt::print("{},{},{},{:.3f}\n", speed_kmh, roll_centre, suspension, largest_roll_deg(vehicle, speed_kmh));
+}
+
 void print(const std::string& vehicle_file) {
-    const sil::VehicleParameters vehicle = sil::load_vehicle(vehicle_file);
+    const sil::VehicleParameters moving = sil::load_vehicle(vehicle_file);
+    const sil::VehicleParameters fixed = sil::with_fixed_roll_centre(moving);
     fmt::print("speed_kmh,roll_centre,suspension,largest_roll_deg\n");
     for (const double speed_kmh : {60.0, 64.0, 68.0, 72.0, 76.0}) {
-        for (const bool fixed : {false, true}) {
-            for (const bool linear : {false, true}) {
-                const sil::VehicleParameters one = fixed ? sil::with_fixed_roll_centre(vehicle) : vehicle;
-                const sil::VehicleParameters both = linear ? sil::with_linear_suspension(one) : one;
-                fmt::print("{},{},{},{:.3f}\n", speed_kmh, fixed ? "fixed" : "moving",
-                           linear ? "linear" : "as it is", largest_roll_deg(both, speed_kmh));
-            }
+        for (const auto& [vehicle, name] : {std::pair{moving, "moving"}, std::pair{fixed, "fixed"}}) {
+            print_row(vehicle, speed_kmh, name, "as it is");
+            print_row(without_stops(vehicle), speed_kmh, name, "without stops");
+            print_row(sil::with_linear_suspension(vehicle), speed_kmh, name, "linear");
         }
     }
 }
