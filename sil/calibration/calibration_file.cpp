@@ -22,7 +22,7 @@ class CalibrationReader {
     // "key=value" in place of what the file says.
     void change(const std::string& text) {
         const std::size_t equals = text.find('=');
-        const std::string key = text.substr(0U, equals);
+        const std::string key = text.substr(0U, text.find_last_not_of(" =", equals) + 1U);
         if (equals == std::string::npos || !is_known(key)) {
             throw CalibrationError(fmt::format(
                 "\"{}\" must be KEY=VALUE with a key of {}, such as sprung_cg_height_m=1.1", text, path_));

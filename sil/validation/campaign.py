@@ -10,7 +10,7 @@ PAPERS_INDICES = ("published", "bank_free", "static_stability_factor", "dynamic_
 
 
 def _percent(share):
-    return f"{100.0 * share['share']:.2f} %"
+    return "-" if share["of"] == 0 else f"{100.0 * share['share']:.2f} %"
 
 
 def _goals(group, slack):
@@ -24,9 +24,11 @@ def _goals(group, slack):
     ]
     lines = []
     for what, bound, limit, share in goals:
-        met = share["share"] >= limit if bound == "at least" else share["share"] <= limit
+        reached = -1.0 if share["of"] == 0 else share["share"]
+        met = reached >= limit if bound == "at least" else 0.0 <= reached <= limit
         lines.append((what, f"{bound} {100 * limit:g} %", _percent(share), met))
-    lines.append(("median lead", f"at least {0.3 / slack:.2f} s", f"{median:.3f} s", median >= 0.3 / slack))
+    lines.append(("median lead", f"at least {0.3 / slack:.2f} s", "-" if median is None else f"{median:.3f} s",
+                  median is not None and median >= 0.3 / slack))
     return [f"| {group['name']} | {what} | {goal} | {value} | {'yes' if met else '**no**'} |" for what, goal, value, met in lines]
 
 
