@@ -58,6 +58,18 @@ def _curves(report, chosen):
     return "\n".join(lines)
 
 
+def _ceiling(report):
+    """What a perfect measure of the present could do."""
+    best = report["all"]["indices"]["true_load_transfer"]["best"]
+    point = next(p for p in best if abs(p["false_alarms_at_most"] - 0.01) < 1e-9)
+    if point["threshold"] is None:
+        return ""
+    return (
+        f"For comparison, the true |LTR| of the four wheel loads, which no vehicle has, at its best threshold with at most 1 % of alarms in calm runs ({point['threshold']:.3f}): "
+        f"{_percent(point['warned'])} warned, {_percent(point['warned_100ms_before'])} 0.1 s before. What a perfect measure of the present cannot see in time, only a look ahead can."
+    )
+
+
 def section(folder, chosen):
     """`chosen`: the index that drives the default warning."""
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
@@ -72,5 +84,6 @@ def section(folder, chosen):
         _goal_table(report),
         "![Detection against false alarms](pictures/validation/campaign_detection.png)\n![Lead times](pictures/validation/campaign_leads.png)",
         _curves(report, chosen),
+        _ceiling(report),
         text,
     ])
