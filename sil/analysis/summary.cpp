@@ -41,6 +41,14 @@ Json acceleration_of(const std::optional<EventMoment>& event) {
     return event ? number(event->lateral_acceleration_mps2 / g_mps2) : Json(nullptr);
 }
 
+Json index_times(const Summary& summary) {
+    Json json = nullptr;
+    for (const auto& [name, time_s] : summary.index_times_s) {
+        json[name] = number(time_s);
+    }
+    return json;
+}
+
 Json json_of(const Versions& versions) {
     Json json;
     json["component"] = versions.component;
@@ -74,6 +82,11 @@ std::string summary_json(const Summary& summary) {
     json["final_roll_deg"] = number(events.final_roll_angle_rad * degrees_per_radian);
     json["frames_sent"] = summary.frames_sent;
     json["frames_received"] = summary.frames_received;
+    json["in_process"] = summary.in_process;
+    json["front_axle_lift_time_s"] = time_of(events.front_axle_lift);
+    json["rear_axle_lift_time_s"] = time_of(events.rear_axle_lift);
+    json["max_load_transfer_ratio"] = number(events.largest_load_transfer_ratio);
+    json["index_times_s"] = index_times(summary);
     // Names come from the command line: bytes that are not UTF-8 are replaced and never thrown about.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

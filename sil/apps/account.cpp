@@ -60,12 +60,11 @@ std::string flags_of(const can_dbc::RolloverStatus& status) {
 
 }  // namespace
 
-void Account::begin(const Manoeuvre& manoeuvre, const RunOptions& options, bool lock_step,
+void Account::begin(const Manoeuvre& manoeuvre, const RunOptions& options, const char* pace,
                     double duration_s) {
     print_line(fmt::format("{}{}: {}", manoeuvre.name, options.mirrored ? " (mirrored)" : "",
                            manoeuvre.description));
-    print_line(fmt::format("{:.0f} s of simulated time, {}", duration_s,
-                           lock_step ? "in lock-step with the ECU" : "in real time"));
+    print_line(fmt::format("{:.0f} s of simulated time, {}", duration_s, pace));
 }
 
 void Account::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& events, double duration_s) {

@@ -8,7 +8,8 @@ namespace sil {
 // Prints a line each half second of simulated time and a line for each event, when it happens.
 class Account {
  public:
-    void begin(const Manoeuvre& manoeuvre, const RunOptions& options, bool lock_step, double duration_s);
+    // `pace` in words: "in real time".
+    void begin(const Manoeuvre& manoeuvre, const RunOptions& options, const char* pace, double duration_s);
     void cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& events, double duration_s);
     void end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent,
              std::uint64_t missed_cycles);

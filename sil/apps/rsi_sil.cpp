@@ -33,10 +33,29 @@ void print_timing(const std::filesystem::path& log) {
     }
 }
 
+void add_pace(CLI::App& run, sil::RunRequest& request) {
+    CLI::Option* interface = run.add_option("--interface", request.interface, "CAN interface");
+    interface->capture_default_str();
+    CLI::Option* lock_step = run.add_flag("--lock-step", request.lock_step,
+                                          "Simulated time: every cycle waits for the ECU's answer");
+    CLI::Option* in_process = run.add_flag(
+        "--in-process", request.in_process,
+        "The firmware in this process, without a CAN interface: the results of a lock-step run and more");
+    in_process->excludes(interface)->excludes(lock_step);
+    CLI::Option* parameters = run.add_option("--parameters", request.calibration_file,
+                                             "Calibration of the firmware in process (TOML)");
+    parameters->needs(in_process);
+    in_process->needs(parameters);
+    run.add_option("--set", request.changes,
+                   "KEY=VALUE in place of what the calibration says; may be repeated")
+        ->allow_extra_args(false)
+        ->needs(parameters);
+}
+
 void add_run(CLI::App& app, sil::RunRequest& request) {
-    CLI::App* run = app.add_subcommand("run", "Drive a manoeuvre against an ECU on a CAN interface");
+    CLI::App* run =
+        app.add_subcommand("run", "Drive a manoeuvre against an ECU, on a CAN interface or in this process");
     run->add_option("manoeuvre", request.manoeuvre, "Its name; `rsi-sil list` names all")->required();
-    run->add_option("--interface", request.interface, "CAN interface")->capture_default_str();
     run->add_option("--vehicle", request.vehicle_file, "Parameter file of the simulated vehicle (TOML)")
         ->required();
     run->add_option("--output", request.output, "Folder for the results")->required();
@@ -57,9 +76,10 @@ void add_run(CLI::App& app, sil::RunRequest& request) {
     run->add_option("--quantisation", request.sensors.quantisation_g,
                     "Least step of the accelerometers, in g (0 to 1)")
         ->check(sil::number_within(0.0, 1.0));
+    run->add_flag("--bank-sensor", request.sensors.bank_sensor, "The vehicle measures the road's bank, too");
     run->add_flag("--noise", request.sensors.noise, "Sensors with noise");
     run->add_flag("--mirror", request.mirrored, "Left and right exchanged");
-    run->add_flag("--lock-step", request.lock_step, "Simulated time: every cycle waits for the ECU's answer");
+    add_pace(*run, request);
     run->callback([&request] { sil::run_manoeuvre(request); });
 }
 

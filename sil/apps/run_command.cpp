@@ -4,137 +4,101 @@
 
 #include <memory>
 #include <optional>
-#include <stdexcept>
+#include <utility>
 
-#include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/analysis/event_marks.hpp"
 #include "sil/analysis/signal_csv.hpp"
 #include "sil/analysis/summary.hpp"
 #include "sil/apps/account.hpp"
+#include "sil/apps/firmware_csv.hpp"
+#include "sil/apps/run_timing.hpp"
+#include "sil/calibration/calibration_file.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
-#include "sil/simulation/lock_step_pace.hpp"
-#include "sil/simulation/mounted_sensors.hpp"
-#include "sil/simulation/real_time_pace.hpp"
-#include "sil/simulation/recorded_bus.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 
 namespace sil {
 namespace {
-
-void open_or_throw(hal::SocketCanBus& socket, const std::string& interface) {
-    hal::SocketCanSettings settings;
-    settings.interface_name = interface.c_str();
-    const hal::OpenResult opened = socket.open(settings);
-    if (!opened) {
-        throw std::runtime_error(opened.message());
-    }
-}
-
-// Whether an ECU sends its status frame within `longest`.
-bool hears_ecu(hal::SocketCanBus& socket, hal::Time longest) {
-    hal::SteadyClock clock;
-    const hal::Time deadline = clock.now() + longest;
-    hal::CanFrame frame;
-    while (clock.now() < deadline && socket.wait_for_frame(deadline - clock.now())) {
-        while (socket.receive(frame) == hal::ReceiveResult::frame) {
-            if (frame.identifier == can_dbc::RolloverStatus::identifier) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-// In real time the ECU sends by itself; without it a run would only show that nobody answers.
-void expect_real_time_ecu(hal::SocketCanBus& socket, const std::string& interface) {
-    if (!hears_ecu(socket, hal::Time::from_milliseconds(5000))) {
-        throw std::runtime_error(
-            fmt::format("no ECU is heard on {0}. Start one first: rsi-ecu --interface {0} --parameters FILE "
-                        "(without --lock-step)",
-                        interface));
-    }
-}
-
-// In lock-step the ECU speaks only when asked. One that sends by itself would be taken for one that answers.
-void expect_silent_ecu(hal::SocketCanBus& socket, const std::string& interface) {
-    if (hears_ecu(socket, hal::Time::from_milliseconds(50))) {
-        throw std::runtime_error(fmt::format(
-            "an ECU is sending on {0} by itself. Start it for lock-step: rsi-ecu --lock-step --interface {0} "
-            "--parameters FILE",
-            interface));
-    }
-}
 
 class Recorder final : public RunObserver {
  public:
     Recorder(const std::filesystem::path& output, double duration_s)
         : csv_{output / "signals.csv"}, duration_s_{duration_s} {}
 
+    // What only a firmware in this process tells. `outputs` must outlive the recorder.
+    void look_inside(const std::filesystem::path& output, const rsi::Outputs& outputs,
+                     const rsi::Parameters& calibration) {
+        firmware_.emplace(output / "firmware.csv", outputs, calibration);
+        lifts_.emplace(output / "lifts.csv");
+    }
+
     Account& account() { return account_; }
 
     void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
                const RunEvents& events) override {
         csv_.write(truth, sample, ecu.output());
+        if (firmware_) {
+            firmware_->write(truth);
+        }
         account_.cycle(truth, ecu, events, duration_s_);
     }
 
-    void close() { csv_.close(); }
+    void step(const Truth& truth) override {
+        if (lifts_) {
+            lifts_->observe(truth);
+        }
+    }
+
+    void close() {
+        csv_.close();
+        if (firmware_) {
+            firmware_->close();
+            lifts_->close();
+        }
+    }
+
+    std::vector<std::pair<std::string, std::optional<double>>> index_times_s() const {
+        return firmware_ ? firmware_->index_times_s()
+                         : std::vector<std::pair<std::string, std::optional<double>>>{};
+    }
 
  private:
     SignalCsvWriter csv_;
+    std::optional<FirmwareCsvWriter> firmware_{};
+    std::optional<LiftCsvWriter> lifts_{};
     Account account_;
     double duration_s_;
-};
-
-// The bus and the pace of a run, real-time or lock-step.
-class Timing {
- public:
-    Timing(const RunRequest& request, hal::SocketCanBus& socket) : socket_{socket} {
-        if (request.lock_step) {
-            expect_silent_ecu(socket, request.interface);
-            log_.emplace(request.output / "candump.log");
-            recorded_.emplace(socket, simulated_time_, *log_, request.interface);
-            lock_step_.emplace(socket, *recorded_, simulated_time_);
-        } else {
-            expect_real_time_ecu(socket, request.interface);
-            real_time_.emplace();
-        }
-    }
-
-    hal::CanBus& bus() { return recorded_ ? static_cast<hal::CanBus&>(*recorded_) : socket_; }
-    Pace& pace() { return lock_step_ ? static_cast<Pace&>(*lock_step_) : *real_time_; }
-
-    std::uint64_t missed_cycles() const { return real_time_ ? real_time_->missed_cycles() : 0U; }
-
-    void close() {
-        if (log_) {
-            log_->close();
-        }
-    }
-
- private:
-    hal::SocketCanBus& socket_;
-    hal::VirtualClock simulated_time_;
-    std::optional<CandumpLogWriter> log_;
-    std::optional<RecordedBus> recorded_;
-    std::optional<LockStepPace> lock_step_;
-    std::optional<RealTimePace> real_time_;
 };
 
 // Results of an earlier run must not be taken for those of this one, should it fail.
 void prepare_folder(const std::filesystem::path& output) {
     std::filesystem::create_directories(output);
-    for (const char* name : {"signals.csv", "events.gp", "summary.json"}) {
+    for (const char* name : {"signals.csv", "events.gp", "summary.json", "firmware.csv", "lifts.csv"}) {
         std::filesystem::remove(output / name);
     }
 }
 
-void write_results(const RunRequest& request, const ManoeuvreRun& plant, const ClosedLoop& loop) {
+std::unique_ptr<RunTiming> timing_of(const RunRequest& request, const rsi::Parameters& calibration) {
+    const std::filesystem::path log = request.output / "candump.log";
+    if (request.in_process) {
+        return in_process(calibration, request.interface, log);
+    }
+    return request.lock_step ? lock_step(request.interface, log) : real_time(request.interface);
+}
+
+const char* pace_name(const RunRequest& request) {
+    return request.in_process ? "in one process with the ECU"
+                              : (request.lock_step ? "in lock-step with the ECU" : "in real time");
+}
+
+void write_results(const RunRequest& request, const ManoeuvreRun& plant, const ClosedLoop& loop,
+                   const Recorder& recorder) {
     Summary summary;
     summary.manoeuvre = request.manoeuvre;
     summary.vehicle = plant.vehicle().parameters().name;
     summary.mirrored = request.mirrored;
     summary.lock_step = request.lock_step;
+    summary.in_process = request.in_process;
+    summary.index_times_s = recorder.index_times_s();
     summary.seed = request.sensors.seed;
     summary.noise = request.sensors.noise ? "noise" : "none";
     summary.bias_g = request.sensors.bias_g;
@@ -160,19 +124,26 @@ void run_manoeuvre(const RunRequest& request) {
     ManoeuvreRun plant{parameters, manoeuvre, options};
     SensorSuite sensors{mounted_sensors(parameters, request.sensors)};
 
-    hal::SocketCanBus socket;
-    open_or_throw(socket, request.interface);
+    rsi::Parameters calibration{};
+    if (request.in_process) {
+        calibration = load_calibration(request.calibration_file, request.changes);
+    } else {
+        check_interface(request.interface);
+    }
     prepare_folder(request.output);
-    Timing timing{request, socket};
+    const std::unique_ptr<RunTiming> timing = timing_of(request, calibration);
     Recorder recorder{request.output, plant.duration_s()};
-    ClosedLoop loop{plant, sensors, timing.bus(), timing.pace()};
+    if (timing->outputs() != nullptr) {
+        recorder.look_inside(request.output, *timing->outputs(), calibration);
+    }
+    ClosedLoop loop{plant, sensors, timing->bus(), timing->pace()};
 
-    recorder.account().begin(manoeuvre, options, request.lock_step, plant.duration_s());
+    recorder.account().begin(manoeuvre, options, pace_name(request), plant.duration_s());
     loop.run(recorder);
-    recorder.account().end(loop.events(), loop.ecu(), loop.frames_sent(), timing.missed_cycles());
+    recorder.account().end(loop.events(), loop.ecu(), loop.frames_sent(), timing->missed_cycles());
     recorder.close();
-    timing.close();
-    write_results(request, plant, loop);
+    timing->close();
+    write_results(request, plant, loop, recorder);
 }
 
 }  // namespace sil

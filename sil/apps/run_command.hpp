@@ -1,8 +1,9 @@
-// Run command: one manoeuvre on a CAN interface, from request to results.
+// Run command: one manoeuvre on a CAN interface or in this process, from request to results.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sil/simulation/mounted_sensors.hpp"
 
@@ -17,10 +18,14 @@ struct RunRequest {
     double duration_s{0.0};  // 0: the manoeuvre's own
     bool mirrored{false};
     bool lock_step{false};
+    bool in_process{false};
+    std::string calibration_file{};      // in process only
+    std::vector<std::string> changes{};  // of the calibration, as "key=value"
 };
 
-// Drives the manoeuvre, prints the account and writes signals.csv, events.gp, summary.json and, in lock-step,
-// candump.log into the output folder. Throws std::exception with a message for the user.
+// Drives the manoeuvre, prints the account and writes signals.csv, events.gp and summary.json into the
+// output folder, in lock-step candump.log too, and in process also firmware.csv and lifts.csv. Throws
+// std::exception with a message for the user.
 void run_manoeuvre(const RunRequest& request);
 
 }  // namespace sil

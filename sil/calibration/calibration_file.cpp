@@ -5,7 +5,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "rsi/parameters.hpp"
@@ -16,6 +18,23 @@ namespace {
 class CalibrationReader {
  public:
     explicit CalibrationReader(const std::string& path) : path_{path}, table_{parse(path)} {}
+
+    // "key=value" in place of what the file says.
+    void change(const std::string& text) {
+        const std::size_t equals = text.find('=');
+        const std::string key = text.substr(0U, text.find_last_not_of(" =", equals) + 1U);
+        if (equals == std::string::npos || !is_known(key)) {
+            throw CalibrationError(fmt::format(
+                "\"{}\" must be KEY=VALUE with a key of {}, such as sprung_cg_height_m=1.1", text, path_));
+        }
+        const std::string value = text.substr(equals + 1U);
+        toml::table changed = parsed_or_quoted(value);
+        if (changed.size() != 1U) {
+            throw CalibrationError(fmt::format("\"{}\": {} is not one value", text, value));
+        }
+        table_.insert_or_assign(key, std::move(*changed.get("value")));
+        changes_[key] = text;
+    }
 
     rsi::Parameters read() const {
         refuse_unknown_keys();
@@ -43,6 +62,14 @@ class CalibrationReader {
                                 path, error.description()));
             }
             throw CalibrationError(fmt::format("{}:{}: not valid TOML: {}", path, line, error.description()));
+        }
+    }
+
+    static toml::table parsed_or_quoted(const std::string& value) {
+        try {
+            return toml::parse("value = " + value);
+        } catch (const toml::parse_error&) {
+            return toml::table{{"value", value}};
         }
     }
 
@@ -108,17 +135,30 @@ class CalibrationReader {
     }
 
     [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& what) const {
+        const auto changed = changes_.find(std::string{key});
+        if (changed != changes_.end()) {
+            throw CalibrationError(fmt::format("{}: \"{}\" {}", changed->second, key, what));
+        }
         throw CalibrationError(fmt::format("{}:{}: \"{}\" {}", path_, node.source().begin.line, key, what));
     }
 
     std::string path_;
     toml::table table_;
+    std::map<std::string, std::string> changes_{};  // as they were asked for, by key
 };
 
 }  // namespace
 
 rsi::Parameters load_calibration(const std::string& path) {
-    return CalibrationReader(path).read();
+    return load_calibration(path, {});
+}
+
+rsi::Parameters load_calibration(const std::string& path, const std::vector<std::string>& changes) {
+    CalibrationReader reader{path};
+    for (const std::string& change : changes) {
+        reader.change(change);
+    }
+    return reader.read();
 }
 
 }  // namespace sil

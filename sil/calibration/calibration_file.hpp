@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "rsi/types.hpp"
 
@@ -17,5 +18,8 @@ class CalibrationError : public std::runtime_error {
 // CalibrationError for a file that cannot be read or parsed, an unknown, missing or mistyped key, and a value
 // that the component refuses.
 rsi::Parameters load_calibration(const std::string& path);
+
+// The same with values changed, each as "key=value", the value as in the file; a word needs no quotes.
+rsi::Parameters load_calibration(const std::string& path, const std::vector<std::string>& changes);
 
 }  // namespace sil

@@ -35,7 +35,8 @@ Json as_of_a_run(const ReplaySource& source, const DriveReplay& replay) {
     summary.frames_sent = replay.frames_sent;
     summary.frames_received = replay.frames_received;
     Json json = Json::parse(summary_json(summary));
-    for (const char* unknown : {"mirrored", "lock_step", "seed", "noise", "bias_g", "quantisation_g"}) {
+    for (const char* unknown :
+         {"mirrored", "lock_step", "in_process", "seed", "noise", "bias_g", "quantisation_g"}) {
         json[unknown] = nullptr;
     }
     return json;

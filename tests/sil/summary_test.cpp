@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,9 @@ sil::Summary rollover_run() {
     summary.events.warning = sil::EventMoment{1.69, -0.72 * g_mps2, -0.09};
     summary.events.warning_side = sil::WarningSide::left;
     summary.events.one_wheel_lift = sil::EventMoment{1.82, 0.0, 0.0};
+    summary.events.front_axle_lift = sil::EventMoment{1.95, 0.0, 0.0};
+    summary.events.rear_axle_lift = sil::EventMoment{1.82, 0.0, 0.0};
+    summary.events.largest_load_transfer_ratio = 0.999;
     summary.events.two_wheel_lift = sil::EventMoment{2.052, 0.0, 0.0};
     summary.events.ssf_crossing = sil::EventMoment{2.095, 0.0, 0.0};
     summary.events.largest_lateral_acceleration_mps2 = 0.85 * g_mps2;
@@ -71,7 +75,12 @@ TEST(SummaryJson, HasExactlyTheAgreedKeysInTheirOrder) {
                                             "max_ay_g",
                                             "final_roll_deg",
                                             "frames_sent",
-                                            "frames_received"};
+                                            "frames_received",
+                                            "in_process",
+                                            "front_axle_lift_time_s",
+                                            "rear_axle_lift_time_s",
+                                            "max_load_transfer_ratio",
+                                            "index_times_s"};
     for (const sil::Summary& summary : {quiet_run(), rollover_run()}) {
         std::vector<std::string> keys;
         const ordered_json json = ordered_json::parse(sil::summary_json(summary));
@@ -85,7 +94,8 @@ TEST(SummaryJson, HasExactlyTheAgreedKeysInTheirOrder) {
 TEST(SummaryJson, WhatDidNotHappenIsNull) {
     const ordered_json json = ordered_json::parse(sil::summary_json(quiet_run()));
     for (const char* key : {"warning_time_s", "warning_side", "warning_ay_g", "one_wheel_lift_time_s",
-                            "two_wheel_lift_time_s", "ssf_crossing_time_s", "lead_time_s"}) {
+                            "two_wheel_lift_time_s", "ssf_crossing_time_s", "lead_time_s",
+                            "front_axle_lift_time_s", "rear_axle_lift_time_s", "index_times_s"}) {
         EXPECT_TRUE(json.at(key).is_null()) << key;
     }
     EXPECT_EQ(json.at("max_ay_g"), 0.0);
@@ -107,6 +117,21 @@ TEST(SummaryJson, GivesTheEventsInTheirUnits) {
     EXPECT_EQ(json.at("frames_received"), 600);
     EXPECT_EQ(json.at("mirrored"), true);
     EXPECT_EQ(json.at("lock_step"), true);
+    EXPECT_EQ(json.at("in_process"), false);
+    EXPECT_EQ(json.at("front_axle_lift_time_s"), 1.95);
+    EXPECT_EQ(json.at("rear_axle_lift_time_s"), 1.82);
+    EXPECT_EQ(json.at("max_load_transfer_ratio"), 0.999);
+}
+
+TEST(SummaryJson, GivesEveryIndexItsTimeOrNull) {
+    sil::Summary summary = rollover_run();
+    summary.in_process = true;
+    summary.index_times_s = {{"published", 1.69}, {"energy", std::nullopt}};
+    const ordered_json json = ordered_json::parse(sil::summary_json(summary));
+    EXPECT_EQ(json.at("in_process"), true);
+    EXPECT_EQ(json.at("index_times_s").size(), 2U);
+    EXPECT_EQ(json.at("index_times_s").at("published"), 1.69);
+    EXPECT_TRUE(json.at("index_times_s").at("energy").is_null());
 }
 
 TEST(SummaryJson, TellsSeedAndVersions) {

@@ -197,5 +197,44 @@ TEST_F(CalibrationFile, AChoiceThatDoesNotExistIsRefusedWithThoseThatDo) {
     expect_refused_at_its_line("estimator", "estimator = \"kalman\"", "must be one of \"published\"");
 }
 
+TEST_F(CalibrationFile, AChangeStandsInPlaceOfWhatTheFileSays) {
+    const std::string path = (calibrations / "large_suv.toml").string();
+    const rsi::Parameters as_it_is = sil::load_calibration(path);
+    const rsi::Parameters changed =
+        sil::load_calibration(path, {"sprung_cg_height_m=1.1", "warning_indicator=bank_free",
+                                     "estimator = \"published\"", "imu_y_m= -1"});
+    EXPECT_EQ(changed.sprung_cg_height_m, 1.1F);
+    EXPECT_EQ(changed.warning_indicator, RSI_INDICATOR_BANK_FREE);
+    EXPECT_EQ(changed.estimator, RSI_ESTIMATOR_PUBLISHED);
+    EXPECT_EQ(changed.imu_y_m, -1.0F);
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        const std::string name = field.name;
+        if (name != "sprung_cg_height_m" && name != "imu_y_m") {
+            EXPECT_EQ(changed.*field.member, as_it_is.*field.member) << name;
+        }
+    }
+}
+
+TEST_F(CalibrationFile, AChangeThatCannotBeIsRefusedByItsOwnText) {
+    const std::string path = (calibrations / "large_suv.toml").string();
+    const auto said = [&path](const std::string& change) -> std::string {
+        try {
+            sil::load_calibration(path, {change});
+        } catch (const sil::CalibrationError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    for (const char* change : {"", "=", "1.1", "=1.1", "no_such_key=1", "sprung_cg_height_m"}) {
+        EXPECT_THAT(said(change), HasSubstr("must be KEY=VALUE with a key of " + path)) << change;
+    }
+    EXPECT_THAT(said("imu_y_m=1\nimu_x_m=2"), HasSubstr("is not one value"));
+    EXPECT_THAT(said("imu_y_m=high"), HasSubstr("imu_y_m=high: \"imu_y_m\" must be a number"));
+    EXPECT_THAT(said("imu_y_m="), HasSubstr("imu_y_m=: \"imu_y_m\" must be a number"));
+    EXPECT_THAT(said("track_width_m=0.5"),
+                HasSubstr("track_width_m=0.5: \"track_width_m\" is below its range"));
+    EXPECT_THAT(said("estimator=best"), HasSubstr("estimator=best: \"estimator\" must be one of"));
+}
+
 }  // namespace
 }  // namespace testing_simulation

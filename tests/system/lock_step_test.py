@@ -31,6 +31,18 @@ class LockStep(unittest.TestCase):
         self.assertGreater(len(logs[0]), 1000)
         self.assertEqual(logs[0], logs[1])
 
+    def test_a_run_in_process_gives_the_same_log_byte_for_byte(self):
+        with programs.Ecu("--lock-step"):
+            log = self.drive("lock_step")
+        finished = programs.run(
+            "rsi-sil", "run", "j-turn-110", "--in-process", "--parameters", programs.CALIBRATION, "--vehicle",
+            programs.VEHICLE, "--output", self.output("in_process"), "--noise", "--seed", 5, "--duration", "1.5",
+        )
+        self.assertEqual(finished.returncode, 0, finished.stdout + finished.stderr)
+        written = (self.output("in_process") / "candump.log").read_bytes()
+        interface = programs.INTERFACE.encode()
+        self.assertEqual(log.replace(b" " + interface + b" ", b" vcan0 "), written)
+
     def test_another_seed_gives_another_log(self):
         logs = []
         for name, seed in (("first", 5), ("second", 6)):
@@ -49,7 +61,7 @@ class LockStep(unittest.TestCase):
             self.drive("run")
             heard = candump.stop()
         logged = programs.read_log(self.output("run") / "candump.log")
-        self.assertEqual(len(logged), 151 * 7)
+        self.assertEqual(len(logged), 151 * 10)
         self.assertEqual([frame[1:] for frame in logged], [frame[1:] for frame in heard])
 
     def test_the_log_bears_simulated_time(self):
@@ -57,7 +69,7 @@ class LockStep(unittest.TestCase):
             self.drive("run")
         logged = programs.read_log(self.output("run") / "candump.log")
         for index, (seconds, _, _) in enumerate(logged):
-            self.assertAlmostEqual(seconds, (index // 7) * 0.01, places=6)
+            self.assertAlmostEqual(seconds, (index // 10) * 0.01, places=6)
 
     def test_a_run_without_an_ecu_says_so(self):
         finished = programs.run_manoeuvre("straight", self.output("run"), "--lock-step", "--duration", "1")

@@ -1,0 +1,165 @@
+#include "sil/apps/run_timing.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+
+#include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/simulation/in_process_ecu.hpp"
+#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/lock_step_pace.hpp"
+#include "sil/simulation/real_time_pace.hpp"
+#include "sil/simulation/recorded_bus.hpp"
+
+namespace sil {
+namespace {
+
+void open_or_throw(hal::SocketCanBus& socket, const std::string& interface) {
+    hal::SocketCanSettings settings;
+    settings.interface_name = interface.c_str();
+    const hal::OpenResult opened = socket.open(settings);
+    if (!opened) {
+        throw std::runtime_error(opened.message());
+    }
+}
+
+// Whether an ECU sends its status frame within `longest`.
+bool hears_ecu(hal::SocketCanBus& socket, hal::Time longest) {
+    hal::SteadyClock clock;
+    const hal::Time deadline = clock.now() + longest;
+    hal::CanFrame frame;
+    while (clock.now() < deadline && socket.wait_for_frame(deadline - clock.now())) {
+        while (socket.receive(frame) == hal::ReceiveResult::frame) {
+            if (frame.identifier == can_dbc::RolloverStatus::identifier) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// In real time the ECU sends by itself; without it a run would only show that nobody answers.
+class RealTime final : public RunTiming {
+ public:
+    explicit RealTime(const std::string& interface) {
+        open_or_throw(socket_, interface);
+        if (!hears_ecu(socket_, hal::Time::from_milliseconds(5000))) {
+            throw std::runtime_error(
+                fmt::format("no ECU is heard on {0}. Start one first: rsi-ecu --interface {0} --parameters "
+                            "FILE (without --lock-step)",
+                            interface));
+        }
+        pace_.emplace();
+    }
+
+    hal::CanBus& bus() override { return socket_; }
+    Pace& pace() override { return *pace_; }
+    std::uint64_t missed_cycles() const override { return pace_->missed_cycles(); }
+
+ private:
+    hal::SocketCanBus socket_;
+    std::optional<RealTimePace> pace_;  // its clock starts when the ECU is there
+};
+
+// In lock-step the ECU speaks only when asked. One that sends by itself would be taken for one that answers.
+class LockStep final : public RunTiming {
+ public:
+    LockStep(const std::string& interface, const std::filesystem::path& log)
+        : opened_{socket_, interface}, log_{log}, recorded_{socket_, simulated_time_, log_, interface} {}
+
+    hal::CanBus& bus() override { return recorded_; }
+    Pace& pace() override { return pace_; }
+    void close() override { log_.close(); }
+
+ private:
+    struct Opened {
+        Opened(hal::SocketCanBus& socket, const std::string& interface) {
+            open_or_throw(socket, interface);
+            if (hears_ecu(socket, hal::Time::from_milliseconds(50))) {
+                throw std::runtime_error(fmt::format(
+                    "an ECU is sending on {0} by itself. Start it for lock-step: rsi-ecu --lock-step "
+                    "--interface {0} --parameters FILE",
+                    interface));
+            }
+        }
+    };
+
+    hal::SocketCanBus socket_;
+    Opened opened_;  // before there is a log
+    hal::VirtualClock simulated_time_;
+    CandumpLogWriter log_;
+    RecordedBus recorded_;
+    LockStepPace pace_{socket_, recorded_, simulated_time_};
+};
+
+// Takes everything and gives nothing.
+class NoBus final : public hal::CanBus {
+ public:
+    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
+    hal::SendResult send(const hal::CanFrame&) noexcept override { return hal::SendResult::sent; }
+    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
+    hal::BusStatistics statistics() const noexcept override { return {}; }
+};
+
+// Writes into the log the frame with which a cycle begins in lock-step; here nobody needs it.
+class LoggedPace final : public Pace {
+ public:
+    LoggedPace(InProcessEcu& ecu, CandumpLogWriter& log, const std::string& interface)
+        : pace_{ecu}, log_only_{nobody_, ecu.clock(), log, interface} {}
+
+    void begin_cycle(std::uint32_t number) override { pace_.begin_cycle(number); }
+    void frames_sent(std::uint32_t number) override { SensorFrames::send_sync(log_only_, number); }
+    bool wait_for_answer(std::uint32_t number) override { return pace_.wait_for_answer(number); }
+    double reception_time_s(const hal::CanFrame& frame) const override {
+        return pace_.reception_time_s(frame);
+    }
+
+ private:
+    InProcessPace pace_;
+    NoBus nobody_;
+    RecordedBus log_only_;
+};
+
+class InProcess final : public RunTiming {
+ public:
+    InProcess(const rsi::Parameters& calibration, const std::string& interface,
+              const std::filesystem::path& log)
+        : firmware_{calibration},
+          log_{log},
+          recorded_{firmware_.world_bus(), firmware_.clock(), log_, interface},
+          pace_{firmware_, log_, interface} {}
+
+    hal::CanBus& bus() override { return recorded_; }
+    Pace& pace() override { return pace_; }
+    const rsi::Outputs* outputs() const override { return &firmware_.ecu().outputs(); }
+    void close() override { log_.close(); }
+
+ private:
+    InProcessEcu firmware_;
+    CandumpLogWriter log_;
+    RecordedBus recorded_;
+    LoggedPace pace_;
+};
+
+}  // namespace
+
+void check_interface(const std::string& interface) {
+    hal::SocketCanBus socket;
+    open_or_throw(socket, interface);
+}
+
+std::unique_ptr<RunTiming> real_time(const std::string& interface) {
+    return std::make_unique<RealTime>(interface);
+}
+
+std::unique_ptr<RunTiming> lock_step(const std::string& interface, const std::filesystem::path& log) {
+    return std::make_unique<LockStep>(interface, log);
+}
+
+std::unique_ptr<RunTiming> in_process(const rsi::Parameters& calibration, const std::string& interface,
+                                      const std::filesystem::path& log) {
+    return std::make_unique<InProcess>(calibration, interface, log);
+}
+
+}  // namespace sil
