@@ -46,7 +46,8 @@ RunResult drive(const RunSettings& settings) {
         manoeuvre.adapt_vehicle ? manoeuvre.adapt_vehicle(vehicle) : vehicle;
     sil::InProcessRun run{
         vehicle, manoeuvre, options, sil::mounted_sensors(adapted, {settings.noise, settings.seed}),
-        sil::load_calibration(source + "/firmware/calibrations/" + settings.vehicle + ".toml")};
+        sil::load_calibration(source + "/firmware/calibrations/" + settings.vehicle + ".toml",
+                              settings.changes)};
     RunResult result;
     Collector collector{result};
     result.events = run.run(collector);

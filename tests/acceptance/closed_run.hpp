@@ -15,8 +15,14 @@ struct RunSettings {
     bool mirrored{false};
     bool noise{false};
     std::uint64_t seed{1U};
-    double duration_s{0.0};  // 0: the manoeuvre's own
+    double duration_s{0.0};              // 0: the manoeuvre's own
+    std::vector<std::string> changes{};  // of the calibration, "key=value"
 };
+
+// The paper's estimator and indicator, warning at its threshold.
+inline const std::vector<std::string> as_published{"estimator=published", "warning_indicator=published",
+                                                   "warning_on=1.0",      "warning_off=0.9",
+                                                   "advisory_on=0.9",     "advisory_off=0.8"};
 
 struct RunResult {
     sil::RunEvents events;

@@ -39,10 +39,21 @@ TEST(JTurn110, IsWarnedOfBeforeTwoWheelsLift) {
     ASSERT_TRUE(run.events.two_wheel_lift.has_value());
     ASSERT_TRUE(run.events.ssf_crossing.has_value());
     EXPECT_EQ(run.events.warning_side, sil::WarningSide::right);
+    EXPECT_GE(run.events.lead_time_s().value(), 0.3);
+    EXPECT_GT(run.events.ssf_crossing->time_s, run.events.two_wheel_lift->time_s);
+}
+
+// The paper warns at 0.72 g.
+TEST(JTurn110, IsWarnedOfByThePublishedIndicatorWhereThePaperSays) {
+    RunSettings settings{"j-turn-110"};
+    settings.changes = as_published;
+    const RunResult run = drive(settings);
+
+    ASSERT_TRUE(run.events.warning.has_value());
+    ASSERT_TRUE(run.events.two_wheel_lift.has_value());
     EXPECT_GE(run.events.warning->lateral_acceleration_mps2, 0.70 * g_mps2);
     EXPECT_LE(run.events.warning->lateral_acceleration_mps2, 0.75 * g_mps2);
     EXPECT_GE(run.events.lead_time_s().value(), 0.2);
-    EXPECT_GT(run.events.ssf_crossing->time_s, run.events.two_wheel_lift->time_s);
 }
 
 TEST(JTurn110, KeepsWarningUntilTheVehicleLiesOnItsSide) {

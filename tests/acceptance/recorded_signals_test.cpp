@@ -76,7 +76,7 @@ TEST_P(RecordedSignals, GiveTheEstimatesOfTheDoublePrecisionReference) {
         frames.push_back(logged.frame);
     }
     const rsi::Parameters parameters =
-        sil::load_calibration(source + "/firmware/calibrations/large_suv.toml");
+        sil::load_calibration(source + "/firmware/calibrations/large_suv.toml", {"estimator=published"});
     hal::VirtualClock clock;
     hal::MemoryBus<2U> bus{clock};
     hal::FrameReplay player{frames.data(), frames.size(), clock, bus.endpoint(0U)};

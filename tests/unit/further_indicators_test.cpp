@@ -26,7 +26,7 @@ double wide(float value) {
 class ReferenceMotion {
  public:
     explicit ReferenceMotion(double lag_s)
-        : A{lag_s}, N{lag_s}, a_y{lag_s}, phi{lag_s}, p{lag_s}, trend_{lag_s} {}
+        : A{lag_s}, N{lag_s}, a_y{lag_s}, phi{lag_s}, p{lag_s}, trend_{lag_s}, roll_{lag_s} {}
 
     void next(const rsi_inputs& inputs, const rsi_outputs& outputs) {
         A.next(wide(outputs.road_parallel_force_mps2));
@@ -35,13 +35,16 @@ class ReferenceMotion {
         phi.next(wide(inputs.roll_angle_rad));
         p.next(wide(inputs.roll_rate_radps));
         force_rate = trend_.next(A.derivative());
+        roll_acceleration = roll_.next(p.derivative());
     }
 
     rsi_test::ReferenceSignal A, N, a_y, phi, p;
     double force_rate{0.0};
+    double roll_acceleration{0.0};
 
  private:
     rsi_test::ReferenceLag trend_;
+    rsi_test::ReferenceLag roll_;
 };
 
 // What the steering asks for along the road; empty where it is not known.
@@ -80,8 +83,8 @@ void expect_state_indices(const rsi_parameters& p, const rsi_outputs& out, const
     const double N = motion.N.value();
     const double x = motion.phi.value();
     EXPECT_NEAR(wide(out.load_transfer_ratio), v.load_transfer(A, N, x, motion.p.value()), 2e-4);
-    EXPECT_NEAR(wide(out.rsi_extended), v.extended(A, N, x, motion.p.derivative()), 2e-3);
-    const double share = v.Ixx * motion.p.derivative() / (v.m_s * gravity_mps2 * v.h);
+    EXPECT_NEAR(wide(out.rsi_extended), v.extended(A, N, x, motion.roll_acceleration), 2e-3);
+    const double share = v.Ixx * motion.roll_acceleration / (v.m_s * gravity_mps2 * v.h);
     EXPECT_NEAR(wide(out.dynamic_stability_index), motion.a_y.value() / gravity_mps2 - share, 1e-4);
     EXPECT_NEAR(wide(out.dynamic_stability_index_late), motion.a_y.value() / gravity_mps2 + share, 1e-4);
 }
@@ -106,7 +109,8 @@ TEST(FurtherIndicators, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
     ASSERT_EQ(component.init(parameters).accepted, 1);
     rsi_test::RandomManoeuvre drive(parameters, 83U, false);
     ReferenceMotion motion{wide(parameters.prediction_filter_lag_s)};
-    const ReferenceVehicle vehicle{parameters};
+    ReferenceVehicle vehicle{parameters};
+    rsi_test::ReferenceMomentArmError moment_arm_error;
     int ahead = 0;
     int with_demand = 0;
     for (int k = 0; k < 20000 && !HasFailure(); ++k) {
@@ -116,6 +120,9 @@ TEST(FurtherIndicators, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
         motion.next(inputs, out);
         expect_state_indices(parameters, out, motion);
         expect_classic_indices(parameters, inputs, out);
+        vehicle.e = moment_arm_error.next(vehicle, motion.A.value(), motion.N.value(), motion.phi.value(),
+                                          motion.p.value(), motion.roll_acceleration,
+                                          wide(parameters.excitation_threshold_mps2));
         const rsi_test::ReferenceForce force = force_ahead(parameters, inputs, out, motion);
         const double L =
             rsi_test::predicted_load_transfer(vehicle, force, motion.N.value(), motion.phi.value(),

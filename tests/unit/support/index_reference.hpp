@@ -41,7 +41,12 @@ struct ReferenceVehicle {
 
     // Ixx x'' of the roll equation.
     double roll_acceleration(double a, double N, double x, double y) const {
-        return (m_s * (h - h_rc) * (a + N * std::tan(x)) - roll_moment(x) - c * y) / Ixx;
+        return (m_s * (h - h_rc) * (1.0 - 0.75 * e) * (a + N * std::tan(x)) - roll_moment(x) - c * y) / Ixx;
+    }
+
+    // load_transfer() with the force's arm that goes with the moment arm error.
+    double corrected_load_transfer(double A, double N, double x, double y) const {
+        return load_transfer(A, N, x, y) + 2.0 / ((m_s + m_u) * N * c_w) * 0.75 * e * m_s * (h - h_rc) * A;
     }
 
     // phi_c of (28), by bisection.
@@ -64,6 +69,37 @@ struct ReferenceVehicle {
     }
 
     double m_s, m_u, h, h_u, h_rc, c_w, Ixx, c, K, K_2, K_4;
+    double e{0.0};  // moment arm error
+};
+
+// The Kalman filter on the moment arm error, in double.
+class ReferenceMomentArmError {
+ public:
+    double next(const ReferenceVehicle& v, double A, double N, double x, double y, double roll_acceleration,
+                double excitation_mps2) {
+        const double lifted = lifted_;
+        lifted_ = std::fabs(v.load_transfer(A, N, x, y));
+        e_ *= 1.0 - 0.006;
+        P_ += 0.012 * (0.0036 - P_);
+        const double arm = v.m_s * (v.h - v.h_rc) * (A + N * std::tan(x));
+        if (std::fabs(arm) > v.m_s * (v.h - v.h_rc) * excitation_mps2 && lifted < 1.0) {
+            const double inertia = v.Ixx * roll_acceleration;
+            const double noise = std::pow(0.06 * gravity_mps2 * v.m_s * (v.h - v.h_rc), 2) +
+                                 std::pow(0.07 * v.K * x, 2) + std::pow(0.25 * v.c * y, 2) +
+                                 std::pow(0.3 * inertia, 2);
+            const double gain = P_ * arm / (arm * arm * P_ + 3.0 * noise);
+            e_ += gain * (arm - v.roll_moment(x) - v.c * y - inertia - arm * e_);
+            P_ -= gain * arm * P_;
+        }
+        e_ = std::clamp(e_, -0.35, 0.35);
+        P_ = std::clamp(P_, 0.0, 0.0036);
+        return e_;
+    }
+
+ private:
+    double e_{0.0};
+    double P_{0.0036};
+    double lifted_{0.0};
 };
 
 // How A goes on from an instant: towards A + A' tau_j, bounded where the steering's demand is known.
@@ -85,6 +121,7 @@ struct ReferenceForce {
 inline double predicted_load_transfer(const ReferenceVehicle& v, const ReferenceForce& force, double N,
                                       double x, double y, double horizon_s, int steps = 200) {
     double worst = v.load_transfer(force.A, N, x, y);
+    const double offset = worst - v.corrected_load_transfer(force.A, N, x, y);
     const double dt = horizon_s / (4.0 * steps);
     for (int k = 0; k < 4 * steps; ++k) {
         const double t = k * dt;
@@ -102,7 +139,7 @@ inline double predicted_load_transfer(const ReferenceVehicle& v, const Reference
         x += dt * (x1 + 2.0 * x2 + 2.0 * x3 + x4) / 6.0;
         y += dt * (y1 + 2.0 * y2 + 2.0 * y3 + y4) / 6.0;
         if ((k + 1) % steps == 0) {
-            const double L = v.load_transfer(force.at(t + dt), N, x, y);
+            const double L = offset + v.corrected_load_transfer(force.at(t + dt), N, x, y);
             worst = (std::fabs(L) > std::fabs(worst)) ? L : worst;
         }
     }
