@@ -102,7 +102,7 @@ plot data using "time_s":"true_roll_rate_degps" axes x1y2 with lines linewidth 1
 # 4: what the ECU says
 set tmargin at screen panel_top(3)
 set bmargin at screen panel_bottom(3)
-set ylabel "RSI"
+set ylabel "Level"
 set yrange [0:1.3]
 set y2range [-0.25:3.25]
 set y2tics ("unavailable" 0, "ready" 1, "advisory" 2, "warning" 3)
@@ -110,8 +110,10 @@ unset y2label
 plot data using "time_s":"ecu_state_number" axes x1y2 with steps linewidth 2 linecolor rgb orange \
          title "state (right axis)", \
      data using "time_s":"ecu_roll_stability_indicator" with lines linewidth 2 linecolor rgb blue \
-         title "RSI", \
-     1 with lines linewidth 1.5 dashtype "-" linecolor rgb grey title "RSI = 1"
+         title "warning level", \
+     data using "time_s":"ecu_published_rsi" with lines linewidth 1 linecolor rgb vermilion \
+         title "RSI as published", \
+     1 with lines linewidth 1.5 dashtype "-" linecolor rgb grey title "level 1"
 unset y2tics
 set y2range [*:*]
 

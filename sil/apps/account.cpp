@@ -73,7 +73,7 @@ void Account::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& e
         const EcuOutput& output = ecu.output();
         print_line(
             fmt::format("{:7.2f} s  {:3.0f} %  {:5.1f} km/h  steer {:+6.0f} deg  a_y {:+.3f} g  roll "
-                        "{:+6.2f} deg  RSI {:>5}  {}",
+                        "{:+6.2f} deg  level {:>5}  {}",
                         truth.time_s, 100.0 * truth.time_s / duration_s, truth.speed_mps * 3.6,
                         truth.steering_wheel_angle_rad * degrees_per_radian,
                         truth.lateral_acceleration_mps2 / g_mps2, truth.roll_angle_rad * degrees_per_radian,
