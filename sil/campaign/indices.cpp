@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "rsi/indicator/indicator_level.hpp"
 #include "rsi/parameters.hpp"
+#include "sil/analysis/indices.hpp"
 
 namespace sil {
 namespace {
@@ -20,7 +20,7 @@ std::function<double(const IndexSample&)> level_of(std::int32_t indicator) {
 }
 
 double true_load_transfer(const IndexSample& sample) {
-    return std::abs(load_transfer_ratio(sample.truth));
+    return std::abs(true_load_transfer_ratio(sample.truth));
 }
 
 std::vector<Index> all_indices() {
@@ -37,14 +37,6 @@ std::vector<Index> all_indices() {
 const std::vector<Index>& campaign_indices() {
     static const std::vector<Index> indices = all_indices();
     return indices;
-}
-
-double load_transfer_ratio(const Truth& truth) {
-    const auto& load = truth.wheel_load_n;
-    const double left_n = load[front_left] + load[rear_left];
-    const double right_n = load[front_right] + load[rear_right];
-    const double sum_n = left_n + right_n;
-    return sum_n > 0.0 ? (left_n - right_n) / sum_n : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace sil

@@ -26,8 +26,4 @@ struct Index {
 // that a calibration knows it by, and then what only the true wheel loads tell.
 const std::vector<Index>& campaign_indices();
 
-// Load transfer ratio of the four true wheel loads, (left - right) / sum, so below 0 in a left turn; NaN
-// while no wheel touches the road.
-double load_transfer_ratio(const Truth& truth);
-
 }  // namespace sil

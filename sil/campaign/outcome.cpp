@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sil/campaign/indices.hpp"
+#include "sil/analysis/indices.hpp"
 
 namespace sil {
 namespace {
@@ -28,7 +28,7 @@ void OutcomeObserver::observe(const Truth& truth) {
         std::any_of(loads.begin(), loads.end(), [](double load_n) { return load_n <= 0.0; })) {
         outcome_.one_wheel_lift_time_s = truth.time_s;
     }
-    const double ltr = std::abs(load_transfer_ratio(truth));
+    const double ltr = std::abs(true_load_transfer_ratio(truth));
     if (std::isfinite(ltr)) {
         outcome_.largest_ltr = std::max(outcome_.largest_ltr, ltr);
         if (!outcome_.one_wheel_lift_time_s) {

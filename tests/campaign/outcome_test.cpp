@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sil/campaign/indices.hpp"
-
 namespace {
 
 struct Loads {
@@ -83,9 +81,6 @@ TEST_F(Outcome, LoadTransferIsTheDifferenceOfTheSidesOverTheSum) {
     steps(10, {0.0, 9000.0, 1000.0, 10000.0});  // (1000 - 19000) / 20000, with a wheel in the air
     EXPECT_NEAR(outcome().largest_ltr, 0.9, 1.0e-12);
     EXPECT_NEAR(outcome().largest_ltr_before_lift, 0.7, 1.0e-12);
-    sil::Truth truth;
-    truth.wheel_load_n = {6000.0, 2000.0, 6000.0, 2000.0};
-    EXPECT_NEAR(sil::load_transfer_ratio(truth), 0.5, 1.0e-12);
 }
 
 TEST_F(Outcome, WithoutAnyWheelOnTheRoadThereIsNoLoadTransfer) {

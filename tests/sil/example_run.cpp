@@ -66,6 +66,7 @@ sil::EcuOutput respond(const sil::Truth& truth) {
     output.lateral_acceleration_threshold_mps2 = side * t * g_mps2;
     output.roll_stability_indicator =
         std::min(std::fabs(truth.lateral_acceleration_mps2) / std::max(t * g_mps2, 0.05), 1.0);
+    output.published_rsi = output.roll_stability_indicator;
     output.state = output.roll_stability_indicator >= 1.0   ? sil::WarningState::warning
                    : output.roll_stability_indicator >= 0.8 ? sil::WarningState::advisory
                                                             : sil::WarningState::ready;
