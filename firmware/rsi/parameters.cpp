@@ -34,6 +34,25 @@ Validation validate_ranges(const Parameters& parameters) {
     return accepted;
 }
 
+// M(phi) / phi at phi^2 = z.
+float secant_stiffness_nmprad(const Parameters& parameters, float z) {
+    return parameters.roll_stiffness_nmprad +
+           z * (parameters.roll_stiffness_cubic_nmprad3 + z * parameters.roll_stiffness_quintic_nmprad5);
+}
+
+// The least of it up to the angle at which the inner wheels lift.
+float least_stiffness_nmprad(const Parameters& parameters, float critical_angle_rad) {
+    const float K_2 = parameters.roll_stiffness_cubic_nmprad3;
+    const float K_4 = parameters.roll_stiffness_quintic_nmprad5;
+    const float furthest = critical_angle_rad * critical_angle_rad;
+    float least = secant_stiffness_nmprad(parameters, furthest);
+    // The parabola opens upwards, so K_4 > 0 where its vertex matters.
+    if ((K_4 > 0.0F) && (K_2 < 0.0F) && (-K_2 < 2.0F * K_4 * furthest)) {
+        least = secant_stiffness_nmprad(parameters, -K_2 / (2.0F * K_4));
+    }
+    return least;
+}
+
 Validation validate_vehicle(const Parameters& parameters) {
     const float H = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
     if (H < 0.01F) {
@@ -52,9 +71,16 @@ Validation validate_vehicle(const Parameters& parameters) {
         return refuse("roll_damping_nmsprad",
                       "is too small for a step of 10 ms: c_f / K_f must be at least 5 ms");
     }
-    if (!is_finite(critical_roll_angle_rad(parameters))) {
+    const float critical_angle_rad = critical_roll_angle_rad(parameters);
+    if (!is_finite(critical_angle_rad)) {
         return refuse("roll_stiffness_nmprad",
                       "is too small for this track width: no roll angle below 1 rad lifts the inner wheels");
+    }
+    if (least_stiffness_nmprad(parameters, critical_angle_rad) <
+        parameters.sprung_mass_kg * gravity_mps2 * H) {
+        return refuse((parameters.roll_stiffness_cubic_nmprad3 < 0.0F) ? "roll_stiffness_cubic_nmprad3"
+                                                                       : "roll_stiffness_quintic_nmprad5",
+                      "bends the roll stiffness below m_s g (h_cg,s - h_frc) before the inner wheels lift");
     }
     return accepted;
 }
@@ -80,6 +106,16 @@ Validation validate_warning(const Parameters& parameters) {
     if ((parameters.warning_indicator == RSI_INDICATOR_PUBLISHED) && (parameters.warning_on > 1.0F)) {
         return refuse("warning_on",
                       "must not exceed 1: the published indicator ends there, so no warning could come");
+    }
+    if (parameters.warning_indicator == RSI_INDICATOR_TIME_TO_ROLLOVER) {
+        // The time is cut to 0.01 to 10 s, and the level to its limit over that.
+        if (parameters.warning_on > 100.0F * parameters.time_to_rollover_limit_s) {
+            return refuse("warning_on", "exceeds what time_to_rollover_limit_s lets the level reach");
+        }
+        if (parameters.advisory_off <= 0.1F * parameters.time_to_rollover_limit_s) {
+            return refuse("advisory_off",
+                          "must exceed a tenth of time_to_rollover_limit_s, which is the level at rest");
+        }
     }
     return accepted;
 }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sil/units.hpp"
-
 namespace sil {
 namespace {
 
@@ -25,10 +23,6 @@ double true_load_transfer_ratio(const Truth& truth, Axle axle) {
     const auto& load = truth.wheel_load_n;
     return (axle == Axle::front) ? ratio(load[front_left], load[front_right])
                                  : ratio(load[rear_left], load[rear_right]);
-}
-
-double true_static_stability_level(const Truth& truth, double static_stability_factor) {
-    return std::fabs(truth.lateral_acceleration_mps2) / (g_mps2 * static_stability_factor);
 }
 
 }  // namespace sil

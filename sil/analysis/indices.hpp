@@ -14,7 +14,4 @@ double true_load_transfer_ratio(const Truth& truth);
 // The same on one axle. 1 or -1 is lift-off of one wheel of this axle (the paper's OWLO).
 double true_load_transfer_ratio(const Truth& truth, Axle axle);
 
-// |a_y| / (g SSF) from the true lateral acceleration; `static_stability_factor` = c_w/(2h).
-double true_static_stability_level(const Truth& truth, double static_stability_factor);
-
 }  // namespace sil

@@ -1,5 +1,6 @@
 #include "sil/campaign/drawn_run.hpp"
 
+#include "sil/sensors/sensor_sample.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/units.hpp"
 #include "sil/vehicle/load.hpp"
@@ -32,6 +33,12 @@ SensorOptions drawn_sensors(const VehicleParameters& vehicle, const CampaignSpre
     SensorOptions sensors = mounted_sensors(vehicle, flaws);
     sensors.imu.lateral_acceleration_mps2.bias = draw.lateral_bias_g * g_mps2;
     sensors.imu.vertical_acceleration_mps2.bias = draw.vertical_bias_g * g_mps2;
+    if (!spread.steering_sensor) {
+        sensors.motion.steering_wheel_angle_rad.bias = SensorSample::not_available;
+    }
+    if (!spread.roll_sensor) {
+        sensors.roll.roll_angle_rad.bias = SensorSample::not_available;
+    }
     return sensors;
 }
 

@@ -105,6 +105,8 @@ std::string to_toml(const CampaignSettings& settings) {
     text += "mass_error = " + number(spread.mass_error) + "\n";
     text += "accelerometer_bias_g = " + number(spread.accelerometer_bias_g) + "\n";
     text += fmt::format("sensor_noise = {}\n", spread.sensor_noise);
+    text += fmt::format("steering_sensor = {}\n", spread.steering_sensor);
+    text += fmt::format("roll_sensor = {}\n", spread.roll_sensor);
     for (const CampaignVehicle& vehicle : settings.vehicles) {
         text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n", quoted(vehicle.parameters),
                             quoted(vehicle.calibration));

@@ -139,7 +139,8 @@ CampaignVehicle read_vehicle(const Reader& table) {
 
 void read_spread(const Reader& table, CampaignSpread& spread) {
     table.allow_only({"friction_factor", "load_share", "load_height_factor", "cg_height_error",
-                      "stiffness_error", "mass_error", "accelerometer_bias_g", "sensor_noise"});
+                      "stiffness_error", "mass_error", "accelerometer_bias_g", "sensor_noise",
+                      "steering_sensor", "roll_sensor"});
     table.read("friction_factor", spread.friction_factor);
     table.read("load_share", spread.load_share);
     table.read("load_height_factor", spread.load_height_factor);
@@ -148,6 +149,8 @@ void read_spread(const Reader& table, CampaignSpread& spread) {
     table.read("mass_error", spread.mass_error);
     table.read("accelerometer_bias_g", spread.accelerometer_bias_g);
     table.read("sensor_noise", spread.sensor_noise);
+    table.read("steering_sensor", spread.steering_sensor);
+    table.read("roll_sensor", spread.roll_sensor);
 }
 
 // Puts what the table says over `settings`.

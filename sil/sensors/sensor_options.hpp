@@ -7,8 +7,8 @@ namespace sil {
 
 // One measured quantity, in the unit of the quantity: reported = round((true + bias + noise) / step) * step.
 struct ChannelOptions {
-    double noise_rms{0.0};  // standard deviation of the white noise on each reported value, >= 0
-    double bias{0.0};
+    double noise_rms{0.0};          // standard deviation of the white noise on each reported value, >= 0
+    double bias{0.0};               // not a number: the sensor reports "not available"
     double quantisation_step{0.0};  // 0: none; the CAN encoding quantises in any case
 };
 

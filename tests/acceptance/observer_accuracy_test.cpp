@@ -165,7 +165,7 @@ Result drive(const Setting& setting, const sil::Manoeuvre& manoeuvre, const Roll
 // plane, takes for roll. The raised vehicle of j-turn-banked has a suspension that its calibration does not
 // describe.
 double roll_limit_deg(const std::string& manoeuvre) {
-    return (manoeuvre == "rough-road") ? 1.2 : ((manoeuvre == "j-turn-banked") ? 0.45 : 0.3);
+    return (manoeuvre == "rough-road") ? 0.35 : ((manoeuvre == "j-turn-banked") ? 0.45 : 0.3);
 }
 
 class Observer : public testing::TestWithParam<std::string> {};

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/campaign/campaign_run.hpp"
+#include "sil/sensors/sensor_suite.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 #include "tests/campaign/small_campaign.hpp"
 
@@ -36,6 +40,23 @@ TEST(DrawnRun, TheFirmwareIsToldTheTruthTimesOnePlusTheError) {
                     1.0 + run.draw.stiffness_error, float_rounding);
         EXPECT_EQ(run.calibration.track_width_m, nominal.track_width_m);
         EXPECT_EQ(run.calibration.imu_z_m, nominal.imu_z_m);
+    }
+}
+
+TEST(DrawnRun, ASensorThatIsNotThereSaysNotAvailable) {
+    sil::CampaignSettings settings = small_campaign(1U);
+    const sil::DrawnRun whole = sil::CampaignWorld{settings}.prepare(0U);
+    settings.spread.steering_sensor = false;
+    settings.spread.roll_sensor = false;
+    const sil::DrawnRun without = sil::CampaignWorld{settings}.prepare(0U);
+    const sil::Truth truth;
+    for (const auto& [run, available] : {std::pair{&whole, true}, std::pair{&without, false}}) {
+        sil::SensorSuite sensors{run->sensors};
+        sensors.observe(truth);
+        const sil::SensorSample sample = sensors.report(truth);
+        EXPECT_EQ(std::isfinite(sample.steering_wheel_angle_rad), available);
+        EXPECT_EQ(std::isfinite(sample.roll_angle_rad), available);
+        EXPECT_TRUE(std::isfinite(sample.roll_rate_radps));
     }
 }
 

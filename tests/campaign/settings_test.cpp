@@ -38,6 +38,8 @@ TEST(CampaignSettings, TheBuiltInSpreadIsWhatWasAskedFor) {
     EXPECT_EQ(spread.mass_error, 0.05);
     EXPECT_EQ(spread.accelerometer_bias_g, 0.005);
     EXPECT_TRUE(spread.sensor_noise);
+    EXPECT_TRUE(spread.steering_sensor);
+    EXPECT_TRUE(spread.roll_sensor);
     EXPECT_GE(sil::default_campaign().vehicles.size(), 2U);
 }
 

@@ -83,11 +83,6 @@ TEST(TrueIndices, TheLoadTransferIsPositiveInALeftTurnAndOneWhereTheSideHasLifte
     EXPECT_TRUE(std::isnan(sil::true_load_transfer_ratio(truth_with_loads(0.0, {}))));
 }
 
-TEST(TrueIndices, TheStaticStabilityLevelIsOneAtTheStaticStabilityFactor) {
-    EXPECT_DOUBLE_EQ(sil::true_static_stability_level(truth_at(0.0, -0.4), ssf), 0.5);
-    EXPECT_DOUBLE_EQ(sil::true_static_stability_level(truth_at(0.0, 0.8), ssf), 1.0);
-}
-
 TEST(EventObserver, EveryWheelCanBeTheFirstToLift) {
     for (std::size_t wheel = 0U; wheel < 4U; ++wheel) {
         sil::EventObserver observer(ssf);

@@ -38,12 +38,13 @@ SteadyTurn steady_turn(const rsi_parameters& p, double force_mps2, double e) {
     return turn;
 }
 
-float after(const rsi_parameters& p, const SteadyTurn& turn, int samples, float load_transfer_ratio = 0.5F) {
+float after(const rsi_parameters& p, const SteadyTurn& turn, int samples, float load_transfer_ratio = 0.5F,
+            bool measured = true) {
     rsi::MomentArmError error;
     error.init(p);
     float e = 0.0F;
     for (int k = 0; k < samples; ++k) {
-        e = error.update(turn.motion, turn.suspension_nm, load_transfer_ratio);
+        e = error.update(turn.motion, turn.suspension_nm, load_transfer_ratio, measured);
     }
     return e;
 }
@@ -77,6 +78,11 @@ TEST(MomentArmError, LearnsNothingWithTheWheelsUpOrWithoutATurn) {
     EXPECT_EQ(after(p, steady_turn(p, 0.5, 0.1), 100), 0.0F);
 }
 
+TEST(MomentArmError, LearnsNothingFromTheObserversAngle) {
+    const rsi_parameters p = rsi_test::large_suv();
+    EXPECT_EQ(after(p, steady_turn(p, 5.0, 0.1), 100, 0.5F, false), 0.0F);
+}
+
 TEST(MomentArmError, ReturnsToZeroWhereNothingIsLearnt) {
     const rsi_parameters p = rsi_test::large_suv();
     const SteadyTurn turn = steady_turn(p, 5.0, 0.1);
@@ -85,11 +91,11 @@ TEST(MomentArmError, ReturnsToZeroWhereNothingIsLearnt) {
     error.init(p);
     float e = 0.0F;
     for (int k = 0; k < 200; ++k) {
-        e = error.update(turn.motion, turn.suspension_nm, 0.5F);
+        e = error.update(turn.motion, turn.suspension_nm, 0.5F, true);
     }
     const float learnt = e;
     for (int k = 0; k < 1000; ++k) {
-        e = error.update(straight.motion, straight.suspension_nm, 0.0F);
+        e = error.update(straight.motion, straight.suspension_nm, 0.0F, true);
     }
     ASSERT_GT(learnt, 0.05F);
     EXPECT_LT(e, 0.01F * learnt);

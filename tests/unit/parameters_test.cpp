@@ -174,4 +174,31 @@ TEST(Parameters, AWarningLevelThatThePublishedIndicatorCannotReachIsRefused) {
     EXPECT_EQ(rsi::validate(parameters).accepted, 1);
 }
 
+TEST(Parameters, AStiffnessCurveThatFallsTooFarIsRefusedByTheCoefficientThatBendsIt) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.roll_stiffness_cubic_nmprad3 = -1.0e8F;
+    expect_refused(parameters, "roll_stiffness_cubic_nmprad3");
+    // It rises again before the wheels lift, but has been too low on the way.
+    parameters.roll_stiffness_cubic_nmprad3 = -5.0e7F;
+    parameters.roll_stiffness_quintic_nmprad5 = 9.9e9F;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+    parameters.roll_stiffness_cubic_nmprad3 = -6.0e7F;
+    expect_refused(parameters, "roll_stiffness_cubic_nmprad3");
+    parameters = rsi_test::large_suv();
+    parameters.roll_stiffness_quintic_nmprad5 = -1.0e9F;
+    expect_refused(parameters, "roll_stiffness_quintic_nmprad5");
+}
+
+TEST(Parameters, LevelsThatTheTimeToRolloverNeverOrAlwaysReachesAreRefused) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+    parameters.time_to_rollover_limit_s = 0.01F;
+    parameters.warning_on = 1.1F;
+    expect_refused(parameters, "warning_on");
+    parameters.time_to_rollover_limit_s = 5.0F;
+    parameters.advisory_off = 0.4F;
+    expect_refused(parameters, "advisory_off");
+}
+
 }  // namespace

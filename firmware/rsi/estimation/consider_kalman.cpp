@@ -68,9 +68,10 @@ void ConsiderKalman::reset() {
 
 RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float extended_rsi, float speed_mps) {
     const RollEquation equation = equation_.update(measured);
+    const bool speed_changes = changes_speed(speed_mps);
     // An angle that the observer made with the nominal model says nothing about dh.
-    const bool held = (extended_rsi > freeze_level_) | changes_speed(speed_mps) |
-                      (measured.roll_source == RSI_ROLL_OBSERVER);
+    const bool held =
+        (extended_rsi > freeze_level_) || speed_changes || (measured.roll_source == RSI_ROLL_OBSERVER);
     const float force_n = absolute(equation.lateral_force_n);
     const bool excited = force_n > excitation_threshold_n_;
     // A turn cannot tell an unknown offset from dh.

@@ -16,7 +16,8 @@ void FurtherIndicators::update(const Inputs& inputs, const Measurement& measured
     const RollMotion motion = filter_.update(measured);
     const float suspension_nm =
         load_transfer_.suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps);
-    const float error = moment_arm_error_.update(motion, suspension_nm, load_transfer_ratio_);
+    const float error = moment_arm_error_.update(motion, suspension_nm, load_transfer_ratio_,
+                                                 measured.roll_source == RSI_ROLL_SENSOR);
     const Prediction prediction = predictor_.evaluate(motion, steering_demand_.evaluate(inputs, measured),
                                                       load_transfer_, extended_, error);
     load_transfer_ratio_ = prediction.present.load_transfer_ratio;

@@ -40,15 +40,16 @@ void MomentArmError::reset() {
     variance_ = square(prior_deviation);
 }
 
-float MomentArmError::update(const RollMotion& motion, float suspension_moment_nm,
-                             float load_transfer_ratio) {
+float MomentArmError::update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio,
+                             bool measured_angle) {
     error_ -= reversion * error_;
     variance_ += 2.0F * reversion * (square(prior_deviation) - variance_);
     const float arm_nm =
         moment_arm_kgm_ * (motion.road_parallel_force_mps2 +
                            motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad));
     // With the inner wheels up the roll equation does not hold.
-    const bool learns = (absolute(arm_nm) > excitation_nm_) && (absolute(load_transfer_ratio) < 1.0F);
+    const bool learns =
+        measured_angle && (absolute(arm_nm) > excitation_nm_) && (absolute(load_transfer_ratio) < 1.0F);
     if (learns) {
         const float inertia_nm = inertia_kgm2_ * motion.roll_acceleration_radps2;
         const float noise = noise_nm2_ + square(stiffness_share * stiffness_nmprad_ * motion.roll_angle_rad) +

@@ -18,8 +18,11 @@ class MomentArmError {
     void init(const Parameters& parameters);
     void reset();
 
-    // One sample; `suspension_moment_nm` is M(phi) + c_f phi' of the same motion. Returns e, -0.35 to 0.35.
-    float update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio);
+    // One sample; `suspension_moment_nm` is M(phi) + c_f phi' of the same motion, `load_transfer_ratio` that
+    // of the sample before. Learns only from a `measured_angle`: the observer's comes from the calibrated
+    // equation itself. Returns e, -0.35 to 0.35.
+    float update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio,
+                 bool measured_angle);
 
  private:
     float moment_arm_kgm_{1.0F};  // m_s H

@@ -21,10 +21,9 @@ struct Prediction {
 // Carries the roll motion forward in four equal steps, with N held:
 //   a    = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known
 //   Ixx y' = m_s H (1 - 3/4 e) (a + N tan x) - M(x) - c_f y,    x' = y,    from x = phi, y = phi'
-// The load transfer is the present one plus what these change in alpha A + M(phi) + c_f phi'. The motion is
-// found
-// by the trapezoidal rule, linearised with the constant stiffness K_f - m_s H g: stable for any admitted
-// parameters, and in four steps within 0.025 of the converged load transfer where that is below 1.
+// by the trapezoidal rule, linearised with the constant stiffness K_f - m_s H g, in four steps within 0.025
+// of the converged load transfer where that is below 1. The load transfer is the present one plus what the
+// motion changes in alpha A + M(phi) + c_f phi'.
 class RollPredictor {
  public:
     void init(const Parameters& parameters);
