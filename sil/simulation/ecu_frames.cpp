@@ -6,69 +6,42 @@
 namespace sil {
 
 template <typename Message>
-bool EcuFrames::accept(const hal::CanFrame& frame, can_dbc::e2e::Profile11Receiver& receiver,
-                       Message& message) {
+EcuFrameKind EcuFrames::take_as(EcuFrameKind kind, const hal::CanFrame& frame,
+                                can_dbc::e2e::Profile11Receiver& receiver) {
     const can_dbc::e2e::CheckResult check = receiver.check(frame.data, frame.length);
     if (!can_dbc::e2e::is_usable(check.status)) {
         ++frames_refused_;
-        return false;
+        return EcuFrameKind::refused;
     }
     ++frames_received_;
-    message = can_dbc::decode<Message>(frame.data).value;
-    return true;
+    keep(can_dbc::decode<Message>(frame.data).value);
+    return kind;
 }
 
 EcuFrameKind EcuFrames::take(const hal::CanFrame& frame) {
+    using namespace can_dbc;
     if (frame.extended || frame.flexible_data_rate) {
         return EcuFrameKind::foreign;
     }
-    if (frame.identifier == can_dbc::RolloverWarning::identifier) {
-        can_dbc::RolloverWarning message;
-        if (!accept(frame, warning_receiver_, message)) {
-            return EcuFrameKind::refused;
-        }
-        take_warning(message);
-        return EcuFrameKind::warning;
+    switch (frame.identifier) {
+        case RolloverWarning::identifier:
+            return take_as<RolloverWarning>(EcuFrameKind::warning, frame, warning_receiver_);
+        case RollCentreEstimate::identifier:
+            return take_as<RollCentreEstimate>(EcuFrameKind::estimate, frame, estimate_receiver_);
+        case RollIndicesAhead::identifier:
+            return take_as<RollIndicesAhead>(EcuFrameKind::indices, frame, indices_ahead_receiver_);
+        case RollIndicesClassic::identifier:
+            return take_as<RollIndicesClassic>(EcuFrameKind::indices, frame, indices_classic_receiver_);
+        case RollObserver::identifier:
+            return take_as<RollObserver>(EcuFrameKind::observer, frame, observer_receiver_);
+        case RolloverStatus::identifier:
+            return take_as<RolloverStatus>(EcuFrameKind::status, frame, status_receiver_);
+        default:
+            return EcuFrameKind::foreign;
     }
-    if (frame.identifier == can_dbc::RollCentreEstimate::identifier) {
-        can_dbc::RollCentreEstimate message;
-        if (!accept(frame, estimate_receiver_, message)) {
-            return EcuFrameKind::refused;
-        }
-        take_estimate(message);
-        return EcuFrameKind::estimate;
-    }
-    if (frame.identifier == can_dbc::RollIndicesAhead::identifier) {
-        can_dbc::RollIndicesAhead message;
-        if (!accept(frame, indices_ahead_receiver_, message)) {
-            return EcuFrameKind::refused;
-        }
-        take_indices(message);
-        return EcuFrameKind::indices;
-    }
-    if (frame.identifier == can_dbc::RollIndicesClassic::identifier) {
-        can_dbc::RollIndicesClassic message;
-        if (!accept(frame, indices_classic_receiver_, message)) {
-            return EcuFrameKind::refused;
-        }
-        take_indices(message);
-        return EcuFrameKind::indices;
-    }
-    if (frame.identifier == can_dbc::RollObserver::identifier) {
-        can_dbc::RollObserver message;
-        if (!accept(frame, observer_receiver_, message)) {
-            return EcuFrameKind::refused;
-        }
-        take_observer(message);
-        return EcuFrameKind::observer;
-    }
-    if (frame.identifier == can_dbc::RolloverStatus::identifier) {
-        return accept(frame, status_receiver_, status_) ? EcuFrameKind::status : EcuFrameKind::refused;
-    }
-    return EcuFrameKind::foreign;
 }
 
-void EcuFrames::take_warning(const can_dbc::RolloverWarning& message) {
+void EcuFrames::keep(const can_dbc::RolloverWarning& message) {
     output_.state = static_cast<WarningState>(message.state);
     output_.side = static_cast<WarningSide>(message.side);
     output_.roll_stability_indicator = static_cast<double>(message.roll_stability_indicator);
@@ -77,7 +50,7 @@ void EcuFrames::take_warning(const can_dbc::RolloverWarning& message) {
         static_cast<double>(message.lateral_acceleration_threshold_mps2);
 }
 
-void EcuFrames::take_estimate(const can_dbc::RollCentreEstimate& message) {
+void EcuFrames::keep(const can_dbc::RollCentreEstimate& message) {
     output_.roll_centre_vertical_movement_m = static_cast<double>(message.vertical_movement_m);
     output_.roll_centre_lateral_movement_m = static_cast<double>(message.lateral_movement_m);
     output_.roll_stiffness_deviation_nmprad =
@@ -86,14 +59,14 @@ void EcuFrames::take_estimate(const can_dbc::RollCentreEstimate& message) {
         static_cast<double>(message.roll_damping_deviation_n_m_s_per_rad);
 }
 
-void EcuFrames::take_indices(const can_dbc::RollIndicesAhead& message) {
+void EcuFrames::keep(const can_dbc::RollIndicesAhead& message) {
     output_.predicted_load_transfer_ratio = static_cast<double>(message.predicted_load_transfer_ratio);
     output_.predicted_rsi = static_cast<double>(message.predicted_rsi);
     output_.load_transfer_ratio = static_cast<double>(message.load_transfer_ratio);
     output_.extended_rsi = static_cast<double>(message.extended_rsi);
 }
 
-void EcuFrames::take_indices(const can_dbc::RollIndicesClassic& message) {
+void EcuFrames::keep(const can_dbc::RollIndicesClassic& message) {
     output_.published_rsi = static_cast<double>(message.published_rsi);
     output_.bank_free_rsi = static_cast<double>(message.bank_free_rsi);
     output_.dynamic_stability_index = static_cast<double>(message.dynamic_stability_index);
@@ -102,7 +75,7 @@ void EcuFrames::take_indices(const can_dbc::RollIndicesClassic& message) {
     output_.time_to_rollover_s = static_cast<double>(message.time_to_rollover_s);
 }
 
-void EcuFrames::take_observer(const can_dbc::RollObserver& message) {
+void EcuFrames::keep(const can_dbc::RollObserver& message) {
     output_.observed_roll_angle_rad =
         static_cast<double>(message.observed_roll_angle_deg) / degrees_per_radian;
     output_.observed_bank_angle_rad =

@@ -24,13 +24,16 @@ class EcuFrames {
     std::uint64_t frames_refused() const { return frames_refused_; }
 
  private:
+    // One frame of this message; `kind` when its end-to-end check accepts it.
     template <typename Message>
-    bool accept(const hal::CanFrame& frame, can_dbc::e2e::Profile11Receiver& receiver, Message& message);
-    void take_warning(const can_dbc::RolloverWarning& message);
-    void take_estimate(const can_dbc::RollCentreEstimate& message);
-    void take_indices(const can_dbc::RollIndicesAhead& message);
-    void take_indices(const can_dbc::RollIndicesClassic& message);
-    void take_observer(const can_dbc::RollObserver& message);
+    EcuFrameKind take_as(EcuFrameKind kind, const hal::CanFrame& frame,
+                         can_dbc::e2e::Profile11Receiver& receiver);
+    void keep(const can_dbc::RolloverWarning& message);
+    void keep(const can_dbc::RollCentreEstimate& message);
+    void keep(const can_dbc::RollIndicesAhead& message);
+    void keep(const can_dbc::RollIndicesClassic& message);
+    void keep(const can_dbc::RollObserver& message);
+    void keep(const can_dbc::RolloverStatus& message) { status_ = message; }
 
     can_dbc::e2e::Profile11Receiver warning_receiver_{can_dbc::RolloverWarning::e2e_data_id,
                                                       can_dbc::RolloverWarning::length, 14U};

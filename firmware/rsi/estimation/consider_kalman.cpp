@@ -1,6 +1,7 @@
 #include "rsi/estimation/consider_kalman.hpp"
 
 #include "rsi/numeric/bounded_functions.hpp"
+#include "rsi/numeric/square.hpp"
 
 namespace rsi {
 namespace {
@@ -32,10 +33,6 @@ constexpr float largest_speed_change_mps2 = 2.5F;
 constexpr float speed_lag_s = 0.1F;
 // Rolling faster than this is no driving straight.
 constexpr float straight_roll_rate_radps = 0.01F;
-
-constexpr float square(float x) {
-    return x * x;
-}
 
 }  // namespace
 

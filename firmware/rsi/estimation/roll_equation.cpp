@@ -1,6 +1,6 @@
 #include "rsi/estimation/roll_equation.hpp"
 
-#include "rsi/numeric/bounded_functions.hpp"
+#include "rsi/numeric/two_lags.hpp"
 
 namespace rsi {
 
@@ -11,7 +11,7 @@ void FilteredRollEquation::init(const Parameters& parameters) {
     damping_nmsprad_ = parameters.roll_damping_nmsprad;
     inertia_kgm2_ = parameters.roll_inertia_kgm2;
     const float lag_s = parameters.estimator_filter_lag_s;
-    weight_ = (lag_s > 0.0F) ? 1.0F - decaying_exponential(sample_time_s / lag_s) : 1.0F;
+    weight_ = lag_weight(lag_s);
     // After eight time constants two equal lags still hold 0.3 % of what they were started with.
     settling_samples_ = 2 + static_cast<int>(8.0F * lag_s / sample_time_s);
     restart();

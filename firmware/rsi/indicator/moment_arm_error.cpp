@@ -1,6 +1,7 @@
 #include "rsi/indicator/moment_arm_error.hpp"
 
 #include "rsi/numeric/bounded.hpp"
+#include "rsi/numeric/square.hpp"
 
 namespace rsi {
 namespace {
@@ -17,10 +18,6 @@ constexpr float damping_share = 0.25F;
 constexpr float inertia_share = 0.3F;
 // Neighbouring samples are alike, because all signals are lagged.
 constexpr float correlation = 3.0F;
-
-constexpr float square(float x) {
-    return x * x;
-}
 
 }  // namespace
 

@@ -1,11 +1,8 @@
 #include "rsi/observer/roll_bank_observer.hpp"
+#include "rsi/numeric/square.hpp"
 
 namespace rsi {
 namespace {
-
-constexpr float square(float value) {
-    return value * value;
-}
 
 constexpr float radians(float degrees) {
     return degrees * 0.017453293F;
