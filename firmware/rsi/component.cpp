@@ -104,7 +104,6 @@ void Component::step(const Inputs& inputs, Outputs& outputs) {
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
 
-    outputs = no_outputs();
     write_measurement(measured, outputs);
     write_estimate(estimate, outputs);
     outputs.rsi = normalised_indicator(measured, threshold);

@@ -58,7 +58,7 @@ float MomentArmError::update(const RollMotion& motion, float suspension_moment_n
         error_ += gain * (arm_nm - suspension_moment_nm - inertia_nm - arm_nm * error_);
         variance_ -= gain * covariance;
     }
-    error_ = clamp(error_, -largest_error, largest_error);
+    error_ = clamp_magnitude(error_, largest_error);
     variance_ = clamp(variance_, 0.0F, square(prior_deviation));
     return error_;
 }

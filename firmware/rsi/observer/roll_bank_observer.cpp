@@ -40,7 +40,7 @@ constexpr float initial_offset_radps = radians(1.0F);
 
 // Any value is replaced when it is smaller than rounding could make of zero, or larger than the bounds above.
 float within_model(float angle_rad) {
-    return clamp(angle_rad, -0.5F, 0.5F);
+    return clamp_magnitude(angle_rad, 0.5F);
 }
 
 float variance_within(float variance, float largest) {
@@ -81,7 +81,7 @@ void RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, f
 void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     const float linear_angle_rad =
         force_to_acceleration_ * lateral_force_mps2 / (stiffness_.slope_nmprad(0.0F) * inverse_inertia_);
-    phi_ = clamp(linear_angle_rad, -0.2F, 0.2F);
+    phi_ = clamp_magnitude(linear_angle_rad, 0.2F);
     rate_ = roll_rate_radps;
     bank_ = 0.0F;
     offset_ = 0.0F;
@@ -109,7 +109,7 @@ bool RollBankObserver::tips(float lateral_force_mps2, float roll_acceleration_ra
 //   d = T [m_s H f_yb / cos phi - M - (c + T/2 k) (w - o)] / Ixx / (1 + T/2 c + T^2/4 k)
 void RollBankObserver::predict(float lateral_force_mps2, float vertical_movement_m) {
     const float secant = 1.0F / bounded_cosine(within_model(phi_));
-    const float dh = clamp(vertical_movement_m, -largest_movement_m, largest_movement_m);
+    const float dh = clamp_magnitude(vertical_movement_m, largest_movement_m);
     const float force =
         (force_to_acceleration_ - movement_to_acceleration_ * dh) * lateral_force_mps2 * secant;
     const float spring = stiffness_.moment_nm(phi_) * inverse_inertia_;
@@ -206,10 +206,10 @@ void RollBankObserver::keep_in_bounds() {
         reset();
         return;
     }
-    phi_ = clamp(phi_, -largest_roll_rad, largest_roll_rad);
-    rate_ = clamp(rate_, -largest_rate_radps, largest_rate_radps);
-    bank_ = clamp(bank_, -largest_bank_rad, largest_bank_rad);
-    offset_ = clamp(offset_, -largest_offset_radps, largest_offset_radps);
+    phi_ = clamp_magnitude(phi_, largest_roll_rad);
+    rate_ = clamp_magnitude(rate_, largest_rate_radps);
+    bank_ = clamp_magnitude(bank_, largest_bank_rad);
+    offset_ = clamp_magnitude(offset_, largest_offset_radps);
     P11_ = variance_within(P11_, 1.0F);
     P22_ = variance_within(P22_, 100.0F);
     P33_ = variance_within(P33_, square(initial_bank_rad));
