@@ -5,7 +5,7 @@
 namespace rsi {
 namespace {
 
-constexpr float largest_speed_mps = 150.0F;
+constexpr float largest_steered_speed_mps = 150.0F;
 constexpr float largest_steering_wheel_angle_rad = 30.0F;
 
 }  // namespace
@@ -18,7 +18,7 @@ void SteeringDemand::init(const Parameters& parameters) {
 }
 
 DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& measured) const {
-    if (!is_within_magnitude(inputs.speed_mps, largest_speed_mps) ||
+    if (!is_within_magnitude(inputs.speed_mps, largest_steered_speed_mps) ||
         !is_within_magnitude(inputs.steering_wheel_angle_rad, largest_steering_wheel_angle_rad)) {
         return DemandedForce{};
     }

@@ -3,7 +3,6 @@
 namespace rsi {
 namespace {
 
-constexpr float T = sample_time_s;
 constexpr int iterations = 2000;
 
 // One triangle of the covariance of [phi, w, b, o], so it cannot become unsymmetric.
@@ -17,6 +16,7 @@ struct Covariance4 {
 // F P F^T + Q with F = [[1 - T/2 s, T - T/2 e, 0, -(T - T/2 e)], [-s, 1 - e, 0, e], [0, 0, 1, T],
 // [0, 0, 0, decay]].
 Covariance4 predicted(const Covariance4& P, const UprightRoll& roll, const ObserverNoise& noise) {
+    constexpr float T = sample_time_s;
     const float s = roll.stiffness_step;
     const float e = roll.damping_step;
     const float decay = noise.offset_decay;
