@@ -122,7 +122,7 @@ Validation Component::init(const Parameters& parameters) {
     warn(measured, overturned, outputs);
 
     compensated_.advance(model_, measured, fixed_, M_add);
-    fixed_.advance(model_, measured);
+    fixed_.advance(model_);
     extended_rsi_ = outputs.rsi_extended;
 }
 

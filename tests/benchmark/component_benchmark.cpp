@@ -83,7 +83,7 @@ std::vector<rsi::Regression> regressions() {
         if (stage.update(inputs, measured)) {
             fixed.evaluate(model, measured);
             all.push_back(rsi::regress(model, measured, fixed));
-            fixed.advance(model, measured);
+            fixed.advance(model);
         }
     }
     return all;

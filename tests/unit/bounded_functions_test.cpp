@@ -38,7 +38,7 @@ TEST(BoundedFunctions, CosineStaysWithinItsDocumentedError) {
     const double error = largest_over(-right_angle, right_angle, [](float x) {
         return std::fabs(as_double(rsi::bounded_cosine(x)) - std::cos(as_double(x)));
     });
-    EXPECT_LT(error, 1.5e-7);
+    EXPECT_LT(error, 2.0e-7);
 }
 
 TEST(BoundedFunctions, TangentStaysWithinItsDocumentedRelativeError) {
@@ -48,6 +48,23 @@ TEST(BoundedFunctions, TangentStaysWithinItsDocumentedRelativeError) {
                               : std::fabs(as_double(rsi::bounded_tangent(x)) / truth - 1.0);
     });
     EXPECT_LT(error, 1.0e-6);
+}
+
+TEST(BoundedFunctions, VersineKeepsItsDigitsNearZero) {
+    for (const float x : {1.0e-6F, 1.0e-3F, 0.03F, 0.3F, 1.5F}) {
+        const double half_sine = std::sin(0.5 * as_double(x));
+        const double truth = 2.0 * half_sine * half_sine;
+        EXPECT_NEAR(as_double(rsi::bounded_sine_and_versine(x).versine), truth, 2.0e-6 * truth) << x;
+    }
+}
+
+TEST(BoundedFunctions, ShortRangeTangentStaysWithinItsDocumentedRelativeError) {
+    const double error = largest_over(-0.5, 0.5, [](float x) {
+        const double truth = std::tan(as_double(x));
+        return (truth == 0.0) ? std::fabs(as_double(rsi::short_range_tangent(x)))
+                              : std::fabs(as_double(rsi::short_range_tangent(x)) / truth - 1.0);
+    });
+    EXPECT_LT(error, 2.0e-7);
 }
 
 TEST(BoundedFunctions, DecayingExponentialStaysWithinItsDocumentedRelativeError) {

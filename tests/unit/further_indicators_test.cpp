@@ -26,19 +26,21 @@ double wide(float value) {
 class ReferenceMotion {
  public:
     explicit ReferenceMotion(double lag_s)
-        : A{lag_s}, N{lag_s}, a_y{lag_s}, phi{lag_s}, p{lag_s}, trend_{lag_s}, roll_{lag_s} {}
+        : A{lag_s}, N{lag_s}, phi{lag_s}, p{lag_s}, trend_{lag_s}, roll_{lag_s} {}
 
     void next(const rsi_inputs& inputs, const rsi_outputs& outputs) {
         A.next(wide(outputs.road_parallel_force_mps2));
         N.next(wide(outputs.road_normal_force_mps2));
-        a_y.next(wide(outputs.lateral_acceleration_mps2));
+        // The bank's share is not lagged.
+        a_y = A.value() - (wide(outputs.road_parallel_force_mps2) - wide(outputs.lateral_acceleration_mps2));
         phi.next(wide(inputs.roll_angle_rad));
         p.next(wide(inputs.roll_rate_radps));
         force_rate = trend_.next(A.derivative());
         roll_acceleration = roll_.next(p.derivative());
     }
 
-    rsi_test::ReferenceSignal A, N, a_y, phi, p;
+    rsi_test::ReferenceSignal A, N, phi, p;
+    double a_y{0.0};
     double force_rate{0.0};
     double roll_acceleration{0.0};
 
@@ -85,8 +87,8 @@ void expect_state_indices(const rsi_parameters& p, const rsi_outputs& out, const
     EXPECT_NEAR(wide(out.load_transfer_ratio), v.load_transfer(A, N, x, motion.p.value()), 2e-4);
     EXPECT_NEAR(wide(out.rsi_extended), v.extended(A, N, x, motion.roll_acceleration), 2e-3);
     const double share = v.Ixx * motion.roll_acceleration / (v.m_s * gravity_mps2 * v.h);
-    EXPECT_NEAR(wide(out.dynamic_stability_index), motion.a_y.value() / gravity_mps2 - share, 1e-4);
-    EXPECT_NEAR(wide(out.dynamic_stability_index_late), motion.a_y.value() / gravity_mps2 + share, 1e-4);
+    EXPECT_NEAR(wide(out.dynamic_stability_index), motion.a_y / gravity_mps2 - share, 1e-4);
+    EXPECT_NEAR(wide(out.dynamic_stability_index_late), motion.a_y / gravity_mps2 + share, 1e-4);
 }
 
 void expect_classic_indices(const rsi_parameters& p, const rsi_inputs& in, const rsi_outputs& out) {

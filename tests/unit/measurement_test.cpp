@@ -56,7 +56,7 @@ TEST(Measurement, WithVerticalForceTheRoadForcesNeedNoBankAngle) {
         EXPECT_NEAR(static_cast<double>(measured.road_parallel_force_mps2), expected.left, force_tolerance);
         EXPECT_NEAR(static_cast<double>(measured.road_normal_force_mps2), expected.up, force_tolerance);
         EXPECT_EQ(measured.lateral_acceleration_mps2, measured.road_parallel_force_mps2);
-        EXPECT_EQ(measured.bank_angle_rad, 0.0F);
+        EXPECT_EQ(measured.tan_bank_angle, 0.0F);
     });
 }
 

@@ -89,7 +89,7 @@ TEST(Prediction, TheForceGrowsNoFurtherThanTheSteeringAsks) {
     EXPECT_LT(asked_for_5, free - 0.3);
     const ReferenceForce force{4.0, 40.0, 0.15, true, 5.0};
     EXPECT_NEAR(asked_for_5, rsi_test::predicted_load_transfer(vehicle, force, gravity_mps2, 0.05, 0.1, 0.2),
-                0.01);
+                0.02);  // the force meets its bound within a step
     EXPECT_LT(asked_less, asked_for_5);
     EXPECT_EQ(asked_less, straight);  // below where it is, the present force is the bound
     EXPECT_EQ(load_transfer_ahead(look, motion, {-9.0F, true}), straight);

@@ -120,7 +120,7 @@ TEST_F(RollCentre, WithTheExactParametersTheCompensatedModelFollowsTheVehicle) {
             worst_fixed = std::fmax(worst_fixed, std::fabs(wide(fixed.angle_rad()) - phi_m));
         }
         compensated.advance(model, measured, fixed, M_add);
-        fixed.advance(model, measured);
+        fixed.advance(model);
         vehicle.advance(A, N, 0.01);
     }
     EXPECT_LT(worst_compensated, 1.0e-3);

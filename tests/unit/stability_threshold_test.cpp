@@ -76,7 +76,7 @@ rsi::Measurement in_turn(const GroundMotion& motion, Turn turn) {
     measured.road_normal_force_mps2 = 9.8F;
     measured.roll_angle_rad = static_cast<float>(motion.roll_angle_rad);
     measured.tan_roll_angle = static_cast<float>(std::tan(motion.roll_angle_rad));
-    measured.bank_angle_rad = static_cast<float>(motion.bank_angle_rad);
+    measured.tan_bank_angle = static_cast<float>(std::tan(motion.bank_angle_rad));
     return measured;
 }
 

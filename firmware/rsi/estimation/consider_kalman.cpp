@@ -2,6 +2,7 @@
 
 #include "rsi/numeric/bounded_functions.hpp"
 #include "rsi/numeric/square.hpp"
+#include "rsi/numeric/square_root.hpp"
 
 namespace rsi {
 namespace {
@@ -12,8 +13,9 @@ constexpr float damping_error = 0.25F;
 constexpr float inertia_error = 0.3F;
 constexpr float offset_prior_mps2 = 0.03F * gravity_mps2;
 constexpr float offset_drift_mps2_per_root_s = 0.0005F * gravity_mps2;
-// The noise of neighbouring samples is alike, because F makes it so; both numbers are larger for that.
-constexpr float noise_nm = 400.0F;
+// The noise of neighbouring samples is alike, because F makes it so; both numbers are larger for that. It
+// comes from sensors and road, whose moments grow with the vehicle's weight and height.
+constexpr float noise_share = 0.02F;  // of m_s g h
 constexpr float correlation = 3.0F;
 // The variance holds what neighbouring samples share, so one sample's innovation is far smaller as a rule.
 // Beyond half a standard deviation it loses weight with the square of its size: a kerb, a pothole.
@@ -43,8 +45,10 @@ void ConsiderKalman::init(const Parameters& parameters) {
     limit_m_ = parameters.roll_centre_limit_m;
     excitation_threshold_n_ = parameters.sprung_mass_kg * parameters.excitation_threshold_mps2;
     freeze_level_ = parameters.freeze_level;
-    damping_nmsprad_ = parameters.roll_damping_nmsprad;
-    inertia_kgm2_ = parameters.roll_inertia_kgm2;
+    steady_reversion_ = steady_share * reversion_;
+    noise_nm2_ = correlation * square(noise_share * parameters.sprung_mass_kg * gravity_mps2 *
+                                      parameters.sprung_cg_height_m);
+    damping_noise_nm2s2_ = correlation * square(damping_error * parameters.roll_damping_nmsprad);
     const float nm_per_mps2 =
         parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
     offset_prior_nm2_ = square(offset_prior_mps2 * nm_per_mps2);
@@ -60,7 +64,6 @@ void ConsiderKalman::reset() {
     offset_covariance_nm2_ = 0.0F;
     offset_nm_ = 0.0F;
     offset_variance_nm2_ = offset_prior_nm2_;
-    deviation_m_ = larger(smallest_deviation_m, limit_m_);
 }
 
 RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float extended_rsi, float speed_mps) {
@@ -81,30 +84,28 @@ RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float ext
                (absolute(equation.roll_rate_radps) < straight_roll_rate_radps)) {
         learn_offset(equation);
     }
-    update_deviation();
     RollCentreEstimate estimate;
-    if (!all_finite() || !equation.all_finite()) {
+    if (!all_finite(equation)) {
         reset();
-        estimate.deviation_m = deviation_m_;
+        estimate.deviation_m = square_root(variance_m2_);
         estimate.frozen = true;
         return estimate;
     }
     estimate.vertical_movement_m = movement_m_;
     estimate.stiffness_deviation_nmprad = equation.stiffness_deviation_nmprad;
     estimate.disturbance_nm = equation.residual_nm - equation.lateral_force_n * movement_m_;
-    estimate.inertia_moment_nm = -inertia_kgm2_ * equation.roll_acceleration_radps2;
-    estimate.deviation_m = deviation_m_;
+    estimate.inertia_moment_nm = -equation.inertia_moment_nm;
+    estimate.deviation_m = square_root(variance_m2_);
     estimate.frozen = !learns;
     return estimate;
 }
 
 void ConsiderKalman::pass_time(const RollEquation& equation, bool excited, bool held) {
     const float rolled = absolute(equation.roll_rate_radps) * (sample_time_s / memory_angle_rad);
-    const float forgotten = (excited ? steady_share * reversion_ : reversion_) + rolled;
-    const float retention = 1.0F - clamp(forgotten, 0.0F, 0.5F);
-    const float retained = square(retention);
-    variance_m2_ = retained * variance_m2_ + (1.0F - retained) * prior_variance_m2_;
-    offset_variance_nm2_ = clamp(offset_variance_nm2_ + offset_drift_nm2_, 0.0F, offset_prior_nm2_);
+    const float forgotten = (excited ? steady_reversion_ : reversion_) + rolled;
+    const float retention = 1.0F - smaller(forgotten, 0.5F);
+    variance_m2_ = prior_variance_m2_ + square(retention) * (variance_m2_ - prior_variance_m2_);
+    offset_variance_nm2_ = smaller(offset_variance_nm2_ + offset_drift_nm2_, offset_prior_nm2_);
     if (!held) {
         movement_m_ *= retention;
         stiffness_covariance_m_ *= retention;
@@ -130,21 +131,20 @@ bool ConsiderKalman::changes_speed(float speed_mps) {
 ConsiderKalman::Innovation ConsiderKalman::innovation(const RollEquation& equation) const {
     const float G = equation.lateral_force_n;
     const float M = equation.stiffness_moment_nm;
-    const float noise = square(noise_nm) +
-                        square(damping_error * damping_nmsprad_ * equation.roll_rate_radps) +
-                        square(inertia_error * inertia_kgm2_ * equation.roll_acceleration_radps2);
+    const float noise = noise_nm2_ + damping_noise_nm2s2_ * square(equation.roll_rate_radps) +
+                        correlation * square(inertia_error) * square(equation.inertia_moment_nm);
     Innovation innovation;
     innovation.value_nm = equation.residual_nm - G * movement_m_ - offset_nm_;
     innovation.with_movement = G * variance_m2_ + M * stiffness_covariance_m_ + offset_covariance_nm2_;
     innovation.with_stiffness = G * stiffness_covariance_m_ + M * square(stiffness_error);
     innovation.with_offset = G * offset_covariance_nm2_ + offset_variance_nm2_;
-    innovation.variance_nm2 = G * innovation.with_movement + M * innovation.with_stiffness +
-                              innovation.with_offset + correlation * noise;
+    innovation.variance_nm2 =
+        G * innovation.with_movement + M * innovation.with_stiffness + innovation.with_offset + noise;
     // Positive semidefinite in exact numbers; rounding must not undercut the noise.
-    innovation.variance_nm2 = larger(innovation.variance_nm2, square(noise_nm));
-    const float excess = square(innovation.value_nm) - outlier_variances * innovation.variance_nm2;
-    innovation.weight =
-        (excess > 0.0F) ? outlier_variances * innovation.variance_nm2 / square(innovation.value_nm) : 1.0F;
+    innovation.variance_nm2 = larger(innovation.variance_nm2, noise_nm2_);
+    const float size = square(innovation.value_nm);
+    const float usual = outlier_variances * innovation.variance_nm2;
+    innovation.weight = (size > usual) ? usual / size : 1.0F;
     return innovation;
 }
 
@@ -167,18 +167,10 @@ void ConsiderKalman::learn_offset(const RollEquation& equation) {
     offset_covariance_nm2_ -= gain * e.with_movement;
 }
 
-// Newton's iteration for the square root, begun at the sample before; from its first step on never below the
-// root.
-void ConsiderKalman::update_deviation() {
-    for (int step = 0; step < 2; ++step) {
-        deviation_m_ = 0.5F * (deviation_m_ + variance_m2_ / deviation_m_);
-    }
-    deviation_m_ = larger(deviation_m_, smallest_deviation_m);
-}
-
-bool ConsiderKalman::all_finite() const {
-    return is_finite(movement_m_ + variance_m2_ + stiffness_covariance_m_ + offset_covariance_nm2_ +
-                     offset_nm_ + offset_variance_nm2_ + deviation_m_);
+// Every signal of the equation is in its residual. A sum is not finite when a summand is not.
+bool ConsiderKalman::all_finite(const RollEquation& equation) const {
+    return is_finite(equation.residual_nm + movement_m_ + variance_m2_ + stiffness_covariance_m_ +
+                     offset_covariance_nm2_ + offset_nm_ + offset_variance_nm2_);
 }
 
 }  // namespace rsi

@@ -44,17 +44,17 @@ class ConsiderKalman {
     Innovation innovation(const RollEquation& equation) const;
     void learn_movement(const RollEquation& equation);
     void learn_offset(const RollEquation& equation);
-    void update_deviation();
-    bool all_finite() const;
+    bool all_finite(const RollEquation& equation) const;
 
     FilteredRollEquation equation_{};
     float prior_variance_m2_{0.0F};
-    float reversion_{0.0F};  // of dh over one sample without excitation
+    float reversion_{0.0F};         // of dh over one sample without excitation
+    float steady_reversion_{0.0F};  // and in a steady turn
     float limit_m_{0.0F};
     float excitation_threshold_n_{0.0F};
     float freeze_level_{0.0F};
-    float damping_nmsprad_{0.0F};
-    float inertia_kgm2_{0.0F};
+    float noise_nm2_{1.0F};  // this one and the next hold what neighbouring samples share
+    float damping_noise_nm2s2_{0.0F};
     float offset_prior_nm2_{0.0F};
     float offset_drift_nm2_{0.0F};  // a sample
 
@@ -66,7 +66,6 @@ class ConsiderKalman {
     float offset_covariance_nm2_{0.0F};   // of dh with d, m N m
     float offset_nm_{0.0F};               // d
     float offset_variance_nm2_{0.0F};     // of d
-    float deviation_m_{1.0F};             // square root of variance_m2_
 };
 
 }  // namespace rsi

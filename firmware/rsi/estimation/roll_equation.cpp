@@ -1,7 +1,5 @@
 #include "rsi/estimation/roll_equation.hpp"
 
-#include "rsi/numeric/two_lags.hpp"
-
 namespace rsi {
 
 void FilteredRollEquation::init(const Parameters& parameters) {
@@ -17,31 +15,27 @@ void FilteredRollEquation::init(const Parameters& parameters) {
     restart();
 }
 
-FilteredRollEquation::Passed FilteredRollEquation::pass(Signal& signal, float value) const {
-    const float before = signal.second;
-    signal.first += weight_ * (value - signal.first);
-    signal.second += weight_ * (signal.first - signal.second);
-    return Passed{0.5F * (signal.second + before), signal.second - before};
-}
-
 RollEquation FilteredRollEquation::update(const Measurement& measured) {
     const float force_n = sprung_mass_kg_ * (measured.road_parallel_force_mps2 +
                                              measured.road_normal_force_mps2 * measured.tan_roll_angle);
     RollEquation equation;
-    equation.stiffness_moment_nm = curve_.moment_nm(measured.roll_angle_rad);
     equation.stiffness_deviation_nmprad = curve_.secant_deviation_nmprad(measured.roll_angle_rad);
+    equation.stiffness_moment_nm = curve_.moment_nm(measured.roll_angle_rad);
     const float moment_nm =
         moment_arm_m_ * force_n - equation.stiffness_moment_nm - damping_nmsprad_ * measured.roll_rate_radps;
     if (samples_ == 0) {
-        moment_ = Signal{moment_nm, moment_nm};
-        force_ = Signal{force_n, force_n};
-        rate_ = Signal{measured.roll_rate_radps, measured.roll_rate_radps};
+        moment_.reset(moment_nm);
+        force_.reset(force_n);
+        rate_.reset(measured.roll_rate_radps);
     }
-    const Passed rate = pass(rate_, measured.roll_rate_radps);
-    equation.roll_rate_radps = rate.mean;
-    equation.roll_acceleration_radps2 = rate.change * (1.0F / sample_time_s);
-    equation.lateral_force_n = pass(force_, force_n).mean;
-    equation.residual_nm = pass(moment_, moment_nm).mean - inertia_kgm2_ * equation.roll_acceleration_radps2;
+    const float rate_change = rate_.update(measured.roll_rate_radps, weight_);
+    const float force_change = force_.update(force_n, weight_);
+    const float moment_change = moment_.update(moment_nm, weight_);
+    equation.roll_rate_radps = rate_.value() - 0.5F * rate_change;
+    equation.roll_acceleration_radps2 = rate_change * (1.0F / sample_time_s);
+    equation.lateral_force_n = force_.value() - 0.5F * force_change;
+    equation.inertia_moment_nm = inertia_kgm2_ * equation.roll_acceleration_radps2;
+    equation.residual_nm = moment_.value() - 0.5F * moment_change - equation.inertia_moment_nm;
     equation.settled = (samples_ >= settling_samples_);
     samples_ += equation.settled ? 0 : 1;
     return equation;

@@ -3,7 +3,7 @@
 
 #include "rsi/measurement/measurement.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
-#include "rsi/numeric/bounded.hpp"
+#include "rsi/numeric/two_lags.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -16,12 +16,8 @@ struct RollEquation {
     float stiffness_deviation_nmprad{0.0F};  // M(phi) / phi - K_f, unfiltered
     float roll_rate_radps{0.0F};             // F[phi']
     float roll_acceleration_radps2{0.0F};    // F[phi'']
-    bool all_finite() const {
-        return is_finite(residual_nm + lateral_force_n + roll_rate_radps + roll_acceleration_radps2 +
-                         stiffness_deviation_nmprad);
-    }
-
-    bool settled{false};  // false until the lags have forgotten how they were started
+    float inertia_moment_nm{0.0F};           // Ixx F[phi'']
+    bool settled{false};                     // false until the lags have forgotten how they were started
 };
 
 // F is two first-order lags in a row, and the roll acceleration is what the second one does with the roll
@@ -37,16 +33,6 @@ class FilteredRollEquation {
     RollEquation update(const Measurement& measured);
 
  private:
-    struct Signal {
-        float first{0.0F};
-        float second{0.0F};
-    };
-    struct Passed {
-        float mean;
-        float change;
-    };
-    Passed pass(Signal& signal, float value) const;
-
     RollStiffnessCurve curve_{};
     float sprung_mass_kg_{0.0F};
     float moment_arm_m_{0.0F};
@@ -56,9 +42,9 @@ class FilteredRollEquation {
     int settling_samples_{0};
     int samples_{0};
 
-    Signal moment_{};  // m_s H f - M(phi) - c phi'
-    Signal force_{};   // m_s f
-    Signal rate_{};    // phi'
+    TwoLags moment_{};  // m_s H f - M(phi) - c phi'
+    TwoLags force_{};   // m_s f
+    TwoLags rate_{};    // phi'
 };
 
 }  // namespace rsi

@@ -1,19 +1,23 @@
 #include "rsi/indicator/classic_indices.hpp"
 
 #include "rsi/numeric/bounded.hpp"
-#include "rsi/numeric/vector_length.hpp"
+#include "rsi/numeric/square.hpp"
+#include "rsi/numeric/square_root.hpp"
 
 namespace rsi {
 namespace {
 
 constexpr float largest_index = 20.0F;
 constexpr float longest_time_s = 10.0F;
+// A product of two numbers that exceeds it leaves the sum of their squares above zero.
+constexpr float smallest_product = 1.0e-20F;
 
 }  // namespace
 
 void ClassicIndices::init(const Parameters& parameters) {
     energy_.init(parameters);
     static_stability_factor_ = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
+    static_stability_gain_ = 1.0F / (gravity_mps2 * static_stability_factor_);
     inertia_share_s2prad_ = parameters.roll_inertia_kgm2 /
                             (parameters.sprung_mass_kg * gravity_mps2 * parameters.sprung_cg_height_m);
     angle_gain_ = parameters.rollover_index_angle_weight / parameters.rollover_index_roll_angle_rad;
@@ -28,14 +32,13 @@ void ClassicIndices::init(const Parameters& parameters) {
 ClassicIndexValues ClassicIndices::evaluate(const Measurement& measured, const RollMotion& motion) const {
     ClassicIndexValues values;
     values.static_stability_level =
-        clamp(absolute(measured.lateral_acceleration_mps2) / (gravity_mps2 * static_stability_factor_), 0.0F,
-              largest_index);
+        smaller(absolute(measured.lateral_acceleration_mps2) * static_stability_gain_, largest_index);
     // (27): a_y/g -+ Ixx phi''/(m_s g h). Roll that speeds up outwards takes load transfer away: minus.
     const float force_share = motion.lateral_acceleration_mps2 * (1.0F / gravity_mps2);
     const float inertia_share = inertia_share_s2prad_ * motion.roll_acceleration_radps2;
     values.dynamic_stability_index = clamp_magnitude(force_share - inertia_share, largest_index);
     values.dynamic_stability_index_late = clamp_magnitude(force_share + inertia_share, largest_index);
-    values.energy_margin = energy_.evaluate(measured.roll_angle_rad, measured.roll_rate_radps);
+    values.energy_margin = energy_.evaluate(measured);
     values.rollover_index = rollover_index(measured);
     values.time_to_rollover_s = time_to_rollover_s(measured);
     return values;
@@ -46,14 +49,13 @@ ClassicIndexValues ClassicIndices::evaluate(const Measurement& measured, const R
 float ClassicIndices::rollover_index(const Measurement& measured) const {
     const float phi = measured.roll_angle_rad;
     const float rate = measured.roll_rate_radps;
-    const float length = vector_length(phi, rate);
-    if (!(phi * (rate - gate_slope_radps_ * phi) > 0.0F) || !(length > 0.0F)) {
+    if (!(phi * (rate - gate_slope_radps_ * phi) > smallest_product)) {
         return 0.0F;
     }
     const float index = angle_gain_ * absolute(phi) + rate_gain_ * absolute(rate) +
                         acceleration_gain_ * absolute(measured.lateral_acceleration_mps2) +
-                        direction_weight_ * absolute(phi) / length;
-    return clamp(index, 0.0F, largest_index);
+                        direction_weight_ * absolute(phi) / square_root(square(phi) + square(rate));
+    return smaller(index, largest_index);
 }
 
 // (phi_c - |phi|)/|phi'| while the body rolls outwards; none is left once the CG stands outside the wheels.

@@ -31,6 +31,7 @@ class ClassicIndices {
 
     EnergyMargin energy_{};
     float static_stability_factor_{1.0F};  // c_w / (2 h)
+    float static_stability_gain_{0.0F};    // 1 / (g SSF)
     float inertia_share_s2prad_{0.0F};     // Ixx / (m_s g h)
     float angle_gain_{0.0F};               // C_1 / phi_th
     float rate_gain_{0.0F};                // C_1 / phi'_th

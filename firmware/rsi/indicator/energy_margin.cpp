@@ -2,6 +2,7 @@
 
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
+#include "rsi/numeric/square.hpp"
 
 namespace rsi {
 namespace {
@@ -35,24 +36,24 @@ float critical_roll_angle_rad(const Parameters& parameters) {
 
 void EnergyMargin::init(const Parameters& parameters) {
     const float H = moment_arm_m(parameters);
-    roll_stiffness_nmprad_ = parameters.roll_stiffness_nmprad;
-    gravity_moment_nm_ = parameters.sprung_mass_kg * gravity_mps2 * H;
-    roll_inertia_kgm2_ = parameters.roll_inertia_kgm2 + parameters.sprung_mass_kg * H * H;
+    const float K_f = parameters.roll_stiffness_nmprad;
+    const float m_s = parameters.sprung_mass_kg;
     critical_roll_angle_rad_ = rsi::critical_roll_angle_rad(parameters);
+    const float phi_c = critical_roll_angle_rad_;
+    const float versine_c = bounded_sine_and_versine(phi_c).versine;
     // K_f >= 1.2 m_s g H is validated, so this energy is positive.
-    critical_energy_inverse_ = 1.0F / energy_nm(critical_roll_angle_rad_, 0.0F);
+    const float E_crit_inverse = 1.0F / (0.5F * K_f * phi_c * phi_c - m_s * gravity_mps2 * H * versine_c);
+    stiffness_share_ = 0.5F * K_f * E_crit_inverse;
+    gravity_share_ = m_s * gravity_mps2 * H * E_crit_inverse;
+    inertia_share_ = 0.5F * (parameters.roll_inertia_kgm2 + m_s * H * H) * E_crit_inverse;
 }
 
-float EnergyMargin::energy_nm(float roll_angle_rad, float roll_rate_radps) const {
-    // 1 - cos phi = 2 sin^2(phi/2) keeps its digits near zero.
-    const float half_sine = bounded_sine(0.5F * roll_angle_rad);
-    return 0.5F * (roll_stiffness_nmprad_ * roll_angle_rad * roll_angle_rad +
-                   roll_inertia_kgm2_ * roll_rate_radps * roll_rate_radps) -
-           2.0F * gravity_moment_nm_ * half_sine * half_sine;
-}
-
-float EnergyMargin::evaluate(float roll_angle_rad, float roll_rate_radps) const {
-    return clamp(1.0F - energy_nm(roll_angle_rad, roll_rate_radps) * critical_energy_inverse_, -20.0F, 1.0F);
+// E is never negative, so W does not exceed 1.
+float EnergyMargin::evaluate(const Measurement& measured) const {
+    const float share = stiffness_share_ * square(measured.roll_angle_rad) +
+                        inertia_share_ * square(measured.roll_rate_radps) -
+                        gravity_share_ * measured.versine_roll_angle;
+    return larger(1.0F - share, -20.0F);
 }
 
 }  // namespace rsi

@@ -1,6 +1,7 @@
 // Energy margin: how far the roll energy is from what tips the vehicle, equation (28).
 #pragma once
 
+#include "rsi/measurement/measurement.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -17,18 +18,16 @@ class EnergyMargin {
     void init(const Parameters& parameters);
 
     // 1 at rest, 0 at the critical energy, not below -20.
-    float evaluate(float roll_angle_rad, float roll_rate_radps) const;
+    float evaluate(const Measurement& measured) const;
 
     float critical_roll_angle_rad() const { return critical_roll_angle_rad_; }
 
  private:
-    float energy_nm(float roll_angle_rad, float roll_rate_radps) const;
-
-    float roll_stiffness_nmprad_{1.0F};
-    float gravity_moment_nm_{0.0F};  // m_s g H
-    float roll_inertia_kgm2_{0.0F};  // about the roll centre
     float critical_roll_angle_rad_{1.0F};
-    float critical_energy_inverse_{1.0F};
+    // The three terms of E over E_crit.
+    float stiffness_share_{0.0F};  // for 1 rad^2
+    float inertia_share_{0.0F};    // about the roll centre, for 1 rad^2/s^2
+    float gravity_share_{0.0F};    // for a versine of 1
 };
 
 }  // namespace rsi

@@ -5,7 +5,7 @@
 namespace rsi {
 namespace {
 
-constexpr float smallest_dynamic_ratio = 0.05F;
+constexpr float smallest_dynamic_ratio = 0.001F;
 
 }  // namespace
 
@@ -16,29 +16,30 @@ void ExtendedIndicator::init(const Parameters& parameters) {
     shift_moment_kgm_ = m_s * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
     roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
     height_moment_kgm_ = m_s * parameters.sprung_cg_height_m + m_u * parameters.unsprung_cg_height_m;
+    least_moment_kgm_ = smallest_dynamic_ratio * height_moment_kgm_;
 }
 
-// All of it times N (m_s h + m_u h_u), so that there is one division.
+// All of it times N (m_s h + m_u h_u), so that there is one division. The guard keeps the level below 20.
 float ExtendedIndicator::level_of(float force_moment_nm, float righting_nm, float normal_force_mps2) const {
-    const float least_nm = smallest_dynamic_ratio * height_moment_kgm_ * normal_force_mps2;
-    return clamp(force_moment_nm / larger(righting_nm, least_nm), 0.0F, 20.0F);
+    return force_moment_nm /
+           larger(righting_nm, 0.05F * force_moment_nm + least_moment_kgm_ * normal_force_mps2);
 }
 
 float ExtendedIndicator::level(float parallel_force_mps2, float normal_force_mps2, float tan_roll_angle,
                                float roll_acceleration_radps2) const {
-    const float s = (parallel_force_mps2 < 0.0F) ? -1.0F : 1.0F;
-    const float righting_nm = half_track_moment_kgm_ * normal_force_mps2 +
-                              s * (roll_inertia_kgm2_ * roll_acceleration_radps2 -
-                                   shift_moment_kgm_ * normal_force_mps2 * tan_roll_angle);
-    return level_of(s * parallel_force_mps2 * height_moment_kgm_, righting_nm, normal_force_mps2);
+    const float to_the_left_nm = roll_inertia_kgm2_ * roll_acceleration_radps2 -
+                                 shift_moment_kgm_ * (normal_force_mps2 * tan_roll_angle);
+    const float inward_nm = (parallel_force_mps2 < 0.0F) ? -to_the_left_nm : to_the_left_nm;
+    return level_of(absolute(parallel_force_mps2) * height_moment_kgm_,
+                    half_track_moment_kgm_ * normal_force_mps2 + inward_nm, normal_force_mps2);
 }
 
 float ExtendedIndicator::level_under_load(float parallel_force_mps2, float normal_force_mps2,
                                           float moment_nm) const {
-    const float s = (parallel_force_mps2 < 0.0F) ? -1.0F : 1.0F;
-    const float force_moment_nm = s * parallel_force_mps2 * height_moment_kgm_;
-    const float righting_nm = half_track_moment_kgm_ * normal_force_mps2 + force_moment_nm - s * moment_nm;
-    return level_of(force_moment_nm, righting_nm, normal_force_mps2);
+    const float force_moment_nm = absolute(parallel_force_mps2) * height_moment_kgm_;
+    const float held_nm = (parallel_force_mps2 < 0.0F) ? -moment_nm : moment_nm;
+    return level_of(force_moment_nm, half_track_moment_kgm_ * normal_force_mps2 + (force_moment_nm - held_nm),
+                    normal_force_mps2);
 }
 
 }  // namespace rsi

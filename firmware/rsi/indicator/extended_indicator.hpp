@@ -14,7 +14,7 @@ class ExtendedIndicator {
  public:
     void init(const Parameters& parameters);
 
-    // 0 to 20; T_dyn is taken to be at least 0.05.
+    // 0 to 20; T_dyn is taken to be at least 0.001 + 0.05 |A/N|.
     float level(float parallel_force_mps2, float normal_force_mps2, float tan_roll_angle,
                 float roll_acceleration_radps2) const;
 
@@ -30,7 +30,8 @@ class ExtendedIndicator {
     float half_track_moment_kgm_{1.0F};  // (m_s + m_u) c_w / 2
     float shift_moment_kgm_{0.0F};       // m_s (h - h_frc)
     float roll_inertia_kgm2_{0.0F};
-    float height_moment_kgm_{1.0F};  // m_s h + m_u h_u
+    float height_moment_kgm_{1.0F};   // m_s h + m_u h_u
+    float least_moment_kgm_{0.001F};  // of it, at the least T_dyn
 };
 
 }  // namespace rsi

@@ -5,8 +5,16 @@
 namespace rsi {
 namespace {
 
+float static_stability_factor(const Parameters& parameters) {
+    return parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
+}
+
+float at_most_20(float level) {
+    return (level > 20.0F) ? 20.0F : level;  // a number that is not available stays so
+}
+
+// Most outputs are bounded already.
 float raw_level(const Outputs& outputs, const Parameters& parameters) {
-    const float static_stability_factor = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
     switch (static_cast<rsi_indicator>(parameters.warning_indicator)) {
         case RSI_INDICATOR_PUBLISHED:
             return outputs.rsi;
@@ -23,16 +31,19 @@ float raw_level(const Outputs& outputs, const Parameters& parameters) {
         case RSI_INDICATOR_STATIC_STABILITY_FACTOR:
             return outputs.static_stability_level;
         case RSI_INDICATOR_DYNAMIC_STABILITY:
-            return absolute(outputs.dynamic_stability_index) / static_stability_factor;
+            return at_most_20(absolute(outputs.dynamic_stability_index) /
+                              static_stability_factor(parameters));
         case RSI_INDICATOR_DYNAMIC_STABILITY_LATE:
-            return absolute(outputs.dynamic_stability_index_late) / static_stability_factor;
+            return at_most_20(absolute(outputs.dynamic_stability_index_late) /
+                              static_stability_factor(parameters));
         case RSI_INDICATOR_ENERGY:
-            return 1.0F - outputs.energy_margin;
+            return at_most_20(1.0F - outputs.energy_margin);
         case RSI_INDICATOR_ROLLOVER_INDEX:
             return outputs.rollover_index;
         case RSI_INDICATOR_TIME_TO_ROLLOVER:
             return is_finite(outputs.time_to_rollover_s)
-                       ? parameters.time_to_rollover_limit_s / larger(outputs.time_to_rollover_s, 0.01F)
+                       ? at_most_20(parameters.time_to_rollover_limit_s /
+                                    larger(outputs.time_to_rollover_s, 0.01F))
                        : not_available;
     }
     return not_available;
@@ -66,7 +77,7 @@ float signed_indicator(const Outputs& outputs, const Parameters& parameters, flo
 }  // namespace
 
 float indicator_level(const Outputs& outputs, const Parameters& parameters) {
-    return clamp(raw_level(outputs, parameters), 0.0F, 20.0F);
+    return raw_level(outputs, parameters);
 }
 
 float indicator_side(const Outputs& outputs, const Parameters& parameters, float roll_angle_rad) {

@@ -23,6 +23,11 @@ class LoadTransfer {
         return curve_.moment_nm(roll_angle_rad) + roll_damping_nmsprad_ * roll_rate_radps;
     }
 
+    // d/dphi of it.
+    float suspension_stiffness_nmprad(float roll_angle_rad) const {
+        return curve_.slope_nmprad(roll_angle_rad);
+    }
+
     // The weighted mean of both at present.
     float present_moment_nm(const RollMotion& motion, float suspension_moment_nm) const;
 
@@ -40,7 +45,7 @@ class LoadTransfer {
     float shift_moment_kgm_{0.0F};   // m_s (h - h_frc)
     float roll_inertia_kgm2_{0.0F};
     float roll_damping_nmsprad_{0.0F};
-    float half_weight_arm_kgm_{1.0F};  // m c_w / 2
+    float half_weight_arm_inverse_{1.0F};  // 2 / (m c_w)
 };
 
 }  // namespace rsi

@@ -10,9 +10,9 @@ namespace {
 constexpr float prior_deviation = 0.06F;
 constexpr float largest_error = 0.35F;
 // e returns to zero in 2 s, so that a load that has left is forgotten.
-constexpr float reversion = 0.6F * sample_time_s;
+constexpr float error_reversion = 0.6F * sample_time_s;
 // Noise of one sample, as a share of m_s g H, and what the calibration's other terms may be wrong by.
-constexpr float noise_share = 0.06F;
+constexpr float sample_noise_share = 0.06F;
 constexpr float stiffness_share = 0.07F;
 constexpr float damping_share = 0.25F;
 constexpr float inertia_share = 0.3F;
@@ -24,11 +24,11 @@ constexpr float noise_correlation = 3.0F;
 void MomentArmError::init(const Parameters& parameters) {
     moment_arm_kgm_ =
         parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
-    stiffness_nmprad_ = parameters.roll_stiffness_nmprad;
-    damping_nmsprad_ = parameters.roll_damping_nmsprad;
+    stiffness_noise_ = noise_correlation * square(stiffness_share * parameters.roll_stiffness_nmprad);
+    damping_noise_ = noise_correlation * square(damping_share * parameters.roll_damping_nmsprad);
     inertia_kgm2_ = parameters.roll_inertia_kgm2;
     excitation_nm_ = moment_arm_kgm_ * parameters.excitation_threshold_mps2;
-    noise_nm2_ = square(noise_share * gravity_mps2 * moment_arm_kgm_);
+    noise_nm2_ = noise_correlation * square(sample_noise_share * gravity_mps2 * moment_arm_kgm_);
     reset();
 }
 
@@ -39,8 +39,8 @@ void MomentArmError::reset() {
 
 float MomentArmError::update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio,
                              bool measured_angle) {
-    error_ -= reversion * error_;
-    variance_ += 2.0F * reversion * (square(prior_deviation) - variance_);
+    error_ -= error_reversion * error_;
+    variance_ += 2.0F * error_reversion * (square(prior_deviation) - variance_);
     const float arm_nm =
         moment_arm_kgm_ * (motion.road_parallel_force_mps2 +
                            motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad));
@@ -49,17 +49,16 @@ float MomentArmError::update(const RollMotion& motion, float suspension_moment_n
         measured_angle && (absolute(arm_nm) > excitation_nm_) && (absolute(load_transfer_ratio) < 1.0F);
     if (learns) {
         const float inertia_nm = inertia_kgm2_ * motion.roll_acceleration_radps2;
-        const float noise = noise_nm2_ + square(stiffness_share * stiffness_nmprad_ * motion.roll_angle_rad) +
-                            square(damping_share * damping_nmsprad_ * motion.roll_rate_radps) +
-                            square(inertia_share * inertia_nm);
+        const float noise = noise_nm2_ + stiffness_noise_ * square(motion.roll_angle_rad) +
+                            damping_noise_ * square(motion.roll_rate_radps) +
+                            noise_correlation * square(inertia_share) * square(inertia_nm);
+        // Divided by at least the noise, which is positive.
         const float covariance = arm_nm * variance_;
-        // At least the noise, which is positive.
-        const float gain = covariance / (arm_nm * covariance + noise_correlation * noise);
-        error_ += gain * (arm_nm - suspension_moment_nm - inertia_nm - arm_nm * error_);
-        variance_ -= gain * covariance;
+        const float weight = 1.0F / (arm_nm * covariance + noise);
+        error_ += weight * covariance * (arm_nm - suspension_moment_nm - inertia_nm - arm_nm * error_);
+        variance_ *= weight * noise;
     }
     error_ = clamp_magnitude(error_, largest_error);
-    variance_ = clamp(variance_, 0.0F, square(prior_deviation));
     return error_;
 }
 

@@ -25,9 +25,9 @@ class MomentArmError {
                  bool measured_angle);
 
  private:
-    float moment_arm_kgm_{1.0F};  // m_s H
-    float stiffness_nmprad_{0.0F};
-    float damping_nmsprad_{0.0F};
+    float moment_arm_kgm_{1.0F};   // m_s H
+    float stiffness_noise_{0.0F};  // variances for 1 rad and 1 rad/s, with what neighbouring samples share
+    float damping_noise_{0.0F};
     float inertia_kgm2_{0.0F};
     float excitation_nm_{0.0F};
     float noise_nm2_{1.0F};

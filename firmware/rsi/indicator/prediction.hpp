@@ -18,12 +18,11 @@ struct Prediction {
     RollRisk worst{};  // of largest magnitude within the horizon, the present included
 };
 
-// Carries the roll motion forward in four equal steps, with N held:
+// Carries the roll motion forward in two equal steps, with N held:
 //   a    = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known
 //   Ixx y' = m_s H (1 - 3/4 e) (a + N tan x) - M(x) - c_f y,    x' = y,    from x = phi, y = phi'
-// by the trapezoidal rule, linearised with the constant stiffness K_f - m_s H g, in four steps within 0.025
-// of the converged load transfer where that is below 1. The load transfer is the present one plus what the
-// motion changes in alpha A + M(phi) + c_f phi'.
+// by the trapezoidal rule, linearised with the local stiffness. The load transfer is the present one plus
+// what the motion changes in alpha A + M(phi) + c_f phi'.
 class RollPredictor {
  public:
     void init(const Parameters& parameters);
@@ -34,12 +33,21 @@ class RollPredictor {
                         float moment_arm_error) const;
 
  private:
+    struct Motion {
+        float angle_rad;
+        float rate_radps;
+        float suspension_nm;  // M(x) + c_f y
+    };
+    // `force_mps2`: the mean of a over the step; `gravity_nm`: the moment arm times N.
+    Motion after_step(const Motion& from, float force_mps2, float arm_kgm, float gravity_nm,
+                      const LoadTransfer& load_transfer) const;
+
+    float step_s_{0.0F};
     float half_step_s_{0.0F};
-    float trend_s_{1.0F};                  // tau_j
-    float trend_decay_{1.0F};              // exp(-step / tau_j)
-    float moment_arm_kgm_{0.0F};           // m_s H
-    float half_step_stiffness_nms_{0.0F};  // (K_f - m_s H g) step / 2
-    float rate_gain_radpnms_{0.0F};        // rate that 1 N m adds in one step
+    float trend_after_one_s_{0.0F};         // tau_j (1 - exp(-t / tau_j)) after one step
+    float trend_after_two_s_{0.0F};         // and after both
+    float moment_arm_kgm_{0.0F};            // m_s H
+    float inertia_and_damping_kgm2_{1.0F};  // Ixx + c_f step / 2
 };
 
 }  // namespace rsi

@@ -8,7 +8,10 @@
 
 namespace rsi {
 
-// tan x to within 1 % up to 0.5 rad, which is further than a body rolls on its springs; finite beyond.
+// Further than a body rolls on its springs.
+inline constexpr float largest_spring_angle_rad = 0.5F;
+
+// tan x to within 1 % up to that angle.
 constexpr float short_tangent(float angle_rad) {
     return angle_rad * (1.0F + angle_rad * angle_rad * (1.0F / 3.0F));
 }
@@ -16,9 +19,9 @@ constexpr float short_tangent(float angle_rad) {
 // All finite.
 struct RollMotion {
     float road_parallel_force_mps2{0.0F};       // A
-    float road_normal_force_mps2{1.0F};         // N, at least 0.1 g
+    float road_normal_force_mps2{1.0F};         // N, at least 0.1 g as the measured one is
     float lateral_acceleration_mps2{0.0F};      // a_y
-    float roll_angle_rad{0.0F};                 // phi
+    float roll_angle_rad{0.0F};                 // phi, within largest_spring_angle_rad
     float roll_rate_radps{0.0F};                // phi'
     float roll_acceleration_radps2{0.0F};       // phi'', through one more lag
     float road_parallel_force_rate_mps3{0.0F};  // A', through one more lag
@@ -37,7 +40,6 @@ class RollMotionFilter {
     float weight_{1.0F};
     TwoLags parallel_force_{};
     TwoLags normal_force_{};
-    TwoLags lateral_acceleration_{};
     TwoLags roll_angle_{};
     TwoLags roll_rate_{};
     float parallel_force_rate_mps3_{0.0F};

@@ -10,8 +10,10 @@ float normalised_indicator(const Measurement& measured, const StabilityThreshold
 }
 
 float bank_free_indicator(const Measurement& measured, const StabilityThreshold& threshold) {
-    const float force_ratio = absolute(measured.road_parallel_force_mps2) / measured.road_normal_force_mps2;
-    return clamp(force_ratio / threshold.half_track_ratio, 0.0F, 20.0F);
+    // Both factors of the divisor are bounded from below.
+    return smaller(absolute(measured.road_parallel_force_mps2) /
+                       (measured.road_normal_force_mps2 * threshold.half_track_ratio),
+                   20.0F);
 }
 
 bool has_overturned(const Measurement& measured, const Parameters& parameters) {

@@ -14,23 +14,25 @@ constexpr float smallest_divisor = 0.05F;
 
 void StabilityThresholdStage::init(const Parameters& parameters) {
     half_track_m_ = 0.5F * parameters.track_width_m;
-    cg_height_m_ = parameters.sprung_cg_height_m;
-    fixed_roll_centre_height_m_ = parameters.fixed_roll_centre_height_m;
+    cg_height_inverse_ = 1.0F / parameters.sprung_cg_height_m;
+    moment_arm_m_ = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
 }
 
 StabilityThreshold StabilityThresholdStage::evaluate(const Measurement& measured, float vertical_movement_m,
                                                      float lateral_movement_m) const {
-    const float s = (measured.road_parallel_force_mps2 < 0.0F) ? -1.0F : 1.0F;
-    const float h_rc = fixed_roll_centre_height_m_ + vertical_movement_m;
-    const float shift_m = lateral_movement_m + (cg_height_m_ - h_rc) * measured.tan_roll_angle;
-    const float T = larger((half_track_m_ - s * shift_m) / cg_height_m_, smallest_half_track_ratio);
-    const float e = -s * bounded_tangent(measured.bank_angle_rad);
+    const bool left_turn = (measured.road_parallel_force_mps2 >= 0.0F);
+    const float H = moment_arm_m_ - vertical_movement_m;
+    const float shift_m = lateral_movement_m + H * measured.tan_roll_angle;
+    const float outward_shift_m = left_turn ? shift_m : -shift_m;
+    const float T = larger((half_track_m_ - outward_shift_m) * cg_height_inverse_, smallest_half_track_ratio);
+    const float e = left_turn ? -measured.tan_bank_angle : measured.tan_bank_angle;
     const float magnitude_mps2 = gravity_mps2 * (e + T) / larger(1.0F - e * T, smallest_divisor);
+    const float bounded_mps2 = larger(magnitude_mps2, smallest_threshold_mps2);
 
     StabilityThreshold threshold;
-    threshold.side = s;
+    threshold.side = left_turn ? 1.0F : -1.0F;
     threshold.half_track_ratio = T;
-    threshold.lateral_acceleration_mps2 = s * larger(magnitude_mps2, smallest_threshold_mps2);
+    threshold.lateral_acceleration_mps2 = left_turn ? bounded_mps2 : -bounded_mps2;
     threshold.is_defined = (magnitude_mps2 >= smallest_threshold_mps2);
     return threshold;
 }

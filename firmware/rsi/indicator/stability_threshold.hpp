@@ -23,8 +23,8 @@ class StabilityThresholdStage {
 
  private:
     float half_track_m_{1.0F};
-    float cg_height_m_{1.0F};
-    float fixed_roll_centre_height_m_{0.0F};
+    float cg_height_inverse_{1.0F};
+    float moment_arm_m_{0.0F};  // H
 };
 
 }  // namespace rsi

@@ -11,9 +11,8 @@ constexpr float largest_steering_wheel_angle_rad = 30.0F;
 }  // namespace
 
 void SteeringDemand::init(const Parameters& parameters) {
-    wheelbase_m_ = parameters.wheelbase_m;
-    steering_ratio_ = parameters.steering_ratio;
-    understeer_gradient_s2pm_ = parameters.understeer_gradient_s2pm;
+    wheelbase_m_ = parameters.steering_ratio * parameters.wheelbase_m;
+    understeer_gradient_s2pm_ = parameters.steering_ratio * parameters.understeer_gradient_s2pm;
     largest_mps2_ = parameters.largest_lateral_acceleration_mps2;
 }
 
@@ -24,8 +23,8 @@ DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& 
     }
     const float speed_squared = inputs.speed_mps * inputs.speed_mps;
     // An oversteering vehicle near or past its critical speed asks for anything; the tyres bound it.
-    const float divisor_m = steering_ratio_ * larger(wheelbase_m_ + understeer_gradient_s2pm_ * speed_squared,
-                                                     0.1F * wheelbase_m_);
+    const float divisor_m =
+        larger(wheelbase_m_ + understeer_gradient_s2pm_ * speed_squared, 0.1F * wheelbase_m_);
     const float demanded = speed_squared * inputs.steering_wheel_angle_rad / divisor_m;
     // A - a_y is the bank's share, zero where the bank is not known.
     const float bank_share = measured.road_parallel_force_mps2 - measured.lateral_acceleration_mps2;

@@ -19,8 +19,7 @@ class SteeringDemand {
     DemandedForce evaluate(const Inputs& inputs, const Measurement& measured) const;
 
  private:
-    float wheelbase_m_{1.0F};
-    float steering_ratio_{1.0F};
+    float wheelbase_m_{1.0F};  // this and the next times the steering ratio
     float understeer_gradient_s2pm_{0.0F};
     float largest_mps2_{1.0F};
 };

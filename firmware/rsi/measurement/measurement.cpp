@@ -1,5 +1,7 @@
 #include "rsi/measurement/measurement.hpp"
 
+#include "rsi/numeric/bounded_functions.hpp"
+
 namespace rsi {
 namespace {
 
@@ -11,6 +13,8 @@ constexpr float largest_speed_mps = 150.0F;
 
 // A vehicle that is nearly weightless has no meaningful ratio A/N; the bound keeps the division safe.
 constexpr float smallest_normal_force_mps2 = 0.1F * gravity_mps2;
+
+constexpr float smallest_cosine = 0.2675F;  // of 1.3 rad
 
 bool within(float value, float limit) {
     return is_within_magnitude(value, limit);
@@ -25,6 +29,23 @@ bool observer_inputs_available(const Inputs& inputs) {
     return within(inputs.yaw_rate_radps, largest_rate_radps) && within(inputs.speed_mps, largest_speed_mps);
 }
 
+// Of the road; flat where the angle is not available.
+struct Bank {
+    float sine{0.0F};
+    float cosine{1.0F};
+    float tangent{0.0F};
+};
+
+// The cosine of an available angle is at least 0.69.
+Bank bank_of(float bank_angle_rad) {
+    Bank bank;
+    if (within(bank_angle_rad, largest_bank_angle_rad)) {
+        const SineAndVersine of = bounded_sine_and_versine(bank_angle_rad);
+        bank = Bank{of.sine, 1.0F - of.versine, of.sine / (1.0F - of.versine)};
+    }
+    return bank;
+}
+
 struct RoadForces {
     float parallel;
     float normal;
@@ -37,12 +58,11 @@ RoadForces rotate_to_road(float lateral, float vertical, float sine, float cosin
 
 // Without f_z: f_y = A cos phi + N sin phi, with N = g / cos b - A tan b, which holds while the vertical
 // acceleration is zero. The divisor is cos(phi + b) / cos b.
-RoadForces assume_no_heave(float lateral, float sine, float cosine, float bank_angle_rad) {
-    const float tan_bank = bounded_tangent(bank_angle_rad);
-    const float normal_at_rest = gravity_mps2 / bounded_cosine(bank_angle_rad);
-    const float divisor = larger(cosine - tan_bank * sine, 0.1F);
+RoadForces assume_no_heave(float lateral, float sine, float cosine, const Bank& bank) {
+    const float normal_at_rest = gravity_mps2 / bank.cosine;
+    const float divisor = larger(cosine - bank.tangent * sine, 0.1F);
     const float parallel = (lateral - normal_at_rest * sine) / divisor;
-    return RoadForces{parallel, normal_at_rest - parallel * tan_bank};
+    return RoadForces{parallel, normal_at_rest - parallel * bank.tangent};
 }
 
 }  // namespace
@@ -124,24 +144,22 @@ bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement, fl
         yaw_acceleration_.reset();
         return false;
     }
-    const float phi = measurement.roll_angle_rad;
-    const bool bank_known = within(inputs.bank_angle_rad, largest_bank_angle_rad);
-    const float bank = bank_known ? inputs.bank_angle_rad : 0.0F;
-    const float sine = bounded_sine(phi);
-    const float cosine = bounded_cosine(phi);
+    const Bank bank = bank_of(inputs.bank_angle_rad);
+    const SineAndVersine roll = bounded_sine_and_versine(measurement.roll_angle_rad);
+    const float cosine = 1.0F - roll.versine;
     const RoadForces forces = within(inputs.vertical_specific_force_mps2, largest_force_mps2)
-                                  ? rotate_to_road(at_cg.lateral_mps2, at_cg.vertical_mps2, sine, cosine)
-                                  : assume_no_heave(at_cg.lateral_mps2, sine, cosine, bank);
+                                  ? rotate_to_road(at_cg.lateral_mps2, at_cg.vertical_mps2, roll.sine, cosine)
+                                  : assume_no_heave(at_cg.lateral_mps2, roll.sine, cosine, bank);
 
     measurement.road_parallel_force_mps2 = forces.parallel;
     measurement.road_normal_force_mps2 = larger(forces.normal, smallest_normal_force_mps2);
     // The inverse of A = a_y cos b + g sin b, N = g cos b - a_y sin b.
-    measurement.lateral_acceleration_mps2 =
-        bank_known ? forces.parallel * bounded_cosine(bank) - forces.normal * bounded_sine(bank)
-                   : forces.parallel;
+    measurement.lateral_acceleration_mps2 = forces.parallel * bank.cosine - forces.normal * bank.sine;
     measurement.roll_rate_radps = inputs.roll_rate_radps;
-    measurement.tan_roll_angle = bounded_tangent(phi);
-    measurement.bank_angle_rad = bank;
+    // Past 1.3 rad, where the vehicle lies on its side, the tangent grows no further.
+    measurement.tan_roll_angle = roll.sine / larger(cosine, smallest_cosine);
+    measurement.versine_roll_angle = roll.versine;
+    measurement.tan_bank_angle = bank.tangent;
     return true;
 }
 

@@ -24,7 +24,8 @@ struct Measurement {
     float roll_angle_rad{0.0F};             // phi_m, relative to the road
     float roll_rate_radps{0.0F};            // phi_m'
     float tan_roll_angle{0.0F};
-    float bank_angle_rad{0.0F};  // b, 0 where it is not known
+    float versine_roll_angle{0.0F};  // 1 - cos phi_m
+    float tan_bank_angle{0.0F};      // of b, 0 where it is not known
     rsi_roll_source roll_source{RSI_ROLL_NONE};
     RollObservation observed{};
 };

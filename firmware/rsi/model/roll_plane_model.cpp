@@ -1,5 +1,7 @@
 #include "rsi/model/roll_plane_model.hpp"
 
+#include "rsi/numeric/bounded_functions.hpp"
+
 namespace rsi {
 namespace {
 
@@ -16,38 +18,44 @@ void RollPlaneModel::init(const Parameters& parameters) {
     moment_arm_m_ = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
     stiffness_nmprad_ = parameters.roll_stiffness_nmprad;
     damping_nmsprad_ = parameters.roll_damping_nmsprad;
+    damping_inverse_ = 1.0F / damping_nmsprad_;
+    force_to_rate_ = sprung_mass_kg_ * moment_arm_m_ * damping_inverse_;
+    angle_to_rate_per_s_ = stiffness_nmprad_ * damping_inverse_;
+    // Both stiffnesses are positive: K_f >= 1.2 m_s g H is validated.
+    const float gravity_per_s = force_to_rate_ * gravity_mps2;
+    upright_step_s_ = sample_time_s / (1.0F + 0.5F * sample_time_s * (angle_to_rate_per_s_ - gravity_per_s));
+    spring_step_s_ = sample_time_s / (1.0F + 0.5F * sample_time_s * angle_to_rate_per_s_);
 }
 
 float RollPlaneModel::roll_rate_radps(float angle_rad, float tan_gravity_angle,
                                       const Measurement& measurement, float additional_roll_moment_nm) const {
     const float force_mps2 =
         measurement.road_parallel_force_mps2 + measurement.road_normal_force_mps2 * tan_gravity_angle;
-    const float moment_nm = sprung_mass_kg_ * moment_arm_m_ * force_mps2 + additional_roll_moment_nm;
-    return (moment_nm - stiffness_nmprad_ * angle_rad) / damping_nmsprad_;
+    return force_to_rate_ * force_mps2 + additional_roll_moment_nm * damping_inverse_ -
+           angle_to_rate_per_s_ * angle_rad;
 }
 
-float RollPlaneModel::next_angle_rad(float angle_rad, float rate_radps, float stiffness_nmprad) const {
-    const float divisor = 1.0F + 0.5F * sample_time_s * stiffness_nmprad / damping_nmsprad_;
-    // A negative local stiffness (a vehicle past its static balance) must not flip the sign of the step.
-    return within_model(angle_rad + sample_time_s * rate_radps / larger(divisor, 0.5F));
+float RollPlaneModel::next_upright_angle_rad(float angle_rad, float rate_radps) const {
+    return within_model(angle_rad + upright_step_s_ * rate_radps);
+}
+
+float RollPlaneModel::next_spring_angle_rad(float angle_rad, float rate_radps) const {
+    return within_model(angle_rad + spring_step_s_ * rate_radps);
 }
 
 void FixedModelRoll::reset(float angle_rad) {
     angle_rad_ = within_model(angle_rad);
     rate_radps_ = 0.0F;
-    tan_angle_ = bounded_tangent(angle_rad_);
+    tan_angle_ = short_range_tangent(angle_rad_);
 }
 
 void FixedModelRoll::evaluate(const RollPlaneModel& model, const Measurement& measurement) {
-    tan_angle_ = bounded_tangent(angle_rad_);
+    tan_angle_ = short_range_tangent(angle_rad_);
     rate_radps_ = model.roll_rate_radps(angle_rad_, tan_angle_, measurement, 0.0F);
 }
 
-void FixedModelRoll::advance(const RollPlaneModel& model, const Measurement& measurement) {
-    const float secant_squared = 1.0F + tan_angle_ * tan_angle_;
-    const float gravity_stiffness =
-        model.sprung_mass_kg() * measurement.road_normal_force_mps2 * model.moment_arm_m() * secant_squared;
-    angle_rad_ = model.next_angle_rad(angle_rad_, rate_radps_, model.stiffness_nmprad() - gravity_stiffness);
+void FixedModelRoll::advance(const RollPlaneModel& model) {
+    angle_rad_ = model.next_upright_angle_rad(angle_rad_, rate_radps_);
 }
 
 void CompensatedModelRoll::reset(float angle_rad) {
@@ -58,7 +66,7 @@ void CompensatedModelRoll::advance(const RollPlaneModel& model, const Measuremen
                                    const FixedModelRoll& fixed, float additional_roll_moment_nm) {
     const float rate_radps =
         model.roll_rate_radps(angle_rad_, fixed.tan_angle(), measurement, additional_roll_moment_nm);
-    angle_rad_ = model.next_angle_rad(angle_rad_, rate_radps, model.stiffness_nmprad());
+    angle_rad_ = model.next_spring_angle_rad(angle_rad_, rate_radps);
 }
 
 }  // namespace rsi

@@ -22,16 +22,23 @@ class RollPlaneModel {
     float roll_rate_radps(float angle_rad, float tan_gravity_angle, const Measurement& measurement,
                           float additional_roll_moment_nm) const;
 
-    // The angle one sample later under forces held constant: trapezoidal rule, linearised with the local
-    // stiffness `stiffness_nmprad`, so it is stable for any admitted parameters. Clamped to +-0.5 rad: beyond
-    // that the vehicle has long rolled over and the model means nothing.
-    float next_angle_rad(float angle_rad, float rate_radps, float stiffness_nmprad) const;
+    // The angle one sample later under forces held constant: trapezoidal rule, linearised upright, with the
+    // stiffness K_f - m_s g H where gravity follows the angle, and K_f where it does not. Both are stable for
+    // any admitted parameters. Clamped to +-0.5 rad: beyond that the vehicle has long rolled over and the
+    // model means nothing.
+    float next_upright_angle_rad(float angle_rad, float rate_radps) const;
+    float next_spring_angle_rad(float angle_rad, float rate_radps) const;
 
  private:
     float sprung_mass_kg_{0.0F};
     float moment_arm_m_{0.0F};
     float stiffness_nmprad_{1.0F};
     float damping_nmsprad_{1.0F};
+    float damping_inverse_{1.0F};
+    float force_to_rate_{0.0F};        // m_s H / c_f
+    float angle_to_rate_per_s_{0.0F};  // K_f / c_f
+    float upright_step_s_{0.0F};       // the sample time over 1 + half of it times the stiffness over c_f
+    float spring_step_s_{0.0F};
 };
 
 // phi_f: the fixed-roll-centre vehicle under the measured forces.
@@ -43,7 +50,7 @@ class FixedModelRoll {
     void evaluate(const RollPlaneModel& model, const Measurement& measurement);
 
     // Moves the angle to the next sample.
-    void advance(const RollPlaneModel& model, const Measurement& measurement);
+    void advance(const RollPlaneModel& model);
 
     float angle_rad() const { return angle_rad_; }    // phi_f
     float rate_radps() const { return rate_radps_; }  // phi_f'

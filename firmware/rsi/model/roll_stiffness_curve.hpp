@@ -13,11 +13,12 @@ class RollStiffnessCurve {
         linear_ = factor * parameters.roll_stiffness_nmprad;
         cubic_ = factor * parameters.roll_stiffness_cubic_nmprad3;
         quintic_ = factor * parameters.roll_stiffness_quintic_nmprad5;
+        slope_cubic_ = 3.0F * cubic_;
+        slope_quintic_ = 5.0F * quintic_;
     }
 
     float moment_nm(float angle_rad) const {
-        const float z = angle_rad * angle_rad;
-        return angle_rad * (linear_ + z * (cubic_ + z * quintic_));
+        return angle_rad * (linear_ + secant_deviation_nmprad(angle_rad));
     }
 
     // M(phi) / phi - K_f
@@ -29,13 +30,15 @@ class RollStiffnessCurve {
     // dM/dphi
     float slope_nmprad(float angle_rad) const {
         const float z = angle_rad * angle_rad;
-        return linear_ + z * (3.0F * cubic_ + z * (5.0F * quintic_));
+        return linear_ + z * (slope_cubic_ + z * slope_quintic_);
     }
 
  private:
     float linear_{1.0F};
     float cubic_{0.0F};
     float quintic_{0.0F};
+    float slope_cubic_{0.0F};
+    float slope_quintic_{0.0F};
 };
 
 }  // namespace rsi

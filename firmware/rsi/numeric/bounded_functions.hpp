@@ -2,7 +2,7 @@
 // target.
 //
 // The C library's functions differ in the last bit from one platform to the next; these use only +, * and /,
-// which IEEE 754 fixes. Series are cut where the first term left out is below one float rounding.
+// which IEEE 754 fixes. Polynomials end where their error is about one float rounding.
 #pragma once
 
 #include "rsi/numeric/bounded.hpp"
@@ -13,31 +13,42 @@ namespace rsi {
 inline constexpr float largest_angle_rad = 1.5707963F;
 inline constexpr float largest_tangent_argument_rad = 1.3F;
 
-// Error below 2e-7.
-constexpr float bounded_sine(float angle_rad) {
+// Sine and versine 1 - cos of one angle share its square.
+struct SineAndVersine {
+    float sine;
+    float versine;
+};
+
+// Errors below 2e-7, of the versine also 2e-6 of itself: polynomials of least largest error.
+constexpr SineAndVersine bounded_sine_and_versine(float angle_rad) {
     const float x = clamp_magnitude(angle_rad, largest_angle_rad);
     const float z = x * x;
-    const float series =
-        z * (-1.0F / 6.0F +
-             z * (1.0F / 120.0F + z * (-1.0F / 5040.0F + z * (1.0F / 362880.0F - z * (1.0F / 39916800.0F)))));
-    return x + x * series;
+    const float sine_series =
+        z * (-0.166666571F + z * (0.00833301729F + z * (-1.98066152e-4F + z * 2.60005480e-6F)));
+    const float versine =
+        z * (0.499999323F + z * (-0.0416639895F + z * (0.00138559270F + z * -2.31943868e-5F)));
+    return SineAndVersine{x + x * sine_series, versine};
 }
 
-// Error below 1.5e-7.
+constexpr float bounded_sine(float angle_rad) {
+    return bounded_sine_and_versine(angle_rad).sine;
+}
+
 constexpr float bounded_cosine(float angle_rad) {
-    const float x = clamp_magnitude(angle_rad, largest_angle_rad);
-    const float z = x * x;
-    const float series =
-        z * (-0.5F + z * (1.0F / 24.0F +
-                          z * (-1.0F / 720.0F + z * (1.0F / 40320.0F +
-                                                     z * (-1.0F / 3628800.0F + z * (1.0F / 479001600.0F))))));
-    return 1.0F + series;
+    return 1.0F - bounded_sine_and_versine(angle_rad).versine;
 }
 
 // Relative error below 1e-6; the cosine of the clamped argument is at least 0.26.
 constexpr float bounded_tangent(float angle_rad) {
-    const float x = clamp_magnitude(angle_rad, largest_tangent_argument_rad);
-    return bounded_sine(x) / bounded_cosine(x);
+    const SineAndVersine of =
+        bounded_sine_and_versine(clamp_magnitude(angle_rad, largest_tangent_argument_rad));
+    return of.sine / (1.0F - of.versine);
+}
+
+// tan x for |x| <= 0.5, relative error below 2e-7.
+constexpr float short_range_tangent(float x) {
+    const float z = x * x;
+    return x + x * (z * (0.333330100F + z * (0.133456150F + z * (0.0525317802F + z * 0.0283162129F))));
 }
 
 // exp(-x) for 0 <= x <= 16 (clamped), relative error below 1e-5: the series at x/64, squared six times.

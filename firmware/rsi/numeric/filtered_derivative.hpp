@@ -11,7 +11,9 @@ class FilteredDerivative {
     // `lag_s` >= 0; 0 gives the plain difference quotient.
     void init(float lag_s) {
         const float lag = larger(lag_s, 0.0F);
-        weight_ = (lag > 0.0F) ? 1.0F - decaying_exponential(sample_time_s / lag) : 1.0F;
+        const float weight = (lag > 0.0F) ? 1.0F - decaying_exponential(sample_time_s / lag) : 1.0F;
+        retained_ = 1.0F - weight;
+        gain_per_s_ = weight / sample_time_s;
         reset();
     }
 
@@ -23,7 +25,7 @@ class FilteredDerivative {
     // Unit of the value per second; 0 on the first value after a reset.
     float update(float value) {
         if (has_previous_) {
-            derivative_ += weight_ * ((value - previous_) * (1.0F / sample_time_s) - derivative_);
+            derivative_ = retained_ * derivative_ + gain_per_s_ * (value - previous_);
         }
         previous_ = value;
         has_previous_ = true;
@@ -31,7 +33,8 @@ class FilteredDerivative {
     }
 
  private:
-    float weight_{1.0F};
+    float retained_{0.0F};
+    float gain_per_s_{1.0F / sample_time_s};
     float previous_{0.0F};
     float derivative_{0.0F};
     bool has_previous_{false};

@@ -1,4 +1,4 @@
-// Two equal first-order lags in a row, with the derivative of what comes out.
+// Two equal first-order lags in a row, with the change of what comes out.
 #pragma once
 
 #include "rsi/numeric/bounded_functions.hpp"
@@ -17,24 +17,22 @@ class TwoLags {
     void reset(float value) {
         first_ = value;
         second_ = value;
-        derivative_ = 0.0F;
     }
 
-    // `weight` as lag_weight() gives it.
-    void update(float value, float weight) {
+    // Takes the next value in; returns by how much what comes out has changed. `weight` as lag_weight() gives
+    // it.
+    float update(float value, float weight) {
         first_ += weight * (value - first_);
-        const float step = weight * (first_ - second_);
-        second_ += step;
-        derivative_ = step * (1.0F / sample_time_s);
+        const float change = weight * (first_ - second_);
+        second_ += change;
+        return change;
     }
 
     float value() const { return second_; }
-    float derivative() const { return derivative_; }  // unit of the value per second
 
  private:
     float first_{0.0F};
     float second_{0.0F};
-    float derivative_{0.0F};
 };
 
 }  // namespace rsi

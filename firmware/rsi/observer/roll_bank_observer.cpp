@@ -15,7 +15,6 @@ constexpr float offset_decay = 1.0F - T / 0.6F;
 constexpr float largest_movement_m = 0.05F;
 constexpr float largest_roll_rad = 1.57F;
 constexpr float largest_bank_rad = 0.5F;
-constexpr float largest_offset_radps = radians(5.0F);
 
 // Below this speed a wheel-speed signal is poor and has no sign, so the turn says nothing about the bank.
 constexpr float smallest_speed_mps = 5.0F;
@@ -27,10 +26,10 @@ constexpr float turn_deviation_per_yaw_acceleration_m = 7.0F;
 // A larger one comes from a vehicle that slides, not from a road that has suddenly tilted.
 constexpr float plausible_innovation_mps2 = 2.0F;
 
-// Variances at the start, and largest ones.
+// Variances at the start, and bounds.
 constexpr float initial_roll_variance_rad2 = square(0.05F);
 constexpr float initial_bank_variance_rad2 = square(0.1F);
-constexpr float largest_roll_variance_kept_rad2 = 1.0F;
+constexpr float smallest_roll_variance_rad2 = 1.0e-9F;
 
 // What the model and the measurements are worth, tuned on simulated drives; variances of one step.
 ObserverNoise noise_of(const Parameters& parameters) {
@@ -168,17 +167,16 @@ void RollBankObserver::correct_by_turn(float gravity_part_mps2, float yaw_accele
     P33_ -= covariance * covariance * weight;
 }
 
+// Every signal moves phi, so a number that is not finite shows there.
 void RollBankObserver::keep_in_bounds() {
-    // A sum is not finite when a summand is not.
-    if (!is_finite(phi_ + rate_ + bank_ + offset_ + P11_ + P33_)) {
-        reset();
-        return;
+    if (!is_within_magnitude(phi_, largest_roll_rad)) {
+        running_ = is_finite(phi_);
+        phi_ = clamp_magnitude(phi_, largest_roll_rad);
     }
-    phi_ = clamp_magnitude(phi_, largest_roll_rad);
     bank_ = clamp_magnitude(bank_, largest_bank_rad);
-    offset_ = clamp_magnitude(offset_, largest_offset_radps);
-    P11_ = clamp(P11_, 1.0e-9F, largest_roll_variance_kept_rad2);
-    P33_ = clamp(P33_, 1.0e-9F, initial_bank_variance_rad2);
+    // Neither falls to zero: P33 tends to that of the steady filter from above.
+    P11_ = larger(P11_, smallest_roll_variance_rad2);
+    P33_ = smaller(P33_, initial_bank_variance_rad2);
 }
 
 }  // namespace rsi

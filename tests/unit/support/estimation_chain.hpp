@@ -23,7 +23,7 @@ class EstimationChain {
         }
         fixed_.evaluate(model_, measurement_);
         regression = rsi::regress(model_, measurement_, fixed_);
-        fixed_.advance(model_, measurement_);
+        fixed_.advance(model_);
         return true;
     }
 

@@ -146,10 +146,10 @@ inline double predicted_load_transfer(const ReferenceVehicle& v, const Reference
     return worst;
 }
 
-// How near the component's four steps must come: closely where a warning is decided, less so where the body
+// How near the component's two steps must come: closely where a warning is decided, less so where the body
 // runs into stiff stops beyond it.
 inline double prediction_tolerance(double load_transfer) {
-    return (std::fabs(load_transfer) <= 1.0) ? 0.025 : 0.05 * load_transfer * load_transfer;
+    return (std::fabs(load_transfer) <= 1.0) ? 0.08 : 0.05 * load_transfer * load_transfer;
 }
 
 // A first-order lag at 100 Hz that starts at its first value.
