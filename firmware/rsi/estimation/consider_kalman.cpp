@@ -13,9 +13,8 @@ constexpr float damping_error = 0.25F;
 constexpr float inertia_error = 0.3F;
 constexpr float offset_prior_mps2 = 0.03F * gravity_mps2;
 constexpr float offset_drift_mps2_per_root_s = 0.0005F * gravity_mps2;
-// The noise of neighbouring samples is alike, because F makes it so; both numbers are larger for that. It
-// comes from sensors and road, whose moments grow with the vehicle's weight and height.
-constexpr float noise_share = 0.02F;  // of m_s g h
+// The noise of neighbouring samples is alike, because F makes it so; both numbers are larger for that.
+constexpr float noise_nm = 400.0F;
 constexpr float correlation = 3.0F;
 // The variance holds what neighbouring samples share, so one sample's innovation is far smaller as a rule.
 // Beyond half a standard deviation it loses weight with the square of its size: a kerb, a pothole.
@@ -46,8 +45,7 @@ void ConsiderKalman::init(const Parameters& parameters) {
     excitation_threshold_n_ = parameters.sprung_mass_kg * parameters.excitation_threshold_mps2;
     freeze_level_ = parameters.freeze_level;
     steady_reversion_ = steady_share * reversion_;
-    noise_nm2_ = correlation * square(noise_share * parameters.sprung_mass_kg * gravity_mps2 *
-                                      parameters.sprung_cg_height_m);
+    noise_nm2_ = correlation * square(noise_nm);
     damping_noise_nm2s2_ = correlation * square(damping_error * parameters.roll_damping_nmsprad);
     const float nm_per_mps2 =
         parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
