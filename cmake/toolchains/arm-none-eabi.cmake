@@ -10,7 +10,6 @@ set(CMAKE_C_FLAGS_INIT "${processor_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${processor_flags} -fno-exceptions -fno-rtti -fno-threadsafe-statics")
 set(CMAKE_ASM_FLAGS_INIT "${processor_flags}")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "--specs=nano.specs -nostartfiles -Wl,--gc-sections")
-set(CMAKE_EXECUTABLE_SUFFIX .elf)
 
 # The compiler is tried without linking: a program needs a board's start-up code and linker script.
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
