@@ -3,19 +3,15 @@
 #include <optional>
 
 #include "application/rollover_ecu.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/virtual_clock.hpp"
-#include "hal/zynqmp_r5/can_controller.hpp"
-#include "hal/zynqmp_r5/policy.hpp"
-#include "hal/zynqmp_r5/registers.hpp"
-#include "images/zynqmp_r5/parameters.hpp"
+#include "images/zynqmp_r5/ecu_image.hpp"
+#include "images/zynqmp_r5/warning_witness.hpp"
 #include "sil/simulation/lock_step_receiver.hpp"
 
 namespace {
 
-using hal::zynqmp_r5::MemoryMappedRegisters;
-using hal::zynqmp_r5::Policy;
-
-// A cycle has four frames; more only if several are sent at once.
+// A cycle has four frames; more wait only if a simulation does not wait for its answer.
 using Receiver = sil::LockStepReceiver<32U>;
 
 // Simulated time stands still for as long as the simulation likes.
@@ -24,26 +20,44 @@ class NoWatchdog final : public hal::Watchdog {
     void feed() noexcept override {}
 };
 
+class LockStepImage {
+ public:
+    [[noreturn]] void run() noexcept {
+        static_cast<void>(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
+        static_cast<void>(controller_.open(image::can_settings(can_dbc::SimulationSync::identifier)));
+        // One cycle unasked, so that whoever starts the emulator knows that the firmware runs.
+        begin();
+        ecu_->step(0U);
+        for (;;) {
+            while (receiver_.cycle_is_complete()) {
+                // A new run must not see what the ECU has learnt and counted in the one before.
+                if (receiver_.run_begins()) {
+                    begin();
+                }
+                ecu_->step(0U);
+            }
+        }
+    }
+
+ private:
+    void begin() noexcept {
+        const image::ParameterMemory parameters = image::parameter_memory();
+        static_cast<void>(
+            ecu_.emplace(receiver_, clock_, watchdog_).init(parameters.bytes, parameters.length));
+    }
+
+    hal::VirtualClock clock_;
+    image::Controller controller_{image::MemoryMappedRegisters{}, clock_};
+    image::WarningWitness witness_{controller_};
+    Receiver receiver_{witness_, clock_};
+    NoWatchdog watchdog_;
+    std::optional<application::RolloverEcu> ecu_;
+};
+
+LockStepImage ecu;
+
 }  // namespace
 
 int main() {
-    static hal::VirtualClock clock;
-    static hal::zynqmp_r5::CanController<MemoryMappedRegisters, Policy> controller{MemoryMappedRegisters{},
-                                                                                   clock};
-    static Receiver bus{controller, clock};
-    static NoWatchdog watchdog;
-    static std::optional<application::RolloverEcu> ecu;
-    controller.open();
-    ecu.emplace(bus, clock, watchdog).init(image::parameters);
-    // One cycle unasked, so that whoever starts the emulator knows that the firmware runs.
-    ecu->step(0U);
-    for (;;) {
-        while (bus.cycle_is_complete()) {
-            // A new run must not see what the ECU has learnt and counted in the one before.
-            if (bus.run_begins()) {
-                ecu.emplace(bus, clock, watchdog).init(image::parameters);
-            }
-            ecu->step(0U);
-        }
-    }
+    ecu.run();
 }
