@@ -224,11 +224,12 @@ TEST_F(CanControllerTest, AFifoThatEmptiesInBetweenIsNotThrownAway) {
 
 TEST_F(CanControllerTest, ErrorsAreCountedAndCleared) {
     open();
-    device.on_write(can::event_clear, 0U);
     device.raise(can::event_bits::error);
+    device.errors = 0x11U;  // acknowledgement and bit error
     EXPECT_EQ(controller.receive(frame), ReceiveResult::empty);
     EXPECT_EQ(controller.receive(frame), ReceiveResult::empty);
     EXPECT_EQ(controller.statistics().error_frames, 1U);
+    EXPECT_EQ(device.errors, 0U);
 }
 
 TEST_F(CanControllerTest, FollowsTheErrorStateOfTheController) {

@@ -20,6 +20,7 @@ class CanDevice final : public Device {
     bool filters_stay_busy{false};
     bool has_bus{true};  // false: nobody acknowledges, so that frames stay in the FIFO
     std::uint32_t error_state{1U};
+    std::uint32_t errors{0U};  // error status register
     std::vector<CanFrameWords> sent;
 
     // A frame arrives from the bus.
@@ -49,6 +50,8 @@ class CanDevice final : public Device {
         switch (address) {
             case can::status:
                 return status();
+            case can::error_status:
+                return errors;
             case can::event_status:
                 return events_ | standing_events();
             case can::receive_fifo:
@@ -72,7 +75,7 @@ class CanDevice final : public Device {
                 events_ &= ~value;
                 break;
             case can::error_status:
-                values_[address] = 0U;
+                errors &= ~value;
                 break;
             case can::transmit_fifo + 12U:
                 accept();
