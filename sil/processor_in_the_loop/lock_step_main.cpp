@@ -36,6 +36,7 @@ class LockStepImage {
                 }
                 ecu_->step(0U);
             }
+            image::Policy::between_polls();
         }
     }
 
