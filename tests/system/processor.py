@@ -22,8 +22,12 @@ class Bus:
 
     FRAME = struct.Struct("=IB3x8s")
 
-    def __init__(self, timeout_s=10.0):
+    def __init__(self, timeout_s=60.0, only=()):
+        """Hears every identifier, or `only` some."""
         self.socket = socket.socket(socket.AF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
+        if only:
+            filters = b"".join(struct.pack("=II", int(identifier, 16), 0x7FF) for identifier in only)
+            self.socket.setsockopt(socket.SOL_CAN_RAW, socket.CAN_RAW_FILTER, filters)
         self.socket.settimeout(timeout_s)
         self.socket.bind((programs.INTERFACE,))
 
