@@ -10,6 +10,7 @@
 #include "hal/memory/frame_replay.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "tests/targets/bit_digest.hpp"
 #include "tests/targets/candump_text.hpp"
 #include "tests/targets/support/program.hpp"
 #include "tests/targets/support/text_file.hpp"
@@ -69,7 +70,31 @@ bool read_recording(target::LineReader reader, Recording& recording) {
     return (recording.count > 0U) && reader.at_end();
 }
 
-void answer(const Recording& recording, const rsi::Parameters& parameters, target::TextWriter& out) {
+void add_outputs(const rsi::Outputs& outputs, target::BitDigest& digest) {
+    digest.add(static_cast<std::uint32_t>(outputs.state));
+    digest.add(static_cast<std::uint32_t>(outputs.side));
+    digest.add(static_cast<std::uint32_t>(outputs.roll_source));
+    digest.add(static_cast<std::uint32_t>(outputs.roll_sensor_disagrees));
+    digest.add(static_cast<std::uint32_t>(outputs.estimate_frozen));
+    // All that follows is floats; how large an enumeration is, is the compiler's choice.
+    constexpr std::size_t first = offsetof(rsi::Outputs, warning_level);
+    constexpr std::size_t count = (sizeof(rsi::Outputs) - first) / sizeof(float);
+    float values[count];
+    std::memcpy(values, reinterpret_cast<const unsigned char*>(&outputs) + first, sizeof(values));
+    for (const float value : values) {
+        digest.add(value);
+    }
+}
+
+void print_digest(std::uint64_t digest) {
+    char text[] = "outputs 0123456789ABCDEF\n";
+    for (std::size_t digit = 0U; digit < 16U; ++digit) {
+        text[8U + digit] = "0123456789ABCDEF"[(digest >> (60U - (4U * digit))) & 0xFU];
+    }
+    target::print(text);
+}
+
+std::uint64_t answer(const Recording& recording, const rsi::Parameters& parameters, target::TextWriter& out) {
     static hal::VirtualClock clock;
     static hal::MemoryBus<2U> bus{clock};
     static NoWatchdog watchdog;
@@ -77,16 +102,18 @@ void answer(const Recording& recording, const rsi::Parameters& parameters, targe
     ecu.init(parameters);
     hal::CanBus& world = bus.endpoint(1U);
     hal::FrameReplay player{recording.frames, recording.count, clock, world};
+    target::BitDigest digest;
     target::CandumpLine line = recording.first;
     char text[target::longest_line];
     for (hal::Time time = recording.frames[0].receive_time;; time = time + cycle_time) {
         player.run_until(time);
         ecu.step(0U);
+        add_outputs(ecu.outputs(), digest);
         while (world.receive(line.frame) == hal::ReceiveResult::frame) {
             out.put(text, target::format_line(line, text));
         }
         if (player.finished()) {
-            return;
+            return digest.value();
         }
     }
 }
@@ -112,7 +139,7 @@ int target::run(int argc, const char* const* argv) {
         return refuse(argv[3], ": cannot be written\n");
     }
     TextWriter out{ecu};
-    answer(recording, parameters, out);
+    print_digest(answer(recording, parameters, out));
     return (close(parameter_file) && close(sensors) && out.close())
                ? 0
                : refuse(argv[3], ": cannot be written\n");
