@@ -111,6 +111,8 @@ start:
     cmp r0, #0
     blxne r0
 
+    cpsie a                             @ a write that the bus refuses later is a data abort too
+
     ldr r4, =init_array_start
     ldr r5, =init_array_end
 construct:
