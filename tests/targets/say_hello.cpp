@@ -1,11 +1,16 @@
-// What a target program can do: text, arguments, files, an exit status. The test of run_on_target.
+// What a target program can do: text, arguments, files, an exit status, a fault. The test of run_on_target.
 #include <cstddef>
+#include <cstring>
 
 #include "tests/targets/support/program.hpp"
 
-// say_hello IN OUT: copies the file IN to OUT; the exit status is the number of arguments.
+// say_hello IN OUT: copies the file IN to OUT; say_hello fault: executes an undefined instruction. The exit
+// status is the number of arguments, the name included.
 int target::run(int argc, const char* const* argv) {
     print("hello\n");
+    if ((argc == 2) && (std::strcmp(argv[1], "fault") == 0)) {
+        __builtin_trap();
+    }
     if (argc != 3) {
         return argc;
     }
