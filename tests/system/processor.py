@@ -43,6 +43,11 @@ class Bus:
         self.socket.close()
 
 
+def cycle_overruns_of(status):
+    """RolloverStatus.CycleOverruns."""
+    return int(status[8:10], 16)
+
+
 def cycles_of(frames):
     """The frames of a log, gathered by their time stamps: cycle number to frames."""
     cycles = {}

@@ -1,7 +1,8 @@
-"""Parameter sections that are wrong, in the Cortex-R5F's image under QEMU: refused at its start, and said on the bus.
+"""The Cortex-R5F's image under QEMU by itself: its pace, and what it makes of wrong parameter sections.
 
 Needs no CAN interface: what the emulated controller sends is taken from QEMU's trace."""
 
+import contextlib
 import os
 import pathlib
 import re
@@ -12,13 +13,13 @@ import time
 import unittest
 import zlib
 
+import processor
 import programs
 
 BUILT = programs.PROJECT / "build/cortex-r5f/images/zynqmp_r5"
 IMAGE = BUILT / "rsi-ecu-r5f-emulator.elf"
 SUPERVISOR = BUILT / "release-r5.elf"
 TRACED = re.compile(r"ID: 0x0*([0-9a-f]+) DLC: 0x\w+ DATA:((?: 0x\w\w)+)")
-STATUS_IDENTIFIER = "231"
 LONGEST_S = 60.0
 
 
@@ -31,7 +32,7 @@ def changed(section, at, new):
     return section[:at] + new + section[at + len(new):]
 
 
-class WrongSection(unittest.TestCase):
+class OffLine(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="rsi_system_")))
@@ -41,8 +42,9 @@ class WrongSection(unittest.TestCase):
             raise AssertionError(finished.stderr)
         cls.good = section.read_bytes()
 
-    def first_frames(self, section):
-        """The first frame of each identifier that the image with this section sends, in its third cycle or later."""
+    @contextlib.contextmanager
+    def running(self, section):
+        """The emulator with this section in the image; gives the function that reads what was sent so far."""
         (self.folder / "section.bin").write_bytes(section)
         image = self.folder / "image.elf"
         subprocess.run(
@@ -58,26 +60,56 @@ class WrongSection(unittest.TestCase):
         with open(self.folder / "messages", "w", encoding="ascii") as messages:
             emulator = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=messages, stderr=messages,
                                         env=dict(os.environ, QEMU_AUDIO_DRV="none"))
+
+        def sent():
+            if emulator.poll() is not None:
+                self.fail("the emulator ended: " + (self.folder / "messages").read_text(encoding="ascii"))
+            frames = TRACED.findall(trace.read_text(encoding="ascii"))
+            return [(name.upper().zfill(3), data.replace(" 0x", "").upper()) for name, data in frames]
+
         try:
-            deadline = time.monotonic() + LONGEST_S
-            while trace.read_text(encoding="ascii").count("ID: 0x00000231") < 3:
-                if time.monotonic() > deadline or emulator.poll() is not None:
-                    self.fail("the image sent nothing: " + (self.folder / "messages").read_text(encoding="ascii"))
-                time.sleep(0.02)
+            yield sent
         finally:
             emulator.kill()
             emulator.wait()
-        frames = {}
-        for identifier, data in TRACED.findall(trace.read_text(encoding="ascii")):
-            frames[identifier.upper().zfill(3)] = data.replace(" 0x", "").upper()
-        return frames
+
+    def wait_for_cycles(self, sent, count):
+        """The status frames, as soon as there are `count`."""
+        deadline = time.monotonic() + LONGEST_S
+        while time.monotonic() < deadline:
+            statuses = [data for identifier, data in sent() if identifier == processor.STATUS_IDENTIFIER]
+            if len(statuses) >= count:
+                return statuses
+            time.sleep(0.005)
+        self.fail("the image sends too little: " + (self.folder / "messages").read_text(encoding="ascii"))
+
+    def test_a_hundred_cycles_a_second(self):
+        with self.running(self.good) as sent:
+            # The first cycles are slow: the emulator translates the code.
+            before = self.wait_for_cycles(sent, 50)
+            begin = time.monotonic()
+            after = self.wait_for_cycles(sent, len(before) + 300)
+            elapsed = (time.monotonic() - begin) / processor.CYCLE_S
+        cycles = len(after) - len(before)
+        missed = processor.cycle_overruns_of(after[-1]) - processor.cycle_overruns_of(before[-1])
+        print(f"{cycles} cycles kept, {missed} missed, in {elapsed:.1f} periods")
+        self.assertLess(processor.cycle_overruns_of(after[-1]), 255)
+        self.assertAlmostEqual(cycles + missed, elapsed, delta=5.0)
+        self.assertLessEqual(missed, 0.1 * cycles)
+
+    def first_frames(self, section):
+        """The last frame of each identifier after three cycles."""
+        with self.running(section) as sent:
+            self.wait_for_cycles(sent, 3)
+            return dict(sent())
 
     def check(self, section, refusal):
         frames = self.first_frames(section)
         warning = bytes.fromhex(frames[programs.WARNING_IDENTIFIER])
-        status = int.from_bytes(bytes.fromhex(frames[STATUS_IDENTIFIER]), "little")
+        status = int.from_bytes(bytes.fromhex(frames[processor.STATUS_IDENTIFIER]), "little")
         self.assertEqual(warning[2] & 0x7, 0, "unavailable")
         self.assertEqual(warning[2] >> 5, refusal, "RolloverWarning.ParametersRefusal")
+        self.assertEqual(warning[3:], bytes.fromhex("FF0F000280"), "nothing is said but that nothing is known")
         self.assertEqual(status >> 30 & 1, int(refusal != 0), "RolloverStatus.ParametersInvalid")
 
     def test_the_right_one_is_taken(self):
