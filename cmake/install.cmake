@@ -29,7 +29,7 @@ install(FILES can_dbc/rollover_warning.dbc LICENSE DESTINATION ${CMAKE_INSTALL_D
 
 install(EXPORT rsiTargets NAMESPACE rsi:: DESTINATION ${package})
 configure_package_config_file(cmake/rsiConfig.cmake.in ${PROJECT_BINARY_DIR}/rsiConfig.cmake
-    INSTALL_DESTINATION ${package})
+    INSTALL_DESTINATION ${package} PATH_VARS CMAKE_INSTALL_DATADIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/rsiConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/rsiConfig.cmake ${PROJECT_BINARY_DIR}/rsiConfigVersion.cmake
     DESTINATION ${package})
