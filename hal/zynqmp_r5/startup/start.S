@@ -1,0 +1,141 @@
+/* Reset and exception vectors of the Cortex-R5F.
+ *
+ * The core has no vector base register: its vectors lie at address 0 (SCTLR.V = 0), in the ATCM on silicon. The
+ * image keeps a copy of them beside its code and puts it there at every start. */
+    .syntax unified
+    .arm
+
+    .equ mode_fiq, 0x11
+    .equ mode_irq, 0x12
+    .equ mode_supervisor, 0x13
+    .equ mode_abort, 0x17
+    .equ mode_undefined, 0x1B
+    .equ mode_system, 0x1F
+
+    .equ sctlr_off, (1 << 0) | (1 << 1) | (1 << 2) | (1 << 12) | (1 << 13) | (1 << 17) | (1 << 30)
+
+/* The vectors load their targets from the words behind them, so that the block can be copied as it is. */
+    .section .vectors, "ax"
+    .global vectors
+    .type vectors, %object
+vectors:
+    ldr pc, target_reset
+    ldr pc, target_undefined
+    ldr pc, target_supervisor_call
+    ldr pc, target_prefetch_abort
+    ldr pc, target_data_abort
+    ldr pc, target_reserved
+    ldr pc, target_interrupt
+    ldr pc, target_fast_interrupt
+target_reset: .word start
+target_undefined: .word on_undefined
+target_supervisor_call: .word on_supervisor_call
+target_prefetch_abort: .word on_prefetch_abort
+target_data_abort: .word on_data_abort
+target_reserved: .word on_reserved
+target_interrupt: .word on_interrupt
+target_fast_interrupt: .word on_fast_interrupt
+    .size vectors, . - vectors
+
+/* The first instruction of the image, at its lowest address: the entry of whoever releases the core. */
+    .section .start, "ax"
+    .global start
+    .type start, %function
+start:
+    cpsid aif
+    mrc p15, 0, r0, c1, c0, 0           @ SCTLR: MPU, caches, alignment check, high vectors, background region, Thumb
+    ldr r1, =sctlr_off                  @ exceptions off, whatever ran before
+    bic r0, r0, r1
+    mcr p15, 0, r0, c1, c0, 0
+    isb
+    mov r0, #0
+    mcr p15, 0, r0, c7, c5, 0           @ ICIALLU: instruction cache, all
+    mcr p15, 0, r0, c15, c5, 0          @ data cache, all
+    dsb
+    isb
+
+    /* Every exception ends in a reset, so they share one stack. */
+    ldr r0, =fault_stack_top
+    cps #mode_fiq
+    mov sp, r0
+    cps #mode_irq
+    mov sp, r0
+    cps #mode_supervisor
+    mov sp, r0
+    cps #mode_abort
+    mov sp, r0
+    cps #mode_undefined
+    mov sp, r0
+    cps #mode_system
+    ldr sp, =main_stack_top
+
+    mrc p15, 0, r0, c1, c0, 2           @ CPACR: full access to coprocessors 10 and 11
+    orr r0, r0, #0x00F00000
+    mcr p15, 0, r0, c1, c0, 2
+    isb
+    mov r0, #0x40000000                 @ FPEXC.EN
+    vmsr fpexc, r0
+    mov r0, #0                          @ FPSCR: round to nearest, subnormals kept, no traps
+    vmsr fpscr, r0
+
+    ldr r0, =vectors_start
+    ldr r1, =vectors_load
+    ldr r2, =vectors_end
+    bl copy_words
+    ldr r0, =data_start
+    ldr r1, =data_load
+    ldr r2, =data_end
+    bl copy_words
+    ldr r0, =bss_start
+    ldr r1, =bss_end
+    mov r2, #0
+    bl fill_words
+    ldr r0, =fault_stack_bottom
+    ldr r1, =fault_stack_top
+    ldr r2, =0x5A5A5A5A                 @ unused stack keeps this pattern: stack_use.hpp
+    bl fill_words
+    ldr r0, =main_stack_bottom
+    ldr r1, =main_stack_top
+    bl fill_words
+
+    ldr r4, =init_array_start
+    ldr r5, =init_array_end
+construct:
+    cmp r4, r5
+    bhs constructed
+    ldr r0, [r4], #4
+    blx r0
+    b construct
+constructed:
+    bl main
+    b .                                 @ main does not return
+    .ltorg
+    .size start, . - start
+
+/* r0 to, r1 from, r2 end of `to`; all multiples of 4. */
+    .type copy_words, %function
+copy_words:
+    cmp r0, r2
+    ldrlo r3, [r1], #4
+    strlo r3, [r0], #4
+    blo copy_words
+    bx lr
+    .size copy_words, . - copy_words
+
+/* r0 from, r1 end, r2 value. */
+    .type fill_words, %function
+fill_words:
+    cmp r0, r1
+    strlo r2, [r0], #4
+    blo fill_words
+    bx lr
+    .size fill_words, . - fill_words
+
+on_undefined:
+on_supervisor_call:
+on_prefetch_abort:
+on_data_abort:
+on_reserved:
+on_interrupt:
+on_fast_interrupt:
+    b .
