@@ -9,8 +9,6 @@ namespace budgets {
 namespace {
 
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
-constexpr int samples = 1500;  // 15 s
-constexpr int alternatives_every = 25;
 
 // Each bit of `absent` takes one input away.
 rsi_inputs without(rsi_inputs inputs, unsigned absent) {
@@ -76,12 +74,12 @@ rsi_inputs with_faults(rsi_inputs inputs, int sample) {
 
 }  // namespace
 
-std::vector<Record> dear_drive(const rsi::Parameters& parameters) {
-    rsi_test::RandomManoeuvre drive(parameters, 71U, true);
+std::vector<Record> dear_drive(const rsi::Parameters& parameters, const DearDriveOptions& options) {
+    rsi_test::RandomManoeuvre drive(parameters, options.seed, true);
     std::vector<Record> records;
-    for (int sample = 0; sample < samples; ++sample) {
+    for (int sample = 0; sample < options.samples; ++sample) {
         const rsi_inputs inputs = with_faults(drive.next(), sample);
-        if (sample % alternatives_every == 0) {
+        if (sample % options.alternatives_every == 0) {
             add_alternatives(inputs, records);
         }
         records.push_back(Record{inputs, 0U});

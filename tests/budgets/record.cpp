@@ -1,6 +1,7 @@
 // Records what the component gets in whole manoeuvres, and a drive made to be dear, for the program on the
 // target.
-//   record FOLDER      writes FOLDER/steps.bin, regressions.bin and drives.json
+//   record FOLDER      writes into FOLDER steps.bin and search.bin, each with what is in it as .json, and
+//                      regressions.bin
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -94,8 +95,8 @@ std::ofstream open(const std::string& path) {
     return file;
 }
 
-void write_steps(const std::string& folder, const std::vector<Drive>& drives) {
-    std::ofstream file = open(folder + "/steps.bin");
+void write_steps(const std::string& path, const std::vector<Drive>& drives) {
+    std::ofstream file = open(path + ".bin");
     write(file, budgets::recording_magic);
     write(file, static_cast<std::uint32_t>(drives.size()));
     nlohmann::json list = nlohmann::json::array();
@@ -108,11 +109,11 @@ void write_steps(const std::string& folder, const std::vector<Drive>& drives) {
         list.push_back({{"name", drive.name}, {"estimator", drive.estimator}, {"steps", drive.records.size()}});
     }
     file.close();
-    std::ofstream json = open(folder + "/drives.json");
+    std::ofstream json = open(path + ".json");
     json << list.dump(2) << '\n';
 }
 
-void write_regressions(const std::string& folder, const Drive& drive) {
+void write_regressions(const std::string& path, const Drive& drive) {
     rsi_test::EstimationChain chain{drive.parameters};
     std::vector<budgets::LeastSquaresRecord> records;
     for (const budgets::Record& record : drive.records) {
@@ -122,7 +123,7 @@ void write_regressions(const std::string& folder, const Drive& drive) {
                                {regression.psi.x(), regression.psi.y(), regression.psi.z()}});
         }
     }
-    std::ofstream file = open(folder + "/regressions.bin");
+    std::ofstream file = open(path);
     write(file, budgets::regression_magic);
     write(file, drive.parameters);
     write(file, static_cast<std::uint32_t>(records.size()));
@@ -140,15 +141,19 @@ int main(int argument_count, char** arguments) try {
     }
     const std::string folder = arguments[1];
     std::vector<Drive> drives;
+    std::vector<Drive> searches;
+    const budgets::DearDriveOptions thorough{5000, 10, 72U};
     for (const std::string estimator : {"consider_kalman", "published"}) {
         const rsi::Parameters parameters = calibration(estimator);
         for (const std::string name : {"j-turn-110", "fishhook-1a"}) {
             drives.push_back({name, estimator, parameters, manoeuvre(name, parameters, folder + "/run.log")});
         }
-        drives.push_back({"worst-case", estimator, parameters, budgets::dear_drive(parameters)});
+        drives.push_back({"worst-case", estimator, parameters, budgets::dear_drive(parameters, {})});
+        searches.push_back({"search", estimator, parameters, budgets::dear_drive(parameters, thorough)});
     }
-    write_steps(folder, drives);
-    write_regressions(folder, drives.back());
+    write_steps(folder + "/steps", drives);
+    write_steps(folder + "/search", searches);
+    write_regressions(folder + "/regressions.bin", drives[2]);
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "record: " << error.what() << '\n';
