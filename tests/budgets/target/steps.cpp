@@ -1,10 +1,11 @@
 // Steps the component through the recorded drives and gives back what each step cost.
 //   steps RECORDING ANSWER count     words: ticks of an empty call, then for each drive: ticks of every step,
 //                                    digest of the outputs
-//   steps RECORDING ANSWER stack     words: bytes of stack that rsi_init and rsi_step used at most, over all
+//   steps RECORDING ANSWER stack     words: bytes of stack that rsi_init and rsi_step used at most, over all; size
+//                                    of the component
 #include <string.h>
 
-#include "rsi/rsi.h"
+#include "rsi/component.hpp"
 #include "tests/budgets/output_digest.hpp"
 #include "tests/budgets/recording.hpp"
 #include "tests/budgets/target/answer_writer.hpp"
@@ -83,6 +84,7 @@ class Stack {
     void end() {
         answer.add(in_init_);
         answer.add(in_step_);
+        answer.add(sizeof(rsi::Component));
     }
 
  private:
