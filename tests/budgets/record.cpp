@@ -23,6 +23,7 @@
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 #include "tests/budgets/dear_drive.hpp"
+#include "tests/budgets/output_digest.hpp"
 #include "tests/budgets/recording.hpp"
 #include "tests/unit/support/estimation_chain.hpp"
 
@@ -45,8 +46,8 @@ std::vector<budgets::Record> manoeuvre(const std::string& name, const rsi::Param
                                        const std::string& log_path) {
     const sil::VehicleParameters vehicle = sil::load_vehicle(RSI_SOURCE_DIR "/sil/vehicles/large_suv.toml");
     sil::CandumpLogWriter log{log_path};
-    sil::InProcessRun run{vehicle,    sil::find_manoeuvre(name), {}, sil::mounted_sensors(vehicle, {}),
-                          parameters, &log};
+    sil::InProcessRun run{
+        vehicle, sil::find_manoeuvre(name), {}, sil::mounted_sensors(vehicle, {}), parameters, &log};
     run.run();
     log.close();
 
@@ -84,6 +85,20 @@ std::vector<budgets::Record> manoeuvre(const std::string& name, const rsi::Param
     return records;
 }
 
+// What the target must give too.
+std::uint32_t digest(const Drive& drive) {
+    rsi::Component component;
+    component.init(drive.parameters);
+    std::uint32_t value = budgets::fnv_offset;
+    for (const budgets::Record& record : drive.records) {
+        rsi::Component copy = component;
+        rsi::Outputs outputs{};
+        ((record.on_copy != 0U) ? copy : component).step(record.inputs, outputs);
+        value = budgets::digest(value, outputs);
+    }
+    return value;
+}
+
 template <typename Value>
 void write(std::ofstream& file, const Value& value) {
     file.write(reinterpret_cast<const char*>(&value), sizeof(value));
@@ -106,7 +121,10 @@ void write_steps(const std::string& path, const std::vector<Drive>& drives) {
         for (const budgets::Record& record : drive.records) {
             write(file, record);
         }
-        list.push_back({{"name", drive.name}, {"estimator", drive.estimator}, {"steps", drive.records.size()}});
+        list.push_back({{"name", drive.name},
+                        {"estimator", drive.estimator},
+                        {"steps", drive.records.size()},
+                        {"digest", digest(drive)}});
     }
     file.close();
     std::ofstream json = open(path + ".json");
@@ -119,8 +137,8 @@ void write_regressions(const std::string& path, const Drive& drive) {
     for (const budgets::Record& record : drive.records) {
         rsi::Regression regression;
         if ((record.on_copy == 0U) && chain.step(record.inputs, regression)) {
-            records.push_back({regression.output_nm,
-                               {regression.psi.x(), regression.psi.y(), regression.psi.z()}});
+            records.push_back(
+                {regression.output_nm, {regression.psi.x(), regression.psi.y(), regression.psi.z()}});
         }
     }
     std::ofstream file = open(path);

@@ -1,5 +1,5 @@
-// The heap that the textbook's least squares needs: newlib's malloc on a fixed piece of memory. Part of no image
-// but the comparison.
+// The heap that the textbook's least squares needs: newlib's malloc on a fixed piece of memory. Part of no
+// image but the comparison.
 #include <stddef.h>
 
 namespace {

@@ -1,5 +1,5 @@
-// The least image: start-up, rsi_init, rsi_step and nothing else, to see how large the library is in an image and what
-// it draws in.
+// The least image: start-up, rsi_init, rsi_step and nothing else, to see how large the library is in an image
+// and what it draws in.
 #include "rsi/rsi.h"
 
 namespace {

@@ -1,7 +1,8 @@
 // Steps the component through the recorded drives and gives back what each step cost.
 //   steps RECORDING ANSWER count     words: ticks of an empty call, then for each drive: ticks of every step,
 //                                    digest of the outputs
-//   steps RECORDING ANSWER stack     words: bytes of stack that rsi_init and rsi_step used at most, over all; size
+//   steps RECORDING ANSWER stack     words: bytes of stack that rsi_init and rsi_step used at most, over all;
+//   size
 //                                    of the component
 #include <string.h>
 
@@ -28,7 +29,8 @@ using Step = void (*)(rsi_component*, const rsi_inputs*, rsi_outputs*);
     asm volatile("");
 }
 
-[[gnu::noipa]] uint32_t ticks_of(Step step, rsi_component* on, const rsi_inputs& inputs, rsi_outputs& outputs) {
+[[gnu::noipa]] uint32_t ticks_of(Step step, rsi_component* on, const rsi_inputs& inputs,
+                                 rsi_outputs& outputs) {
     const uint32_t before = budgets::InstructionCounter::now();
     step(on, &inputs, &outputs);
     const uint32_t after = budgets::InstructionCounter::now();
