@@ -230,6 +230,17 @@ struct RolloverWarning {
         right = 2,
     };
 
+    // Why the vehicle parameters were refused.
+    enum class ParametersRefusal : std::uint8_t {
+        none = 0,
+        missing = 1,
+        version = 2,
+        layout = 3,
+        length = 4,
+        checksum = 5,
+        value = 6,
+    };
+
     static constexpr const char* name{"RolloverWarning"};
     static constexpr std::uint32_t identifier{0x0D0U};
     static constexpr bool extended{false};
@@ -242,6 +253,8 @@ struct RolloverWarning {
     State state{State::unavailable};
     // Side towards which the vehicle would fall.
     Side side{Side::none};
+    // Why the vehicle parameters were refused.
+    ParametersRefusal parameters_refusal{ParametersRefusal::none};
     // Level of the indicator that drives the warning: 0 without risk, 1 at the rollover threshold. Dimensionless, 0 to 2.
     float roll_stability_indicator{not_available};
     // Lateral acceleration that was compared with the threshold, positive to the left. m/s^2, -40 to 40.
@@ -252,6 +265,7 @@ struct RolloverWarning {
     struct Status {
         SignalStatus state{SignalStatus::not_available};
         SignalStatus side{SignalStatus::not_available};
+        SignalStatus parameters_refusal{SignalStatus::not_available};
         SignalStatus roll_stability_indicator{SignalStatus::not_available};
         SignalStatus lateral_acceleration_mps2{SignalStatus::not_available};
         SignalStatus lateral_acceleration_threshold_mps2{SignalStatus::not_available};
@@ -259,6 +273,7 @@ struct RolloverWarning {
         constexpr bool all_valid() const {
             return state == SignalStatus::valid &&
                    side == SignalStatus::valid &&
+                   parameters_refusal == SignalStatus::valid &&
                    roll_stability_indicator == SignalStatus::valid &&
                    lateral_acceleration_mps2 == SignalStatus::valid &&
                    lateral_acceleration_threshold_mps2 == SignalStatus::valid;
@@ -270,6 +285,8 @@ struct RolloverWarning {
             {ByteOrder::little_endian, 16U, 3U, false}, 0, false, 0};
         static constexpr EnumerationSignal side{
             {ByteOrder::little_endian, 19U, 2U, false}, 0, false, 0};
+        static constexpr EnumerationSignal parameters_refusal{
+            {ByteOrder::little_endian, 21U, 3U, false}, 0, false, 0};
         static constexpr PhysicalSignal<std::int32_t> roll_stability_indicator{
             {ByteOrder::little_endian, 24U, 12U, false}, 1.0F, 0.0F, 2000.0F, 0.0F, 2.0F,
             0, 4000, 4095, true};
@@ -330,11 +347,47 @@ struct RolloverWarning {
         return "unknown";
     }
 
+    static constexpr bool is_known(ParametersRefusal value) {
+        switch (value) {
+            case ParametersRefusal::none:
+            case ParametersRefusal::missing:
+            case ParametersRefusal::version:
+            case ParametersRefusal::layout:
+            case ParametersRefusal::length:
+            case ParametersRefusal::checksum:
+            case ParametersRefusal::value:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(ParametersRefusal value) {
+        switch (value) {
+            case ParametersRefusal::none:
+                return "none";
+            case ParametersRefusal::missing:
+                return "missing";
+            case ParametersRefusal::version:
+                return "version";
+            case ParametersRefusal::layout:
+                return "layout";
+            case ParametersRefusal::length:
+                return "length";
+            case ParametersRefusal::checksum:
+                return "checksum";
+            case ParametersRefusal::value:
+                return "value";
+        }
+        return "unknown";
+    }
+
     // See can_dbc::encode and can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_enumeration(Signals::state, &RolloverWarning::is_known, state, payload.data());
         write_enumeration(Signals::side, &RolloverWarning::is_known, side, payload.data());
+        write_enumeration(Signals::parameters_refusal, &RolloverWarning::is_known, parameters_refusal, payload.data());
         write_signal(Signals::roll_stability_indicator, roll_stability_indicator, payload.data());
         write_signal(Signals::lateral_acceleration_mps2, lateral_acceleration_mps2, payload.data());
         write_signal(Signals::lateral_acceleration_threshold_mps2, lateral_acceleration_threshold_mps2, payload.data());
@@ -348,6 +401,7 @@ struct RolloverWarning {
     static constexpr void visit_signals(Visitor&& visitor) {
         visitor("State", "-", &RolloverWarning::state, &Status::state);
         visitor("Side", "-", &RolloverWarning::side, &Status::side);
+        visitor("ParametersRefusal", "-", &RolloverWarning::parameters_refusal, &Status::parameters_refusal);
         visitor("RollStabilityIndicator", "-", &RolloverWarning::roll_stability_indicator, &Status::roll_stability_indicator);
         visitor("LateralAcceleration", "m/s^2", &RolloverWarning::lateral_acceleration_mps2, &Status::lateral_acceleration_mps2);
         visitor("LateralAccelerationThreshold", "m/s^2", &RolloverWarning::lateral_acceleration_threshold_mps2, &Status::lateral_acceleration_threshold_mps2);
@@ -358,6 +412,7 @@ constexpr Decoded<RolloverWarning> RolloverWarning::decode(const std::uint8_t* p
     Decoded<RolloverWarning> decoded{};
     read_enumeration(Signals::state, &RolloverWarning::is_known, payload, decoded.value.state, decoded.status.state);
     read_enumeration(Signals::side, &RolloverWarning::is_known, payload, decoded.value.side, decoded.status.side);
+    read_enumeration(Signals::parameters_refusal, &RolloverWarning::is_known, payload, decoded.value.parameters_refusal, decoded.status.parameters_refusal);
     read_signal(Signals::roll_stability_indicator, payload, decoded.value.roll_stability_indicator, decoded.status.roll_stability_indicator);
     read_signal(Signals::lateral_acceleration_mps2, payload, decoded.value.lateral_acceleration_mps2, decoded.status.lateral_acceleration_mps2);
     read_signal(Signals::lateral_acceleration_threshold_mps2, payload, decoded.value.lateral_acceleration_threshold_mps2, decoded.status.lateral_acceleration_threshold_mps2);

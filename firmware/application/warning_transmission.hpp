@@ -1,6 +1,7 @@
 // Warning transmission: from the component's outputs to protected frames on the bus.
 #pragma once
 
+#include "application/parameter_section.hpp"
 #include "application/sensor_reception.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
@@ -11,7 +12,7 @@ namespace application {
 
 // What the platform and the application know of their own health.
 struct Health {
-    bool parameters_valid{false};
+    ParametersRefusal parameters_refusal{ParametersRefusal::missing};
     bool receive_overflow{false};
     bool bus_error{false};
     bool cycle_overrun{false};         // this cycle began late

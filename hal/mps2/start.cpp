@@ -17,7 +17,8 @@ namespace {
 
 // Coprocessors 10 and 11, the FPU, for everybody (Armv7-M, coprocessor access control register).
 void enable_fpu() {
-    volatile std::uint32_t* const coprocessor_access = reinterpret_cast<volatile std::uint32_t*>(0xE000'ED88U);
+    volatile std::uint32_t* const coprocessor_access =
+        reinterpret_cast<volatile std::uint32_t*>(0xE000'ED88U);
     *coprocessor_access = *coprocessor_access | (0xFU << 20U);
     asm volatile("dsb\n isb" : : : "memory");
 }

@@ -18,7 +18,7 @@ struct VectorTable {
 
 extern "C" const VectorTable vectors;
 // Interrupts of peripherals stay disabled and have no entry.
-__attribute__((section(".vectors"), used)) const VectorTable vectors{
-    stack_top,
-    {reset, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
-     system_tick}};
+__attribute__((section(".vectors"), used))
+const VectorTable vectors{stack_top,
+                          {reset, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
+                           fault, fault, system_tick}};

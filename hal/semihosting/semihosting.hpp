@@ -1,6 +1,6 @@
-// Semihosting: what a program on a bare Arm processor asks of the debugger or emulator that runs it: files, text,
-// arguments, the end. For tests on a target only: without a debugger the call is a fault.
-// Source: Arm, "Semihosting for AArch32 and AArch64", version 2.
+// Semihosting: what a program on a bare Arm processor asks of the debugger or emulator that runs it: files,
+// text, arguments, the end. For tests on a target only: without a debugger the call is a fault. Source: Arm,
+// "Semihosting for AArch32 and AArch64", version 2.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@ enum class OpenMode : unsigned char { read = 1U, write = 5U, append = 9U };  // 
 using Handle = int;
 inline constexpr Handle no_file = -1;
 
-// `path` is one of the machine that runs the emulator, relative to the emulator's own folder. no_file if refused.
+// `path` is one of the machine that runs the emulator, relative to the emulator's own folder. no_file if
+// refused.
 Handle open(const char* path, OpenMode mode) noexcept;
 
 // Bytes read, fewer than `size` only at the end of the file or after an error.
@@ -27,7 +28,8 @@ bool close(Handle file) noexcept;
 // To the emulator's console.
 void print(const char* text) noexcept;
 
-// The program's name and arguments, one space between two, into `text` (ended by a zero). False when they do not fit.
+// The program's name and arguments, one space between two, into `text` (ended by a zero). False when they do
+// not fit.
 bool command_line(char* text, std::size_t size) noexcept;
 
 // Ends the emulator, whose exit status becomes `status` (0 to 255).

@@ -1,24 +1,37 @@
-// What differs between the silicon and its emulator (QEMU 7.2, machine xlnx-zcu102), in one type each. Chosen
-// at build time (RSI_ZYNQMP_POLICY_SILICON or RSI_ZYNQMP_POLICY_EMULATOR); everything else of the image is
-// the same.
+// What differs between the silicon and its emulator (QEMU 7.2, machine xlnx-zcu102), in one type each. An
+// image chooses one when it is built (RSI_ZYNQMP_POLICY_SILICON or RSI_ZYNQMP_POLICY_EMULATOR); everything
+// else is the same.
 #pragma once
 
 #include <cstdint>
 
+#include "hal/zynqmp_r5/can_frame_layout.hpp"
+#include "hal/zynqmp_r5/emulator/supervisor.hpp"
+#include "hal/zynqmp_r5/system_reset.hpp"
+#include "hal/zynqmp_r5/system_watchdog.hpp"
+
 namespace hal::zynqmp_r5 {
 
-// As the Zynq UltraScale+ Device Technical Reference Manual (UG1085) and register reference (UG1087) have it.
+// As UG1085 and UG1087 have it, with the clocks that Xilinx' board files set.
 struct SiliconPolicy {
-    static constexpr std::uint32_t timer_clock_hz{100'000'000U};
-    static constexpr std::uint32_t identifier_shift{21U};
-    static constexpr bool first_byte_is_most_significant{true};
+    static constexpr std::uint32_t timer_clock_hz{100'000'000U};  // LPD_LSBUS_CLK
+    static constexpr std::uint32_t can_clock_hz{100'000'000U};    // CAN0_REF_CLK
+    using CanLayout = SiliconCanFrameLayout;
+    template <typename Registers>
+    using Watchdog = SystemWatchdog<Registers, 100'000'000U, 50U>;  // LPD_LSBUS_CLK; five cycles
+    template <typename Registers>
+    using Reset = SystemReset<Registers>;
 };
 
-// QEMU keeps the identifier where SocketCAN has it and the first byte in the lowest bits.
 struct EmulatorPolicy {
     static constexpr std::uint32_t timer_clock_hz{133'000'000U};
-    static constexpr std::uint32_t identifier_shift{0U};
-    static constexpr bool first_byte_is_most_significant{false};
+    static constexpr std::uint32_t can_clock_hz{100'000'000U};  // without effect
+    using CanLayout = EmulatorCanFrameLayout;
+    // A busy host stops the emulator for longer than five cycles.
+    template <typename Registers>
+    using Watchdog = emulator::SupervisorWatchdog<Registers, 2000U>;
+    template <typename Registers>
+    using Reset = emulator::SupervisorReset<Registers>;
 };
 
 #if defined(RSI_ZYNQMP_POLICY_EMULATOR)

@@ -39,6 +39,7 @@ target_fast_interrupt: .word on_fast_interrupt
 
 /* The first instruction of the image, at its lowest address: the entry of whoever releases the core. */
     .section .start, "ax"
+    .weak zynqmp_r5_protect_memory
     .global start
     .type start, %function
 start:
@@ -98,6 +99,10 @@ start:
     ldr r1, =main_stack_top
     bl fill_words
 
+    ldr r0, =zynqmp_r5_protect_memory   @ a program without it runs unprotected
+    cmp r0, #0
+    blxne r0
+
     ldr r4, =init_array_start
     ldr r5, =init_array_end
 construct:
@@ -108,7 +113,7 @@ construct:
     b construct
 constructed:
     bl main
-    b .                                 @ main does not return
+    udf #0                              @ main does not return
     .ltorg
     .size start, . - start
 
@@ -131,11 +136,35 @@ fill_words:
     bx lr
     .size fill_words, . - fill_words
 
-on_undefined:
-on_supervisor_call:
-on_prefetch_abort:
-on_data_abort:
-on_reserved:
-on_interrupt:
-on_fast_interrupt:
-    b .
+/* Every exception ends in zynqmp_r5_on_exception(kind, instruction, program status), which does not return. `lead` is how
+ * far the link register is ahead of the instruction. An exception on the way there starts over on the same stack; the
+ * handler notices that. */
+    .macro exception name, kind, lead
+    .type \name, %function
+\name:
+    sub r1, lr, #\lead
+    mov r0, #\kind
+    b report_exception
+    .size \name, . - \name
+    .endm
+
+    exception on_undefined, 1, 4
+    exception on_supervisor_call, 2, 4
+    exception on_prefetch_abort, 3, 4
+    exception on_data_abort, 4, 8
+    exception on_reserved, 5, 0
+    exception on_interrupt, 6, 4
+    exception on_fast_interrupt, 7, 4
+
+    .weak zynqmp_r5_on_exception
+    .type report_exception, %function
+report_exception:
+    cpsid aif
+    mrs r2, spsr
+    ldr sp, =fault_stack_top
+    ldr r3, =zynqmp_r5_on_exception
+    cmp r3, #0
+    bxne r3
+    b .                                 @ a program without handler stays here
+    .ltorg
+    .size report_exception, . - report_exception

@@ -1,5 +1,5 @@
-// A program of the tests that runs on every target, and what it may ask of the machine that starts it: files and
-// text, by semihosting on a board without operating system, by system calls on Linux.
+// A program of the tests that runs on every target, and what it may ask of the machine that starts it: files
+// and text, by semihosting on a board without operating system, by system calls on Linux.
 #pragma once
 
 #include <cstddef>
