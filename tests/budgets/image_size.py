@@ -54,6 +54,6 @@ def of_image(path):
             size = int(section[3], 16)
             if section[2] != "NOBITS":
                 sizes["flash"] += size
-            if "W" in section[4]:
+            if "W" in section[4] and "X" not in section[4]:
                 sizes["ram"] += size
     return dict(sizes)

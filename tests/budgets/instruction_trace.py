@@ -59,9 +59,6 @@ class _Block:
     """Instructions that are executed one after the other."""
 
     def __init__(self, program, addresses):
-        unknown = [address for address in addresses if address not in program.mnemonics]
-        if unknown:
-            raise TraceError(f"an instruction at {unknown[0]:#x} was executed that is not in the image")
         last = addresses[-1]
         mnemonic = program.mnemonics[last]
         self.start = addresses[0]
@@ -96,51 +93,65 @@ def _summary(program, root, executed):
     return call
 
 
-def read(lines, program, roots, processor=0):
-    """The calls of `roots` (symbols of the image), one after the other."""
-    root_at = {program.functions[root]: root for root in roots}
-    blocks, translating, calls = {}, [], []
-    before = root = None
-    frames = []  # of the functions that were called and have not returned: where to, and what they are within
-    executed = collections.defaultdict(int)
+def _executed_blocks(lines, program, processor):
+    """The blocks that a processor executed, one after the other."""
+    blocks, translating = {}, []
+    begun = None  # executed unless the log says otherwise
     mark = f"Trace {processor}: "
     for line in lines:
         if line.startswith(mark):
+            if begun:
+                yield begun
             key = line.split("/", 2)[1]
-            if translating:
-                blocks[f"{translating[0]:0{len(key)}x}"] = _Block(program, translating)
-                translating = []
             try:
-                block = blocks[key]
+                begun = blocks[key[-8:]]
             except KeyError:
-                raise TraceError(f"a block at {key} was executed that was never translated") from None
-            if frames:
-                if block.start == frames[-1][0]:
-                    frames.pop()
-                    if not frames:
-                        calls.append(_summary(program, root, executed))
-                        executed.clear()
-                        before = block
-                        continue
-                elif before.ends_with_call and block.start != before.after:
-                    frames.append((before.after, frames[-1][1] | before.last_mask))
-                elif block.begins_function and before.last_function != block.start:
-                    # The function before ended with a jump into this one.
-                    frames[-1] = (frames[-1][0], frames[-1][1] | before.last_mask)
-                executed[block, frames[-1][1]] += 1
-            elif block.start in root_at:
-                if not before.ends_with_call:
-                    raise TraceError(f"{root_at[block.start]} was entered without a call")
-                root = root_at[block.start]
-                frames.append((before.after, 0))
-                executed[block, 0] += 1
-            before = block
+                raise TraceError(f"code at {key} was executed that is not in the image or the trace") from None
         elif line.startswith("0x"):
             translating.append(int(line[:10], 16))
-        elif line.startswith("Trace "):
-            translating = []  # of another processor
+        elif line == "\n" and translating:
+            # Of any processor: the log does not say which. Another one's code is not in the image.
+            if all(address in program.mnemonics for address in translating):
+                blocks[f"{translating[0]:08x}"] = _Block(program, translating)
+            translating = []
         elif line.startswith("Stopped execution"):
-            raise TraceError("the emulator was interrupted within a block: " + line.strip())
+            # The emulator was called away before the block, which will be executed later.
+            if begun and int(line.split("[", 1)[1].split("]", 1)[0], 16) == begun.start:
+                begun = None
+    if begun:
+        yield begun
+
+
+def read(lines, program, roots, processor=0):
+    """The calls of `roots` (symbols of the image), one after the other."""
+    absent = [root for root in roots if root not in program.functions]
+    if absent:
+        raise TraceError(f"the image has no function {absent[0]}")
+    root_at = {program.functions[root]: root for root in roots}
+    calls = []
+    before = root = None
+    frames = []  # of the functions that were called and have not returned: where to, and what they are within
+    executed = collections.defaultdict(int)
+    for block in _executed_blocks(lines, program, processor):
+        if frames:
+            if block.start == frames[-1][0]:
+                frames.pop()
+                if not frames:
+                    calls.append(_summary(program, root, executed))
+                    executed.clear()
+            elif before.ends_with_call and block.start != before.after:
+                frames.append((before.after, frames[-1][1] | before.last_mask))
+            elif block.begins_function and before.last_function != block.start:
+                # The function before ended with a jump into this one.
+                frames[-1] = (frames[-1][0], frames[-1][1] | before.last_mask)
+        elif block.start in root_at:
+            root = root_at[block.start]
+            if not before.ends_with_call:
+                raise TraceError(f"{root} was entered without a call")
+            frames.append((before.after, 0))
+        if frames:
+            executed[block, frames[-1][1]] += 1
+        before = block
     if frames:
         raise TraceError(f"the trace ends within {root}")
     return calls

@@ -1,5 +1,5 @@
-// Least squares floor: (8) to (11) with as few operations as they can do with, nothing guarded and nothing checked;
-// what the firmware's update is measured against.
+// Least squares floor: (8) to (11) with as few operations as they can do with, nothing guarded and nothing
+// checked; what the firmware's update is measured against.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ template <typename Scalar>
 struct LeastSquaresConstants {
     std::array<Scalar, 3> psi_scale;
     Scalar output_scale;
-    Scalar growth;                 // 1 / lambda
+    Scalar growth;  // 1 / lambda
     Scalar lambda;
     Scalar one_plus_lambda;
     Scalar disturbance_weight;

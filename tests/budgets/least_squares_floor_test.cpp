@@ -1,5 +1,5 @@
-// The floor is a floor of the same thing: its least squares and the firmware's go the same way. Prints its count,
-// which the table of budgets takes.
+// The floor is a floor of the same thing: its least squares and the firmware's go the same way. Prints its
+// count, which the table of budgets takes.
 #include "tests/budgets/least_squares_floor.hpp"
 
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@ TEST(LeastSquaresFloor, GoesTheFirmwaresWay) {
     firmware.init(parameters);
     budgets::OperationCount count;
     const auto counted = [&](float value) { return budgets::CountedFloat{value, count}; };
-    const float disturbance_weight = 1.0F - rsi::decaying_exponential(
-                                                6.2831853F * parameters.disturbance_cutoff_hz * 0.01F);
+    const float disturbance_weight =
+        1.0F - rsi::decaying_exponential(6.2831853F * parameters.disturbance_cutoff_hz * 0.01F);
     auto floor = budgets::begin_least_squares(parameters, disturbance_weight, counted);
 
     // Not for longer: the two round differently, and without excitation the firmware ceases to forget.
@@ -34,17 +34,17 @@ TEST(LeastSquaresFloor, GoesTheFirmwaresWay) {
         ASSERT_TRUE(chain.step(drive.next(), regression));
         ASSERT_LT(firmware.covariance().trace(), parameters.covariance_limit);
         firmware.update(regression);
-        budgets::update(floor.state, floor.constants,
-                        {counted(regression.psi.x()), counted(regression.psi.y()),
-                         counted(regression.psi.z())},
-                        counted(regression.output_nm));
+        budgets::update(
+            floor.state, floor.constants,
+            {counted(regression.psi.x()), counted(regression.psi.y()), counted(regression.psi.z())},
+            counted(regression.output_nm));
         const rsi::RollCentreEstimate estimate = firmware.estimate();
         const float dh = floor.state.theta[0].value() * parameters.initial_roll_centre_deviation_m;
         const float dK = floor.state.theta[1].value() * parameters.initial_stiffness_deviation_nmprad;
         ASSERT_NEAR(dh, estimate.vertical_movement_m, 1.0e-4F) << "update " << updates;
         ASSERT_NEAR(dK, estimate.stiffness_deviation_nmprad, 5.0F) << "update " << updates;
-        ASSERT_NEAR(floor.state.disturbance.value() * parameters.regression_scale_nm,
-                    estimate.disturbance_nm, 0.5F)
+        ASSERT_NEAR(floor.state.disturbance.value() * parameters.regression_scale_nm, estimate.disturbance_nm,
+                    0.5F)
             << "update " << updates;
     }
     EXPECT_EQ(count.total() % updates, 0);

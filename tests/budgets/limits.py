@@ -24,6 +24,10 @@ class Limits:
         goal = self.goal(key)
         return MISSED if goal is not None and value > goal else MET
 
+    def is_slack(self, key, target, value):
+        """Whether a goal that is not reached has a limit that would let the figure grow by a twentieth."""
+        return self.verdict(key, target, value) == MISSED and self.limit(key, target) > 1.05 * value
+
     def unused(self):
         """Entries that no figure was held to: a slip in a name would switch a check off."""
         return sorted(self._entries.keys() - self._asked)

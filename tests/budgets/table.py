@@ -21,6 +21,7 @@ class Table:
         self._limits = held_to
         self.rows = []
         self.broken = []
+        self.slack = []
 
     def heading(self, text):
         self.rows.append([f"**{text}**"] + [""] * (len(HEAD_1) + len(HEAD_2) - 1))
@@ -49,12 +50,21 @@ class Table:
                 self.broken.append(
                     f"{name} on {target}: {_number(value)}, the limit is {_number(limit)} ({key} in limits.toml)"
                 )
+            if self._limits.is_slack(key, target, value):
+                self.slack.append(f"{name} on {target} is {_number(value)}: its limit can be lowered ({key})")
         worst = next(v for v in (limits.OVER, limits.MISSED, limits.MET) if v in verdicts)
         return [_number(self._limits.goal(key)), ", ".join(dict.fromkeys(shown)), worst]
 
     def markdown(self):
-        lines = [HEAD_1 + HEAD_2, ["---"] + ["---:"] * (len(HEAD_1) + len(HEAD_2) - 2) + ["---"], *self.rows]
-        return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
+        lines = [HEAD_1 + HEAD_2, *self.rows]
+        numbers = range(1, len(lines[0]) - 1)
+        widths = [max(3, *(len(line[i]) for line in lines)) for i in range(len(lines[0]))]
+        marks = ["-" * (w - 1) + ":" if i in numbers else "-" * w for i, w in enumerate(widths)]
+        lines = [
+            [cell.rjust(w) if i in numbers else cell.ljust(w) for i, (cell, w) in enumerate(zip(line, widths))]
+            for line in lines
+        ]
+        return "\n".join("| " + " | ".join(line) + " |" for line in [lines[0], marks, *lines[1:]]) + "\n"
 
 
 def _of_steps(measured, estimator, values):
@@ -82,21 +92,30 @@ def _instructions(table, measurements, operations):
         {target: [figures[3] / figures[1]] for target, figures in default.items()},
         "step_most_over_mean",
     )
-    for stage in stages():
-        within = {
-            m.target: _of_steps(m, DEFAULT, lambda steps: steps.within(stage["functions"])) for m in measurements
-        }
-        table.row(("· · of it: " if stage.get("part") else "· ") + stage["name"], within)
-    named = [name for stage in stages() if not stage.get("part") for name in stage["functions"]]
-    rest = lambda steps: [call.instructions - sum(call.within[n] for n in named) for call in steps.calls]
-    table.row("· the rest: order, outputs", {m.target: _of_steps(m, DEFAULT, rest) for m in measurements})
+    _stages(table, measurements, DEFAULT)
     floats = {m.target: _of_steps(m, DEFAULT, lambda steps: [c.operations for c in steps.calls]) for m in measurements}
     table.row("floating-point operations in a step", floats)
     table.row("instructions an operation", {t: [default[t][1] / floats[t][1]] for t in floats})
-    table.row("step, published estimator", rows("published", _step))
-    estimator = next(s for s in stages() if s["name"] == "estimator")["functions"]
-    table.row("· estimator", {m.target: _of_steps(m, "published", lambda s: s.within(estimator)) for m in measurements})
+    published = rows("published", _step)
+    table.row("step, published estimator", published)
+    _stages(table, measurements, "published")
+    _update(table, measurements, operations, published)
 
+
+def _stages(table, measurements, estimator):
+    def row(name, values):
+        table.row(name, {m.target: _of_steps(m, estimator, values) for m in measurements})
+
+    for stage in stages():
+        row(("· · of it: " if stage.get("part") else "· ") + stage["name"], lambda s: s.within(stage["functions"]))
+    named = [name for stage in stages() if not stage.get("part") for name in stage["functions"]]
+    row(
+        "· the rest: order, outputs",
+        lambda s: [call.instructions - sum(call.within[name] for name in named) for call in s.calls],
+    )
+
+
+def _update(table, measurements, operations, published):
     table.heading("Instructions of one least-squares update, three parameters")
     name = ["rsi::RobustLeastSquares::update"]
     update = {m.target: _of_steps(m, "published", lambda steps: steps.within(name)) for m in measurements}
@@ -105,6 +124,10 @@ def _instructions(table, measurements, operations):
     table.row("the firmware's", update, "least_squares_most")
     book = {m.target: m.textbook_update for m in measurements}
     table.row("the same with dynamic-size Eigen matrices", {t: [f.least, f.mean, f.most, f.most] for t, f in book.items()})
+    table.row(
+        "step, published estimator, if it had those (sum)",
+        {t: [published[t][1] - update[t][1] + book[t].mean] for t in book},
+    )
     table.row("floor: operations on floats that the equations need", {m.target: [operations] for m in measurements})
     table.row("the firmware's over the floor", {t: [f[3] / operations] for t, f in update.items()})
     table.row("dynamic-size Eigen over the floor", {t: [f.mean / operations] for t, f in book.items()})
@@ -116,9 +139,8 @@ def _memory(table, measurements):
     def row(name, value, key=None):
         table.row(name, {m.target: [value(m)] for m in measurements if value(m) is not None}, key)
 
-    row("code of the library", lambda m: m.library_size["code"])
-    row("constants of the library", lambda m: m.library_size["constants"])
-    row("code and constants", lambda m: m.library_size["code"] + m.library_size["constants"], "library_code_bytes")
+    row("code of the library", lambda m: m.library_size["code"], "library_code_bytes")
+    row("constants of the library", lambda m: m.library_size["constants"], "library_constant_bytes")
     row("static RAM", lambda m: m.library_size["data"] + m.library_size["zeroed data"], "library_ram_bytes")
     row("rsi::Component, all state", lambda m: m.component_bytes, "component_bytes")
     row("whole image, flash", lambda m: m.image_size and m.image_size["flash"], "image_flash_bytes")

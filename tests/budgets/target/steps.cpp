@@ -1,6 +1,7 @@
 // Steps the component through the recorded drives and gives back what each step cost.
 //   steps RECORDING ANSWER count     words: ticks of an empty call, then for each drive: ticks of every step,
 //                                    digest of the outputs
+//   steps RECORDING ANSWER trace     the same, for a trace of the emulator: every step is made once only
 //   steps RECORDING ANSWER stack     words: bytes of stack that rsi_init and rsi_step used at most, over all;
 //   size
 //                                    of the component
@@ -22,6 +23,7 @@ budgets::RecordingReader recording;
 budgets::AnswerWriter answer;
 rsi_component component;
 rsi_component copy;
+rsi_component rehearsal;
 
 using Step = void (*)(rsi_component*, const rsi_inputs*, rsi_outputs*);
 
@@ -47,6 +49,7 @@ rsi_component* choose(const budgets::Record& record) {
 
 class Counts {
  public:
+    explicit Counts(int repetitions) : repetitions_{repetitions} {}
     void begin() {
         budgets::InstructionCounter::start();
         rsi_inputs inputs{};
@@ -59,13 +62,23 @@ class Counts {
     }
     void step(const budgets::Record& record) {
         rsi_outputs outputs;
-        answer.add(ticks_of(rsi_step, choose(record), record.inputs, outputs));
+        rsi_component* const on = choose(record);
+        uint32_t least = UINT32_MAX;
+        // QEMU's counter has been seen to count a few instructions twice when the machine is busy.
+        for (int i = 0; i < repetitions_; ++i) {
+            memcpy(&rehearsal, on, sizeof(rehearsal));
+            const uint32_t ticks = ticks_of(rsi_step, &rehearsal, record.inputs, outputs);
+            least = (ticks < least) ? ticks : least;
+        }
+        const uint32_t ticks = ticks_of(rsi_step, on, record.inputs, outputs);
+        answer.add((ticks < least) ? ticks : least);
         digest_ = budgets::digest(digest_, outputs);
     }
     void end_drive() { answer.add(digest_); }
     void end() {}
 
  private:
+    int repetitions_;
     uint32_t digest_{0U};
 };
 
@@ -122,6 +135,9 @@ int target::run(int argc, const char* const* argv) {
     if (!recording.load(argv[1], budgets::recording_magic)) {
         return bad_recording;
     }
-    const int failure = (strcmp(argv[3], "stack") == 0) ? drive_all(Stack{}) : drive_all(Counts{});
+    constexpr int repetitions = 3;
+    const bool stack = (strcmp(argv[3], "stack") == 0);
+    const bool trace = (strcmp(argv[3], "trace") == 0);
+    const int failure = stack ? drive_all(Stack{}) : drive_all(Counts{trace ? 0 : repetitions});
     return ((failure == 0) && !answer.save(argv[2])) ? bad_answer : failure;
 }
