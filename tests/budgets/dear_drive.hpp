@@ -10,8 +10,8 @@
 namespace budgets {
 
 struct DearDriveOptions {
-    int samples{500};            // 10 ms each; the sensors fail in turns of 500
-    int alternatives_every{50};  // samples
+    int samples{500};             // 10 ms each; the sensors fail in turns of 500
+    int alternatives_every{100};  // samples
     std::uint64_t seed{71U};
 };
 

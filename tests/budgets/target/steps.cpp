@@ -72,7 +72,9 @@ class Counts {
         }
         const uint32_t ticks = ticks_of(rsi_step, on, record.inputs, outputs);
         answer.add((ticks < least) ? ticks : least);
-        digest_ = budgets::digest(digest_, outputs);
+        if (repetitions_ > 0) {
+            digest_ = budgets::digest(digest_, outputs);
+        }
     }
     void end_drive() { answer.add(digest_); }
     void end() {}
