@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch_folder.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,14 +79,13 @@ INSTANTIATE_TEST_SUITE_P(IncludeRules, Allowed,
 
 // The search itself: one breach among good lines, found with file and line.
 TEST(IncludeRules, APlantedBreachIsFoundByFileAndLine) {
-    const fs::path root = fs::path(::testing::TempDir()) / "include_rules_planted";
-    fs::remove_all(root);
+    const test_support::ScratchFolder folder;
+    const fs::path& root = folder.path();
     fs::create_directories(root / "firmware/rsi/model");
     std::ofstream(root / "firmware/rsi/model/planted.cpp")
         << "// A comment.\n#include \"rsi/rsi.h\"\n  #  include <vector>\n#include <array>\n";
     std::ofstream(root / "firmware/rsi/notes.txt") << "#include <vector>\n";
     const std::vector<std::string> found = rsi_test::forbidden_includes(root.string());
-    fs::remove_all(root);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0], "firmware/rsi/model/planted.cpp:3: firmware/rsi/ may not include vector");
 }
