@@ -899,7 +899,7 @@ constexpr Decoded<RollIndicesClassic> RollIndicesClassic::decode(const std::uint
     return decoded;
 }
 
-// Observer of roll angle and bank, and how good the estimate of the roll centre is.
+// Observer of roll angle and bank, how good the estimate of the roll centre is, and why the control unit last started.
 // From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
 struct RollObserver {
     // Where the roll angle in use comes from.
@@ -907,6 +907,18 @@ struct RollObserver {
         none = 0,
         sensor = 1,
         observer = 2,
+    };
+
+    // Why the control unit last started.
+    enum class ResetReason : std::uint8_t {
+        power_on = 0,
+        outside = 1,
+        undefined_instruction = 2,
+        supervisor_call = 3,
+        prefetch_abort = 4,
+        data_abort = 5,
+        stack_overflow = 6,
+        interrupt = 7,
     };
 
     static constexpr const char* name{"RollObserver"};
@@ -929,6 +941,8 @@ struct RollObserver {
     bool roll_sensor_disagrees{false};
     // The estimator of the roll centre learns nothing at present.
     bool estimate_frozen{false};
+    // Why the control unit last started.
+    ResetReason reset_reason{ResetReason::power_on};
 
     struct Status {
         SignalStatus observed_roll_angle_deg{SignalStatus::not_available};
@@ -937,6 +951,7 @@ struct RollObserver {
         SignalStatus roll_source{SignalStatus::not_available};
         SignalStatus roll_sensor_disagrees{SignalStatus::not_available};
         SignalStatus estimate_frozen{SignalStatus::not_available};
+        SignalStatus reset_reason{SignalStatus::not_available};
 
         constexpr bool all_valid() const {
             return observed_roll_angle_deg == SignalStatus::valid &&
@@ -944,7 +959,8 @@ struct RollObserver {
                    roll_centre_deviation_m == SignalStatus::valid &&
                    roll_source == SignalStatus::valid &&
                    roll_sensor_disagrees == SignalStatus::valid &&
-                   estimate_frozen == SignalStatus::valid;
+                   estimate_frozen == SignalStatus::valid &&
+                   reset_reason == SignalStatus::valid;
         }
     };
 
@@ -964,6 +980,8 @@ struct RollObserver {
             {ByteOrder::little_endian, 53U, 1U, false}, 0, 1, 0};
         static constexpr IntegerSignal estimate_frozen{
             {ByteOrder::little_endian, 54U, 1U, false}, 0, 1, 0};
+        static constexpr EnumerationSignal reset_reason{
+            {ByteOrder::little_endian, 55U, 4U, false}, 0, false, 0};
     };
 
     static constexpr bool is_known(RollSource value) {
@@ -989,6 +1007,44 @@ struct RollObserver {
         return "unknown";
     }
 
+    static constexpr bool is_known(ResetReason value) {
+        switch (value) {
+            case ResetReason::power_on:
+            case ResetReason::outside:
+            case ResetReason::undefined_instruction:
+            case ResetReason::supervisor_call:
+            case ResetReason::prefetch_abort:
+            case ResetReason::data_abort:
+            case ResetReason::stack_overflow:
+            case ResetReason::interrupt:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(ResetReason value) {
+        switch (value) {
+            case ResetReason::power_on:
+                return "power on";
+            case ResetReason::outside:
+                return "outside";
+            case ResetReason::undefined_instruction:
+                return "undefined instruction";
+            case ResetReason::supervisor_call:
+                return "supervisor call";
+            case ResetReason::prefetch_abort:
+                return "prefetch abort";
+            case ResetReason::data_abort:
+                return "data abort";
+            case ResetReason::stack_overflow:
+                return "stack overflow";
+            case ResetReason::interrupt:
+                return "interrupt";
+        }
+        return "unknown";
+    }
+
     // See can_dbc::encode and can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
@@ -998,6 +1054,7 @@ struct RollObserver {
         write_enumeration(Signals::roll_source, &RollObserver::is_known, roll_source, payload.data());
         write_signal(Signals::roll_sensor_disagrees, roll_sensor_disagrees, payload.data());
         write_signal(Signals::estimate_frozen, estimate_frozen, payload.data());
+        write_enumeration(Signals::reset_reason, &RollObserver::is_known, reset_reason, payload.data());
         return payload;
     }
 
@@ -1012,6 +1069,7 @@ struct RollObserver {
         visitor("RollSource", "-", &RollObserver::roll_source, &Status::roll_source);
         visitor("RollSensorDisagrees", "-", &RollObserver::roll_sensor_disagrees, &Status::roll_sensor_disagrees);
         visitor("EstimateFrozen", "-", &RollObserver::estimate_frozen, &Status::estimate_frozen);
+        visitor("ResetReason", "-", &RollObserver::reset_reason, &Status::reset_reason);
     }
 };
 
@@ -1023,6 +1081,7 @@ constexpr Decoded<RollObserver> RollObserver::decode(const std::uint8_t* payload
     read_enumeration(Signals::roll_source, &RollObserver::is_known, payload, decoded.value.roll_source, decoded.status.roll_source);
     read_signal(Signals::roll_sensor_disagrees, payload, decoded.value.roll_sensor_disagrees, decoded.status.roll_sensor_disagrees);
     read_signal(Signals::estimate_frozen, payload, decoded.value.estimate_frozen, decoded.status.estimate_frozen);
+    read_enumeration(Signals::reset_reason, &RollObserver::is_known, payload, decoded.value.reset_reason, decoded.status.reset_reason);
     return decoded;
 }
 

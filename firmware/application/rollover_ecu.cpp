@@ -43,6 +43,7 @@ Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept 
     hal::count_up(cycle_overruns_, missed_cycles);
     Health health{};
     health.parameters_refusal = refusal_;
+    health.reset_reason = reset_reason_;
     health.receive_overflow = receive_overflow();
     health.bus_error = bus_error();
     health.cycle_overrun = (missed_cycles > 0U);

@@ -9,6 +9,7 @@
 #include "application/warning_transmission.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/clock.hpp"
+#include "hal/interface/reset_reason.hpp"
 #include "hal/interface/watchdog.hpp"
 #include "rsi/component.hpp"
 
@@ -26,6 +27,9 @@ class RolloverEcu {
 
     // The same with the parameters of a section of the image, of whose memory `length` bytes may be read.
     ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept;
+
+    // For a platform that knows why it started; sent in every cycle.
+    void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
 
     // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
     // when all is well; after more than two the component starts anew, because its models know no step but 10
@@ -48,6 +52,7 @@ class RolloverEcu {
     WarningTransmission transmission_{};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
+    hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     std::uint32_t cycle_overruns_{0U};
     std::uint32_t overflow_count_{0U};
     std::uint32_t send_failure_count_{0U};

@@ -75,7 +75,7 @@ static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::none) == RSI_R
 static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::sensor) == RSI_ROLL_SENSOR);
 static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::observer) == RSI_ROLL_OBSERVER);
 
-can_dbc::RollObserver observer_message(const rsi::Outputs& outputs) {
+can_dbc::RollObserver observer_message(const rsi::Outputs& outputs, hal::ResetReason reset_reason) {
     can_dbc::RollObserver message{};
     message.observed_roll_angle_deg = outputs.observed_roll_angle_rad * degrees_per_radian;
     message.observed_bank_angle_deg = outputs.observed_bank_angle_rad * degrees_per_radian;
@@ -83,8 +83,25 @@ can_dbc::RollObserver observer_message(const rsi::Outputs& outputs) {
     message.roll_source = static_cast<can_dbc::RollObserver::RollSource>(outputs.roll_source);
     message.roll_sensor_disagrees = (outputs.roll_sensor_disagrees != 0);
     message.estimate_frozen = (outputs.estimate_frozen != 0);
+    message.reset_reason = static_cast<can_dbc::RollObserver::ResetReason>(reset_reason);
     return message;
 }
+
+constexpr bool is_sent_as(hal::ResetReason reason, can_dbc::RollObserver::ResetReason sent) {
+    return static_cast<int>(reason) == static_cast<int>(sent);
+}
+static_assert(is_sent_as(hal::ResetReason::power_on, can_dbc::RollObserver::ResetReason::power_on));
+static_assert(is_sent_as(hal::ResetReason::outside, can_dbc::RollObserver::ResetReason::outside));
+static_assert(is_sent_as(hal::ResetReason::undefined_instruction,
+                         can_dbc::RollObserver::ResetReason::undefined_instruction));
+static_assert(is_sent_as(hal::ResetReason::supervisor_call,
+                         can_dbc::RollObserver::ResetReason::supervisor_call));
+static_assert(is_sent_as(hal::ResetReason::prefetch_abort,
+                         can_dbc::RollObserver::ResetReason::prefetch_abort));
+static_assert(is_sent_as(hal::ResetReason::data_abort, can_dbc::RollObserver::ResetReason::data_abort));
+static_assert(is_sent_as(hal::ResetReason::stack_overflow,
+                         can_dbc::RollObserver::ResetReason::stack_overflow));
+static_assert(is_sent_as(hal::ResetReason::interrupt, can_dbc::RollObserver::ResetReason::interrupt));
 
 can_dbc::RolloverStatus status_message(const Health& health) {
     const ReceptionReport& reception = health.reception;
@@ -133,7 +150,7 @@ void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, co
     send_protected(bus, estimate_message(outputs), estimate_);
     send_protected(bus, indices_ahead_message(outputs), indices_ahead_);
     send_protected(bus, indices_classic_message(outputs), indices_classic_);
-    send_protected(bus, observer_message(outputs), observer_);
+    send_protected(bus, observer_message(outputs, health.reset_reason), observer_);
     send_protected(bus, status_message(health), status_);
 }
 

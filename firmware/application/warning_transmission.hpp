@@ -6,6 +6,7 @@
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/interface/can_bus.hpp"
+#include "hal/interface/reset_reason.hpp"
 #include "rsi/types.hpp"
 
 namespace application {
@@ -17,6 +18,7 @@ struct Health {
     bool bus_error{false};
     bool cycle_overrun{false};         // this cycle began late
     std::uint32_t cycle_overruns{0U};  // since the start
+    hal::ResetReason reset_reason{};   // of the last start
     ReceptionReport reception{};
 };
 

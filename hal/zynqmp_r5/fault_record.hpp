@@ -3,19 +3,9 @@
 
 #include <cstdint>
 
-namespace hal::zynqmp_r5 {
+#include "hal/interface/reset_reason.hpp"
 
-// Why the firmware started. The numbers are sent as ResetReason.
-enum class ResetReason : std::uint8_t {
-    power_on = 0,  // or whatever else left no record in memory
-    outside = 1,   // the firmware was running and recorded nothing: watchdog, or a reset by somebody else
-    undefined_instruction = 2,
-    supervisor_call = 3,
-    prefetch_abort = 4,
-    data_abort = 5,
-    stack_overflow = 6,  // a data abort in a stack's guard
-    interrupt = 7,       // none is expected
-};
+namespace hal::zynqmp_r5 {
 
 struct Fault {
     ResetReason reason{ResetReason::power_on};

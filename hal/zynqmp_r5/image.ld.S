@@ -5,6 +5,7 @@ ENTRY(start)
 
 MEMORY
 {
+    VECTORS    (rx) : ORIGIN = RSI_VECTORS_START, LENGTH = RSI_VECTORS_SIZE
     CODE       (rx) : ORIGIN = RSI_CODE_START, LENGTH = RSI_CODE_SIZE
     PARAMETERS (r)  : ORIGIN = RSI_PARAMETERS_START, LENGTH = RSI_PARAMETERS_SIZE
     DATA       (rw) : ORIGIN = RSI_DATA_START, LENGTH = RSI_DATA_SIZE
@@ -14,6 +15,7 @@ MEMORY
 /* What is cleared at every start, or must survive it, belongs to no segment: nothing of it is loaded. */
 PHDRS
 {
+    vectors PT_LOAD FLAGS(5);
     code PT_LOAD FLAGS(5);
     parameters PT_LOAD FLAGS(4);
     data PT_LOAD FLAGS(6);
@@ -21,6 +23,11 @@ PHDRS
 
 SECTIONS
 {
+    .boot_vectors :
+    {
+        KEEP(*(.boot_vectors))
+    } > VECTORS :vectors
+
     .code :
     {
         KEEP(*(.start))

@@ -1,7 +1,7 @@
 /* Memory map of the image, for the linker script, assembly and C++ alike. docs/flashing.md describes it.
  *
- * Each part is a region of the memory protection unit (startup/memory_protection.cpp): its size is a power of two and
- * its start a multiple of that. */
+ * Each part is a region of the memory protection unit (startup/memory_protection.cpp): its size is a power of
+ * two and its start a multiple of that. */
 #ifndef HAL_ZYNQMP_R5_MEMORY_MAP_H
 #define HAL_ZYNQMP_R5_MEMORY_MAP_H
 
@@ -18,7 +18,8 @@
 #define RSI_DATA_START 0x00120000
 #define RSI_DATA_SIZE 0x8000
 
-/* Eight parts of 2 KiB. From below: guard, stack of the exceptions, guard, two parts main stack, three parts guard. */
+/* Eight parts of 2 KiB. From below: guard, stack of the exceptions, guard, two parts main stack, three parts
+ * guard. */
 #define RSI_STACKS_START 0x00128000
 #define RSI_STACKS_SIZE 0x4000
 #define RSI_FAULT_STACK_BOTTOM 0x00128800

@@ -48,7 +48,7 @@ template <typename Bus>
 class EcuImage {
  public:
     [[noreturn]] void run(const hal::zynqmp_r5::CanSettings& settings) noexcept {
-        reason_ = hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record());
+        ecu_.set_reset_reason(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
         clock_.start();
         watchdog_.start();
         // A controller that does not respond is tried again in every cycle; the watchdog would not help it.
@@ -70,7 +70,6 @@ class EcuImage {
     Bus bus_{controller_};
     Watchdog watchdog_{MemoryMappedRegisters{}};
     application::RolloverEcu ecu_{bus_, clock_, watchdog_};
-    hal::zynqmp_r5::ResetReason reason_{};
 };
 
 }  // namespace image

@@ -74,6 +74,9 @@ class Bench {
         return ecu_.init(section.data(), section.size());
     }
 
+    // Why the ECU's controller started.
+    void start_after(hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
+
     // What the sensors see from now on.
     void drive(const Motion& motion);
     // The same as a function of the time in seconds.

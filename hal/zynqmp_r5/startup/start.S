@@ -1,7 +1,7 @@
 /* Reset and exception vectors of the Cortex-R5F.
  *
  * The core has no vector base register: its vectors lie at address 0 (SCTLR.V = 0), in the ATCM on silicon. The
- * image keeps a copy of them beside its code and puts it there at every start. */
+ * image keeps a copy of them beside its code and puts it there at every start, whatever has become of them. */
     .syntax unified
     .arm
 
@@ -15,27 +15,35 @@
     .equ sctlr_off, (1 << 0) | (1 << 1) | (1 << 2) | (1 << 12) | (1 << 13) | (1 << 17) | (1 << 30)
 
 /* The vectors load their targets from the words behind them, so that the block can be copied as it is. */
+    .macro vector_table
+    ldr pc, 1f
+    ldr pc, 2f
+    ldr pc, 3f
+    ldr pc, 4f
+    ldr pc, 5f
+    ldr pc, 6f
+    ldr pc, 7f
+    ldr pc, 8f
+1:  .word start
+2:  .word on_undefined
+3:  .word on_supervisor_call
+4:  .word on_prefetch_abort
+5:  .word on_data_abort
+6:  .word on_reserved
+7:  .word on_interrupt
+8:  .word on_fast_interrupt
+    .endm
+
     .section .vectors, "ax"
     .global vectors
     .type vectors, %object
 vectors:
-    ldr pc, target_reset
-    ldr pc, target_undefined
-    ldr pc, target_supervisor_call
-    ldr pc, target_prefetch_abort
-    ldr pc, target_data_abort
-    ldr pc, target_reserved
-    ldr pc, target_interrupt
-    ldr pc, target_fast_interrupt
-target_reset: .word start
-target_undefined: .word on_undefined
-target_supervisor_call: .word on_supervisor_call
-target_prefetch_abort: .word on_prefetch_abort
-target_data_abort: .word on_data_abort
-target_reserved: .word on_reserved
-target_interrupt: .word on_interrupt
-target_fast_interrupt: .word on_fast_interrupt
+    vector_table
     .size vectors, . - vectors
+
+/* For a loader that puts them to address 0 itself: on silicon the core's first fetch after its release is from there. */
+    .section .boot_vectors, "ax"
+    vector_table
 
 /* The first instruction of the image, at its lowest address: the entry of whoever releases the core. */
     .section .start, "ax"
@@ -102,6 +110,8 @@ start:
     ldr r0, =zynqmp_r5_protect_memory   @ a program without it runs unprotected
     cmp r0, #0
     blxne r0
+
+    cpsie a                             @ a write that the bus refuses later is a data abort too
 
     ldr r4, =init_array_start
     ldr r5, =init_array_end
