@@ -69,6 +69,7 @@ class RealTime(unittest.TestCase):
                 if drive.missed_share() <= KEPT_PACE:
                     break
             cls.exit_status = ecu.stop()
+            cls.ecu_output = ecu.output
         cls.drive = min(cls.drives, key=Drive.missed_share)
         cls.tolerance_s = TOLERANCE_S if cls.drive.missed_share() <= KEPT_PACE else SLOW_TOLERANCE_S
         print(programs.run("rsi-sil", "timing", cls.drive.log).stdout)
@@ -76,7 +77,7 @@ class RealTime(unittest.TestCase):
     def test_the_programs_end_well(self):
         for drive in self.drives:
             self.assertEqual(drive.finished.returncode, 0, drive.finished.stderr)
-        self.assertEqual(self.exit_status, 0)
+        self.assertEqual(self.exit_status, 0, self.ecu_output)
 
     def test_a_hundred_cycles_a_second_are_kept(self):
         if not IS_NESTED:
