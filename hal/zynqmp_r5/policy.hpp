@@ -33,8 +33,8 @@ struct EmulatorPolicy {
     using Watchdog = emulator::SupervisorWatchdog<Registers, 2000U>;
     template <typename Registers>
     using Reset = emulator::SupervisorReset<Registers>;
-    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too: tens of microseconds
-    // between two leave it the chance, hundreds where the emulator is itself emulated.
+    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too: tens of
+    // microseconds between two leave it the chance, hundreds where the emulator is itself emulated.
     static void between_polls() noexcept {
         for (std::uint32_t pause = 0U; pause < 10'000U; ++pause) {
             asm volatile("nop");

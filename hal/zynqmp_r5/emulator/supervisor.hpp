@@ -2,8 +2,8 @@
 // (images/zynqmp_r5/emulator/release.S). QEMU 7.2 has neither the watchdog nor the reset register of the
 // silicon.
 //
-// The supervisor counts a word down every RSI_SUPERVISOR_PERIOD_MS, and resets the machine when it comes to zero. Zero
-// from the start: nothing happens.
+// The supervisor counts a word down every RSI_SUPERVISOR_PERIOD_MS, and resets the machine when it comes to
+// zero. Zero from the start: nothing happens.
 #pragma once
 
 #include <cstdint>
