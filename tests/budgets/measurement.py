@@ -19,7 +19,7 @@ RECORDINGS = PROJECT / "build/budgets"
 LIBRARY_FUNCTIONS = {"memcpy", "memset", "memmove"}
 # Instructions in a tick of the counter, and the emulator's number of the processor.
 TARGETS = {
-    "cortex-r5f": {"instructions_in_a_tick": 1.0, "processor": 4, "image": "images/zynqmp_r5/rsi-ecu-r5f.elf"},
+    "cortex-r5f": {"instructions_in_a_tick": 1.0, "processor": 4, "image": "firmware/images/zynqmp_r5/rsi-ecu-r5f.elf"},
     "cortex-m4f": {"instructions_in_a_tick": 40.0 / 1024.0, "processor": 0, "image": None},
 }
 DEFAULT = "consider_kalman"
