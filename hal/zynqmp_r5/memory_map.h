@@ -33,5 +33,6 @@
 
 /* Emulator only, in the last words of the retained memory: see images/zynqmp_r5/emulator/release.S. */
 #define RSI_SUPERVISOR_COUNTDOWN 0x0012CFF0
+#define RSI_SUPERVISOR_PERIOD_MS 10
 
 #endif

@@ -21,6 +21,7 @@ struct SiliconPolicy {
     using Watchdog = SystemWatchdog<Registers, 100'000'000U, 50U>;  // LPD_LSBUS_CLK; five cycles
     template <typename Registers>
     using Reset = SystemReset<Registers>;
+    static void between_polls() noexcept {}
 };
 
 struct EmulatorPolicy {
@@ -32,6 +33,13 @@ struct EmulatorPolicy {
     using Watchdog = emulator::SupervisorWatchdog<Registers, 2000U>;
     template <typename Registers>
     using Reset = emulator::SupervisorReset<Registers>;
+    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too: tens of microseconds
+    // between two leave it the chance, hundreds where the emulator is itself emulated.
+    static void between_polls() noexcept {
+        for (std::uint32_t pause = 0U; pause < 10'000U; ++pause) {
+            asm volatile("nop");
+        }
+    }
 };
 
 #if defined(RSI_ZYNQMP_POLICY_EMULATOR)

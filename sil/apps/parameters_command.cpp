@@ -28,7 +28,12 @@ struct ParametersRequest {
     std::filesystem::path checked;
 };
 
-std::string content_of(const ParametersRequest& request, const std::vector<std::uint8_t>& section) {
+std::string content_of(const ParametersRequest& request, const rsi::Parameters& parameters,
+                       const std::string& name) {
+    if (request.format == "h") {
+        return calibration_header(parameters, name);
+    }
+    const std::vector<std::uint8_t> section = parameter_section(parameters, name);
     if (request.format == "hex") {
         return intel_hex(section, request.address);
     }
@@ -42,9 +47,8 @@ void write_section(const ParametersRequest& request) {
     const rsi::Parameters parameters = load_calibration(request.calibration_file, request.changes);
     const std::string name =
         request.name.empty() ? std::filesystem::path{request.calibration_file}.stem().string() : request.name;
-    const std::vector<std::uint8_t> section = parameter_section(parameters, name);
-    write_file_atomically(request.output, content_of(request, section));
-    fmt::print("{}: parameter section \"{}\", {} bytes\n", request.output.string(), name, section.size());
+    write_file_atomically(request.output, content_of(request, parameters, name));
+    fmt::print("{}: calibration \"{}\"\n", request.output.string(), name);
 }
 
 std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
@@ -86,13 +90,14 @@ void add_parameters_command(CLI::App& app) {
                      "KEY=VALUE in place of what the calibration says; may be repeated")
         ->allow_extra_args(false)
         ->needs(calibration);
-    CLI::Option* format =
-        command
-            ->add_option("--format", request->format,
-                         "bin: the bytes; hex: Intel HEX at --address; c: a source for the image's build")
-            ->check(CLI::IsMember({"bin", "hex", "c"}))
-            ->capture_default_str()
-            ->needs(output);
+    CLI::Option* format = command
+                              ->add_option("--format", request->format,
+                                           "bin: the bytes; hex: Intel HEX at --address; c: the section as a "
+                                           "source for the image's build; "
+                                           "h: rsi_parameters as a C99 header, no section")
+                              ->check(CLI::IsMember({"bin", "hex", "c", "h"}))
+                              ->capture_default_str()
+                              ->needs(output);
     command
         ->add_option("--address", request->address,
                      "Where the section lies in memory, for example 0x00180000")

@@ -139,6 +139,30 @@ std::string calibration_toml(const rsi::Parameters& parameters) {
     return text;
 }
 
+std::string calibration_header(const rsi::Parameters& parameters, std::string_view name) {
+    const auto fits = [](char letter) {
+        return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+               (letter >= '0' && letter <= '9') || letter == '_';
+    };
+    if (name.empty() || (name[0] >= '0' && name[0] <= '9') || !std::all_of(name.begin(), name.end(), fits)) {
+        throw CalibrationError(fmt::format(
+            "\"{}\" is no identifier of C, which a header needs as a name; give one by --name TEXT", name));
+    }
+    std::string text = fmt::format(
+        "/* The calibration \"{}\" as C99, made by `rsi-sil parameters --format h`; do not edit. */\n"
+        "#include \"rsi/rsi.h\"\n\n"
+        "static const rsi_parameters {}_parameters = {{\n",
+        name, name);
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        text += fmt::format("    .{} = {:#}F,\n", field.name, parameters.*field.member);
+    }
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        const std::int32_t value = parameters.*field.member;
+        text += fmt::format("    .{} = {}, /* {} */\n", field.name, value, field.choices[value]);
+    }
+    return text + "};\n";
+}
+
 std::string explain(const application::ParameterSectionAnswer& answer) {
     using application::ParametersRefusal;
     constexpr const char* write_anew = "write it anew from its TOML file with the rsi-sil of that firmware";

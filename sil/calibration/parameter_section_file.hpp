@@ -28,6 +28,10 @@ std::string section_source(const std::vector<std::uint8_t>& section);
 // The values as a calibration file that load_calibration reads back to the very same floats.
 std::string calibration_toml(const rsi::Parameters& parameters);
 
+// The same as a C99 header that defines `name`_parameters, for a program that has its calibration built in.
+// `name` must be an identifier; throws CalibrationError otherwise.
+std::string calibration_header(const rsi::Parameters& parameters, std::string_view name);
+
 // What a refusal means and what to do next, in one sentence without its end.
 std::string explain(const application::ParameterSectionAnswer& answer);
 

@@ -2,8 +2,10 @@
 #include "sil/calibration/parameter_section_file.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -40,12 +42,14 @@ TEST_P(ParameterSectionOf, IsTakenByTheFirmwareBitForBit) {
 }
 
 TEST_P(ParameterSectionOf, IsPrintedAsTheCalibrationThatItCameFrom) {
-    const std::string path = testing::TempDir() + "/printed_" + GetParam() + ".toml";
+    const std::string path =
+        testing::TempDir() + "/printed_" + GetParam() + std::to_string(getpid()) + ".toml";
     {
         std::ofstream file{path};
         file << sil::calibration_toml(calibration_);
     }
     EXPECT_TRUE(same(sil::load_calibration(path), calibration_));
+    std::remove(path.c_str());
 }
 
 INSTANTIATE_TEST_SUITE_P(Calibrations, ParameterSectionOf,

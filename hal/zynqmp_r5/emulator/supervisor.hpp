@@ -2,7 +2,7 @@
 // (images/zynqmp_r5/emulator/release.S). QEMU 7.2 has neither the watchdog nor the reset register of the
 // silicon.
 //
-// The supervisor counts a word down every millisecond, and resets the machine when it comes to zero. Zero
+// The supervisor counts a word down every RSI_SUPERVISOR_PERIOD_MS, and resets the machine when it comes to zero. Zero
 // from the start: nothing happens.
 #pragma once
 
@@ -22,7 +22,7 @@ class SupervisorWatchdog final : public Watchdog {
     explicit SupervisorWatchdog(Registers registers) noexcept : registers_{registers} {}
 
     void start() noexcept { feed(); }
-    void feed() noexcept override { registers_.write(countdown, limit_ms); }
+    void feed() noexcept override { registers_.write(countdown, limit_ms / RSI_SUPERVISOR_PERIOD_MS); }
 
  private:
     Registers registers_;

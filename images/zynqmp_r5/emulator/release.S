@@ -2,8 +2,8 @@
  * (-device loader,file=release-r5.elf,cpu-num=0). It stands in for three parts of the silicon: the boot loader, which
  * releases the R5 core; the watchdog, and the platform management unit, which resets.
  *
- * A word in memory (RSI_SUPERVISOR_COUNTDOWN) counts down every millisecond while it is not zero, and the machine is
- * reset when it comes to zero. hal/zynqmp_r5/emulator/supervisor.hpp is the R5's side. */
+ * A word in memory (RSI_SUPERVISOR_COUNTDOWN) counts down every RSI_SUPERVISOR_PERIOD_MS while it is not zero, and the
+ * machine is reset when it comes to zero. (Every millisecond would cost the emulator too much.) hal/zynqmp_r5/emulator/supervisor.hpp is the R5's side. */
 #include "hal/zynqmp_r5/memory_map.h"
 
     .equ psci_cpu_on, 0xC4000003
@@ -36,8 +36,8 @@ _start:
     str w2, [x1]
 
     mrs x21, cntfrq_el0
-    mov x2, #1000
-    udiv x21, x21, x2                   // timer periods of a millisecond
+    mov x2, #(1000 / RSI_SUPERVISOR_PERIOD_MS)
+    udiv x21, x21, x2                   // timer periods of one count
     mov x2, #1
     msr cntv_tval_el0, x21
     msr cntv_ctl_el0, x2

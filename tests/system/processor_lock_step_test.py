@@ -1,0 +1,54 @@
+"""The Cortex-R5F's image under QEMU in lock-step on a CAN interface: the same bytes as the host's firmware."""
+
+import tempfile
+import unittest
+
+import processor
+import programs
+
+LOGS = programs.PROJECT / "tests/regression/logs"
+
+
+class LockStep(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.ecu = cls.enterClassContext(processor.Processor("--lock-step", "--parameters", programs.CALIBRATION))
+
+    def test_every_recorded_manoeuvre_gives_the_recorded_frames_byte_for_byte(self):
+        sensor_logs = sorted(LOGS.glob("*.sensors.log"))
+        self.assertGreaterEqual(len(sensor_logs), 6)
+        for sensor_log in sensor_logs:
+            name = sensor_log.name.removesuffix(".sensors.log")
+            with self.subTest(name):
+                bus = processor.Bus()
+                self.addCleanup(bus.close)
+                answered = processor.answers(bus, programs.read_log(sensor_log))
+                recorded = [
+                    (round(time / processor.CYCLE_S), identifier, data)
+                    for time, identifier, data in programs.read_log(LOGS / f"{name}.ecu.log")
+                ]
+                self.assertEqual(len(answered), len(recorded))
+                for mine, wanted in zip(answered, recorded):
+                    self.assertEqual(mine, wanted)
+                bus.close()
+
+    def test_a_simulated_manoeuvre_gives_the_log_of_the_host_byte_for_byte(self):
+        with tempfile.TemporaryDirectory(prefix="rsi_system_") as folder:
+            logs = []
+            for name, program_options in (
+                ("processor", ("--interface", programs.INTERFACE, "--lock-step")),
+                ("host", ("--in-process", "--parameters", programs.CALIBRATION)),
+            ):
+                output = programs.pathlib.Path(folder) / name
+                finished = programs.run(
+                    "rsi-sil", "run", "j-turn-110", "--vehicle", programs.VEHICLE, "--output", output, "--noise",
+                    "--seed", 5, "--duration", 2, *program_options,
+                )
+                self.assertEqual(finished.returncode, 0, finished.stdout + finished.stderr)
+                logs.append((output / "candump.log").read_text(encoding="ascii"))
+            self.assertGreater(len(logs[0].splitlines()), 2000)
+            self.assertEqual(logs[0].replace(f" {programs.INTERFACE} ", " vcan0 "), logs[1])
+
+
+if __name__ == "__main__":
+    unittest.main()
