@@ -1,5 +1,6 @@
-// rsi-ecu-r5f-lock-step: the image for the Cortex-R5F in simulated time, for simulation only. The firmware steps when a
-// SimulationSync frame says so, at the time that the frame says; everything else is as in rsi-ecu-r5f.
+// rsi-ecu-r5f-lock-step: the image for the Cortex-R5F in simulated time, for simulation only. The firmware
+// steps when a SimulationSync frame says so, at the time that the frame says; everything else is as in
+// rsi-ecu-r5f.
 #include <optional>
 
 #include "application/rollover_ecu.hpp"

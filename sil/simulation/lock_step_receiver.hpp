@@ -12,15 +12,15 @@
 
 namespace sil {
 
-// A bus for the application whose frames bear simulated time; holds back up to `capacity` frames of a cycle. Needs no
-// operating system, so that a controller's image may have it too. `bus` and `clock` must outlive it.
+// A bus for the application whose frames bear simulated time; holds back up to `capacity` frames of a cycle.
+// Needs no operating system, so that a controller's image may have it too. `bus` and `clock` must outlive it.
 template <std::size_t capacity>
 class LockStepReceiver final : public hal::CanBus {
  public:
     LockStepReceiver(hal::CanBus& bus, hal::VirtualClock& clock) noexcept : bus_{bus}, clock_{clock} {}
 
-    // Reads what waits on the bus. When it returns true, a cycle is complete: the clock stands at its time and its
-    // frames wait to be received. Call it again at once after the cycle, for the bus may hold more.
+    // Reads what waits on the bus. When it returns true, a cycle is complete: the clock stands at its time
+    // and its frames wait to be received. Call it again at once after the cycle, for the bus may hold more.
     bool cycle_is_complete() noexcept {
         hal::CanFrame frame;
         while (bus_.receive(frame) == hal::ReceiveResult::frame) {
