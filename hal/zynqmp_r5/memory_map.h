@@ -31,7 +31,8 @@
 #define RSI_RETAINED_START 0x0012C000
 #define RSI_RETAINED_SIZE 0x1000
 
-/* Emulator only, in the last words of the retained memory: see images/zynqmp_r5/emulator/release.S. */
+/* Emulator only, in the last words of the retained memory: see firmware/images/zynqmp_r5/emulator/release.S.
+ */
 #define RSI_SUPERVISOR_COUNTDOWN 0x0012CFF0
 #define RSI_SUPERVISOR_PERIOD_MS 10
 

@@ -13,6 +13,17 @@ def run(tool, *arguments, stdin=None):
     ).stdout
 
 
+def call_graphs(archive, folder):
+    """Texts of the call graphs (.ci in `folder`) of the objects that are in the archive, not of what was there once."""
+    members = run("ar", "t", archive).split()
+    graphs = {path.name: path for path in folder.rglob("*.ci")}
+    return [graphs[member.removesuffix(".obj") + ".ci"].read_text() for member in members]
+
+
+def demangled(names):
+    return run("c++filt", "--no-params", stdin="\n".join(names)).split("\n") if names else []
+
+
 _INSTRUCTION = re.compile(r"^ *([0-9a-f]+):\t((?:[0-9a-f]{4,8} ?)+)\s*\t(\S+)(?:\t(.*))?$")
 
 

@@ -19,7 +19,7 @@ RECORDINGS = PROJECT / "build/budgets"
 LIBRARY_FUNCTIONS = {"memcpy", "memset", "memmove"}
 # Instructions in a tick of the counter, and the emulator's number of the processor.
 TARGETS = {
-    "cortex-r5f": {"instructions_in_a_tick": 1.0, "processor": 4, "image": "images/zynqmp_r5/rsi-ecu-r5f.elf"},
+    "cortex-r5f": {"instructions_in_a_tick": 1.0, "processor": 4, "image": "firmware/images/zynqmp_r5/rsi-ecu-r5f.elf"},
     "cortex-m4f": {"instructions_in_a_tick": 40.0 / 1024.0, "processor": 0, "image": None},
 }
 DEFAULT = "consider_kalman"
@@ -180,7 +180,7 @@ class Measurement:
 
     def _memory(self):
         graph = call_graph.CallGraph(
-            path.read_text() for path in sorted((self._folder / "firmware/CMakeFiles/rsi.dir").rglob("*.ci"))
+            binary_tools.call_graphs(self._folder / "firmware/librsi.a", self._folder / "firmware/CMakeFiles/rsi.dir")
         )
         image = self._folder / "targets/least_image.elf"
         library = library_stack.of_functions(image, LIBRARY_FUNCTIONS)
@@ -193,8 +193,13 @@ class Measurement:
         check_stack(f"rsi_init on {self.target}", self.init_painted, self.init_stack)
         self.library_size = image_size.of_library(image.with_suffix(".map").read_text(), "librsi.a")
         self.image_size = None
+        self.application_indirect_callers = []
         if self._facts["image"]:
             self.image_size = image_size.of_image(self._folder / self._facts["image"])
+            application = self._folder / "firmware/CMakeFiles/application.dir"
+            self.application_indirect_callers = call_graph.CallGraph(
+                binary_tools.call_graphs(self._folder / "firmware/libapplication.a", application)
+            ).indirect_callers()
 
     def _contents(self):
         """What must not be in an image and is."""

@@ -1,5 +1,6 @@
 """The one table of budgets, and what in it breaks a limit."""
 
+import binary_tools
 import limits
 from measurement import DEFAULT, MANOEUVRES, Figures, stages
 
@@ -149,6 +150,13 @@ def _memory(table, measurements):
     row("· as painted on the target", lambda m: m.step_painted)
     row("stack of rsi_init(): bound by the call graph", lambda m: m.init_stack, "init_stack_bytes")
     row("· as painted on the target", lambda m: m.init_painted)
+
+
+def indirect_calls(measurements):
+    """A sentence on who calls through pointers: nobody in the library (that is checked), the application its platform."""
+    names = sorted({name for m in measurements for name in m.application_indirect_callers})
+    callers = ", ".join(f"`{name}`" for name in binary_tools.demangled(names) if name)
+    return f"\nThe library makes no indirect call. The application makes its virtual calls, of hal/interface, in {callers}.\n"
 
 
 def make(measurements, operations, held_to):

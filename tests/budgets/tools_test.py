@@ -310,6 +310,18 @@ class PlantedViolations(unittest.TestCase):
             self.assertRegex(found, r"__aeabi_dmul \(double\).*malloc \(heap\)")
 
 
+class CallGraphs(unittest.TestCase):
+    def test_what_is_no_longer_in_the_archive_is_left_out(self):
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            for name in ("kept", "gone"):
+                (here / f"{name}.cpp.obj").write_bytes(b"")
+                (here / f"{name}.cpp.ci").write_text(node(name, 8))
+            binary_tools.run("ar", "rc", here / "lib.a", here / "kept.cpp.obj")
+            graph = call_graph.CallGraph(binary_tools.call_graphs(here / "lib.a", here))
+            self.assertEqual(graph.bytes, {"kept": 8})
+
+
 class LibraryStack(unittest.TestCase):
     def test_pushes_are_added_up(self):
         listing = "\n".join(

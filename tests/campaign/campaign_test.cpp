@@ -16,11 +16,11 @@
 
 namespace {
 
-using testing::HasSubstr;
-using testing_campaign::small_campaign;
 using test_support::ScratchFolder;
 using test_support::text_of;
 using test_support::write_text;
+using testing::HasSubstr;
+using testing_campaign::small_campaign;
 
 constexpr std::uint64_t runs = 8U;
 

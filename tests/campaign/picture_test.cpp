@@ -10,10 +10,10 @@
 
 namespace {
 
-using testing_campaign::HandMadeRun;
-using testing_campaign::recorded;
 using test_support::ScratchFolder;
 using test_support::text_of;
+using testing_campaign::HandMadeRun;
+using testing_campaign::recorded;
 
 int draw(const std::filesystem::path& folder) {
     const std::string command = testing_campaign::project_file("sil/campaign/draw") + " '" + folder.string() +

@@ -9,11 +9,11 @@
 
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
 using test_support::ScratchFolder;
 using test_support::text_of;
 using test_support::write_text;
+using testing::ElementsAre;
+using testing::HasSubstr;
 
 class RowFile : public ::testing::Test {
  protected:

@@ -13,10 +13,10 @@
 namespace {
 
 namespace fs = std::filesystem;
-using testing_drives::good_lines;
-using testing_drives::text_of_lines;
 using test_support::text_of;
 using test_support::write_text;
+using testing_drives::good_lines;
+using testing_drives::text_of_lines;
 
 class ReplayProgram : public testing::Test {
  protected:

@@ -16,7 +16,7 @@ import zlib
 import processor
 import programs
 
-BUILT = programs.PROJECT / "build/cortex-r5f/images/zynqmp_r5"
+BUILT = programs.PROJECT / "build/cortex-r5f/firmware/images/zynqmp_r5"
 IMAGE = BUILT / "rsi-ecu-r5f-emulator.elf"
 SUPERVISOR = BUILT / "release-r5.elf"
 TRACED = re.compile(r"ID: 0x0*([0-9a-f]+) DLC: 0x\w+ DATA:((?: 0x\w\w)+)")

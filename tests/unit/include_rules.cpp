@@ -38,7 +38,7 @@ const std::vector<Rule>& rules() {
         {"can_dbc/", {"can_dbc/"}, Rule::Others::standard, {}},
         {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
         {"hal/", {"hal/"}, Rule::Others::any, {}},
-        {"images/", {"rsi/", "can_dbc/", "hal/", "application/", "images/"}, Rule::Others::any, {}},
+        {"firmware/images/", {"rsi/", "can_dbc/", "hal/", "application/", "images/"}, Rule::Others::any, {}},
         {"sil/", {"rsi/", "can_dbc/", "hal/", "application/", "images/", "sil/"}, Rule::Others::any, {}},
         {"tests/",
          {"rsi/", "can_dbc/", "hal/", "application/", "images/", "sil/", "tests/"},

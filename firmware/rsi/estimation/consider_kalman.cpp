@@ -151,7 +151,7 @@ ConsiderKalman::Innovation ConsiderKalman::innovation(const RollEquation& equati
 void ConsiderKalman::learn_movement(const RollEquation& equation) {
     const Innovation e = innovation(equation);
     const float gain = e.weight * e.with_movement / e.variance_nm2;
-    movement_m_ = clamp(movement_m_ + gain * e.value_nm, -limit_m_, limit_m_);
+    movement_m_ = clamp_magnitude(movement_m_ + gain * e.value_nm, limit_m_);
     variance_m2_ -= (2.0F - e.weight) * gain * e.with_movement;
     variance_m2_ = clamp(variance_m2_, square(smallest_deviation_m), prior_variance_m2_);
     stiffness_covariance_m_ -= gain * e.with_stiffness;

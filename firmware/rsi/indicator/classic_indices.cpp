@@ -33,8 +33,8 @@ ClassicIndexValues ClassicIndices::evaluate(const Measurement& measured, const R
     // (27): a_y/g -+ Ixx phi''/(m_s g h). Roll that speeds up outwards takes load transfer away: minus.
     const float force_share = motion.lateral_acceleration_mps2 * (1.0F / gravity_mps2);
     const float inertia_share = inertia_share_s2prad_ * motion.roll_acceleration_radps2;
-    values.dynamic_stability_index = clamp(force_share - inertia_share, -largest_index, largest_index);
-    values.dynamic_stability_index_late = clamp(force_share + inertia_share, -largest_index, largest_index);
+    values.dynamic_stability_index = clamp_magnitude(force_share - inertia_share, largest_index);
+    values.dynamic_stability_index_late = clamp_magnitude(force_share + inertia_share, largest_index);
     values.energy_margin = energy_.evaluate(measured.roll_angle_rad, measured.roll_rate_radps);
     values.rollover_index = rollover_index(measured);
     values.time_to_rollover_s = time_to_rollover_s(measured);

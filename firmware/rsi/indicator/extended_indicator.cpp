@@ -5,7 +5,7 @@
 namespace rsi {
 namespace {
 
-constexpr float smallest_half_track_ratio = 0.05F;
+constexpr float smallest_dynamic_ratio = 0.05F;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void ExtendedIndicator::init(const Parameters& parameters) {
 
 // All of it times N (m_s h + m_u h_u), so that there is one division.
 float ExtendedIndicator::level_of(float force_moment_nm, float righting_nm, float normal_force_mps2) const {
-    const float least_nm = smallest_half_track_ratio * height_moment_kgm_ * normal_force_mps2;
+    const float least_nm = smallest_dynamic_ratio * height_moment_kgm_ * normal_force_mps2;
     return clamp(force_moment_nm / larger(righting_nm, least_nm), 0.0F, 20.0F);
 }
 

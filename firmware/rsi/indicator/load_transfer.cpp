@@ -28,7 +28,7 @@ float LoadTransfer::present_moment_nm(const RollMotion& motion, float suspension
 }
 
 float LoadTransfer::ratio(float moment_nm, float normal_inverse) const {
-    return clamp(moment_nm * normal_inverse / half_weight_arm_kgm_, -20.0F, 20.0F);
+    return clamp_magnitude(moment_nm * normal_inverse / half_weight_arm_kgm_, 20.0F);
 }
 
 }  // namespace rsi

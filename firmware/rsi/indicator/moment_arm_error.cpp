@@ -17,7 +17,7 @@ constexpr float stiffness_share = 0.07F;
 constexpr float damping_share = 0.25F;
 constexpr float inertia_share = 0.3F;
 // Neighbouring samples are alike, because all signals are lagged.
-constexpr float correlation = 3.0F;
+constexpr float noise_correlation = 3.0F;
 
 }  // namespace
 
@@ -54,11 +54,11 @@ float MomentArmError::update(const RollMotion& motion, float suspension_moment_n
                             square(inertia_share * inertia_nm);
         const float covariance = arm_nm * variance_;
         // At least the noise, which is positive.
-        const float gain = covariance / (arm_nm * covariance + correlation * noise);
+        const float gain = covariance / (arm_nm * covariance + noise_correlation * noise);
         error_ += gain * (arm_nm - suspension_moment_nm - inertia_nm - arm_nm * error_);
         variance_ -= gain * covariance;
     }
-    error_ = clamp(error_, -largest_error, largest_error);
+    error_ = clamp_magnitude(error_, largest_error);
     variance_ = clamp(variance_, 0.0F, square(prior_deviation));
     return error_;
 }

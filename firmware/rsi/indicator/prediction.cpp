@@ -52,7 +52,7 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce
     const float settled_force_mps2 = A + motion.road_parallel_force_rate_mps3 * trend_s_;
     float outstanding_mps2 = motion.road_parallel_force_rate_mps3 * trend_s_;
 
-    float x = clamp(motion.roll_angle_rad, -largest_predicted_angle_rad, largest_predicted_angle_rad);
+    float x = clamp_magnitude(motion.roll_angle_rad, largest_predicted_angle_rad);
     float y = motion.roll_rate_radps;
     float a = A;
     float suspension_nm = load_transfer.suspension_moment_nm(x, y);
@@ -69,7 +69,7 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce
         const float mean_a = 0.5F * (a + next_a);
         const float moment_nm = arm_kgm * (mean_a + N * short_tangent(x)) - suspension_nm;
         const float next_y = y + rate_gain_radpnms_ * (moment_nm - half_step_stiffness_nms_ * y);
-        x = clamp(x + half_step_s_ * (y + next_y), -largest_predicted_angle_rad, largest_predicted_angle_rad);
+        x = clamp_magnitude(x + half_step_s_ * (y + next_y), largest_predicted_angle_rad);
         y = next_y;
         a = next_a;
         suspension_nm = load_transfer.suspension_moment_nm(x, y);

@@ -5,7 +5,7 @@
 namespace rsi {
 namespace {
 
-constexpr float largest_speed_mps = 150.0F;
+constexpr float largest_steered_speed_mps = 150.0F;
 constexpr float largest_steering_wheel_angle_rad = 30.0F;
 
 }  // namespace
@@ -18,9 +18,8 @@ void SteeringDemand::init(const Parameters& parameters) {
 }
 
 DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& measured) const {
-    if (!is_within(inputs.speed_mps, -largest_speed_mps, largest_speed_mps) ||
-        !is_within(inputs.steering_wheel_angle_rad, -largest_steering_wheel_angle_rad,
-                   largest_steering_wheel_angle_rad)) {
+    if (!is_within_magnitude(inputs.speed_mps, largest_steered_speed_mps) ||
+        !is_within_magnitude(inputs.steering_wheel_angle_rad, largest_steering_wheel_angle_rad)) {
         return DemandedForce{};
     }
     const float speed_squared = inputs.speed_mps * inputs.speed_mps;
@@ -30,7 +29,7 @@ DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& 
     const float demanded = speed_squared * inputs.steering_wheel_angle_rad / divisor_m;
     // A - a_y is the bank's share, zero where the bank is not known.
     const float bank_share = measured.road_parallel_force_mps2 - measured.lateral_acceleration_mps2;
-    return DemandedForce{clamp(demanded + bank_share, -largest_mps2_, largest_mps2_), true};
+    return DemandedForce{clamp_magnitude(demanded + bank_share, largest_mps2_), true};
 }
 
 }  // namespace rsi

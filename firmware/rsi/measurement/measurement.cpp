@@ -13,7 +13,7 @@ constexpr float largest_speed_mps = 150.0F;
 constexpr float smallest_normal_force_mps2 = 0.1F * gravity_mps2;
 
 bool within(float value, float limit) {
-    return is_within(value, -limit, limit);
+    return is_within_magnitude(value, limit);
 }
 
 bool necessary_inputs_available(const Inputs& inputs) {

@@ -6,7 +6,7 @@ namespace {
 constexpr float largest_model_angle_rad = 0.5F;
 
 float within_model(float angle_rad) {
-    return clamp(angle_rad, -largest_model_angle_rad, largest_model_angle_rad);
+    return clamp_magnitude(angle_rad, largest_model_angle_rad);
 }
 
 }  // namespace

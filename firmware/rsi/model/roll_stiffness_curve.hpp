@@ -8,10 +8,11 @@ namespace rsi {
 // M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5; constant after init.
 class RollStiffnessCurve {
  public:
-    void init(const Parameters& parameters) {
-        linear_ = parameters.roll_stiffness_nmprad;
-        cubic_ = parameters.roll_stiffness_cubic_nmprad3;
-        quintic_ = parameters.roll_stiffness_quintic_nmprad5;
+    // `factor`: what the curve is multiplied by, 1 / Ixx for instance.
+    void init(const Parameters& parameters, float factor = 1.0F) {
+        linear_ = factor * parameters.roll_stiffness_nmprad;
+        cubic_ = factor * parameters.roll_stiffness_cubic_nmprad3;
+        quintic_ = factor * parameters.roll_stiffness_quintic_nmprad5;
     }
 
     float moment_nm(float angle_rad) const {

@@ -16,8 +16,18 @@ constexpr bool is_within(float value, float minimum, float maximum) {
     return (value >= minimum) && (value <= maximum);
 }
 
+// One instruction on every target with a floating-point unit.
+constexpr float absolute(float value) {
+    return __builtin_fabsf(value);
+}
+
+// False for NaN and for anything outside [-limit, limit].
+constexpr bool is_within_magnitude(float value, float limit) {
+    return absolute(value) <= limit;
+}
+
 constexpr bool is_finite(float value) {
-    return is_within(value, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max());
+    return is_within_magnitude(value, std::numeric_limits<float>::max());
 }
 
 // Bounds a finite value.
@@ -25,8 +35,10 @@ constexpr float clamp(float value, float minimum, float maximum) {
     return (value < minimum) ? minimum : ((value > maximum) ? maximum : value);
 }
 
-constexpr float absolute(float value) {
-    return (value < 0.0F) ? -value : value;
+// Bounds a finite value to [-limit, limit]; cheaper than clamp(), because nearly every value needs one
+// comparison.
+constexpr float clamp_magnitude(float value, float limit) {
+    return (absolute(value) > limit) ? ((value < 0.0F) ? -limit : limit) : value;
 }
 
 constexpr float smaller(float a, float b) {

@@ -15,7 +15,7 @@ inline constexpr float largest_tangent_argument_rad = 1.3F;
 
 // Error below 2e-7.
 constexpr float bounded_sine(float angle_rad) {
-    const float x = clamp(angle_rad, -largest_angle_rad, largest_angle_rad);
+    const float x = clamp_magnitude(angle_rad, largest_angle_rad);
     const float z = x * x;
     const float series =
         z * (-1.0F / 6.0F +
@@ -25,7 +25,7 @@ constexpr float bounded_sine(float angle_rad) {
 
 // Error below 1.5e-7.
 constexpr float bounded_cosine(float angle_rad) {
-    const float x = clamp(angle_rad, -largest_angle_rad, largest_angle_rad);
+    const float x = clamp_magnitude(angle_rad, largest_angle_rad);
     const float z = x * x;
     const float series =
         z * (-0.5F + z * (1.0F / 24.0F +
@@ -36,7 +36,7 @@ constexpr float bounded_cosine(float angle_rad) {
 
 // Relative error below 1e-6; the cosine of the clamped argument is at least 0.26.
 constexpr float bounded_tangent(float angle_rad) {
-    const float x = clamp(angle_rad, -largest_tangent_argument_rad, largest_tangent_argument_rad);
+    const float x = clamp_magnitude(angle_rad, largest_tangent_argument_rad);
     return bounded_sine(x) / bounded_cosine(x);
 }
 

@@ -4,6 +4,7 @@
 
 #include "rsi/model/roll_stiffness_curve.hpp"
 #include "rsi/numeric/filtered_derivative.hpp"
+#include "rsi/observer/observer_gains.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -14,8 +15,10 @@ namespace rsi {
 //   phi' = w - o,  w' = [m_s H f_yb / cos phi - M(phi) - c_f phi'] / Ixx,  b' = o,  o decays, all wander.
 // Two scalar measurements: the gyro, p = w, and the kinematics of the turn,
 // f_yb - r V = g sin(phi + b) + v_y', where the unknown v_y' counts as noise that grows with |r'|, and with
-// an innovation that no road explains. While the inner wheels are up, the suspension says nothing and the
-// gyro alone moves phi.
+// an innovation that no road explains. The covariance is that of the steady filter (observer_gains), but for
+// the variances of phi and of the bank, which stay alive: they say what is known, and carry the start, a
+// standstill, a slide and the bump stops into the gains. While the inner wheels are up, the suspension says
+// nothing and the gyro alone moves phi.
 class RollBankObserver {
  public:
     void init(const Parameters& parameters);
@@ -51,19 +54,16 @@ class RollBankObserver {
     void start(float lateral_force_mps2, float roll_rate_radps);
     void predict(float lateral_force_mps2, float vertical_movement_m);
     bool tips(float lateral_force_mps2, float roll_acceleration_radps2) const;
-    void predict_covariance(float s, float e);
     void correct_by_roll_rate(float roll_rate_radps);
     void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
-    void correct(float innovation, float innovation_variance, float c1, float c2, float c3, float c4);
     void keep_in_bounds();
 
-    RollStiffnessCurve stiffness_{};
-    float force_to_acceleration_{0.0F};     // m_s H / Ixx
-    float movement_to_acceleration_{0.0F};  // m_s / Ixx
-    float inverse_inertia_{0.0F};           // 1 / Ixx
-    float damping_over_inertia_{0.0F};      // c_f / Ixx
-    float bank_drift_variance_rad2_{0.0F};  // in one step
+    RollStiffnessCurve stiffness_over_inertia_{};  // M / Ixx
+    float force_to_acceleration_{0.0F};            // m_s H / Ixx
+    float movement_to_acceleration_{0.0F};         // m_s / Ixx
+    float damping_over_inertia_{0.0F};             // c_f / Ixx
     float tipping_force_mps2_{0.0F};
+    ObserverGains gains_{};
     FilteredDerivative yaw_acceleration_{};
 
     bool running_{false};
@@ -72,12 +72,9 @@ class RollBankObserver {
     float rate_{0.0F};
     float bank_{0.0F};
     float offset_{0.0F};
-
-    // Covariance: one triangle, so it cannot become unsymmetric.
-    float P11_{0.0F}, P12_{0.0F}, P13_{0.0F}, P14_{0.0F};
-    float P22_{0.0F}, P23_{0.0F}, P24_{0.0F};
-    float P33_{0.0F}, P34_{0.0F};
-    float P44_{0.0F};
+    float stiffness_step_{0.0F};  // s: what an error of phi makes of the rate in one step
+    float P11_{0.0F};             // variance of phi
+    float P33_{0.0F};             // variance of the bank
 };
 
 }  // namespace rsi

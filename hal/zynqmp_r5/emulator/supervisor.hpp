@@ -1,6 +1,6 @@
 // Emulator only: reset and watchdog by the emulator's supervisor, a program on the first A53 core
-// (images/zynqmp_r5/emulator/release.S). QEMU 7.2 has neither the watchdog nor the reset register of the
-// silicon.
+// (firmware/images/zynqmp_r5/emulator/release.S). QEMU 7.2 has neither the watchdog nor the reset register of
+// the silicon.
 //
 // The supervisor counts a word down every RSI_SUPERVISOR_PERIOD_MS, and resets the machine when it comes to
 // zero. Zero from the start: nothing happens.

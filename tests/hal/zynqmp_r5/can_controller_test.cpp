@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "hal/memory/virtual_clock.hpp"
 #include "tests/hal/make_frame.hpp"
 #include "tests/hal/zynqmp_r5/can_device.hpp"
@@ -124,6 +127,8 @@ TEST_F(CanControllerTest, ReceivesWhatTheFiltersLetThroughInItsOrderWithTheTimeO
     EXPECT_EQ(controller.receive(frame), ReceiveResult::empty);
     EXPECT_EQ(frame.identifier, 0x122U);  // untouched
     EXPECT_EQ(controller.statistics().frames_received, 2U);
+    // Each frame taken is told to the controller, and nothing else is.
+    EXPECT_EQ(device.writes, (std::vector<Write>{{0xFF06'0024U, 1U << 7U}, {0xFF06'0024U, 1U << 7U}}));
 }
 
 TEST_F(CanControllerTest, RemoteFramesAreSkipped) {

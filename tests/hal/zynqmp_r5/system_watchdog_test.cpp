@@ -98,14 +98,14 @@ TEST(SystemReset, SetsTheSoftResetAndLeavesTheOtherBits) {
     EXPECT_EQ(device.writes, (std::vector<Write>{{0xFF5E'0218U, 0x0001'0013U}}));
 }
 
-TEST(Supervisor, IsFedWithTheTimeLimitAndAskedForAResetByOne) {
+TEST(Supervisor, IsFedWithTheTimeLimitInItsPeriodsAndAskedForAResetByOne) {
     PlainDevice device;
     emulator::SupervisorWatchdog<FakeRegisters, 2000U> dog{FakeRegisters{&device}};
     dog.start();
     dog.feed();
     emulator::SupervisorReset<FakeRegisters>::request(FakeRegisters{&device});
-    EXPECT_EQ(device.writes, (std::vector<Write>{{RSI_SUPERVISOR_COUNTDOWN, 2000U},
-                                                 {RSI_SUPERVISOR_COUNTDOWN, 2000U},
+    EXPECT_EQ(device.writes, (std::vector<Write>{{RSI_SUPERVISOR_COUNTDOWN, 2000U / RSI_SUPERVISOR_PERIOD_MS},
+                                                 {RSI_SUPERVISOR_COUNTDOWN, 2000U / RSI_SUPERVISOR_PERIOD_MS},
                                                  {RSI_SUPERVISOR_COUNTDOWN, 1U}}));
 }
 
