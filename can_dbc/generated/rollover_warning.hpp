@@ -230,6 +230,17 @@ struct RolloverWarning {
         right = 2,
     };
 
+    // Why the vehicle parameters were refused.
+    enum class ParametersRefusal : std::uint8_t {
+        none = 0,
+        missing = 1,
+        version = 2,
+        layout = 3,
+        length = 4,
+        checksum = 5,
+        value = 6,
+    };
+
     static constexpr const char* name{"RolloverWarning"};
     static constexpr std::uint32_t identifier{0x0D0U};
     static constexpr bool extended{false};
@@ -242,6 +253,8 @@ struct RolloverWarning {
     State state{State::unavailable};
     // Side towards which the vehicle would fall.
     Side side{Side::none};
+    // Why the vehicle parameters were refused.
+    ParametersRefusal parameters_refusal{ParametersRefusal::none};
     // Level of the indicator that drives the warning: 0 without risk, 1 at the rollover threshold. Dimensionless, 0 to 2.
     float roll_stability_indicator{not_available};
     // Lateral acceleration that was compared with the threshold, positive to the left. m/s^2, -40 to 40.
@@ -252,6 +265,7 @@ struct RolloverWarning {
     struct Status {
         SignalStatus state{SignalStatus::not_available};
         SignalStatus side{SignalStatus::not_available};
+        SignalStatus parameters_refusal{SignalStatus::not_available};
         SignalStatus roll_stability_indicator{SignalStatus::not_available};
         SignalStatus lateral_acceleration_mps2{SignalStatus::not_available};
         SignalStatus lateral_acceleration_threshold_mps2{SignalStatus::not_available};
@@ -259,6 +273,7 @@ struct RolloverWarning {
         constexpr bool all_valid() const {
             return state == SignalStatus::valid &&
                    side == SignalStatus::valid &&
+                   parameters_refusal == SignalStatus::valid &&
                    roll_stability_indicator == SignalStatus::valid &&
                    lateral_acceleration_mps2 == SignalStatus::valid &&
                    lateral_acceleration_threshold_mps2 == SignalStatus::valid;
@@ -270,6 +285,8 @@ struct RolloverWarning {
             {ByteOrder::little_endian, 16U, 3U, false}, 0, false, 0};
         static constexpr EnumerationSignal side{
             {ByteOrder::little_endian, 19U, 2U, false}, 0, false, 0};
+        static constexpr EnumerationSignal parameters_refusal{
+            {ByteOrder::little_endian, 21U, 3U, false}, 0, false, 0};
         static constexpr PhysicalSignal<std::int32_t> roll_stability_indicator{
             {ByteOrder::little_endian, 24U, 12U, false}, 1.0F, 0.0F, 2000.0F, 0.0F, 2.0F,
             0, 4000, 4095, true};
@@ -330,11 +347,47 @@ struct RolloverWarning {
         return "unknown";
     }
 
+    static constexpr bool is_known(ParametersRefusal value) {
+        switch (value) {
+            case ParametersRefusal::none:
+            case ParametersRefusal::missing:
+            case ParametersRefusal::version:
+            case ParametersRefusal::layout:
+            case ParametersRefusal::length:
+            case ParametersRefusal::checksum:
+            case ParametersRefusal::value:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(ParametersRefusal value) {
+        switch (value) {
+            case ParametersRefusal::none:
+                return "none";
+            case ParametersRefusal::missing:
+                return "missing";
+            case ParametersRefusal::version:
+                return "version";
+            case ParametersRefusal::layout:
+                return "layout";
+            case ParametersRefusal::length:
+                return "length";
+            case ParametersRefusal::checksum:
+                return "checksum";
+            case ParametersRefusal::value:
+                return "value";
+        }
+        return "unknown";
+    }
+
     // See can_dbc::encode and can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_enumeration(Signals::state, &RolloverWarning::is_known, state, payload.data());
         write_enumeration(Signals::side, &RolloverWarning::is_known, side, payload.data());
+        write_enumeration(Signals::parameters_refusal, &RolloverWarning::is_known, parameters_refusal, payload.data());
         write_signal(Signals::roll_stability_indicator, roll_stability_indicator, payload.data());
         write_signal(Signals::lateral_acceleration_mps2, lateral_acceleration_mps2, payload.data());
         write_signal(Signals::lateral_acceleration_threshold_mps2, lateral_acceleration_threshold_mps2, payload.data());
@@ -348,6 +401,7 @@ struct RolloverWarning {
     static constexpr void visit_signals(Visitor&& visitor) {
         visitor("State", "-", &RolloverWarning::state, &Status::state);
         visitor("Side", "-", &RolloverWarning::side, &Status::side);
+        visitor("ParametersRefusal", "-", &RolloverWarning::parameters_refusal, &Status::parameters_refusal);
         visitor("RollStabilityIndicator", "-", &RolloverWarning::roll_stability_indicator, &Status::roll_stability_indicator);
         visitor("LateralAcceleration", "m/s^2", &RolloverWarning::lateral_acceleration_mps2, &Status::lateral_acceleration_mps2);
         visitor("LateralAccelerationThreshold", "m/s^2", &RolloverWarning::lateral_acceleration_threshold_mps2, &Status::lateral_acceleration_threshold_mps2);
@@ -358,6 +412,7 @@ constexpr Decoded<RolloverWarning> RolloverWarning::decode(const std::uint8_t* p
     Decoded<RolloverWarning> decoded{};
     read_enumeration(Signals::state, &RolloverWarning::is_known, payload, decoded.value.state, decoded.status.state);
     read_enumeration(Signals::side, &RolloverWarning::is_known, payload, decoded.value.side, decoded.status.side);
+    read_enumeration(Signals::parameters_refusal, &RolloverWarning::is_known, payload, decoded.value.parameters_refusal, decoded.status.parameters_refusal);
     read_signal(Signals::roll_stability_indicator, payload, decoded.value.roll_stability_indicator, decoded.status.roll_stability_indicator);
     read_signal(Signals::lateral_acceleration_mps2, payload, decoded.value.lateral_acceleration_mps2, decoded.status.lateral_acceleration_mps2);
     read_signal(Signals::lateral_acceleration_threshold_mps2, payload, decoded.value.lateral_acceleration_threshold_mps2, decoded.status.lateral_acceleration_threshold_mps2);
@@ -844,7 +899,7 @@ constexpr Decoded<RollIndicesClassic> RollIndicesClassic::decode(const std::uint
     return decoded;
 }
 
-// Observer of roll angle and bank, and how good the estimate of the roll centre is.
+// Observer of roll angle and bank, how good the estimate of the roll centre is, and why the control unit last started.
 // From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
 struct RollObserver {
     // Where the roll angle in use comes from.
@@ -852,6 +907,18 @@ struct RollObserver {
         none = 0,
         sensor = 1,
         observer = 2,
+    };
+
+    // Why the control unit last started.
+    enum class ResetReason : std::uint8_t {
+        power_on = 0,
+        outside = 1,
+        undefined_instruction = 2,
+        supervisor_call = 3,
+        prefetch_abort = 4,
+        data_abort = 5,
+        stack_overflow = 6,
+        interrupt = 7,
     };
 
     static constexpr const char* name{"RollObserver"};
@@ -874,6 +941,8 @@ struct RollObserver {
     bool roll_sensor_disagrees{false};
     // The estimator of the roll centre learns nothing at present.
     bool estimate_frozen{false};
+    // Why the control unit last started.
+    ResetReason reset_reason{ResetReason::power_on};
 
     struct Status {
         SignalStatus observed_roll_angle_deg{SignalStatus::not_available};
@@ -882,6 +951,7 @@ struct RollObserver {
         SignalStatus roll_source{SignalStatus::not_available};
         SignalStatus roll_sensor_disagrees{SignalStatus::not_available};
         SignalStatus estimate_frozen{SignalStatus::not_available};
+        SignalStatus reset_reason{SignalStatus::not_available};
 
         constexpr bool all_valid() const {
             return observed_roll_angle_deg == SignalStatus::valid &&
@@ -889,7 +959,8 @@ struct RollObserver {
                    roll_centre_deviation_m == SignalStatus::valid &&
                    roll_source == SignalStatus::valid &&
                    roll_sensor_disagrees == SignalStatus::valid &&
-                   estimate_frozen == SignalStatus::valid;
+                   estimate_frozen == SignalStatus::valid &&
+                   reset_reason == SignalStatus::valid;
         }
     };
 
@@ -909,6 +980,8 @@ struct RollObserver {
             {ByteOrder::little_endian, 53U, 1U, false}, 0, 1, 0};
         static constexpr IntegerSignal estimate_frozen{
             {ByteOrder::little_endian, 54U, 1U, false}, 0, 1, 0};
+        static constexpr EnumerationSignal reset_reason{
+            {ByteOrder::little_endian, 55U, 4U, false}, 0, false, 0};
     };
 
     static constexpr bool is_known(RollSource value) {
@@ -934,6 +1007,44 @@ struct RollObserver {
         return "unknown";
     }
 
+    static constexpr bool is_known(ResetReason value) {
+        switch (value) {
+            case ResetReason::power_on:
+            case ResetReason::outside:
+            case ResetReason::undefined_instruction:
+            case ResetReason::supervisor_call:
+            case ResetReason::prefetch_abort:
+            case ResetReason::data_abort:
+            case ResetReason::stack_overflow:
+            case ResetReason::interrupt:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(ResetReason value) {
+        switch (value) {
+            case ResetReason::power_on:
+                return "power on";
+            case ResetReason::outside:
+                return "outside";
+            case ResetReason::undefined_instruction:
+                return "undefined instruction";
+            case ResetReason::supervisor_call:
+                return "supervisor call";
+            case ResetReason::prefetch_abort:
+                return "prefetch abort";
+            case ResetReason::data_abort:
+                return "data abort";
+            case ResetReason::stack_overflow:
+                return "stack overflow";
+            case ResetReason::interrupt:
+                return "interrupt";
+        }
+        return "unknown";
+    }
+
     // See can_dbc::encode and can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
@@ -943,6 +1054,7 @@ struct RollObserver {
         write_enumeration(Signals::roll_source, &RollObserver::is_known, roll_source, payload.data());
         write_signal(Signals::roll_sensor_disagrees, roll_sensor_disagrees, payload.data());
         write_signal(Signals::estimate_frozen, estimate_frozen, payload.data());
+        write_enumeration(Signals::reset_reason, &RollObserver::is_known, reset_reason, payload.data());
         return payload;
     }
 
@@ -957,6 +1069,7 @@ struct RollObserver {
         visitor("RollSource", "-", &RollObserver::roll_source, &Status::roll_source);
         visitor("RollSensorDisagrees", "-", &RollObserver::roll_sensor_disagrees, &Status::roll_sensor_disagrees);
         visitor("EstimateFrozen", "-", &RollObserver::estimate_frozen, &Status::estimate_frozen);
+        visitor("ResetReason", "-", &RollObserver::reset_reason, &Status::reset_reason);
     }
 };
 
@@ -968,6 +1081,7 @@ constexpr Decoded<RollObserver> RollObserver::decode(const std::uint8_t* payload
     read_enumeration(Signals::roll_source, &RollObserver::is_known, payload, decoded.value.roll_source, decoded.status.roll_source);
     read_signal(Signals::roll_sensor_disagrees, payload, decoded.value.roll_sensor_disagrees, decoded.status.roll_sensor_disagrees);
     read_signal(Signals::estimate_frozen, payload, decoded.value.estimate_frozen, decoded.status.estimate_frozen);
+    read_enumeration(Signals::reset_reason, &RollObserver::is_known, payload, decoded.value.reset_reason, decoded.status.reset_reason);
     return decoded;
 }
 

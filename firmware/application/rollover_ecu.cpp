@@ -18,7 +18,15 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
-    parameters_valid_ = (answer.accepted != 0);
+    refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
+    return answer;
+}
+
+ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
+    rsi::Parameters parameters{};  // which the component refuses, unless the section replaces them
+    const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters);
+    static_cast<void>(component_.init(parameters));
+    refusal_ = answer.refusal;
     return answer;
 }
 
@@ -34,7 +42,8 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {
     hal::count_up(cycle_overruns_, missed_cycles);
     Health health{};
-    health.parameters_valid = parameters_valid_;
+    health.parameters_refusal = refusal_;
+    health.reset_reason = reset_reason_;
     health.receive_overflow = receive_overflow();
     health.bus_error = bus_error();
     health.cycle_overrun = (missed_cycles > 0U);

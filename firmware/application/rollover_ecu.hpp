@@ -1,12 +1,15 @@
 // Rollover ECU: the application that a platform's main loop calls every 10 ms. Frames in, step, frames out.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
+#include "application/parameter_section.hpp"
 #include "application/sensor_reception.hpp"
 #include "application/warning_transmission.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/clock.hpp"
+#include "hal/interface/reset_reason.hpp"
 #include "hal/interface/watchdog.hpp"
 #include "rsi/component.hpp"
 
@@ -18,9 +21,15 @@ class RolloverEcu {
     RolloverEcu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
         : bus_{bus}, clock_{clock}, watchdog_{watchdog} {}
 
-    // Starts the component. When the parameters are refused, the ECU still runs: it sends "unavailable" and
-    // the diagnostic flag ParametersInvalid.
+    // Starts the component. When the parameters are refused, the ECU still runs: it sends "unavailable", the
+    // diagnostic flag ParametersInvalid and, as ParametersRefusal, why.
     rsi::Validation init(const rsi::Parameters& parameters) noexcept;
+
+    // The same with the parameters of a section of the image, of whose memory `length` bytes may be read.
+    ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept;
+
+    // For a platform that knows why it started; sent in every cycle.
+    void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
 
     // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
     // when all is well; after more than two the component starts anew, because its models know no step but 10
@@ -42,7 +51,8 @@ class RolloverEcu {
     SensorReception reception_{};
     WarningTransmission transmission_{};
     rsi::Outputs outputs_{};
-    bool parameters_valid_{false};
+    ParametersRefusal refusal_{ParametersRefusal::missing};
+    hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     std::uint32_t cycle_overruns_{0U};
     std::uint32_t overflow_count_{0U};
     std::uint32_t send_failure_count_{0U};

@@ -12,10 +12,11 @@ std::uint8_t saturate(std::uint32_t count) {
 
 constexpr float degrees_per_radian = 57.295780F;
 
-can_dbc::RolloverWarning warning_message(const rsi::Outputs& outputs) {
+can_dbc::RolloverWarning warning_message(const rsi::Outputs& outputs, ParametersRefusal refusal) {
     can_dbc::RolloverWarning message{};
     message.state = static_cast<can_dbc::RolloverWarning::State>(outputs.state);
     message.side = static_cast<can_dbc::RolloverWarning::Side>(outputs.side);
+    message.parameters_refusal = static_cast<can_dbc::RolloverWarning::ParametersRefusal>(refusal);
     message.roll_stability_indicator = outputs.warning_level;
     message.lateral_acceleration_mps2 = outputs.lateral_acceleration_mps2;
     message.lateral_acceleration_threshold_mps2 = outputs.lateral_acceleration_threshold_mps2;
@@ -29,6 +30,17 @@ static_assert(static_cast<int>(can_dbc::RolloverWarning::State::warning) == RSI_
 static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::none) == RSI_SIDE_NONE);
 static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::left) == RSI_SIDE_LEFT);
 static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::right) == RSI_SIDE_RIGHT);
+
+constexpr bool is_sent_as(ParametersRefusal refusal, can_dbc::RolloverWarning::ParametersRefusal sent) {
+    return static_cast<int>(refusal) == static_cast<int>(sent);
+}
+static_assert(is_sent_as(ParametersRefusal::none, can_dbc::RolloverWarning::ParametersRefusal::none));
+static_assert(is_sent_as(ParametersRefusal::missing, can_dbc::RolloverWarning::ParametersRefusal::missing));
+static_assert(is_sent_as(ParametersRefusal::version, can_dbc::RolloverWarning::ParametersRefusal::version));
+static_assert(is_sent_as(ParametersRefusal::layout, can_dbc::RolloverWarning::ParametersRefusal::layout));
+static_assert(is_sent_as(ParametersRefusal::length, can_dbc::RolloverWarning::ParametersRefusal::length));
+static_assert(is_sent_as(ParametersRefusal::checksum, can_dbc::RolloverWarning::ParametersRefusal::checksum));
+static_assert(is_sent_as(ParametersRefusal::value, can_dbc::RolloverWarning::ParametersRefusal::value));
 
 can_dbc::RollCentreEstimate estimate_message(const rsi::Outputs& outputs) {
     can_dbc::RollCentreEstimate message{};
@@ -63,7 +75,7 @@ static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::none) == RSI_R
 static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::sensor) == RSI_ROLL_SENSOR);
 static_assert(static_cast<int>(can_dbc::RollObserver::RollSource::observer) == RSI_ROLL_OBSERVER);
 
-can_dbc::RollObserver observer_message(const rsi::Outputs& outputs) {
+can_dbc::RollObserver observer_message(const rsi::Outputs& outputs, hal::ResetReason reset_reason) {
     can_dbc::RollObserver message{};
     message.observed_roll_angle_deg = outputs.observed_roll_angle_rad * degrees_per_radian;
     message.observed_bank_angle_deg = outputs.observed_bank_angle_rad * degrees_per_radian;
@@ -71,8 +83,25 @@ can_dbc::RollObserver observer_message(const rsi::Outputs& outputs) {
     message.roll_source = static_cast<can_dbc::RollObserver::RollSource>(outputs.roll_source);
     message.roll_sensor_disagrees = (outputs.roll_sensor_disagrees != 0);
     message.estimate_frozen = (outputs.estimate_frozen != 0);
+    message.reset_reason = static_cast<can_dbc::RollObserver::ResetReason>(reset_reason);
     return message;
 }
+
+constexpr bool is_sent_as(hal::ResetReason reason, can_dbc::RollObserver::ResetReason sent) {
+    return static_cast<int>(reason) == static_cast<int>(sent);
+}
+static_assert(is_sent_as(hal::ResetReason::power_on, can_dbc::RollObserver::ResetReason::power_on));
+static_assert(is_sent_as(hal::ResetReason::outside, can_dbc::RollObserver::ResetReason::outside));
+static_assert(is_sent_as(hal::ResetReason::undefined_instruction,
+                         can_dbc::RollObserver::ResetReason::undefined_instruction));
+static_assert(is_sent_as(hal::ResetReason::supervisor_call,
+                         can_dbc::RollObserver::ResetReason::supervisor_call));
+static_assert(is_sent_as(hal::ResetReason::prefetch_abort,
+                         can_dbc::RollObserver::ResetReason::prefetch_abort));
+static_assert(is_sent_as(hal::ResetReason::data_abort, can_dbc::RollObserver::ResetReason::data_abort));
+static_assert(is_sent_as(hal::ResetReason::stack_overflow,
+                         can_dbc::RollObserver::ResetReason::stack_overflow));
+static_assert(is_sent_as(hal::ResetReason::interrupt, can_dbc::RollObserver::ResetReason::interrupt));
 
 can_dbc::RolloverStatus status_message(const Health& health) {
     const ReceptionReport& reception = health.reception;
@@ -91,7 +120,7 @@ can_dbc::RolloverStatus status_message(const Health& health) {
     message.vehicle_motion_signal_invalid = reception.vehicle_motion.signal_invalid;
     message.receive_overflow = health.receive_overflow;
     message.bus_error = health.bus_error;
-    message.parameters_invalid = !health.parameters_valid;
+    message.parameters_invalid = (health.parameters_refusal != ParametersRefusal::none);
     message.cycle_overrun = health.cycle_overrun;
     message.cycle_overruns = saturate(health.cycle_overruns);
     message.frames_rejected = saturate(reception.frames_rejected);
@@ -117,11 +146,11 @@ void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Prof
 }  // namespace
 
 void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept {
-    send_protected(bus, warning_message(outputs), warning_);
+    send_protected(bus, warning_message(outputs, health.parameters_refusal), warning_);
     send_protected(bus, estimate_message(outputs), estimate_);
     send_protected(bus, indices_ahead_message(outputs), indices_ahead_);
     send_protected(bus, indices_classic_message(outputs), indices_classic_);
-    send_protected(bus, observer_message(outputs), observer_);
+    send_protected(bus, observer_message(outputs, health.reset_reason), observer_);
     send_protected(bus, status_message(health), status_);
 }
 

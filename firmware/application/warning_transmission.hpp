@@ -1,21 +1,24 @@
 // Warning transmission: from the component's outputs to protected frames on the bus.
 #pragma once
 
+#include "application/parameter_section.hpp"
 #include "application/sensor_reception.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/interface/can_bus.hpp"
+#include "hal/interface/reset_reason.hpp"
 #include "rsi/types.hpp"
 
 namespace application {
 
 // What the platform and the application know of their own health.
 struct Health {
-    bool parameters_valid{false};
+    ParametersRefusal parameters_refusal{ParametersRefusal::missing};
     bool receive_overflow{false};
     bool bus_error{false};
     bool cycle_overrun{false};         // this cycle began late
     std::uint32_t cycle_overruns{0U};  // since the start
+    hal::ResetReason reset_reason{};   // of the last start
     ReceptionReport reception{};
 };
 

@@ -12,7 +12,7 @@ static_assert(std::is_trivially_destructible_v<rsi::Component>, "the C face neve
 namespace {
 
 rsi::Component& object_in(rsi_component* component) {
-    return *std::launder(reinterpret_cast<rsi::Component*>(component->bytes));
+    return *std::launder(static_cast<rsi::Component*>(static_cast<void*>(component->bytes)));
 }
 
 }  // namespace

@@ -93,14 +93,17 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
 void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, hal::SocketCanBus& socket,
                       const volatile std::sig_atomic_t& end_requested) {
     hal::VirtualClock clock;
-    LockStepReceiver bus{socket, clock};
+    LockStepReceiver<256U> bus{socket, clock};
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
     std::optional<application::RolloverEcu> ecu;
     start(ecu.emplace(bus, clock, watchdog), parameters);
     say_listening(request);
     while (end_requested == 0) {
         // Short enough to notice a request to end, long enough to cost nothing.
-        if (bus.wait_for_cycle(hal::Time::from_milliseconds(100))) {
+        if (!socket.wait_for_frame(hal::Time::from_milliseconds(100))) {
+            continue;
+        }
+        while (bus.cycle_is_complete()) {
             // A new run must not see what the ECU has learnt and counted in the one before.
             if (bus.run_begins()) {
                 start(ecu.emplace(bus, clock, watchdog), parameters);

@@ -13,6 +13,7 @@
 #include "sil/apps/campaign_command.hpp"
 #include "sil/apps/command_line.hpp"
 #include "sil/apps/identify_command.hpp"
+#include "sil/apps/parameters_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
@@ -104,6 +105,7 @@ int main(int argc, char** argv) {
     sil::add_replay_command(app, replay);
     sil::add_campaign(app);
     sil::add_identify_command(app);
+    sil::add_parameters_command(app);
     try {
         app.parse(argc, argv);
         return 0;

@@ -2,42 +2,41 @@
 // time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/frame_ring.hpp"
 #include "hal/memory/virtual_clock.hpp"
-#include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/simulation/pace.hpp"
 
 namespace sil {
 
-// A bus for the application whose frames bear simulated time. `socket` and `clock` must outlive it.
+// A bus for the application whose frames bear simulated time; holds back up to `capacity` frames of a cycle.
+// Needs no operating system, so that a controller's image may have it too. `bus` and `clock` must outlive it.
+template <std::size_t capacity>
 class LockStepReceiver final : public hal::CanBus {
  public:
-    LockStepReceiver(hal::SocketCanBus& socket, hal::VirtualClock& clock) : socket_{socket}, clock_{clock} {}
+    LockStepReceiver(hal::CanBus& bus, hal::VirtualClock& clock) noexcept : bus_{bus}, clock_{clock} {}
 
-    // Waits at most `longest` for a cycle. When it returns true, the clock stands at the cycle's time and its
-    // frames wait to be received.
-    bool wait_for_cycle(hal::Time longest) {
+    // Reads what waits on the bus. When it returns true, a cycle is complete: the clock stands at its time
+    // and its frames wait to be received. Call it again at once after the cycle, for the bus may hold more.
+    bool cycle_is_complete() noexcept {
         hal::CanFrame frame;
-        while (socket_.wait_for_frame(longest)) {
-            while (socket_.receive(frame) == hal::ReceiveResult::frame) {
-                if (frame.identifier == can_dbc::SimulationSync::identifier &&
-                    frame.length == can_dbc::SimulationSync::length) {
-                    begin_cycle(can_dbc::decode<can_dbc::SimulationSync>(frame.data).value.cycle_number);
-                    return true;
-                }
-                static_cast<void>(waiting_.push(frame));
+        while (bus_.receive(frame) == hal::ReceiveResult::frame) {
+            if (frame.identifier == can_dbc::SimulationSync::identifier &&
+                frame.length == can_dbc::SimulationSync::length) {
+                begin_cycle(can_dbc::decode<can_dbc::SimulationSync>(frame.data).value.cycle_number);
+                return true;
             }
+            static_cast<void>(waiting_.push(frame));
         }
         return false;
     }
 
     // Whether the cycle is the first of a run. A receiver may serve one run after the other: each new one
     // starts at zero again, but the clock goes on.
-    bool run_begins() const { return run_begins_; }
+    bool run_begins() const noexcept { return run_begins_; }
 
     hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
         if (!waiting_.pop(frame)) {
@@ -46,25 +45,27 @@ class LockStepReceiver final : public hal::CanBus {
         frame.receive_time = clock_.now();
         return hal::ReceiveResult::frame;
     }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override { return socket_.send(frame); }
-    hal::BusState state() const noexcept override { return socket_.state(); }
-    hal::BusStatistics statistics() const noexcept override { return socket_.statistics(); }
+    hal::SendResult send(const hal::CanFrame& frame) noexcept override { return bus_.send(frame); }
+    hal::BusState state() const noexcept override { return bus_.state(); }
+    hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
 
  private:
-    void begin_cycle(std::uint32_t number) {
-        run_begins_ = !previous_number_ || number <= *previous_number_;
+    void begin_cycle(std::uint32_t number) noexcept {
+        run_begins_ = first_ || number <= previous_number_;
         if (run_begins_) {
             origin_ = clock_.now();
         }
+        first_ = false;
         previous_number_ = number;
-        clock_.set(origin_ + hal::Time{number * cycle_time.nanoseconds});
+        static_cast<void>(clock_.set(origin_ + hal::Time{number * cycle_time.nanoseconds}));
     }
 
-    hal::SocketCanBus& socket_;
+    hal::CanBus& bus_;
     hal::VirtualClock& clock_;
-    hal::FrameRing<256U> waiting_;
-    std::optional<std::uint32_t> previous_number_;
+    hal::FrameRing<capacity> waiting_;
+    std::uint32_t previous_number_{0U};
     hal::Time origin_{};
+    bool first_{true};
     bool run_begins_{false};
 };
 

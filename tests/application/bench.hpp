@@ -69,6 +69,14 @@ class Bench {
     explicit Bench(const rsi::Parameters& parameters = large_suv(),
                    hal::Time ecu_delay = hal::Time::from_milliseconds(1));
 
+    // Starts the ECU anew, with the parameters of a section.
+    application::ParameterSectionAnswer start_with(const std::vector<std::uint8_t>& section) {
+        return ecu_.init(section.data(), section.size());
+    }
+
+    // Why the ECU's controller started.
+    void start_after(hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
+
     // What the sensors see from now on.
     void drive(const Motion& motion);
     // The same as a function of the time in seconds.

@@ -116,6 +116,34 @@ TEST(RejectedAndLostFrames, StayAt255) {
     EXPECT_EQ(bench.status().frames_lost, 255U);
 }
 
+// The reason of the last start as the observer's frame of the last cycle tells it.
+can_dbc::RollObserver::ResetReason sent_reset_reason(const Bench& bench) {
+    for (const hal::CanFrame& frame : bench.last().frames) {
+        if (frame.identifier == can_dbc::RollObserver::identifier) {
+            return can_dbc::decode<can_dbc::RollObserver>(frame.data).value.reset_reason;
+        }
+    }
+    ADD_FAILURE() << "no RollObserver frame";
+    return {};
+}
+
+TEST(TheResetReason, IsSentInEveryCycleFromTheFirstOn) {
+    using Sent = can_dbc::RollObserver::ResetReason;
+    Bench bench;
+    bench.run_cycles(1);
+    EXPECT_EQ(sent_reset_reason(bench), Sent::power_on);
+
+    Bench after_abort;
+    after_abort.start_after(hal::ResetReason::data_abort);
+    for (int cycle = 0; cycle < 3; ++cycle) {
+        after_abort.run_cycles(1);
+        EXPECT_EQ(sent_reset_reason(after_abort), Sent::data_abort);
+    }
+    after_abort.start_after(hal::ResetReason::interrupt);
+    after_abort.run_cycles(1);
+    EXPECT_EQ(sent_reset_reason(after_abort), Sent::interrupt);
+}
+
 TEST(TheWatchdog, IsFedOnceACycleWhateverTheSensorsDo) {
     Bench bench;
     bench.run_cycles(100);

@@ -1,11 +1,11 @@
 // Time of one step of the component over a manoeuvre that goes to the limits in both directions.
 #include <benchmark/benchmark.h>
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
 #include "rsi/component.hpp"
+#include "tests/support/textbook_least_squares.hpp"
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/random_manoeuvre.hpp"
 
@@ -38,39 +38,7 @@ void component_step(benchmark::State& state) {
 }
 BENCHMARK(component_step);
 
-// The least-squares update by itself, and the baseline that it is compared with: the same equations as a
-// textbook writes them, with matrices of dynamic size and general products.
-class TextbookLeastSquares {
- public:
-    explicit TextbookLeastSquares(const rsi_parameters& p)
-        : lambda_(p.forgetting_factor),
-          scale_(p.regression_scale_nm),
-          theta_(Eigen::VectorXf::Zero(3)),
-          widths_(3),
-          P_(Eigen::MatrixXf::Identity(3, 3)) {
-        widths_ << p.initial_roll_centre_deviation_m, p.initial_stiffness_deviation_nmprad,
-            p.initial_damping_deviation_nmsprad;
-    }
-
-    void update(const rsi::Regression& regression) {
-        const Eigen::VectorXf psi = Eigen::VectorXf(regression.psi).cwiseProduct(widths_) / scale_;
-        const float n_s = 1.0F + (psi.transpose() * P_ * psi).value();
-        const float e = regression.output_nm / scale_ - psi.dot(theta_);
-        P_ = (P_ - P_ * psi * psi.transpose() * P_ / (lambda_ * n_s + (psi.transpose() * P_ * psi).value())) /
-             lambda_;
-        theta_ += P_ * psi * e / n_s;
-    }
-
-    const Eigen::VectorXf& theta() const { return theta_; }
-
- private:
-    float lambda_;
-    float scale_;
-    Eigen::VectorXf theta_;
-    Eigen::VectorXf widths_;
-    Eigen::MatrixXf P_;
-};
-
+// The least-squares update by itself, and the baseline that it is compared with.
 std::vector<rsi::Regression> regressions() {
     rsi::RollPlaneModel model;
     model.init(rsi_test::large_suv());
@@ -91,7 +59,7 @@ std::vector<rsi::Regression> regressions() {
 
 void least_squares_textbook_baseline(benchmark::State& state) {
     const std::vector<rsi::Regression> all = regressions();
-    TextbookLeastSquares estimator{rsi_test::large_suv()};
+    rsi_test::TextbookLeastSquares estimator{rsi_test::large_suv()};
     std::size_t k = 0;
     for (auto _ : state) {
         estimator.update(all[k]);

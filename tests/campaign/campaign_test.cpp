@@ -12,15 +12,15 @@
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/campaign/row_table.hpp"
 #include "tests/campaign/small_campaign.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
+using test_support::ScratchFolder;
+using test_support::text_of;
+using test_support::write_text;
 using testing::HasSubstr;
 using testing_campaign::small_campaign;
-using testing_sil::ScratchFolder;
-using testing_sil::text_of;
-using testing_sil::write_text;
 
 constexpr std::uint64_t runs = 8U;
 

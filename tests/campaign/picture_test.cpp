@@ -6,14 +6,14 @@
 
 #include "sil/campaign/report.hpp"
 #include "tests/campaign/small_campaign.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
+using test_support::ScratchFolder;
+using test_support::text_of;
 using testing_campaign::HandMadeRun;
 using testing_campaign::recorded;
-using testing_sil::ScratchFolder;
-using testing_sil::text_of;
 
 int draw(const std::filesystem::path& folder) {
     const std::string command = testing_campaign::project_file("sil/campaign/draw") + " '" + folder.string() +

@@ -5,15 +5,15 @@
 #include <gtest/gtest.h>
 
 #include "sil/campaign/settings.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
+using test_support::ScratchFolder;
+using test_support::text_of;
+using test_support::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing_sil::ScratchFolder;
-using testing_sil::text_of;
-using testing_sil::write_text;
 
 class RowFile : public ::testing::Test {
  protected:

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sil/campaign/settings.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -16,8 +16,8 @@ constexpr const char* header =
     "x_peak,x_peak_100ms_before,x_time_s\n";
 
 sil::RowTable load(const std::string& text) {
-    const testing_sil::ScratchFolder folder;
-    testing_sil::write_text(folder.path() / "runs.csv", text);
+    const test_support::ScratchFolder folder;
+    test_support::write_text(folder.path() / "runs.csv", text);
     return sil::load_rows(folder.path() / "runs.csv");
 }
 

@@ -5,15 +5,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/campaign/small_campaign.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
 using testing::HasSubstr;
 
 sil::CampaignSettings load(const std::string& text) {
-    const testing_sil::ScratchFolder folder;
-    testing_sil::write_text(folder.path() / "mine.toml", text);
+    const test_support::ScratchFolder folder;
+    test_support::write_text(folder.path() / "mine.toml", text);
     return sil::load_campaign(folder.path() / "mine.toml");
 }
 

@@ -11,7 +11,7 @@
 #include "sil/drives/drive_csv.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
 #include "tests/drives/recorded_drive.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -32,7 +32,7 @@ std::vector<sil::EcuOutput> ecu_outputs(const sil::DriveReplay& replay) {
 class HardTurn : public testing::Test {
  protected:
     static void SetUpTestSuite() {
-        const testing_sil::ScratchFolder folder;
+        const test_support::ScratchFolder folder;
         run = std::make_unique<RecordedDrive>(record_drive(testing_drives::hard_turn(), 5.0, folder.path()));
         drive = std::make_unique<sil::Drive>(sil::read_drive_csv(folder.path() / "signals.csv"));
         log = std::make_unique<std::vector<sil::LoggedFrame>>(
@@ -157,7 +157,7 @@ TEST_F(HardTurn, AGapIsSilenceForTheFirmware) {
 
 // Without noise, which a denser drive would average.
 TEST(Replay, OfADriveAt200HzWarnsWithinOneCycle) {
-    const testing_sil::ScratchFolder folder;
+    const test_support::ScratchFolder folder;
     const RecordedDrive run = record_drive(testing_drives::hard_turn(), 5.0, folder.path(), false);
     const sil::Drive drive = sil::read_drive_csv(folder.path() / "signals.csv");
     sil::Drive dense = drive;
@@ -208,7 +208,7 @@ TEST(Replay, OfAVehicleOnABankUsesTheBank) {
     const double bank_rad = std::atan(0.08);
     sil::Manoeuvre manoeuvre = sil::find_manoeuvre("straight");
     manoeuvre.make_road = [bank_rad] { return std::make_unique<sil::PlaneRoad>(bank_rad); };
-    const testing_sil::ScratchFolder folder;
+    const test_support::ScratchFolder folder;
     const RecordedDrive run = record_drive(manoeuvre, 2.0, folder.path());
     const sil::Drive blind = sil::read_drive_csv(folder.path() / "signals.csv");
     sil::Drive told = blind;

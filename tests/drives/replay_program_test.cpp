@@ -8,15 +8,15 @@
 
 #include "tests/drives/drive_text.hpp"
 #include "tests/drives/recorded_drive.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using test_support::text_of;
+using test_support::write_text;
 using testing_drives::good_lines;
 using testing_drives::text_of_lines;
-using testing_sil::text_of;
-using testing_sil::write_text;
 
 class ReplayProgram : public testing::Test {
  protected:
@@ -39,7 +39,7 @@ class ReplayProgram : public testing::Test {
     std::string err;
 
  private:
-    testing_sil::ScratchFolder scratch_;
+    test_support::ScratchFolder scratch_;
 };
 
 TEST_F(ReplayProgram, LeavesAFolderWithEveryResultAndATable) {

@@ -6,14 +6,14 @@
 
 #include <stdexcept>
 
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using testing_sil::ScratchFolder;
-using testing_sil::text_of;
-using testing_sil::write_text;
+using test_support::ScratchFolder;
+using test_support::text_of;
+using test_support::write_text;
 
 const std::vector<std::string> contents{"summary.json", "indices.csv"};
 

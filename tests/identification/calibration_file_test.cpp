@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
 #include <string>
 
@@ -11,6 +10,7 @@
 #include "sil/identification/calibration_writer.hpp"
 #include "sil/identification/report.hpp"
 #include "tests/identification/known_body.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -25,11 +25,9 @@ class CalibrationOfAKnownBody : public testing::Test {
                                               {identification_test::steps_of(body_)})};
 
     rsi::Parameters written() const {
-        const std::string path = testing::TempDir() + "/identified_calibration.toml";
-        {
-            std::ofstream file{path};
-            file << sil::calibration_text(result_);
-        }
+        const test_support::ScratchFolder folder;
+        const std::string path = folder.path() / "calibration.toml";
+        test_support::write_text(path, sil::calibration_text(result_));
         return sil::load_calibration(path);
     }
 };

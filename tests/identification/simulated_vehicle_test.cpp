@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include "rsi/parameters.hpp"
@@ -13,6 +12,7 @@
 #include "sil/identification/simulated_drive.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
 #include "sil/vehicle/parameter_file.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -107,11 +107,9 @@ INSTANTIATE_TEST_SUITE_P(Vehicles, SimulatedVehicle,
 // The van is the vehicle that nobody tuned for: its committed calibration is what the command writes.
 TEST(VanCalibration, ComesFromIdentificationAlone) {
     const sil::Identification result = identified({"van", true});
-    const std::string path = testing::TempDir() + "/van_identified.toml";
-    {
-        std::ofstream file{path};
-        file << sil::calibration_text(result);
-    }
+    const test_support::ScratchFolder folder;
+    const std::string path = folder.path() / "calibration.toml";
+    test_support::write_text(path, sil::calibration_text(result));
     const rsi::Parameters fresh = sil::load_calibration(path);
     const rsi::Parameters committed = sil::load_calibration(RSI_SOURCE_DIR "/firmware/calibrations/van.toml");
     for (const rsi::ParameterField& field : rsi::parameter_fields) {

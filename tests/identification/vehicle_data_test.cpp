@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 
 #include "sil/identification/vehicle_data.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -18,15 +18,16 @@ constexpr const char* good =
     "0.35\n"
     "track_width_m = 1.6\nwheelbase_m = 2.8\nimu_z_m = -0.2\n";
 
-std::string written(const std::string& text) {
-    const std::string path = testing::TempDir() + "/vehicle_data.toml";
-    std::ofstream{path} << text;
-    return path;
+sil::VehicleData loaded(const std::string& text, const std::vector<std::string>& settings = {}) {
+    const test_support::ScratchFolder folder;
+    const std::string path = folder.path() / "vehicle_data.toml";
+    test_support::write_text(path, text);
+    return sil::load_vehicle_data(path, settings);
 }
 
 std::string refusal(const std::string& text, const std::vector<std::string>& settings = {}) {
     try {
-        sil::load_vehicle_data(written(text), settings);
+        loaded(text, settings);
     } catch (const sil::VehicleDataError& error) {
         return error.what();
     }
@@ -35,15 +36,14 @@ std::string refusal(const std::string& text, const std::vector<std::string>& set
 
 // m h_total = m_s h + m_u h_u: 2000 x 0.7 = 1750 h + 250 x 0.35
 TEST(VehicleDataTest, SprungCgHeightFollowsFromTheWholeVehicles) {
-    const sil::VehicleData data = sil::load_vehicle_data(written(good));
+    const sil::VehicleData data = loaded(good);
     EXPECT_NEAR(data.sprung_cg_height_m, (1400.0 - 87.5) / 1750.0, 1e-9);
     EXPECT_NEAR(data.unsprung_mass_kg, 250.0, 1e-9);
     EXPECT_TRUE(data.assumptions.empty());
 }
 
 TEST(VehicleDataTest, ASettingReplacesTheFilesValue) {
-    const sil::VehicleData data =
-        sil::load_vehicle_data(written(good), {"track_width_m=1.5", "steering_ratio=18"});
+    const sil::VehicleData data = loaded(good, {"track_width_m=1.5", "steering_ratio=18"});
     EXPECT_DOUBLE_EQ(data.track_width_m, 1.5);
     EXPECT_DOUBLE_EQ(data.steering_ratio.value(), 18.0);
 }
@@ -60,7 +60,7 @@ TEST(VehicleDataTest, TrackWidthIsTheMeanOfBothAxles) {
     std::string text = good;
     text.replace(text.find("track_width_m = 1.6"), 19,
                  "track_width_front_m = 1.62\ntrack_width_rear_m = 1.58");
-    EXPECT_NEAR(sil::load_vehicle_data(written(text)).track_width_m, 1.6, 1e-9);
+    EXPECT_NEAR(loaded(text).track_width_m, 1.6, 1e-9);
 }
 
 TEST(VehicleDataTest, AMissingKeyIsNamed) {

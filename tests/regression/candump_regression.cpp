@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/simulation/replay.hpp"
 #include "sil/vehicle/parameter_file.hpp"
+#include "tests/regression/bus_faults.hpp"
 
 namespace {
 
@@ -34,6 +36,10 @@ struct Request {
     std::uint64_t seed{1U};
     bool mirrored{false};
     bool noise{false};
+    bool bank_sensor{false};
+    bool no_roll_sensor{false};
+    bool no_steering_sensor{false};
+    bool bus_faults{false};
 };
 
 std::string sensor_log(const Request& request) {
@@ -73,6 +79,22 @@ void renew(const Request& request) {
     write_log(ecu_log(request), answers(request));
 }
 
+sil::SensorOptions sensors(const sil::VehicleParameters& vehicle, const Request& request) {
+    constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
+    sil::SensorFlaws flaws;
+    flaws.noise = request.noise;
+    flaws.seed = request.seed;
+    flaws.bank_sensor = request.bank_sensor;
+    sil::SensorOptions options = sil::mounted_sensors(vehicle, flaws);
+    if (request.no_roll_sensor) {
+        options.roll.roll_angle_rad.bias = not_available;
+    }
+    if (request.no_steering_sensor) {
+        options.motion.steering_wheel_angle_rad.bias = not_available;
+    }
+    return options;
+}
+
 void drive(const Request& request, sil::CandumpLogWriter& log) {
     sil::RunOptions options;
     options.mirrored = request.mirrored;
@@ -81,7 +103,7 @@ void drive(const Request& request, sil::CandumpLogWriter& log) {
     sil::InProcessRun{vehicle,
                       sil::find_manoeuvre(request.manoeuvre),
                       options,
-                      sil::mounted_sensors(vehicle, {request.noise, request.seed}),
+                      sensors(vehicle, request),
                       sil::load_calibration(request.parameters),
                       &log}
         .run();
@@ -97,7 +119,7 @@ void record(const Request& request) {
         std::remove_if(frames.begin(), frames.end(),
                        [](const sil::LoggedFrame& logged) { return !sil::is_sensor_frame(logged.frame); }),
         frames.end());
-    write_log(sensor_log(request), frames);
+    write_log(sensor_log(request), request.bus_faults ? rsi_test::with_bus_faults(frames) : frames);
     renew(request);
 }
 
@@ -127,6 +149,10 @@ int main(int argc, char** argv) {
     recorded->add_option("--seed", request.seed);
     recorded->add_flag("--mirror", request.mirrored);
     recorded->add_flag("--noise", request.noise);
+    recorded->add_flag("--bank-sensor", request.bank_sensor);
+    recorded->add_flag("--no-roll-sensor", request.no_roll_sensor);
+    recorded->add_flag("--no-steering-sensor", request.no_steering_sensor);
+    recorded->add_flag("--bus-faults", request.bus_faults, "Plant the faults of bus_faults.hpp");
     recorded->callback([&] { record(request); });
     try {
         app.parse(argc, argv);

@@ -9,13 +9,13 @@
 #include <random>
 #include <string>
 
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
-using testing_sil::ScratchFolder;
-using testing_sil::text_of;
-using testing_sil::write_text;
+using test_support::ScratchFolder;
+using test_support::text_of;
+using test_support::write_text;
 
 sil::LoggedFrame frame_of(std::int64_t time_us, std::uint32_t identifier, std::initializer_list<int> bytes) {
     sil::LoggedFrame logged;

@@ -9,12 +9,12 @@
 #include <string>
 
 #include "tests/sil/example_run.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
-using testing_sil::ScratchFolder;
-using testing_sil::text_of;
+using test_support::ScratchFolder;
+using test_support::text_of;
 
 int draw(const std::filesystem::path& folder, const std::filesystem::path& messages) {
     const std::string command =

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
-using testing_sil::ScratchFolder;
-using testing_sil::text_of;
+using test_support::ScratchFolder;
+using test_support::text_of;
 
 constexpr double deg_per_rad = 180.0 / 3.14159265358979323846;
 

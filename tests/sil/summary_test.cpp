@@ -12,14 +12,14 @@
 
 #include "sil/analysis/atomic_file.hpp"
 #include "sil/analysis/event_marks.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
 using nlohmann::ordered_json;
-using testing_sil::ScratchFolder;
-using testing_sil::text_of;
-using testing_sil::write_text;
+using test_support::ScratchFolder;
+using test_support::text_of;
+using test_support::write_text;
 
 constexpr double g_mps2 = 9.80665;
 constexpr double pi = 3.14159265358979323846;

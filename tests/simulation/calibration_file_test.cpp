@@ -9,7 +9,7 @@
 #include <string>
 
 #include "rsi/parameters.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace testing_simulation {
 namespace {
@@ -23,7 +23,7 @@ class CalibrationFile : public ::testing::Test {
  protected:
     // The good file with the line of `key` replaced; an empty `line` leaves it out. Remembers its number.
     void replace(const std::string& key, const std::string& line) {
-        text_ = testing_sil::text_of(calibrations / "large_suv.toml");
+        text_ = test_support::text_of(calibrations / "large_suv.toml");
         std::size_t begin = text_.find("\n" + key + " ");
         ASSERT_NE(begin, std::string::npos) << key;
         ++begin;
@@ -35,7 +35,7 @@ class CalibrationFile : public ::testing::Test {
 
     // What loading says; empty when it succeeds.
     std::string message() {
-        testing_sil::write_text(path_, text_);
+        test_support::write_text(path_, text_);
         return message_of(path_.string());
     }
 
@@ -57,7 +57,7 @@ class CalibrationFile : public ::testing::Test {
         EXPECT_THAT(said, HasSubstr(reason)) << line;
     }
 
-    testing_sil::ScratchFolder folder_;
+    test_support::ScratchFolder folder_;
     std::filesystem::path path_{folder_.path() / "calibration.toml"};
     std::string text_;
     std::ptrdiff_t line_number_{0};
@@ -81,7 +81,7 @@ TEST_F(CalibrationFile, EveryNumberReachesItsOwnField) {
         // A little more than before; the file's numbers stay within what the component accepts.
         const float changed = good.*field.member > 0.0F ? good.*field.member * 0.9999F : 0.001F;
         replace(field.name, std::string{field.name} + " = " + std::to_string(changed));
-        testing_sil::write_text(path_, text_);
+        test_support::write_text(path_, text_);
         const rsi::Parameters loaded = sil::load_calibration(path_.string());
         EXPECT_NEAR(static_cast<double>(loaded.*field.member), static_cast<double>(changed),
                     1.0e-6 * std::abs(static_cast<double>(changed)) + 1.0e-6);

@@ -6,7 +6,7 @@
 #include "sil/simulation/in_process_run.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/vehicle/parameter_file.hpp"
-#include "tests/sil/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace testing_simulation {
 namespace {
@@ -44,7 +44,7 @@ rsi::Parameters large_suv_calibration() {
 }
 
 RecordedRun run_and_record(const sil::Manoeuvre& manoeuvre, const RunSettings& settings) {
-    const testing_sil::ScratchFolder folder;
+    const test_support::ScratchFolder folder;
     const std::filesystem::path path = folder.path() / "candump.log";
     sil::RunOptions options;
     options.mirrored = settings.mirrored;
@@ -62,7 +62,7 @@ RecordedRun run_and_record(const sil::Manoeuvre& manoeuvre, const RunSettings& s
     OutputRecorder recorder{run.ecu_outputs};
     run.events = whole.run(recorder);
     log.close();
-    run.log_text = testing_sil::text_of(path);
+    run.log_text = test_support::text_of(path);
     run.log = sil::read_candump_log(path);
     run.frames_refused = whole.frames().frames_refused();
     return run;

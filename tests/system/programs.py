@@ -35,8 +35,11 @@ def run_manoeuvre(name, output, *options, timeout=120):
 class Ecu:
     """rsi-ecu on the interface, from the moment it listens to the end of the `with` block."""
 
+    PROGRAM = PROGRAMS / "rsi-ecu"
+    DEFAULTS = ("--parameters", CALIBRATION)
+
     def __init__(self, *options):
-        command = [PROGRAMS / "rsi-ecu", "--interface", INTERFACE, "--parameters", CALIBRATION, *options]
+        command = [self.PROGRAM, "--interface", INTERFACE, *self.DEFAULTS, *options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.output = self.process.stdout.readline()
         if "listening" not in self.output:

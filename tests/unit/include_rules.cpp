@@ -38,8 +38,12 @@ const std::vector<Rule>& rules() {
         {"can_dbc/", {"can_dbc/"}, Rule::Others::standard, {}},
         {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
         {"hal/", {"hal/"}, Rule::Others::any, {}},
-        {"sil/", {"rsi/", "can_dbc/", "hal/", "application/", "sil/"}, Rule::Others::any, {}},
-        {"tests/", {"rsi/", "can_dbc/", "hal/", "application/", "sil/", "tests/"}, Rule::Others::any, {}},
+        {"firmware/images/", {"rsi/", "can_dbc/", "hal/", "application/", "images/"}, Rule::Others::any, {}},
+        {"sil/", {"rsi/", "can_dbc/", "hal/", "application/", "images/", "sil/"}, Rule::Others::any, {}},
+        {"tests/",
+         {"rsi/", "can_dbc/", "hal/", "application/", "images/", "sil/", "tests/"},
+         Rule::Others::any,
+         {}},
     };
     return all;
 }
@@ -51,7 +55,7 @@ bool starts_with(const std::string& text, const std::string& beginning) {
 // The project's folder that a header is in, as it is written in an include; empty for all others.
 std::string project_folder(const std::string& header) {
     static const std::vector<std::string> folders{"rsi/", "application/", "firmware/", "can_dbc/",
-                                                  "hal/", "sil/",         "tests/"};
+                                                  "hal/", "images/",      "sil/",      "tests/"};
     for (const std::string& folder : folders) {
         if (starts_with(header, folder)) {
             return folder;
@@ -142,7 +146,7 @@ std::string objection(const std::string& path, const std::string& header) {
 
 std::vector<std::string> forbidden_includes(const std::string& root) {
     std::vector<std::string> found;
-    for (const std::string top : {"can_dbc", "firmware", "hal", "sil", "tests"}) {
+    for (const std::string top : {"can_dbc", "firmware", "hal", "images", "sil", "tests"}) {
         if (!fs::exists(fs::path(root) / top)) {
             continue;
         }

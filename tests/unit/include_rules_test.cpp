@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch_folder.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,29 +32,30 @@ TEST_P(Forbidden, IsRefused) {
         << GetParam().path << " including " << GetParam().header;
 }
 
-INSTANTIATE_TEST_SUITE_P(IncludeRules, Forbidden,
-                         ::testing::Values(Include{"firmware/rsi/component.cpp", "can_dbc/codec.hpp"},
-                                           Include{"firmware/rsi/component.cpp", "hal/interface/clock.hpp"},
-                                           Include{"firmware/rsi/component.cpp", "application/ecu.hpp"},
-                                           Include{"firmware/rsi/model/a.cpp", "sil/vehicle/truth.hpp"},
-                                           Include{"firmware/rsi/model/a.cpp", "cmath"},
-                                           Include{"firmware/rsi/model/a.cpp", "vector"},
-                                           Include{"firmware/rsi/rsi.h", "math.h"},
-                                           Include{"firmware/rsi/model/a.cpp", "../component.hpp"},
-                                           Include{"can_dbc/codec.hpp", "rsi/rsi.h"},
-                                           Include{"can_dbc/codec.hpp", "linux/can.h"},
-                                           Include{"can_dbc/codec.hpp", "hal/interface/can_bus.hpp"},
-                                           Include{"hal/interface/can_bus.hpp", "can_dbc/codec.hpp"},
-                                           Include{"hal/interface/can_bus.hpp", "hal/socketcan/bus.hpp"},
-                                           Include{"hal/interface/can_bus.hpp", "linux/can.h"},
-                                           Include{"hal/socketcan/bus.cpp", "rsi/rsi.h"},
-                                           Include{"hal/socketcan/bus.cpp", "application/ecu.hpp"},
-                                           Include{"hal/memory/bus.cpp", "sil/vehicle/truth.hpp"},
-                                           Include{"firmware/application/ecu.cpp", "hal/socketcan/bus.hpp"},
-                                           Include{"firmware/application/ecu.cpp", "sil/vehicle/truth.hpp"},
-                                           Include{"firmware/application/ecu.cpp", "sys/socket.h"},
-                                           Include{"sil/vehicle/body.cpp", "tests/unit/support/nominal.hpp"},
-                                           Include{"elsewhere/a.cpp", "vector"}));
+INSTANTIATE_TEST_SUITE_P(
+    IncludeRules, Forbidden,
+    ::testing::Values(Include{"firmware/rsi/component.cpp", "can_dbc/codec.hpp"},
+                      Include{"firmware/rsi/component.cpp", "hal/interface/clock.hpp"},
+                      Include{"firmware/rsi/component.cpp", "application/ecu.hpp"},
+                      Include{"firmware/rsi/model/a.cpp", "sil/vehicle/truth.hpp"},
+                      Include{"firmware/rsi/model/a.cpp", "cmath"},
+                      Include{"firmware/rsi/model/a.cpp", "vector"}, Include{"firmware/rsi/rsi.h", "math.h"},
+                      Include{"firmware/rsi/model/a.cpp", "../component.hpp"},
+                      Include{"can_dbc/codec.hpp", "rsi/rsi.h"}, Include{"can_dbc/codec.hpp", "linux/can.h"},
+                      Include{"can_dbc/codec.hpp", "hal/interface/can_bus.hpp"},
+                      Include{"hal/interface/can_bus.hpp", "can_dbc/codec.hpp"},
+                      Include{"hal/interface/can_bus.hpp", "hal/socketcan/bus.hpp"},
+                      Include{"hal/interface/can_bus.hpp", "linux/can.h"},
+                      Include{"hal/socketcan/bus.cpp", "rsi/rsi.h"},
+                      Include{"hal/socketcan/bus.cpp", "application/ecu.hpp"},
+                      Include{"hal/memory/bus.cpp", "sil/vehicle/truth.hpp"},
+                      Include{"hal/memory/bus.cpp", "images/zynqmp_r5/ecu_image.hpp"},
+                      Include{"firmware/images/zynqmp_r5/main.cpp", "sil/vehicle/truth.hpp"},
+                      Include{"firmware/application/ecu.cpp", "hal/socketcan/bus.hpp"},
+                      Include{"firmware/application/ecu.cpp", "sil/vehicle/truth.hpp"},
+                      Include{"firmware/application/ecu.cpp", "sys/socket.h"},
+                      Include{"sil/vehicle/body.cpp", "tests/unit/support/nominal.hpp"},
+                      Include{"elsewhere/a.cpp", "vector"}));
 
 class Allowed : public ::testing::TestWithParam<Include> {};
 
@@ -68,6 +71,8 @@ INSTANTIATE_TEST_SUITE_P(IncludeRules, Allowed,
                                            Include{"can_dbc/codec.hpp", "can_dbc/e2e/profile11.hpp"},
                                            Include{"can_dbc/codec.hpp", "cstdint"},
                                            Include{"hal/socketcan/bus.cpp", "hal/interface/can_bus.hpp"},
+                                           Include{"firmware/images/zynqmp_r5/main.cpp",
+                                                   "application/rollover_ecu.hpp"},
                                            Include{"hal/socketcan/bus.cpp", "linux/can.h"},
                                            Include{"firmware/application/ecu.cpp", "can_dbc/codec.hpp"},
                                            Include{"firmware/application/ecu.cpp", "hal/interface/clock.hpp"},
@@ -77,14 +82,13 @@ INSTANTIATE_TEST_SUITE_P(IncludeRules, Allowed,
 
 // The search itself: one breach among good lines, found with file and line.
 TEST(IncludeRules, APlantedBreachIsFoundByFileAndLine) {
-    const fs::path root = fs::path(::testing::TempDir()) / "include_rules_planted";
-    fs::remove_all(root);
+    const test_support::ScratchFolder folder;
+    const fs::path& root = folder.path();
     fs::create_directories(root / "firmware/rsi/model");
     std::ofstream(root / "firmware/rsi/model/planted.cpp")
         << "// A comment.\n#include \"rsi/rsi.h\"\n  #  include <vector>\n#include <array>\n";
     std::ofstream(root / "firmware/rsi/notes.txt") << "#include <vector>\n";
     const std::vector<std::string> found = rsi_test::forbidden_includes(root.string());
-    fs::remove_all(root);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0], "firmware/rsi/model/planted.cpp:3: firmware/rsi/ may not include vector");
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sil/vehicle/parameter_file.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -25,12 +26,6 @@ std::size_t line_of(const std::string& text, const std::string& part) {
 
 class ParameterFile : public testing::Test {
  protected:
-    void SetUp() override {
-        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        path_ = std::filesystem::path{testing::TempDir()} / ("parameter_file_" + name + ".toml");
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     static std::string replaced(const std::string& from, const std::string& to) {
         std::string text = good_text();
         const std::size_t position = text.find(from);
@@ -39,7 +34,7 @@ class ParameterFile : public testing::Test {
     }
 
     std::string error_of(const std::string& text) const {
-        std::ofstream{path_} << text;
+        test_support::write_text(path_, text);
         try {
             sil::load_vehicle(path_);
         } catch (const sil::ParameterError& error) {
@@ -58,7 +53,8 @@ class ParameterFile : public testing::Test {
         EXPECT_NE(message.find(advice), std::string::npos) << message;
     }
 
-    std::filesystem::path path_;
+    test_support::ScratchFolder folder_;
+    std::filesystem::path path_{folder_.path() / "vehicle.toml"};
 };
 
 TEST_F(ParameterFile, BothVehiclesLoad) {

@@ -3,6 +3,10 @@
 
 #include <limits>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ > 0))
+#error "compile without -ffast-math and -ffinite-math-only: NaN means \"not available\" here"
+#endif
+
 namespace rsi {
 
 constexpr float not_available = std::numeric_limits<float>::quiet_NaN();

@@ -9,12 +9,12 @@
 #include <stdexcept>
 #include <string>
 
-namespace testing_sil {
+namespace test_support {
 
 class ScratchFolder {
  public:
     ScratchFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "rsi_sil_XXXXXX").string();
+        std::string pattern = (std::filesystem::temp_directory_path() / "rsi_test_XXXXXX").string();
         if (::mkdtemp(pattern.data()) == nullptr) {
             throw std::runtime_error("cannot make a folder like " + pattern);
         }
@@ -42,4 +42,4 @@ inline void write_text(const std::filesystem::path& path, const std::string& tex
     std::ofstream(path, std::ios::binary) << text;
 }
 
-}  // namespace testing_sil
+}  // namespace test_support

@@ -1,0 +1,35 @@
+# What `cmake --install` puts where, for find_package(rsi) in somebody else's project; docs/integration.md.
+#   rsi::rsi            the component, with its C face and its C++ one
+#   rsi::application    around it the frames: end-to-end check, freshness, encoding, diagnosis, parameter section
+#   rsi::can_dbc, rsi::hal_interface    headers that the application stands on
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(rsi_installed rsi application can_dbc hal_interface)
+foreach(target IN LISTS rsi_installed)
+    add_library(rsi::${target} ALIAS ${target})  # one name, however the project was taken in
+endforeach()
+set_target_properties(application PROPERTIES OUTPUT_NAME rsi_application)
+
+if(NOT PROJECT_IS_TOP_LEVEL)
+    return()
+endif()
+
+# The folders have general names, so they get one of their own.
+set(headers ${CMAKE_INSTALL_INCLUDEDIR}/rsi_component)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rsi)
+set(header_patterns FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+
+install(TARGETS ${rsi_installed} EXPORT rsiTargets INCLUDES DESTINATION ${headers})
+install(DIRECTORY firmware/rsi firmware/application DESTINATION ${headers} ${header_patterns})
+install(DIRECTORY can_dbc/codec can_dbc/e2e can_dbc/generated DESTINATION ${headers}/can_dbc ${header_patterns})
+install(DIRECTORY hal/interface DESTINATION ${headers}/hal ${header_patterns})
+install(DIRECTORY firmware/calibrations DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)
+install(FILES can_dbc/rollover_warning.dbc LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)
+
+install(EXPORT rsiTargets NAMESPACE rsi:: DESTINATION ${package})
+configure_package_config_file(cmake/rsiConfig.cmake.in ${PROJECT_BINARY_DIR}/rsiConfig.cmake
+    INSTALL_DESTINATION ${package} PATH_VARS CMAKE_INSTALL_DATADIR)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/rsiConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/rsiConfig.cmake ${PROJECT_BINARY_DIR}/rsiConfigVersion.cmake
+    DESTINATION ${package})

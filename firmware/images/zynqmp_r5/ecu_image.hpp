@@ -1,0 +1,76 @@
+// The firmware's main loop on this controller, for the image that is flashed and for those made to test it.
+#pragma once
+
+#include <cstdint>
+
+#include "application/rollover_ecu.hpp"
+#include "hal/zynqmp_r5/can_controller.hpp"
+#include "hal/zynqmp_r5/cycle_tick.hpp"
+#include "hal/zynqmp_r5/policy.hpp"
+#include "hal/zynqmp_r5/registers.hpp"
+#include "hal/zynqmp_r5/startup/exceptions.hpp"
+#include "hal/zynqmp_r5/timer_clock.hpp"
+
+namespace image {
+
+using hal::zynqmp_r5::MemoryMappedRegisters;
+using hal::zynqmp_r5::Policy;
+using Clock = hal::zynqmp_r5::TimerClock<MemoryMappedRegisters, Policy::timer_clock_hz>;
+using Controller = hal::zynqmp_r5::CanController<MemoryMappedRegisters, Policy::CanLayout>;
+using Watchdog = Policy::Watchdog<MemoryMappedRegisters>;
+
+inline constexpr std::uint32_t can_bit_rate{500'000U};
+inline constexpr hal::Time cycle_time = hal::Time::from_milliseconds(10);
+
+// The section at its fixed address; the linker script supplies its bounds.
+struct ParameterMemory {
+    const std::uint8_t* bytes;
+    std::size_t length;
+};
+ParameterMemory parameter_memory() noexcept;
+
+// The identifiers that the controller lets through: those of the application and up to one more.
+template <typename... Further>
+constexpr hal::zynqmp_r5::CanSettings can_settings(Further... further) {
+    hal::zynqmp_r5::CanSettings settings{};
+    settings.timing = hal::zynqmp_r5::can_bit_timing<Policy::can_clock_hz, can_bit_rate>();
+    static_assert(application::received_identifiers.size() + sizeof...(further) <=
+                  hal::zynqmp_r5::can::filter_count);
+    for (const std::uint32_t identifier : application::received_identifiers) {
+        settings.identifiers[settings.identifier_count++] = identifier;
+    }
+    ((settings.identifiers[settings.identifier_count++] = further), ...);
+    return settings;
+}
+
+// `Bus` is what the application sees of the controller: a hal::CanBus that is made from one.
+template <typename Bus>
+class EcuImage {
+ public:
+    [[noreturn]] void run(const hal::zynqmp_r5::CanSettings& settings) noexcept {
+        ecu_.set_reset_reason(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
+        clock_.start();
+        watchdog_.start();
+        // A controller that does not respond is tried again in every cycle; the watchdog would not help it.
+        static_cast<void>(controller_.open(settings));
+        const ParameterMemory parameters = parameter_memory();
+        static_cast<void>(ecu_.init(parameters.bytes, parameters.length));
+        hal::zynqmp_r5::CycleTick<Clock> tick{clock_, cycle_time};
+        for (;;) {
+            std::uint32_t missed = 0U;
+            if (tick.is_due(missed)) {
+                ecu_.step(missed);
+            }
+            Policy::between_polls();
+        }
+    }
+
+ private:
+    Clock clock_{MemoryMappedRegisters{}};
+    Controller controller_{MemoryMappedRegisters{}, clock_};
+    Bus bus_{controller_};
+    Watchdog watchdog_{MemoryMappedRegisters{}};
+    application::RolloverEcu ecu_{bus_, clock_, watchdog_};
+};
+
+}  // namespace image

@@ -1,0 +1,13 @@
+// rsi-ecu-r5f: the firmware on the Cortex-R5F of the Zynq UltraScale+ MPSoC.
+#include "images/zynqmp_r5/ecu_image.hpp"
+#include "images/zynqmp_r5/warning_witness.hpp"
+
+namespace {
+
+image::EcuImage<image::WarningWitness> ecu;
+
+}  // namespace
+
+int main() {
+    ecu.run(image::can_settings());
+}

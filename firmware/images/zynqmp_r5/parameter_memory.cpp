@@ -1,0 +1,8 @@
+#include "images/zynqmp_r5/ecu_image.hpp"
+
+extern "C" const std::uint8_t parameters_start[];
+extern "C" const std::uint8_t parameters_end[];
+
+image::ParameterMemory image::parameter_memory() noexcept {
+    return ParameterMemory{parameters_start, static_cast<std::size_t>(parameters_end - parameters_start)};
+}

@@ -1,0 +1,42 @@
+// The image's part in the reaction to a fault: one warning frame "unavailable".
+#include "can_dbc/codec/message.hpp"
+#include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "hal/zynqmp_r5/startup/exceptions.hpp"
+#include "images/zynqmp_r5/ecu_image.hpp"
+#include "images/zynqmp_r5/warning_witness.hpp"
+
+namespace {
+
+// Register accesses to wait for: some 20 ms on silicon at 100 ns each, time for all 64 frames of the FIFO at
+// 500 kbit/s.
+constexpr std::uint32_t most_polls = 200'000U;
+
+hal::CanFrame unavailable() {
+    using can_dbc::RolloverWarning;
+    RolloverWarning message{};
+    message.state = RolloverWarning::State::unavailable;
+    message.side = RolloverWarning::Side::none;
+    message.roll_stability_indicator = can_dbc::not_available;
+    message.lateral_acceleration_mps2 = can_dbc::not_available;
+    message.lateral_acceleration_threshold_mps2 = can_dbc::not_available;
+    auto payload = can_dbc::encode(message);
+    // The receiver expects the counter that follows, whatever the sender's own has become.
+    const unsigned range = can_dbc::e2e::profile_11_largest_counter + 1U;
+    const auto counter = static_cast<std::uint8_t>((image::last_warning_counter + 1U) % range);
+    can_dbc::e2e::protect_profile_11(payload, RolloverWarning::e2e_data_id, counter);
+
+    hal::CanFrame frame{};
+    frame.identifier = RolloverWarning::identifier;
+    frame.length = RolloverWarning::length;
+    for (std::size_t byte = 0U; byte < payload.size(); ++byte) {
+        frame.data[byte] = payload[byte];
+    }
+    return frame;
+}
+
+}  // namespace
+
+void hal::zynqmp_r5::on_fault(const Fault&) noexcept {
+    static_cast<void>(image::Controller::send_last(MemoryMappedRegisters{}, unavailable(), most_polls));
+}

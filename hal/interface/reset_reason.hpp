@@ -1,0 +1,20 @@
+// Reset reason: why the controller started, as far as a platform knows.
+#pragma once
+
+#include <cstdint>
+
+namespace hal {
+
+// Sent with these numbers (RollObserver.ResetReason).
+enum class ResetReason : std::uint8_t {
+    power_on = 0,  // or nothing is known
+    outside = 1,   // the firmware was running and recorded nothing: watchdog, or a reset by somebody else
+    undefined_instruction = 2,
+    supervisor_call = 3,
+    prefetch_abort = 4,
+    data_abort = 5,
+    stack_overflow = 6,
+    interrupt = 7,  // one that nobody expects
+};
+
+}  // namespace hal

@@ -1,0 +1,292 @@
+// CAN controller of the Zynq UltraScale+ MPSoC, classic frames, polled. No call waits for longer than a few
+// hundred register accesses.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/interface/can_bus.hpp"
+#include "hal/interface/clock.hpp"
+#include "hal/interface/saturating_count.hpp"
+#include "hal/interface/well_formed.hpp"
+#include "hal/zynqmp_r5/can_bit_timing.hpp"
+#include "hal/zynqmp_r5/can_frame_layout.hpp"
+#include "hal/zynqmp_r5/can_registers.hpp"
+#include "hal/zynqmp_r5/registers.hpp"
+
+namespace hal::zynqmp_r5 {
+
+struct CanSettings {
+    CanBitTiming timing{can_bit_timing<100'000'000U, 500'000U>()};
+    // Only data frames with these standard identifiers are let through, by the controller; none given means
+    // all.
+    std::array<std::uint32_t, can::filter_count> identifiers{};
+    std::size_t identifier_count{0U};  // 0 to 4
+};
+
+// Accesses to a register for which the controller is given to follow a request.
+inline constexpr std::uint32_t most_can_polls{1000U};
+
+// The controller is taken off the bus for this long after a bus-off, twice as long after each further one
+// without a frame received in between, up to the longest. ISO 11898-1 demands 128 times 11 recessive bits,
+// which is 11 ms at 125 kbit/s.
+inline constexpr Time shortest_bus_off = Time::from_milliseconds(100);
+inline constexpr Time longest_bus_off = Time::from_milliseconds(1600);
+
+// What has not left the FIFO after this time is thrown away: a warning of yesterday must not go out when the
+// bus comes back.
+inline constexpr Time oldest_unsent_frame = Time::from_milliseconds(50);
+
+// `Registers` reads and writes registers, `Layout` says how a frame lies in the FIFO.
+// Receive times are those of receive(), so call it every cycle; it also follows the state of the bus:
+// overflow, errors, bus-off and the way back, frames that do not leave. frames_lost counts the events of
+// overflow; the controller does not tell how many frames each of them cost.
+template <typename Registers, typename Layout>
+class CanController final : public CanBus {
+ public:
+    // `clock` must outlive the controller.
+    CanController(Registers registers, const Clock& clock) noexcept : registers_{registers}, clock_{clock} {}
+
+    // Starts the controller; the statistics start at zero. False when it does not respond or the settings are
+    // not possible; the former is tried again from receive().
+    bool open(const CanSettings& settings = {}) noexcept {
+        settings_ = settings;
+        statistics_ = BusStatistics{};
+        off_interval_ = shortest_bus_off;
+        opened_ = are_possible(settings);
+        if (!opened_) {
+            return false;
+        }
+        restart();
+        return standing_ == Standing::on;
+    }
+
+    ReceiveResult receive(CanFrame& frame) noexcept override {
+        if (!follow()) {
+            return ReceiveResult::failed;
+        }
+        for (std::size_t skipped = 0U; skipped < can::fifo_depth; ++skipped) {
+            if ((take_events() & can::event_bits::receive_fifo_not_empty) == 0U) {
+                return ReceiveResult::empty;
+            }
+            CanFrame received{};
+            if (read_frame(received)) {
+                received.receive_time = clock_.now();
+                frame = received;
+                count_up(statistics_.frames_received);
+                off_interval_ = shortest_bus_off;
+                return ReceiveResult::frame;
+            }
+        }
+        return ReceiveResult::empty;
+    }
+
+    // A CAN FD frame is not possible on this controller.
+    SendResult send(const CanFrame& frame) noexcept override {
+        const std::uint32_t status = registers_.read(can::status);
+        if (standing_ != Standing::on || (status & can::status_bits::configuration) != 0U ||
+            frame.flexible_data_rate || !is_well_formed(frame)) {
+            return send_failed(SendResult::failed);
+        }
+        if ((status & can::status_bits::transmit_fifo_full) != 0U) {
+            return send_failed(SendResult::full);
+        }
+        if (!is_pending_) {
+            is_pending_ = true;
+            pending_since_ = clock_.now();
+            registers_.write(can::event_clear, can::event_bits::transmit_fifo_empty);
+        }
+        write_frame(registers_, frame);
+        count_up(statistics_.frames_sent);
+        return SendResult::sent;
+    }
+
+    BusState state() const noexcept override {
+        if (standing_ != Standing::on) {
+            return standing_ == Standing::bus_off ? BusState::bus_off : BusState::closed;
+        }
+        const std::uint32_t status = registers_.read(can::status);
+        if ((status & can::status_bits::configuration) != 0U) {
+            return BusState::closed;  // on its way to the bus: it waits for 11 recessive bits
+        }
+        switch (status & can::status_bits::error_state) {
+            case can::status_bits::bus_off:
+                return BusState::bus_off;
+            case can::status_bits::error_passive:
+                return BusState::error_passive;
+            default:  // error active; QEMU leaves the field at zero
+                return BusState::error_active;
+        }
+    }
+
+    BusStatistics statistics() const noexcept override { return statistics_; }
+
+    // For the way to a reset, on whatever state the controller is in: sends one frame and waits until all has
+    // left, for `most_polls` register accesses at most. True when it has. Needs no object: that may be
+    // damaged.
+    static bool send_last(Registers registers, const CanFrame& frame, std::uint32_t most_polls) noexcept {
+        const auto is_set = [&registers](RegisterAddress address, std::uint32_t bits) {
+            return (registers.read(address) & bits) != 0U;
+        };
+        if (is_set(can::status, can::status_bits::configuration)) {
+            return false;
+        }
+        std::uint32_t polls = 0U;
+        while (is_set(can::status, can::status_bits::transmit_fifo_full)) {
+            if (++polls >= most_polls) {
+                return false;
+            }
+        }
+        registers.write(can::event_clear, can::event_bits::transmit_fifo_empty);
+        write_frame(registers, frame);
+        while (!is_set(can::event_status, can::event_bits::transmit_fifo_empty)) {
+            if (++polls >= most_polls) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+ private:
+    enum class Standing : std::uint8_t { closed, on, bus_off };
+
+    static constexpr bool are_possible(const CanSettings& settings) {
+        bool possible = settings.identifier_count <= settings.identifiers.size();
+        for (std::size_t i = 0U; possible && i < settings.identifier_count; ++i) {
+            possible = is_identifier_possible(settings.identifiers[i], false);
+        }
+        return possible;
+    }
+
+    static void write_frame(Registers registers, const CanFrame& frame) noexcept {
+        const CanFrameWords words = Layout::pack(frame);
+        for (std::uint32_t word = 0U; word < words.size(); ++word) {
+            registers.write(can::transmit_fifo + 4U * word, words[word]);  // the last one sends
+        }
+    }
+
+    bool read_frame(CanFrame& frame) noexcept {
+        CanFrameWords words{};
+        for (std::uint32_t word = 0U; word < words.size(); ++word) {
+            words[word] = registers_.read(can::receive_fifo + 4U * word);
+        }
+        registers_.write(can::event_clear,
+                         can::event_bits::receive_fifo_not_empty);  // comes back while frames wait
+        return Layout::unpack(words, frame);
+    }
+
+    bool wait_for(std::uint32_t bits, std::uint32_t value) noexcept {
+        for (std::uint32_t polls = 0U; polls < most_can_polls; ++polls) {
+            if ((registers_.read(can::status) & bits) == value) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // Resets the controller, which empties its FIFOs, and puts it on the bus anew.
+    void restart() noexcept {
+        is_pending_ = false;
+        registers_.write(can::software_reset, can::reset_bits::reset);
+        if (!wait_for(can::status_bits::configuration, can::status_bits::configuration)) {
+            return stay_off(Standing::closed);
+        }
+        registers_.write(can::mode_select, 0U);  // normal: neither loop-back nor sleep nor snoop
+        registers_.write(can::bit_rate_prescaler, settings_.timing.prescaler_register);
+        registers_.write(can::bit_timing, settings_.timing.timing_register);
+        if (!set_filters()) {
+            return stay_off(Standing::closed);
+        }
+        registers_.write(can::event_enable, 0U);
+        registers_.write(can::event_clear, can::event_bits::all);
+        registers_.write(can::software_reset, can::reset_bits::enable);
+        standing_ = Standing::on;
+    }
+
+    bool set_filters() noexcept {
+        registers_.write(can::filter_enable, 0U);
+        if (!wait_for(can::status_bits::filters_busy, 0U)) {
+            return false;
+        }
+        for (std::size_t i = 0U; i < settings_.identifier_count; ++i) {
+            const CanFilter filter = Layout::filter(settings_.identifiers[i]);
+            const auto offset = static_cast<RegisterAddress>(i) * can::filter_stride;
+            registers_.write(can::filter_mask + offset, filter.mask);
+            registers_.write(can::filter_identifier + offset, filter.identifier);
+        }
+        registers_.write(can::filter_enable, (1U << settings_.identifier_count) - 1U);
+        return true;
+    }
+
+    // True when the controller is on the bus, or comes back to it now.
+    bool follow() noexcept {
+        if (!opened_) {
+            return false;
+        }
+        const Time now = clock_.now();
+        if (standing_ == Standing::on) {
+            static_cast<void>(take_events());
+        }
+        if (standing_ == Standing::on) {
+            if (is_pending_ && oldest_unsent_frame < now - pending_since_) {
+                count_up(statistics_.send_failures);
+                restart();
+            }
+        } else if (!(now < on_again_)) {
+            restart();
+        }
+        return standing_ == Standing::on;
+    }
+
+    // Reads the events and acts upon them.
+    std::uint32_t take_events() noexcept {
+        const std::uint32_t events = registers_.read(can::event_status);
+        const std::uint32_t acted_upon =
+            events & (can::event_bits::receive_overflow | can::event_bits::error | can::event_bits::bus_off);
+        if (acted_upon != 0U) {
+            registers_.write(can::event_clear, acted_upon);
+        }
+        if ((events & can::event_bits::receive_overflow) != 0U) {
+            count_up(statistics_.frames_lost);
+        }
+        if ((events & can::event_bits::error) != 0U) {
+            count_up(statistics_.error_frames);
+            registers_.write(can::error_status, registers_.read(can::error_status));
+        }
+        if ((events & can::event_bits::transmit_fifo_empty) != 0U) {
+            is_pending_ = false;
+        }
+        if ((events & can::event_bits::bus_off) != 0U) {
+            registers_.write(can::software_reset, 0U);  // off the bus, until it is restarted
+            stay_off(Standing::bus_off);
+        }
+        return events;
+    }
+
+    void stay_off(Standing why) noexcept {
+        standing_ = why;
+        is_pending_ = false;
+        on_again_ = clock_.now() + off_interval_;
+        const Time twice = off_interval_ + off_interval_;
+        off_interval_ = twice < longest_bus_off ? twice : longest_bus_off;
+    }
+
+    SendResult send_failed(SendResult result) noexcept {
+        count_up(statistics_.send_failures);
+        return result;
+    }
+
+    Registers registers_;
+    const Clock& clock_;
+    CanSettings settings_{};
+    BusStatistics statistics_{};
+    Standing standing_{Standing::closed};
+    bool opened_{false};
+    bool is_pending_{false};  // a frame may still be in the controller's FIFO, since:
+    Time pending_since_{};
+    Time on_again_{};
+    Time off_interval_{shortest_bus_off};
+};
+
+}  // namespace hal::zynqmp_r5

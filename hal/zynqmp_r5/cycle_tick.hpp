@@ -1,0 +1,49 @@
+// Cycle tick: waits for the next multiple of the period and counts what was missed.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/interface/clock.hpp"
+
+namespace hal::zynqmp_r5 {
+
+// More missed periods than this are not counted one by one: the tick starts anew. The watchdog has long acted
+// then.
+inline constexpr std::uint32_t most_missed_periods{1000U};
+
+// `SourceClock` has now() and update(). Periods lie on a fixed grid, so that a late cycle does not shift the
+// next.
+template <typename SourceClock>
+class CycleTick {
+ public:
+    // `clock` must outlive the tick. The first period begins now.
+    CycleTick(SourceClock& clock, Time period) noexcept
+        : clock_{clock}, period_{period}, due_{clock.now() + period} {}
+
+    // Whether the next cycle is due; then `missed` is how many periods passed without one. Call it at least
+    // every few tenths of a second, as the clock demands.
+    bool is_due(std::uint32_t& missed) noexcept {
+        clock_.update();
+        const Time now = clock_.now();
+        if (now < due_) {
+            return false;
+        }
+        due_ = due_ + period_;
+        missed = 0U;
+        while (!(now < due_) && missed < most_missed_periods) {
+            due_ = due_ + period_;
+            ++missed;
+        }
+        if (!(now < due_)) {
+            due_ = now + period_;
+        }
+        return true;
+    }
+
+ private:
+    SourceClock& clock_;
+    Time period_;
+    Time due_;
+};
+
+}  // namespace hal::zynqmp_r5

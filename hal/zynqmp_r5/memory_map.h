@@ -1,0 +1,39 @@
+/* Memory map of the image, for the linker script, assembly and C++ alike. docs/flashing.md describes it.
+ *
+ * Each part is a region of the memory protection unit (startup/memory_protection.cpp): its size is a power of
+ * two and its start a multiple of that. */
+#ifndef HAL_ZYNQMP_R5_MEMORY_MAP_H
+#define HAL_ZYNQMP_R5_MEMORY_MAP_H
+
+/* The exception vectors: the core has no vector base register. ATCM on silicon. */
+#define RSI_VECTORS_START 0x00000000
+#define RSI_VECTORS_SIZE 0x40
+
+#define RSI_CODE_START 0x00100000
+#define RSI_CODE_SIZE 0x10000
+
+#define RSI_PARAMETERS_START 0x00110000
+#define RSI_PARAMETERS_SIZE 0x1000
+
+#define RSI_DATA_START 0x00120000
+#define RSI_DATA_SIZE 0x8000
+
+/* Eight parts of 2 KiB. From below: guard, stack of the exceptions, guard, two parts main stack, three parts
+ * guard. */
+#define RSI_STACKS_START 0x00128000
+#define RSI_STACKS_SIZE 0x4000
+#define RSI_FAULT_STACK_BOTTOM 0x00128800
+#define RSI_FAULT_STACK_TOP 0x00129000
+#define RSI_MAIN_STACK_BOTTOM 0x00129800
+#define RSI_MAIN_STACK_TOP 0x0012A800
+
+/* Neither cleared at a start nor cached. */
+#define RSI_RETAINED_START 0x0012C000
+#define RSI_RETAINED_SIZE 0x1000
+
+/* Emulator only, in the last words of the retained memory: see firmware/images/zynqmp_r5/emulator/release.S.
+ */
+#define RSI_SUPERVISOR_COUNTDOWN 0x0012CFF0
+#define RSI_SUPERVISOR_PERIOD_MS 10
+
+#endif

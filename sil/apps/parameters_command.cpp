@@ -1,0 +1,121 @@
+#include "sil/apps/parameters_command.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sil/analysis/atomic_file.hpp"
+#include "sil/calibration/calibration_file.hpp"
+#include "sil/calibration/parameter_section_file.hpp"
+
+namespace sil {
+namespace {
+
+struct ParametersRequest {
+    std::string calibration_file;
+    std::vector<std::string> changes;
+    std::filesystem::path output;
+    std::string format{"bin"};
+    std::uint32_t address{0U};
+    std::string name;
+    std::filesystem::path checked;
+};
+
+std::string content_of(const ParametersRequest& request, const rsi::Parameters& parameters,
+                       const std::string& name) {
+    if (request.format == "h") {
+        return calibration_header(parameters, name);
+    }
+    const std::vector<std::uint8_t> section = parameter_section(parameters, name);
+    if (request.format == "hex") {
+        return intel_hex(section, request.address);
+    }
+    if (request.format == "c") {
+        return section_source(section);
+    }
+    return {section.begin(), section.end()};
+}
+
+void write_section(const ParametersRequest& request) {
+    const rsi::Parameters parameters = load_calibration(request.calibration_file, request.changes);
+    const std::string name =
+        request.name.empty() ? std::filesystem::path{request.calibration_file}.stem().string() : request.name;
+    write_file_atomically(request.output, content_of(request, parameters, name));
+    fmt::print("{}: calibration \"{}\"\n", request.output.string(), name);
+}
+
+std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
+    if (!file || bytes.empty()) {
+        throw std::runtime_error(fmt::format("{}: cannot be read, or is empty", path.string()));
+    }
+    return bytes;
+}
+
+void check_section(const std::filesystem::path& path) {
+    const std::vector<std::uint8_t> bytes = bytes_of(path);
+    rsi::Parameters parameters{};
+    const application::ParameterSectionAnswer answer =
+        application::read_parameter_section(bytes.data(), bytes.size(), parameters);
+    if (answer.refusal != application::ParametersRefusal::none) {
+        throw std::runtime_error(
+            fmt::format("{}: the firmware would refuse it: {}", path.string(), explain(answer)));
+    }
+    fmt::print("# {}: the firmware takes it; calibration \"{}\"\n{}", path.string(), section_name(bytes),
+               calibration_toml(parameters));
+}
+
+}  // namespace
+
+void add_parameters_command(CLI::App& app) {
+    const auto request = std::make_shared<ParametersRequest>();
+    CLI::App* command = app.add_subcommand(
+        "parameters",
+        "Write the parameter section of an image from a calibration, or say what is in one (--check)");
+    CLI::Option* calibration =
+        command->add_option("--parameters", request->calibration_file, "Calibration of the component (TOML)");
+    CLI::Option* output =
+        command->add_option("--output", request->output, "File for the section")->needs(calibration);
+    calibration->needs(output);
+    command
+        ->add_option("--set", request->changes,
+                     "KEY=VALUE in place of what the calibration says; may be repeated")
+        ->allow_extra_args(false)
+        ->needs(calibration);
+    CLI::Option* format = command
+                              ->add_option("--format", request->format,
+                                           "bin: the bytes; hex: Intel HEX at --address; c: the section as a "
+                                           "source for the image's build; "
+                                           "h: rsi_parameters as a C99 header, no section")
+                              ->check(CLI::IsMember({"bin", "hex", "c", "h"}))
+                              ->capture_default_str()
+                              ->needs(output);
+    command
+        ->add_option("--address", request->address,
+                     "Where the section lies in memory, for example 0x00180000")
+        ->needs(format);
+    command->add_option("--name", request->name, "Name in the section (default: the file's)")->needs(output);
+    CLI::Option* check =
+        command->add_option("--check", request->checked, "Section as raw bytes: would the firmware take it?");
+    check->excludes(calibration)->excludes(output);
+    command->callback([request, calibration, check] {
+        if (!*calibration && !*check) {
+            throw CLI::RequiredError("--parameters FILE.toml with --output FILE.bin, or --check FILE.bin,");
+        }
+        if (*check) {
+            check_section(request->checked);
+        } else {
+            write_section(*request);
+        }
+    });
+}
+
+}  // namespace sil

@@ -1,0 +1,77 @@
+"""What binutils say of an image."""
+
+import bisect
+import re
+import subprocess
+
+PREFIX = "arm-none-eabi-"
+
+
+def run(tool, *arguments, stdin=None):
+    return subprocess.run(
+        [PREFIX + tool, *map(str, arguments)], input=stdin, check=True, capture_output=True, text=True
+    ).stdout
+
+
+def call_graphs(archive, folder):
+    """Texts of the call graphs (.ci in `folder`) of the objects that are in the archive, not of what was there once."""
+    members = run("ar", "t", archive).split()
+    graphs = {path.name: path for path in folder.rglob("*.ci")}
+    return [graphs[member.removesuffix(".obj") + ".ci"].read_text() for member in members]
+
+
+def demangled(names):
+    return run("c++filt", "--no-params", stdin="\n".join(names)).split("\n") if names else []
+
+
+_INSTRUCTION = re.compile(r"^ *([0-9a-f]+):\t((?:[0-9a-f]{4,8} ?)+)\s*\t(\S+)(?:\t(.*))?$")
+
+
+def instructions(path):
+    """Mnemonic and length in bytes of every instruction by its address."""
+    mnemonics, lengths = {}, {}
+    for line in run("objdump", "--disassemble", path).splitlines():
+        match = _INSTRUCTION.match(line)
+        if match and not match[3].startswith("."):
+            address = int(match[1], 16)
+            mnemonics[address] = match[3]
+            lengths[address] = len(match[2].replace(" ", "")) // 2
+    return mnemonics, lengths
+
+
+def functions(path):
+    """Address of every function by its symbol."""
+    found = {}
+    for line in run("nm", "--defined-only", path).splitlines():
+        address, kind, name = line.split(maxsplit=2)
+        if kind in "TtWw" and not name.startswith("$"):
+            found[name] = int(address, 16) & ~1
+    return found
+
+
+def function_of_addresses(symbols, addresses):
+    """Start of the function in which each address lies."""
+    starts = sorted(set(symbols.values()))
+    return {a: starts[max(bisect.bisect_right(starts, a) - 1, 0)] for a in addresses}
+
+
+def plain_name(name):
+    """Without arguments, template arguments of functions and anonymous namespaces."""
+    return name.replace("(anonymous namespace)::", "").split("(", 1)[0].split(" [clone", 1)[0]
+
+
+def inline_frames(path, addresses):
+    """For every address the functions that it is in, the innermost first: those inlined and the one around them."""
+    text = "\n".join(f"{address:#x}" for address in addresses)
+    address, frames, is_name = None, [], True
+    for line in run("addr2line", "-a", "-i", "-f", "-C", "-e", path, stdin=text).splitlines():
+        if line.startswith("0x"):
+            if address is not None:
+                yield address, frames
+            address, frames, is_name = int(line, 16), [], True
+            continue
+        if is_name:
+            frames.append(plain_name(line))
+        is_name = not is_name
+    if address is not None:
+        yield address, frames

@@ -1,0 +1,142 @@
+"""The Cortex-R5F's image under QEMU by itself: its pace, and what it makes of wrong parameter sections.
+
+Needs no CAN interface: what the emulated controller sends is taken from QEMU's trace."""
+
+import contextlib
+import os
+import pathlib
+import re
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+import zlib
+
+import processor
+import programs
+
+BUILT = programs.PROJECT / "build/cortex-r5f/firmware/images/zynqmp_r5"
+IMAGE = BUILT / "rsi-ecu-r5f-emulator.elf"
+SUPERVISOR = BUILT / "release-r5.elf"
+TRACED = re.compile(r"ID: 0x0*([0-9a-f]+) DLC: 0x\w+ DATA:((?: 0x\w\w)+)")
+LONGEST_S = 60.0
+
+
+def sealed(section):
+    """With the checksum that belongs to what is in it."""
+    return section[:-4] + struct.pack("<I", zlib.crc32(section[:-4]))
+
+
+def changed(section, at, new):
+    return section[:at] + new + section[at + len(new):]
+
+
+class OffLine(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="rsi_system_")))
+        section = cls.folder / "section.bin"
+        finished = programs.run("rsi-sil", "parameters", "--parameters", programs.CALIBRATION, "--output", section)
+        if finished.returncode != 0:
+            raise AssertionError(finished.stderr)
+        cls.good = section.read_bytes()
+
+    @contextlib.contextmanager
+    def running(self, section):
+        """The emulator with this section in the image; gives the function that reads what was sent so far."""
+        (self.folder / "section.bin").write_bytes(section)
+        image = self.folder / "image.elf"
+        subprocess.run(
+            ["arm-none-eabi-objcopy", "--update-section", f".parameters={self.folder}/section.bin", IMAGE, image],
+            check=True,
+        )
+        trace = self.folder / "trace"
+        trace.write_text("", encoding="ascii")
+        command = ["qemu-system-aarch64", "-M", "xlnx-zcu102", "-smp", "6", "-m", "128", "-nodefaults", "-display", "none",
+                   "-serial", "none", "-monitor", "none", "-object", "can-bus,id=bus", "-machine", "canbus0=bus",
+                   "-device", f"loader,file={image}", "-device", f"loader,file={SUPERVISOR},cpu-num=0",
+                   "-trace", "xlnx_can_tx_data", "-D", str(trace)]
+        with open(self.folder / "messages", "w", encoding="ascii") as messages:
+            emulator = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=messages, stderr=messages,
+                                        env=dict(os.environ, QEMU_AUDIO_DRV="none"))
+
+        def sent():
+            if emulator.poll() is not None:
+                self.fail("the emulator ended: " + (self.folder / "messages").read_text(encoding="ascii"))
+            frames = TRACED.findall(trace.read_text(encoding="ascii"))
+            return [(name.upper().zfill(3), data.replace(" 0x", "").upper()) for name, data in frames]
+
+        try:
+            yield sent
+        finally:
+            emulator.kill()
+            emulator.wait()
+
+    def wait_for_cycles(self, sent, count):
+        """The status frames, as soon as there are `count`."""
+        deadline = time.monotonic() + LONGEST_S
+        while time.monotonic() < deadline:
+            statuses = [data for identifier, data in sent() if identifier == processor.STATUS_IDENTIFIER]
+            if len(statuses) >= count:
+                return statuses
+            time.sleep(0.005)
+        self.fail("the image sends too little: " + (self.folder / "messages").read_text(encoding="ascii"))
+
+    def test_a_hundred_cycles_a_second(self):
+        # A window in which the machine was busy says nothing about the pace; but in each, a cycle is kept or counted.
+        with self.running(self.good) as sent:
+            statuses = self.wait_for_cycles(sent, 50)  # slow at first: the emulator translates the code
+            for _ in range(6):
+                before, begin = statuses, time.monotonic()
+                statuses = self.wait_for_cycles(sent, len(before) + 150)
+                elapsed = (time.monotonic() - begin) / processor.CYCLE_S
+                cycles = len(statuses) - len(before)
+                if processor.cycle_overruns_of(statuses[-1]) == 255:
+                    self.fail("the machine is too busy: 255 cycles were missed; try again when it is not")
+                missed = processor.cycle_overruns_of(statuses[-1]) - processor.cycle_overruns_of(before[-1])
+                print(f"{cycles} cycles kept, {missed} missed, in {elapsed:.1f} periods")
+                self.assertAlmostEqual(cycles + missed, elapsed, delta=8.0)
+                if missed <= 0.02 * cycles:
+                    return
+        self.fail("no window of 150 cycles was free of missed ones")
+
+    def first_frames(self, section):
+        """The last frame of each identifier after three cycles."""
+        with self.running(section) as sent:
+            self.wait_for_cycles(sent, 3)
+            return dict(sent())
+
+    def check(self, section, refusal):
+        frames = self.first_frames(section)
+        warning = bytes.fromhex(frames[programs.WARNING_IDENTIFIER])
+        status = int.from_bytes(bytes.fromhex(frames[processor.STATUS_IDENTIFIER]), "little")
+        self.assertEqual(warning[2] & 0x7, 0, "unavailable")
+        self.assertEqual(warning[2] >> 5, refusal, "RolloverWarning.ParametersRefusal")
+        self.assertEqual(warning[3:], bytes.fromhex("FF0F000280"), "nothing is said but that nothing is known")
+        self.assertEqual(status >> 30 & 1, int(refusal != 0), "RolloverStatus.ParametersInvalid")
+
+    def test_the_right_one_is_taken(self):
+        self.check(self.good, 0)
+
+    def test_erased_memory(self):
+        self.check(b"\xff" * len(self.good), 1)
+
+    def test_another_version_of_the_format(self):
+        self.check(sealed(changed(self.good, 4, b"\x02")), 2)
+
+    def test_a_section_of_another_set_of_parameters(self):
+        self.check(sealed(changed(self.good, 8, b"\x00\x00\x00\x00")), 3)
+
+    def test_a_wrong_length(self):
+        self.check(sealed(changed(self.good, 12, struct.pack("<I", len(self.good) + 4))), 4)
+
+    def test_one_wrong_bit(self):
+        self.check(changed(self.good, 100, bytes([self.good[100] ^ 1])), 5)
+
+    def test_a_value_out_of_its_range(self):
+        self.check(sealed(changed(self.good, 64, struct.pack("<f", -2060.0))), 6)
+
+
+if __name__ == "__main__":
+    unittest.main()
