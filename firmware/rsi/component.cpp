@@ -129,11 +129,12 @@ Validation Component::init(const Parameters& parameters) {
 // An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.
 void Component::warn(const Measurement& measured, bool overturned, Outputs& outputs) {
     outputs.warning_level = indicator_level(outputs, parameters_);
+    RiskLevel risk{outputs.warning_level, indicator_side(outputs, parameters_, measured.roll_angle_rad)};
     if (overturned) {
-        warning_.update(RiskLevel{parameters_.warning_on, (measured.roll_angle_rad < 0.0F) ? -1.0F : 1.0F});
-    } else if (is_finite(outputs.warning_level)) {
-        warning_.update(
-            RiskLevel{outputs.warning_level, indicator_side(outputs, parameters_, measured.roll_angle_rad)});
+        risk = RiskLevel{parameters_.warning_on, measured.roll_angle_rad};
+    }
+    if (is_finite(risk.indicator)) {
+        warning_.update(risk);
     } else {
         warning_.update_unavailable();
     }

@@ -17,13 +17,14 @@ class Component {
  public:
     // Starts anew with these parameters (copied). When they are refused, the answer names the field, and
     // every step says "unavailable" until an init succeeds.
-    Validation init(const Parameters& parameters);
+    [[gnu::cold]] Validation init(const Parameters& parameters);
 
     // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
     void step(const Inputs& inputs, Outputs& outputs);
 
  private:
-    void step_unavailable(Outputs& outputs);
+    // Rare, so not to be made part of step() as all the rest is.
+    [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
     void warn(const Measurement& measured, bool overturned, Outputs& outputs);
 

@@ -96,6 +96,6 @@ inline constexpr std::array<SelectionField, 2> selection_fields{{
 }};
 
 // Accepts, or names the first field that is refused and why.
-Validation validate(const Parameters& parameters);
+[[gnu::cold]] Validation validate(const Parameters& parameters);
 
 }  // namespace rsi

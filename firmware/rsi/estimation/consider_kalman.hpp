@@ -15,8 +15,8 @@ namespace rsi {
 // independent ones.
 class ConsiderKalman {
  public:
-    void init(const Parameters& parameters);
-    void reset();
+    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold, gnu::noinline]] void reset();
 
     // Forgets the signals, not what has been learnt: for a gap in the measurements.
     void restart() {

@@ -27,8 +27,8 @@ struct Covariance {
 // P(0), because the normalisation n_s = 1 + psi^T P psi depends on the units.
 class RobustLeastSquares {
  public:
-    void init(const Parameters& parameters);
-    void reset();
+    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold, gnu::noinline]] void reset();
 
     // One sample. A step that would leave anything not finite resets the estimator instead.
     void update(const Regression& regression);

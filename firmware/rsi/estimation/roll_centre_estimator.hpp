@@ -9,8 +9,8 @@ namespace rsi {
 // A further estimator is a further member and a further case; what goes in and what comes out stays the same.
 class RollCentreEstimator {
  public:
-    void init(const Parameters& parameters);
-    void reset();
+    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold, gnu::noinline]] void reset();
 
     // For a gap in the measurements: what has been learnt stays.
     void restart() { consider_kalman_.restart(); }

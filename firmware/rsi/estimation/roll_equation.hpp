@@ -25,7 +25,7 @@ struct RollEquation {
 // same sample, so both sides belong to the same instant.
 class FilteredRollEquation {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // The next measurement starts the lags anew.
     void restart() { samples_ = 0; }

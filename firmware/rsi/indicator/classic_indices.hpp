@@ -19,7 +19,7 @@ struct ClassicIndexValues {
 
 class ClassicIndices {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // The indices without a derivative take the measurement as it is, those with phi'' take the motion, whose
     // signals all have the same delay.

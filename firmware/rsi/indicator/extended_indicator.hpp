@@ -12,7 +12,7 @@ namespace rsi {
 // less than one part in a hundred, enters.
 class ExtendedIndicator {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // 0 to 20; T_dyn is taken to be at least 0.001 + 0.05 |A/N|.
     float level(float parallel_force_mps2, float normal_force_mps2, float tan_roll_angle,

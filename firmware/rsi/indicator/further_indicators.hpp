@@ -13,7 +13,7 @@ namespace rsi {
 
 class FurtherIndicators {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // Start, or start again after a gap: the signals are taken to have been where they are.
     void reset(const Measurement& measured) {

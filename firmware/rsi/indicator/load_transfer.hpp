@@ -16,7 +16,7 @@ namespace rsi {
 // The first is as good as K, the second as good as h; the weighted mean of both errs less than either.
 class LoadTransfer {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // What springs, stops, bars and dampers hold: M(phi) + c_f phi'. `roll_angle_rad` within 0.5 rad.
     float suspension_moment_nm(float roll_angle_rad, float roll_rate_radps) const {

@@ -15,8 +15,8 @@ namespace rsi {
 // holds the errors of K and h as well. Independent of the estimator in use.
 class MomentArmError {
  public:
-    void init(const Parameters& parameters);
-    void reset();
+    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold, gnu::noinline]] void reset();
 
     // One sample; `suspension_moment_nm` is M(phi) + c_f phi' of the same motion, `load_transfer_ratio` that
     // of the sample before. Learns only from a `measured_angle`: the observer's comes from the calibrated

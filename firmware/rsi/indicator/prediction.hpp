@@ -25,7 +25,7 @@ struct Prediction {
 // what the motion changes in alpha A + M(phi) + c_f phi'.
 class RollPredictor {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // `moment_arm_error`: e of MomentArmError.
     Prediction evaluate(const RollMotion& motion, const DemandedForce& demand,

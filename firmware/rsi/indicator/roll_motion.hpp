@@ -29,7 +29,7 @@ struct RollMotion {
 
 class RollMotionFilter {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // The signals start where they are; the derivatives at zero.
     void reset(const Measurement& measured);

@@ -17,7 +17,7 @@ struct StabilityThreshold {
 // e = -s tan b. The side is that of A, not of a_y: on a bank they can differ.
 class StabilityThresholdStage {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
     StabilityThreshold evaluate(const Measurement& measured, float vertical_movement_m,
                                 float lateral_movement_m) const;
 

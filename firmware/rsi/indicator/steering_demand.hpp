@@ -15,7 +15,7 @@ struct DemandedForce {
 // a_d = V^2 delta / (L + K_us V^2) plus what the bank adds to A, within what the tyres can give.
 class SteeringDemand {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
     DemandedForce evaluate(const Inputs& inputs, const Measurement& measured) const;
 
  private:

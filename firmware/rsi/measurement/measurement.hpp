@@ -38,7 +38,7 @@ struct BodyForces {
 
 class MeasurementStage {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
     void reset();
 
     // True and a measurement when lateral force and roll rate are available and in range, and the roll angle

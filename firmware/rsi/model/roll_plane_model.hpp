@@ -11,7 +11,7 @@ namespace rsi {
 // Constant after init; the states that it moves are the callers'.
 class RollPlaneModel {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     float moment_arm_m() const { return moment_arm_m_; }  // H
     float sprung_mass_kg() const { return sprung_mass_kg_; }

@@ -43,6 +43,6 @@ struct ObserverNoise {
 };
 
 // Iterates the filter's covariance from its start for a bounded number of steps (20 s of driving straight).
-ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise& noise);
+[[gnu::cold]] ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise& noise);
 
 }  // namespace rsi

@@ -21,7 +21,7 @@ namespace rsi {
 // nothing and the gyro alone moves phi.
 class RollBankObserver {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // Forgets everything; the next update starts anew.
     void reset() { running_ = false; }
@@ -51,7 +51,7 @@ class RollBankObserver {
     static constexpr float largest_tipped_variance_rad2 = 0.175F * 0.175F;  // 10 deg
     static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
 
-    void start(float lateral_force_mps2, float roll_rate_radps);
+    [[gnu::cold, gnu::noinline]] void start(float lateral_force_mps2, float roll_rate_radps);
     void predict(float lateral_force_mps2, float vertical_movement_m);
     bool tips(float lateral_force_mps2, float roll_acceleration_radps2) const;
     void correct_by_roll_rate(float roll_rate_radps);

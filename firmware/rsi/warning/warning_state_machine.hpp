@@ -16,7 +16,7 @@ struct RiskLevel {
 
 class WarningStateMachine {
  public:
-    void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters);
 
     // A sample without a statement: "unavailable" at once.
     void update_unavailable();
