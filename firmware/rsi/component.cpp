@@ -1,5 +1,7 @@
 #include "rsi/component.hpp"
 
+#include <new>
+
 #include "rsi/indicator/indicator_level.hpp"
 #include "rsi/model/roll_centre.hpp"
 
@@ -65,7 +67,7 @@ void write_estimate(const RollCentreEstimate& estimate, Outputs& outputs) {
 
 Validation Component::init(const Parameters& parameters) {
     const Validation answer = validate(parameters);
-    *this = Component{};
+    ::new (static_cast<void*>(this)) Component{};  // in place: a copy would need its size again on the stack
     initialised_ = (answer.accepted != 0);
     if (initialised_) {
         parameters_ = parameters;

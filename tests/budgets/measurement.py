@@ -198,7 +198,7 @@ class Measurement:
             self.image_size = image_size.of_image(self._folder / self._facts["image"])
             application = self._folder / "firmware/CMakeFiles/application.dir"
             self.application_indirect_callers = call_graph.CallGraph(
-                binary_tools.call_graphs(self._folder / "firmware/libapplication.a", application)
+                binary_tools.call_graphs(self._folder / "firmware/librsi_application.a", application)
             ).indirect_callers()
 
     def _contents(self):
