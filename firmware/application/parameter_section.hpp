@@ -23,14 +23,14 @@
 
 namespace application {
 
-// What is wrong with the parameters that the ECU was started with. The first one that applies, in the order
-// in which they are checked; sent as ParametersRefusal.
+// What is wrong with the parameters that the ECU was started with, the first that is found; sent as
+// ParametersRefusal.
 enum class ParametersRefusal : std::uint8_t {
     none = 0,
     missing = 1,   // not yet started, or no parameter section: the magic is not there (erased memory)
     version = 2,   // of another format
     layout = 3,    // written for another set of parameters, by another version of the tools
-    length = 4,    // memory or section too short or too long
+    length = 4,    // too little memory for a section, or a section of another length
     checksum = 5,  // CRC-32
     value = 6,     // outside its range, or in contradiction to another; the answer names it
 };

@@ -1,5 +1,5 @@
-// CAN controller of the Zynq UltraScale+ MPSoC, classic frames, polled. No call waits for longer than a few
-// hundred register accesses.
+// CAN controller of the Zynq UltraScale+ MPSoC, classic frames, polled. No call waits for longer than
+// about twice most_can_polls register accesses.
 #pragma once
 
 #include <array>
