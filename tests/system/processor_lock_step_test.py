@@ -8,8 +8,8 @@ import processor
 import programs
 
 LOGS = programs.PROJECT / "tests/regression/logs"
-# All six take minutes where an emulator runs within an emulator; off-line, tests/targets has all of them.
-MANOEUVRES = ("j-turn-110", "j-turn-110-noise", "j-turn-45")
+# All take minutes where an emulator runs within an emulator; off-line, tests/targets has all of them.
+MANOEUVRES = ("j-turn-110-noise",)
 if os.environ.get("RSI_ALL_MANOEUVRES"):
     MANOEUVRES = tuple(log.name.removesuffix(".sensors.log") for log in sorted(LOGS.glob("*.sensors.log")))
 
