@@ -31,8 +31,10 @@ static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::none) == RSI_SIDE
 static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::left) == RSI_SIDE_LEFT);
 static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::right) == RSI_SIDE_RIGHT);
 
-constexpr bool is_sent_as(ParametersRefusal refusal, can_dbc::RolloverWarning::ParametersRefusal sent) {
-    return static_cast<int>(refusal) == static_cast<int>(sent);
+// The numbers of an enumeration are those of the DBC.
+template <typename Enumeration, typename Sent>
+constexpr bool is_sent_as(Enumeration value, Sent sent) {
+    return static_cast<int>(value) == static_cast<int>(sent);
 }
 static_assert(is_sent_as(ParametersRefusal::none, can_dbc::RolloverWarning::ParametersRefusal::none));
 static_assert(is_sent_as(ParametersRefusal::missing, can_dbc::RolloverWarning::ParametersRefusal::missing));
@@ -87,9 +89,6 @@ can_dbc::RollObserver observer_message(const rsi::Outputs& outputs, hal::ResetRe
     return message;
 }
 
-constexpr bool is_sent_as(hal::ResetReason reason, can_dbc::RollObserver::ResetReason sent) {
-    return static_cast<int>(reason) == static_cast<int>(sent);
-}
 static_assert(is_sent_as(hal::ResetReason::power_on, can_dbc::RollObserver::ResetReason::power_on));
 static_assert(is_sent_as(hal::ResetReason::outside, can_dbc::RollObserver::ResetReason::outside));
 static_assert(is_sent_as(hal::ResetReason::undefined_instruction,
