@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "hal/interface/clock.hpp"
 #include "hal/zynqmp_r5/can_frame_layout.hpp"
 #include "hal/zynqmp_r5/emulator/supervisor.hpp"
 #include "hal/zynqmp_r5/system_reset.hpp"
@@ -21,7 +22,8 @@ struct SiliconPolicy {
     using Watchdog = SystemWatchdog<Registers, 100'000'000U, 50U>;  // LPD_LSBUS_CLK; five cycles
     template <typename Registers>
     using Reset = SystemReset<Registers>;
-    static void between_polls() noexcept {}
+    // Called between two looks for something to do; `spare` is the time in which nothing is due.
+    static void wait(Time spare) noexcept { static_cast<void>(spare); }
 };
 
 struct EmulatorPolicy {
@@ -33,10 +35,11 @@ struct EmulatorPolicy {
     using Watchdog = emulator::SupervisorWatchdog<Registers, 2000U>;
     template <typename Registers>
     using Reset = emulator::SupervisorReset<Registers>;
-    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too: tens of
-    // microseconds between two leave it the chance, hundreds where the emulator is itself emulated.
-    static void between_polls() noexcept {
-        for (std::uint32_t pause = 0U; pause < 10'000U; ++pause) {
+    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too. So the looks
+    // come rarely at first and then more often: the loop takes microseconds of each spare millisecond, half
+    // of it where the emulator is itself emulated.
+    static void wait(Time spare) noexcept {
+        for (auto pause = static_cast<std::uint32_t>(spare.nanoseconds / 1024); pause > 0U; --pause) {
             asm volatile("nop");
         }
     }

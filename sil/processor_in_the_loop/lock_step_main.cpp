@@ -37,7 +37,7 @@ class LockStepImage {
                 }
                 ecu_->step(0U);
             }
-            image::Policy::between_polls();
+            image::Policy::wait(image::cycle_time);
         }
     }
 

@@ -61,7 +61,7 @@ class EcuImage {
             if (tick.is_due(missed)) {
                 ecu_.step(missed);
             }
-            Policy::between_polls();
+            Policy::wait(tick.spare());
         }
     }
 
