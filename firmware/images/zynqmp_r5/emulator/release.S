@@ -4,7 +4,7 @@
  *
  * A word in memory (RSI_SUPERVISOR_COUNTDOWN) counts down every RSI_SUPERVISOR_PERIOD_MS while it is not zero, and the
  * machine is reset when it comes to zero. (Every millisecond would cost the emulator too much.) hal/zynqmp_r5/emulator/supervisor.hpp is the R5's side. */
-#include "hal/zynqmp_r5/memory_map.h"
+#include "hal/zynqmp_r5/emulator/supervisor_words.h"
 
     .equ psci_cpu_on, 0xC4000003
     .equ psci_system_reset, 0x84000009
