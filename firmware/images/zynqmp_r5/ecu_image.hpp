@@ -51,7 +51,7 @@ class EcuImage {
         ecu_.set_reset_reason(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
         clock_.start();
         watchdog_.start();
-        // A controller that does not respond is tried again in every cycle; the watchdog would not help it.
+        // A controller that does not respond is tried again by receive(); the watchdog would not help it.
         static_cast<void>(controller_.open(settings));
         const ParameterMemory parameters = parameter_memory();
         static_cast<void>(ecu_.init(parameters.bytes, parameters.length));
