@@ -106,6 +106,9 @@ class Faults(unittest.TestCase):
     def test_a_stack_overflow_ends_in_the_guard(self):
         self.check_exception(6, reason=6)
 
+    def test_a_call_of_a_null_pointer_is_a_start_without_reset(self):
+        self.check_exception(8, reason=8)
+
     def test_a_hang_is_ended_by_the_watchdog(self):
         # The processor can say nothing any more: silence, which a receiver takes for "unavailable", then the reset.
         last, _, first, reason = self.provoke(7, self.wait_for_warning())

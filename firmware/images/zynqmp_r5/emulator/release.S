@@ -48,10 +48,13 @@ wait:
     tbz x2, #2, wait                    // not yet
     msr cntv_tval_el0, x21
     isb
-    ldr w2, [x20]
+    /* Exclusively: the R5 feeds it or asks for a reset at any time, and neither may be overwritten. */
+count_down:
+    ldxr w2, [x20]
     cbz w2, wait
     sub w2, w2, #1
-    str w2, [x20]
+    stxr w3, w2, [x20]
+    cbnz w3, count_down
     cbnz w2, wait
 
     ldr x0, =psci_system_reset
