@@ -1,5 +1,5 @@
-// What a data abort was, from the registers that describe it (Arm Cortex-R5 TRM, DDI 0460, data fault status and
-// address register).
+// What a data abort was, from the registers that describe it (Arm Cortex-R5 TRM, DDI 0460, data fault status
+// and address register).
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace hal::zynqmp_r5 {
 
-// Bits 10 and 3 to 0 of DFSR. The other kinds (an asynchronous external abort, 0x406, or parity error, 0x408, and debug
-// events) come late, and leave in DFAR whatever was there.
+// Bits 10 and 3 to 0 of DFSR. The other kinds (an asynchronous external abort, 0x406, or parity error, 0x408,
+// and debug events) come late, and leave in DFAR whatever was there.
 enum class DataFault : std::uint32_t {
     background = 0x000,  // the memory protection unit: no region
     alignment = 0x001,

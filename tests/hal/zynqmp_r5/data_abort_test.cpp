@@ -10,7 +10,8 @@ constexpr std::uint32_t in_guard = RSI_MAIN_STACK_BOTTOM - 4U;
 constexpr std::uint32_t write_bit = 1U << 11U;  // DFSR: the access was a write
 
 constexpr std::uint32_t synchronous[]{0x000U, 0x001U, 0x008U, 0x00DU, 0x409U};
-constexpr std::uint32_t without_address[]{0x406U, 0x408U, 0x002U};  // external, parity (both late), debug event
+constexpr std::uint32_t without_address[]{0x406U, 0x408U,
+                                          0x002U};  // external, parity (both late), debug event
 
 TEST(DataAbort, ASynchronousOneHasItsAddress) {
     for (const std::uint32_t status : synchronous) {
@@ -28,8 +29,8 @@ TEST(DataAbort, InAGuardItIsAStackOverflow) {
         EXPECT_EQ(describe_data_abort(write_bit, address).reason, ResetReason::stack_overflow) << address;
     }
     for (const std::uint32_t address :
-         {RSI_STACKS_START - 1U, RSI_FAULT_STACK_BOTTOM + 0U, RSI_FAULT_STACK_TOP - 1U, RSI_MAIN_STACK_BOTTOM + 0U,
-          RSI_MAIN_STACK_TOP - 1U, RSI_STACKS_START + RSI_STACKS_SIZE + 0U}) {
+         {RSI_STACKS_START - 1U, RSI_FAULT_STACK_BOTTOM + 0U, RSI_FAULT_STACK_TOP - 1U,
+          RSI_MAIN_STACK_BOTTOM + 0U, RSI_MAIN_STACK_TOP - 1U, RSI_STACKS_START + RSI_STACKS_SIZE + 0U}) {
         EXPECT_EQ(describe_data_abort(write_bit, address).reason, ResetReason::data_abort) << address;
     }
 }
