@@ -101,6 +101,8 @@ static_assert(is_sent_as(hal::ResetReason::data_abort, can_dbc::RollObserver::Re
 static_assert(is_sent_as(hal::ResetReason::stack_overflow,
                          can_dbc::RollObserver::ResetReason::stack_overflow));
 static_assert(is_sent_as(hal::ResetReason::interrupt, can_dbc::RollObserver::ResetReason::interrupt));
+static_assert(is_sent_as(hal::ResetReason::start_without_reset,
+                         can_dbc::RollObserver::ResetReason::start_without_reset));
 
 can_dbc::RolloverStatus status_message(const Health& health) {
     const ReceptionReport& reception = health.reception;

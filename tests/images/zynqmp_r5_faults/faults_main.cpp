@@ -19,8 +19,10 @@ enum class Provocation : std::uint8_t {
     execute_data = 5,           // prefetch abort: permission
     stack_overflow = 6,         // data abort in the guard of the stack
     hang = 7,                   // watchdog
+    call_null = 8,              // start without reset
 };
 
+void (*volatile null_function)() = nullptr;
 volatile std::uint32_t word = 0xE12F'FF1EU;  // bx lr, should it ever be executed
 
 [[gnu::noinline]] std::uint32_t descend(std::uint32_t depth) {
@@ -53,6 +55,9 @@ void provoke(Provocation provocation) {
             for (;;) {
                 word = word + 1U;
             }
+        case Provocation::call_null:
+            null_function();
+            break;
         default:
             break;
     }
@@ -60,7 +65,7 @@ void provoke(Provocation provocation) {
 
 class FaultyBus final : public hal::CanBus {
  public:
-    explicit FaultyBus(hal::CanBus& bus) noexcept : bus_{bus} {}
+    FaultyBus(hal::CanBus& bus, image::LastWarning& last) noexcept : bus_{bus, last} {}
 
     hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
         const hal::ReceiveResult result = bus_.receive(frame);
