@@ -39,8 +39,8 @@ NAMES = {
     "double": ("compute in float: many targets have hardware for float only", "double double_t"),
     "integer-type": ("say the width: std::int32_t, std::uint64_t", "short long signed wchar_t __int128"),
     "thread": ("one component is one thread's; state is its owner's", "thread_local thread mutex atomic"),
-    "volatile-layout": ("write bytes one by one", "offsetof"),
-    "ill-defined-name": ("C++ has a keyword or an operator for it", "NULL register"),
+    "offset": ("write bytes one by one", "offsetof"),
+    "obsolete": ("C++ has a keyword or an operator for it", "NULL register"),
     "variable-arguments": ("give the arguments types", "va_list va_start va_arg va_end"),
     "suppression": ("put it right, or enter it with its reason in tests/coding_rules/allowed.toml", "_Pragma"),
 }
