@@ -274,6 +274,8 @@ class CanController final : public CanBus {
             }
         } else if (!(now < on_again_)) {
             restart();
+        } else {
+            // Still waiting to come back.
         }
         return standing_ == Standing::on;
     }

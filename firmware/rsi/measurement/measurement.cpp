@@ -124,6 +124,8 @@ void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, fl
         check_.reset();
     } else if (!observer_.tipped()) {
         check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
+    } else {
+        // The observer's model ends where the vehicle tips: the check keeps what it has.
     }
     observed.sensor_disagrees = check_.disagrees();
     measurement.roll_source = sensor_available         ? RSI_ROLL_SENSOR
