@@ -270,11 +270,10 @@ class World {
         ++cycles_;
         missed_cycles_ = std::min<std::uint64_t>(missed_cycles_ + missed, 0xFFFFFFFFU);
         frames_.clear();
-        order_.clear();
         hal::CanFrame frame{};
         while (world().receive(frame) == hal::ReceiveResult::frame) {
-            require(frames_.emplace(frame.identifier, frame).second, "no frame is sent twice in a cycle");
-            order_.push_back(frame.identifier);
+            require(find(frame.identifier) == nullptr, "no frame is sent twice in a cycle");
+            frames_.push_back(frame);
         }
         const bool can_send =
             bus_state_ == hal::BusState::error_active || bus_state_ == hal::BusState::error_passive;
@@ -294,8 +293,8 @@ class World {
         judged<can_dbc::RollIndicesClassic>();
         judged<can_dbc::RollObserver>();
         const RolloverStatus status = judged<RolloverStatus>();
-        require(order_.front() == RolloverWarning::identifier, "the warning is sent first");
-        require(order_.back() == RolloverStatus::identifier, "the status is sent last");
+        require(frames_.front().identifier == RolloverWarning::identifier, "the warning is sent first");
+        require(frames_.back().identifier == RolloverStatus::identifier, "the status is sent last");
 
         using State = RolloverWarning::State;
         state_ = warning.state;
@@ -322,12 +321,22 @@ class World {
         frames_lost_ = status.frames_lost;
     }
 
+    // The frame with this identifier that the last cycle sent, if there is one.
+    const hal::CanFrame* find(std::uint32_t identifier) const {
+        for (const hal::CanFrame& frame : frames_) {
+            if (frame.identifier == identifier) {
+                return &frame;
+            }
+        }
+        return nullptr;
+    }
+
     // The message, after its frame was found to be whole.
     template <typename Message>
     Message judged() {
-        const auto found = frames_.find(Message::identifier);
-        require(found != frames_.end(), "every frame is sent in every cycle");
-        const hal::CanFrame& frame = found->second;
+        const hal::CanFrame* const found = find(Message::identifier);
+        require(found != nullptr, "every frame is sent in every cycle");
+        const hal::CanFrame& frame = *found;
         require(!frame.extended && !frame.flexible_data_rate && frame.length == Message::length,
                 "a frame has its format");
         require(testing_application::is_profile_11(frame, Message::e2e_data_id), "a frame is protected");
@@ -370,8 +379,7 @@ class World {
     bool accepted_{false};
     int cycles_{0};
     std::uint64_t missed_cycles_{0U};
-    std::map<std::uint32_t, hal::CanFrame> frames_{};  // of the last cycle
-    std::vector<std::uint32_t> order_{};
+    std::vector<hal::CanFrame> frames_{};  // of the last cycle, in the order of sending
     std::map<std::uint32_t, unsigned> sent_counters_{};
     bool counters_known_{false};
     RolloverWarning::State state_{};

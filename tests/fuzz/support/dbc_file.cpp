@@ -58,6 +58,9 @@ class DbcReader {
         signal.offset = std::stod(found[7]);
         signal.minimum = std::stod(found[8]);
         signal.maximum = std::stod(found[9]);
+        for (unsigned index = 0U; index < signal.length; ++index) {
+            signal.places.push_back(place_of(signal, index));
+        }
         return signal;
     }
 
@@ -87,7 +90,7 @@ class DbcReader {
 std::int64_t DbcSignal::raw(const std::uint8_t* payload) const {
     std::uint64_t bits = 0U;
     for (unsigned index = 0U; index < length; ++index) {
-        const unsigned place = place_of(*this, index);
+        const unsigned place = places[index];
         const std::uint64_t bit = (payload[place / 8U] >> (place % 8U)) & 1U;
         bits |= bit << index;
     }
@@ -103,8 +106,8 @@ bool DbcSignal::admits(double value) const {
 
 std::uint64_t DbcSignal::mask() const {
     std::uint64_t bits = 0U;
-    for (unsigned index = 0U; index < length; ++index) {
-        bits |= std::uint64_t{1} << place_of(*this, index);
+    for (const unsigned place : places) {
+        bits |= std::uint64_t{1} << place;
     }
     return bits;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace fuzz {
 
@@ -23,6 +24,7 @@ struct DbcSignal {
     std::int64_t start_value{0};
     std::optional<std::int64_t> not_available{};
     std::set<std::int64_t> named{};  // every other code of the VAL_ line
+    std::vector<unsigned> places{};  // of its bits in the payload, from the least significant one on
 
     // The code in a payload that reaches to the signal's last byte.
     std::int64_t raw(const std::uint8_t* payload) const;
