@@ -20,8 +20,8 @@ namespace {
 using fuzz::ByteReader;
 using fuzz::require;
 
-// Enough for every hold and recovery time that a short input can ask for, and soon done.
-constexpr int most_steps = 600;
+// So many that an input is soon done; holds and recovery of a second are drawn to zero in half of them.
+constexpr int most_steps = 128;
 
 struct InputField {
     float rsi_inputs::* member;
@@ -90,7 +90,7 @@ int next_inputs(rsi_inputs& inputs, ByteReader& bytes) {
             }
             break;
         case 3U:
-            return 1 + static_cast<int>(bytes.below(64U));
+            return 1 + static_cast<int>(bytes.below(32U));
         default:
             set_scaled(inputs, field, bytes);
             break;
@@ -111,6 +111,9 @@ class Judge {
         require((outputs.roll_sensor_disagrees | outputs.estimate_frozen | 1) == 1, "a flag is 0 or 1");
         require((outputs.state >= RSI_STATE_ADVISORY) == (outputs.side != RSI_SIDE_NONE),
                 "a risk has a side, and nothing else has one");
+        if (outputs.state == RSI_STATE_UNAVAILABLE) {
+            steps_at_warning_level_ = 0;
+        }
         if (!possible_) {
             require(outputs.state == RSI_STATE_UNAVAILABLE, "unavailable without what is necessary");
             require(rsi_test::all_not_available(outputs), "no number without what is necessary");
@@ -168,7 +171,12 @@ class Judge {
                 "unavailable until the inputs were good for the recovery time");
         require(outputs.state == RSI_STATE_UNAVAILABLE || outputs.roll_source != RSI_ROLL_NONE,
                 "no statement without a roll angle");
-        if (outputs.state == RSI_STATE_UNAVAILABLE || !(outputs.warning_level >= parameters_.warning_on)) {
+        if (outputs.state == RSI_STATE_UNAVAILABLE) {
+            return;
+        }
+        require(outputs.state != RSI_STATE_READY || outputs.warning_level < parameters_.advisory_on,
+                "never ready at a level that asks for an advisory");
+        if (outputs.warning_level < parameters_.warning_on) {
             steps_at_warning_level_ = 0;
             return;
         }
@@ -176,8 +184,6 @@ class Judge {
         const int confirmation_steps = static_cast<int>(parameters_.warning_confirmation_s * 100.0F + 0.5F);
         require(steps_at_warning_level_ < confirmation_steps || outputs.state == RSI_STATE_WARNING,
                 "warned of a risk once it is confirmed");
-        require(outputs.state != RSI_STATE_READY || parameters_.advisory_on > outputs.warning_level,
-                "never ready at a level that asks for an advisory");
     }
 
     rsi_parameters parameters_;

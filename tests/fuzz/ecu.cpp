@@ -27,7 +27,7 @@ using fuzz::ByteReader;
 using fuzz::require;
 using testing_application::protect;
 
-constexpr int most_cycles = 250;
+constexpr int most_cycles = 64;
 constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
 constexpr hal::Time never = hal::Time::from_milliseconds(-1'000'000);
 
@@ -83,7 +83,7 @@ class World {
         while (!bytes_.empty() && cycles_ < most_cycles) {
             next_event();
         }
-        if (cycles_ % 8 == 7) {  // not always: it takes longer than all the rest
+        if (cycles_ % 32 == 31) {  // not always: it takes longer than all the rest
             recover();
         }
     }
@@ -148,10 +148,10 @@ class World {
                 cycle(static_cast<std::int64_t>(bytes_.below(64U)), 0U);
                 break;
             case 12U:
-                hold(bytes_.below(64U));
+                hold(bytes_.below(16U));
                 break;
             case 13U:
-                drive_on(bytes_.below(64U));
+                drive_on(bytes_.below(32U));
                 break;
             default:
                 cycle(10, 0U);
