@@ -19,10 +19,10 @@ struct EmulatorPolicy {
     template <typename Registers>
     using Reset = emulator::SupervisorReset<Registers>;
     // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too. So the looks
-    // come rarely at first and then more often: the loop takes microseconds of each spare millisecond, half
-    // of it where the emulator is itself emulated.
+    // come rarely at first and then more often: the loop takes hundredths of the spare time, a third of it
+    // where the emulator is itself emulated.
     static void wait(Time spare) noexcept {
-        for (auto pause = static_cast<std::uint32_t>(spare.nanoseconds / 1024); pause > 0U; --pause) {
+        for (auto pause = static_cast<std::uint32_t>(spare.nanoseconds / 64); pause > 0U; --pause) {
             asm volatile("nop");
         }
     }
