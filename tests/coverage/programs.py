@@ -5,7 +5,6 @@ import json
 import os
 import pathlib
 import subprocess
-import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = PROJECT / "build/coverage"
@@ -15,8 +14,9 @@ TIME_LIMIT_S = 300
 
 
 def build():
-    subprocess.run([PROJECT / "sil/environment/set_up", "--clang"], check=True)
-    subprocess.run([PROJECT / "sil/environment/build", "coverage", *PROGRAMS], check=True)
+    for command in (["set_up", "--clang"], ["build", "coverage", *PROGRAMS]):
+        if subprocess.run([PROJECT / "sil/environment" / command[0], *command[1:]]).returncode != 0:
+            raise SystemExit(f"coverage: sil/environment/{' '.join(command)} failed; the reason is above")
 
 
 def report_of(name):

@@ -98,7 +98,7 @@ class SourceFile:
         for line, count in sorted(self.lines.items()):
             row = self._rows[line - 1]
             if count == 0:
-                items.append(self._item("line", (line, len(row) - len(row.lstrip()) + 1), row.strip()))
+                items.append(self._item("line", (line, len(row)), row.strip()))
         for region, counts in sorted(self.branches.items()):
             items += [self._item(kind, region, self.text_of(region))
                       for kind, count in zip(("true", "false"), counts) if count == 0]
@@ -138,7 +138,7 @@ def _plain_names(mangled):
         name = name.split(":", 1)[1] if re.match(r"[\w./-]+\.[ch]pp:", name) else name  # of internal linkage: file first
         while (shorter := re.sub(r"<[^<>]*>", "", name)) != name:
             name = shorter
-        name = name.split(" ")[-1].replace("(anonymous namespace)::", "")
+        name = name.replace("(anonymous namespace)::", "").split(" ")[-1]
         names[symbol] = re.sub(r"^(rsi|application|can_dbc|section|e2e|::)*::", "", name)
     return names
 
@@ -167,7 +167,12 @@ def merge(reports, project, sources=SOURCES):
                 file.add_branches(entry["branches"])
     for report in reports:
         for entry in report["files"]:
-            file = file_of(entry["filename"])
-            if file:
+            if file := file_of(entry["filename"]):
                 file.add_decisions(entry["mcdc_records"])
     return [files[name] for name in sorted(files)]
+
+
+def left_out(files, project, sources=SOURCES):
+    """Sources that no program contains: nothing of them is counted at all."""
+    there = {str(path.relative_to(project)) for folder in sources for path in (project / folder).rglob("*.cpp")}
+    return sorted(there - {file.name for file in files})

@@ -164,6 +164,32 @@ TEST(ConsiderKalman, HoldsItsEstimateInHardBraking) {
     EXPECT_FALSE(drive.step(6.0, 0.0F, no_number).frozen);  // an unknown speed holds nothing
 }
 
+// An observed angle follows from the calibrated roll equation; a filter that learnt from it would confirm
+// itself.
+TEST(ConsiderKalman, HoldsItsEstimateWhileTheObserverStandsInForTheRollSensor) {
+    Drive drive({-0.05});
+    const RollCentreEstimate before = drive.turn_until(5.0);
+    RollCentreEstimate held;
+    for (int k = 0; k < 100; ++k) {
+        rsi::Measurement measured = drive.measure(6.0);
+        measured.roll_angle_rad *= 0.9F;
+        measured.roll_source = RSI_ROLL_OBSERVER;
+        held = drive.estimator().update(measured, 0.0F, speed_mps);
+        ASSERT_TRUE(held.frozen);
+    }
+    EXPECT_EQ(held.vertical_movement_m, before.vertical_movement_m);
+    EXPECT_FALSE(drive.step(6.0).frozen);
+}
+
+TEST(ConsiderKalman, TakesASpeedThatNoVehicleHasForUnknown) {
+    Drive drive({-0.05});
+    drive.turn_until(5.0);
+    for (const float speed : {-1.0F, 151.0F}) {
+        EXPECT_FALSE(drive.step(6.0, 0.0F, speed).frozen) << speed;
+        EXPECT_FALSE(drive.step(6.0).frozen);  // not compared with the one before
+    }
+}
+
 // At 1.4 of the deviations of the stiffness that it assumes.
 TEST(ConsiderKalman, KnowsHowFarAWrongStiffnessLeadsItAstray) {
     for (const double factor : {0.9, 1.1}) {

@@ -76,6 +76,20 @@ TEST(IndicatorLevel, OneThatIsNotAvailableHasNoLevel) {
     EXPECT_TRUE(std::isnan(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_PREDICTED_RSI))));
 }
 
+TEST(IndicatorLevel, ATimeToRolloverThatIsNotAvailableHasNoLevel) {
+    rsi_outputs outputs = all_different();
+    outputs.time_to_rollover_s = nan;
+    EXPECT_TRUE(std::isnan(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_TIME_TO_ROLLOVER))));
+}
+
+// Validation refuses such a selection; should one come through nevertheless, nothing is claimed.
+TEST(IndicatorLevel, OfASelectionThatDoesNotExistIsNotAvailable) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER + 1;
+    EXPECT_TRUE(std::isnan(rsi::indicator_level(all_different(), parameters)));
+    EXPECT_EQ(rsi::indicator_side(all_different(), parameters, -0.1F), 1.0F);
+}
+
 TEST(IndicatorLevel, StaysBetweenZeroAndTwenty) {
     rsi_outputs outputs = all_different();
     outputs.time_to_rollover_s = 0.0F;
