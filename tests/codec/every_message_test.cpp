@@ -85,8 +85,8 @@ TEST(EveryMessage, DecodedAndEncodedAgainSaysTheSame) {
     });
 }
 
-// What a receiver cannot use gives it no number: NaN, or what the signal starts with. (An enumeration may have an
-// enumerator for "not available".)
+// What a receiver cannot use gives it no number: NaN, or what the signal starts with. (An enumeration may
+// have an enumerator for "not available".)
 TEST(EveryMessage, GivesNoNumberForASignalThatIsNotValid) {
     std::mt19937 random{2U};
     for_every_message([&random](auto message) {
@@ -156,8 +156,8 @@ std::vector<std::string> names_of() {
 
 TEST(EveryEnumeration, HasTheNamesOfTheDbcFile) {
     using Names = std::vector<std::string>;
-    using can_dbc::RolloverWarning;
     using can_dbc::RollObserver;
+    using can_dbc::RolloverWarning;
     EXPECT_EQ((names_of<RolloverWarning, RolloverWarning::State>()),
               (Names{"unavailable", "ready", "advisory", "warning"}));
     EXPECT_EQ((names_of<RolloverWarning, RolloverWarning::Side>()), (Names{"none", "left", "right"}));

@@ -95,8 +95,8 @@ TEST(EnumerationSignal, KnowsItsOwnNotAvailableWhereItHasOne) {
             SignalStatus status{};
             can_dbc::read_enumeration(signal, &is_gear, payload.data(), read, status);
             EXPECT_EQ(read, gear);
-            EXPECT_EQ(status, has && gear == Gear::not_available ? SignalStatus::not_available
-                                                                 : SignalStatus::valid);
+            EXPECT_EQ(status,
+                      has && gear == Gear::not_available ? SignalStatus::not_available : SignalStatus::valid);
         }
     }
 }

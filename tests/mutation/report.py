@@ -10,9 +10,10 @@ END = "<!-- end of mutation -->\n"
 
 
 def draw(mutants, count, seed):
-    if count is None or count >= len(mutants):
-        return mutants
-    return sorted(random.Random(seed).sample(mutants, count), key=lambda mutant: mutant.id)
+    """A smaller sample of one seed is part of a larger one."""
+    shuffled = list(mutants)
+    random.Random(seed).shuffle(shuffled)
+    return sorted(shuffled[:count], key=lambda mutant: mutant.id)
 
 
 def only_compiled(mutant, record):

@@ -10,7 +10,7 @@ import time
 
 QUICK_MS = 30      # tests up to here go together into one process
 SLOW_MS = 600      # tests beyond are the last resort: hours of driving, millions of random frames
-MOST_SLOW = 1      # so many of them at most: they seldom see what the others do not
+MOST_SLOW = 2      # so many of them at most, those that are about the least: they seldom see what the others do not
 
 
 class Program:
@@ -47,6 +47,7 @@ class Record:
 
     def __init__(self, content):
         self.cost = {(program, test): ms for program, test, ms, _ in content}
+        self.breadth = {(program, test): len(executed) for program, test, _, executed in content}
         self.tests_of = {}
         for program, test, _, executed in content:
             for mutant in executed:
@@ -108,7 +109,7 @@ class Trial:
         rest.sort(key=lambda test: self._record.cost[test] / (1 + self._kills.get(test, 0)))
         yield from ((program, [test]) for program, test in rest)
         slow = [test for test in tests if self._record.cost[test] > SLOW_MS]
-        slow.sort(key=lambda test: self._record.cost[test] / (1 + self._kills.get(test, 0)))
+        slow.sort(key=lambda test: self._record.breadth[test])
         yield from ((program, [test]) for program, test in slow[:MOST_SLOW])
 
     def _try(self, mutant, running):

@@ -134,6 +134,25 @@ TEST(ConsiderKalman, GoesBackToTheNominalWithoutExcitation) {
     EXPECT_NEAR(wide(estimate.deviation_m), wide(parameters.roll_centre_prior_deviation_m), 1.0e-3);
 }
 
+// exp(-0.5 s / reversion time) is left after half a second without excitation and without rolling.
+TEST(ConsiderKalman, GoesBackInItsReversionTime) {
+    for (const float reversion_s : {0.5F, 2.0F}) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.roll_centre_reversion_s = reversion_s;
+        Drive drive({-0.05}, false, parameters);
+        drive.turn_until(5.0);
+        for (int k = 0; k < 200; ++k) {
+            drive.step(0.0);  // the body comes to rest
+        }
+        const float before = drive.step(0.0).vertical_movement_m;
+        float after = before;
+        for (int k = 0; k < 50; ++k) {
+            after = drive.step(0.0).vertical_movement_m;
+        }
+        EXPECT_NEAR(wide(after / before), std::exp(-0.5 / wide(reversion_s)), 0.03) << reversion_s;
+    }
+}
+
 TEST(ConsiderKalman, HoldsItsEstimateNearWheelLift) {
     const rsi_parameters parameters = rsi_test::large_suv();
     Drive drive({-0.05});
@@ -253,6 +272,7 @@ TEST(ConsiderKalman, StartsAnewAfterAMeasurementThatIsNoNumber) {
         rsi::Measurement measured = drive.measure(6.0);
         measured.road_parallel_force_mps2 = bad;
         const RollCentreEstimate estimate = drive.estimator().update(measured, 0.0F, speed_mps);
+        EXPECT_TRUE(estimate.frozen);
         EXPECT_TRUE(std::isfinite(estimate.vertical_movement_m));
         EXPECT_TRUE(std::isfinite(estimate.deviation_m));
         EXPECT_TRUE(std::isfinite(estimate.disturbance_nm));
