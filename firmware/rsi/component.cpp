@@ -135,11 +135,7 @@ void Component::warn(const Measurement& measured, bool overturned, Outputs& outp
     if (overturned) {
         risk = RiskLevel{parameters_.warning_on, measured.roll_angle_rad};
     }
-    if (is_finite(risk.indicator)) {
-        warning_.update(risk);
-    } else {
-        warning_.update_unavailable();
-    }
+    warning_.update(risk);
     outputs.state = warning_.state();
     outputs.side = warning_.side();
 }

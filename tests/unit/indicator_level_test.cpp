@@ -70,10 +70,42 @@ TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
     }
 }
 
+TEST(IndicatorLevel, IsTheSameOnTheOtherSide) {
+    const rsi_outputs left = all_different();
+    rsi_outputs right = left;
+    right.load_transfer_ratio = -left.load_transfer_ratio;
+    right.predicted_load_transfer_ratio = -left.predicted_load_transfer_ratio;
+    right.dynamic_stability_index = -left.dynamic_stability_index;
+    right.dynamic_stability_index_late = -left.dynamic_stability_index_late;
+    for (const rsi_indicator indicator :
+         {RSI_INDICATOR_LOAD_TRANSFER, RSI_INDICATOR_PREDICTED_LOAD_TRANSFER, RSI_INDICATOR_DYNAMIC_STABILITY,
+          RSI_INDICATOR_DYNAMIC_STABILITY_LATE}) {
+        const rsi_parameters parameters = driven_by(indicator);
+        EXPECT_EQ(rsi::indicator_level(right, parameters), rsi::indicator_level(left, parameters))
+            << indicator;
+        EXPECT_EQ(rsi::indicator_side(right, parameters, 0.0F), -rsi::indicator_side(left, parameters, 0.0F))
+            << indicator;
+    }
+}
+
 TEST(IndicatorLevel, OneThatIsNotAvailableHasNoLevel) {
     rsi_outputs outputs = all_different();
     outputs.predicted_rsi = nan;
     EXPECT_TRUE(std::isnan(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_PREDICTED_RSI))));
+}
+
+TEST(IndicatorLevel, ATimeToRolloverThatIsNotAvailableHasNoLevel) {
+    rsi_outputs outputs = all_different();
+    outputs.time_to_rollover_s = nan;
+    EXPECT_TRUE(std::isnan(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_TIME_TO_ROLLOVER))));
+}
+
+// Validation refuses such a selection; should one come through nevertheless, nothing is claimed.
+TEST(IndicatorLevel, OfASelectionThatDoesNotExistIsNotAvailable) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER + 1;
+    EXPECT_TRUE(std::isnan(rsi::indicator_level(all_different(), parameters)));
+    EXPECT_EQ(rsi::indicator_side(all_different(), parameters, -0.1F), 1.0F);
 }
 
 TEST(IndicatorLevel, StaysBetweenZeroAndTwenty) {

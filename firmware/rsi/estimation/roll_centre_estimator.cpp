@@ -16,14 +16,11 @@ void RollCentreEstimator::reset() {
 RollCentreEstimate RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
                                                const FixedModelRoll& fixed, float extended_rsi,
                                                float speed_mps) {
-    switch (in_use_) {
-        case RSI_ESTIMATOR_CONSIDER_KALMAN:
-            return consider_kalman_.update(measured, extended_rsi, speed_mps);
-        case RSI_ESTIMATOR_PUBLISHED:
-            published_.update(regress(model, measured, fixed));
-            return published_.estimate();
+    if (in_use_ == RSI_ESTIMATOR_PUBLISHED) {
+        published_.update(regress(model, measured, fixed));
+        return published_.estimate();
     }
-    return RollCentreEstimate{};
+    return consider_kalman_.update(measured, extended_rsi, speed_mps);
 }
 
 }  // namespace rsi
