@@ -166,7 +166,7 @@ TEST(EveryEnumeration, HasTheNamesOfTheDbcFile) {
     EXPECT_EQ((names_of<RollObserver, RollObserver::RollSource>()), (Names{"none", "sensor", "observer"}));
     EXPECT_EQ((names_of<RollObserver, RollObserver::ResetReason>()),
               (Names{"power on", "outside", "undefined instruction", "supervisor call", "prefetch abort",
-                     "data abort", "stack overflow", "interrupt"}));
+                     "data abort", "stack overflow", "interrupt", "start without reset"}));
 }
 
 }  // namespace
