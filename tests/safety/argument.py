@@ -12,10 +12,10 @@ KINDS = {
     "failure_mode": (
         "FM",
         {"direction", "signals", "mode", "effect", "detection", "reaction", "hazards"},
-        {"requirements", "assumptions"},
+        {"requirements", "assumptions", "codes", "awaited"},
     ),
 }
-LISTS = {"hazards", "goals", "code", "tests", "assumptions", "signals", "requirements"}
+LISTS = {"hazards", "goals", "code", "tests", "assumptions", "signals", "requirements", "codes"}
 IDENTIFIER = re.compile(r"\b(?:HZ|SG|SR|AS|FM)-\d+\b")
 
 

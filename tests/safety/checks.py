@@ -43,7 +43,9 @@ def signals(argument, evidence):
     for identifier, mode in argument.failure_modes.items():
         for pattern in mode["signals"]:
             found = evidence.matching_signals(pattern, mode["direction"])
-            if not found:
+            if found and mode.get("awaited"):
+                problems.append(f"{identifier} awaits {pattern}, which is there now; take `awaited` away")
+            if not found and not mode.get("awaited"):
                 problems.append(f"{identifier} is about {pattern}, of which nothing is {mode['direction']} by the ECU")
             # What is said of a whole frame is not yet said of each of its signals.
             if "*" not in pattern.split(".")[-1]:
@@ -52,6 +54,18 @@ def signals(argument, evidence):
         if signal not in covered:
             problems.append(f"the signal {signal}, {direction} by the ECU, has no failure mode in failure_modes.toml")
     return problems
+
+
+def codes(argument, evidence):
+    """Each diagnostic code answers a failure mode, and each that is named can be sent; silent while none can be sent."""
+    if not evidence.codes:
+        return []
+    named = {code: identifier for identifier, mode in argument.failure_modes.items() for code in mode["codes"]}
+    return [f"the diagnostic code '{code}' is in no failure mode" for code in evidence.codes if code not in named] + [
+        f"{identifier} names the diagnostic code '{code}', which the .dbc does not have"
+        for code, identifier in named.items()
+        if code not in evidence.codes
+    ]
 
 
 def references(argument, evidence):
@@ -90,6 +104,6 @@ def pages_name_what_exists(argument, pages):
 
 def all_problems(argument, evidence):
     problems = list(argument.problems)
-    for check in (verification, code, signals, references):
+    for check in (verification, code, signals, codes, references):
         problems += check(argument, evidence)
     return problems

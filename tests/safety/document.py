@@ -143,22 +143,26 @@ def hazards(argument):
     return text
 
 
-def failure_modes(argument):
+def failure_modes(argument, evidence):
     text = NOTE.format(source="failure_modes.toml")
     text += "# Failure modes of every input and output\n\n"
     text += "Every signal that the ECU sends or receives is here (a test compares with the `.dbc`). Requirements marked * are open: there the\n"
-    text += "reaction is the one that is required, not one that is shown.\n"
+    text += "reaction is the one that is required, not one that is shown. Diagnostic codes are in italics"
+    text += ".\n" if evidence.codes else "; no frame carries them yet.\n"
     sections = {"received": [], "sent": []}
     for identifier, mode in argument.failure_modes.items():
         answered = [r + ("*" if argument.requirements[r].get("open") else "") for r in mode["requirements"]]
+        detected = mode["detection"]
+        if mode["codes"]:
+            detected += f": *{', '.join(mode['codes'])}*"
         by_frame = {}
         for signal in mode["signals"]:
             frame, name = signal.split(".")
             by_frame.setdefault("any frame" if frame == "*" else frame, []).append("any signal" if name == "*" else name)
         where = "; ".join(f"{frame}: {', '.join(names)}" for frame, names in by_frame.items())
         sections[mode["direction"]].append(
-            [identifier, where, mode["mode"], mode["effect"], mode["detection"], mode["reaction"], joined(mode["hazards"]),
-             joined(answered + mode["assumptions"])]
+            [identifier, where, mode["mode"], mode["effect"], detected, mode["reaction"], joined(mode["hazards"]),
+             joined(answered + mode["assumptions"]) + (f" ({mode['awaited']})" if mode.get("awaited") else "")]
         )
     for direction, head in (("received", "Received"), ("sent", "Sent")):
         text += f"\n## {head}\n"
@@ -170,5 +174,5 @@ def pages(argument, evidence):
     return {
         "trace.md": trace(argument, evidence),
         "hazards.md": hazards(argument),
-        "failure_modes.md": failure_modes(argument),
+        "failure_modes.md": failure_modes(argument, evidence),
     }

@@ -7,6 +7,7 @@ import re
 import subprocess
 
 ECU = "RolloverEcu"
+DIAGNOSTIC_CODE = "RolloverDiagnosis.Code"
 # Groups of tests/run that run on request only.
 ON_REQUEST = {"real_time", "benchmark"}
 
@@ -42,11 +43,14 @@ def tests_of(listing):
 
 
 class Evidence:
-    def __init__(self, project, tests, groups, signals):
+    """`codes`: the diagnostic codes that the ECU can send; empty while there is no frame for them."""
+
+    def __init__(self, project, tests, groups, signals, codes):
         self.project = project
         self.tests = tests
         self.groups = groups
         self.signals = signals
+        self.codes = codes
 
     def matching(self, pattern):
         """The tests that a name, perhaps with *, stands for."""
@@ -73,18 +77,22 @@ def is_command(test):
     return "/" in test.split()[0]
 
 
-def ecu_signals(dbc):
-    """Frame.Signal of all that the ECU sends or receives, in the order of the file, with the direction."""
+def signals_and_codes(dbc):
+    """Frame.Signal of all that the ECU sends or receives, with the direction; and the names of the diagnostic codes."""
     import cantools
 
     signals = {}
+    codes = []
     for message in cantools.database.load_file(dbc).messages:
         for signal in message.signals:
+            name = f"{message.name}.{signal.name}"
             if ECU in message.senders:
-                signals[f"{message.name}.{signal.name}"] = "sent"
+                signals[name] = "sent"
             elif ECU in signal.receivers:
-                signals[f"{message.name}.{signal.name}"] = "received"
-    return signals
+                signals[name] = "received"
+            if name == DIAGNOSTIC_CODE:
+                codes = [str(text) for value, text in sorted(signal.choices.items()) if value != 0]
+    return signals, codes
 
 
 def collect(project, build):
@@ -98,4 +106,4 @@ def collect(project, build):
         raise EvidenceError(f"{build} is not built; build first: sil/environment/build release")
     tests = tests_of(output("/usr/bin/ctest", "--test-dir", str(build), "--show-only=json-v1"))
     groups = set(re.findall(r"^  (\w+) +\S", output(project / "tests/run", "--help"), re.MULTILINE))
-    return Evidence(project, tests, groups, ecu_signals(project / "can_dbc/rollover_warning.dbc"))
+    return Evidence(project, tests, groups, *signals_and_codes(project / "can_dbc/rollover_warning.dbc"))

@@ -106,13 +106,14 @@ class PlantedFaults(unittest.TestCase):
         self.write("README.md", README)
         self.tests = {"Ear.HearsLoudSounds": "unit", "Mouth.Speaks": "unit"}
         self.signals = dict(SIGNALS)
+        self.codes = []
         self.judge(write=True)
 
     def write(self, name, text):
         (self.folder / name).write_text(text)
 
     def judge(self, write=False):
-        found = evidence.Evidence(self.project, self.tests, {"unit"}, self.signals)
+        found = evidence.Evidence(self.project, self.tests, {"unit"}, self.signals, self.codes)
         return tool.judge(self.folder, found, write)[0]
 
     def plant(self, name, before, after):
@@ -187,6 +188,29 @@ class PlantedFaults(unittest.TestCase):
     def test_a_signal_of_the_other_direction(self):
         self.plant_failure_mode('"Answer.Word"', '"Answer.Word", "Sound.Loudness"')
         self.expect("FM-2", "Sound.Loudness", "sent")
+
+    def test_an_awaited_signal_may_be_missing_until_it_comes(self):
+        last = FAILURE_MODES.split("[[failure_mode]]")[-1].replace("FM-2", "FM-3").replace("Answer.Word", "Answer.Tone")
+        self.write("failure_modes.toml", f'{FAILURE_MODES}[[failure_mode]]{last}awaited = "soon"\n')
+        self.judge(write=True)
+        self.assertEqual(self.judge(), [])
+        self.signals["Answer.Tone"] = "sent"
+        self.expect("FM-3", "take `awaited` away")
+
+    def test_a_diagnostic_code_without_failure_mode(self):
+        self.codes = ["deaf"]
+        self.expect("'deaf' is in no failure mode")
+
+    def test_an_unknown_diagnostic_code(self):
+        self.plant_failure_mode('detection = "limit"', 'detection = "limit"\ncodes = ["deaf", "blind"]')
+        self.judge(write=True)
+        self.assertEqual(self.judge(), [], "no code can be sent yet")
+        self.codes = ["deaf"]
+        self.expect("FM-1", "'blind'")
+
+    def test_a_requirement_without_goal(self):
+        self.plant_requirement('goals = ["SG-1"]\nassumptions', "goals = []\nassumptions")
+        self.expect("SR-2 serves no goal")
 
     def test_an_open_requirement_that_is_verified(self):
         self.tests["Ear.HearsSoftSounds"] = "unit"
