@@ -17,7 +17,10 @@ def verification(argument, evidence):
         missing = [test for test in tests if not exists(test, evidence)]
         if requirement.get("open"):
             if tests and not missing:
-                problems.append(f"{identifier} is open, but all of its tests exist; take `open` away, or say what is missing")
+                problems.append(
+                    f"{identifier} is open, but all the tests that it awaits exist; take `open` away, or, if they do not yet show "
+                    "what it says, name in `tests` only what is still missing"
+                )
             continue
         if not tests:
             problems.append(f"{identifier} has no test; name one in `tests`, or say in `open` why there is none")

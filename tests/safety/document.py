@@ -6,6 +6,7 @@ from argument import integrity_level
 NOTE = "<!-- Written by tests/safety/trace --document from {source}; do not edit. -->\n"
 STATE_BEGIN = "<!-- state: written by tests/safety/trace --document -->\n"
 STATE_END = "<!-- end of state -->\n"
+MATRIX = "docs/safety/fault_matrix.md"
 
 
 class DocumentError(Exception):
@@ -149,6 +150,8 @@ def failure_modes(argument, evidence):
     text += "Every signal that the ECU sends or receives is here (a test compares with the `.dbc`). Requirements marked * are open: there the\n"
     text += "reaction is the one that is required, not one that is shown. Diagnostic codes are in italics"
     text += ".\n" if evidence.codes else "; no frame carries them yet.\n"
+    if evidence.has_file(MATRIX):
+        text += "What the failures of inputs do to the sent frames, measured: [fault_matrix.md](fault_matrix.md).\n"
     sections = {"received": [], "sent": []}
     for identifier, mode in argument.failure_modes.items():
         answered = [r + ("*" if argument.requirements[r].get("open") else "") for r in mode["requirements"]]
