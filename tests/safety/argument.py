@@ -39,6 +39,8 @@ class Argument:
                     raise ArgumentError(f"unknown table [[{kind}]]; there are {', '.join(KINDS)}")
                 for entry in entries:
                     self._add(kind, entry)
+        for kind, entries in self.by_kind.items():
+            self.by_kind[kind] = dict(sorted(entries.items(), key=lambda item: int(item[0].split("-")[1])))
 
     def _add(self, kind, entry):
         prefix, required, optional = KINDS[kind]

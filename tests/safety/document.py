@@ -47,8 +47,11 @@ def with_state(page, argument):
         raise DocumentError(f"docs/safety/README.md has no lines {STATE_BEGIN.strip()} and {STATE_END.strip()}")
     text = f"**{state(argument)}.**\n"
     if argument.open():
-        numbers = ", ".join(argument.open())
-        text += f"The open ones are not met, or not shown to be met, at this commit: {numbers} ([why](trace.md#open)).\n"
+        by_theme = {}
+        for identifier, requirement in argument.open().items():
+            by_theme.setdefault(requirement["theme"], []).append(identifier)
+        numbers = "; ".join(f"{theme}: {', '.join(identifiers)}" for theme, identifiers in by_theme.items())
+        text += f"The open ones are not met, or not shown to be met, at this commit ([why](trace.md#open)): {numbers}.\n"
     return before + begin + text + end + after
 
 
