@@ -55,6 +55,14 @@ def with_state(page, argument):
     return before + begin + text + end + after
 
 
+def linked(test, evidence):
+    """The test as a link to the first file that holds such a test, where one is known."""
+    for name in evidence.matching(test):
+        if name in evidence.sources:
+            return f"[{test}](../../{evidence.sources[name]})"
+    return test
+
+
 def verified_by(requirement, evidence):
     by_group = {}
     for test in requirement["tests"]:
@@ -63,7 +71,8 @@ def verified_by(requirement, evidence):
             continue
         groups = {evidence.tests[name] for name in evidence.matching(test)} or {"awaited"}
         for group in sorted(groups):
-            by_group.setdefault(group + (", on request" if group in evidence_module.ON_REQUEST else ""), []).append(test)
+            head = group + (", on request" if group in evidence_module.ON_REQUEST else "")
+            by_group.setdefault(head, []).append(linked(test, evidence))
     return "; ".join(f"{group}: {', '.join(tests)}" if tests else group for group, tests in by_group.items())
 
 

@@ -10,6 +10,7 @@ ECU = "RolloverEcu"
 DIAGNOSTIC_CODE = "RolloverDiagnosis.Code"
 # Groups of tests/run that run on request only.
 ON_REQUEST = {"real_time", "benchmark"}
+GOOGLE_TEST = re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\)", re.MULTILINE)
 
 
 class EvidenceError(Exception):
@@ -43,14 +44,15 @@ def tests_of(listing):
 
 
 class Evidence:
-    """`codes`: the diagnostic codes that the ECU can send; empty while there is no frame for them."""
+    """`codes`: the diagnostic codes that the ECU can send; empty while there is no frame for them. `sources`: test to file."""
 
-    def __init__(self, project, tests, groups, signals, codes):
+    def __init__(self, project, tests, groups, signals, codes, sources):
         self.project = project
         self.tests = tests
         self.groups = groups
         self.signals = signals
         self.codes = codes
+        self.sources = sources
 
     def matching(self, pattern):
         """The tests that a name, perhaps with *, stands for."""
@@ -95,6 +97,15 @@ def signals_and_codes(dbc):
     return signals, codes
 
 
+def sources_of(project):
+    """The file in which a test of GoogleTest stands, by the test's name."""
+    sources = {}
+    for file in sorted((project / "tests").rglob("*.cpp")):
+        for suite, name in GOOGLE_TEST.findall(file.read_text()):
+            sources.setdefault(f"{suite}.{name}", str(file.relative_to(project)))
+    return sources
+
+
 def collect(project, build):
     def output(*command):
         done = subprocess.run(command, capture_output=True, text=True)
@@ -106,4 +117,5 @@ def collect(project, build):
         raise EvidenceError(f"{build} is not built; build first: sil/environment/build release")
     tests = tests_of(output("/usr/bin/ctest", "--test-dir", str(build), "--show-only=json-v1"))
     groups = set(re.findall(r"^  (\w+) +\S", output(project / "tests/run", "--help"), re.MULTILINE))
-    return Evidence(project, tests, groups, *signals_and_codes(project / "can_dbc/rollover_warning.dbc"))
+    signals, codes = signals_and_codes(project / "can_dbc/rollover_warning.dbc")
+    return Evidence(project, tests, groups, signals, codes, sources_of(project))

@@ -113,7 +113,7 @@ class PlantedFaults(unittest.TestCase):
         (self.folder / name).write_text(text)
 
     def judge(self, write=False):
-        found = evidence.Evidence(self.project, self.tests, {"unit"}, self.signals, self.codes)
+        found = evidence.Evidence(self.project, self.tests, {"unit"}, self.signals, self.codes, {"Ear.HearsLoudSounds": "tests/ear_test.cpp"})
         return tool.judge(self.folder, found, write)[0]
 
     def plant(self, name, before, after):
@@ -135,6 +135,9 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_sound_argument_raises_none(self):
         self.assertEqual(self.judge(), [])
+
+    def test_tests_are_linked_to_their_file(self):
+        self.assertIn("unit: [Ear.Hears*](../../tests/ear_test.cpp)", (self.folder / "trace.md").read_text())
 
     def test_the_state_counts_every_kind(self):
         page = (self.folder / "README.md").read_text()
