@@ -3,6 +3,8 @@
 import evidence as evidence_module
 from argument import IDENTIFIER
 
+DIRECTIONS = ("received", "sent", "platform")
+
 
 def exists(test, evidence):
     if evidence_module.is_command(test):
@@ -44,6 +46,10 @@ def signals(argument, evidence):
     problems = []
     covered = set()
     for identifier, mode in argument.failure_modes.items():
+        if mode["direction"] not in DIRECTIONS:
+            problems.append(f"{identifier} has the direction {mode['direction']}; there are {', '.join(DIRECTIONS)}")
+        if mode["direction"] == "platform":  # its interfaces are not in the .dbc
+            continue
         for pattern in mode["signals"]:
             found = evidence.matching_signals(pattern, mode["direction"])
             if found and mode.get("awaited"):

@@ -164,7 +164,7 @@ def failure_modes(argument, evidence):
     text += ".\n" if evidence.codes else "; no frame carries them yet.\n"
     if evidence.has_file(MATRIX):
         text += "What the failures of inputs do to the sent frames, measured: [fault_matrix.md](fault_matrix.md).\n"
-    sections = {"received": [], "sent": []}
+    sections = {"received": [], "sent": [], "platform": []}
     for identifier, mode in argument.failure_modes.items():
         answered = [r + ("*" if argument.requirements[r].get("open") else "") for r in mode["requirements"]]
         detected = mode["detection"]
@@ -172,16 +172,20 @@ def failure_modes(argument, evidence):
             detected += f": *{', '.join(mode['codes'])}*"
         by_frame = {}
         for signal in mode["signals"]:
+            if mode["direction"] == "platform":
+                by_frame[signal] = []
+                continue
             frame, name = signal.split(".")
             by_frame.setdefault("any frame" if frame == "*" else frame, []).append("any signal" if name == "*" else name)
-        where = "; ".join(f"{frame}: {', '.join(names)}" for frame, names in by_frame.items())
+        where = "; ".join(f"{frame}: {', '.join(names)}" if names else frame for frame, names in by_frame.items())
         sections[mode["direction"]].append(
             [identifier, where, mode["mode"], mode["effect"], detected, mode["reaction"], joined(mode["hazards"]),
              joined(answered + mode["assumptions"]) + (f" ({mode['awaited']})" if mode.get("awaited") else "")]
         )
-    for direction, head in (("received", "Received"), ("sent", "Sent")):
+    for direction, head in (("received", "Received"), ("sent", "Sent"), ("platform", "Of the platform")):
         text += f"\n## {head}\n"
-        text += table(["", "signal", "fails as", "effect if nothing were done", "detected by", "reaction", "hazard", "answered by"], sections[direction])
+        of = "part" if direction == "platform" else "signal"
+        text += table(["", of, "fails as", "effect if nothing were done", "detected by", "reaction", "hazard", "answered by"], sections[direction])
     return text
 
 

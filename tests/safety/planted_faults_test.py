@@ -200,6 +200,17 @@ class PlantedFaults(unittest.TestCase):
         self.signals["Answer.Tone"] = "sent"
         self.expect("FM-3", "take `awaited` away")
 
+    def test_an_unknown_direction(self):
+        self.plant_failure_mode('"sent"', '"hidden"')
+        self.assertIn("FM-2 has the direction hidden; there are received, sent, platform", self.judge())
+
+    def test_a_part_of_the_platform_is_no_signal(self):
+        last = FAILURE_MODES.split("[[failure_mode]]")[-1].replace("FM-2", "FM-3").replace("Answer.Word", "clock")
+        self.write("failure_modes.toml", f"{FAILURE_MODES}[[failure_mode]]{last.replace('sent', 'platform')}")
+        self.judge(write=True)
+        self.assertEqual(self.judge(), [])
+        self.assertIn("| FM-3 | clock |", (self.folder / "failure_modes.md").read_text())
+
     def test_a_diagnostic_code_without_failure_mode(self):
         self.codes = ["deaf"]
         self.expect("'deaf' is in no failure mode")
