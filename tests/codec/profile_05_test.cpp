@@ -138,12 +138,17 @@ TEST(Profile05Receiver, RefusesEveryDataIdentifierThatDiffersInOneBit) {
 
 TEST(Profile05Receiver, RefusesAWrongLength) {
     auto receiver = receiver_with(1U);
-    for (const std::size_t length : {0U, 1U, 2U, 8U, 10U, 11U, 23U, 64U}) {  // 64: more than the array has
+    for (const std::size_t length : {0U, 1U, 2U, 8U, 10U, 11U, 23U, 64U}) {
         EXPECT_EQ(receiver.check(frame(0U), length).error, CheckError::length) << length;
     }
     const std::array<std::uint8_t, 64> longer{};
     EXPECT_EQ(receiver.check(longer, 32U).error, CheckError::length);
     EXPECT_EQ(check(receiver, 0U).status, CheckStatus::ok);
+}
+
+TEST(Profile05Receiver, RefusesALengthThatTheArrayDoesNotHave) {
+    Profile05Receiver<offset> receiver{data_id, 64U, 1U};
+    EXPECT_EQ(receiver.check(frame(0U), 64U).error, CheckError::length);
 }
 
 TEST(Profile05Receiver, RefusesAFrameThatCannotHoldItsHeader) {
