@@ -131,6 +131,11 @@ TEST(Profile11Receiver, RefusesAWrongLength) {
     EXPECT_EQ(check(receiver, 0U).status, CheckStatus::ok);
 }
 
+TEST(Profile11Receiver, RefusesALengthThatTheArrayDoesNotHave) {
+    Profile11Receiver receiver{data_id, 64U, 1U};
+    EXPECT_EQ(receiver.check(frame(0U), 64U).error, CheckError::length);
+}
+
 TEST(Profile11Receiver, RefusesTheCounterValueFifteen) {
     Profile11Receiver receiver{data_id, 8U, 14U};
     EXPECT_EQ(check(receiver, 15U).error, CheckError::counter);
