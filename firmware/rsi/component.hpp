@@ -3,6 +3,7 @@
 
 #include "rsi/estimation/roll_centre_estimator.hpp"
 #include "rsi/indicator/further_indicators.hpp"
+#include "rsi/indicator/indicator_level.hpp"
 #include "rsi/indicator/roll_stability_indicator.hpp"
 #include "rsi/indicator/stability_threshold.hpp"
 #include "rsi/measurement/measurement.hpp"
@@ -30,9 +31,8 @@ class Component {
 
     bool initialised_{false};
     bool running_{false};       // false until the first good sample after init, a gap or an overturn
-    float movement_m_{0.0F};    // dh of the sample before; 0 where no sound estimate is
     float extended_rsi_{0.0F};  // of the cycle before
-    Parameters parameters_{};
+    float static_stability_factor_{1.0F};
     MeasurementStage measurement_{};
     RollPlaneModel model_{};
     FixedModelRoll fixed_{};
@@ -40,6 +40,7 @@ class Component {
     RollCentreEstimator estimator_{};
     StabilityThresholdStage threshold_{};
     FurtherIndicators further_{};
+    WarningIndicator warning_indicator_{};
     WarningStateMachine warning_{};
 };
 

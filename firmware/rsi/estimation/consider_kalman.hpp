@@ -24,7 +24,7 @@ class ConsiderKalman {
         speed_known_ = false;
     }
 
-    // `extended_rsi` is that of the cycle before. Near wheel lift, in hard braking and while speed is
+    // Every second sample, slow_sample_time_s apart. `extended_rsi` is that of the cycle before. Near wheel lift, in hard braking and while speed is
     // gathered fast dh is held; a number that is not available holds nothing.
     RollCentreEstimate update(const Measurement& measured, float extended_rsi, float speed_mps);
 

@@ -22,8 +22,10 @@ class FurtherIndicators {
         load_transfer_ratio_ = 0.0F;
     }
 
-    // Writes rsi_extended, load_transfer_ratio and all that follows in rsi_outputs; every one is finite.
-    void update(const Inputs& inputs, const Measurement& measured, Outputs& outputs);
+    // Writes rsi_extended, load_transfer_ratio and all that follows in rsi_outputs; every one is finite. What the
+    // steering asks for and the classic indices are those of the last odd sample, unless one of the latter drives the
+    // warning. The first sample after a reset must be odd.
+    void update(const Inputs& inputs, const Measurement& measured, bool odd_sample, Outputs& outputs);
 
  private:
     RollMotionFilter filter_{};
@@ -34,6 +36,9 @@ class FurtherIndicators {
     RollPredictor predictor_{};
     float load_transfer_ratio_{0.0F};  // of the cycle before
     ClassicIndices classic_{};
+    bool classic_in_every_sample_{false};
+    DemandedForce demand_{};              // of the last odd sample, as the next
+    ClassicIndexValues classic_values_{};
 };
 
 }  // namespace rsi

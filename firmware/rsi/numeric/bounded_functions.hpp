@@ -19,15 +19,19 @@ struct SineAndVersine {
     float versine;
 };
 
-// Errors below 2e-7, of the versine also 2e-6 of itself: polynomials of least largest error.
-constexpr SineAndVersine bounded_sine_and_versine(float angle_rad) {
-    const float x = clamp_magnitude(angle_rad, largest_angle_rad);
+// For an angle that is within `largest_angle_rad`. Errors below 2e-7, of the versine also 2e-6 of itself:
+// polynomials of least largest error.
+constexpr SineAndVersine sine_and_versine(float x) {
     const float z = x * x;
     const float sine_series =
         z * (-0.166666571F + z * (0.00833301729F + z * (-1.98066152e-4F + z * 2.60005480e-6F)));
     const float versine =
         z * (0.499999323F + z * (-0.0416639895F + z * (0.00138559270F + z * -2.31943868e-5F)));
     return SineAndVersine{x + x * sine_series, versine};
+}
+
+constexpr SineAndVersine bounded_sine_and_versine(float angle_rad) {
+    return sine_and_versine(clamp_magnitude(angle_rad, largest_angle_rad));
 }
 
 constexpr float bounded_sine(float angle_rad) {

@@ -15,7 +15,7 @@ void count_up(std::uint32_t& counter) {
 }
 
 rsi_side falling_side(float side) {
-    return (side > 0.0F) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT;
+    return (side < 0.0F) ? RSI_SIDE_LEFT : RSI_SIDE_RIGHT;
 }
 
 }  // namespace
