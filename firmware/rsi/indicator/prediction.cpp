@@ -6,6 +6,7 @@
 namespace rsi {
 namespace {
 
+constexpr float largest_ratio = 20.0F;
 // Of e: it is noisy, and a little too little of it costs less than too much.
 constexpr float trusted_share = 0.75F;
 // How much A may change in the direction of its trend: not past what the steering asks for, nor past where it
@@ -17,10 +18,6 @@ float room_for_change(float force_mps2, bool grows, const DemandedForce& demand)
 // Both of one sign.
 float no_further_than(float room, float change) {
     return (absolute(change) > absolute(room)) ? room : change;
-}
-
-float further_from_zero(float a, float b) {
-    return (absolute(b) > absolute(a)) ? b : a;
 }
 
 }  // namespace
@@ -71,7 +68,9 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce
     const float force_arm_kgm = load_transfer.force_arm_kgm() + correction_kgm;
     const float present_nm = load_transfer.present_moment_nm(motion, now.suspension_nm);
     const float then_nm = present_nm + force_arm_kgm * change + (then.suspension_nm - now.suspension_nm);
-    const float worst_nm = further_from_zero(present_nm, then_nm);
+    const bool grows = absolute(then_nm) > absolute(present_nm);
+    const float worst_nm = grows ? then_nm : present_nm;
+    const float worst_force_mps2 = grows ? A + change : A;
 
     const float N_inverse = 1.0F / N;
     Prediction prediction;
@@ -79,11 +78,15 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const DemandedForce
     prediction.present.rsi_extended =
         extended.level(A, N, short_tangent(motion.roll_angle_rad), motion.roll_acceleration_radps2);
     prediction.worst.load_transfer_ratio = load_transfer.ratio(worst_nm, N_inverse);
-    // The largest force of that side within the horizon.
-    const float a = A + change;
-    const float worst_a = (worst_nm < 0.0F) ? smaller(A, a) : larger(A, a);
     prediction.worst.rsi_extended =
-        larger(prediction.present.rsi_extended, extended.level_under_load(worst_a, N, worst_nm));
+        larger(prediction.present.rsi_extended, extended.level_under_load(worst_force_mps2, N, worst_nm));
+    // The present one is no further from zero.
+    if (absolute(prediction.worst.load_transfer_ratio) > largest_ratio) {
+        prediction.worst.load_transfer_ratio =
+            clamp_magnitude(prediction.worst.load_transfer_ratio, largest_ratio);
+        prediction.present.load_transfer_ratio =
+            clamp_magnitude(prediction.present.load_transfer_ratio, largest_ratio);
+    }
     return prediction;
 }
 

@@ -14,8 +14,6 @@ constexpr float largest_speed_mps = 150.0F;
 // A vehicle that is nearly weightless has no meaningful ratio A/N; the bound keeps the division safe.
 constexpr float smallest_normal_force_mps2 = 0.1F * gravity_mps2;
 
-// A vehicle that lies on its side: the forces and the tangent are those of this angle.
-constexpr float largest_trigonometric_angle_rad = 1.3F;
 
 bool within(float value, float limit) {
     return is_within_magnitude(value, limit);
@@ -121,16 +119,19 @@ void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Me
     RollObservation& observed = measurement.observed;
     observed.roll_angle_rad = roll_known ? observer_.roll_angle_rad() : not_available;
     observed.bank_angle_rad = observer_.bank_known() ? observer_.bank_angle_rad() : not_available;
+    if (sensor_available) {
+        measurement.roll_source = RSI_ROLL_SENSOR;
+        measurement.roll_angle_rad = inputs.roll_angle_rad;
+    } else {
+        measurement.roll_source = roll_known ? RSI_ROLL_OBSERVER : RSI_ROLL_NONE;
+        measurement.roll_angle_rad = observed.roll_angle_rad;
+    }
     if (!sensor_available || !roll_known) {
         check_.reset();
     } else if (!observer_.tipped()) {
         check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
     }
     observed.sensor_disagrees = check_.disagrees();
-    measurement.roll_source = sensor_available ? RSI_ROLL_SENSOR
-                              : roll_known     ? RSI_ROLL_OBSERVER
-                                               : RSI_ROLL_NONE;
-    measurement.roll_angle_rad = sensor_available ? inputs.roll_angle_rad : observed.roll_angle_rad;
 }
 
 bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
@@ -148,8 +149,8 @@ bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
         return false;
     }
     const Bank bank = bank_of(inputs.bank_angle_rad);
-    const SineAndVersine roll =
-        sine_and_versine(clamp_magnitude(measurement.roll_angle_rad, largest_trigonometric_angle_rad));
+    // Past 1.3 rad, where the vehicle lies on its side, the tangent grows no further.
+    const SineAndVersine roll = bounded_sine_and_versine(measurement.roll_angle_rad);
     const float cosine = 1.0F - roll.versine;
     const RoadForces forces = within(inputs.vertical_specific_force_mps2, largest_force_mps2)
                                   ? rotate_to_road(at_cg.lateral_mps2, at_cg.vertical_mps2, roll.sine, cosine)

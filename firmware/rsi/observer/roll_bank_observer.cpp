@@ -44,15 +44,15 @@ ObserverNoise noise_of(const Parameters& parameters) {
     return noise;
 }
 
-// sin x to within 3e-6 up to 1 rad; finite and of the right sign up to 3 rad.
+// sin x to within 2e-4 up to 1 rad; finite and of the right sign up to 3 rad.
 float short_sine(float x) {
     const float z = x * x;
-    return x * (1.0F + z * (-1.0F / 6.0F + z * (1.0F / 120.0F - z * (1.0F / 5040.0F))));
+    return x * (1.0F + z * (-1.0F / 6.0F + z * (1.0F / 120.0F)));
 }
 
-// 1 / cos x to within 2e-4 up to 0.5 rad; finite beyond. `z` is the square of x.
+// 1 / cos x to within 2e-3 up to 0.5 rad; finite beyond. `z` is the square of x.
 float short_secant(float z) {
-    return 1.0F + z * (0.5F + z * (5.0F / 24.0F + z * (61.0F / 720.0F)));
+    return 1.0F + z * (0.5F + z * (5.0F / 24.0F));
 }
 
 }  // namespace
@@ -88,7 +88,9 @@ bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, f
     }
     predict(lateral_force_mps2);
     correct_by_roll_rate(roll_rate_radps);
-    if (turn_is_due) {
+    if (!turn_is_due) {
+        renew_roll_gain();
+    } else {
         const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
         // P33 tends to that of the steady filter from above.
         P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
@@ -110,6 +112,7 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     offset_ = 0.0F;
     stiffness_step_ = 0.0F;
     P11_ = initial_roll_variance_rad2;
+    roll_gain_ = 0.0F;
     P33_ = initial_bank_variance_rad2;
     yaw_acceleration_.reset();
     tipped_ = false;
@@ -147,15 +150,19 @@ void RollBankObserver::predict(float lateral_force_mps2) {
 // p = w
 void RollBankObserver::correct_by_roll_rate(float roll_rate_radps) {
     const float innovation = roll_rate_radps - rate_;
-    const float s = stiffness_step_;
-    const float s_P11 = s * P11_;
-    const float covariance = gains_.roll_rate_covariance - s_P11;
-    const float gain = covariance / (gains_.rate_variance + s * s_P11);
-    phi_ += gain * innovation;
+    phi_ += roll_gain_ * innovation;
     rate_ += gains_.rate * innovation;
     bank_ += gains_.bank * innovation;
     offset_ += gains_.offset * innovation;
-    P11_ += gains_.roll_growth_rad2 - gain * covariance;
+}
+
+// For two samples at once: both the gain and the variance move slowly.
+void RollBankObserver::renew_roll_gain() {
+    const float s = stiffness_step_;
+    const float s_P11 = s * P11_;
+    const float covariance = gains_.roll_rate_covariance - s_P11;
+    roll_gain_ = covariance / (gains_.rate_variance + s * s_P11);
+    P11_ = larger(P11_ + 2.0F * (gains_.roll_growth_rad2 - roll_gain_ * covariance), smallest_roll_variance_rad2);
 }
 
 // f_yb - r V = g sin(phi + b) + v_y'
@@ -181,7 +188,6 @@ void RollBankObserver::keep_in_bounds() {
         phi_ = clamp_magnitude(phi_, largest_roll_rad);
     }
     bank_ = clamp_magnitude(bank_, largest_bank_rad);
-    P11_ = larger(P11_, smallest_roll_variance_rad2);
 }
 
 }  // namespace rsi

@@ -58,6 +58,7 @@ class RollBankObserver {
     void predict(float lateral_force_mps2);
     bool tips(float lateral_force_mps2, float roll_acceleration_radps2) const;
     void correct_by_roll_rate(float roll_rate_radps);
+    void renew_roll_gain();
     void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
     void keep_in_bounds();
 
@@ -78,6 +79,7 @@ class RollBankObserver {
     float offset_{0.0F};
     float stiffness_step_{0.0F};  // s: what an error of phi makes of the rate in one step
     float P11_{0.0F};             // variance of phi
+    float roll_gain_{0.0F};       // of phi, for what the gyro says
     float P33_{0.0F};             // variance of the bank
 };
 
