@@ -89,23 +89,20 @@ Validation Component::init(const Parameters& parameters) {
         step_unavailable(outputs);
         return;
     }
-    bool odd_sample = measured.odd_sample;
+    bool fresh = false;
     if (!running_) {
         resume(measured);
-        odd_sample = true;
+        fresh = true;
     }
-    // A vehicle that lies on its side teaches nothing; once it stands again, all starts anew.
-    const bool overturned = has_overturned(measured, static_stability_factor_);
-    if (overturned) {
-        estimator_.reset();
-        measurement_.assume_movement(0.0F);
-        running_ = false;
-    }
-
     fixed_.evaluate(model_, measured);
-    if (!overturned &&
-        estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps, odd_sample)) {
+    if (estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps,
+                          measured.odd_sample || fresh)) {
         measurement_.assume_movement(estimator_.estimate().vertical_movement_m);
+    }
+    // A vehicle that lies on its side teaches nothing; all starts anew with every sample until it stands again.
+    overturned_ = has_overturned(measured, static_stability_factor_);
+    if (overturned_) {
+        running_ = false;
     }
     const RollCentreEstimate& estimate = estimator_.estimate();
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
@@ -122,8 +119,8 @@ Validation Component::init(const Parameters& parameters) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    further_.update(inputs, measured, odd_sample, outputs);
-    warn(measured, overturned, outputs);
+    further_.update(inputs, measured, fresh, outputs);
+    warn(measured, outputs);
 
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_);
@@ -131,11 +128,11 @@ Validation Component::init(const Parameters& parameters) {
 }
 
 // An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.
-void Component::warn(const Measurement& measured, bool overturned, Outputs& outputs) {
+void Component::warn(const Measurement& measured, Outputs& outputs) {
     const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
     outputs.warning_level = indicated.level;
     RiskLevel risk{indicated.level, indicated.direction};
-    if (overturned) {
+    if (overturned_) {
         risk = RiskLevel{warning_.warning_on(), measured.roll_angle_rad};
     }
     if (is_finite(risk.indicator)) {
@@ -153,8 +150,13 @@ void Component::step_unavailable(Outputs& outputs) {
     outputs = no_outputs();
 }
 
-// After a gap the models start where the vehicle is; what the estimator has learnt stays.
+// After a gap the models start where the vehicle is; what the estimator has learnt stays, but not past an
+// overturn.
 void Component::resume(const Measurement& measured) {
+    if (overturned_) {
+        estimator_.reset();
+        measurement_.assume_movement(0.0F);
+    }
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
     further_.reset(measured);

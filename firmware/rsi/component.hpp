@@ -27,10 +27,11 @@ class Component {
     // Rare, so not to be made part of step() as all the rest is.
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
-    void warn(const Measurement& measured, bool overturned, Outputs& outputs);
+    void warn(const Measurement& measured, Outputs& outputs);
 
     bool initialised_{false};
     bool running_{false};       // false until the first good sample after init, a gap or an overturn
+    bool overturned_{false};    // in the sample before
     float extended_rsi_{0.0F};  // of the cycle before
     float static_stability_factor_{1.0F};
     MeasurementStage measurement_{};

@@ -13,12 +13,12 @@ void FurtherIndicators::init(const Parameters& parameters) {
     classic_in_every_sample_ = (parameters.warning_indicator >= RSI_INDICATOR_STATIC_STABILITY_FACTOR);
 }
 
-void FurtherIndicators::update(const Inputs& inputs, const Measurement& measured, bool odd_sample,
+void FurtherIndicators::update(const Inputs& inputs, const Measurement& measured, bool fresh,
                                Outputs& outputs) {
     const RollMotion motion = filter_.update(measured);
     const float suspension_nm =
         load_transfer_.suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps);
-    if (odd_sample) {
+    if (measured.odd_sample && !fresh) {
         demand_ = steering_demand_.evaluate(inputs, measured);
         moment_arm_error_.update(motion, suspension_nm, load_transfer_ratio_,
                                  measured.roll_source == RSI_ROLL_SENSOR);
@@ -31,7 +31,7 @@ void FurtherIndicators::update(const Inputs& inputs, const Measurement& measured
     outputs.predicted_load_transfer_ratio = prediction.worst.load_transfer_ratio;
     outputs.predicted_rsi = prediction.worst.rsi_extended;
 
-    if (odd_sample || classic_in_every_sample_) {
+    if (measured.odd_sample || fresh || classic_in_every_sample_) {
         classic_values_ = classic_.evaluate(measured, motion);
     }
     outputs.static_stability_level = classic_values_.static_stability_level;

@@ -128,7 +128,7 @@ void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Me
     }
     if (!sensor_available || !roll_known) {
         check_.reset();
-    } else if (!observer_.tipped()) {
+    } else if (measurement.odd_sample && !observer_.tipped()) {
         check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
     }
     observed.sensor_disagrees = check_.disagrees();
