@@ -99,7 +99,8 @@ Validation Component::init(const Parameters& parameters) {
                           measured.odd_sample || fresh)) {
         measurement_.assume_movement(estimator_.estimate().vertical_movement_m);
     }
-    // A vehicle that lies on its side teaches nothing; all starts anew with every sample until it stands again.
+    // A vehicle that lies on its side teaches nothing; all starts anew with every sample until it stands
+    // again.
     overturned_ = has_overturned(measured, static_stability_factor_);
     if (overturned_) {
         running_ = false;

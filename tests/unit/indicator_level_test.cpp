@@ -66,7 +66,11 @@ TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
         const rsi_parameters parameters = driven_by(expected.indicator);
         EXPECT_NEAR(static_cast<double>(rsi::indicator_level(outputs, parameters)), expected.level, 1e-4)
             << expected.indicator;
-        EXPECT_EQ(rsi::indicator_side(outputs, parameters, roll_angle), expected.side) << expected.indicator;
+        rsi::WarningIndicator indicator;
+        indicator.init(parameters);
+        const rsi::IndicatedRisk risk = indicator.evaluate(outputs, roll_angle);
+        EXPECT_EQ(risk.level, rsi::indicator_level(outputs, parameters)) << expected.indicator;
+        EXPECT_EQ(risk.direction < 0.0F, expected.side < 0.0F) << expected.indicator;
     }
 }
 

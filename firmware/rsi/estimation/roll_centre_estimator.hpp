@@ -21,9 +21,9 @@ class RollCentreEstimator {
     void restart() { consider_kalman_.restart(); }
 
     // `fixed` must have been evaluated at the same measurement; `extended_rsi` is that of the cycle before;
-    // NaN where a number is not available. The published estimator runs in every sample, the consider-Kalman filter
-    // in the even ones; its estimate holds in between. True where the estimate may move the observer and has changed: the
-    // published one drifts to where it fits anything.
+    // NaN where a number is not available. The published estimator runs in every sample, the consider-Kalman
+    // filter in the even ones; its estimate holds in between. True where the estimate may move the observer
+    // and has changed: the published one drifts to where it fits anything.
     bool update(const RollPlaneModel& model, const Measurement& measured, const FixedModelRoll& fixed,
                 float extended_rsi, float speed_mps, bool odd_sample);
 

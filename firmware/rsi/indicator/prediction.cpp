@@ -12,7 +12,8 @@ constexpr float trusted_share = 0.75F;
 // How much A may change in the direction of its trend: not past what the steering asks for, nor past where it
 // is; without a demand, past nothing. Signed like the trend.
 float room_for_change(float force_mps2, bool grows, const DemandedForce& demand) {
-    return (grows ? larger(force_mps2, demand.most_mps2) : smaller(force_mps2, demand.least_mps2)) - force_mps2;
+    return (grows ? larger(force_mps2, demand.most_mps2) : smaller(force_mps2, demand.least_mps2)) -
+           force_mps2;
 }
 
 // Both of one sign.

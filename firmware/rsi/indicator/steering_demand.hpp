@@ -6,8 +6,8 @@
 
 namespace rsi {
 
-// Between these the force along the road may move by itself: from the demand of the present steering angle and
-// speed to zero. Past anything a vehicle can do where the demand is not known.
+// Between these the force along the road may move by itself: from the demand of the present steering angle
+// and speed to zero. Past anything a vehicle can do where the demand is not known.
 struct DemandedForce {
     float least_mps2{-60.0F};
     float most_mps2{60.0F};

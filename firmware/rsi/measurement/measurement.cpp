@@ -14,7 +14,6 @@ constexpr float largest_speed_mps = 150.0F;
 // A vehicle that is nearly weightless has no meaningful ratio A/N; the bound keeps the division safe.
 constexpr float smallest_normal_force_mps2 = 0.1F * gravity_mps2;
 
-
 bool within(float value, float limit) {
     return is_within_magnitude(value, limit);
 }

@@ -18,8 +18,8 @@ struct SineAndVersine {
     float versine;
 };
 
-// For an angle that is within `largest_angle_rad`. Errors below 3e-7 of the sine, and below 8e-6 of itself of the
-// versine: polynomials of least largest error.
+// For an angle that is within `largest_angle_rad`. Errors below 3e-7 of the sine, and below 8e-6 of itself of
+// the versine: polynomials of least largest error.
 constexpr SineAndVersine sine_and_versine(float x) {
     const float z = x * x;
     const float sine_series = z * (-0.166663453F + z * (0.00832335930F + z * -1.89076978e-4F));

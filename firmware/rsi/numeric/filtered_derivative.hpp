@@ -6,7 +6,8 @@
 
 namespace rsi {
 
-// The value less its first-order lag, over the lag's time: the same as the difference quotient through the lag.
+// The value less its first-order lag, over the lag's time: the same as the difference quotient through the
+// lag.
 class FilteredDerivative {
  public:
     // `lag_s` >= 0; 0 gives the plain difference quotient. `period_s`: from one value to the next.

@@ -42,8 +42,8 @@ struct ObserverNoise {
     float turn_mps2_2;
 };
 
-// Iterates the filter's covariance from its start for a bounded number of steps (20 s of driving straight), the
-// turn in every second one.
+// Iterates the filter's covariance from its start for a bounded number of steps (20 s of driving straight),
+// the turn in every second one.
 [[gnu::cold]] ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise& noise);
 
 }  // namespace rsi

@@ -156,13 +156,15 @@ void RollBankObserver::correct_by_roll_rate(float roll_rate_radps) {
     offset_ += gains_.offset * innovation;
 }
 
-// For two samples at once: both the gain and the variance move slowly.
+// For two samples at once: the first takes the share -s gain off the variance, the second that of what is
+// left.
 void RollBankObserver::renew_roll_gain() {
     const float s = stiffness_step_;
     const float s_P11 = s * P11_;
     const float covariance = gains_.roll_rate_covariance - s_P11;
     roll_gain_ = covariance / (gains_.rate_variance + s * s_P11);
-    P11_ = larger(P11_ + 2.0F * (gains_.roll_growth_rad2 - roll_gain_ * covariance), smallest_roll_variance_rad2);
+    P11_ += 2.0F * gains_.roll_growth_rad2 - (2.0F + s * roll_gain_) * (roll_gain_ * covariance);
+    P11_ = larger(P11_, smallest_roll_variance_rad2);
 }
 
 // f_yb - r V = g sin(phi + b) + v_y'
