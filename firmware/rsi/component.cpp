@@ -99,12 +99,6 @@ Validation Component::init(const Parameters& parameters) {
                           measured.odd_sample || fresh)) {
         measurement_.assume_movement(estimator_.estimate().vertical_movement_m);
     }
-    // A vehicle that lies on its side teaches nothing; all starts anew with every sample until it stands
-    // again.
-    overturned_ = has_overturned(measured, static_stability_factor_);
-    if (overturned_) {
-        running_ = false;
-    }
     const RollCentreEstimate& estimate = estimator_.estimate();
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
@@ -129,11 +123,14 @@ Validation Component::init(const Parameters& parameters) {
 }
 
 // An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.
+// What lies on its side teaches nothing either: all starts anew with every sample until it stands again.
 void Component::warn(const Measurement& measured, Outputs& outputs) {
     const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
     outputs.warning_level = indicated.level;
     RiskLevel risk{indicated.level, indicated.direction};
-    if (overturned_) {
+    if (has_overturned(measured, static_stability_factor_)) {
+        overturned_ = true;
+        running_ = false;
         risk = RiskLevel{warning_.warning_on(), measured.roll_angle_rad};
     }
     if (is_finite(risk.indicator)) {
@@ -157,6 +154,7 @@ void Component::resume(const Measurement& measured) {
     if (overturned_) {
         estimator_.reset();
         measurement_.assume_movement(0.0F);
+        overturned_ = false;
     }
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);

@@ -31,7 +31,7 @@ class Component {
 
     bool initialised_{false};
     bool running_{false};       // false until the first good sample after init, a gap or an overturn
-    bool overturned_{false};    // in the sample before
+    bool overturned_{false};    // and not resumed since
     float extended_rsi_{0.0F};  // of the cycle before
     float static_stability_factor_{1.0F};
     MeasurementStage measurement_{};
