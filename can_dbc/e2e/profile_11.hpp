@@ -29,7 +29,7 @@ constexpr std::uint8_t profile_11_crc(const std::uint8_t* payload, std::size_t l
 }
 
 constexpr std::uint8_t profile_11_nibble(std::uint16_t data_id) {
-    return static_cast<std::uint8_t>((data_id >> 8U) & 0x0FU);
+    return static_cast<std::uint8_t>((static_cast<std::uint32_t>(data_id) >> 8U) & 0x0FU);
 }
 
 }  // namespace detail

@@ -919,6 +919,7 @@ struct RollObserver {
         data_abort = 5,
         stack_overflow = 6,
         interrupt = 7,
+        start_without_reset = 8,
     };
 
     static constexpr const char* name{"RollObserver"};
@@ -1017,6 +1018,7 @@ struct RollObserver {
             case ResetReason::data_abort:
             case ResetReason::stack_overflow:
             case ResetReason::interrupt:
+            case ResetReason::start_without_reset:
                 return true;
         }
         return false;
@@ -1041,6 +1043,8 @@ struct RollObserver {
                 return "stack overflow";
             case ResetReason::interrupt:
                 return "interrupt";
+            case ResetReason::start_without_reset:
+                return "start without reset";
         }
         return "unknown";
     }

@@ -32,17 +32,15 @@ static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::left) == RSI_SIDE
 static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::right) == RSI_SIDE_RIGHT);
 
 // The numbers of an enumeration are those of the DBC.
-template <typename Enumeration, typename Sent>
-constexpr bool is_sent_as(Enumeration value, Sent sent) {
-    return static_cast<int>(value) == static_cast<int>(sent);
-}
-static_assert(is_sent_as(ParametersRefusal::none, can_dbc::RolloverWarning::ParametersRefusal::none));
-static_assert(is_sent_as(ParametersRefusal::missing, can_dbc::RolloverWarning::ParametersRefusal::missing));
-static_assert(is_sent_as(ParametersRefusal::version, can_dbc::RolloverWarning::ParametersRefusal::version));
-static_assert(is_sent_as(ParametersRefusal::layout, can_dbc::RolloverWarning::ParametersRefusal::layout));
-static_assert(is_sent_as(ParametersRefusal::length, can_dbc::RolloverWarning::ParametersRefusal::length));
-static_assert(is_sent_as(ParametersRefusal::checksum, can_dbc::RolloverWarning::ParametersRefusal::checksum));
-static_assert(is_sent_as(ParametersRefusal::value, can_dbc::RolloverWarning::ParametersRefusal::value));
+template <auto value, auto sent>
+inline constexpr bool is_sent_as = (static_cast<int>(value) == static_cast<int>(sent));
+static_assert(is_sent_as<ParametersRefusal::none, can_dbc::RolloverWarning::ParametersRefusal::none>);
+static_assert(is_sent_as<ParametersRefusal::missing, can_dbc::RolloverWarning::ParametersRefusal::missing>);
+static_assert(is_sent_as<ParametersRefusal::version, can_dbc::RolloverWarning::ParametersRefusal::version>);
+static_assert(is_sent_as<ParametersRefusal::layout, can_dbc::RolloverWarning::ParametersRefusal::layout>);
+static_assert(is_sent_as<ParametersRefusal::length, can_dbc::RolloverWarning::ParametersRefusal::length>);
+static_assert(is_sent_as<ParametersRefusal::checksum, can_dbc::RolloverWarning::ParametersRefusal::checksum>);
+static_assert(is_sent_as<ParametersRefusal::value, can_dbc::RolloverWarning::ParametersRefusal::value>);
 
 can_dbc::RollCentreEstimate estimate_message(const rsi::Outputs& outputs) {
     can_dbc::RollCentreEstimate message{};
@@ -89,18 +87,20 @@ can_dbc::RollObserver observer_message(const rsi::Outputs& outputs, hal::ResetRe
     return message;
 }
 
-static_assert(is_sent_as(hal::ResetReason::power_on, can_dbc::RollObserver::ResetReason::power_on));
-static_assert(is_sent_as(hal::ResetReason::outside, can_dbc::RollObserver::ResetReason::outside));
-static_assert(is_sent_as(hal::ResetReason::undefined_instruction,
-                         can_dbc::RollObserver::ResetReason::undefined_instruction));
-static_assert(is_sent_as(hal::ResetReason::supervisor_call,
-                         can_dbc::RollObserver::ResetReason::supervisor_call));
-static_assert(is_sent_as(hal::ResetReason::prefetch_abort,
-                         can_dbc::RollObserver::ResetReason::prefetch_abort));
-static_assert(is_sent_as(hal::ResetReason::data_abort, can_dbc::RollObserver::ResetReason::data_abort));
-static_assert(is_sent_as(hal::ResetReason::stack_overflow,
-                         can_dbc::RollObserver::ResetReason::stack_overflow));
-static_assert(is_sent_as(hal::ResetReason::interrupt, can_dbc::RollObserver::ResetReason::interrupt));
+static_assert(is_sent_as<hal::ResetReason::power_on, can_dbc::RollObserver::ResetReason::power_on>);
+static_assert(is_sent_as<hal::ResetReason::outside, can_dbc::RollObserver::ResetReason::outside>);
+static_assert(is_sent_as<hal::ResetReason::undefined_instruction,
+                         can_dbc::RollObserver::ResetReason::undefined_instruction>);
+static_assert(
+    is_sent_as<hal::ResetReason::supervisor_call, can_dbc::RollObserver::ResetReason::supervisor_call>);
+static_assert(
+    is_sent_as<hal::ResetReason::prefetch_abort, can_dbc::RollObserver::ResetReason::prefetch_abort>);
+static_assert(is_sent_as<hal::ResetReason::data_abort, can_dbc::RollObserver::ResetReason::data_abort>);
+static_assert(
+    is_sent_as<hal::ResetReason::stack_overflow, can_dbc::RollObserver::ResetReason::stack_overflow>);
+static_assert(is_sent_as<hal::ResetReason::interrupt, can_dbc::RollObserver::ResetReason::interrupt>);
+static_assert(is_sent_as<hal::ResetReason::start_without_reset,
+                         can_dbc::RollObserver::ResetReason::start_without_reset>);
 
 can_dbc::RolloverStatus status_message(const Health& health) {
     const ReceptionReport& reception = health.reception;

@@ -133,11 +133,7 @@ void Component::warn(const Measurement& measured, Outputs& outputs) {
         running_ = false;
         risk = RiskLevel{warning_.warning_on(), measured.roll_angle_rad};
     }
-    if (is_finite(risk.indicator)) {
-        warning_.update(risk);
-    } else {
-        warning_.update_unavailable();
-    }
+    warning_.update(risk);
     outputs.state = warning_.state();
     outputs.side = warning_.side();
 }

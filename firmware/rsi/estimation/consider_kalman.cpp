@@ -81,6 +81,8 @@ RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float ext
     } else if (equation.settled && (force_n < straight_share * excitation_threshold_n_) &&
                (absolute(equation.roll_rate_radps) < straight_roll_rate_radps)) {
         learn_offset(equation);
+    } else {
+        // Between the two, it cannot be told which of them it is.
     }
     RollCentreEstimate estimate;
     if (!all_finite(equation)) {

@@ -129,6 +129,8 @@ void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Me
         check_.reset();
     } else if (measurement.odd_sample && !observer_.tipped()) {
         check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
+    } else {
+        // The observer's model ends where the vehicle tips: the check keeps what it has.
     }
     observed.sensor_disagrees = check_.disagrees();
 }

@@ -21,7 +21,8 @@ class WarningStateMachine {
     // A sample without a statement: "unavailable" at once.
     void update_unavailable();
 
-    // A sample with a statement. "Unavailable" is left once the inputs have been good for recovery_s.
+    // A sample with a statement; an indicator without a number is none. "Unavailable" is left once the inputs
+    // have been good for recovery_s.
     void update(const RiskLevel& risk);
 
     rsi_state state() const { return state_; }
