@@ -34,7 +34,8 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     reception_.receive(bus_);
     const hal::Time now = clock_.now();
     const bool stalled = (missed_cycles > most_missed_cycles);
-    component_.step(stalled ? no_inputs : reception_.inputs(now), outputs_);
+    inputs_ = stalled ? no_inputs : reception_.inputs(now);
+    component_.step(inputs_, outputs_);
     transmission_.send(bus_, outputs_, health(now, missed_cycles));
     watchdog_.feed();
 }

@@ -36,8 +36,9 @@ class RolloverEcu {
     // ms. Feeds the watchdog at its end.
     void step(std::uint32_t missed_cycles) noexcept;
 
-    // What the last cycle computed, for a platform that shows or records it.
+    // What the last cycle computed and what from, for a platform that shows or records it.
     const rsi::Outputs& outputs() const noexcept { return outputs_; }
+    const rsi::Inputs& inputs() const noexcept { return inputs_; }
 
  private:
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
@@ -50,6 +51,7 @@ class RolloverEcu {
     rsi::Component component_{};
     SensorReception reception_{};
     WarningTransmission transmission_{};
+    rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};

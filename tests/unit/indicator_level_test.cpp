@@ -45,6 +45,13 @@ rsi_outputs all_different() {
     return outputs;
 }
 
+rsi::IndicatedRisk indicated(const rsi_outputs& outputs, const rsi_parameters& parameters,
+                             float roll_angle_rad) {
+    rsi::WarningIndicator indicator;
+    indicator.init(parameters);
+    return indicator.evaluate(outputs, roll_angle_rad);
+}
+
 TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
     const rsi_outputs outputs = all_different();
     const float roll_angle = -0.1F;
@@ -66,7 +73,9 @@ TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
         const rsi_parameters parameters = driven_by(expected.indicator);
         EXPECT_NEAR(static_cast<double>(rsi::indicator_level(outputs, parameters)), expected.level, 1e-4)
             << expected.indicator;
-        EXPECT_EQ(rsi::indicator_side(outputs, parameters, roll_angle), expected.side) << expected.indicator;
+        const rsi::IndicatedRisk risk = indicated(outputs, parameters, roll_angle);
+        EXPECT_EQ(risk.level, rsi::indicator_level(outputs, parameters)) << expected.indicator;
+        EXPECT_EQ(risk.direction < 0.0F, expected.side < 0.0F) << expected.indicator;
     }
 }
 
@@ -83,7 +92,7 @@ TEST(IndicatorLevel, IsTheSameOnTheOtherSide) {
         const rsi_parameters parameters = driven_by(indicator);
         EXPECT_EQ(rsi::indicator_level(right, parameters), rsi::indicator_level(left, parameters))
             << indicator;
-        EXPECT_EQ(rsi::indicator_side(right, parameters, 0.0F), -rsi::indicator_side(left, parameters, 0.0F))
+        EXPECT_EQ(indicated(right, parameters, 0.0F).direction, -indicated(left, parameters, 0.0F).direction)
             << indicator;
     }
 }
@@ -105,7 +114,7 @@ TEST(IndicatorLevel, OfASelectionThatDoesNotExistIsNotAvailable) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER + 1;
     EXPECT_TRUE(std::isnan(rsi::indicator_level(all_different(), parameters)));
-    EXPECT_EQ(rsi::indicator_side(all_different(), parameters, -0.1F), 1.0F);
+    EXPECT_TRUE(std::isnan(indicated(all_different(), parameters, -0.1F).level));
 }
 
 TEST(IndicatorLevel, StaysBetweenZeroAndTwenty) {

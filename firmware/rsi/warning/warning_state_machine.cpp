@@ -12,7 +12,7 @@ std::uint32_t to_samples(float time_s) {
 }
 
 rsi_side falling_side(float side) {
-    return (side > 0.0F) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT;
+    return (side < 0.0F) ? RSI_SIDE_LEFT : RSI_SIDE_RIGHT;
 }
 
 }  // namespace
