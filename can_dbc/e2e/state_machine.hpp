@@ -66,7 +66,7 @@ class StateMachine {
                 return;
             }
             state_ = ChannelState::init;
-            if (!settings.first_frame_counts) {
+            if constexpr (!settings.first_frame_counts) {
                 return;
             }
         }

@@ -45,6 +45,20 @@ constexpr std::array<std::uint8_t, size> protected_zeros(std::uint8_t counter) {
     return payload;
 }
 
+TEST(Crc16CcittFalse, HasATableThatIsTheDivisionBitByBit) {
+    for (const unsigned polynomial : {0x1021U, 0x8005U}) {
+        const std::array<std::uint16_t, 256> table =
+            can_dbc::e2e::detail::make_crc16_table(static_cast<std::uint16_t>(polynomial));
+        for (unsigned byte = 0U; byte < 256U; ++byte) {
+            unsigned remainder = byte << 16U;
+            for (unsigned bit = 23U; bit >= 16U; --bit) {
+                remainder ^= ((remainder >> bit) & 1U) * ((0x10000U | polynomial) << (bit - 16U));
+            }
+            EXPECT_EQ(table[byte], remainder) << byte;
+        }
+    }
+}
+
 TEST(Crc16CcittFalse, GivesTheCatalogueCheckValue) {
     constexpr std::array<std::uint8_t, 9> digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
     static_assert(can_dbc::e2e::crc16_ccitt_false(digits.data(), digits.size()) == 0x29B1U);

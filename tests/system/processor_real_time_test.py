@@ -17,6 +17,8 @@ MOST_OVERRUNS = 255  # where CycleOverruns ends
 # The firmware's clock knows nothing of the simulation's: a sensor frame waits up to one cycle, the warning's
 # confirmation is counted in whole cycles, and the replay on the host has cycles of its own.
 TOLERANCE_S = 0.03
+# The simulation's own clock against the bus: the world starts and steps late when it is held up.
+WORLD_TOLERANCE_S = 0.1
 
 
 class Drive:
@@ -92,7 +94,7 @@ class RealTime(unittest.TestCase):
         self.assertGreater(self.drive.summary["lead_time_s"], 0.25)
         changes = state_changes(self.drive.frames, self.drive.first)
         warning_s = next(time for time, state in changes if state == WARNING)
-        self.assertAlmostEqual(warning_s, self.drive.summary["warning_time_s"], delta=TOLERANCE_S)
+        self.assertAlmostEqual(warning_s, self.drive.summary["warning_time_s"], delta=WORLD_TOLERANCE_S)
 
     def test_no_frame_is_lost(self):
         for identifier in processor.ECU_IDENTIFIERS:

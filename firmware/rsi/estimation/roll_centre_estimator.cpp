@@ -8,18 +8,16 @@ void RollCentreEstimator::init(const Parameters& parameters) {
     consider_kalman_.init(parameters);
 }
 
-void RollCentreEstimator::forget() {
+void RollCentreEstimator::reset() {
     published_.reset();
     consider_kalman_.reset();
     estimate_ = RollCentreEstimate{};
-    is_new_ = true;
 }
 
 bool RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
                                  const FixedModelRoll& fixed, float extended_rsi, float speed_mps,
                                  bool odd_sample) {
     if (in_use_ == RSI_ESTIMATOR_PUBLISHED) {
-        is_new_ = false;
         published_.update(regress(model, measured, fixed));
         estimate_ = published_.estimate();
         return false;
@@ -27,7 +25,6 @@ bool RollCentreEstimator::update(const RollPlaneModel& model, const Measurement&
     if (odd_sample) {
         return false;
     }
-    is_new_ = false;
     estimate_ = consider_kalman_.update(measured, extended_rsi, speed_mps);
     return true;
 }

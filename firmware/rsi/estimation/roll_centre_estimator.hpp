@@ -10,12 +10,8 @@ namespace rsi {
 class RollCentreEstimator {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
-    // Forgets everything; costs nothing where there is nothing to forget.
-    void reset() {
-        if (!is_new_) {
-            forget();
-        }
-    }
+    // Forgets everything.
+    [[gnu::cold, gnu::noinline]] void reset();
 
     // For a gap in the measurements: what has been learnt stays.
     void restart() { consider_kalman_.restart(); }
@@ -31,9 +27,6 @@ class RollCentreEstimator {
     const RollCentreEstimate& estimate() const { return estimate_; }
 
  private:
-    [[gnu::cold, gnu::noinline]] void forget();
-
-    bool is_new_{false};  // nothing has come since the last reset
     rsi_estimator in_use_{RSI_ESTIMATOR_PUBLISHED};
     RobustLeastSquares published_{};
     ConsiderKalman consider_kalman_{};
