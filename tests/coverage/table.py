@@ -1,8 +1,6 @@
-"""The table of coverage, its goals, and its place in the documentation."""
+"""The table of coverage and its goals."""
 
 GOALS = {"line": 1.0, "branch": 1.0, "MC/DC": 0.95}
-BEGIN = "<!-- coverage: made by tests/coverage/measure --document -->\n"
-END = "<!-- end of coverage -->\n"
 
 
 def _figures(file):
@@ -42,20 +40,3 @@ def missed_goals(files):
     """Whatever is left out by name still counts: a list of excuses cannot make the figures good."""
     return [f"{name} coverage is {reached} of {there}, {100 * reached / there:.2f} %; the goal is {100 * goal:.0f} %"
             for (name, goal), (reached, there) in zip(GOALS.items(), _total(files)) if reached < goal * there]
-
-
-def _parts(page):
-    before, begun, rest = page.read_text().partition(BEGIN)
-    held, ended, after = rest.partition(END)
-    if not (begun and ended):
-        raise SystemExit(f"coverage: {page} has no place for the table: {BEGIN.strip()} ... {END.strip()}")
-    return before, held, after
-
-
-def holds(page, text):
-    return _parts(page)[1] == text
-
-
-def put(page, text):
-    before, _, after = _parts(page)
-    page.write_text(before + BEGIN + text + END + after)

@@ -1,12 +1,10 @@
-"""Scores, their confidence, and their place in the documentation."""
+"""Scores and their confidence."""
 
 import collections
 import math
 import random
 
 GOAL = 0.9
-BEGIN = "<!-- mutation: made by tests/mutation/run --document -->\n"
-END = "<!-- end of mutation -->\n"
 
 
 def draw(mutants, count, seed):
@@ -75,11 +73,3 @@ def missed_goal(results):
     if tried and killed < GOAL * tried:
         return [f"{killed} of {tried} mutants are killed, {100 * killed / tried:.1f} %; the goal is {100 * GOAL:.0f} %"]
     return []
-
-
-def put(page, text):
-    before, begun, rest = page.read_text().partition(BEGIN)
-    _, ended, after = rest.partition(END)
-    if not (begun and ended):
-        raise SystemExit(f"mutation: {page} has no place for the table: {BEGIN.strip()} ... {END.strip()}")
-    page.write_text(before + BEGIN + text + END + after)
