@@ -140,11 +140,7 @@ ReceiveResult SocketCanBus::receive(CanFrame& frame) noexcept {
         } else if (kind == KernelFrameKind::data) {
             frame = from_kernel(kernel_frame, read.bytes, receive_time_of(read));
             count_up(statistics_.frames_received);
-            bus_off_schedule_.reset();
-            if (state_ == BusState::bus_off) {
-                state_ =
-                    BusState::error_active;  // a node that is bus-off hears nothing, so it has been restarted
-            }
+            take_sign_of_life();
             return ReceiveResult::frame;
         }
     }
@@ -196,6 +192,16 @@ void SocketCanBus::take_error_frame(const canfd_frame& error_frame) noexcept {
     }
 }
 
+// A node that is bus-off hears nothing, so somebody else has restarted it; but where this bus does that, the
+// frame may as well be a late one, and to believe it would mean to stay bus-off.
+void SocketCanBus::take_sign_of_life() noexcept {
+    if (state_ != BusState::bus_off) {
+        bus_off_schedule_.reset();
+    } else if (!restart_when_bus_off_ || left_to_kernel_) {
+        state_ = BusState::error_active;
+    }
+}
+
 void SocketCanBus::follow_bus_off() noexcept {
     if (!restart_when_bus_off_ || state_ != BusState::bus_off) {
         return;
@@ -206,6 +212,7 @@ void SocketCanBus::follow_bus_off() noexcept {
     }
     const ControllerRestartResult restart = restart_controller(settings_.interface_name);
     bus_off_.refusal = restart.system_error;
+    left_to_kernel_ = restart.outcome == ControllerRestart::left_to_kernel;
     if (restart.outcome == ControllerRestart::done) {
         count_up(bus_off_.restarts);
     }

@@ -76,6 +76,7 @@ class SocketCanBus final : public CanBus {
 
  private:
     ReceiveResult after_read_error(int system_error) noexcept;
+    void take_sign_of_life() noexcept;
     void follow_bus_off() noexcept;
     void take_error_frame(const canfd_frame& error_frame) noexcept;
     void take_drop_count(std::uint32_t drop_count) noexcept;
@@ -95,6 +96,7 @@ class SocketCanBus final : public CanBus {
     bool restart_when_bus_off_{false};
     BusOffReport bus_off_;
     BusOffSchedule bus_off_schedule_;
+    bool left_to_kernel_{false};
     Time restart_at_{};
     std::uint32_t drop_count_{0U};
     Time last_empty_{};

@@ -67,13 +67,13 @@ class Ecu:
 
 
 class Candump:
-    """`candump -L` on the interface, writing to a file."""
+    """`candump -L` on the interface, writing to a file; `filters` as candump takes them behind the interface's name."""
 
-    def __init__(self, path):
+    def __init__(self, path, filters="", *options):
         self.path = pathlib.Path(path)
         self.file = open(self.path, "w", encoding="ascii")
         listeners = self._listeners()
-        command = ["candump", "-L", "-r", "8388608", INTERFACE]
+        command = ["candump", "-L", "-r", "8388608", *options, INTERFACE + filters]
         self.process = subprocess.Popen(command, stdout=self.file, stderr=subprocess.PIPE)
         deadline = time.monotonic() + 10
         while self._listeners() <= listeners:
