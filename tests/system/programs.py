@@ -38,8 +38,8 @@ class Ecu:
     PROGRAM = PROGRAMS / "rsi-ecu"
     DEFAULTS = ("--parameters", CALIBRATION)
 
-    def __init__(self, *options):
-        command = [self.PROGRAM, "--interface", INTERFACE, *self.DEFAULTS, *options]
+    def __init__(self, *options, interface=None):
+        command = [self.PROGRAM, "--interface", interface or INTERFACE, *self.DEFAULTS, *options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.output = self.process.stdout.readline()
         if "listening" not in self.output:
@@ -83,9 +83,9 @@ class Candump:
 
     @staticmethod
     def _listeners():
-        """How many sockets hear everything on the interface, as the kernel lists them."""
-        text = pathlib.Path("/proc/net/can/rcvlist_all").read_text(encoding="ascii")
-        return len(re.findall(rf"^\s*{INTERFACE}\s+000\s", text, re.MULTILINE))
+        """How many filters there are on the interface, as the kernel lists them."""
+        lists = pathlib.Path("/proc/net/can").glob("rcvlist_*")
+        return sum(len(re.findall(rf"^\s*{INTERFACE}\s+[0-9a-f]", path.read_text(), re.MULTILINE)) for path in lists)
 
     def stop(self):
         """Ends it after it has read what waits; the frames as (time, identifier, data)."""
