@@ -1123,24 +1123,22 @@ struct RolloverDiagnosis {
         yaw_rate_stuck = 21,
         speed_invalid = 22,
         speed_jump = 23,
-        speed_stuck = 24,
-        steering_invalid = 25,
-        steering_jump = 26,
-        steering_stuck = 27,
-        roll_rate_contradicts_roll_angle = 28,
-        lateral_acceleration_contradicts_yaw_rate = 29,
-        roll_sensor_contradicts_observer = 30,
-        roll_rate_offset = 31,
-        lateral_acceleration_offset = 32,
-        parameters_refused = 33,
-        parameters_damaged = 34,
-        estimate_out_of_range = 35,
-        output_not_finite = 36,
-        cycle_overrun = 37,
-        cycle_stall = 38,
-        clock_jump = 39,
-        bus_error = 40,
-        receive_overflow = 41,
+        steering_invalid = 24,
+        steering_jump = 25,
+        roll_rate_contradicts_roll_angle = 26,
+        lateral_acceleration_contradicts_yaw_rate = 27,
+        roll_sensor_contradicts_observer = 28,
+        roll_rate_offset = 29,
+        yaw_rate_contradicts_lateral_acceleration = 30,
+        parameters_refused = 31,
+        parameters_damaged = 32,
+        estimate_out_of_range = 33,
+        output_not_finite = 34,
+        cycle_overrun = 35,
+        cycle_stall = 36,
+        clock_jump = 37,
+        bus_error = 38,
+        receive_overflow = 39,
     };
 
     // How far that code has come.
@@ -1276,15 +1274,13 @@ struct RolloverDiagnosis {
             case Code::yaw_rate_stuck:
             case Code::speed_invalid:
             case Code::speed_jump:
-            case Code::speed_stuck:
             case Code::steering_invalid:
             case Code::steering_jump:
-            case Code::steering_stuck:
             case Code::roll_rate_contradicts_roll_angle:
             case Code::lateral_acceleration_contradicts_yaw_rate:
             case Code::roll_sensor_contradicts_observer:
             case Code::roll_rate_offset:
-            case Code::lateral_acceleration_offset:
+            case Code::yaw_rate_contradicts_lateral_acceleration:
             case Code::parameters_refused:
             case Code::parameters_damaged:
             case Code::estimate_out_of_range:
@@ -1350,14 +1346,10 @@ struct RolloverDiagnosis {
                 return "speed invalid";
             case Code::speed_jump:
                 return "speed jump";
-            case Code::speed_stuck:
-                return "speed stuck";
             case Code::steering_invalid:
                 return "steering invalid";
             case Code::steering_jump:
                 return "steering jump";
-            case Code::steering_stuck:
-                return "steering stuck";
             case Code::roll_rate_contradicts_roll_angle:
                 return "roll rate contradicts roll angle";
             case Code::lateral_acceleration_contradicts_yaw_rate:
@@ -1366,8 +1358,8 @@ struct RolloverDiagnosis {
                 return "roll sensor contradicts observer";
             case Code::roll_rate_offset:
                 return "roll rate offset";
-            case Code::lateral_acceleration_offset:
-                return "lateral acceleration offset";
+            case Code::yaw_rate_contradicts_lateral_acceleration:
+                return "yaw rate contradicts lateral acceleration";
             case Code::parameters_refused:
                 return "parameters refused";
             case Code::parameters_damaged:

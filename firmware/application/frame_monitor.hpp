@@ -14,6 +14,10 @@ namespace application {
 // after its last frame, depending on the phase between the two.
 inline constexpr hal::Time frame_time_limit = hal::Time::from_milliseconds(35);
 
+// A frame from the future: the clock has gone back, and the frame's age is not known. As much as a cycle may
+// be the resolution of two clocks.
+inline constexpr hal::Time no_older = hal::Time::from_milliseconds(-10);
+
 // Two lost frames in a row are tolerated: the fourth one would be older than the time limit anyway.
 inline constexpr std::uint8_t largest_counter_step = 3U;
 
@@ -50,7 +54,8 @@ class FrameMonitor {
     bool received() const noexcept { return received_; }
 
     bool is_fresh(hal::Time now) const noexcept {
-        return received_ && !(frame_time_limit < (now - latest_time_));
+        const hal::Time age = now - latest_time_;
+        return received_ && !(frame_time_limit < age) && !(age < no_older);
     }
 
     // The last usable values; only meaningful while is_fresh().

@@ -1,6 +1,7 @@
 #include "application/rollover_ecu.hpp"
 
 #include "hal/interface/saturating_count.hpp"
+#include "monitoring/output_check.hpp"
 
 namespace application {
 namespace {
@@ -21,6 +22,7 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
+    parameter_guard_.start(component_.parameters());
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
     return answer;
 }
@@ -29,6 +31,7 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
     rsi::Parameters parameters{};  // which the component refuses, unless the section replaces them
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters);
     static_cast<void>(component_.init(parameters));
+    parameter_guard_.start(component_.parameters());
     refusal_ = answer.refusal;
     return answer;
 }
@@ -42,15 +45,57 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     memory_.begin_cycle(monitoring::Snapshot{inputs.lateral_specific_force_mps2, inputs.roll_rate_radps,
                                              inputs.roll_angle_rad, inputs.speed_mps});
     report_reception(report.reception);
-    report_platform(report, missed_cycles);
+    report_platform(report, now, missed_cycles);
 
-    const bool stalled = (missed_cycles > most_missed_cycles);
-    component_.step(stalled ? no_inputs : inputs, outputs_);
+    const rsi::Inputs usable = qualified(inputs, report.reception, missed_cycles);
+    component_.step(usable, outputs_);
+    const bool healthy = check_itself();
 
-    report.degradation = monitoring::degradation_of(inputs, outputs_, false);
+    report.degradation = monitoring::degradation_of(usable, outputs_, internal_fault());
     report.diagnosis = memory_.next();
     transmission_.send(bus_, outputs_, report);
-    watchdog_.feed();
+    if (healthy) {
+        watchdog_.feed();
+    }
+}
+
+// After a stall neither the component's models nor the checks know what was in between.
+rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionReport& reception,
+                                   std::uint32_t missed_cycles) noexcept {
+    if (missed_cycles > most_missed_cycles) {
+        input_monitor_ = monitoring::InputMonitor{};
+        return no_inputs;
+    }
+    const monitoring::FreshFrames fresh{!reception.imu.timeout, !reception.roll_angle.timeout,
+                                        !reception.vehicle_motion.timeout};
+    return input_monitor_.qualify(inputs, fresh, outputs_, memory_);
+}
+
+// False when this cycle has found the parameters, the estimate or an output damaged; as long as one of these
+// codes is confirmed there is no statement on the risk.
+bool RolloverEcu::check_itself() noexcept {
+    using monitoring::DiagnosticCode;
+    const bool parameters_good = !parameter_guard_.is_damaged(component_.parameters());
+    const bool computed = monitoring::has_computed(outputs_);
+    const bool estimate_good = !computed || monitoring::estimate_is_in_range(outputs_);
+    const bool outputs_good = !computed || monitoring::outputs_are_sound(outputs_);
+    memory_.report(DiagnosticCode::parameters_damaged, !parameters_good);
+    memory_.report(DiagnosticCode::estimate_out_of_range, !estimate_good);
+    memory_.report(DiagnosticCode::output_not_finite, !outputs_good);
+    if (!estimate_good || !outputs_good) {
+        component_.forget();
+    }
+    if (internal_fault()) {
+        monitoring::withdraw(outputs_);
+    }
+    return parameters_good && estimate_good && outputs_good;
+}
+
+bool RolloverEcu::internal_fault() const noexcept {
+    using monitoring::DiagnosticCode;
+    return memory_.confirmed(DiagnosticCode::parameters_damaged) ||
+           memory_.confirmed(DiagnosticCode::estimate_out_of_range) ||
+           memory_.confirmed(DiagnosticCode::output_not_finite);
 }
 
 void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
@@ -67,11 +112,12 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
            DiagnosticCode::vehicle_motion_damaged);
 }
 
-void RolloverEcu::report_platform(const Health& health, std::uint32_t missed_cycles) noexcept {
+void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept {
     using monitoring::DiagnosticCode;
     memory_.report(DiagnosticCode::parameters_refused, health.parameters_refusal != ParametersRefusal::none);
     memory_.report(DiagnosticCode::cycle_overrun, missed_cycles > 0U);
     memory_.report(DiagnosticCode::cycle_stall, missed_cycles > most_missed_cycles);
+    memory_.report(DiagnosticCode::clock_jump, clock_check_.has_jumped(now.nanoseconds, missed_cycles));
     memory_.report(DiagnosticCode::bus_error, health.bus_error);
     memory_.report(DiagnosticCode::receive_overflow, health.receive_overflow);
 }

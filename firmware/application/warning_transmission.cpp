@@ -163,14 +163,10 @@ static_assert(is_sent_as(monitoring::DiagnosticCode::speed_invalid,
                          can_dbc::RolloverDiagnosis::Code::speed_invalid));
 static_assert(is_sent_as(monitoring::DiagnosticCode::speed_jump,
                          can_dbc::RolloverDiagnosis::Code::speed_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::speed_stuck,
-                         can_dbc::RolloverDiagnosis::Code::speed_stuck));
 static_assert(is_sent_as(monitoring::DiagnosticCode::steering_invalid,
                          can_dbc::RolloverDiagnosis::Code::steering_invalid));
 static_assert(is_sent_as(monitoring::DiagnosticCode::steering_jump,
                          can_dbc::RolloverDiagnosis::Code::steering_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::steering_stuck,
-                         can_dbc::RolloverDiagnosis::Code::steering_stuck));
 static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_contradicts_roll_angle,
                          can_dbc::RolloverDiagnosis::Code::roll_rate_contradicts_roll_angle));
 static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
@@ -179,8 +175,8 @@ static_assert(is_sent_as(monitoring::DiagnosticCode::roll_sensor_contradicts_obs
                          can_dbc::RolloverDiagnosis::Code::roll_sensor_contradicts_observer));
 static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_offset,
                          can_dbc::RolloverDiagnosis::Code::roll_rate_offset));
-static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_offset,
-                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_offset));
+static_assert(is_sent_as(monitoring::DiagnosticCode::yaw_rate_contradicts_lateral_acceleration,
+                         can_dbc::RolloverDiagnosis::Code::yaw_rate_contradicts_lateral_acceleration));
 static_assert(is_sent_as(monitoring::DiagnosticCode::parameters_refused,
                          can_dbc::RolloverDiagnosis::Code::parameters_refused));
 static_assert(is_sent_as(monitoring::DiagnosticCode::parameters_damaged,

@@ -19,8 +19,8 @@ enum class DiagnosticCode : std::uint8_t {
     vehicle_motion_lost,
     vehicle_motion_damaged,
 
-    // Signals, each by itself: invalid (not available, or beyond what is physical), jump (faster than anything
-    // that moves a vehicle), stuck (the very same value while others say that it must move)
+    // Signals, each by itself: invalid (not available, or beyond what is physical), jump (faster than
+    // anything that moves a vehicle), stuck (the very same value while others say that it must move)
     lateral_acceleration_invalid,
     lateral_acceleration_jump,
     lateral_acceleration_stuck,
@@ -38,17 +38,15 @@ enum class DiagnosticCode : std::uint8_t {
     yaw_rate_stuck,
     speed_invalid,
     speed_jump,
-    speed_stuck,
     steering_invalid,
     steering_jump,
-    steering_stuck,
 
     // Signals against each other
     roll_rate_contradicts_roll_angle,
     lateral_acceleration_contradicts_yaw_rate,
     roll_sensor_contradicts_observer,
     roll_rate_offset,
-    lateral_acceleration_offset,
+    yaw_rate_contradicts_lateral_acceleration,
 
     // The control unit itself
     parameters_refused,
@@ -82,14 +80,43 @@ constexpr Debounce debounce_of(DiagnosticCode code) {
         case DiagnosticCode::roll_angle_damaged:
         case DiagnosticCode::vehicle_motion_damaged:
             return {3U, 100U};
+        case DiagnosticCode::lateral_acceleration_invalid:
+        case DiagnosticCode::vertical_acceleration_invalid:
+        case DiagnosticCode::roll_rate_invalid:
+        case DiagnosticCode::roll_angle_invalid:
+        case DiagnosticCode::yaw_rate_invalid:
+        case DiagnosticCode::speed_invalid:
+        case DiagnosticCode::steering_invalid:
+            return {3U, 5U};
+        case DiagnosticCode::lateral_acceleration_jump:
+        case DiagnosticCode::vertical_acceleration_jump:
+        case DiagnosticCode::roll_rate_jump:
+        case DiagnosticCode::roll_angle_jump:
+        case DiagnosticCode::yaw_rate_jump:
+        case DiagnosticCode::speed_jump:
+        case DiagnosticCode::steering_jump:
+            return {3U, 50U};
+        case DiagnosticCode::lateral_acceleration_stuck:
+        case DiagnosticCode::vertical_acceleration_stuck:
+        case DiagnosticCode::roll_rate_stuck:
+        case DiagnosticCode::roll_angle_stuck:
+        case DiagnosticCode::yaw_rate_stuck:
+            return {1U, 20U};  // the run of equal values is the debounce
+        case DiagnosticCode::lateral_acceleration_contradicts_yaw_rate:
+        case DiagnosticCode::roll_sensor_contradicts_observer:
+        case DiagnosticCode::yaw_rate_contradicts_lateral_acceleration:
+            return {1U, 100U};  // their filters, and the component's own check, are the debounce
         case DiagnosticCode::parameters_refused:
             return {1U, 1U};
+        case DiagnosticCode::parameters_damaged:
+        case DiagnosticCode::estimate_out_of_range:
+        case DiagnosticCode::output_not_finite:
         case DiagnosticCode::cycle_overrun:
         case DiagnosticCode::cycle_stall:
         case DiagnosticCode::clock_jump:
         case DiagnosticCode::receive_overflow:
             return {1U, 100U};
-        default:
+        default:  // roll rate and roll angle against each other, the bus
             return {3U, 100U};
     }
 }

@@ -150,6 +150,14 @@ void Component::step_unavailable(Outputs& outputs) {
     outputs = no_outputs();
 }
 
+void Component::forget() {
+    running_ = false;
+    movement_m_ = 0.0F;
+    measurement_.reset();
+    estimator_.reset();
+    warning_.update_unavailable();
+}
+
 // After a gap the models start where the vehicle is; what the estimator has learnt stays.
 void Component::resume(const Measurement& measured) {
     fixed_.reset(measured.roll_angle_rad);

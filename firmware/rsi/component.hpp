@@ -22,6 +22,12 @@ class Component {
     // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
     void step(const Inputs& inputs, Outputs& outputs);
 
+    // Forgets what was learnt and starts from the nominal vehicle at the next sample, as after init.
+    [[gnu::cold]] void forget();
+
+    // As they are in memory, for a check of that memory.
+    const Parameters& parameters() const { return parameters_; }
+
  private:
     // Rare, so not to be made part of step() as all the rest is.
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
