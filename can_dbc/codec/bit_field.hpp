@@ -59,7 +59,7 @@ constexpr std::int64_t read_bits(const BitField& field, const std::uint8_t* payl
     });
     const std::int64_t magnitude = bits;
     const bool negative = field.is_signed && ((bits >> (field.length - 1U)) & 1U) != 0U;
-    return negative ? magnitude - (std::int64_t{1} << field.length) : magnitude;
+    return negative ? magnitude - static_cast<std::int64_t>(std::uint64_t{1} << field.length) : magnitude;
 }
 
 // Writes the lowest `length` bits of `raw` and leaves every other bit of the payload as it is.

@@ -11,8 +11,8 @@ namespace detail {
 
 constexpr std::array<std::uint8_t, 256> make_crc8_table(std::uint8_t polynomial) {
     std::array<std::uint8_t, 256> table{};
-    for (std::size_t index = 0U; index < table.size(); ++index) {
-        unsigned remainder = static_cast<unsigned>(index);
+    for (unsigned index = 0U; index < table.size(); ++index) {
+        unsigned remainder = index;
         for (unsigned bit = 0U; bit < 8U; ++bit) {
             remainder = (remainder & 0x80U) != 0U ? (remainder << 1U) ^ polynomial : remainder << 1U;
         }

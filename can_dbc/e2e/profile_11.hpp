@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "can_dbc/e2e/check_status.hpp"
+#include "can_dbc/e2e/counter_sequence.hpp"
 #include "can_dbc/e2e/crc8_sae_j1850.hpp"
 
 namespace can_dbc::e2e {
@@ -29,7 +30,7 @@ constexpr std::uint8_t profile_11_crc(const std::uint8_t* payload, std::size_t l
 }
 
 constexpr std::uint8_t profile_11_nibble(std::uint16_t data_id) {
-    return static_cast<std::uint8_t>((data_id >> 8U) & 0x0FU);
+    return static_cast<std::uint8_t>((static_cast<std::uint32_t>(data_id) >> 8U) & 0x0FU);
 }
 
 }  // namespace detail
@@ -78,18 +79,15 @@ class Profile11Sender {
     std::uint8_t counter_{0U};
 };
 
-// Checks the frames of one data identifier as they arrive. The caller owns it, one a message.
-//
-// The first undamaged frame is ok: nothing is known to be lost before it. Every undamaged frame becomes the
-// reference of the next one, whatever its status, so that a jump of the counter costs one frame and never
-// locks the receiver. A damaged frame leaves the reference alone. AUTOSAR's state machine, which watches
-// several cycles, can be fed with the results of `check` and `no_frame`.
+// Checks the frames of one data identifier as they arrive. The caller owns it, one a message. A damaged frame
+// leaves the counter's reference alone; see CounterSequence. StateMachine, which watches several cycles, is
+// fed with the results of `check` and `no_frame`.
 class Profile11Receiver {
  public:
     // `largest_counter_step` is how far the counter may advance between two frames, 1 to 14: 1 tolerates no
     // lost frame.
     constexpr Profile11Receiver(std::uint16_t data_id, std::size_t length, std::uint8_t largest_counter_step)
-        : length_{length}, data_id_{data_id}, largest_counter_step_{largest_counter_step} {}
+        : length_{length}, data_id_{data_id}, sequence_{largest_counter_step} {}
 
     // Judges one received frame: `length` is the frame's, which may be smaller than the array.
     template <std::size_t size>
@@ -107,31 +105,12 @@ class Profile11Receiver {
         if (error != CheckError::none) {
             return CheckResult{CheckStatus::error, error};
         }
-        return follow(static_cast<std::uint8_t>(payload[1] & 0x0FU));
-    }
-
-    constexpr CheckResult follow(std::uint8_t counter) {
-        constexpr unsigned range = profile_11_largest_counter + 1U;
-        const unsigned step = (counter + range - counter_) % range;
-        const bool first = !has_reference_;
-        has_reference_ = true;
-        counter_ = counter;
-        if (first || step == 1U) {
-            return CheckResult{CheckStatus::ok};
-        }
-        if (step == 0U) {
-            return CheckResult{CheckStatus::repeated};
-        }
-        const CheckStatus status =
-            step <= largest_counter_step_ ? CheckStatus::ok_some_lost : CheckStatus::wrong_sequence;
-        return CheckResult{status, CheckError::none, static_cast<std::uint8_t>(step - 1U)};
+        return sequence_.follow(static_cast<std::uint8_t>(payload[1] & 0x0FU));
     }
 
     std::size_t length_;
     std::uint16_t data_id_;
-    std::uint8_t largest_counter_step_;
-    std::uint8_t counter_{0U};
-    bool has_reference_{false};
+    CounterSequence<profile_11_largest_counter + 1U> sequence_;
 };
 
 }  // namespace can_dbc::e2e

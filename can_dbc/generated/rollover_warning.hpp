@@ -18,9 +18,11 @@ struct Imu {
     static constexpr const char* name{"Imu"};
     static constexpr std::uint32_t identifier{0x120U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0x3A7U};
 
     // Specific force along the body's y axis, positive to the left. m/s^2, -60 to 60.
@@ -88,9 +90,11 @@ struct RollAngle {
     static constexpr const char* name{"RollAngle"};
     static constexpr std::uint32_t identifier{0x121U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0x45CU};
 
     // Roll angle of the body relative to the road, positive with the right side down. deg, -120 to 120.
@@ -148,9 +152,11 @@ struct VehicleMotion {
     static constexpr const char* name{"VehicleMotion"};
     static constexpr std::uint32_t identifier{0x122U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0x5B1U};
 
     // Speed over ground along the vehicle's x axis. km/h, 0 to 400.
@@ -244,9 +250,11 @@ struct RolloverWarning {
     static constexpr const char* name{"RolloverWarning"};
     static constexpr std::uint32_t identifier{0x0D0U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0x61EU};
 
     // Warning state.
@@ -425,9 +433,11 @@ struct RollCentreEstimate {
     static constexpr const char* name{"RollCentreEstimate"};
     static constexpr std::uint32_t identifier{0x230U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0x7D4U};
 
     // Vertical movement of the roll centre from its nominal place, positive upwards. m, -1 to 1.
@@ -505,9 +515,11 @@ struct RolloverStatus {
     static constexpr const char* name{"RolloverStatus"};
     static constexpr std::uint32_t identifier{0x231U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0x88BU};
 
     // No usable Imu frame within the time limit.
@@ -725,9 +737,11 @@ struct RollIndicesAhead {
     static constexpr const char* name{"RollIndicesAhead"};
     static constexpr std::uint32_t identifier{0x232U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0x9A6U};
 
     // Load-transfer ratio that the roll state, the trend of the lateral acceleration and the steering lead to within the prediction horizon; largest magnitude, positive in a left turn. Dimensionless, -2 to 2.
@@ -805,9 +819,11 @@ struct RollIndicesClassic {
     static constexpr const char* name{"RollIndicesClassic"};
     static constexpr std::uint32_t identifier{0x233U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0xAC3U};
 
     // Roll stability indicator as published. Dimensionless, 0 to 1.2.
@@ -919,14 +935,17 @@ struct RollObserver {
         data_abort = 5,
         stack_overflow = 6,
         interrupt = 7,
+        start_without_reset = 8,
     };
 
     static constexpr const char* name{"RollObserver"};
     static constexpr std::uint32_t identifier{0x234U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0xBE8U};
 
     // Roll angle relative to the road as the observer has it without the roll sensor. deg, -60 to 60.
@@ -1017,6 +1036,7 @@ struct RollObserver {
             case ResetReason::data_abort:
             case ResetReason::stack_overflow:
             case ResetReason::interrupt:
+            case ResetReason::start_without_reset:
                 return true;
         }
         return false;
@@ -1041,6 +1061,8 @@ struct RollObserver {
                 return "stack overflow";
             case ResetReason::interrupt:
                 return "interrupt";
+            case ResetReason::start_without_reset:
+                return "start without reset";
         }
         return "unknown";
     }
@@ -1152,9 +1174,11 @@ struct RolloverDiagnosis {
     static constexpr const char* name{"RolloverDiagnosis"};
     static constexpr std::uint32_t identifier{0x235U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
     static constexpr std::uint16_t e2e_data_id{0xCD3U};
 
     // What the component can still do with the inputs that it has.
@@ -1457,9 +1481,11 @@ struct SimulationSync {
     static constexpr const char* name{"SimulationSync"};
     static constexpr std::uint32_t identifier{0x7F0U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{4U};
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // Number of the cycle to compute. 0 to 4294967295.

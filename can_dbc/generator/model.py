@@ -14,8 +14,9 @@ from names import RESERVED, TAKEN, TAKEN_TYPES, UNIT_ENDINGS, camel_case, is_usa
 NOT_AVAILABLE = "not available"
 LONGEST_SIGNAL = 32
 LONGEST_IN_INT32 = 24  # bits that a float holds without rounding; longer fields are scaled in 64 bits
-PROFILE_11 = "P11"
-PROFILE_11_FIELDS = {"E2eCrc": (0, 8), "E2eCounter": (8, 4), "E2eDataIdNibble": (12, 4)}
+CLASSIC_LENGTH = 8  # bytes at most
+FD_LENGTHS = (*range(9), 12, 16, 20, 24, 32, 48, 64)  # bytes that a CAN FD frame can have
+PROTECTION_FIELDS = {"P05": ("E2eCrc", "E2eCounter"), "P11": ("E2eCrc", "E2eCounter", "E2eDataIdNibble")}
 
 
 class DbcError(Exception):
@@ -54,6 +55,17 @@ class Signal:
 
 
 @dataclass
+class Protection:
+    profile: int
+    data_id: int
+    offset: int  # bytes before the CRC
+    fields: tuple
+
+
+UNPROTECTED = Protection(0, 0, 0, ())
+
+
+@dataclass
 class Message:
     name: str
     comment: str
@@ -61,9 +73,10 @@ class Message:
     receivers: list
     identifier: int
     extended: bool
+    flexible_data_rate: bool
     length: int
     cycle_time_ms: int
-    data_id: int | None
+    protection: Protection
     signals: list
 
 
@@ -82,7 +95,7 @@ def load(path):
     messages = [_message(message) for message in database.messages]
     _refuse_duplicates("the file", [message.name for message in messages])
     _refuse_duplicates("the E2EDataId attributes",
-                       [message.data_id for message in messages if message.data_id is not None])
+                       [message.protection.data_id for message in messages if message.protection.profile])
     return messages
 
 
@@ -92,31 +105,67 @@ def _message(message):
         raise DbcError(f"{where}: the name is not a usable C++ name")
     if not message.senders:
         raise DbcError(f"{where}: no sender")
-    data_id = _data_id(message)
-    protection = PROFILE_11_FIELDS if data_id is not None else {}
-    signals = [_signal(message, signal) for signal in message.signals if signal.name not in protection]
+    _check_length(where, message)
+    protection = _protection(where, message)
+    signals = [_signal(message, signal) for signal in message.signals if signal.name not in protection.fields]
     _refuse_duplicates(where, [signal.field_name for signal in signals])
     return Message(message.name, _comment(where, message.comment), message.senders[0], sorted(message.receivers),
-                   message.frame_id, message.is_extended_frame, message.length, message.cycle_time or 0, data_id,
-                   signals)
+                   message.frame_id, message.is_extended_frame, message.is_fd, message.length,
+                   message.cycle_time or 0, protection, signals)
 
 
-def _data_id(message):
-    """The data identifier of a message that profile 11 protects, else None."""
+def _check_length(where, message):
+    if message.is_fd and message.length not in FD_LENGTHS:
+        raise DbcError(f"{where}: {message.length} bytes; a CAN FD frame has "
+                       f"{', '.join(map(str, FD_LENGTHS[:-1]))} or {FD_LENGTHS[-1]}")
+    if not message.is_fd and message.length > CLASSIC_LENGTH:
+        raise DbcError(f"{where}: {message.length} bytes, but a classic frame has {CLASSIC_LENGTH} at most; "
+                       "set attribute VFrameFormat to StandardCAN_FD or ExtendedCAN_FD")
+
+
+def _protection(where, message):
+    """How the message is protected end to end."""
     profile = _choice(message, "E2EProfile")
     if profile in (None, "none"):
-        return None
-    where = f"message {message.name}"
-    if profile != PROFILE_11:
-        raise DbcError(f"{where}: attribute E2EProfile is '{profile}'; only none and {PROFILE_11} are supported")
-    signals = {signal.name: signal for signal in message.signals}
-    for name, (start, length) in PROFILE_11_FIELDS.items():
-        signal = signals.get(name)
-        if signal is None or (signal.start, signal.length, signal.byte_order) != (start, length, "little_endian"):
-            raise DbcError(f"{where}: profile 11 needs signal {name} as {start}|{length}@1+")
+        return UNPROTECTED
+    if profile not in PROTECTION_FIELDS:
+        raise DbcError(f"{where}: attribute E2EProfile is '{profile}'; only none, {' and '.join(PROTECTION_FIELDS)} "
+                       "are supported")
+    return (_profile_05 if profile == "P05" else _profile_11)(where, message)
+
+
+def _profile_05(where, message):
+    if not message.is_fd:
+        raise DbcError(f"{where}: profile 5 is for CAN FD; set attribute VFrameFormat to StandardCAN_FD or "
+                       "ExtendedCAN_FD, or E2EProfile to P11")
+    crc = next((signal for signal in message.signals if signal.name == "E2eCrc"), None)
+    start = crc.start if crc is not None and crc.start % 8 == 0 else 0
+    _expect_field(where, message, 5, "E2eCrc", start, 16)
+    _expect_field(where, message, 5, "E2eCounter", start + 16, 8)
+    return Protection(5, _data_id(where, message, 5, 0xFFFF), start // 8, PROTECTION_FIELDS["P05"])
+
+
+def _profile_11(where, message):
+    if message.is_fd:
+        raise DbcError(f"{where}: profile 11 is for classic frames, its CRC of 8 bits too short for CAN FD; set "
+                       "attribute E2EProfile to P05")
+    _expect_field(where, message, 11, "E2eCrc", 0, 8)
+    _expect_field(where, message, 11, "E2eCounter", 8, 4)
+    _expect_field(where, message, 11, "E2eDataIdNibble", 12, 4)
+    return Protection(11, _data_id(where, message, 11, 0xFFF), 0, PROTECTION_FIELDS["P11"])
+
+
+def _expect_field(where, message, profile, name, start, length):
+    signal = next((signal for signal in message.signals if signal.name == name), None)
+    if signal is None or (signal.start, signal.length, signal.byte_order, signal.is_signed) != (
+            start, length, "little_endian", False):
+        raise DbcError(f"{where}: profile {profile} needs signal {name} as {start}|{length}@1+")
+
+
+def _data_id(where, message, profile, largest):
     attribute = message.dbc.attributes.get("E2EDataId")
-    if attribute is None or not 0 < attribute.value <= 0xFFF:
-        raise DbcError(f"{where}: profile 11 needs attribute E2EDataId from 1 to 4095")
+    if attribute is None or not 0 < attribute.value <= largest:
+        raise DbcError(f"{where}: profile {profile} needs attribute E2EDataId from 1 to {largest}")
     return attribute.value
 
 

@@ -37,8 +37,8 @@ typeid typename union unsigned using virtual void volatile wchar_t while xor xor
 """.split())
 
 # Names that every generated message struct uses itself.
-TAKEN = {"identifier", "extended", "length", "cycle_time_ms", "e2e_protected", "e2e_data_id", "name", "encode", "decode",
-         "is_known", "name_of", "all_valid", "visit_signals", "not_available"}
+TAKEN = {"identifier", "extended", "flexible_data_rate", "length", "cycle_time_ms", "e2e_protected", "e2e_profile",
+         "e2e_offset", "e2e_data_id", "name", "encode", "decode", "is_known", "name_of", "all_valid", "visit_signals", "not_available"}
 TAKEN_TYPES = {"Status", "Signals"}
 
 

@@ -1,10 +1,11 @@
-// Frame monitor: end-to-end check, decoding and freshness of one received frame.
+// Frame monitor: end-to-end check, state of the channel, decoding and freshness of one received frame.
 #pragma once
 
 #include <cstdint>
 
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/e2e/state_machine.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/saturating_count.hpp"
 
@@ -21,6 +22,12 @@ inline constexpr hal::Time no_older = hal::Time::from_milliseconds(-10);
 // Two lost frames in a row are tolerated: the fourth one would be older than the time limit anyway.
 inline constexpr std::uint8_t largest_counter_step = 3U;
 
+// A channel of which more than four of the last eight frames were damaged is not used until two or fewer
+// were: its CRC of eight bits overlooks one damaged frame in 256. One good frame is enough at the start,
+// because the component itself waits before it says "ready". Silence is left to the time limit, which is
+// always sooner than a window without a good frame.
+inline constexpr can_dbc::e2e::StateMachineSettings channel_settings{8U, {1U, 4U}, {1U, 4U}, {1U, 2U}, true};
+
 // What went wrong with a frame in one cycle.
 struct FrameFaults {
     bool received{false};        // a usable frame has come since the start
@@ -35,19 +42,26 @@ template <typename Message>
 class FrameMonitor {
  public:
     void begin_cycle() noexcept {
+        if (!heard_) {  // in the cycle that has ended
+            follow(receiver_.no_frame());
+        }
+        heard_ = false;
         checksum_error_ = false;
         counter_error_ = false;
     }
 
     // Judges one frame with this message's identifier; keeps its values only when the end-to-end check
-    // accepts it.
+    // accepts it and the channel is valid.
     void take(const hal::CanFrame& frame) noexcept {
         const can_dbc::e2e::CheckResult check = receiver_.check(frame.data, frame.length);
+        heard_ = true;
         count(check);
-        if (can_dbc::e2e::is_usable(check.status)) {
+        follow(check);
+        if (channel_.is_valid() && can_dbc::e2e::is_usable(check.status)) {
             latest_ = can_dbc::decode<Message>(frame.data);
             latest_time_ = frame.receive_time;
             received_ = true;
+            withdrawn_ = false;
         }
     }
 
@@ -55,18 +69,25 @@ class FrameMonitor {
 
     bool is_fresh(hal::Time now) const noexcept {
         const hal::Time age = now - latest_time_;
-        return received_ && !(frame_time_limit < age) && !(age < no_older);
+        return received_ && !withdrawn_ && !(frame_time_limit < age) && !(age < no_older);
     }
 
     // The last usable values; only meaningful while is_fresh().
     const can_dbc::Decoded<Message>& latest() const noexcept { return latest_; }
 
+    can_dbc::e2e::ChannelState channel_state() const noexcept { return channel_.state(); }
     bool checksum_error() const noexcept { return checksum_error_; }
     bool counter_error() const noexcept { return counter_error_; }
     std::uint32_t frames_rejected() const noexcept { return frames_rejected_; }
     std::uint32_t frames_lost() const noexcept { return frames_lost_; }
 
  private:
+    // What an invalid channel has said before is not used either, nor when it is valid again.
+    void follow(const can_dbc::e2e::CheckResult& check) noexcept {
+        channel_.update(check.status);
+        withdrawn_ = withdrawn_ || !channel_.is_valid();
+    }
+
     void count(const can_dbc::e2e::CheckResult& check) noexcept {
         using can_dbc::e2e::CheckStatus;
         checksum_error_ = checksum_error_ || (check.status == CheckStatus::error);
@@ -78,10 +99,15 @@ class FrameMonitor {
         hal::count_up(frames_lost_, check.lost_frames);
     }
 
+    static_assert(Message::e2e_profile == 11U, "this monitor checks end-to-end profile 11");
+
     can_dbc::e2e::Profile11Receiver receiver_{Message::e2e_data_id, Message::length, largest_counter_step};
+    can_dbc::e2e::StateMachine<channel_settings> channel_{};
     can_dbc::Decoded<Message> latest_{};
     hal::Time latest_time_{};
     bool received_{false};
+    bool withdrawn_{false};  // the channel was not valid since the latest usable frame
+    bool heard_{true};       // a frame came in this cycle, good or not; the first cycle has none before it
     bool checksum_error_{false};
     bool counter_error_{false};
     std::uint32_t frames_rejected_{0U};

@@ -22,8 +22,8 @@ float float_at(const std::uint8_t* bytes) {
 }
 
 bool has_magic(const std::uint8_t* bytes, std::size_t length) {
-    bool same = (length >= sizeof section::magic);
-    for (std::size_t index = 0U; same && (index < sizeof section::magic); ++index) {
+    bool same = (length >= section::magic.size());
+    for (std::size_t index = 0U; same && (index < section::magic.size()); ++index) {
         same = (bytes[index] == section::magic[index]);
     }
     return same;

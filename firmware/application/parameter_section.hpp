@@ -15,6 +15,7 @@
 // rsi_parameters recognisable: its values would be taken for others.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,7 +38,7 @@ enum class ParametersRefusal : std::uint8_t {
 
 namespace section {
 
-inline constexpr std::uint8_t magic[4] = {'R', 'S', 'I', 'P'};
+inline constexpr std::array<std::uint8_t, 4> magic{'R', 'S', 'I', 'P'};
 inline constexpr std::uint16_t format_version = 1U;
 inline constexpr std::size_t version_at = 4U;
 inline constexpr std::size_t count_at = 6U;

@@ -22,16 +22,17 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
-    parameter_guard_.start(component_.parameters());
+    parameters_ = parameters;
+    parameter_guard_.start(parameters_);
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
     return answer;
 }
 
 ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
-    rsi::Parameters parameters{};  // which the component refuses, unless the section replaces them
-    const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters);
-    static_cast<void>(component_.init(parameters));
-    parameter_guard_.start(component_.parameters());
+    parameters_ = rsi::Parameters{};  // which the component refuses, unless the section replaces them
+    const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
+    static_cast<void>(component_.init(parameters_));
+    parameter_guard_.start(parameters_);
     refusal_ = answer.refusal;
     return answer;
 }
@@ -47,11 +48,11 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     report_reception(report.reception);
     report_platform(report, now, missed_cycles);
 
-    const rsi::Inputs usable = qualified(inputs, report.reception, missed_cycles);
-    component_.step(usable, outputs_);
+    inputs_ = qualified(inputs, report.reception, missed_cycles);
+    component_.step(inputs_, outputs_);
     const bool healthy = check_itself();
 
-    report.degradation = monitoring::degradation_of(usable, outputs_, internal_fault());
+    report.degradation = monitoring::degradation_of(inputs_, outputs_, internal_fault());
     report.diagnosis = memory_.next();
     transmission_.send(bus_, outputs_, report);
     if (healthy) {
@@ -75,7 +76,7 @@ rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionRep
 // codes is confirmed there is no statement on the risk.
 bool RolloverEcu::check_itself() noexcept {
     using monitoring::DiagnosticCode;
-    const bool parameters_good = !parameter_guard_.is_damaged(component_.parameters());
+    const bool parameters_good = !parameter_guard_.is_damaged(parameters_);
     const bool computed = monitoring::has_computed(outputs_);
     const bool estimate_good = !computed || monitoring::estimate_is_in_range(outputs_);
     const bool outputs_good = !computed || monitoring::outputs_are_sound(outputs_);

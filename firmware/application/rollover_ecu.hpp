@@ -41,8 +41,9 @@ class RolloverEcu {
     // helps, and until it comes the ECU says "unavailable".
     void step(std::uint32_t missed_cycles) noexcept;
 
-    // What the last cycle computed, for a platform that shows or records it.
+    // What the last cycle computed and what from, for a platform that shows or records it.
     const rsi::Outputs& outputs() const noexcept { return outputs_; }
+    const rsi::Inputs& inputs() const noexcept { return inputs_; }
 
  private:
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
@@ -59,12 +60,14 @@ class RolloverEcu {
     const hal::Clock& clock_;
     hal::Watchdog& watchdog_;
     rsi::Component component_{};
+    rsi::Parameters parameters_{};
     SensorReception reception_{};
     WarningTransmission transmission_{};
     monitoring::DiagnosticMemory memory_{};
     monitoring::InputMonitor input_monitor_{};
     monitoring::ParameterGuard parameter_guard_{};
     monitoring::ClockCheck clock_check_{};
+    rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};

@@ -33,17 +33,15 @@ static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::left) == RSI_SIDE
 static_assert(static_cast<int>(can_dbc::RolloverWarning::Side::right) == RSI_SIDE_RIGHT);
 
 // The numbers of an enumeration are those of the DBC.
-template <typename Enumeration, typename Sent>
-constexpr bool is_sent_as(Enumeration value, Sent sent) {
-    return static_cast<int>(value) == static_cast<int>(sent);
-}
-static_assert(is_sent_as(ParametersRefusal::none, can_dbc::RolloverWarning::ParametersRefusal::none));
-static_assert(is_sent_as(ParametersRefusal::missing, can_dbc::RolloverWarning::ParametersRefusal::missing));
-static_assert(is_sent_as(ParametersRefusal::version, can_dbc::RolloverWarning::ParametersRefusal::version));
-static_assert(is_sent_as(ParametersRefusal::layout, can_dbc::RolloverWarning::ParametersRefusal::layout));
-static_assert(is_sent_as(ParametersRefusal::length, can_dbc::RolloverWarning::ParametersRefusal::length));
-static_assert(is_sent_as(ParametersRefusal::checksum, can_dbc::RolloverWarning::ParametersRefusal::checksum));
-static_assert(is_sent_as(ParametersRefusal::value, can_dbc::RolloverWarning::ParametersRefusal::value));
+template <auto value, auto sent>
+inline constexpr bool is_sent_as = (static_cast<int>(value) == static_cast<int>(sent));
+static_assert(is_sent_as<ParametersRefusal::none, can_dbc::RolloverWarning::ParametersRefusal::none>);
+static_assert(is_sent_as<ParametersRefusal::missing, can_dbc::RolloverWarning::ParametersRefusal::missing>);
+static_assert(is_sent_as<ParametersRefusal::version, can_dbc::RolloverWarning::ParametersRefusal::version>);
+static_assert(is_sent_as<ParametersRefusal::layout, can_dbc::RolloverWarning::ParametersRefusal::layout>);
+static_assert(is_sent_as<ParametersRefusal::length, can_dbc::RolloverWarning::ParametersRefusal::length>);
+static_assert(is_sent_as<ParametersRefusal::checksum, can_dbc::RolloverWarning::ParametersRefusal::checksum>);
+static_assert(is_sent_as<ParametersRefusal::value, can_dbc::RolloverWarning::ParametersRefusal::value>);
 
 can_dbc::RollCentreEstimate estimate_message(const rsi::Outputs& outputs) {
     can_dbc::RollCentreEstimate message{};
@@ -90,110 +88,112 @@ can_dbc::RollObserver observer_message(const rsi::Outputs& outputs, hal::ResetRe
     return message;
 }
 
-static_assert(is_sent_as(hal::ResetReason::power_on, can_dbc::RollObserver::ResetReason::power_on));
-static_assert(is_sent_as(hal::ResetReason::outside, can_dbc::RollObserver::ResetReason::outside));
-static_assert(is_sent_as(hal::ResetReason::undefined_instruction,
-                         can_dbc::RollObserver::ResetReason::undefined_instruction));
-static_assert(is_sent_as(hal::ResetReason::supervisor_call,
-                         can_dbc::RollObserver::ResetReason::supervisor_call));
-static_assert(is_sent_as(hal::ResetReason::prefetch_abort,
-                         can_dbc::RollObserver::ResetReason::prefetch_abort));
-static_assert(is_sent_as(hal::ResetReason::data_abort, can_dbc::RollObserver::ResetReason::data_abort));
-static_assert(is_sent_as(hal::ResetReason::stack_overflow,
-                         can_dbc::RollObserver::ResetReason::stack_overflow));
-static_assert(is_sent_as(hal::ResetReason::interrupt, can_dbc::RollObserver::ResetReason::interrupt));
+static_assert(is_sent_as<hal::ResetReason::power_on, can_dbc::RollObserver::ResetReason::power_on>);
+static_assert(is_sent_as<hal::ResetReason::outside, can_dbc::RollObserver::ResetReason::outside>);
+static_assert(is_sent_as<hal::ResetReason::undefined_instruction,
+                         can_dbc::RollObserver::ResetReason::undefined_instruction>);
+static_assert(
+    is_sent_as<hal::ResetReason::supervisor_call, can_dbc::RollObserver::ResetReason::supervisor_call>);
+static_assert(
+    is_sent_as<hal::ResetReason::prefetch_abort, can_dbc::RollObserver::ResetReason::prefetch_abort>);
+static_assert(is_sent_as<hal::ResetReason::data_abort, can_dbc::RollObserver::ResetReason::data_abort>);
+static_assert(
+    is_sent_as<hal::ResetReason::stack_overflow, can_dbc::RollObserver::ResetReason::stack_overflow>);
+static_assert(is_sent_as<hal::ResetReason::interrupt, can_dbc::RollObserver::ResetReason::interrupt>);
+static_assert(is_sent_as<hal::ResetReason::start_without_reset,
+                         can_dbc::RollObserver::ResetReason::start_without_reset>);
 
-static_assert(is_sent_as(monitoring::Degradation::unavailable,
-                         can_dbc::RolloverDiagnosis::Degradation::unavailable));
-static_assert(is_sent_as(monitoring::Degradation::full, can_dbc::RolloverDiagnosis::Degradation::full));
-static_assert(is_sent_as(monitoring::Degradation::roll_sensor_lost,
-                         can_dbc::RolloverDiagnosis::Degradation::roll_sensor_lost));
-static_assert(is_sent_as(monitoring::Degradation::motion_lost,
-                         can_dbc::RolloverDiagnosis::Degradation::motion_lost));
-static_assert(is_sent_as(monitoring::Degradation::internal_fault,
-                         can_dbc::RolloverDiagnosis::Degradation::internal_fault));
-static_assert(is_sent_as(monitoring::EventStatus::none, can_dbc::RolloverDiagnosis::CodeStatus::none));
-static_assert(is_sent_as(monitoring::EventStatus::set, can_dbc::RolloverDiagnosis::CodeStatus::set));
-static_assert(is_sent_as(monitoring::EventStatus::confirmed,
-                         can_dbc::RolloverDiagnosis::CodeStatus::confirmed));
-static_assert(is_sent_as(monitoring::EventStatus::healed, can_dbc::RolloverDiagnosis::CodeStatus::healed));
-static_assert(is_sent_as(monitoring::DiagnosticCode::none, can_dbc::RolloverDiagnosis::Code::none));
-static_assert(is_sent_as(monitoring::DiagnosticCode::imu_lost, can_dbc::RolloverDiagnosis::Code::imu_lost));
-static_assert(is_sent_as(monitoring::DiagnosticCode::imu_damaged,
-                         can_dbc::RolloverDiagnosis::Code::imu_damaged));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_lost,
-                         can_dbc::RolloverDiagnosis::Code::roll_angle_lost));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_damaged,
-                         can_dbc::RolloverDiagnosis::Code::roll_angle_damaged));
-static_assert(is_sent_as(monitoring::DiagnosticCode::vehicle_motion_lost,
-                         can_dbc::RolloverDiagnosis::Code::vehicle_motion_lost));
-static_assert(is_sent_as(monitoring::DiagnosticCode::vehicle_motion_damaged,
-                         can_dbc::RolloverDiagnosis::Code::vehicle_motion_damaged));
-static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_invalid,
-                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_invalid));
-static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_jump,
-                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_stuck,
-                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_stuck));
-static_assert(is_sent_as(monitoring::DiagnosticCode::vertical_acceleration_invalid,
-                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_invalid));
-static_assert(is_sent_as(monitoring::DiagnosticCode::vertical_acceleration_jump,
-                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::vertical_acceleration_stuck,
-                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_stuck));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_invalid,
-                         can_dbc::RolloverDiagnosis::Code::roll_rate_invalid));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_jump,
-                         can_dbc::RolloverDiagnosis::Code::roll_rate_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_stuck,
-                         can_dbc::RolloverDiagnosis::Code::roll_rate_stuck));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_invalid,
-                         can_dbc::RolloverDiagnosis::Code::roll_angle_invalid));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_jump,
-                         can_dbc::RolloverDiagnosis::Code::roll_angle_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_stuck,
-                         can_dbc::RolloverDiagnosis::Code::roll_angle_stuck));
-static_assert(is_sent_as(monitoring::DiagnosticCode::yaw_rate_invalid,
-                         can_dbc::RolloverDiagnosis::Code::yaw_rate_invalid));
-static_assert(is_sent_as(monitoring::DiagnosticCode::yaw_rate_jump,
-                         can_dbc::RolloverDiagnosis::Code::yaw_rate_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::yaw_rate_stuck,
-                         can_dbc::RolloverDiagnosis::Code::yaw_rate_stuck));
-static_assert(is_sent_as(monitoring::DiagnosticCode::speed_invalid,
-                         can_dbc::RolloverDiagnosis::Code::speed_invalid));
-static_assert(is_sent_as(monitoring::DiagnosticCode::speed_jump,
-                         can_dbc::RolloverDiagnosis::Code::speed_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::steering_invalid,
-                         can_dbc::RolloverDiagnosis::Code::steering_invalid));
-static_assert(is_sent_as(monitoring::DiagnosticCode::steering_jump,
-                         can_dbc::RolloverDiagnosis::Code::steering_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_contradicts_roll_angle,
-                         can_dbc::RolloverDiagnosis::Code::roll_rate_contradicts_roll_angle));
-static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
-                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_contradicts_yaw_rate));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_sensor_contradicts_observer,
-                         can_dbc::RolloverDiagnosis::Code::roll_sensor_contradicts_observer));
-static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_offset,
-                         can_dbc::RolloverDiagnosis::Code::roll_rate_offset));
-static_assert(is_sent_as(monitoring::DiagnosticCode::yaw_rate_contradicts_lateral_acceleration,
-                         can_dbc::RolloverDiagnosis::Code::yaw_rate_contradicts_lateral_acceleration));
-static_assert(is_sent_as(monitoring::DiagnosticCode::parameters_refused,
-                         can_dbc::RolloverDiagnosis::Code::parameters_refused));
-static_assert(is_sent_as(monitoring::DiagnosticCode::parameters_damaged,
-                         can_dbc::RolloverDiagnosis::Code::parameters_damaged));
-static_assert(is_sent_as(monitoring::DiagnosticCode::estimate_out_of_range,
-                         can_dbc::RolloverDiagnosis::Code::estimate_out_of_range));
-static_assert(is_sent_as(monitoring::DiagnosticCode::output_not_finite,
-                         can_dbc::RolloverDiagnosis::Code::output_not_finite));
-static_assert(is_sent_as(monitoring::DiagnosticCode::cycle_overrun,
-                         can_dbc::RolloverDiagnosis::Code::cycle_overrun));
-static_assert(is_sent_as(monitoring::DiagnosticCode::cycle_stall,
-                         can_dbc::RolloverDiagnosis::Code::cycle_stall));
-static_assert(is_sent_as(monitoring::DiagnosticCode::clock_jump,
-                         can_dbc::RolloverDiagnosis::Code::clock_jump));
-static_assert(is_sent_as(monitoring::DiagnosticCode::bus_error, can_dbc::RolloverDiagnosis::Code::bus_error));
-static_assert(is_sent_as(monitoring::DiagnosticCode::receive_overflow,
-                         can_dbc::RolloverDiagnosis::Code::receive_overflow));
+static_assert(
+    is_sent_as<monitoring::Degradation::unavailable, can_dbc::RolloverDiagnosis::Degradation::unavailable>);
+static_assert(is_sent_as<monitoring::Degradation::full, can_dbc::RolloverDiagnosis::Degradation::full>);
+static_assert(is_sent_as<monitoring::Degradation::roll_sensor_lost,
+                         can_dbc::RolloverDiagnosis::Degradation::roll_sensor_lost>);
+static_assert(
+    is_sent_as<monitoring::Degradation::motion_lost, can_dbc::RolloverDiagnosis::Degradation::motion_lost>);
+static_assert(is_sent_as<monitoring::Degradation::internal_fault,
+                         can_dbc::RolloverDiagnosis::Degradation::internal_fault>);
+static_assert(is_sent_as<monitoring::EventStatus::none, can_dbc::RolloverDiagnosis::CodeStatus::none>);
+static_assert(is_sent_as<monitoring::EventStatus::set, can_dbc::RolloverDiagnosis::CodeStatus::set>);
+static_assert(
+    is_sent_as<monitoring::EventStatus::confirmed, can_dbc::RolloverDiagnosis::CodeStatus::confirmed>);
+static_assert(is_sent_as<monitoring::EventStatus::healed, can_dbc::RolloverDiagnosis::CodeStatus::healed>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::none, can_dbc::RolloverDiagnosis::Code::none>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::imu_lost, can_dbc::RolloverDiagnosis::Code::imu_lost>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::imu_damaged, can_dbc::RolloverDiagnosis::Code::imu_damaged>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_angle_lost,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_lost>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_angle_damaged,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_damaged>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::vehicle_motion_lost,
+                         can_dbc::RolloverDiagnosis::Code::vehicle_motion_lost>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::vehicle_motion_damaged,
+                         can_dbc::RolloverDiagnosis::Code::vehicle_motion_damaged>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::lateral_acceleration_invalid,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_invalid>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::lateral_acceleration_jump,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_jump>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::lateral_acceleration_stuck,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_stuck>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::vertical_acceleration_invalid,
+                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_invalid>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::vertical_acceleration_jump,
+                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_jump>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::vertical_acceleration_stuck,
+                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_stuck>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_rate_invalid,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_invalid>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::roll_rate_jump, can_dbc::RolloverDiagnosis::Code::roll_rate_jump>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_rate_stuck,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_stuck>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_angle_invalid,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_invalid>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_angle_jump,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_jump>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_angle_stuck,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_stuck>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::yaw_rate_invalid,
+                         can_dbc::RolloverDiagnosis::Code::yaw_rate_invalid>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::yaw_rate_jump, can_dbc::RolloverDiagnosis::Code::yaw_rate_jump>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::yaw_rate_stuck, can_dbc::RolloverDiagnosis::Code::yaw_rate_stuck>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::speed_invalid, can_dbc::RolloverDiagnosis::Code::speed_invalid>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::speed_jump, can_dbc::RolloverDiagnosis::Code::speed_jump>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::steering_invalid,
+                         can_dbc::RolloverDiagnosis::Code::steering_invalid>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::steering_jump, can_dbc::RolloverDiagnosis::Code::steering_jump>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_rate_contradicts_roll_angle,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_contradicts_roll_angle>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_contradicts_yaw_rate>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_sensor_contradicts_observer,
+                         can_dbc::RolloverDiagnosis::Code::roll_sensor_contradicts_observer>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_rate_offset,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_offset>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::yaw_rate_contradicts_lateral_acceleration,
+                         can_dbc::RolloverDiagnosis::Code::yaw_rate_contradicts_lateral_acceleration>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::parameters_refused,
+                         can_dbc::RolloverDiagnosis::Code::parameters_refused>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::parameters_damaged,
+                         can_dbc::RolloverDiagnosis::Code::parameters_damaged>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::estimate_out_of_range,
+                         can_dbc::RolloverDiagnosis::Code::estimate_out_of_range>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::output_not_finite,
+                         can_dbc::RolloverDiagnosis::Code::output_not_finite>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::cycle_overrun, can_dbc::RolloverDiagnosis::Code::cycle_overrun>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::cycle_stall, can_dbc::RolloverDiagnosis::Code::cycle_stall>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::clock_jump, can_dbc::RolloverDiagnosis::Code::clock_jump>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::bus_error, can_dbc::RolloverDiagnosis::Code::bus_error>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::receive_overflow,
+                         can_dbc::RolloverDiagnosis::Code::receive_overflow>);
 
 can_dbc::RolloverDiagnosis diagnosis_message(const Health& health) {
     const monitoring::DiagnosticRecord& record = health.diagnosis;

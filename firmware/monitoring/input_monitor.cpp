@@ -22,7 +22,8 @@ bool suspected(const DiagnosticMemory& memory, DiagnosticCode code) noexcept {
 }
 
 // The value, or NaN when it fails by itself: then it says nothing of the others.
-float trusted(float value, const DiagnosticMemory& memory, DiagnosticCode invalid, DiagnosticCode jump) noexcept {
+float trusted(float value, const DiagnosticMemory& memory, DiagnosticCode invalid,
+              DiagnosticCode jump) noexcept {
     return (suspected(memory, invalid) || suspected(memory, jump)) ? rsi::not_available : value;
 }
 
@@ -109,8 +110,8 @@ void InputMonitor::check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memor
     if (!roll_consistency_.known()) {
         return;
     }
-    const bool before = any(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
-                            DiagnosticCode::roll_rate_offset);
+    const bool before =
+        any(memory, DiagnosticCode::roll_rate_contradicts_roll_angle, DiagnosticCode::roll_rate_offset);
     memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts());
     memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset());
     if (!before) {
@@ -134,8 +135,8 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
         return;
     }
     constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
-    memory.report(yaw_rate, memory.confirmed(yaw_rate) ? !turn_consistency_.agrees()
-                                                        : turn_consistency_.contradicts());
+    memory.report(yaw_rate,
+                  memory.confirmed(yaw_rate) ? !turn_consistency_.agrees() : turn_consistency_.contradicts());
     constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
     if (memory.confirmed(lateral)) {
         memory.report(lateral, !turn_consistency_.agrees());
@@ -159,8 +160,8 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
     // A roll sensor that is out for another reason does not come back as long as the observer contradicts it.
     const bool out = (before.roll_source == RSI_ROLL_OBSERVER);
     const bool disagrees =
-        rsi::is_finite(difference) &&
-        (out ? !rsi::is_within_magnitude(difference, 2.0F * agreement_rad) : before.roll_sensor_disagrees != 0);
+        rsi::is_finite(difference) && (out ? !rsi::is_within_magnitude(difference, 2.0F * agreement_rad)
+                                           : before.roll_sensor_disagrees != 0);
     const bool lateral_is_wrong = disagrees && turn_consistency_.suspicious();
     if (lateral_is_wrong) {
         memory.report(lateral, true);
@@ -169,8 +170,8 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
 }
 
 void InputMonitor::take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept {
-    const bool roll_contradiction = any(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
-                                        DiagnosticCode::roll_rate_offset);
+    const bool roll_contradiction =
+        any(memory, DiagnosticCode::roll_rate_contradicts_roll_angle, DiagnosticCode::roll_rate_offset);
     if (any(memory, DiagnosticCode::lateral_acceleration_stuck,
             DiagnosticCode::lateral_acceleration_contradicts_yaw_rate)) {
         inputs.lateral_specific_force_mps2 = rsi::not_available;

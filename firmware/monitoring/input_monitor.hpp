@@ -54,16 +54,16 @@ class InputMonitor {
         {-15.0F, 15.0F, 2.0F, DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump}};
 
     // Spans of the witness: three times what ideal sensors, which do repeat themselves, came to.
-    StuckCheck lateral_stuck_{2.0F};     // m/s^2 of yaw rate times speed
-    StuckCheck vertical_stuck_{3.0F};    // m/s^2 of the lateral one
-    StuckCheck roll_rate_stuck_{0.035F};  // rad of the roll angle less the integrated roll rate
+    StuckCheck lateral_stuck_{2.0F};       // m/s^2 of yaw rate times speed
+    StuckCheck vertical_stuck_{3.0F};      // m/s^2 of the lateral one
+    StuckCheck roll_rate_stuck_{0.035F};   // rad of the roll angle less the integrated roll rate
     StuckCheck roll_angle_stuck_{0.026F};  // rad of the integrated roll rate
-    StuckCheck yaw_rate_stuck_{2.5F};    // m/s^2 of the lateral acceleration
+    StuckCheck yaw_rate_stuck_{2.5F};      // m/s^2 of the lateral acceleration
 
     RollConsistency roll_consistency_{};
     TurnConsistency turn_consistency_{};
-    float turned_rad_{0.0F};           // integral of the roll rate, as a witness
-    bool roll_rate_is_wrong_{false};   // of roll rate and roll angle, which contradict each other
+    float turned_rad_{0.0F};          // integral of the roll rate, as a witness
+    bool roll_rate_is_wrong_{false};  // of roll rate and roll angle, which contradict each other
 };
 
 }  // namespace monitoring

@@ -11,8 +11,9 @@ inline bool has_computed(const rsi::Outputs& outputs) noexcept {
     return outputs.roll_source != RSI_ROLL_NONE;
 }
 
-// No suspension moves its roll centre by 2 m or has ten times the damping of a heavy one; the stiffness is that of
-// the bump stops too, which grow with the fourth power of the angle. A number that is not finite is out of range.
+// No suspension moves its roll centre by 2 m or has ten times the damping of a heavy one; the stiffness is
+// that of the bump stops too, which grow with the fourth power of the angle. A number that is not finite is
+// out of range.
 inline bool estimate_is_in_range(const rsi::Outputs& outputs) noexcept {
     return rsi::is_within_magnitude(outputs.roll_centre_vertical_m, 2.0F) &&
            rsi::is_within_magnitude(outputs.roll_stiffness_deviation_nmprad, 1.0e10F) &&

@@ -2,7 +2,6 @@
 
 #include <new>
 
-#include "rsi/indicator/indicator_level.hpp"
 #include "rsi/model/roll_centre.hpp"
 
 namespace rsi {
@@ -70,12 +69,13 @@ Validation Component::init(const Parameters& parameters) {
     ::new (static_cast<void*>(this)) Component{};  // in place: a copy would need its size again on the stack
     initialised_ = (answer.accepted != 0);
     if (initialised_) {
-        parameters_ = parameters;
+        static_stability_factor_ = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
         measurement_.init(parameters);
         model_.init(parameters);
         estimator_.init(parameters);
         threshold_.init(parameters);
         further_.init(parameters);
+        warning_indicator_.init(parameters);
         warning_.init(parameters);
     }
     return answer;
@@ -85,24 +85,21 @@ Validation Component::init(const Parameters& parameters) {
 // cost of the small functions below would be calling them.
 [[gnu::flatten]] void Component::step(const Inputs& inputs, Outputs& outputs) {
     Measurement measured;
-    if (!initialised_ || !measurement_.update(inputs, measured, movement_m_)) {
+    if (!initialised_ || !measurement_.update(inputs, measured)) {
         step_unavailable(outputs);
         return;
     }
+    bool fresh = false;
     if (!running_) {
         resume(measured);
+        fresh = true;
     }
-    // A vehicle that lies on its side teaches nothing; once it stands again, all starts anew.
-    const bool overturned = has_overturned(measured, parameters_);
-    if (overturned) {
-        estimator_.reset();
-        running_ = false;
-    }
-
     fixed_.evaluate(model_, measured);
-    const RollCentreEstimate estimate =
-        overturned ? RollCentreEstimate{}
-                   : estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps);
+    if (estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps,
+                          measured.odd_sample || fresh)) {
+        measurement_.assume_movement(estimator_.estimate().vertical_movement_m);
+    }
+    const RollCentreEstimate& estimate = estimator_.estimate();
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
@@ -117,11 +114,8 @@ Validation Component::init(const Parameters& parameters) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    // The published estimate drifts to where it fits anything; it must not move the observer.
-    const bool sound = (parameters_.estimator == RSI_ESTIMATOR_CONSIDER_KALMAN);
-    movement_m_ = sound ? estimate.vertical_movement_m : 0.0F;
-    further_.update(inputs, measured, outputs);
-    warn(measured, overturned, outputs);
+    further_.update(inputs, measured, fresh, outputs);
+    warn(measured, outputs);
 
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_);
@@ -129,17 +123,17 @@ Validation Component::init(const Parameters& parameters) {
 }
 
 // An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.
-void Component::warn(const Measurement& measured, bool overturned, Outputs& outputs) {
-    outputs.warning_level = indicator_level(outputs, parameters_);
-    RiskLevel risk{outputs.warning_level, indicator_side(outputs, parameters_, measured.roll_angle_rad)};
-    if (overturned) {
-        risk = RiskLevel{parameters_.warning_on, measured.roll_angle_rad};
+// What lies on its side teaches nothing either: all starts anew with every sample until it stands again.
+void Component::warn(const Measurement& measured, Outputs& outputs) {
+    const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
+    outputs.warning_level = indicated.level;
+    RiskLevel risk{indicated.level, indicated.direction};
+    if (has_overturned(measured, static_stability_factor_)) {
+        overturned_ = true;
+        running_ = false;
+        risk = RiskLevel{warning_.warning_on(), measured.roll_angle_rad};
     }
-    if (is_finite(risk.indicator)) {
-        warning_.update(risk);
-    } else {
-        warning_.update_unavailable();
-    }
+    warning_.update(risk);
     outputs.state = warning_.state();
     outputs.side = warning_.side();
 }
@@ -152,14 +146,21 @@ void Component::step_unavailable(Outputs& outputs) {
 
 void Component::forget() {
     running_ = false;
-    movement_m_ = 0.0F;
+    overturned_ = false;
     measurement_.reset();
+    measurement_.assume_movement(0.0F);
     estimator_.reset();
     warning_.update_unavailable();
 }
 
-// After a gap the models start where the vehicle is; what the estimator has learnt stays.
+// After a gap the models start where the vehicle is; what the estimator has learnt stays, but not past an
+// overturn.
 void Component::resume(const Measurement& measured) {
+    if (overturned_) {
+        estimator_.reset();
+        measurement_.assume_movement(0.0F);
+        overturned_ = false;
+    }
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
     further_.reset(measured);

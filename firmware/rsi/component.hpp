@@ -3,6 +3,7 @@
 
 #include "rsi/estimation/roll_centre_estimator.hpp"
 #include "rsi/indicator/further_indicators.hpp"
+#include "rsi/indicator/indicator_level.hpp"
 #include "rsi/indicator/roll_stability_indicator.hpp"
 #include "rsi/indicator/stability_threshold.hpp"
 #include "rsi/measurement/measurement.hpp"
@@ -19,26 +20,24 @@ class Component {
     // every step says "unavailable" until an init succeeds.
     [[gnu::cold]] Validation init(const Parameters& parameters);
 
-    // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
+    // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable". What
+    // moves slowly is computed in every second sample and held in between: rsi_outputs says which.
     void step(const Inputs& inputs, Outputs& outputs);
 
     // Forgets what was learnt and starts from the nominal vehicle at the next sample, as after init.
     [[gnu::cold]] void forget();
 
-    // As they are in memory, for a check of that memory.
-    const Parameters& parameters() const { return parameters_; }
-
  private:
     // Rare, so not to be made part of step() as all the rest is.
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
-    void warn(const Measurement& measured, bool overturned, Outputs& outputs);
+    void warn(const Measurement& measured, Outputs& outputs);
 
     bool initialised_{false};
     bool running_{false};       // false until the first good sample after init, a gap or an overturn
-    float movement_m_{0.0F};    // dh of the sample before; 0 where no sound estimate is
+    bool overturned_{false};    // and not resumed since
     float extended_rsi_{0.0F};  // of the cycle before
-    Parameters parameters_{};
+    float static_stability_factor_{1.0F};
     MeasurementStage measurement_{};
     RollPlaneModel model_{};
     FixedModelRoll fixed_{};
@@ -46,6 +45,7 @@ class Component {
     RollCentreEstimator estimator_{};
     StabilityThresholdStage threshold_{};
     FurtherIndicators further_{};
+    WarningIndicator warning_indicator_{};
     WarningStateMachine warning_{};
 };
 

@@ -14,7 +14,8 @@ enum class ResetReason : std::uint8_t {
     prefetch_abort = 4,
     data_abort = 5,
     stack_overflow = 6,
-    interrupt = 7,  // one that nobody expects
+    interrupt = 7,            // one that nobody expects
+    start_without_reset = 8,  // the firmware was entered at its start while it ran: a call of a null pointer
 };
 
 }  // namespace hal

@@ -11,8 +11,8 @@ namespace hal::zynqmp_r5 {
 // then.
 inline constexpr std::uint32_t most_missed_periods{1000U};
 
-// `SourceClock` has now() and update(). Periods lie on a fixed grid, so that a late cycle does not shift the
-// next.
+// `SourceClock` has now() and Time update(). Periods lie on a fixed grid, so that a late cycle does not shift
+// the next.
 template <typename SourceClock>
 class CycleTick {
  public:
@@ -23,11 +23,12 @@ class CycleTick {
     // Whether the next cycle is due; then `missed` is how many periods passed without one. Call it at least
     // every few tenths of a second, as the clock demands.
     bool is_due(std::uint32_t& missed) noexcept {
-        clock_.update();
-        const Time now = clock_.now();
+        const Time now = clock_.update();
         if (now < due_) {
+            spare_ = due_ - now;
             return false;
         }
+        spare_ = Time{};
         due_ = due_ + period_;
         missed = 0U;
         while (!(now < due_) && missed < most_missed_periods) {
@@ -40,10 +41,14 @@ class CycleTick {
         return true;
     }
 
+    // What was left at the last look until the next cycle is due; none if it was due.
+    Time spare() const noexcept { return spare_; }
+
  private:
     SourceClock& clock_;
     Time period_;
     Time due_;
+    Time spare_{};
 };
 
 }  // namespace hal::zynqmp_r5

@@ -9,9 +9,12 @@ namespace hal::zynqmp_r5 {
 
 struct Fault {
     ResetReason reason{ResetReason::power_on};
-    std::uint32_t instruction{0U};     // address of the instruction
-    std::uint32_t data{0U};            // address that it wanted, of a data abort
-    std::uint32_t status{0U};          // fault status register, of an abort
+    // Address of the instruction. Of a data abort that came late (data_abort.hpp) one after it, of a start
+    // without reset the one before the return address, which is the call unless that was the last one of its
+    // function.
+    std::uint32_t instruction{0U};
+    std::uint32_t data{0U};    // address that it wanted, of a data abort; 0 if the processor does not say
+    std::uint32_t status{0U};  // fault status register, of an abort
     std::uint32_t program_status{0U};  // CPSR at the time
 };
 
@@ -40,7 +43,7 @@ constexpr std::uint32_t check_of(const FaultRecord& record) {
 
 constexpr bool is_valid(const FaultRecord& record) {
     return record.magic == fault_record_magic && record.check == detail::check_of(record) &&
-           record.reason <= static_cast<std::uint32_t>(ResetReason::interrupt);
+           record.reason <= static_cast<std::uint32_t>(ResetReason::start_without_reset);
 }
 
 // At a fault. The count of resets goes on when the record was valid.

@@ -93,7 +93,7 @@ ASSERT(data_load + SIZEOF(.data) <= RSI_CODE_START + RSI_CODE_SIZE, "image.ld: c
 ASSERT(vectors_end <= RSI_VECTORS_START + RSI_VECTORS_SIZE, "image.ld: the vectors exceed RSI_VECTORS_SIZE")
 ASSERT(bss_end <= RSI_DATA_START + RSI_DATA_SIZE, "image.ld: the data exceeds RSI_DATA_SIZE")
 ASSERT(SIZEOF(.parameters) == RSI_PARAMETERS_SIZE, "image.ld: the parameters exceed their page")
-ASSERT(retained_end <= RSI_SUPERVISOR_COUNTDOWN, "image.ld: the retained data reaches the supervisor's words")
+ASSERT(retained_end <= RSI_RETAINED_FREE, "image.ld: the retained data reaches RSI_RETAINED_FREE")
 ASSERT(RSI_CODE_START + RSI_CODE_SIZE <= RSI_PARAMETERS_START, "image.ld: code and parameters overlap")
 ASSERT(RSI_PARAMETERS_START + RSI_PARAMETERS_SIZE <= RSI_DATA_START, "image.ld: parameters and data overlap")
 ASSERT(RSI_DATA_START + RSI_DATA_SIZE <= RSI_STACKS_START, "image.ld: data and stacks overlap")

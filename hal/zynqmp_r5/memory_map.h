@@ -31,9 +31,8 @@
 #define RSI_RETAINED_START 0x0012C000
 #define RSI_RETAINED_SIZE 0x1000
 
-/* Emulator only, in the last words of the retained memory: see firmware/images/zynqmp_r5/emulator/release.S.
- */
-#define RSI_SUPERVISOR_COUNTDOWN 0x0012CFF0
-#define RSI_SUPERVISOR_PERIOD_MS 10
+/* From here to the end of the retained memory nothing of the image may lie: the emulator keeps words of its
+ * own there (emulator/supervisor_words.h). */
+#define RSI_RETAINED_FREE 0x0012CFF0
 
 #endif

@@ -1,50 +1,21 @@
 // What differs between the silicon and its emulator (QEMU 7.2, machine xlnx-zcu102), in one type each. An
-// image chooses one when it is built (RSI_ZYNQMP_POLICY_SILICON or RSI_ZYNQMP_POLICY_EMULATOR); everything
-// else is the same.
+// image chooses one when it is built (RSI_ZYNQMP_POLICY_SILICON or RSI_ZYNQMP_POLICY_EMULATOR) and includes
+// nothing of the other; everything else is the same.
 #pragma once
 
-#include <cstdint>
-
-#include "hal/zynqmp_r5/can_frame_layout.hpp"
-#include "hal/zynqmp_r5/emulator/supervisor.hpp"
-#include "hal/zynqmp_r5/system_reset.hpp"
-#include "hal/zynqmp_r5/system_watchdog.hpp"
+#if defined(RSI_ZYNQMP_POLICY_EMULATOR)
+#include "hal/zynqmp_r5/emulator/emulator_policy.hpp"
+#elif defined(RSI_ZYNQMP_POLICY_SILICON)
+#include "hal/zynqmp_r5/silicon_policy.hpp"
+#else
+#error "which policy? rsi_add_r5f_image(NAME silicon|emulator ...) defines it"
+#endif
 
 namespace hal::zynqmp_r5 {
 
-// As UG1085 and UG1087 have it, with the clocks that Xilinx' board files set.
-struct SiliconPolicy {
-    static constexpr std::uint32_t timer_clock_hz{100'000'000U};  // LPD_LSBUS_CLK
-    static constexpr std::uint32_t can_clock_hz{100'000'000U};    // CAN0_REF_CLK
-    using CanLayout = SiliconCanFrameLayout;
-    template <typename Registers>
-    using Watchdog = SystemWatchdog<Registers, 100'000'000U, 50U>;  // LPD_LSBUS_CLK; five cycles
-    template <typename Registers>
-    using Reset = SystemReset<Registers>;
-    static void between_polls() noexcept {}
-};
-
-struct EmulatorPolicy {
-    static constexpr std::uint32_t timer_clock_hz{133'000'000U};
-    static constexpr std::uint32_t can_clock_hz{100'000'000U};  // without effect
-    using CanLayout = EmulatorCanFrameLayout;
-    // A busy host stops the emulator for longer than five cycles.
-    template <typename Registers>
-    using Watchdog = emulator::SupervisorWatchdog<Registers, 2000U>;
-    template <typename Registers>
-    using Reset = emulator::SupervisorReset<Registers>;
-    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too: tens of
-    // microseconds between two leave it the chance, hundreds where the emulator is itself emulated.
-    static void between_polls() noexcept {
-        for (std::uint32_t pause = 0U; pause < 10'000U; ++pause) {
-            asm volatile("nop");
-        }
-    }
-};
-
 #if defined(RSI_ZYNQMP_POLICY_EMULATOR)
 using Policy = EmulatorPolicy;
-#elif defined(RSI_ZYNQMP_POLICY_SILICON)
+#else
 using Policy = SiliconPolicy;
 #endif
 

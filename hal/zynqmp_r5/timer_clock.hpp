@@ -46,19 +46,20 @@ class TimerClock final : public Clock {
     }
 
     // Call it before the counter comes round, which takes 0.67 s at 100 MHz; later, that much time is lost.
-    void update() noexcept {
+    // The time now.
+    Time update() noexcept {
         const std::uint32_t now = count();
         const std::uint32_t counts = rest_ + ((now - last_count_) & timer::counter_mask);
         last_count_ = now;
         whole_ = whole_ + Time{static_cast<std::int64_t>((counts / divisor) * nanoseconds)};
         rest_ = counts % divisor;
+        return whole_ + rest_time(rest_);
     }
 
     Time now() const noexcept override {
         const std::uint32_t counts = rest_ + ((count() - last_count_) & timer::counter_mask);
-        const std::uint32_t since =
-            (counts / divisor) * nanoseconds + ((counts % divisor) * nanoseconds) / divisor;
-        return whole_ + Time{static_cast<std::int64_t>(since)};
+        const std::uint32_t whole = (counts / divisor) * nanoseconds;
+        return whole_ + Time{static_cast<std::int64_t>(whole)} + rest_time(counts % divisor);
     }
 
  private:
@@ -73,6 +74,10 @@ class TimerClock final : public Clock {
     static_assert((most_counts / divisor + 1U) * nanoseconds <= std::numeric_limits<std::uint32_t>::max() &&
                       std::uint64_t{divisor} * nanoseconds <= std::numeric_limits<std::uint32_t>::max(),
                   "this timer clock needs wider arithmetic");
+
+    static constexpr Time rest_time(std::uint32_t rest) {
+        return Time{static_cast<std::int64_t>((rest * nanoseconds) / divisor)};
+    }
 
     std::uint32_t count() const noexcept {
         return registers_.read(timer::counter_value) & timer::counter_mask;

@@ -50,14 +50,19 @@ void check_spread(const CampaignSpread& spread) {
           "from 0 to 1");
 }
 
-// A TOML string; a path may hold a backslash or a quotation mark.
+// A TOML string; a path may hold a backslash, a quotation mark, even a line feed.
 std::string quoted(const std::string& text) {
     std::string result = "\"";
     for (const char letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
         if (letter == '"' || letter == '\\') {
             result += '\\';
+            result += letter;
+        } else if (code < 0x20U || code == 0x7FU) {
+            result += fmt::format("\\u{:04X}", code);
+        } else {
+            result += letter;
         }
-        result += letter;
     }
     return result + "\"";
 }

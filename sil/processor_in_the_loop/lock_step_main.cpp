@@ -37,7 +37,7 @@ class LockStepImage {
                 }
                 ecu_->step(0U);
             }
-            image::Policy::between_polls();
+            image::Policy::wait(hal::Time::from_milliseconds(1));
         }
     }
 
@@ -50,7 +50,7 @@ class LockStepImage {
 
     hal::VirtualClock clock_;
     image::Controller controller_{image::MemoryMappedRegisters{}, clock_};
-    image::WarningWitness witness_{controller_};
+    image::WarningWitness witness_{controller_, image::last_warning()};
     Receiver receiver_{witness_, clock_};
     NoWatchdog watchdog_;
     std::optional<application::RolloverEcu> ecu_;

@@ -46,6 +46,9 @@ class InProcessRun {
     // for the object's life.
     const rsi::Outputs& outputs() const { return firmware_.ecu().outputs(); }
 
+    // What it computed them from; the same holds.
+    const rsi::Inputs& inputs() const { return firmware_.ecu().inputs(); }
+
     // What its frames said.
     const EcuFrames& frames() const { return loop_->ecu(); }
 

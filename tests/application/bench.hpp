@@ -115,6 +115,8 @@ class Bench {
     const Cycle& last() const { return cycles_.back(); }
     can_dbc::RolloverWarning::State state() const { return last().state(); }
     const can_dbc::RolloverStatus& status() const { return last().status.value; }
+    // What the ECU made of the sensors' frames in its last cycle.
+    const rsi::Inputs& inputs() const { return ecu_.inputs(); }
     int watchdog_feeds() const { return watchdog_.feeds; }
     const rsi::Validation& parameters_answer() const { return answer_; }
 

@@ -113,6 +113,15 @@ TEST_P(Counter, OfADuplicatedFrameIsRejectedAndTheFirstOneUsed) {
     }
 }
 
+// The flags are of the whole cycle, not of its last frame.
+TEST_P(Counter, OfAFrameBeforeAGoodOneInTheSameCycleIsStillReported) {
+    bench.send_foreign(bench.last_frame(sensor));  // its counter is an old one
+    bench.run_cycles(1);
+    expect_only_this_sensors_flag();
+    bench.run_cycles(1);
+    EXPECT_FALSE(counter_error(bench.status(), sensor));
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEachSensor, Counter, ::testing::ValuesIn(all_sensors),
                          [](const auto& tested) { return std::string{name_of(tested.param)}; });
 

@@ -125,6 +125,19 @@ TEST_P(DamagedFrames, OfOneCycleOnlyDoNotInterruptTheWarning) {
     EXPECT_EQ(bench.status().frames_lost, 20U);
 }
 
+// The flag is of the whole cycle, not of its last frame; the values are those of the good one.
+TEST_P(DamagedFrames, BeforeAGoodOneInTheSameCycleAreStillReported) {
+    hal::CanFrame damaged = bench.last_frame(sensor);
+    damaged.data[3] = static_cast<std::uint8_t>(damaged.data[3] ^ 0x01U);
+    bench.send_foreign(damaged);
+    bench.run_cycles(1);
+    EXPECT_TRUE(checksum_error(bench.status(), sensor));
+    EXPECT_FALSE(timeout(bench.status(), sensor));
+    bench.run_cycles(1);
+    EXPECT_FALSE(checksum_error(bench.status(), sensor));
+    EXPECT_EQ(bench.state(), State::ready);
+}
+
 TEST_P(DamagedFrames, OfCanFdAreIgnored) {
     expect_ignored([](hal::CanFrame& frame) { frame.flexible_data_rate = true; });
 }

@@ -142,6 +142,9 @@ TEST(TheResetReason, IsSentInEveryCycleFromTheFirstOn) {
     after_abort.start_after(hal::ResetReason::interrupt);
     after_abort.run_cycles(1);
     EXPECT_EQ(sent_reset_reason(after_abort), Sent::interrupt);
+    after_abort.start_after(hal::ResetReason::start_without_reset);
+    after_abort.run_cycles(1);
+    EXPECT_EQ(sent_reset_reason(after_abort), Sent::start_without_reset);
 }
 
 TEST(TheWatchdog, IsFedOnceACycleWhateverTheSensorsDo) {

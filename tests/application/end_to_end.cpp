@@ -30,7 +30,7 @@ bool is_profile_11(const hal::CanFrame& frame, std::uint16_t data_id) {
 }
 
 void protect(hal::CanFrame& frame, std::uint16_t data_id, unsigned counter) {
-    frame.data[1] = static_cast<std::uint8_t>(((data_id >> 8U) << 4U) | (counter & 0xFU));
+    frame.data[1] = static_cast<std::uint8_t>((unsigned{data_id} >> 8U << 4U) | (counter & 0xFU));
     frame.data[0] = profile_11_crc(frame, data_id);
 }
 

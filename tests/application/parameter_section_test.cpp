@@ -146,6 +146,23 @@ TEST(ParameterSection, AnotherFormatOrLayoutOrLengthIsRefusedAsSuchThoughTheChec
 TEST(ParameterSection, TheLayoutIsTheOneThatWasFlashed) {
     EXPECT_EQ(section::layout, 0x1D0A'A08EU);
     EXPECT_EQ(section::length, 292U);
+    EXPECT_EQ(section::layout_of_values(), section::layout);
+}
+
+// The text that the layout's checksum is of, put together in another way.
+TEST(ParameterSection, TheLayoutIsTheChecksumOfEveryNameAndChoice) {
+    std::string text;
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        text += std::string{field.name} + '\n';
+    }
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        text += std::string{field.name} + ':';
+        for (std::int32_t choice = 0; choice < field.choice_count; ++choice) {
+            text += std::string{field.choices[choice]} + ',';
+        }
+    }
+    const Bytes bytes{text.begin(), text.end()};
+    EXPECT_EQ(section::layout_of_values(), application::crc32(bytes.data(), bytes.size()));
 }
 
 TEST(ParameterSection, EachValueOutsideItsRangeIsRefusedByItsName) {

@@ -1,7 +1,9 @@
 // What the ECU puts on the bus: order, kind, protection, counters.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "tests/application/bench.hpp"
 #include "tests/application/end_to_end.hpp"
@@ -60,6 +62,38 @@ TEST(EachSentFrame, PassesAnIndependentEndToEndCheckAndCountsFrom0To14) {
         }
         counter = (counter + 1U) % 15U;
     }
+}
+
+// For a platform that shows or records what the cycle computed.
+TEST(EachCycle, LeavesWhatItHasSentToBeRead) {
+    hal::VirtualClock clock;
+    hal::MemoryBus<2U> bus{clock};
+    NoWatchdog watchdog;
+    application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
+    ASSERT_EQ(ecu.init(large_suv()).accepted, 1);
+    const can_dbc::Imu imu{0.5F, 9.80665F, 1.0F};
+    auto payload = can_dbc::encode(imu);
+    const can_dbc::RollAngle roll{1.0F, can_dbc::not_available};
+    auto roll_payload = can_dbc::encode(roll);
+    can_dbc::e2e::protect_profile_11(payload, can_dbc::Imu::e2e_data_id, 0U);
+    can_dbc::e2e::protect_profile_11(roll_payload, can_dbc::RollAngle::e2e_data_id, 0U);
+    for (const auto& [identifier, bytes] : {std::pair{can_dbc::Imu::identifier, payload},
+                                            std::pair{can_dbc::RollAngle::identifier, roll_payload}}) {
+        hal::CanFrame frame{};
+        frame.identifier = identifier;
+        frame.length = 8U;
+        std::copy(bytes.begin(), bytes.end(), frame.data.begin());
+        bus.endpoint(1U).send(frame);
+    }
+    ecu.step(0U);
+    hal::CanFrame sent{};
+    bus.endpoint(1U).receive(sent);
+    ASSERT_EQ(sent.identifier, can_dbc::RolloverWarning::identifier);
+    const auto warning = can_dbc::decode<can_dbc::RolloverWarning>(sent.data);
+    EXPECT_EQ(ecu.outputs().roll_source, RSI_ROLL_SENSOR);
+    EXPECT_NEAR(warning.value.lateral_acceleration_mps2, ecu.outputs().lateral_acceleration_mps2, 0.005F);
+    EXPECT_NE(ecu.outputs().lateral_acceleration_mps2, 0.0F);
+    EXPECT_EQ(static_cast<int>(warning.value.state), static_cast<int>(ecu.outputs().state));
 }
 
 TEST(EachSentStatus, BearsTheSoftwaresVersion) {

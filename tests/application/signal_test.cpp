@@ -168,5 +168,27 @@ TEST(ANecessarySignal, ThatIsNotAvailableHidesEveryComputedNumber) {
     EXPECT_EQ(estimate.lateral_movement_m, can_dbc::SignalStatus::not_available);
 }
 
+TEST(Signal, ReachesTheComponentInSiUnits) {
+    constexpr float radians = 0.017453293F;
+    Bench bench;
+    Motion motion;
+    motion.imu = can_dbc::Imu{1.5F, 9.75F, 2.0F};
+    motion.roll_angle.roll_angle_deg = 3.0F;
+    motion.vehicle_motion = can_dbc::VehicleMotion{72.0F, 4.0F, -90.0F};
+    bench.drive(motion);
+    bench.run_until_ready();
+    const rsi::Inputs& inputs = bench.inputs();
+    EXPECT_NEAR(inputs.lateral_specific_force_mps2, 1.5F, 1e-3F);
+    EXPECT_NEAR(inputs.vertical_specific_force_mps2, 9.75F, 1e-3F);
+    EXPECT_NEAR(inputs.roll_rate_radps, 2.0F * radians, 1e-4F);
+    EXPECT_NEAR(inputs.roll_angle_rad, 3.0F * radians, 1e-4F);
+    EXPECT_NEAR(inputs.speed_mps, 20.0F, 1e-2F);
+    EXPECT_NEAR(inputs.yaw_rate_radps, 4.0F * radians, 1e-4F);
+    EXPECT_TRUE(std::isnan(inputs.bank_angle_rad));
+    bench.stop(Sensor::imu);
+    bench.run_cycles(6);
+    EXPECT_TRUE(std::isnan(bench.inputs().lateral_specific_force_mps2));
+}
+
 }  // namespace
 }  // namespace testing_application

@@ -170,6 +170,10 @@ TEST_P(Silence, FromTheStartIsUnavailable) {
     bench.stop_all();
     bench.run_for(1.0);
     expect_unavailable_in_time_and_for_ever(0U);
+    const can_dbc::RolloverStatus& first = bench.cycles().front().status.value;
+    EXPECT_TRUE(first.imu_timeout);  // what never came is not fresh, however young the clock is
+    EXPECT_TRUE(first.roll_angle_timeout);
+    EXPECT_TRUE(first.vehicle_motion_timeout);
 }
 
 TEST_P(Silence, IsNotBrokenByASensorThatRepeatsItsLastFrame) {

@@ -7,17 +7,18 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "support")]
 
 import binary_tools
 import call_graph
-import document
 import image_size
 import image_symbols
 import instruction_trace
 import library_stack
 import limits
 import measurement
+import page_section
 import table
 
 
@@ -265,11 +266,12 @@ class Document(unittest.TestCase):
     def test_the_table_is_put_between_its_marks_and_a_difference_seen(self):
         with tempfile.TemporaryDirectory() as folder:
             page = pathlib.Path(folder, "page.md")
-            page.write_text("before\n" + document.BEGIN + document.END + "after\n")
-            self.assertFalse(document.holds(page, "| 1 |\n"))
-            document.put(page, "| 1 |\n")
-            self.assertTrue(document.holds(page, "| 1 |\n"))
-            self.assertFalse(document.holds(page, "| 2 |\n"))
+            section = page_section.PageSection("budgets", "tests/budgets/measure --document")
+            page.write_text("before\n" + section.begin + section.end + "after\n")
+            self.assertFalse(section.holds(page, "| 1 |\n"))
+            section.put(page, "| 1 |\n")
+            self.assertTrue(section.holds(page, "| 1 |\n"))
+            self.assertFalse(section.holds(page, "| 2 |\n"))
             self.assertTrue(page.read_text().startswith("before\n") and page.read_text().endswith("after\n"))
 
 

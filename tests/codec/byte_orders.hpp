@@ -20,9 +20,11 @@ struct IntelScaledShort {
     static constexpr const char* name{"IntelScaledShort"};
     static constexpr std::uint32_t identifier{0x100U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 21 bits, unsigned, raw * 0.1 + -40. Dimensionless, -39.9 to 209675.
@@ -277,9 +279,11 @@ struct IntelScaledLong {
     static constexpr const char* name{"IntelScaledLong"};
     static constexpr std::uint32_t identifier{0x101U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 32 bits, signed, raw * 0.0174532925 + 0. Dimensionless, -37480660.23 to 37480660.212.
@@ -416,9 +420,11 @@ struct IntelPlainShort {
     static constexpr const char* name{"IntelPlainShort"};
     static constexpr std::uint32_t identifier{0x102U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 18 bits, unsigned, raw * 1 + 0. 0 to 262143.
@@ -654,9 +660,11 @@ struct IntelPlainLong {
     static constexpr const char* name{"IntelPlainLong"};
     static constexpr std::uint32_t identifier{0x103U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 26 bits, unsigned, raw * 1 + 0. 0 to 67108863.
@@ -784,9 +792,11 @@ struct MotorolaScaledShort {
     static constexpr const char* name{"MotorolaScaledShort"};
     static constexpr std::uint32_t identifier{0x104U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 8 bits, unsigned, raw * 50 + 0. Dimensionless, 0 to 12300.
@@ -1041,9 +1051,11 @@ struct MotorolaScaledLong {
     static constexpr const char* name{"MotorolaScaledLong"};
     static constexpr std::uint32_t identifier{0x105U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 31 bits, signed, raw * 0.1 + -40. Dimensionless, -107374222.3 to 107374142.2.
@@ -1180,9 +1192,11 @@ struct MotorolaPlainShort {
     static constexpr const char* name{"MotorolaPlainShort"};
     static constexpr std::uint32_t identifier{0x106U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 8 bits, signed, raw * 1 + 0. -128 to 127.
@@ -1418,9 +1432,11 @@ struct MotorolaPlainLong {
     static constexpr const char* name{"MotorolaPlainLong"};
     static constexpr std::uint32_t identifier{0x107U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 24 bits, signed, raw * 1 + 0. -8388608 to 8388607.
@@ -1556,9 +1572,11 @@ struct MixedOrders {
     static constexpr const char* name{"MixedOrders"};
     static constexpr std::uint32_t identifier{0x18FF1234U};
     static constexpr bool extended{true};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // Intel, crosses a byte. deg, -500 to 500.
@@ -1679,9 +1697,11 @@ struct Unaligned32 {
     static constexpr const char* name{"Unaligned32"};
     static constexpr std::uint32_t identifier{0x200U};
     static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
     static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 32 bits over five bytes, Motorola. -2147483648 to 2147483647.

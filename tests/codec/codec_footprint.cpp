@@ -3,8 +3,25 @@
 #include <array>
 #include <cstdint>
 
+#include "can_dbc/e2e/profile_05.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/e2e/state_machine.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
+
+namespace {
+
+constexpr can_dbc::e2e::StateMachineSettings channel_settings{4U, {1U, 1U}, {1U, 2U}, {2U, 0U}, false};
+
+// The same protection as of a CAN FD frame, and the state machine behind it.
+void profile_05_footprint(std::array<std::uint8_t, 8>& payload, std::uint8_t length) {
+    can_dbc::e2e::Profile05Receiver receiver{0x1234U, payload.size(), 2U};
+    can_dbc::e2e::StateMachine<channel_settings> channel;
+    channel.update(receiver.check(payload, length).status);
+    can_dbc::e2e::Profile05Sender sender{channel.is_valid() ? std::uint16_t{1U} : std::uint16_t{2U}};
+    sender.protect(payload);
+}
+
+}  // namespace
 
 // Decodes and encodes a payload as every message in turn; what matters is the object file.
 extern "C" void codec_footprint(std::array<std::uint8_t, 8>& payload, std::uint8_t length);
@@ -22,4 +39,5 @@ extern "C" void codec_footprint(std::array<std::uint8_t, 8>& payload, std::uint8
             }
         }
     });
+    profile_05_footprint(payload, length);
 }

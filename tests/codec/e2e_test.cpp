@@ -40,6 +40,28 @@ TEST(Crc8SaeJ1850, GivesTheCatalogueCheckValue) {
     EXPECT_EQ(can_dbc::e2e::crc8_sae_j1850(digits.data(), digits.size()), 0x4BU);
 }
 
+TEST(Crc8SaeJ1850, HasATableThatIsTheDivisionBitByBit) {
+    for (const unsigned polynomial : {0x1DU, 0x2FU}) {
+        const std::array<std::uint8_t, 256> table =
+            can_dbc::e2e::detail::make_crc8_table(static_cast<std::uint8_t>(polynomial));
+        for (unsigned byte = 0U; byte < 256U; ++byte) {
+            unsigned remainder = byte << 8U;
+            for (unsigned bit = 15U; bit >= 8U; --bit) {
+                remainder ^= ((remainder >> bit) & 1U) * ((0x100U | polynomial) << (bit - 8U));
+            }
+            EXPECT_EQ(table[byte], remainder) << byte;
+        }
+    }
+}
+
+TEST(Profile11, RefusesAPayloadTooShortForItsHeaderThoughThatIsWhatIsExpected) {
+    const Payload payload{};
+    for (const std::size_t length : {0U, 1U}) {
+        EXPECT_EQ(can_dbc::e2e::verify_profile_11(payload.data(), length, length, data_id),
+                  CheckError::length);
+    }
+}
+
 TEST(Profile11, GivesTheReferenceVectorForZerosAndDataIdentifier123) {
     static_assert(protected_zeros()[0] == 0x2AU && protected_zeros()[1] == 0x10U);
     EXPECT_EQ(protected_zeros(), (Payload{0x2AU, 0x10U, 0U, 0U, 0U, 0U, 0U, 0U}));
@@ -107,6 +129,11 @@ TEST(Profile11Receiver, RefusesAWrongLength) {
     EXPECT_EQ(receiver.check(longer, 9U).error, CheckError::length);
     EXPECT_EQ(receiver.check(frame(0U), 64U).error, CheckError::length);  // says more than the array has
     EXPECT_EQ(check(receiver, 0U).status, CheckStatus::ok);
+}
+
+TEST(Profile11Receiver, RefusesALengthThatTheArrayDoesNotHave) {
+    Profile11Receiver receiver{data_id, 64U, 1U};
+    EXPECT_EQ(receiver.check(frame(0U), 64U).error, CheckError::length);
 }
 
 TEST(Profile11Receiver, RefusesTheCounterValueFifteen) {

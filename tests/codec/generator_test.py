@@ -11,6 +11,7 @@ from libraries import give_up
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GENERATOR = ROOT / "can_dbc/generator/generate.py"
 DBC = ROOT / "can_dbc/rollover_warning.dbc"
+CAN_FD = ROOT / "tests/codec/can_fd.dbc"
 HEADER = ROOT / "can_dbc/generated/rollover_warning.hpp"
 GUIDE = ROOT / "docs/can.md"
 
@@ -25,21 +26,28 @@ def generate(*arguments, options=()):
                           capture_output=True, check=False)
 
 
-class Refusals(unittest.TestCase):
-    """Each changes one thing in the project's DBC file."""
+class Refusing(unittest.TestCase):
+    dbc = DBC
 
     def refuse(self, old, new, *expected):
-        text = DBC.read_text()
+        text = self.dbc.read_text()
         self.assertEqual(text.count(old), 1, f"'{old}' must stand once in the DBC file")
+        self.refuse_text(text.replace(old, new), *expected)
+
+    def refuse_text(self, text, *expected):
         with tempfile.TemporaryDirectory() as folder:
             changed, header = pathlib.Path(folder, "changed.dbc"), pathlib.Path(folder, "changed.hpp")
-            changed.write_text(text.replace(old, new))
+            changed.write_text(text)
             result = generate("--dbc", changed, "--output", header)
             self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
             self.assertFalse(header.exists())
         self.assertNotIn("Traceback", result.stderr)
         for part in ("changed.dbc", *expected):
             self.assertIn(part, result.stderr)
+
+
+class Refusals(Refusing):
+    """Each changes one thing in the project's DBC file."""
 
     def test_multiplexed_signals(self):
         self.refuse("SG_ State : 16", "SG_ State M : 16", "RolloverWarning", "State", "multiplexed")
@@ -93,6 +101,17 @@ class Refusals(unittest.TestCase):
                                                                               "E2eDataIdNibble : 8|4")
         self.refuse(block, moved, "VehicleMotion", "E2eCounter", "8|4")
 
+    def test_profile_11_in_a_can_fd_frame(self):
+        self.refuse('BA_ "VFrameFormat" BO_ 290 0;', 'BA_ "VFrameFormat" BO_ 290 14;', "VehicleMotion", "profile 11",
+                    "classic", "P05")
+
+    def test_an_unknown_profile(self):
+        self.refuse('ENUM "none","P11"', 'ENUM "none","P01"', "Imu", "P01", "P05 and P11")
+
+    def test_classic_frames_of_more_than_8_bytes(self):
+        self.refuse("BO_ 2032 SimulationSync: 4", "BO_ 2032 SimulationSync: 9", "SimulationSync", "9 bytes",
+                    "VFrameFormat")
+
     def test_ieee_floating_point(self):
         self.refuse('VAL_ 208 State', 'SIG_VALTYPE_ 2032 CycleNumber : 1;\nVAL_ 208 State', "SIG_VALTYPE_")
 
@@ -109,6 +128,48 @@ class Refusals(unittest.TestCase):
         result = generate("--check", options=("-S",))
         self.assertEqual(result.returncode, 1)
         self.assertIn("pip install -r", result.stderr)
+
+
+class CanFdRefusals(Refusing):
+    """Each changes one thing in a DBC file with CAN FD frames and profile 5."""
+    dbc = CAN_FD
+
+    def test_profile_5_in_a_classic_frame(self):
+        text = self.dbc.read_text()
+        block = re.search(r"BO_ 769 .*?\n\n", text, re.DOTALL).group()
+        short = ('BO_ 769 BodyMotion: 8 Tester\n SG_ E2eCrc : 0|16@1+ (1,0) [0|65535] "-" Target\n'
+                 ' SG_ E2eCounter : 16|8@1+ (1,0) [0|255] "-" Target\n\n')
+        text = re.sub(r"(CM_|BA_|VAL_)[^\n]* 769 (YawRate|RollRate|Ready|RollAngle) [^\n]*\n", "", text)
+        text = text.replace(block, short).replace('BO_ 769 14;', 'BO_ 769 0;')
+        self.refuse_text(text, "BodyMotion", "profile 5", "CAN FD", "VFrameFormat")
+
+    def test_lengths_that_can_fd_does_not_have(self):
+        self.refuse("BO_ 769 BodyMotion: 24", "BO_ 769 BodyMotion: 25", "BodyMotion", "25 bytes", "20, 24, 32")
+
+    def test_a_crc_of_another_width(self):
+        self.refuse('E2eCrc : 64|16@1+ (1,0) [0|65535]', 'E2eCrc : 64|8@1+ (1,0) [0|255]', "BodyMotion", "E2eCrc",
+                    "64|16@1+")
+
+    def test_a_crc_within_a_byte(self):
+        self.refuse("SG_ E2eCrc : 64|16", "SG_ E2eCrc : 60|16", "BodyMotion", "E2eCrc", "0|16@1+")
+
+    def test_a_big_endian_crc(self):
+        self.refuse("SG_ E2eCrc : 64|16@1+", "SG_ E2eCrc : 71|16@0+", "BodyMotion", "E2eCrc")
+
+    def test_a_counter_elsewhere(self):
+        self.refuse("E2eCounter : 80|8", "E2eCounter : 88|8", "BodyMotion", "E2eCounter", "80|8@1+")
+
+    def test_a_missing_counter(self):
+        self.refuse(' SG_ E2eCounter : 80|8@1+', ' SG_ Counter : 80|8@1+', "BodyMotion", "E2eCounter")
+
+    def test_a_data_identifier_beyond_16_bits(self):
+        self.refuse('BA_ "E2EDataId" BO_ 769 65535;', 'BA_ "E2EDataId" BO_ 769 65536;', "BodyMotion", "E2EDataId")
+
+    def test_a_missing_data_identifier(self):
+        self.refuse('BA_ "E2EDataId" BO_ 769 65535;\n', "", "BodyMotion", "E2EDataId", "65535")
+
+    def test_a_data_identifier_used_twice(self):
+        self.refuse('BO_ 769 65535;', 'BO_ 769 4660;', "4660", "twice")
 
 
 class Drift(unittest.TestCase):

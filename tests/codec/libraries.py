@@ -71,7 +71,7 @@ LIBRARIES = {"cantools": Cantools, "canmatrix": Canmatrix}
 REMEDIES = {
     "cantools": "python3 -m venv build/venv && build/venv/bin/pip install -r can_dbc/generator/requirements.txt",
     "canmatrix": "apt-get install python3-canmatrix",
-    "crccheck": "apt-get install python3-crccheck",
+    "crccheck": "build/venv/bin/pip install -r can_dbc/generator/requirements.txt, or apt-get install python3-crccheck",
 }
 
 

@@ -13,7 +13,7 @@ UNAVAILABLE, READY = 0, 1
 PROVOCATION_IDENTIFIER = "7F0"
 OBSERVER_IDENTIFIER = "234"
 WARNING_DATA_IDENTIFIER = 0x61E
-IMAGE = programs.PROJECT / "build/cortex-r5f/firmware/images/zynqmp_r5/rsi-ecu-r5f-faults.elf"
+IMAGE = programs.PROJECT / "build/cortex-r5f/tests/images/zynqmp_r5_faults/rsi-ecu-r5f-faults.elf"
 SENSOR_LOG = programs.PROJECT / "tests/regression/logs/straight-noise.sensors.log"
 # Cycles of the log after which the counters of its end-to-end protection go on at its beginning without a jump.
 SENSOR_CYCLES = 300
@@ -105,6 +105,9 @@ class Faults(unittest.TestCase):
 
     def test_a_stack_overflow_ends_in_the_guard(self):
         self.check_exception(6, reason=6)
+
+    def test_a_call_of_a_null_pointer_is_a_start_without_reset(self):
+        self.check_exception(8, reason=8)
 
     def test_a_hang_is_ended_by_the_watchdog(self):
         # The processor can say nothing any more: silence, which a receiver takes for "unavailable", then the reset.

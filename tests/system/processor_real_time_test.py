@@ -9,17 +9,16 @@ import processor
 import programs
 
 READY, ADVISORY, WARNING = 1, 2, 3
-# Code that an emulated emulator runs for the first time costs it milliseconds, and a busy machine holds it up. So the
-# drive is repeated until the machine keeps pace; the firmware is the same all the time.
-MOST_DRIVES = 4
+# Code that an emulator within an emulator runs for the first time costs it milliseconds, and a busy machine holds it up.
+# So the drive is repeated until the machine keeps pace; the firmware is the same all the time.
+MOST_DRIVES = 10
 KEPT_PACE = 0.02  # share of cycles missed
-# In the small virtual machine an emulator runs within an emulator. There the pace is reported; it is held to where
-# nothing comes between (the kernel has vcan), and off-line by processor_off_line_test.
-IS_NESTED = pathlib.Path("/run/rsi_session").exists()
+MOST_OVERRUNS = 255  # where CycleOverruns ends
 # The firmware's clock knows nothing of the simulation's: a sensor frame waits up to one cycle, the warning's
 # confirmation is counted in whole cycles, and the replay on the host has cycles of its own.
 TOLERANCE_S = 0.03
-SLOW_TOLERANCE_S = 0.15
+# The simulation's own clock against the bus: the world starts and steps late when it is held up.
+WORLD_TOLERANCE_S = 0.1
 
 
 class Drive:
@@ -71,7 +70,6 @@ class RealTime(unittest.TestCase):
             cls.exit_status = ecu.stop()
             cls.ecu_output = ecu.output
         cls.drive = min(cls.drives, key=Drive.missed_share)
-        cls.tolerance_s = TOLERANCE_S if cls.drive.missed_share() <= KEPT_PACE else SLOW_TOLERANCE_S
         print(programs.run("rsi-sil", "timing", cls.drive.log).stdout)
 
     def test_the_programs_end_well(self):
@@ -80,15 +78,14 @@ class RealTime(unittest.TestCase):
         self.assertEqual(self.exit_status, 0, self.ecu_output)
 
     def test_a_hundred_cycles_a_second_are_kept(self):
-        if not IS_NESTED:
-            self.assertLessEqual(self.drive.missed_share(), KEPT_PACE)
-        # Kept or missed, the firmware accounts for each: its clock runs like the machine's. The count ends at 255, so
-        # it is the first drive that shows it.
-        statuses = [(time, data) for time, identifier, data in self.drives[0].frames
-                    if identifier == processor.STATUS_IDENTIFIER and processor.cycle_overruns_of(data) < 255]
-        self.assertGreater(len(statuses), 50)
+        self.assertLessEqual(self.drive.missed_share(), KEPT_PACE, "this machine is too busy for real time")
+        # Kept or missed, the firmware accounts for each: its clock runs like the machine's.
+        statuses = [(time, data) for time, identifier, data in self.drive.frames
+                    if identifier == processor.STATUS_IDENTIFIER]
         (begin, first), (end, last) = statuses[0], statuses[-1]
-        missed = processor.cycle_overruns_of(last) - processor.cycle_overruns_of(first)
+        counts = [processor.cycle_overruns_of(data) for data in (first, last)]
+        self.assertLess(counts[1], MOST_OVERRUNS, "so many cycles were missed before that the count has ended")
+        missed = counts[1] - counts[0]
         elapsed = (end - begin) / processor.CYCLE_S
         print(f"{len(statuses) - 1} cycles kept, {missed} counted as missed, in {elapsed:.1f} periods")
         self.assertAlmostEqual(len(statuses) - 1 + missed, elapsed, delta=5.0)
@@ -97,7 +94,7 @@ class RealTime(unittest.TestCase):
         self.assertGreater(self.drive.summary["lead_time_s"], 0.25)
         changes = state_changes(self.drive.frames, self.drive.first)
         warning_s = next(time for time, state in changes if state == WARNING)
-        self.assertAlmostEqual(warning_s, self.drive.summary["warning_time_s"], delta=self.tolerance_s)
+        self.assertAlmostEqual(warning_s, self.drive.summary["warning_time_s"], delta=WORLD_TOLERANCE_S)
 
     def test_no_frame_is_lost(self):
         for identifier in processor.ECU_IDENTIFIERS:
@@ -117,14 +114,12 @@ class RealTime(unittest.TestCase):
         settled = self.drive.first + 1.0
         mine = state_changes(self.drive.during, settled)
         host = state_changes(programs.read_log(replayed), settled)
-        # A machine that holds up the sensors too makes the host say "unavailable" in between.
         self.assertEqual([state for _, state in host][:3], [READY, ADVISORY, WARNING])
-        if self.drive.missed_share() <= KEPT_PACE:
-            self.assertEqual([state for _, state in mine], [state for _, state in host])
+        self.assertEqual([state for _, state in mine], [state for _, state in host])
         for wanted in (ADVISORY, WARNING):
             my_time = next(time for time, state in mine if state >= wanted)
             host_time = next(time for time, state in host if state >= wanted)
-            self.assertAlmostEqual(my_time, host_time, delta=self.tolerance_s)
+            self.assertAlmostEqual(my_time, host_time, delta=TOLERANCE_S)
 
 
 if __name__ == "__main__":

@@ -56,8 +56,13 @@ class Ecu:
         return self
 
     def __exit__(self, *_):
+        # Asked first: a launcher that is killed would leave its emulator behind, which goes on sending.
         if self.process.poll() is None:
-            self.process.kill()
+            self.process.terminate()
+            try:
+                self.process.wait(timeout=10)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
         self.process.communicate()
 
 

@@ -25,20 +25,20 @@ double as_double(float value) {
     return static_cast<double>(value);
 }
 
-constexpr double right_angle = 1.5707963;
+constexpr double largest_angle = 1.3;
 
 TEST(BoundedFunctions, SineStaysWithinItsDocumentedError) {
-    const double error = largest_over(-right_angle, right_angle, [](float x) {
+    const double error = largest_over(-largest_angle, largest_angle, [](float x) {
         return std::fabs(as_double(rsi::bounded_sine(x)) - std::sin(as_double(x)));
     });
-    EXPECT_LT(error, 2.0e-7);
+    EXPECT_LT(error, 3.0e-7);
 }
 
 TEST(BoundedFunctions, CosineStaysWithinItsDocumentedError) {
-    const double error = largest_over(-right_angle, right_angle, [](float x) {
+    const double error = largest_over(-largest_angle, largest_angle, [](float x) {
         return std::fabs(as_double(rsi::bounded_cosine(x)) - std::cos(as_double(x)));
     });
-    EXPECT_LT(error, 2.0e-7);
+    EXPECT_LT(error, 8.0e-6);
 }
 
 TEST(BoundedFunctions, TangentStaysWithinItsDocumentedRelativeError) {
@@ -47,14 +47,14 @@ TEST(BoundedFunctions, TangentStaysWithinItsDocumentedRelativeError) {
         return (truth == 0.0) ? std::fabs(as_double(rsi::bounded_tangent(x)))
                               : std::fabs(as_double(rsi::bounded_tangent(x)) / truth - 1.0);
     });
-    EXPECT_LT(error, 1.0e-6);
+    EXPECT_LT(error, 5.0e-5);
 }
 
 TEST(BoundedFunctions, VersineKeepsItsDigitsNearZero) {
-    for (const float x : {1.0e-6F, 1.0e-3F, 0.03F, 0.3F, 1.5F}) {
+    for (const float x : {1.0e-6F, 1.0e-3F, 0.03F, 0.3F, 1.25F}) {
         const double half_sine = std::sin(0.5 * as_double(x));
         const double truth = 2.0 * half_sine * half_sine;
-        EXPECT_NEAR(as_double(rsi::bounded_sine_and_versine(x).versine), truth, 2.0e-6 * truth) << x;
+        EXPECT_NEAR(as_double(rsi::bounded_sine_and_versine(x).versine), truth, 8.0e-6 * truth) << x;
     }
 }
 
@@ -64,7 +64,7 @@ TEST(BoundedFunctions, ShortRangeTangentStaysWithinItsDocumentedRelativeError) {
         return (truth == 0.0) ? std::fabs(as_double(rsi::short_range_tangent(x)))
                               : std::fabs(as_double(rsi::short_range_tangent(x)) / truth - 1.0);
     });
-    EXPECT_LT(error, 2.0e-7);
+    EXPECT_LT(error, 2.0e-6);
 }
 
 TEST(BoundedFunctions, DecayingExponentialStaysWithinItsDocumentedRelativeError) {
@@ -80,8 +80,8 @@ TEST(BoundedFunctions, ArgumentsBeyondTheRangeCountAsItsEnd) {
         EXPECT_EQ(rsi::bounded_sine(beyond), rsi::bounded_sine(rsi::largest_angle_rad));
         EXPECT_EQ(rsi::bounded_sine(-beyond), rsi::bounded_sine(-rsi::largest_angle_rad));
         EXPECT_EQ(rsi::bounded_cosine(beyond), rsi::bounded_cosine(rsi::largest_angle_rad));
-        EXPECT_EQ(rsi::bounded_tangent(beyond), rsi::bounded_tangent(rsi::largest_tangent_argument_rad));
-        EXPECT_EQ(rsi::bounded_tangent(-beyond), rsi::bounded_tangent(-rsi::largest_tangent_argument_rad));
+        EXPECT_EQ(rsi::bounded_tangent(beyond), rsi::bounded_tangent(rsi::largest_angle_rad));
+        EXPECT_EQ(rsi::bounded_tangent(-beyond), rsi::bounded_tangent(-rsi::largest_angle_rad));
         EXPECT_EQ(rsi::decaying_exponential(16.0F + beyond), rsi::decaying_exponential(16.0F));
         EXPECT_EQ(rsi::decaying_exponential(-beyond), 1.0F);
     }

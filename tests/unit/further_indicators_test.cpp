@@ -86,13 +86,14 @@ void expect_state_indices(const rsi_parameters& p, const rsi_outputs& out, const
     const double x = motion.phi.value();
     EXPECT_NEAR(wide(out.load_transfer_ratio), v.load_transfer(A, N, x, motion.p.value()), 2e-4);
     EXPECT_NEAR(wide(out.rsi_extended), v.extended(A, N, x, motion.roll_acceleration), 2e-3);
+}
+
+void expect_classic_indices(const rsi_parameters& p, const rsi_inputs& in, const rsi_outputs& out,
+                            const ReferenceMotion& motion) {
+    const ReferenceVehicle v{p};
     const double share = v.Ixx * motion.roll_acceleration / (v.m_s * gravity_mps2 * v.h);
     EXPECT_NEAR(wide(out.dynamic_stability_index), motion.a_y / gravity_mps2 - share, 1e-4);
     EXPECT_NEAR(wide(out.dynamic_stability_index_late), motion.a_y / gravity_mps2 + share, 1e-4);
-}
-
-void expect_classic_indices(const rsi_parameters& p, const rsi_inputs& in, const rsi_outputs& out) {
-    const ReferenceVehicle v{p};
     const double a_y = wide(out.lateral_acceleration_mps2);
     const double phi = wide(in.roll_angle_rad);
     const double rate = wide(in.roll_rate_radps);
@@ -105,8 +106,19 @@ void expect_classic_indices(const rsi_parameters& p, const rsi_inputs& in, const
     EXPECT_NEAR(wide(out.time_to_rollover_s), std::min(time, 10.0), 1e-4 + 2e-3 * std::min(time, 10.0));
 }
 
+// Those of the sample before.
+void expect_held_indices(const rsi_outputs& out, const rsi_outputs& before) {
+    EXPECT_EQ(out.static_stability_level, before.static_stability_level);
+    EXPECT_EQ(out.dynamic_stability_index, before.dynamic_stability_index);
+    EXPECT_EQ(out.dynamic_stability_index_late, before.dynamic_stability_index_late);
+    EXPECT_EQ(out.energy_margin, before.energy_margin);
+    EXPECT_EQ(out.rollover_index, before.rollover_index);
+    EXPECT_EQ(out.time_to_rollover_s, before.time_to_rollover_s);
+}
+
 TEST(FurtherIndicators, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
     rsi_parameters parameters = rsi_test::large_suv();
+    parameters.prediction_horizon_s = 0.11F;
     rsi::Component component;
     ASSERT_EQ(component.init(parameters).accepted, 1);
     rsi_test::RandomManoeuvre drive(parameters, 83U, false);
@@ -115,17 +127,29 @@ TEST(FurtherIndicators, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
     rsi_test::ReferenceMomentArmError moment_arm_error;
     int ahead = 0;
     int with_demand = 0;
+    rsi_outputs before{};
+    rsi_test::ReferenceForce demanded;  // of the last sample in which it was due
     for (int k = 0; k < 20000 && !HasFailure(); ++k) {
         const rsi_inputs inputs = drive.next();
         rsi_outputs out;
         component.step(inputs, out);
         motion.next(inputs, out);
         expect_state_indices(parameters, out, motion);
-        expect_classic_indices(parameters, inputs, out);
+        if (k % 2 == 0) {
+            expect_classic_indices(parameters, inputs, out, motion);
+        } else {
+            expect_held_indices(out, before);
+        }
+        before = out;
         vehicle.e = moment_arm_error.next(vehicle, motion.A.value(), motion.N.value(), motion.phi.value(),
                                           motion.p.value(), motion.roll_acceleration,
                                           wide(parameters.excitation_threshold_mps2));
-        const rsi_test::ReferenceForce force = force_ahead(parameters, inputs, out, motion);
+        rsi_test::ReferenceForce force = force_ahead(parameters, inputs, out, motion);
+        if ((k % 2 == 0) && (k > 0)) {
+            demanded = force;
+        }
+        force.bounded = demanded.bounded;
+        force.demand = demanded.demand;
         const double L =
             rsi_test::predicted_load_transfer(vehicle, force, motion.N.value(), motion.phi.value(),
                                               motion.p.value(), wide(parameters.prediction_horizon_s), 5);
@@ -253,6 +277,28 @@ TEST(FurtherIndicators, InASteadyTurnTheExtendedIndicatorAndTheLoadTransferReach
     EXPECT_NEAR(wide(out.rsi_extended), 1.0, 1e-3);
     EXPECT_NEAR(wide(out.predicted_load_transfer_ratio), 1.0, 1e-3);
     EXPECT_NEAR(wide(out.predicted_rsi), 1.0, 1e-3);
+}
+
+// An index that drives the warning is never held.
+TEST(FurtherIndicators, AClassicIndexThatDrivesTheWarningIsNewInEverySample) {
+    for (const rsi_indicator indicator :
+         {RSI_INDICATOR_STATIC_STABILITY_FACTOR, RSI_INDICATOR_DYNAMIC_STABILITY,
+          RSI_INDICATOR_DYNAMIC_STABILITY_LATE, RSI_INDICATOR_ENERGY, RSI_INDICATOR_ROLLOVER_INDEX,
+          RSI_INDICATOR_TIME_TO_ROLLOVER}) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.warning_indicator = indicator;
+        rsi::Component component;
+        ASSERT_EQ(component.init(parameters).accepted, 1);
+        rsi_test::RandomManoeuvre drive(parameters, 29U, false);
+        ReferenceMotion motion{wide(parameters.prediction_filter_lag_s)};
+        for (int k = 0; k < 200; ++k) {
+            const rsi_inputs inputs = drive.next();
+            rsi_outputs out;
+            component.step(inputs, out);
+            motion.next(inputs, out);
+            expect_classic_indices(parameters, inputs, out, motion);
+        }
+    }
 }
 
 TEST(FurtherIndicators, AGapIsNoMovement) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 
 namespace rsi_test {
 namespace {
@@ -55,6 +56,23 @@ const std::vector<Rule>& rules() {
     return all;
 }
 
+// The rooms that a room's CMake files may not name a path of; the top level and cmake/ put all of them
+// together.
+struct CMakeRule {
+    std::string folder;
+    std::vector<std::string> forbidden;
+};
+
+const std::vector<CMakeRule>& cmake_rules() {
+    static const std::vector<CMakeRule> all{
+        {"can_dbc/", {"firmware", "hal", "sil", "tests"}},
+        {"hal/", {"firmware", "can_dbc", "sil", "tests"}},
+        {"firmware/", {"sil", "tests"}},
+        {"sil/", {"tests"}},
+    };
+    return all;
+}
+
 bool starts_with(const std::string& text, const std::string& beginning) {
     return text.compare(0, beginning.size(), beginning) == 0;
 }
@@ -103,6 +121,10 @@ bool is_source(const fs::path& path) {
     return std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end();
 }
 
+bool is_cmake(const fs::path& path) {
+    return path.filename() == "CMakeLists.txt" || path.extension() == ".cmake";
+}
+
 // The header that a line includes; empty when it includes none.
 std::string included_by(const std::string& line) {
     const std::string blanks = " \t";
@@ -123,8 +145,10 @@ void check_file(const fs::path& file, const std::string& path, std::vector<std::
     std::ifstream lines(file);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
-        const std::string header = included_by(line);
-        const std::string why = header.empty() ? std::string{} : objection(path, header);
+        const std::string header = is_cmake(file) ? std::string{} : included_by(line);
+        const std::string why = is_cmake(file)   ? cmake_objection(path, line)
+                                : header.empty() ? std::string{}
+                                                 : objection(path, header);
         if (!why.empty()) {
             found.push_back(path + ":" + std::to_string(number) + ": " + why);
         }
@@ -151,6 +175,23 @@ std::string objection(const std::string& path, const std::string& header) {
     return allowed ? std::string{} : rule->folder + " may not include " + header;
 }
 
+std::string cmake_objection(const std::string& path, const std::string& line) {
+    const std::string code = line.substr(0, line.find('#'));
+    for (const CMakeRule& rule : cmake_rules()) {
+        if (!starts_with(path, rule.folder)) {
+            continue;
+        }
+        for (const std::string& room : rule.forbidden) {
+            // "room/..." or ".../room", but neither "room_library" nor the plain word.
+            const std::regex names_it("(^|[^A-Za-z0-9_-])" + room + "/|/" + room + "($|[^A-Za-z0-9_.-])");
+            if (std::regex_search(code, names_it)) {
+                return "a CMake file of " + rule.folder + " may not name a path of " + room + "/";
+            }
+        }
+    }
+    return {};
+}
+
 std::vector<std::string> forbidden_includes(const std::string& root) {
     std::vector<std::string> found;
     for (const std::string top : {"can_dbc", "firmware", "hal", "images", "sil", "tests"}) {
@@ -158,7 +199,7 @@ std::vector<std::string> forbidden_includes(const std::string& root) {
             continue;
         }
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(root) / top)) {
-            if (entry.is_regular_file() && is_source(entry.path())) {
+            if (entry.is_regular_file() && (is_source(entry.path()) || is_cmake(entry.path()))) {
                 check_file(entry.path(), fs::relative(entry.path(), root).generic_string(), found);
             }
         }

@@ -1,4 +1,4 @@
-// Who may know whom: the includes that each folder of the tree is allowed.
+// Who may know whom: the includes that each folder of the tree is allowed, and the paths in its CMake files.
 #pragma once
 
 #include <string>
@@ -9,7 +9,11 @@ namespace rsi_test {
 // Why the file `path` (relative to the project, with /) may not include `header`; empty when it may.
 std::string objection(const std::string& path, const std::string& header);
 
-// "path:line: ..." for every forbidden include in the source files under `root`.
+// Why the CMake file `path` may not have the line `line`, because of a path in it; empty when it may.
+std::string cmake_objection(const std::string& path, const std::string& line);
+
+// "path:line: ..." for every forbidden include in the source files under `root`, and every forbidden path in
+// the CMake files.
 std::vector<std::string> forbidden_includes(const std::string& root);
 
 }  // namespace rsi_test

@@ -86,6 +86,61 @@ INSTANTIATE_TEST_SUITE_P(IncludeRules, Allowed,
                                            Include{"sil/apps/ecu.cpp", "toml++/toml.h"},
                                            Include{"tests/unit/a.cpp", "sil/vehicle/truth.hpp"}));
 
+struct CMakeLine {
+    const char* path;
+    const char* line;
+};
+
+class ForbiddenInCMake : public ::testing::TestWithParam<CMakeLine> {};
+
+TEST_P(ForbiddenInCMake, IsRefused) {
+    EXPECT_NE(rsi_test::cmake_objection(GetParam().path, GetParam().line), "")
+        << GetParam().path << ": " << GetParam().line;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    IncludeRules, ForbiddenInCMake,
+    ::testing::Values(CMakeLine{"firmware/images/a/CMakeLists.txt", "set(sil ${PROJECT_SOURCE_DIR}/sil)"},
+                      CMakeLine{"firmware/images/a/CMakeLists.txt", "    ../../sil/apps/rsi_ecu.cpp)"},
+                      CMakeLine{"firmware/CMakeLists.txt", "add_subdirectory(../tests/unit)"},
+                      CMakeLine{"firmware/rules.cmake", "    COMMAND ${PROJECT_SOURCE_DIR}/tests/run"},
+                      CMakeLine{"hal/CMakeLists.txt",
+                                "set(map \"${PROJECT_SOURCE_DIR}/tests/support/r5.ld\")"},
+                      CMakeLine{"hal/CMakeLists.txt", "include(${CMAKE_SOURCE_DIR}/firmware/list.cmake)"},
+                      CMakeLine{"can_dbc/CMakeLists.txt", "    DEPENDS sil/simulation/frames.cpp  # why"},
+                      CMakeLine{"sil/CMakeLists.txt", "include_directories(${PROJECT_SOURCE_DIR}/tests)"}));
+
+class AllowedInCMake : public ::testing::TestWithParam<CMakeLine> {};
+
+TEST_P(AllowedInCMake, IsAccepted) {
+    EXPECT_EQ(rsi_test::cmake_objection(GetParam().path, GetParam().line), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    IncludeRules, AllowedInCMake,
+    ::testing::Values(CMakeLine{"CMakeLists.txt", "add_subdirectory(sil/processor_in_the_loop)"},
+                      CMakeLine{"cmake/target_program.cmake", "tests/targets/support/linux.cpp"},
+                      CMakeLine{"firmware/CMakeLists.txt", "# what tests/freestanding checks"},
+                      CMakeLine{"firmware/CMakeLists.txt", "if(RSI_BUILD_TESTS AND RSI_BUILD_SIL)"},
+                      CMakeLine{"firmware/CMakeLists.txt", "target_link_libraries(a PRIVATE sil_vehicle)"},
+                      CMakeLine{"firmware/CMakeLists.txt", "add_library(a ${PROJECT_SOURCE_DIR}/hal/a.cpp)"},
+                      CMakeLine{"sil/apps/CMakeLists.txt", "${PROJECT_SOURCE_DIR}/firmware/calibrations"},
+                      CMakeLine{"tests/CMakeLists.txt", "${PROJECT_SOURCE_DIR}/sil/vehicles"}));
+
+TEST(IncludeRules, APlantedPathInACMakeFileIsFoundByFileAndLine) {
+    const test_support::ScratchFolder folder;
+    const fs::path& root = folder.path();
+    fs::create_directories(root / "hal/board");
+    fs::create_directories(root / "firmware");
+    std::ofstream(root / "hal/board/CMakeLists.txt")
+        << "add_library(board start.S)\nset(map ../../tests/board.ld)\n";
+    std::ofstream(root / "firmware/parts.cmake") << "set(log ${PROJECT_SOURCE_DIR}/sil/log.cpp)\n";
+    const std::vector<std::string> found = rsi_test::forbidden_includes(root.string());
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0], "firmware/parts.cmake:1: a CMake file of firmware/ may not name a path of sil/");
+    EXPECT_EQ(found[1], "hal/board/CMakeLists.txt:2: a CMake file of hal/ may not name a path of tests/");
+}
+
 // The search itself: one breach among good lines, found with file and line.
 TEST(IncludeRules, APlantedBreachIsFoundByFileAndLine) {
     const test_support::ScratchFolder folder;

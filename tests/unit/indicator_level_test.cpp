@@ -45,6 +45,13 @@ rsi_outputs all_different() {
     return outputs;
 }
 
+rsi::IndicatedRisk indicated(const rsi_outputs& outputs, const rsi_parameters& parameters,
+                             float roll_angle_rad) {
+    rsi::WarningIndicator indicator;
+    indicator.init(parameters);
+    return indicator.evaluate(outputs, roll_angle_rad);
+}
+
 TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
     const rsi_outputs outputs = all_different();
     const float roll_angle = -0.1F;
@@ -66,7 +73,27 @@ TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
         const rsi_parameters parameters = driven_by(expected.indicator);
         EXPECT_NEAR(static_cast<double>(rsi::indicator_level(outputs, parameters)), expected.level, 1e-4)
             << expected.indicator;
-        EXPECT_EQ(rsi::indicator_side(outputs, parameters, roll_angle), expected.side) << expected.indicator;
+        const rsi::IndicatedRisk risk = indicated(outputs, parameters, roll_angle);
+        EXPECT_EQ(risk.level, rsi::indicator_level(outputs, parameters)) << expected.indicator;
+        EXPECT_EQ(risk.direction < 0.0F, expected.side < 0.0F) << expected.indicator;
+    }
+}
+
+TEST(IndicatorLevel, IsTheSameOnTheOtherSide) {
+    const rsi_outputs left = all_different();
+    rsi_outputs right = left;
+    right.load_transfer_ratio = -left.load_transfer_ratio;
+    right.predicted_load_transfer_ratio = -left.predicted_load_transfer_ratio;
+    right.dynamic_stability_index = -left.dynamic_stability_index;
+    right.dynamic_stability_index_late = -left.dynamic_stability_index_late;
+    for (const rsi_indicator indicator :
+         {RSI_INDICATOR_LOAD_TRANSFER, RSI_INDICATOR_PREDICTED_LOAD_TRANSFER, RSI_INDICATOR_DYNAMIC_STABILITY,
+          RSI_INDICATOR_DYNAMIC_STABILITY_LATE}) {
+        const rsi_parameters parameters = driven_by(indicator);
+        EXPECT_EQ(rsi::indicator_level(right, parameters), rsi::indicator_level(left, parameters))
+            << indicator;
+        EXPECT_EQ(indicated(right, parameters, 0.0F).direction, -indicated(left, parameters, 0.0F).direction)
+            << indicator;
     }
 }
 
@@ -74,6 +101,20 @@ TEST(IndicatorLevel, OneThatIsNotAvailableHasNoLevel) {
     rsi_outputs outputs = all_different();
     outputs.predicted_rsi = nan;
     EXPECT_TRUE(std::isnan(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_PREDICTED_RSI))));
+}
+
+TEST(IndicatorLevel, ATimeToRolloverThatIsNotAvailableHasNoLevel) {
+    rsi_outputs outputs = all_different();
+    outputs.time_to_rollover_s = nan;
+    EXPECT_TRUE(std::isnan(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_TIME_TO_ROLLOVER))));
+}
+
+// Validation refuses such a selection; should one come through nevertheless, nothing is claimed.
+TEST(IndicatorLevel, OfASelectionThatDoesNotExistIsNotAvailable) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER + 1;
+    EXPECT_TRUE(std::isnan(rsi::indicator_level(all_different(), parameters)));
+    EXPECT_TRUE(std::isnan(indicated(all_different(), parameters, -0.1F).level));
 }
 
 TEST(IndicatorLevel, StaysBetweenZeroAndTwenty) {

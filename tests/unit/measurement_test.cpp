@@ -252,4 +252,34 @@ TEST(Measurement, TheSpeedIsNotNeeded) {
     EXPECT_FLOAT_EQ(measure(inputs).road_normal_force_mps2, 9.80665F);
 }
 
+// The observer stands in for the roll sensor only while it has yaw rate and speed; one of them is not enough,
+// and after a gap of a single sample it has to find the angle anew.
+TEST(Measurement, WithoutRollSensorNeedsYawRateAndSpeedBoth) {
+    rsi_inputs driving{};
+    driving.vertical_specific_force_mps2 = 9.80665F;
+    driving.bank_angle_rad = nan;
+    driving.speed_mps = 25.0F;
+    driving.roll_angle_rad = 0.0F;
+    rsi_inputs without_sensor = driving;
+    without_sensor.roll_angle_rad = nan;
+    const auto known_after_gap_of = [&](float yaw_rate_radps, float speed_mps) {
+        rsi::MeasurementStage stage = stage_of(rsi_test::large_suv());
+        rsi::Measurement measurement;
+        for (int k = 0; k < 300; ++k) {
+            EXPECT_TRUE(stage.update(driving, measurement));
+        }
+        EXPECT_TRUE(stage.update(without_sensor, measurement));
+        EXPECT_EQ(measurement.roll_source, RSI_ROLL_OBSERVER);
+        rsi_inputs gap = without_sensor;
+        gap.yaw_rate_radps = yaw_rate_radps;
+        gap.speed_mps = speed_mps;
+        return stage.update(gap, measurement);
+    };
+    EXPECT_TRUE(known_after_gap_of(0.0F, 25.0F));
+    for (const float bad : {nan, infinity, 1.0e3F}) {
+        EXPECT_FALSE(known_after_gap_of(bad, 25.0F)) << bad;
+        EXPECT_FALSE(known_after_gap_of(0.0F, bad)) << bad;
+    }
+}
+
 }  // namespace

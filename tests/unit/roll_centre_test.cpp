@@ -88,7 +88,7 @@ TEST_F(RollCentre, WithoutDeviationAndWithEqualAnglesNothingIsAdded) {
     rsi::FixedModelRoll fixed;
     fixed.reset(0.08F);
     rsi::Measurement measured = measured_at(5.0, 9.8, 0.08, 0.2);
-    measured.tan_roll_angle = rsi::bounded_tangent(0.08F);
+    measured.tan_roll_angle = rsi::short_range_tangent(0.08F);
     const float c_rc = rsi::lateral_roll_centre_m(model, measured, fixed, 0.0F);
     EXPECT_EQ(c_rc, 0.0F);
     EXPECT_EQ(rsi::additional_roll_moment_nm(model, measured, rsi::RollCentreEstimate{}, c_rc), 0.0F);

@@ -233,18 +233,19 @@ TEST(RollStabilityIndicator, TheBankFreeFormNeedsNoBankAngle) {
 
 TEST(RollStabilityIndicator, AVehicleHasOverturnedWhenItsCentreOfGravityStandsOutsideTheContact) {
     const double tipping = std::atan(track_m / (2.0 * height_m));
+    const auto factor = static_cast<float>(track_m / (2.0 * height_m));
     for (const double sign : {-1.0, 1.0}) {
-        EXPECT_FALSE(rsi::has_overturned(measured(GroundMotion{0.0, 0.0, 0.0, sign * (tipping - 1.0e-4)}),
-                                         rsi_test::large_suv()));
-        EXPECT_TRUE(rsi::has_overturned(measured(GroundMotion{0.0, 0.0, 0.0, sign * (tipping + 1.0e-4)}),
-                                        rsi_test::large_suv()));
+        EXPECT_FALSE(
+            rsi::has_overturned(measured(GroundMotion{0.0, 0.0, 0.0, sign * (tipping - 1.0e-4)}), factor));
+        EXPECT_TRUE(
+            rsi::has_overturned(measured(GroundMotion{0.0, 0.0, 0.0, sign * (tipping + 1.0e-4)}), factor));
         rsi_inputs on_its_side = rsi_test::at_rest();
         on_its_side.roll_angle_rad = static_cast<float>(sign * 2.2);
         rsi::MeasurementStage measurement;
         measurement.init(rsi_test::large_suv());
         rsi::Measurement now;
         ASSERT_TRUE(measurement.update(on_its_side, now));
-        EXPECT_TRUE(rsi::has_overturned(now, rsi_test::large_suv()));
+        EXPECT_TRUE(rsi::has_overturned(now, factor));
     }
 }
 

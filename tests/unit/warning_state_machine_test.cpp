@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/unit/support/nominal.hpp"
 
 namespace {
@@ -49,6 +51,18 @@ TEST(WarningStateMachine, StartsUnavailable) {
     const Warning warning(quick());
     EXPECT_EQ(warning.state(), RSI_STATE_UNAVAILABLE);
     EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
+}
+
+TEST(WarningStateMachine, IsUnavailableWithoutANumber) {
+    for (const float no_number :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+          -std::numeric_limits<float>::infinity()}) {
+        Warning warning(quick());
+        EXPECT_EQ(warning.after(1.5F), RSI_STATE_WARNING);
+        EXPECT_EQ(warning.after(no_number), RSI_STATE_UNAVAILABLE);
+        EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
+        EXPECT_EQ(warning.after(0.1F), RSI_STATE_READY);
+    }
 }
 
 TEST(WarningStateMachine, RisesAtTheOnLevelsAndNotBelow) {

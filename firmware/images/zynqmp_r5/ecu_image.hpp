@@ -10,6 +10,7 @@
 #include "hal/zynqmp_r5/registers.hpp"
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "hal/zynqmp_r5/timer_clock.hpp"
+#include "images/zynqmp_r5/warning_witness.hpp"
 
 namespace image {
 
@@ -43,7 +44,8 @@ constexpr hal::zynqmp_r5::CanSettings can_settings(Further... further) {
     return settings;
 }
 
-// `Bus` is what the application sees of the controller: a hal::CanBus that is made from one.
+// `Bus` is what the application sees of the controller: a WarningWitness, or a hal::CanBus that is made like
+// one.
 template <typename Bus>
 class EcuImage {
  public:
@@ -51,7 +53,7 @@ class EcuImage {
         ecu_.set_reset_reason(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
         clock_.start();
         watchdog_.start();
-        // A controller that does not respond is tried again in every cycle; the watchdog would not help it.
+        // A controller that does not respond is tried again by receive(); the watchdog would not help it.
         static_cast<void>(controller_.open(settings));
         const ParameterMemory parameters = parameter_memory();
         static_cast<void>(ecu_.init(parameters.bytes, parameters.length));
@@ -61,14 +63,14 @@ class EcuImage {
             if (tick.is_due(missed)) {
                 ecu_.step(missed);
             }
-            Policy::between_polls();
+            Policy::wait(tick.spare());
         }
     }
 
  private:
     Clock clock_{MemoryMappedRegisters{}};
     Controller controller_{MemoryMappedRegisters{}, clock_};
-    Bus bus_{controller_};
+    Bus bus_{controller_, last_warning()};
     Watchdog watchdog_{MemoryMappedRegisters{}};
     application::RolloverEcu ecu_{bus_, clock_, watchdog_};
 };

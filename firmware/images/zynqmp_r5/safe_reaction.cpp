@@ -21,10 +21,8 @@ hal::CanFrame unavailable() {
     message.lateral_acceleration_mps2 = can_dbc::not_available;
     message.lateral_acceleration_threshold_mps2 = can_dbc::not_available;
     auto payload = can_dbc::encode(message);
-    // The receiver expects the counter that follows, whatever the sender's own has become.
-    const unsigned range = can_dbc::e2e::profile_11_largest_counter + 1U;
-    const auto counter = static_cast<std::uint8_t>((image::last_warning_counter + 1U) % range);
-    can_dbc::e2e::protect_profile_11(payload, RolloverWarning::e2e_data_id, counter);
+    can_dbc::e2e::protect_profile_11(payload, RolloverWarning::e2e_data_id,
+                                     image::last_warning().next_counter());
 
     hal::CanFrame frame{};
     frame.identifier = RolloverWarning::identifier;
@@ -35,7 +33,13 @@ hal::CanFrame unavailable() {
     return frame;
 }
 
+image::LastWarning last;
+
 }  // namespace
+
+image::LastWarning& image::last_warning() noexcept {
+    return last;
+}
 
 void hal::zynqmp_r5::on_fault(const Fault&) noexcept {
     static_cast<void>(image::Controller::send_last(MemoryMappedRegisters{}, unavailable(), most_polls));

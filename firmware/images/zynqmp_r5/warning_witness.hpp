@@ -1,29 +1,53 @@
-// Warning witness: a bus that notes what the last warning frame carried, for the one that a fault sends after
-// it.
+// Warning witness: a bus that notes the end-to-end counter of the warning frames, for the one that a fault
+// sends after them.
 #pragma once
 
 #include <cstdint>
 
+#include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/interface/can_bus.hpp"
 
 namespace image {
 
-// End-to-end counter of the last warning frame that the controller took. Outside of any object, so that the
-// reaction to a fault finds it.
-inline std::uint8_t last_warning_counter{14U};
+// What a fault may find half done: it can come between any two instructions. Hence one volatile byte, which
+// the compiler writes when it is told to, and not after the registers of the controller.
+class LastWarning {
+ public:
+    // Of the warning frame that receivers may have seen last.
+    std::uint8_t counter() const noexcept { return counter_; }
+    void set_counter(std::uint8_t counter) noexcept { counter_ = counter; }
+
+    // Of a warning frame that goes out instead of the next one.
+    std::uint8_t next_counter() const noexcept {
+        return static_cast<std::uint8_t>((counter_ + 1U) % (can_dbc::e2e::profile_11_largest_counter + 1U));
+    }
+
+ private:
+    volatile std::uint8_t counter_{can_dbc::e2e::profile_11_largest_counter};  // the first one is zero
+};
+
+// The image's one; the reaction to a fault has no other way to the objects of the main loop.
+LastWarning& last_warning() noexcept;
 
 class WarningWitness final : public hal::CanBus {
  public:
-    // `bus` must outlive this one.
-    explicit WarningWitness(hal::CanBus& bus) noexcept : bus_{bus} {}
+    // Both must outlive this one.
+    WarningWitness(hal::CanBus& bus, LastWarning& last) noexcept : bus_{bus}, last_{last} {}
 
     hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override { return bus_.receive(frame); }
 
+    // The counter is noted before the frame is handed over. A fault in between then skips one value, which
+    // receivers accept; noted afterwards, it would repeat one, which they take for no new frame and drop.
     hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+        if (frame.identifier != can_dbc::RolloverWarning::identifier) {
+            return bus_.send(frame);
+        }
+        const std::uint8_t before = last_.counter();
+        last_.set_counter(static_cast<std::uint8_t>(frame.data[1] & 0x0FU));
         const hal::SendResult result = bus_.send(frame);
-        if (result == hal::SendResult::sent && frame.identifier == can_dbc::RolloverWarning::identifier) {
-            last_warning_counter = static_cast<std::uint8_t>(frame.data[1] & 0x0FU);
+        if (result != hal::SendResult::sent) {
+            last_.set_counter(before);
         }
         return result;
     }
@@ -33,6 +57,7 @@ class WarningWitness final : public hal::CanBus {
 
  private:
     hal::CanBus& bus_;
+    LastWarning& last_;
 };
 
 }  // namespace image

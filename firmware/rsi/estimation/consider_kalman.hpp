@@ -24,8 +24,9 @@ class ConsiderKalman {
         speed_known_ = false;
     }
 
-    // `extended_rsi` is that of the cycle before. Near wheel lift, in hard braking and while speed is
-    // gathered fast dh is held; a number that is not available holds nothing.
+    // Every second sample, slow_sample_time_s apart. `extended_rsi` is that of the cycle before. Near wheel
+    // lift, in hard braking and while speed is gathered fast dh is held; a number that is not available holds
+    // nothing.
     RollCentreEstimate update(const Measurement& measured, float extended_rsi, float speed_mps);
 
  private:

@@ -16,6 +16,8 @@ void RobustLeastSquares::init(const Parameters& parameters) {
     output_scale_nm_ = parameters.regression_scale_nm;
     parameter_scale_ << parameters.initial_roll_centre_deviation_m,
         parameters.initial_stiffness_deviation_nmprad, parameters.initial_damping_deviation_nmsprad;
+    input_scale_ = parameter_scale_ / output_scale_nm_;
+    output_scale_inverse_ = 1.0F / output_scale_nm_;
     covariance_limit_ = parameters.covariance_limit;
     reset();
 }
@@ -30,8 +32,8 @@ void RobustLeastSquares::reset() {
 // of (9) needs no second product. Normalisation divides Y and psi by sqrt(n_s); only n_s itself remains in
 // (9) and (10).
 void RobustLeastSquares::update(const Regression& regression) {
-    const Eigen::Vector3f psi = regression.psi.cwiseProduct(parameter_scale_) / output_scale_nm_;
-    const float output = regression.output_nm / output_scale_nm_;
+    const Eigen::Vector3f psi = regression.psi.cwiseProduct(input_scale_);
+    const float output = regression.output_nm * output_scale_inverse_;
 
     const Eigen::Vector3f g = covariance_ * psi;
     const float s = larger(psi.dot(g), 0.0F);

@@ -45,6 +45,8 @@ class RobustLeastSquares {
     float disturbance_weight_{0.0F};  // alpha of (11)
     float output_scale_nm_{1.0F};
     Eigen::Vector3f parameter_scale_{Eigen::Vector3f::Ones()};
+    Eigen::Vector3f input_scale_{Eigen::Vector3f::Ones()};  // parameter scale over output scale
+    float output_scale_inverse_{1.0F};
     float covariance_limit_{1.0F};
 
     Eigen::Vector3f theta_{Eigen::Vector3f::Zero()};

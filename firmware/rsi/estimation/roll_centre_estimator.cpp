@@ -11,19 +11,22 @@ void RollCentreEstimator::init(const Parameters& parameters) {
 void RollCentreEstimator::reset() {
     published_.reset();
     consider_kalman_.reset();
+    estimate_ = RollCentreEstimate{};
 }
 
-RollCentreEstimate RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
-                                               const FixedModelRoll& fixed, float extended_rsi,
-                                               float speed_mps) {
-    switch (in_use_) {
-        case RSI_ESTIMATOR_CONSIDER_KALMAN:
-            return consider_kalman_.update(measured, extended_rsi, speed_mps);
-        case RSI_ESTIMATOR_PUBLISHED:
-            published_.update(regress(model, measured, fixed));
-            return published_.estimate();
+bool RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
+                                 const FixedModelRoll& fixed, float extended_rsi, float speed_mps,
+                                 bool odd_sample) {
+    if (in_use_ == RSI_ESTIMATOR_PUBLISHED) {
+        published_.update(regress(model, measured, fixed));
+        estimate_ = published_.estimate();
+        return false;
     }
-    return RollCentreEstimate{};
+    if (odd_sample) {
+        return false;
+    }
+    estimate_ = consider_kalman_.update(measured, extended_rsi, speed_mps);
+    return true;
 }
 
 }  // namespace rsi

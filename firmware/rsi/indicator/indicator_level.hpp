@@ -5,13 +5,29 @@
 
 namespace rsi {
 
-// The level of the indicator that `parameters` choose for the warning, 0 to 20, from outputs that have been
-// computed. NaN where that indicator is not available.
-float indicator_level(const Outputs& outputs, const Parameters& parameters);
+// What an indicator says of one sample.
+struct IndicatedRisk {
+    float level;      // 0 to 20; NaN where the indicator is not available
+    float direction;  // < 0 in a right turn (the vehicle would fall to the left); its size means nothing
+};
 
-// The side that this indicator speaks of: +1 for a left turn (the vehicle would fall to the right), -1 for a
-// right turn. An indicator with a sign has its own; a predicted one that of the predicted load transfer, not
-// of the present force; one of roll angle and rate alone that of `roll_angle_rad`.
-float indicator_side(const Outputs& outputs, const Parameters& parameters, float roll_angle_rad);
+// Reads the indicator that the parameters choose for the warning.
+class WarningIndicator {
+ public:
+    [[gnu::cold]] void init(const Parameters& parameters);
+
+    // From outputs that have been computed. An indicator with a sign has its own; a predicted one that of the
+    // predicted load transfer, not of the present force; one of roll angle and rate alone that of
+    // `roll_angle_rad`.
+    IndicatedRisk evaluate(const Outputs& outputs, float roll_angle_rad) const;
+
+ private:
+    rsi_indicator indicator_{RSI_INDICATOR_PUBLISHED};
+    float static_stability_inverse_{1.0F};  // 1 / SSF
+    float time_to_rollover_limit_s_{1.0F};
+};
+
+// The level alone, for who looks at many indicators.
+float indicator_level(const Outputs& outputs, const Parameters& parameters);
 
 }  // namespace rsi

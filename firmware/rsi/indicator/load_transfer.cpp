@@ -1,7 +1,5 @@
 #include "rsi/indicator/load_transfer.hpp"
 
-#include "rsi/numeric/bounded.hpp"
-
 namespace rsi {
 
 void LoadTransfer::init(const Parameters& parameters) {
@@ -28,7 +26,7 @@ float LoadTransfer::present_moment_nm(const RollMotion& motion, float suspension
 }
 
 float LoadTransfer::ratio(float moment_nm, float normal_inverse) const {
-    return clamp_magnitude(moment_nm * (normal_inverse * half_weight_arm_inverse_), 20.0F);
+    return moment_nm * (normal_inverse * half_weight_arm_inverse_);
 }
 
 }  // namespace rsi

@@ -34,7 +34,7 @@ class LoadTransfer {
     // alpha: how much the moment grows for each m/s^2 of A while the suspension's moment stays.
     float force_arm_kgm() const { return force_arm_kgm_; }
 
-    // The ratio for such a moment, -20 to 20. `normal_inverse` is 1/N.
+    // The ratio for such a moment. `normal_inverse` is 1/N.
     float ratio(float moment_nm, float normal_inverse) const;
 
  private:

@@ -15,10 +15,10 @@ struct RollRisk {
 
 struct Prediction {
     RollRisk present{};
-    RollRisk worst{};  // of largest magnitude within the horizon, the present included
+    RollRisk worst{};  // of larger magnitude: now, or at the end of the horizon
 };
 
-// Carries the roll motion forward in two equal steps, with N held:
+// Carries the roll motion forward in one step, with N held:
 //   a    = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known
 //   Ixx y' = m_s H (1 - 3/4 e) (a + N tan x) - M(x) - c_f y,    x' = y,    from x = phi, y = phi'
 // by the trapezoidal rule, linearised with the local stiffness. The load transfer is the present one plus
@@ -27,10 +27,10 @@ class RollPredictor {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
 
-    // `moment_arm_error`: e of MomentArmError.
+    // `suspension_moment_nm`: that of the present motion. `moment_arm_error`: e of MomentArmError.
     Prediction evaluate(const RollMotion& motion, const DemandedForce& demand,
                         const LoadTransfer& load_transfer, const ExtendedIndicator& extended,
-                        float moment_arm_error) const;
+                        float suspension_moment_nm, float moment_arm_error) const;
 
  private:
     struct Motion {
@@ -44,8 +44,7 @@ class RollPredictor {
 
     float step_s_{0.0F};
     float half_step_s_{0.0F};
-    float trend_after_one_s_{0.0F};         // tau_j (1 - exp(-t / tau_j)) after one step
-    float trend_after_two_s_{0.0F};         // and after both
+    float trend_after_step_s_{0.0F};        // tau_j (1 - exp(-t / tau_j)) after it
     float moment_arm_kgm_{0.0F};            // m_s H
     float inertia_and_damping_kgm2_{1.0F};  // Ixx + c_f step / 2
 };

@@ -16,9 +16,8 @@ float bank_free_indicator(const Measurement& measured, const StabilityThreshold&
                    20.0F);
 }
 
-bool has_overturned(const Measurement& measured, const Parameters& parameters) {
-    return absolute(measured.tan_roll_angle) * (2.0F * parameters.sprung_cg_height_m) >=
-           parameters.track_width_m;
+bool has_overturned(const Measurement& measured, float static_stability_factor) {
+    return absolute(measured.tan_roll_angle) >= static_stability_factor;
 }
 
 }  // namespace rsi

@@ -13,8 +13,8 @@ float normalised_indicator(const Measurement& measured, const StabilityThreshold
 // |A/N| / T, 0 to 20: the same on a flat road, and independent of the bank angle.
 float bank_free_indicator(const Measurement& measured, const StabilityThreshold& threshold);
 
-// True once the CG stands outside the outer wheel's contact, |tan phi| >= c_w / (2 h): the vehicle falls
-// whatever the lateral acceleration, and neither indicator means anything.
-bool has_overturned(const Measurement& measured, const Parameters& parameters);
+// True once the CG stands outside the outer wheel's contact, |tan phi| >= c_w / (2 h), the static stability
+// factor: the vehicle falls whatever the lateral acceleration, and neither indicator means anything.
+bool has_overturned(const Measurement& measured, float static_stability_factor);
 
 }  // namespace rsi

@@ -20,20 +20,20 @@ void StabilityThresholdStage::init(const Parameters& parameters) {
 
 StabilityThreshold StabilityThresholdStage::evaluate(const Measurement& measured, float vertical_movement_m,
                                                      float lateral_movement_m) const {
-    const bool left_turn = (measured.road_parallel_force_mps2 >= 0.0F);
+    const float s = (measured.road_parallel_force_mps2 >= 0.0F) ? 1.0F : -1.0F;
     const float H = moment_arm_m_ - vertical_movement_m;
     const float shift_m = lateral_movement_m + H * measured.tan_roll_angle;
-    const float outward_shift_m = left_turn ? shift_m : -shift_m;
-    const float T = larger((half_track_m_ - outward_shift_m) * cg_height_inverse_, smallest_half_track_ratio);
-    const float e = left_turn ? -measured.tan_bank_angle : measured.tan_bank_angle;
-    const float magnitude_mps2 = gravity_mps2 * (e + T) / larger(1.0F - e * T, smallest_divisor);
-    const float bounded_mps2 = larger(magnitude_mps2, smallest_threshold_mps2);
+    const float T = larger((half_track_m_ - s * shift_m) * cg_height_inverse_, smallest_half_track_ratio);
+    const float s_tan_bank = s * measured.tan_bank_angle;
+    const float magnitude_mps2 =
+        gravity_mps2 * (T - s_tan_bank) / larger(1.0F + s_tan_bank * T, smallest_divisor);
 
     StabilityThreshold threshold;
-    threshold.side = left_turn ? 1.0F : -1.0F;
+    threshold.side = s;
     threshold.half_track_ratio = T;
-    threshold.lateral_acceleration_mps2 = left_turn ? bounded_mps2 : -bounded_mps2;
     threshold.is_defined = (magnitude_mps2 >= smallest_threshold_mps2);
+    threshold.lateral_acceleration_mps2 =
+        s * (threshold.is_defined ? magnitude_mps2 : smallest_threshold_mps2);
     return threshold;
 }
 

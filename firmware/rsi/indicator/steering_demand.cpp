@@ -28,7 +28,8 @@ DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& 
     const float demanded = speed_squared * inputs.steering_wheel_angle_rad / divisor_m;
     // A - a_y is the bank's share, zero where the bank is not known.
     const float bank_share = measured.road_parallel_force_mps2 - measured.lateral_acceleration_mps2;
-    return DemandedForce{clamp_magnitude(demanded + bank_share, largest_mps2_), true};
+    const float bounded = clamp_magnitude(demanded + bank_share, largest_mps2_);
+    return DemandedForce{smaller(bounded, 0.0F), larger(bounded, 0.0F)};
 }
 
 }  // namespace rsi

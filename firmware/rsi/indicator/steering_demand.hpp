@@ -6,10 +6,11 @@
 
 namespace rsi {
 
-// The steady force along the road for the present steering angle and speed.
+// Between these the force along the road may move by itself: from the demand of the present steering angle
+// and speed to zero. Past anything a vehicle can do where the demand is not known.
 struct DemandedForce {
-    float parallel_mps2{0.0F};
-    bool known{false};  // both speed and steering angle are available
+    float least_mps2{-60.0F};
+    float most_mps2{60.0F};
 };
 
 // a_d = V^2 delta / (L + K_us V^2) plus what the bank adds to A, within what the tyres can give.

@@ -14,8 +14,6 @@ constexpr float largest_speed_mps = 150.0F;
 // A vehicle that is nearly weightless has no meaningful ratio A/N; the bound keeps the division safe.
 constexpr float smallest_normal_force_mps2 = 0.1F * gravity_mps2;
 
-constexpr float smallest_cosine = 0.2675F;  // of 1.3 rad
-
 bool within(float value, float limit) {
     return is_within_magnitude(value, limit);
 }
@@ -40,7 +38,7 @@ struct Bank {
 Bank bank_of(float bank_angle_rad) {
     Bank bank;
     if (within(bank_angle_rad, largest_bank_angle_rad)) {
-        const SineAndVersine of = bounded_sine_and_versine(bank_angle_rad);
+        const SineAndVersine of = sine_and_versine(bank_angle_rad);
         bank = Bank{of.sine, 1.0F - of.versine, of.sine / (1.0F - of.versine)};
     }
     return bank;
@@ -108,43 +106,51 @@ BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs) {
 }
 
 // The observer runs whether it is needed or not, so that it knows the angle when the sensor fails.
-void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, float vertical_movement_m,
-                               Measurement& measurement) {
+void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Measurement& measurement) {
     const bool sensor_available = within(inputs.roll_angle_rad, largest_roll_angle_rad);
+    bool roll_known = false;
     if (observer_inputs_available(inputs)) {
-        observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps, inputs.speed_mps,
-                         vertical_movement_m);
+        roll_known = observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
+                                      inputs.speed_mps, measurement.odd_sample);
     } else {
         observer_.reset();
     }
     RollObservation& observed = measurement.observed;
-    observed.roll_angle_rad = observer_.roll_known() ? observer_.roll_angle_rad() : not_available;
+    observed.roll_angle_rad = roll_known ? observer_.roll_angle_rad() : not_available;
     observed.bank_angle_rad = observer_.bank_known() ? observer_.bank_angle_rad() : not_available;
-    if (!sensor_available || !observer_.roll_known()) {
+    if (sensor_available) {
+        measurement.roll_source = RSI_ROLL_SENSOR;
+        measurement.roll_angle_rad = inputs.roll_angle_rad;
+    } else {
+        measurement.roll_source = roll_known ? RSI_ROLL_OBSERVER : RSI_ROLL_NONE;
+        measurement.roll_angle_rad = observed.roll_angle_rad;
+    }
+    if (!sensor_available || !roll_known) {
         check_.reset();
-    } else if (!observer_.tipped()) {
+    } else if (measurement.odd_sample && !observer_.tipped()) {
         check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
+    } else {
+        // The observer's model ends where the vehicle tips: the check keeps what it has.
     }
     observed.sensor_disagrees = check_.disagrees();
-    measurement.roll_source = sensor_available         ? RSI_ROLL_SENSOR
-                              : observer_.roll_known() ? RSI_ROLL_OBSERVER
-                                                       : RSI_ROLL_NONE;
-    measurement.roll_angle_rad = sensor_available ? inputs.roll_angle_rad : observed.roll_angle_rad;
 }
 
-bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement, float vertical_movement_m) {
+bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
     if (!necessary_inputs_available(inputs)) {
         reset();
         return false;
     }
+    odd_sample_ = !odd_sample_;
+    measurement.odd_sample = odd_sample_;
     const BodyForces at_cg = carry_to_cg(inputs);
-    observe(inputs, at_cg, vertical_movement_m, measurement);
+    observe(inputs, at_cg, measurement);
     if (measurement.roll_source == RSI_ROLL_NONE) {
         roll_acceleration_.reset();
         yaw_acceleration_.reset();
         return false;
     }
     const Bank bank = bank_of(inputs.bank_angle_rad);
+    // Past 1.3 rad, where the vehicle lies on its side, the tangent grows no further.
     const SineAndVersine roll = bounded_sine_and_versine(measurement.roll_angle_rad);
     const float cosine = 1.0F - roll.versine;
     const RoadForces forces = within(inputs.vertical_specific_force_mps2, largest_force_mps2)
@@ -156,8 +162,7 @@ bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement, fl
     // The inverse of A = a_y cos b + g sin b, N = g cos b - a_y sin b.
     measurement.lateral_acceleration_mps2 = forces.parallel * bank.cosine - forces.normal * bank.sine;
     measurement.roll_rate_radps = inputs.roll_rate_radps;
-    // Past 1.3 rad, where the vehicle lies on its side, the tangent grows no further.
-    measurement.tan_roll_angle = roll.sine / larger(cosine, smallest_cosine);
+    measurement.tan_roll_angle = roll.sine / cosine;
     measurement.versine_roll_angle = roll.versine;
     measurement.tan_bank_angle = bank.tangent;
     return true;

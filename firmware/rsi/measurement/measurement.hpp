@@ -27,6 +27,7 @@ struct Measurement {
     float versine_roll_angle{0.0F};  // 1 - cos phi_m
     float tan_bank_angle{0.0F};      // of b, 0 where it is not known
     rsi_roll_source roll_source{RSI_ROLL_NONE};
+    bool odd_sample{false};  // true, false, true, ...: what is due in every second sample takes turns by it
     RollObservation observed{};
 };
 
@@ -43,14 +44,15 @@ class MeasurementStage {
 
     // True and a measurement when lateral force and roll rate are available and in range, and the roll angle
     // is, or the observer knows it.
-    // `vertical_movement_m`: dh for the observer, of the sample before.
-    bool update(const Inputs& inputs, Measurement& measurement, float vertical_movement_m = 0.0F);
+    bool update(const Inputs& inputs, Measurement& measurement);
+
+    // dh for the observer from now on, 0 where no sound estimate is.
+    void assume_movement(float vertical_movement_m) { observer_.assume_movement(vertical_movement_m); }
 
  private:
     // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
     BodyForces carry_to_cg(const Inputs& inputs);
-    void observe(const Inputs& inputs, const BodyForces& at_cg, float vertical_movement_m,
-                 Measurement& measurement);
+    void observe(const Inputs& inputs, const BodyForces& at_cg, Measurement& measurement);
 
     float imu_x_m_{0.0F};
     float imu_y_m_{0.0F};
@@ -59,6 +61,7 @@ class MeasurementStage {
     FilteredDerivative yaw_acceleration_{};
     RollBankObserver observer_{};
     RollSensorCheck check_{};
+    bool odd_sample_{false};
 };
 
 }  // namespace rsi

@@ -9,9 +9,8 @@
 
 namespace rsi {
 
-// Arguments of sine and cosine are clamped to this, of tangent to `largest_tangent_argument_rad`.
-inline constexpr float largest_angle_rad = 1.5707963F;
-inline constexpr float largest_tangent_argument_rad = 1.3F;
+// Arguments of sine, cosine and tangent are clamped to this.
+inline constexpr float largest_angle_rad = 1.3F;
 
 // Sine and versine 1 - cos of one angle share its square.
 struct SineAndVersine {
@@ -19,15 +18,17 @@ struct SineAndVersine {
     float versine;
 };
 
-// Errors below 2e-7, of the versine also 2e-6 of itself: polynomials of least largest error.
-constexpr SineAndVersine bounded_sine_and_versine(float angle_rad) {
-    const float x = clamp_magnitude(angle_rad, largest_angle_rad);
+// For an angle that is within `largest_angle_rad`. Errors below 3e-7 of the sine, and below 8e-6 of itself of
+// the versine: polynomials of least largest error.
+constexpr SineAndVersine sine_and_versine(float x) {
     const float z = x * x;
-    const float sine_series =
-        z * (-0.166666571F + z * (0.00833301729F + z * (-1.98066152e-4F + z * 2.60005480e-6F)));
-    const float versine =
-        z * (0.499999323F + z * (-0.0416639895F + z * (0.00138559270F + z * -2.31943868e-5F)));
+    const float sine_series = z * (-0.166663453F + z * (0.00832335930F + z * -1.89076978e-4F));
+    const float versine = z * (0.499996394F + z * (-0.0416280478F + z * 0.00132742315F));
     return SineAndVersine{x + x * sine_series, versine};
+}
+
+constexpr SineAndVersine bounded_sine_and_versine(float angle_rad) {
+    return sine_and_versine(clamp_magnitude(angle_rad, largest_angle_rad));
 }
 
 constexpr float bounded_sine(float angle_rad) {
@@ -38,17 +39,16 @@ constexpr float bounded_cosine(float angle_rad) {
     return 1.0F - bounded_sine_and_versine(angle_rad).versine;
 }
 
-// Relative error below 1e-6; the cosine of the clamped argument is at least 0.26.
+// Relative error below 5e-5; the cosine of the clamped argument is at least 0.26.
 constexpr float bounded_tangent(float angle_rad) {
-    const SineAndVersine of =
-        bounded_sine_and_versine(clamp_magnitude(angle_rad, largest_tangent_argument_rad));
+    const SineAndVersine of = bounded_sine_and_versine(angle_rad);
     return of.sine / (1.0F - of.versine);
 }
 
-// tan x for |x| <= 0.5, relative error below 2e-7.
+// tan x for |x| <= 0.5, relative error below 2e-6.
 constexpr float short_range_tangent(float x) {
     const float z = x * x;
-    return x + x * (z * (0.333330100F + z * (0.133456150F + z * (0.0525317802F + z * 0.0283162129F))));
+    return x + x * (z * (0.333412439F + z * (0.131470561F + z * 0.0661727712F)));
 }
 
 // exp(-x) for 0 <= x <= 16 (clamped), relative error below 1e-5: the series at x/64, squared six times.

@@ -5,7 +5,7 @@ namespace rsi {
 
 // `x` at least 0. One instruction where the target has a floating-point unit and the compiler need not set
 // errno (-fno-math-errno), so that no library is called.
-constexpr float square_root(float x) {
+inline float square_root(float x) {
     return __builtin_sqrtf(x);
 }
 

@@ -75,17 +75,21 @@ ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise
         const float by_rate[4] = {p.P12, p.P22, p.P23, p.P24};
         const float rate_variance = p.P22 + noise.gyro_rad2ps2;
         const Covariance4 q = corrected(p, by_rate, rate_variance);
-        const float by_turn[4] = {gravity_mps2 * (q.P11 + q.P13), gravity_mps2 * (q.P12 + q.P23),
-                                  gravity_mps2 * (q.P13 + q.P33), gravity_mps2 * (q.P14 + q.P34)};
-        const float turn_variance = gravity_mps2 * (by_turn[0] + by_turn[2]) + noise.turn_mps2_2;
-        P = corrected(q, by_turn, turn_variance);
-
         gains.roll_rate_covariance = p.P12 + s * P11_before;
         gains.rate_variance = rate_variance - s * s * P11_before;
         gains.rate = p.P22 / rate_variance;
         gains.bank = p.P23 / rate_variance;
         gains.offset = p.P24 / rate_variance;
         gains.roll_growth_rad2 = p.P12 * p.P12 / rate_variance;
+        P = q;
+        if ((k % 2) == 0) {
+            continue;
+        }
+        const float by_turn[4] = {gravity_mps2 * (q.P11 + q.P13), gravity_mps2 * (q.P12 + q.P23),
+                                  gravity_mps2 * (q.P13 + q.P33), gravity_mps2 * (q.P14 + q.P34)};
+        const float turn_variance = gravity_mps2 * (by_turn[0] + by_turn[2]) + noise.turn_mps2_2;
+        P = corrected(q, by_turn, turn_variance);
+
         gains.turn_roll = by_turn[0];
         gains.turn_bank = gravity_mps2 * q.P13;
         gains.turn_offset = by_turn[3];

@@ -21,8 +21,8 @@ constexpr float smallest_speed_mps = 5.0F;
 constexpr float yaw_acceleration_lag_s = 0.1F;
 
 // v_y' is no white noise: it lasts for many samples, so it counts as more than it is.
-constexpr float turn_deviation_mps2 = 6.0F;
-constexpr float turn_deviation_per_yaw_acceleration_m = 7.0F;
+constexpr float turn_deviation_mps2 = 4.25F;
+constexpr float turn_deviation_per_yaw_acceleration_m = 5.0F;
 // A larger one comes from a vehicle that slides, not from a road that has suddenly tilted.
 constexpr float plausible_innovation_mps2 = 2.0F;
 
@@ -44,15 +44,15 @@ ObserverNoise noise_of(const Parameters& parameters) {
     return noise;
 }
 
-// sin x to within 3e-6 up to 1 rad; finite and of the right sign up to 3 rad.
+// sin x to within 2e-4 up to 1 rad; finite and of the right sign up to 3 rad.
 float short_sine(float x) {
     const float z = x * x;
-    return x * (1.0F + z * (-1.0F / 6.0F + z * (1.0F / 120.0F - z * (1.0F / 5040.0F))));
+    return x * (1.0F + z * (-1.0F / 6.0F + z * (1.0F / 120.0F)));
 }
 
-// 1 / cos x to within 2e-4 up to 0.5 rad; finite beyond. `z` is the square of x.
+// 1 / cos x to within 2e-3 up to 0.5 rad; finite beyond. `z` is the square of x.
 float short_secant(float z) {
-    return 1.0F + z * (0.5F + z * (5.0F / 24.0F + z * (61.0F / 720.0F)));
+    return 1.0F + z * (0.5F + z * (5.0F / 24.0F));
 }
 
 }  // namespace
@@ -65,31 +65,44 @@ void RollBankObserver::init(const Parameters& parameters) {
     force_to_acceleration_ = movement_to_acceleration_ * H;
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia;
     tipping_force_mps2_ = 0.5F * gravity_mps2 * parameters.track_width_m / parameters.sprung_cg_height_m;
-    yaw_acceleration_.init(yaw_acceleration_lag_s);
+    yaw_acceleration_.init(yaw_acceleration_lag_s, slow_sample_time_s);
     const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
     const float c = damping_over_inertia_ + 0.5F * T * k;
     const float step = T / (1.0F + 0.5F * T * c);
     gains_ = steady_observer_gains(UprightRoll{step * k, step * c}, noise_of(parameters));
+    assume_movement(0.0F);
     reset();
 }
 
-void RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps,
-                              float speed_mps, float vertical_movement_m) {
-    if (!running_) {
-        start(lateral_force_mps2, roll_rate_radps);
-    } else {
-        predict(lateral_force_mps2, vertical_movement_m);
-    }
-    const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
-    correct_by_roll_rate(roll_rate_radps);
-    P33_ += gains_.bank_growth_rad2;
-    if ((speed_mps > smallest_speed_mps) && !tipped_) {
-        correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
-    }
-    keep_in_bounds();
+void RollBankObserver::assume_movement(float vertical_movement_m) {
+    moved_force_to_acceleration_ =
+        force_to_acceleration_ -
+        movement_to_acceleration_ * clamp_magnitude(vertical_movement_m, largest_movement_m);
 }
 
-// In balance on a level road.
+bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps,
+                              float speed_mps, bool turn_is_due) {
+    if (!running_) {
+        start(lateral_force_mps2, roll_rate_radps);
+        return false;
+    }
+    predict(lateral_force_mps2);
+    correct_by_roll_rate(roll_rate_radps);
+    if (!turn_is_due) {
+        renew_roll_gain();
+    } else {
+        const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
+        // P33 tends to that of the steady filter from above.
+        P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
+        if ((speed_mps > smallest_speed_mps) && !tipped_) {
+            correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
+        }
+    }
+    keep_in_bounds();
+    return roll_known();
+}
+
+// In balance on a level road; not known yet.
 void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     const float linear_angle_rad =
         force_to_acceleration_ * lateral_force_mps2 / stiffness_over_inertia_.slope_nmprad(0.0F);
@@ -99,6 +112,7 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     offset_ = 0.0F;
     stiffness_step_ = 0.0F;
     P11_ = initial_roll_variance_rad2;
+    roll_gain_ = 0.0F;
     P33_ = initial_bank_variance_rad2;
     yaw_acceleration_.reset();
     tipped_ = false;
@@ -108,20 +122,16 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
 // The inner wheels have lifted, so the suspension no longer holds the body: from the force that tips the
 // standing vehicle until the body has come back to where the suspension would hold it.
 bool RollBankObserver::tips(float lateral_force_mps2, float roll_acceleration_radps2) const {
-    const bool beyond_suspension = (phi_ * roll_acceleration_radps2 < 0.0F);
     const bool begins =
         (absolute(lateral_force_mps2) > tipping_force_mps2_) && (P11_ < largest_roll_variance_rad2);
-    return begins || (tipped_ && beyond_suspension);
+    return begins || (tipped_ && (phi_ * roll_acceleration_radps2 < 0.0F));
 }
 
 // Trapezoidal rule with the local stiffness k, stable for any admitted parameters:
 //   phi+ = phi + T (w - o) + T/2 d,  w+ = w + d,  b+ = b + T o,  o+ = decay o,
 //   d = T [m_s H f_yb / cos phi - M - (c + T/2 k) (w - o)] / Ixx / (1 + T/2 c + T^2/4 k)
-void RollBankObserver::predict(float lateral_force_mps2, float vertical_movement_m) {
-    const float secant = short_secant(phi_ * phi_);
-    const float dh = clamp_magnitude(vertical_movement_m, largest_movement_m);
-    const float force =
-        (force_to_acceleration_ - movement_to_acceleration_ * dh) * lateral_force_mps2 * secant;
+void RollBankObserver::predict(float lateral_force_mps2) {
+    const float force = moved_force_to_acceleration_ * lateral_force_mps2 * short_secant(phi_ * phi_);
     const float spring = stiffness_over_inertia_.moment_nm(phi_);
     tipped_ = tips(lateral_force_mps2, force - spring);
     const float k = larger(stiffness_over_inertia_.slope_nmprad(phi_) - force * phi_, 0.0F);
@@ -140,15 +150,21 @@ void RollBankObserver::predict(float lateral_force_mps2, float vertical_movement
 // p = w
 void RollBankObserver::correct_by_roll_rate(float roll_rate_radps) {
     const float innovation = roll_rate_radps - rate_;
-    const float s = stiffness_step_;
-    const float s_P11 = s * P11_;
-    const float covariance = gains_.roll_rate_covariance - s_P11;
-    const float gain = covariance / (gains_.rate_variance + s * s_P11);
-    phi_ += gain * innovation;
+    phi_ += roll_gain_ * innovation;
     rate_ += gains_.rate * innovation;
     bank_ += gains_.bank * innovation;
     offset_ += gains_.offset * innovation;
-    P11_ += gains_.roll_growth_rad2 - gain * covariance;
+}
+
+// For two samples at once: the first takes the share -s gain off the variance, the second that of what is
+// left.
+void RollBankObserver::renew_roll_gain() {
+    const float s = stiffness_step_;
+    const float s_P11 = s * P11_;
+    const float covariance = gains_.roll_rate_covariance - s_P11;
+    roll_gain_ = covariance / (gains_.rate_variance + s * s_P11);
+    P11_ += 2.0F * gains_.roll_growth_rad2 - (2.0F + s * roll_gain_) * (roll_gain_ * covariance);
+    P11_ = larger(P11_, smallest_roll_variance_rad2);
 }
 
 // f_yb - r V = g sin(phi + b) + v_y'
@@ -174,9 +190,6 @@ void RollBankObserver::keep_in_bounds() {
         phi_ = clamp_magnitude(phi_, largest_roll_rad);
     }
     bank_ = clamp_magnitude(bank_, largest_bank_rad);
-    // Neither falls to zero: P33 tends to that of the steady filter from above.
-    P11_ = larger(P11_, smallest_roll_variance_rad2);
-    P33_ = smaller(P33_, initial_bank_variance_rad2);
 }
 
 }  // namespace rsi

@@ -27,11 +27,14 @@ class RollBankObserver {
     void reset() { running_ = false; }
 
     // One sample. All values finite; `lateral_force_mps2` is f_yb, the specific force at the sprung CG along
-    // the body's y axis. A state that is not finite starts anew at the next sample. `vertical_movement_m` is
-    // dh, 0 where no sound estimate is. Only its first 0.05 m count: dh has been learnt from the roll sensor,
-    // and a sensor that lies must not teach the observer to lie with it.
-    void update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps,
-                float vertical_movement_m = 0.0F);
+    // the body's y axis. A state that is not finite starts anew at the next sample. `turn_is_due` in every
+    // second sample: the turn is compared there. Returns roll_known().
+    bool update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps,
+                bool turn_is_due);
+
+    // dh from now on, 0 where no sound estimate is. Only its first 0.05 m count: dh has been learnt from the
+    // roll sensor, and a sensor that lies must not teach the observer to lie with it.
+    void assume_movement(float vertical_movement_m);
 
     // Whether the angle's standard deviation is small enough to be relied on. False after a start for as long
     // as the filter needs.
@@ -52,14 +55,16 @@ class RollBankObserver {
     static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
 
     [[gnu::cold, gnu::noinline]] void start(float lateral_force_mps2, float roll_rate_radps);
-    void predict(float lateral_force_mps2, float vertical_movement_m);
+    void predict(float lateral_force_mps2);
     bool tips(float lateral_force_mps2, float roll_acceleration_radps2) const;
     void correct_by_roll_rate(float roll_rate_radps);
+    void renew_roll_gain();
     void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
     void keep_in_bounds();
 
     RollStiffnessCurve stiffness_over_inertia_{};  // M / Ixx
     float force_to_acceleration_{0.0F};            // m_s H / Ixx
+    float moved_force_to_acceleration_{0.0F};      // m_s (H - dh) / Ixx
     float movement_to_acceleration_{0.0F};         // m_s / Ixx
     float damping_over_inertia_{0.0F};             // c_f / Ixx
     float tipping_force_mps2_{0.0F};
@@ -74,6 +79,7 @@ class RollBankObserver {
     float offset_{0.0F};
     float stiffness_step_{0.0F};  // s: what an error of phi makes of the rate in one step
     float P11_{0.0F};             // variance of phi
+    float roll_gain_{0.0F};       // of phi, for what the gyro says
     float P33_{0.0F};             // variance of the bank
 };
 

@@ -1,5 +1,8 @@
 #include "rsi/warning/warning_state_machine.hpp"
 
+#include "rsi/numeric/bounded.hpp"
+#include "rsi/numeric/saturating_count.hpp"
+
 namespace rsi {
 namespace {
 
@@ -8,14 +11,8 @@ std::uint32_t to_samples(float time_s) {
     return static_cast<std::uint32_t>(time_s * (1.0F / sample_time_s) + 0.5F);
 }
 
-void count_up(std::uint32_t& counter) {
-    if (counter < UINT32_MAX) {
-        ++counter;
-    }
-}
-
 rsi_side falling_side(float side) {
-    return (side > 0.0F) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT;
+    return (side < 0.0F) ? RSI_SIDE_LEFT : RSI_SIDE_RIGHT;
 }
 
 }  // namespace
@@ -56,6 +53,10 @@ void WarningStateMachine::count_confirmation(const RiskLevel& risk) {
 }
 
 void WarningStateMachine::update(const RiskLevel& risk) {
+    if (!is_finite(risk.indicator)) {
+        update_unavailable();
+        return;
+    }
     if (state_ == RSI_STATE_UNAVAILABLE) {
         count_up(good_samples_);
         if (good_samples_ < recovery_samples_) {

@@ -11,7 +11,7 @@ namespace rsi {
 // What one sample says about the risk.
 struct RiskLevel {
     float indicator{0.0F};  // 1 at the threshold
-    float side{1.0F};       // +1 left turn, -1 right turn
+    float side{1.0F};       // < 0 in a right turn
 };
 
 class WarningStateMachine {
@@ -21,11 +21,13 @@ class WarningStateMachine {
     // A sample without a statement: "unavailable" at once.
     void update_unavailable();
 
-    // A sample with a statement. "Unavailable" is left once the inputs have been good for recovery_s.
+    // A sample with a statement; an indicator without a number is none. "Unavailable" is left once the inputs
+    // have been good for recovery_s.
     void update(const RiskLevel& risk);
 
     rsi_state state() const { return state_; }
     rsi_side side() const { return side_; }
+    float warning_on() const { return warning_on_; }
 
  private:
     void enter(rsi_state state);

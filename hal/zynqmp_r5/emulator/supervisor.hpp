@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "hal/interface/watchdog.hpp"
-#include "hal/zynqmp_r5/memory_map.h"
+#include "hal/zynqmp_r5/emulator/supervisor_words.h"
 #include "hal/zynqmp_r5/registers.hpp"
 
 namespace hal::zynqmp_r5::emulator {

@@ -1,7 +1,7 @@
 // The reaction to every exception: record it, let the image say so on the bus, reset.
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 
-#include "hal/zynqmp_r5/memory_map.h"
+#include "hal/zynqmp_r5/data_abort.hpp"
 #include "hal/zynqmp_r5/policy.hpp"
 #include "hal/zynqmp_r5/registers.hpp"
 
@@ -17,6 +17,7 @@ enum class Exception : std::uint32_t {
     reserved = 5,
     interrupt = 6,
     fast_interrupt = 7,
+    start_without_reset = 8,
 };
 
 [[gnu::section(".retained")]] FaultRecord retained_record;
@@ -24,11 +25,16 @@ enum class Exception : std::uint32_t {
 // Set from the first exception to the reset. The start clears it.
 volatile bool is_handling = false;
 
-bool is_in_stack_guard(std::uint32_t address) {
-    const bool in_stacks = address >= RSI_STACKS_START && address < RSI_STACKS_START + RSI_STACKS_SIZE;
-    const bool in_fault_stack = address >= RSI_FAULT_STACK_BOTTOM && address < RSI_FAULT_STACK_TOP;
-    const bool in_main_stack = address >= RSI_MAIN_STACK_BOTTOM && address < RSI_MAIN_STACK_TOP;
-    return in_stacks && !in_fault_stack && !in_main_stack;
+std::uint32_t data_fault_status() {  // DFSR
+    std::uint32_t status = 0U;
+    asm volatile("mrc p15, 0, %0, c5, c0, 0" : "=r"(status));
+    return status;
+}
+
+std::uint32_t data_fault_address() {  // DFAR
+    std::uint32_t address = 0U;
+    asm volatile("mrc p15, 0, %0, c6, c0, 0" : "=r"(address));
+    return address;
 }
 
 Fault describe(Exception exception) {
@@ -45,10 +51,10 @@ Fault describe(Exception exception) {
             asm volatile("mrc p15, 0, %0, c5, c0, 1" : "=r"(fault.status));  // IFSR
             break;
         case Exception::data_abort:
-            asm volatile("mrc p15, 0, %0, c5, c0, 0" : "=r"(fault.status));  // DFSR
-            asm volatile("mrc p15, 0, %0, c6, c0, 0" : "=r"(fault.data));    // DFAR
-            fault.reason =
-                is_in_stack_guard(fault.data) ? ResetReason::stack_overflow : ResetReason::data_abort;
+            fault = describe_data_abort(data_fault_status(), data_fault_address());
+            break;
+        case Exception::start_without_reset:
+            fault.reason = ResetReason::start_without_reset;
             break;
         default:
             fault.reason = ResetReason::interrupt;

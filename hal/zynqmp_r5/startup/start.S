@@ -12,6 +12,8 @@
     .equ mode_undefined, 0x1B
     .equ mode_system, 0x1F
 
+    .equ sctlr_mpu, (1 << 0)
+    .equ running_mark, 0x52534952       @ "RSIR"
     .equ sctlr_off, (1 << 0) | (1 << 1) | (1 << 2) | (1 << 12) | (1 << 13) | (1 << 17) | (1 << 30)
 
 /* The vectors load their targets from the words behind them, so that the block can be copied as it is. */
@@ -51,7 +53,25 @@ vectors:
     .global start
     .type start, %function
 start:
+    /* A call of a null pointer comes here too, by the vector at 0, while the firmware runs. Two things together tell it
+     * from a start after a reset: the MPU is on, which a reset switches off (a boot loader may have switched it on), and
+     * the thread register holds the mark of a running firmware (which a reset need not clear). */
+    mrs r2, cpsr
     cpsid aif
+    mrc p15, 0, r0, c1, c0, 0           @ SCTLR
+    mrc p15, 0, r1, c13, c0, 4          @ TPIDRPRW
+    mov r3, #0
+    mcr p15, 0, r3, c13, c0, 4          @ only once: this can be no endless loop of resets
+    tst r0, #sctlr_mpu
+    beq after_reset
+    ldr r3, =running_mark
+    cmp r1, r3
+    bne after_reset
+    sub r1, lr, #4
+    mov r0, #8                          @ a kind of its own, of what zynqmp_r5_on_exception is told
+    b report
+
+after_reset:
     mrc p15, 0, r0, c1, c0, 0           @ SCTLR: MPU, caches, alignment check, high vectors, background region, Thumb
     ldr r1, =sctlr_off                  @ exceptions off, whatever ran before
     bic r0, r0, r1
@@ -111,6 +131,8 @@ start:
     cmp r0, #0
     blxne r0
 
+    ldr r0, =running_mark
+    mcr p15, 0, r0, c13, c0, 4          @ TPIDRPRW: see start
     cpsie a                             @ a write that the bus refuses later is a data abort too
 
     ldr r4, =init_array_start
@@ -146,7 +168,7 @@ fill_words:
     bx lr
     .size fill_words, . - fill_words
 
-/* Every exception ends in zynqmp_r5_on_exception(kind, instruction, program status), which does not return. `lead` is how
+/* Every exception, and a start without reset, ends in zynqmp_r5_on_exception(kind, instruction, program status), which does not return. `lead` is how
  * far the link register is ahead of the instruction. An exception on the way there starts over on the same stack; the
  * handler notices that. */
     .macro exception name, kind, lead
@@ -171,6 +193,7 @@ fill_words:
 report_exception:
     cpsid aif
     mrs r2, spsr
+report:
     ldr sp, =fault_stack_top
     ldr r3, =zynqmp_r5_on_exception
     cmp r3, #0

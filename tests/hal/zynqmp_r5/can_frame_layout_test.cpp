@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hal/zynqmp_r5/emulator/emulator_can_frame_layout.hpp"
 #include "tests/hal/make_frame.hpp"
 
 namespace hal::zynqmp_r5 {

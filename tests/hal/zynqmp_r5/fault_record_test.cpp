@@ -54,6 +54,15 @@ TEST(FaultRecord, AFaultBeforeTheFirstRunIsTold) {
     EXPECT_EQ(record.resets, 1U);
 }
 
+TEST(FaultRecord, EveryReasonIsTold) {
+    for (std::uint32_t reason = 1U; reason <= static_cast<std::uint32_t>(ResetReason::start_without_reset);
+         ++reason) {
+        FaultRecord record = noise();
+        record_fault(Fault{static_cast<ResetReason>(reason)}, record);
+        EXPECT_EQ(begin_run(record), static_cast<ResetReason>(reason));
+    }
+}
+
 TEST(FaultRecord, AnyChangedBitMakesItWorthless) {
     FaultRecord good = noise();
     begin_run(good);

@@ -135,6 +135,17 @@ TEST_F(CycleTickTest, CountsWhatWasMissedAndGoesOnOnTheGrid) {
     EXPECT_LE(clock.now().nanoseconds - 50'000'000, 10'240);
 }
 
+TEST_F(CycleTickTest, TellsTheTimeInWhichNothingIsDue) {
+    is_due();
+    EXPECT_EQ(tick->spare(), Time::from_milliseconds(10));
+    device.advance(500U);  // 5.12 ms
+    is_due();
+    EXPECT_EQ(tick->spare().nanoseconds, 4'880'000);
+    device.advance(500U);
+    ASSERT_TRUE(is_due());
+    EXPECT_EQ(tick->spare(), Time{});
+}
+
 TEST_F(CycleTickTest, ALateCycleWithinItsPeriodIsNoneMissed) {
     wait();
     device.advance(1'900U);  // 19.46 ms
@@ -145,7 +156,7 @@ TEST_F(CycleTickTest, ALateCycleWithinItsPeriodIsNoneMissed) {
 class JumpingClock {
  public:
     Time now() const { return time; }
-    void update() {}
+    Time update() { return now(); }
     Time time{};
 };
 

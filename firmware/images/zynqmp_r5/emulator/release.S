@@ -4,7 +4,7 @@
  *
  * A word in memory (RSI_SUPERVISOR_COUNTDOWN) counts down every RSI_SUPERVISOR_PERIOD_MS while it is not zero, and the
  * machine is reset when it comes to zero. (Every millisecond would cost the emulator too much.) hal/zynqmp_r5/emulator/supervisor.hpp is the R5's side. */
-#include "hal/zynqmp_r5/memory_map.h"
+#include "hal/zynqmp_r5/emulator/supervisor_words.h"
 
     .equ psci_cpu_on, 0xC4000003
     .equ psci_system_reset, 0x84000009
@@ -48,10 +48,13 @@ wait:
     tbz x2, #2, wait                    // not yet
     msr cntv_tval_el0, x21
     isb
-    ldr w2, [x20]
+    /* Exclusively: the R5 feeds it or asks for a reset at any time, and neither may be overwritten. */
+count_down:
+    ldxr w2, [x20]
     cbz w2, wait
     sub w2, w2, #1
-    str w2, [x20]
+    stxr w3, w2, [x20]
+    cbnz w3, count_down
     cbnz w2, wait
 
     ldr x0, =psci_system_reset

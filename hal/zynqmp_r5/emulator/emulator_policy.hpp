@@ -1,0 +1,31 @@
+// What the emulator has in place of the silicon's (QEMU 7.2, machine xlnx-zcu102).
+#pragma once
+
+#include <cstdint>
+
+#include "hal/interface/clock.hpp"
+#include "hal/zynqmp_r5/emulator/emulator_can_frame_layout.hpp"
+#include "hal/zynqmp_r5/emulator/supervisor.hpp"
+
+namespace hal::zynqmp_r5 {
+
+struct EmulatorPolicy {
+    static constexpr std::uint32_t timer_clock_hz{133'000'000U};
+    static constexpr std::uint32_t can_clock_hz{100'000'000U};  // without effect
+    using CanLayout = EmulatorCanFrameLayout;
+    // A busy host stops the emulator for longer than five cycles.
+    template <typename Registers>
+    using Watchdog = emulator::SupervisorWatchdog<Registers, 2000U>;
+    template <typename Registers>
+    using Reset = emulator::SupervisorReset<Registers>;
+    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too. So the looks
+    // come rarely at first and then more often: the loop takes hundredths of the spare time, a third of it
+    // where the emulator is itself emulated.
+    static void wait(Time spare) noexcept {
+        for (auto pause = static_cast<std::uint32_t>(spare.nanoseconds / 64); pause > 0U; --pause) {
+            asm volatile("nop");
+        }
+    }
+};
+
+}  // namespace hal::zynqmp_r5

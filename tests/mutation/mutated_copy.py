@@ -1,0 +1,106 @@
+"""The mutated copy of the project: links to everything but what is mutated, and the build of its test programs."""
+
+import json
+import pathlib
+import re
+import subprocess
+
+import mutate
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+FOLDER = PROJECT / "build/mutation"
+SOURCE, BUILD = FOLDER / "source", FOLDER / "build"
+PROGRAMS = {"codec_test": "tests/codec", "unit_tests": "tests/unit", "application_test": "tests/application",
+            "replay_test": "tests/mutation"}
+SCOPE = ("firmware/rsi", "firmware/application", "can_dbc/e2e")
+INCLUDES = ["-I", "{project}", "-I", "{project}/firmware", "-isystem", "/usr/include/eigen3"]
+HELPERS = "tests/mutation/schemata.hpp"
+
+
+def sources(project=PROJECT, scope=SCOPE):
+    return sorted(str(path.relative_to(project)) for folder in scope
+                  for path in (project / folder).rglob("*") if path.suffix in (".cpp", ".hpp"))
+
+
+def parse_arguments(project):
+    return ["-x", "c++", "-std=c++17", "-resource-dir=/usr/lib/llvm-19/lib/clang/19", "-w"] + [
+        part.format(project=project) for part in INCLUDES]
+
+
+def mutated_texts(names, project, left_out=frozenset()):
+    """The mutated text of each file and all mutants. `left_out`: (file, line) that does not compile when mutated."""
+    mutator = mutate.Mutator()
+    arguments = parse_arguments(project)
+    units = {name: mutator.parse(project / name, arguments) for name in names}
+    for name in names:
+        mutator.find_constants(name, project / name, units[name])
+    return {name: mutator.mutated(name, project / name, units[name], {line for file, line in left_out if file == name})
+            for name in names}, mutator
+
+
+def write_if_other(path, text):
+    if not path.is_file() or path.read_text() != text:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+def link_everything_else(names):
+    """One link for a folder without a mutated file, folders of their own for those with one."""
+    mutated = {PROJECT / name for name in names}
+    parents = {parent for path in mutated for parent in path.parents}
+    def link(folder):
+        for entry in sorted(folder.iterdir()):
+            place = SOURCE / entry.relative_to(PROJECT)
+            if entry in parents:
+                place.mkdir(parents=True, exist_ok=True)
+                link(entry)
+            elif entry not in mutated and entry.name not in ("build", ".git", "output"):
+                if not place.is_symlink():
+                    place.symlink_to(entry)
+    SOURCE.mkdir(parents=True, exist_ok=True)
+    for old in [path for path in SOURCE.rglob("*") if path.is_symlink() and not path.exists()]:
+        old.unlink()
+    link(PROJECT)
+
+
+def build():
+    flags = f"-O1 -w -Wno-narrowing -include {PROJECT / HELPERS}"
+    if not (BUILD / "build.ninja").is_file():
+        configured = subprocess.run(
+            ["cmake", "-S", SOURCE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DRSI_BUILD_SIL=OFF",
+             "-DRSI_MUTATION=ON", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}"], capture_output=True, text=True)
+        if configured.returncode != 0:
+            raise SystemExit(f"{configured.stdout}{configured.stderr}\nmutation: could not configure {BUILD}")
+    return subprocess.run(["ninja", "-C", BUILD, "-k", "0", *PROGRAMS], capture_output=True, text=True)
+
+
+def refused_places(output, names):
+    """File and line of every error in a mutated file."""
+    places = set()
+    for file, line in re.findall(r"^([^\s:]+):(\d+):\d+: (?:fatal )?error:", output, re.M) + re.findall(
+            r"^([^\s:]+):(\d+):\d+:   (?:required|in .constexpr. expansion)", output, re.M):
+        path = (BUILD / file).resolve()
+        for name in names:
+            if path == (SOURCE / name).resolve():
+                places.add((name, int(line)))
+    return places
+
+
+def make():
+    """Writes, builds; a line that does not compile when mutated is left out, and counted. Gives all mutants."""
+    names = sources()
+    link_everything_else(names)
+    left_out = set()
+    while True:
+        texts, mutator = mutated_texts(names, PROJECT, left_out)
+        for name, text in texts.items():
+            write_if_other(SOURCE / name, text)
+        built = build()
+        if built.returncode == 0:
+            break
+        refused = refused_places(built.stdout, names) - left_out
+        if not refused:
+            raise SystemExit(f"{built.stdout[-6000:]}\nmutation: the mutated copy does not build; the reason is above")
+        left_out |= refused
+    (FOLDER / "mutants.json").write_text(json.dumps([vars(mutant) for mutant in mutator.mutants], indent=0))
+    return mutator
