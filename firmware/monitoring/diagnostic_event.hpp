@@ -26,18 +26,15 @@ class DiagnosticEvent {
             return false;
         }
         fill(failed);
-        const bool confirmed = (count_ >= filled_by_fault * debounce.confirm);
-        if (confirmed) {
-            status_ = EventStatus::confirmed;
-            count_ = 0U;
-            occurrences_ = (occurrences_ < most_occurrences) ? static_cast<std::uint8_t>(occurrences_ + 1U)
-                                                             : most_occurrences;
-        } else if (count_ > 0U) {
-            status_ = EventStatus::set;
-        } else {
-            status_ = (occurrences_ > 0U) ? EventStatus::healed : EventStatus::none;
+        if (count_ < filled_by_fault * debounce.confirm) {
+            status_ = (count_ > 0U) ? EventStatus::set : resting_status();
+            return false;
         }
-        return confirmed;
+        status_ = EventStatus::confirmed;
+        count_ = 0U;
+        occurrences_ = (occurrences_ < most_occurrences) ? static_cast<std::uint8_t>(occurrences_ + 1U)
+                                                         : most_occurrences;
+        return true;
     }
 
     constexpr EventStatus status() const noexcept { return status_; }
@@ -49,11 +46,15 @@ class DiagnosticEvent {
     static constexpr std::uint32_t filled_by_fault = 2U;
     static constexpr std::uint8_t most_occurrences = 31U;
 
+    constexpr EventStatus resting_status() const noexcept {
+        return (occurrences_ > 0U) ? EventStatus::healed : EventStatus::none;
+    }
+
     constexpr void fill(bool failed) noexcept {
         if (failed) {
             count_ += filled_by_fault;
-        } else if (count_ > 0U) {
-            --count_;
+        } else {
+            count_ -= (count_ > 0U) ? 1U : 0U;
         }
     }
 

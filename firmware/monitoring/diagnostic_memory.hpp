@@ -33,29 +33,13 @@ class DiagnosticMemory {
     void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
 
     // One cycle in which the code's condition could be judged; a code that is not reported stays as it is.
-    void report(DiagnosticCode code, bool failed) noexcept {
-        Entry& entry = entries_[index_of(code)];
-        const bool first = (entry.event.occurrences() == 0U);
-        if (entry.event.update(failed, debounce_of(code)) && first) {
-            entry.first = snapshot_;
-        }
-    }
+    void report(DiagnosticCode code, bool failed) noexcept;
 
     EventStatus status(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.status(); }
     bool confirmed(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.confirmed(); }
 
     // The next entry that has anything to tell, round and round; code `none` when there is none.
-    DiagnosticRecord next() noexcept {
-        for (std::size_t step = 0U; step < diagnostic_code_count; ++step) {
-            told_ = (told_ + 1U < diagnostic_code_count) ? told_ + 1U : 0U;
-            const Entry& entry = entries_[told_];
-            if (entry.event.status() != EventStatus::none) {
-                return DiagnosticRecord{static_cast<DiagnosticCode>(told_), entry.event.status(),
-                                        entry.event.occurrences(), entry.first};
-            }
-        }
-        return DiagnosticRecord{};
-    }
+    DiagnosticRecord next() noexcept;
 
  private:
     struct Entry {

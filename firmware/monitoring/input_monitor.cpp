@@ -11,7 +11,7 @@ constexpr float agreement_rad = 0.025F;
 // The body leans out of the turn; below this the sign of the force says nothing.
 constexpr float clear_force_mps2 = 2.0F;
 
-bool any(const DiagnosticMemory& memory, DiagnosticCode a, DiagnosticCode b) noexcept {
+bool either_confirmed(const DiagnosticMemory& memory, DiagnosticCode a, DiagnosticCode b) noexcept {
     return memory.confirmed(a) || memory.confirmed(b);
 }
 
@@ -110,8 +110,8 @@ void InputMonitor::check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memor
     if (!roll_consistency_.known()) {
         return;
     }
-    const bool before =
-        any(memory, DiagnosticCode::roll_rate_contradicts_roll_angle, DiagnosticCode::roll_rate_offset);
+    const bool before = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
+                                         DiagnosticCode::roll_rate_offset);
     memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts());
     memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset());
     if (!before) {
@@ -170,10 +170,10 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
 }
 
 void InputMonitor::take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept {
-    const bool roll_contradiction =
-        any(memory, DiagnosticCode::roll_rate_contradicts_roll_angle, DiagnosticCode::roll_rate_offset);
-    if (any(memory, DiagnosticCode::lateral_acceleration_stuck,
-            DiagnosticCode::lateral_acceleration_contradicts_yaw_rate)) {
+    const bool roll_contradiction = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
+                                                     DiagnosticCode::roll_rate_offset);
+    if (either_confirmed(memory, DiagnosticCode::lateral_acceleration_stuck,
+                         DiagnosticCode::lateral_acceleration_contradicts_yaw_rate)) {
         inputs.lateral_specific_force_mps2 = rsi::not_available;
     }
     if (memory.confirmed(DiagnosticCode::vertical_acceleration_stuck)) {
@@ -182,12 +182,13 @@ void InputMonitor::take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory)
     if (memory.confirmed(DiagnosticCode::roll_rate_stuck) || (roll_contradiction && roll_rate_is_wrong_)) {
         inputs.roll_rate_radps = rsi::not_available;
     }
-    if (any(memory, DiagnosticCode::roll_angle_stuck, DiagnosticCode::roll_sensor_contradicts_observer) ||
+    if (either_confirmed(memory, DiagnosticCode::roll_angle_stuck,
+                         DiagnosticCode::roll_sensor_contradicts_observer) ||
         (roll_contradiction && !roll_rate_is_wrong_)) {
         inputs.roll_angle_rad = rsi::not_available;
     }
-    if (any(memory, DiagnosticCode::yaw_rate_stuck,
-            DiagnosticCode::yaw_rate_contradicts_lateral_acceleration)) {
+    if (either_confirmed(memory, DiagnosticCode::yaw_rate_stuck,
+                         DiagnosticCode::yaw_rate_contradicts_lateral_acceleration)) {
         inputs.yaw_rate_radps = rsi::not_available;
     }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "rsi/types.hpp"
 
@@ -48,13 +49,10 @@ class ParameterGuard {
 
     static void add(const rsi::Parameters& parameters, std::size_t begin, std::size_t end,
                     Sums& sums) noexcept {
-        const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(&parameters);
+        std::array<std::uint32_t, word_count> words{};
+        std::memcpy(words.data(), &parameters, sizeof(words));
         for (std::size_t word = begin; word < end; ++word) {
-            std::uint32_t value = 0U;
-            for (std::size_t byte = 0U; byte < sizeof(value); ++byte) {
-                value = (value << 8U) | bytes[sizeof(value) * word + byte];
-            }
-            sums.plain += value;
+            sums.plain += words[word];
             sums.weighted += sums.plain;
         }
     }

@@ -21,28 +21,7 @@ class SignalCheck {
     // One value that its frame has brought. `expected_change` is what others say that it has changed by.
     // A value beyond its range, or further from the last good one than a cycle allows, gives that last one,
     // until the code is confirmed; then NaN, until it is healed. What is NaN already gives NaN at once.
-    float qualify(float value, DiagnosticMemory& memory, float expected_change = 0.0F) noexcept {
-        const bool valid = rsi::is_within(value, limits_.minimum, limits_.maximum);
-        memory.report(limits_.invalid, !valid);
-        if (!rsi::is_finite(value)) {
-            known_ = false;
-            return rsi::not_available;
-        }
-        if (valid) {
-            memory.report(limits_.jumps, known_ && has_jumped(value, expected_change));
-        }
-        if (memory.confirmed(limits_.invalid) || memory.confirmed(limits_.jumps)) {
-            // From now on each value is compared with the one before: smooth again is good again.
-            good_ = value;
-            known_ = valid;
-            return rsi::not_available;
-        }
-        if (valid && !(known_ && has_jumped(value, expected_change))) {
-            good_ = value;
-            known_ = true;
-        }
-        return known_ ? good_ : rsi::not_available;
-    }
+    float qualify(float value, DiagnosticMemory& memory, float expected_change = 0.0F) noexcept;
 
     // A cycle without its frame.
     void forget() noexcept { known_ = false; }

@@ -14,19 +14,7 @@ class StuckCheck {
 
     // One cycle; false when either is not finite. The equality of floats is meant: a sensor that lives has
     // noise, and a frozen one repeats its code.
-    bool is_stuck(float value, float witness) noexcept {
-        if (!rsi::is_finite(value) || !rsi::is_finite(witness) || !repeats(value)) {
-            value_ = value;
-            repetitions_ = 0U;
-            lowest_ = witness;
-            highest_ = witness;
-            return false;
-        }
-        repetitions_ = (repetitions_ < fewest_repetitions) ? repetitions_ + 1U : fewest_repetitions;
-        lowest_ = rsi::smaller(lowest_, witness);
-        highest_ = rsi::larger(highest_, witness);
-        return (repetitions_ >= fewest_repetitions) && ((highest_ - lowest_) > witness_span_);
-    }
+    bool is_stuck(float value, float witness) noexcept;
 
     // It has not moved for longer than the noise of a living sensor allows; no proof by itself.
     bool seems_frozen() const noexcept { return repetitions_ >= suspicious_repetitions; }
