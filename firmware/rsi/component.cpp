@@ -145,6 +145,15 @@ void Component::step_unavailable(Outputs& outputs) {
     outputs = no_outputs();
 }
 
+void Component::forget() {
+    running_ = false;
+    overturned_ = false;
+    measurement_.reset();
+    measurement_.assume_movement(0.0F);
+    estimator_.reset();
+    warning_.update_unavailable();
+}
+
 // After a gap the models start where the vehicle is; what the estimator has learnt stays, but not past an
 // overturn.
 void Component::resume(const Measurement& measured) {
