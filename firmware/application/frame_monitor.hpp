@@ -15,6 +15,10 @@ namespace application {
 // after its last frame, depending on the phase between the two.
 inline constexpr hal::Time frame_time_limit = hal::Time::from_milliseconds(35);
 
+// A frame from the future: the clock has gone back, and the frame's age is not known. As much as a cycle may
+// be the resolution of two clocks.
+inline constexpr hal::Time no_older = hal::Time::from_milliseconds(-10);
+
 // Two lost frames in a row are tolerated: the fourth one would be older than the time limit anyway.
 inline constexpr std::uint8_t largest_counter_step = 3U;
 
@@ -26,6 +30,7 @@ inline constexpr can_dbc::e2e::StateMachineSettings channel_settings{8U, {1U, 4U
 
 // What went wrong with a frame in one cycle.
 struct FrameFaults {
+    bool received{false};        // a usable frame has come since the start
     bool timeout{false};         // no usable frame within the time limit
     bool checksum_error{false};  // CRC, data identifier or length
     bool counter_error{false};   // repeated, or more frames lost than tolerated
@@ -60,8 +65,11 @@ class FrameMonitor {
         }
     }
 
+    bool received() const noexcept { return received_; }
+
     bool is_fresh(hal::Time now) const noexcept {
-        return received_ && !withdrawn_ && !(frame_time_limit < (now - latest_time_));
+        const hal::Time age = now - latest_time_;
+        return received_ && !withdrawn_ && !(frame_time_limit < age) && !(age < no_older);
     }
 
     // The last usable values; only meaningful while is_fresh().

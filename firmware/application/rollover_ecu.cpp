@@ -1,11 +1,15 @@
 #include "application/rollover_ecu.hpp"
 
 #include "hal/interface/saturating_count.hpp"
+#include "monitoring/output_check.hpp"
 
 namespace application {
 namespace {
 
 constexpr std::uint32_t most_missed_cycles = 2U;
+
+// A sensor that has not yet sent anything is no fault for so long after the start.
+constexpr std::uint32_t start_cycles = 100U;
 
 // True when `count` is not what it was at the last call.
 bool has_changed(std::uint32_t count, std::uint32_t& previous) {
@@ -18,14 +22,17 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
+    parameters_ = parameters;
+    parameter_guard_.start(parameters_);
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
     return answer;
 }
 
 ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
-    rsi::Parameters parameters{};  // which the component refuses, unless the section replaces them
-    const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters);
-    static_cast<void>(component_.init(parameters));
+    parameters_ = rsi::Parameters{};  // which the component refuses, unless the section replaces them
+    const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
+    static_cast<void>(component_.init(parameters_));
+    parameter_guard_.start(parameters_);
     refusal_ = answer.refusal;
     return answer;
 }
@@ -33,11 +40,87 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
 void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     reception_.receive(bus_);
     const hal::Time now = clock_.now();
-    const bool stalled = (missed_cycles > most_missed_cycles);
-    inputs_ = stalled ? no_inputs : reception_.inputs(now);
+    const rsi::Inputs inputs = reception_.inputs(now);
+    Health report = health(now, missed_cycles);
+    hal::count_up(cycles_);
+    memory_.begin_cycle(monitoring::Snapshot{inputs.lateral_specific_force_mps2, inputs.roll_rate_radps,
+                                             inputs.roll_angle_rad, inputs.speed_mps});
+    report_reception(report.reception);
+    report_platform(report, now, missed_cycles);
+
+    inputs_ = qualified(inputs, report.reception, missed_cycles);
     component_.step(inputs_, outputs_);
-    transmission_.send(bus_, outputs_, health(now, missed_cycles));
-    watchdog_.feed();
+    const bool healthy = check_itself();
+
+    report.degradation = monitoring::degradation_of(inputs_, outputs_, internal_fault());
+    report.diagnosis = memory_.next();
+    transmission_.send(bus_, outputs_, report);
+    if (healthy) {
+        watchdog_.feed();
+    }
+}
+
+// After a stall neither the component's models nor the checks know what was in between.
+rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionReport& reception,
+                                   std::uint32_t missed_cycles) noexcept {
+    if (missed_cycles > most_missed_cycles) {
+        input_monitor_ = monitoring::InputMonitor{};
+        return no_inputs;
+    }
+    const monitoring::FreshFrames fresh{!reception.imu.timeout, !reception.roll_angle.timeout,
+                                        !reception.vehicle_motion.timeout};
+    return input_monitor_.qualify(inputs, fresh, outputs_, memory_);
+}
+
+// False when this cycle has found the parameters, the estimate or an output damaged; as long as one of these
+// codes is confirmed there is no statement on the risk.
+bool RolloverEcu::check_itself() noexcept {
+    using monitoring::DiagnosticCode;
+    const bool parameters_good = !parameter_guard_.is_damaged(parameters_);
+    const bool computed = monitoring::has_computed(outputs_);
+    const bool estimate_good = !computed || monitoring::estimate_is_in_range(outputs_);
+    const bool outputs_good = !computed || monitoring::outputs_are_sound(outputs_);
+    memory_.report(DiagnosticCode::parameters_damaged, !parameters_good);
+    memory_.report(DiagnosticCode::estimate_out_of_range, !estimate_good);
+    memory_.report(DiagnosticCode::output_not_finite, !outputs_good);
+    if (!estimate_good || !outputs_good) {
+        component_.forget();
+    }
+    if (internal_fault()) {
+        monitoring::withdraw(outputs_);
+    }
+    return parameters_good && estimate_good && outputs_good;
+}
+
+bool RolloverEcu::internal_fault() const noexcept {
+    using monitoring::DiagnosticCode;
+    return memory_.confirmed(DiagnosticCode::parameters_damaged) ||
+           memory_.confirmed(DiagnosticCode::estimate_out_of_range) ||
+           memory_.confirmed(DiagnosticCode::output_not_finite);
+}
+
+void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
+    using monitoring::DiagnosticCode;
+    const auto report = [this](const FrameFaults& faults, DiagnosticCode lost, DiagnosticCode damaged) {
+        if (faults.received || (cycles_ > start_cycles)) {
+            memory_.report(lost, faults.timeout);
+        }
+        memory_.report(damaged, faults.checksum_error || faults.counter_error);
+    };
+    report(reception.imu, DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged);
+    report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
+    report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
+           DiagnosticCode::vehicle_motion_damaged);
+}
+
+void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept {
+    using monitoring::DiagnosticCode;
+    memory_.report(DiagnosticCode::parameters_refused, health.parameters_refusal != ParametersRefusal::none);
+    memory_.report(DiagnosticCode::cycle_overrun, missed_cycles > 0U);
+    memory_.report(DiagnosticCode::cycle_stall, missed_cycles > most_missed_cycles);
+    memory_.report(DiagnosticCode::clock_jump, clock_check_.has_jumped(now.nanoseconds, missed_cycles));
+    memory_.report(DiagnosticCode::bus_error, health.bus_error);
+    memory_.report(DiagnosticCode::receive_overflow, health.receive_overflow);
 }
 
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {

@@ -11,6 +11,10 @@
 #include "hal/interface/clock.hpp"
 #include "hal/interface/reset_reason.hpp"
 #include "hal/interface/watchdog.hpp"
+#include "monitoring/clock_check.hpp"
+#include "monitoring/diagnostic_memory.hpp"
+#include "monitoring/input_monitor.hpp"
+#include "monitoring/parameter_guard.hpp"
 #include "rsi/component.hpp"
 
 namespace application {
@@ -33,7 +37,8 @@ class RolloverEcu {
 
     // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
     // when all is well; after more than two the component starts anew, because its models know no step but 10
-    // ms. Feeds the watchdog at its end.
+    // ms. Feeds the watchdog at its end, unless the ECU has found itself damaged: then only a start from new
+    // helps, and until it comes the ECU says "unavailable".
     void step(std::uint32_t missed_cycles) noexcept;
 
     // What the last cycle computed and what from, for a platform that shows or records it.
@@ -42,6 +47,12 @@ class RolloverEcu {
 
  private:
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
+    void report_reception(const ReceptionReport& reception) noexcept;
+    void report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept;
+    rsi::Inputs qualified(const rsi::Inputs& inputs, const ReceptionReport& reception,
+                          std::uint32_t missed_cycles) noexcept;
+    bool check_itself() noexcept;
+    bool internal_fault() const noexcept;
     bool bus_error() noexcept;
     bool receive_overflow() noexcept;
 
@@ -49,12 +60,18 @@ class RolloverEcu {
     const hal::Clock& clock_;
     hal::Watchdog& watchdog_;
     rsi::Component component_{};
+    rsi::Parameters parameters_{};
     SensorReception reception_{};
     WarningTransmission transmission_{};
+    monitoring::DiagnosticMemory memory_{};
+    monitoring::InputMonitor input_monitor_{};
+    monitoring::ParameterGuard parameter_guard_{};
+    monitoring::ClockCheck clock_check_{};
     rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
+    std::uint32_t cycles_{0U};  // since the start
     std::uint32_t cycle_overruns_{0U};
     std::uint32_t overflow_count_{0U};
     std::uint32_t send_failure_count_{0U};

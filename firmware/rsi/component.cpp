@@ -114,11 +114,12 @@ Validation Component::init(const Parameters& parameters) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    further_.update(inputs, measured, fresh, outputs);
-    warn(measured, outputs);
-
+    // To the next sample at once: kept until the end, what this needs would crowd the registers.
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_);
+
+    further_.update(inputs, measured, fresh, outputs);
+    warn(measured, outputs);
     extended_rsi_ = outputs.rsi_extended;
 }
 
@@ -142,6 +143,15 @@ void Component::step_unavailable(Outputs& outputs) {
     running_ = false;
     warning_.update_unavailable();
     outputs = no_outputs();
+}
+
+void Component::forget() {
+    running_ = false;
+    overturned_ = false;
+    measurement_.reset();
+    measurement_.assume_movement(0.0F);
+    estimator_.reset();
+    warning_.update_unavailable();
 }
 
 // After a gap the models start where the vehicle is; what the estimator has learnt stays, but not past an

@@ -24,6 +24,9 @@ class Component {
     // moves slowly is computed in every second sample and held in between: rsi_outputs says which.
     void step(const Inputs& inputs, Outputs& outputs);
 
+    // Forgets what was learnt and starts from the nominal vehicle at the next sample, as after init.
+    [[gnu::cold]] void forget();
+
  private:
     // Rare, so not to be made part of step() as all the rest is.
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);

@@ -9,7 +9,8 @@ class Watchdog {
     Watchdog& operator=(const Watchdog&) = delete;
 
     // Called once after each step that ran to its end. A step that finds its inputs or parameters bad has run
-    // to its end: it has said so on the bus, and a reset would not help.
+    // to its end: it has said so on the bus, and a reset would not help. One that finds its own memory
+    // damaged does not feed: a reset does help.
     virtual void feed() noexcept = 0;
 
  protected:

@@ -1,0 +1,196 @@
+#include "monitoring/input_monitor.hpp"
+
+#include "rsi/numeric/bounded.hpp"
+
+namespace monitoring {
+namespace {
+
+// Of the observer: it takes half of what the component's own check tolerates to be believed again.
+constexpr float agreement_rad = 0.025F;
+
+// The body leans out of the turn; below this the sign of the force says nothing.
+constexpr float clear_force_mps2 = 2.0F;
+
+bool either_confirmed(const DiagnosticMemory& memory, DiagnosticCode a, DiagnosticCode b) noexcept {
+    return memory.confirmed(a) || memory.confirmed(b);
+}
+
+// Seen, if only once.
+bool suspected(const DiagnosticMemory& memory, DiagnosticCode code) noexcept {
+    const EventStatus status = memory.status(code);
+    return (status == EventStatus::set) || (status == EventStatus::confirmed);
+}
+
+// The value, or NaN when it fails by itself: then it says nothing of the others.
+float trusted(float value, const DiagnosticMemory& memory, DiagnosticCode invalid,
+              DiagnosticCode jump) noexcept {
+    return (suspected(memory, invalid) || suspected(memory, jump)) ? rsi::not_available : value;
+}
+
+rsi::Inputs witnesses(const rsi::Inputs& inputs, const DiagnosticMemory& memory) noexcept {
+    rsi::Inputs kept = inputs;
+    kept.lateral_specific_force_mps2 =
+        trusted(inputs.lateral_specific_force_mps2, memory, DiagnosticCode::lateral_acceleration_invalid,
+                DiagnosticCode::lateral_acceleration_jump);
+    kept.roll_rate_radps = trusted(inputs.roll_rate_radps, memory, DiagnosticCode::roll_rate_invalid,
+                                   DiagnosticCode::roll_rate_jump);
+    kept.roll_angle_rad = trusted(inputs.roll_angle_rad, memory, DiagnosticCode::roll_angle_invalid,
+                                  DiagnosticCode::roll_angle_jump);
+    kept.yaw_rate_radps = trusted(inputs.yaw_rate_radps, memory, DiagnosticCode::yaw_rate_invalid,
+                                  DiagnosticCode::yaw_rate_jump);
+    kept.speed_mps =
+        trusted(inputs.speed_mps, memory, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump);
+    return kept;
+}
+
+}  // namespace
+
+rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
+                                  const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
+    rsi::Inputs qualified = check_each(inputs, fresh, memory);
+    const rsi::Inputs kept = witnesses(inputs, memory);
+    check_stuck(kept, memory);
+    check_roll(kept, memory);
+    check_turn(kept, memory);
+    check_observer(inputs, before, memory);
+    take_out(qualified, memory);
+    return qualified;
+}
+
+// A frame that is lost has its own code; its signals are not judged.
+rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrames& fresh,
+                                     DiagnosticMemory& memory) noexcept {
+    rsi::Inputs qualified = inputs;
+    if (fresh.imu) {
+        qualified.lateral_specific_force_mps2 = lateral_.qualify(inputs.lateral_specific_force_mps2, memory);
+        qualified.vertical_specific_force_mps2 =
+            vertical_.qualify(inputs.vertical_specific_force_mps2, memory);
+        qualified.roll_rate_radps = roll_rate_.qualify(inputs.roll_rate_radps, memory);
+    } else {
+        lateral_.forget();
+        vertical_.forget();
+        roll_rate_.forget();
+    }
+    if (fresh.roll_angle) {
+        const float turned =
+            rsi::is_finite(inputs.roll_rate_radps) ? rsi::sample_time_s * inputs.roll_rate_radps : 0.0F;
+        qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, turned);
+    } else {
+        roll_angle_.forget();
+    }
+    if (fresh.vehicle_motion) {
+        qualified.yaw_rate_radps = yaw_rate_.qualify(inputs.yaw_rate_radps, memory);
+        qualified.speed_mps = speed_.qualify(inputs.speed_mps, memory);
+        qualified.steering_wheel_angle_rad = steering_.qualify(inputs.steering_wheel_angle_rad, memory);
+    } else {
+        yaw_rate_.forget();
+        speed_.forget();
+        steering_.forget();
+    }
+    return qualified;
+}
+
+void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
+    const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
+    const float lateral = inputs.lateral_specific_force_mps2;
+    const float turned = turned_rad_ + rsi::sample_time_s * inputs.roll_rate_radps;
+    turned_rad_ = rsi::is_within_magnitude(turned, 50.0F) ? turned : 0.0F;
+    memory.report(DiagnosticCode::lateral_acceleration_stuck, lateral_stuck_.is_stuck(lateral, turn));
+    memory.report(DiagnosticCode::vertical_acceleration_stuck,
+                  vertical_stuck_.is_stuck(inputs.vertical_specific_force_mps2, lateral));
+    memory.report(DiagnosticCode::roll_rate_stuck,
+                  roll_rate_stuck_.is_stuck(inputs.roll_rate_radps, inputs.roll_angle_rad - turned_rad_));
+    memory.report(DiagnosticCode::roll_angle_stuck,
+                  roll_angle_stuck_.is_stuck(inputs.roll_angle_rad, turned_rad_));
+    memory.report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_.is_stuck(inputs.yaw_rate_radps, lateral));
+}
+
+void InputMonitor::check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
+    roll_consistency_.update(inputs.roll_angle_rad, inputs.roll_rate_radps);
+    if (!roll_consistency_.known()) {
+        return;
+    }
+    const bool before = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
+                                         DiagnosticCode::roll_rate_offset);
+    memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts());
+    memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset());
+    if (!before) {
+        roll_rate_is_wrong_ = !roll_angle_is_wrong(inputs);
+    }
+}
+
+// Which of the two is wrong: one that repeats itself; else the angle if the body
+// seems to lean into the turn; else the rate, without which there is no statement.
+bool InputMonitor::roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept {
+    if (roll_angle_stuck_.seems_frozen() != roll_rate_stuck_.seems_frozen()) {
+        return roll_angle_stuck_.seems_frozen();
+    }
+    const float force = inputs.lateral_specific_force_mps2;
+    return !rsi::is_within_magnitude(force, clear_force_mps2) && (force * inputs.roll_angle_rad < 0.0F);
+}
+
+void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
+    turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
+    if (!turn_consistency_.known()) {
+        return;
+    }
+    constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
+    memory.report(yaw_rate,
+                  memory.confirmed(yaw_rate) ? !turn_consistency_.agrees() : turn_consistency_.contradicts());
+    constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
+    if (memory.confirmed(lateral)) {
+        memory.report(lateral, !turn_consistency_.agrees());
+    }
+}
+
+// The observer makes the roll angle of the lateral force and the roll rate. Where it contradicts the roll
+// sensor, one of the sensors lies: the accelerometer, if it contradicts the yaw rate too, else the roll
+// sensor. The component's check, confirmed for 0.3 s, knows when the observer is to be believed.
+void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs& before,
+                                  DiagnosticMemory& memory) noexcept {
+    constexpr DiagnosticCode roll_sensor = DiagnosticCode::roll_sensor_contradicts_observer;
+    constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
+    const float difference = inputs.roll_angle_rad - before.observed_roll_angle_rad;
+    if (memory.confirmed(roll_sensor)) {
+        if (rsi::is_finite(difference)) {
+            memory.report(roll_sensor, !rsi::is_within_magnitude(difference, agreement_rad));
+        }
+        return;
+    }
+    // A roll sensor that is out for another reason does not come back as long as the observer contradicts it.
+    const bool out = (before.roll_source == RSI_ROLL_OBSERVER);
+    const bool disagrees =
+        rsi::is_finite(difference) && (out ? !rsi::is_within_magnitude(difference, 2.0F * agreement_rad)
+                                           : before.roll_sensor_disagrees != 0);
+    const bool lateral_is_wrong = disagrees && turn_consistency_.suspicious();
+    if (lateral_is_wrong) {
+        memory.report(lateral, true);
+    }
+    memory.report(roll_sensor, disagrees && !lateral_is_wrong);
+}
+
+void InputMonitor::take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept {
+    const bool roll_contradiction = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
+                                                     DiagnosticCode::roll_rate_offset);
+    if (either_confirmed(memory, DiagnosticCode::lateral_acceleration_stuck,
+                         DiagnosticCode::lateral_acceleration_contradicts_yaw_rate)) {
+        inputs.lateral_specific_force_mps2 = rsi::not_available;
+    }
+    if (memory.confirmed(DiagnosticCode::vertical_acceleration_stuck)) {
+        inputs.vertical_specific_force_mps2 = rsi::not_available;
+    }
+    if (memory.confirmed(DiagnosticCode::roll_rate_stuck) || (roll_contradiction && roll_rate_is_wrong_)) {
+        inputs.roll_rate_radps = rsi::not_available;
+    }
+    if (either_confirmed(memory, DiagnosticCode::roll_angle_stuck,
+                         DiagnosticCode::roll_sensor_contradicts_observer) ||
+        (roll_contradiction && !roll_rate_is_wrong_)) {
+        inputs.roll_angle_rad = rsi::not_available;
+    }
+    if (either_confirmed(memory, DiagnosticCode::yaw_rate_stuck,
+                         DiagnosticCode::yaw_rate_contradicts_lateral_acceleration)) {
+        inputs.yaw_rate_radps = rsi::not_available;
+    }
+}
+
+}  // namespace monitoring

@@ -1,0 +1,39 @@
+// Signal check: range and jump of one signal; a value that fails is bridged until its code is confirmed.
+#pragma once
+
+#include "monitoring/diagnostic_memory.hpp"
+#include "rsi/numeric/bounded.hpp"
+
+namespace monitoring {
+
+struct SignalLimits {
+    float minimum;
+    float maximum;
+    float jump;  // largest change in one cycle
+    DiagnosticCode invalid;
+    DiagnosticCode jumps;
+};
+
+class SignalCheck {
+ public:
+    constexpr explicit SignalCheck(const SignalLimits& limits) noexcept : limits_{limits} {}
+
+    // One value that its frame has brought. `expected_change` is what others say that it has changed by.
+    // A value beyond its range, or further from the last good one than a cycle allows, gives that last one,
+    // until the code is confirmed; then NaN, until it is healed. What is NaN already gives NaN at once.
+    float qualify(float value, DiagnosticMemory& memory, float expected_change = 0.0F) noexcept;
+
+    // A cycle without its frame.
+    void forget() noexcept { known_ = false; }
+
+ private:
+    bool has_jumped(float value, float expected_change) const noexcept {
+        return !rsi::is_within_magnitude(value - good_ - expected_change, limits_.jump);
+    }
+
+    SignalLimits limits_;
+    float good_{0.0F};
+    bool known_{false};  // good_ is a value
+};
+
+}  // namespace monitoring

@@ -1,0 +1,35 @@
+// Stuck check: the very same value again and again, while another signal shows that it must move.
+#pragma once
+
+#include <cstdint>
+
+#include "rsi/numeric/bounded.hpp"
+
+namespace monitoring {
+
+class StuckCheck {
+ public:
+    // `witness_span`: how far the witness has to move while the value does not.
+    constexpr explicit StuckCheck(float witness_span) noexcept : witness_span_{witness_span} {}
+
+    // One cycle; false when either is not finite. The equality of floats is meant: a sensor that lives has
+    // noise, and a frozen one repeats its code.
+    bool is_stuck(float value, float witness) noexcept;
+
+    // It has not moved for longer than the noise of a living sensor allows; no proof by itself.
+    bool seems_frozen() const noexcept { return repetitions_ >= suspicious_repetitions; }
+
+ private:
+    static constexpr std::uint32_t fewest_repetitions = 20U;
+    static constexpr std::uint32_t suspicious_repetitions = 5U;
+
+    bool repeats(float value) const noexcept { return (value <= value_) && (value >= value_); }
+
+    float witness_span_;
+    float value_{rsi::not_available};
+    float lowest_{rsi::not_available};
+    float highest_{rsi::not_available};
+    std::uint32_t repetitions_{0U};
+};
+
+}  // namespace monitoring

@@ -1,0 +1,173 @@
+// What the ECU does with sensors that lie: by itself each frame is good, but the values cannot be.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "tests/application/bench.hpp"
+#include "tests/application/roll_plane_vehicle.hpp"
+
+namespace testing_application {
+namespace {
+
+using State = can_dbc::RolloverWarning::State;
+using Code = can_dbc::RolloverDiagnosis::Code;
+using CodeStatus = can_dbc::RolloverDiagnosis::CodeStatus;
+using Degradation = can_dbc::RolloverDiagnosis::Degradation;
+
+// Slow enough for no warning, fast enough that everything moves.
+double slalom_mps2(double time_s) {
+    return 4.0 * std::sin(2.0 * time_s);
+}
+
+// A slalom whose sensors can be falsified, `delay_s` after its start.
+struct Slalom {
+    explicit Slalom(std::function<void(Motion&, double)> falsify) {
+        bench.drive([this, falsify](double time_s) {
+            vehicle.advance(slalom_mps2(time_s));
+            Motion motion = vehicle.motion();
+            if (faulty) {
+                falsify(motion, time_s);
+            }
+            return motion;
+        });
+        bench.run_for(3.0);
+    }
+
+    bool confirmed_since(std::size_t from, Code code) const {
+        for (std::size_t index = from; index < bench.cycles().size(); ++index) {
+            const can_dbc::RolloverDiagnosis& diagnosis = bench.cycles()[index].diagnosis.value;
+            if (diagnosis.code == code && diagnosis.code_status == CodeStatus::confirmed) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool faulty{false};
+    Bench bench;
+    RollPlaneVehicle vehicle{large_suv()};
+};
+
+struct Lie {
+    const char* name;
+    std::function<void(Motion&, double)> falsify;
+    Code code;
+    Degradation degradation;
+    double at_the_latest_s;
+};
+
+void PrintTo(const Lie& lie, std::ostream* out) {
+    *out << lie.name;
+}
+
+class ALie : public ::testing::TestWithParam<Lie> {};
+
+TEST_P(ALie, IsConfirmedDegradesAsStatedAndHeals) {
+    const Lie& lie = GetParam();
+    Slalom slalom{lie.falsify};
+    EXPECT_EQ(slalom.bench.last().diagnosis.value.degradation, Degradation::full);
+    ASSERT_EQ(slalom.bench.last().diagnosis.value.code, Code::none) << "before the fault";
+    const std::size_t from = slalom.bench.cycles().size();
+
+    slalom.faulty = true;
+    slalom.bench.run_for(lie.at_the_latest_s);
+    EXPECT_TRUE(slalom.confirmed_since(from, lie.code));
+    const can_dbc::RolloverDiagnosis& diagnosis = slalom.bench.last().diagnosis.value;
+    EXPECT_EQ(diagnosis.degradation, lie.degradation) << static_cast<int>(diagnosis.degradation);
+    EXPECT_EQ(slalom.bench.state() == State::unavailable, lie.degradation == Degradation::unavailable);
+    EXPECT_GE(diagnosis.occurrences, 1U);
+
+    slalom.faulty = false;
+    slalom.bench.run_for(4.0);
+    EXPECT_EQ(slalom.bench.last().diagnosis.value.degradation, Degradation::full);
+    EXPECT_EQ(slalom.bench.last().diagnosis.value.code_status, CodeStatus::healed);
+}
+
+std::function<void(Motion&, double)> frozen(float& (*signal)(Motion&)) {
+    return [signal, first = true, value = 0.0F](Motion& motion, double) mutable {
+        value = first ? signal(motion) : value;
+        first = false;
+        signal(motion) = value;
+    };
+}
+
+float& lateral(Motion& motion) {
+    return motion.imu.lateral_acceleration_mps2;
+}
+float& roll_rate(Motion& motion) {
+    return motion.imu.roll_rate_deg_per_s;
+}
+float& roll_angle(Motion& motion) {
+    return motion.roll_angle.roll_angle_deg;
+}
+float& yaw_rate(Motion& motion) {
+    return motion.vehicle_motion.yaw_rate_deg_per_s;
+}
+float& speed(Motion& motion) {
+    return motion.vehicle_motion.speed_kmh;
+}
+
+std::function<void(Motion&, double)> set_to(float& (*signal)(Motion&), float value) {
+    return [signal, value](Motion& motion, double) { signal(motion) = value; };
+}
+
+std::function<void(Motion&, double)> shaken(float& (*signal)(Motion&), float by) {
+    return [signal, by, up = false](Motion& motion, double) mutable {
+        up = !up;
+        signal(motion) += up ? by : -by;
+    };
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfOneSensor, ALie,
+    ::testing::Values(
+        Lie{"LateralAccelerationSaturated", set_to(lateral, 60.0F), Code::lateral_acceleration_invalid,
+            Degradation::unavailable, 0.05},
+        Lie{"RollRateSaturated", set_to(roll_rate, -300.0F), Code::roll_rate_invalid,
+            Degradation::unavailable, 0.05},
+        Lie{"RollAngleSaturated", set_to(roll_angle, 120.0F), Code::roll_angle_invalid,
+            Degradation::roll_sensor_lost, 0.05},
+        Lie{"YawRateSaturated", set_to(yaw_rate, 300.0F), Code::yaw_rate_invalid, Degradation::motion_lost,
+            0.05},
+        Lie{"SpeedSaturated", set_to(speed, 400.0F), Code::speed_invalid, Degradation::motion_lost, 0.05},
+        Lie{"LateralAccelerationInABurstOfNoise", shaken(lateral, 15.0F), Code::lateral_acceleration_jump,
+            Degradation::unavailable, 0.05},
+        Lie{"RollRateInABurstOfNoise", shaken(roll_rate, 50.0F), Code::roll_rate_jump,
+            Degradation::unavailable, 0.05},
+        Lie{"RollAngleInABurstOfNoise", shaken(roll_angle, 6.0F), Code::roll_angle_jump,
+            Degradation::roll_sensor_lost, 0.05},
+        Lie{"LateralAccelerationFrozen", frozen(lateral), Code::lateral_acceleration_stuck,
+            Degradation::unavailable, 1.0},
+        Lie{"RollAngleFrozen", frozen(roll_angle), Code::roll_angle_stuck, Degradation::roll_sensor_lost,
+            1.0},
+        Lie{"YawRateFrozen", frozen(yaw_rate), Code::yaw_rate_stuck, Degradation::motion_lost, 1.0}),
+    [](const auto& tested) { return std::string{tested.param.name}; });
+
+TEST(ARollSensor, ThatContradictsTheObserverIsTakenOutUntilTheyAgreeForASecond) {
+    Bench bench;
+    bench.run_for(3.0);
+    Motion motion;
+    motion.roll_angle.roll_angle_deg = 12.0F;  // on a straight road
+    bench.drive(motion);
+    bench.run_for(1.0);
+    EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::roll_sensor_lost);
+    EXPECT_EQ(bench.state(), State::ready);
+    bench.drive(Motion{});
+    bench.run_for(0.9);
+    EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::roll_sensor_lost);
+    bench.run_for(1.5);
+    EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::full);
+}
+
+TEST(GoodSensors, OfASlalomSetNoCode) {
+    const Slalom slalom{[](Motion&, double) {}};
+    for (const Cycle& cycle : slalom.bench.cycles()) {
+        ASSERT_EQ(cycle.diagnosis.value.code, Code::none);
+    }
+}
+
+}  // namespace
+}  // namespace testing_application
