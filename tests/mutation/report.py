@@ -27,10 +27,11 @@ def _share(answers):
     return f"{100 * _killed(answers) / len(answers):.1f} %" if answers else ""
 
 
-def summary(results):
+def summary(results, wanted):
     answers = list(results.values())
     how = collections.Counter(answers)
-    return (f"{_killed(answers)} of {len(answers)} mutants are killed, {_share(answers)}: {how['killed by a test']} by a failing "
+    part = f"Of {wanted} mutants, {len(answers)} were tried, most of them drawn at random. " if len(answers) < wanted else ""
+    return (f"{part}{_killed(answers)} of {len(answers)} mutants are killed, {_share(answers)}: {how['killed by a test']} by a failing "
             f"test, {how['killed by a crash']} by a crash, {how['killed by the time limit']} by the time limit; "
             f"{how['survived']} survive.\n")
 
@@ -54,10 +55,10 @@ def _table(heading, mutants, results, of):
     return rows + [""]
 
 
-def page(mutants, record, results, reviewed):
-    """What the documentation shows of a whole run."""
-    compiled = sum(only_compiled(mutant, record) for mutant in mutants)
-    rows = [summary(results)]
+def page(mutants, wanted, results, reviewed):
+    """What the documentation shows of a run."""
+    compiled = len(mutants) - len(wanted)
+    rows = [summary(results, len(wanted))]
     rows += _table("file", mutants, results, lambda mutant: f"`{mutant.file}`")
     rows += _table("operator", mutants, results, lambda mutant: mutant.operator)
     rows += [f"Not mutated, or not tried: {compiled} mutants of constants that only the compiler evaluates; "

@@ -94,11 +94,12 @@ class Trial:
                 return how, (program, killer)
         return SURVIVED, None
 
-    def run(self, mutants, jobs):
-        """Number of each mutant: "survived" or "killed ...". In a random order, so that a run that is interrupted has tried a
-        random sample."""
+    def run(self, mutants, jobs, minutes=None):
+        """Number of each mutant: "survived" or "killed ...". Of those that were tried: a run may end after so many minutes.
+        First come those of earlier runs, then the others in a random order, so that what was tried is a random sample."""
         waiting = [mutant for mutant in mutants if mutant.id not in self._results]
         random.Random(1).shuffle(waiting)
+        waiting.sort(key=lambda mutant: mutant.key() in self._killer or mutant.key() in self._asked)
         start, whole = time.monotonic(), len(waiting)
 
         def report():
@@ -112,7 +113,7 @@ class Trial:
             running = {}
             while True:
                 with self._lock:
-                    if not waiting:
+                    if not waiting or (minutes is not None and time.monotonic() > start + 60 * minutes):
                         break
                     mutant = waiting.pop()
                 how, killer = self._try(mutant, running)
@@ -128,4 +129,4 @@ class Trial:
 
         with self._file.open("a") as file, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             list(pool.map(work, [file] * jobs))
-        return {mutant.id: self._results[mutant.id] for mutant in mutants}
+        return {mutant.id: self._results[mutant.id] for mutant in mutants if mutant.id in self._results}

@@ -1,5 +1,6 @@
-// The consider-Kalman filter in float against its equations in double, sample by sample, over a drive in which
-// each of its bounds is passed: straights and turns of every sharpness, braking, bumps, near wheel lift.
+// The consider-Kalman filter in float against its equations in double, sample by sample, over a drive in
+// which each of its bounds is passed: straights and turns of every sharpness, braking, bumps, near wheel
+// lift.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,8 @@ double wide(float value) {
     return static_cast<double>(value);
 }
 
-// Ever sharper turns with straights between, to the left and to the right; every second one is entered slowly.
+// Ever sharper turns with straights between, to the left and to the right; every second one is entered
+// slowly.
 double force_mps2(double time_s) {
     const int turn = static_cast<int>(time_s / 8.0);
     const double within_s = time_s - 8.0 * turn;

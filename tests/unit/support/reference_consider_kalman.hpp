@@ -51,12 +51,12 @@ class ReferenceConsiderKalman {
 
     void next(const rsi::Measurement& measured, double extended_rsi, double speed_mps) {
         const double phi = wide(measured.roll_angle_rad);
-        const double M = phi * (wide(p_.roll_stiffness_nmprad) +
-                                std::pow(phi, 2) * wide(p_.roll_stiffness_cubic_nmprad3) +
-                                std::pow(phi, 4) * wide(p_.roll_stiffness_quintic_nmprad5));
-        const double f = wide(p_.sprung_mass_kg) *
-                         (wide(measured.road_parallel_force_mps2) +
-                          wide(measured.road_normal_force_mps2) * wide(measured.tan_roll_angle));
+        const double M =
+            phi * (wide(p_.roll_stiffness_nmprad) + std::pow(phi, 2) * wide(p_.roll_stiffness_cubic_nmprad3) +
+                   std::pow(phi, 4) * wide(p_.roll_stiffness_quintic_nmprad5));
+        const double f =
+            wide(p_.sprung_mass_kg) * (wide(measured.road_parallel_force_mps2) +
+                                       wide(measured.road_normal_force_mps2) * wide(measured.tan_roll_angle));
         const double c_f = wide(p_.roll_damping_nmsprad);
         force_.next(f);
         rate_.next(wide(measured.roll_rate_radps));
@@ -73,8 +73,8 @@ class ReferenceConsiderKalman {
 
         // z = G dh + M(phi) k + d, as innovation against dh and d.
         const Eigen::Vector3d h{force_.mean, M, 1.0};
-        const double noise = 1.5 * (std::pow(400.0, 2) + std::pow(0.25 * c_f * rate_.mean, 2) +
-                                    std::pow(0.3 * inertia, 2));
+        const double noise =
+            1.5 * (std::pow(400.0, 2) + std::pow(0.25 * c_f * rate_.mean, 2) + std::pow(0.3 * inertia, 2));
         const Eigen::Vector3d c = P_ * h;
         const double S = h.dot(c) + noise;
         const double e = moment_.mean - inertia - force_.mean * dh_ - d_;
@@ -103,8 +103,7 @@ class ReferenceConsiderKalman {
     double lag_s() const { return wide(p_.estimator_filter_lag_s); }
     double prior() const { return std::pow(wide(p_.roll_centre_prior_deviation_m), 2); }
     double arm() const {
-        return wide(p_.sprung_mass_kg) *
-               (wide(p_.sprung_cg_height_m) - wide(p_.fixed_roll_centre_height_m));
+        return wide(p_.sprung_mass_kg) * (wide(p_.sprung_cg_height_m) - wide(p_.fixed_roll_centre_height_m));
     }
     double drift() const { return std::pow(0.0005 * gravity_mps2 * arm(), 2) * 0.02; }
 
