@@ -103,26 +103,5 @@ TEST(EachSentStatus, BearsTheSoftwaresVersion) {
     }
 }
 
-can_dbc::RollObserver observer_of(const Cycle& cycle) {
-    for (const hal::CanFrame& frame : cycle.frames) {
-        if (frame.identifier == can_dbc::RollObserver::identifier) {
-            return can_dbc::decode<can_dbc::RollObserver>(frame.data).value;
-        }
-    }
-    ADD_FAILURE() << "the cycle has no frame of the observer";
-    return {};
-}
-
-TEST(TheObserversFrame, SaysThatTheRollSensorContradictsIt) {
-    Bench bench;
-    bench.run_for(1.0);
-    EXPECT_FALSE(observer_of(bench.last()).roll_sensor_disagrees);
-    Motion standing;
-    standing.roll_angle.roll_angle_deg = 8.0F;
-    bench.drive(standing);
-    bench.run_for(0.5);
-    EXPECT_TRUE(observer_of(bench.last()).roll_sensor_disagrees);
-}
-
 }  // namespace
 }  // namespace testing_application
