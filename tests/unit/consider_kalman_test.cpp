@@ -363,4 +363,25 @@ TEST(ConsiderKalman, GivesTheInertiasMomentAsItActsOnTheBody) {
     EXPECT_LT(drive.step(6.0).inertia_moment_nm, -100.0F);  // it starts to roll to the outside
 }
 
+TEST(ConsiderKalman, AfterAResetItIsAsNew) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    InertialDeviation deviation;
+    deviation.vertical_m = -0.05;
+    deviation.offset_mps2 = 0.2;
+    Drive used(deviation);
+    used.turn_until(5.0);
+    used.estimator().reset();
+    rsi::ConsiderKalman fresh;
+    fresh.init(parameters);
+    InertialRollVehicle vehicle(parameters, deviation);
+    for (int k = 0; k < 300; ++k) {
+        const rsi::Measurement measured = vehicle.drive(turn_mps2(0.01 * k));
+        const RollCentreEstimate one = used.estimator().update(measured, 0.0F, speed_mps);
+        const RollCentreEstimate other = fresh.update(measured, 0.0F, speed_mps);
+        ASSERT_EQ(one.vertical_movement_m, other.vertical_movement_m) << k;
+        ASSERT_EQ(one.deviation_m, other.deviation_m) << k;
+        ASSERT_EQ(one.frozen, other.frozen) << k;
+    }
+}
+
 }  // namespace

@@ -125,4 +125,23 @@ TEST(IndicatorLevel, StaysBetweenZeroAndTwenty) {
     EXPECT_EQ(rsi::indicator_level(outputs, driven_by(RSI_INDICATOR_ENERGY)), 0.0F);
 }
 
+TEST(IndicatorLevel, EndsAtTwentyItself) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    rsi_outputs outputs{};
+    parameters.warning_indicator = RSI_INDICATOR_ENERGY;
+    outputs.energy_margin = -20.0F;
+    EXPECT_EQ(rsi::indicator_level(outputs, parameters), 20.0F);
+    outputs.energy_margin = -18.5F;
+    EXPECT_EQ(rsi::indicator_level(outputs, parameters), 19.5F);
+}
+
+TEST(IndicatorLevel, ATimeBelowTenMillisecondsCountsAsTen) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER;
+    parameters.time_to_rollover_limit_s = 0.1F;
+    rsi_outputs outputs{};
+    outputs.time_to_rollover_s = 0.0F;
+    EXPECT_FLOAT_EQ(rsi::indicator_level(outputs, parameters), 10.0F);
+}
+
 }  // namespace

@@ -81,6 +81,19 @@ TEST(RobustLeastSquares, AgreesWithTheDoubleReferenceOnADrive) {
     }
 }
 
+// The same over fifteen seconds.
+TEST(RobustLeastSquares, AgreesWithTheDoubleReferenceFromItsStart) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.forgetting_factor = 0.99F;
+    parameters.covariance_limit = 1.0e6F;
+    const Difference largest =
+        largest_difference_over_drive(parameters, Deviation{0.05, -5.0e3, 600.0}, 1500);
+    EXPECT_LT(largest.vertical_m, 1.0e-5);
+    EXPECT_LT(largest.stiffness, 1.0e-4);
+    EXPECT_LT(largest.damping, 1.0e-4);
+    EXPECT_LT(largest.disturbance_nm, 1.0e-4 * wide(parameters.regression_scale_nm));
+}
+
 TEST(RobustLeastSquares, TheCovarianceAgreesWithTheDoubleReference) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.covariance_limit = 1.0e6F;
@@ -237,6 +250,33 @@ TEST(RobustLeastSquares, AboveItsLimitWhatIsNotExcitedStaysAsItIs) {
     const float before = estimator.covariance().p11;
     estimator.update(regression);
     EXPECT_EQ(estimator.covariance().p11, before);
+}
+
+TEST(RobustLeastSquares, StartsWithTheUnitMatrix) {
+    const rsi::Covariance& P = estimator_of(rsi_test::large_suv()).covariance();
+    EXPECT_EQ(P.p00, 1.0F);
+    EXPECT_EQ(P.p11, 1.0F);
+    EXPECT_EQ(P.p22, 1.0F);
+    EXPECT_EQ(P.p01, 0.0F);
+    EXPECT_EQ(P.p02, 0.0F);
+    EXPECT_EQ(P.p12, 0.0F);
+}
+
+// (10) with lambda = 1, in the one direction that is excited.
+TEST(RobustLeastSquares, AboveItsLimitWhatIsExcitedIsLearntWithoutForgetting) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.forgetting_factor = 0.95F;
+    parameters.covariance_limit = 5.0F;
+    rsi::RobustLeastSquares estimator = estimator_of(parameters);
+    rsi::Regression regression{};
+    regression.psi << parameters.regression_scale_nm / parameters.initial_roll_centre_deviation_m, 0.0F, 0.0F;
+    while (estimator.covariance().trace() <= parameters.covariance_limit) {
+        estimator.update(regression);
+    }
+    const double before = wide(estimator.covariance().p00);
+    estimator.update(regression);
+    EXPECT_NEAR(wide(estimator.covariance().p00), before - before * before / (1.0 + 2.0 * before),
+                1.0e-5 * before);
 }
 
 }  // namespace
