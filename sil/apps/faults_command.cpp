@@ -1,0 +1,100 @@
+#include "sil/apps/faults_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "sil/analysis/atomic_file.hpp"
+#include "sil/calibration/calibration_file.hpp"
+#include "sil/faults/fault_matrix.hpp"
+#include "sil/vehicle/parameter_file.hpp"
+
+namespace sil {
+namespace {
+
+struct FaultsRequest {
+    std::string vehicle_file;
+    std::string calibration_file;
+    std::filesystem::path document;
+    std::filesystem::path checked;
+};
+
+std::string text_of(const std::filesystem::path& path) {
+    std::ifstream file{path};
+    if (!file) {
+        throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
+    }
+    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
+}
+
+// The first line in which two texts differ, for a message.
+std::string first_difference(const std::string& held, const std::string& measured) {
+    std::size_t begin = 0U;
+    std::size_t position = 0U;
+    while (position < held.size() && position < measured.size() && held[position] == measured[position]) {
+        if (held[position] == '\n') {
+            begin = position + 1U;
+        }
+        ++position;
+    }
+    const auto line = [begin](const std::string& text) {
+        return text.substr(std::min(begin, text.size()), text.find('\n', begin) - begin);
+    };
+    return fmt::format("  the document: {}\n  measured:     {}", line(held), line(measured));
+}
+
+void print_unexpected(const FaultMatrix& matrix) {
+    for (const FaultRow& row : matrix.rows) {
+        for (std::size_t scene = 0U; scene < row.cells.size(); ++scene) {
+            const FaultCell& cell = row.cells[scene];
+            if (!cell.shortfalls.empty()) {
+                fmt::print("{} | {} | {}: {} ({})\n", describe(row.fault), to_string(row.fault.place),
+                           matrix.scenes[scene].name, fmt::join(cell.shortfalls, "; "),
+                           describe(cell.reaction));
+            }
+        }
+    }
+}
+
+void run_faults(const FaultsRequest& request) {
+    const FaultMatrix matrix =
+        run_fault_matrix(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file));
+    const std::string document = fault_matrix_document(matrix);
+    const CellCount count = count_cells(matrix);
+    print_unexpected(matrix);
+    fmt::print("{} faults in {} scenes: {} of {} cells as expected\n", matrix.rows.size(),
+               matrix.scenes.size(), count.as_expected, count.all);
+    if (!request.document.empty()) {
+        write_file_atomically(request.document, document);
+    }
+    if (!request.checked.empty()) {
+        const std::string held = text_of(request.checked);
+        if (held != document) {
+            throw std::runtime_error(
+                fmt::format("{} holds other figures than this run; sil/faults/run --document renews it.\n{}",
+                            request.checked.string(), first_difference(held, document)));
+        }
+    }
+}
+
+}  // namespace
+
+void add_faults_command(CLI::App& app) {
+    const auto request = std::make_shared<FaultsRequest>();
+    CLI::App* command =
+        app.add_subcommand("faults", "Inject every fault into every scene and judge what the ECU does");
+    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
+        ->required();
+    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
+        ->required();
+    command->add_option("--document", request->document, "Write the matrix as a page");
+    command->add_option("--check", request->checked, "Compare the matrix with a page; other figures fail");
+    command->callback([request] { run_faults(*request); });
+}
+
+}  // namespace sil

@@ -1,0 +1,104 @@
+// The table of expectations: first the kind of fault, then the place.
+#include "sil/faults/expectation.hpp"
+
+#include <array>
+
+namespace sil {
+namespace {
+
+constexpr int at_once_ms = 50;  // the frame itself shows that something is wrong
+// What only a comparison over some time shows.
+constexpr int roll_debounce_ms = 350;
+constexpr int debounce_ms = 500;
+
+constexpr int recovery_of_frames_ms = 250;
+constexpr int recovery_of_values_ms = 3000;
+constexpr int warning_hold_ms = 2000;  // warning_hold_s of the calibration
+
+// What must follow when nothing usable comes from there.
+Demand demand_of_loss(FaultPlace place) {
+    switch (place) {
+        case FaultPlace::lateral_acceleration:
+        case FaultPlace::roll_rate:
+        case FaultPlace::imu_frame:
+        case FaultPlace::all_sensor_frames:
+            return Demand::unavailable;
+        case FaultPlace::roll_angle:
+        case FaultPlace::roll_angle_frame:
+            return Demand::roll_sensor_lost;
+        default:
+            return Demand::usable;
+    }
+}
+
+Expectation contradiction(FaultPlace place) {
+    const bool roll = place == FaultPlace::roll_angle;
+    return {Demand::reported, roll ? roll_debounce_ms : debounce_ms, recovery_of_values_ms};
+}
+
+}  // namespace
+
+Expectation expectation_of(const Fault& fault) {
+    switch (fault.kind) {
+        case FaultKind::frozen:
+        case FaultKind::offset:
+        case FaultKind::drift:
+        case FaultKind::noise:
+        case FaultKind::sign_flip:
+            return contradiction(fault.place);
+        case FaultKind::saturated:
+            return {demand_of_loss(fault.place), at_once_ms, recovery_of_values_ms};
+        case FaultKind::not_available:
+            if (fault.place == FaultPlace::bank_angle) {  // as in most vehicles, which have no such sensor
+                return {Demand::unaffected, 0, at_once_ms};
+            }
+            return {demand_of_loss(fault.place), at_once_ms, recovery_of_frames_ms};
+        case FaultKind::out_of_range:
+        case FaultKind::lost:
+        case FaultKind::bad_crc:
+        case FaultKind::counter_stands:
+        case FaultKind::counter_jumps:
+        case FaultKind::wrong_length:
+            return {demand_of_loss(fault.place), at_once_ms, recovery_of_frames_ms};
+        case FaultKind::delayed:
+            return fault.magnitude > 30.0
+                       ? Expectation{demand_of_loss(fault.place), at_once_ms, recovery_of_frames_ms}
+                       : Expectation{Demand::unaffected, 0, at_once_ms};
+        case FaultKind::swapped:
+            // Two frames are lost: Imu among them, or RollAngle and VehicleMotion, without which no roll angle
+            // is known.
+            return {Demand::unavailable, at_once_ms, recovery_of_frames_ms};
+        case FaultKind::doubled:
+        case FaultKind::error_passive:
+            return {Demand::usable, at_once_ms, recovery_of_frames_ms};
+        case FaultKind::flood_foreign:  // up to what the bus can carry, all of it is read in a cycle
+            return fault.magnitude < 50.0
+                       ? Expectation{Demand::unaffected, 0, at_once_ms}
+                       : Expectation{Demand::reported, at_once_ms, recovery_of_frames_ms};
+        case FaultKind::flood_own:
+            return {Demand::reported, at_once_ms, recovery_of_frames_ms};
+        case FaultKind::bus_off:
+            return {Demand::reported, at_once_ms, recovery_of_frames_ms};
+        case FaultKind::clock_jump:
+            return fault.magnitude > 0.0
+                       ? Expectation{Demand::reported, at_once_ms, recovery_of_frames_ms}
+                       : Expectation{Demand::unaffected, 0, at_once_ms};
+        case FaultKind::process_stop:
+            return fault.magnitude > 30.0
+                       ? Expectation{Demand::unavailable, at_once_ms, recovery_of_frames_ms}
+                       : Expectation{Demand::usable, at_once_ms, recovery_of_frames_ms};
+    }
+    return {};
+}
+
+int longest_false_warning_ms(const Expectation& expectation) {
+    return expectation.reaction_ms + warning_hold_ms;
+}
+
+const char* to_string(Demand demand) {
+    constexpr std::array names{"no change", "code", "code, usable", "code, roll from the observer",
+                               "code, unavailable"};
+    return names[static_cast<std::size_t>(demand)];
+}
+
+}  // namespace sil

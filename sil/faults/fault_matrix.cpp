@@ -1,0 +1,66 @@
+#include "sil/faults/fault_matrix.hpp"
+
+#include <optional>
+#include <stdexcept>
+
+#include "sil/simulation/pace.hpp"
+
+namespace sil {
+namespace {
+
+// A drive with the same sensors and no fault.
+Fault none_at(FaultPlace place) {
+    return {FaultKind::offset, place, 0.0};
+}
+
+void place_fault_at_warning(Scene& scene, const rsi::Parameters& calibration) {
+    const FaultyRun right = run_with_fault(scene, std::nullopt, calibration);
+    const auto before = static_cast<std::size_t>(before_warning_s / cycle_time_s + 0.5);
+    for (std::size_t cycle = before; cycle < right.answers.size(); ++cycle) {
+        if (right.answers[cycle]->state == WarningState::warning) {
+            scene.fault_begin = cycle - before;
+            return;
+        }
+    }
+    throw std::runtime_error("the ECU does not warn in the scene \"" + scene.name +
+                             "\": the calibration does not belong to the vehicle");
+}
+
+}  // namespace
+
+FaultMatrix run_fault_matrix(const VehicleParameters& vehicle, const rsi::Parameters& calibration) {
+    FaultMatrix matrix;
+    matrix.scenes = record_scenes(vehicle);
+    for (const Fault& fault : all_faults()) {
+        matrix.rows.push_back({fault, {}});
+    }
+    for (Scene& scene : matrix.scenes) {
+        if (scene.at_warning) {
+            place_fault_at_warning(scene, calibration);
+        }
+        const FaultyRun without_bank = run_with_fault(scene, std::nullopt, calibration);
+        const FaultyRun with_bank = run_with_fault(scene, none_at(FaultPlace::bank_angle), calibration);
+        for (FaultRow& row : matrix.rows) {
+            const FaultyRun& right = row.fault.place == FaultPlace::bank_angle ? with_bank : without_bank;
+            FaultCell cell;
+            cell.reaction =
+                measure(scene, row.fault, right, run_with_fault(scene, row.fault, calibration));
+            cell.shortfalls = shortfalls(row.fault, cell.reaction);
+            row.cells.push_back(std::move(cell));
+        }
+    }
+    return matrix;
+}
+
+CellCount count_cells(const FaultMatrix& matrix) {
+    CellCount count;
+    for (const FaultRow& row : matrix.rows) {
+        for (const FaultCell& cell : row.cells) {
+            ++count.all;
+            count.as_expected += cell.shortfalls.empty() ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
+}  // namespace sil
