@@ -21,7 +21,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rsi)
 set(header_patterns FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 
 install(TARGETS ${rsi_installed} EXPORT rsiTargets INCLUDES DESTINATION ${headers})
-install(DIRECTORY firmware/rsi firmware/application DESTINATION ${headers} ${header_patterns})
+install(DIRECTORY firmware/rsi firmware/monitoring firmware/application DESTINATION ${headers} ${header_patterns})
 install(DIRECTORY can_dbc/codec can_dbc/e2e can_dbc/generated DESTINATION ${headers}/can_dbc ${header_patterns})
 install(DIRECTORY hal/interface DESTINATION ${headers}/hal ${header_patterns})
 install(DIRECTORY firmware/calibrations DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)

@@ -1085,6 +1085,380 @@ constexpr Decoded<RollObserver> RollObserver::decode(const std::uint8_t* payload
     return decoded;
 }
 
+// What the component can still do, and its diagnostic memory, one code a cycle.
+// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+struct RolloverDiagnosis {
+    // What the component can still do with the inputs that it has.
+    enum class Degradation : std::uint8_t {
+        unavailable = 0,
+        full = 1,
+        roll_sensor_lost = 2,
+        motion_lost = 3,
+        internal_fault = 4,
+    };
+
+    // The diagnostic code that this frame tells of; each cycle the next one in the memory.
+    enum class Code : std::uint8_t {
+        none = 0,
+        imu_lost = 1,
+        imu_damaged = 2,
+        roll_angle_lost = 3,
+        roll_angle_damaged = 4,
+        vehicle_motion_lost = 5,
+        vehicle_motion_damaged = 6,
+        lateral_acceleration_invalid = 7,
+        lateral_acceleration_jump = 8,
+        lateral_acceleration_stuck = 9,
+        vertical_acceleration_invalid = 10,
+        vertical_acceleration_jump = 11,
+        vertical_acceleration_stuck = 12,
+        roll_rate_invalid = 13,
+        roll_rate_jump = 14,
+        roll_rate_stuck = 15,
+        roll_angle_invalid = 16,
+        roll_angle_jump = 17,
+        roll_angle_stuck = 18,
+        yaw_rate_invalid = 19,
+        yaw_rate_jump = 20,
+        yaw_rate_stuck = 21,
+        speed_invalid = 22,
+        speed_jump = 23,
+        speed_stuck = 24,
+        steering_invalid = 25,
+        steering_jump = 26,
+        steering_stuck = 27,
+        roll_rate_contradicts_roll_angle = 28,
+        lateral_acceleration_contradicts_yaw_rate = 29,
+        roll_sensor_contradicts_observer = 30,
+        roll_rate_offset = 31,
+        lateral_acceleration_offset = 32,
+        parameters_refused = 33,
+        parameters_damaged = 34,
+        estimate_out_of_range = 35,
+        output_not_finite = 36,
+        cycle_overrun = 37,
+        cycle_stall = 38,
+        clock_jump = 39,
+        bus_error = 40,
+        receive_overflow = 41,
+    };
+
+    // How far that code has come.
+    enum class CodeStatus : std::uint8_t {
+        none = 0,
+        set = 1,
+        confirmed = 2,
+        healed = 3,
+    };
+
+    static constexpr const char* name{"RolloverDiagnosis"};
+    static constexpr std::uint32_t identifier{0x235U};
+    static constexpr bool extended{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint16_t e2e_data_id{0xCD3U};
+
+    // What the component can still do with the inputs that it has.
+    Degradation degradation{Degradation::unavailable};
+    // The diagnostic code that this frame tells of; each cycle the next one in the memory.
+    Code code{Code::none};
+    // How far that code has come.
+    CodeStatus code_status{CodeStatus::none};
+    // How often that code was confirmed since the start; stays at 31. 0 to 31.
+    std::uint8_t occurrences{0U};
+    // Lateral acceleration when that code was confirmed for the first time. m/s^2, -30 to 30.
+    float first_lateral_acceleration_mps2{not_available};
+    // Roll rate when that code was confirmed for the first time. deg/s, -250 to 250.
+    float first_roll_rate_deg_per_s{not_available};
+    // Roll angle when that code was confirmed for the first time. deg, -60 to 60.
+    float first_roll_angle_deg{not_available};
+    // Speed when that code was confirmed for the first time. km/h, 0 to 250.
+    float first_speed_kmh{not_available};
+
+    struct Status {
+        SignalStatus degradation{SignalStatus::not_available};
+        SignalStatus code{SignalStatus::not_available};
+        SignalStatus code_status{SignalStatus::not_available};
+        SignalStatus occurrences{SignalStatus::not_available};
+        SignalStatus first_lateral_acceleration_mps2{SignalStatus::not_available};
+        SignalStatus first_roll_rate_deg_per_s{SignalStatus::not_available};
+        SignalStatus first_roll_angle_deg{SignalStatus::not_available};
+        SignalStatus first_speed_kmh{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return degradation == SignalStatus::valid &&
+                   code == SignalStatus::valid &&
+                   code_status == SignalStatus::valid &&
+                   occurrences == SignalStatus::valid &&
+                   first_lateral_acceleration_mps2 == SignalStatus::valid &&
+                   first_roll_rate_deg_per_s == SignalStatus::valid &&
+                   first_roll_angle_deg == SignalStatus::valid &&
+                   first_speed_kmh == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr EnumerationSignal degradation{
+            {ByteOrder::little_endian, 16U, 3U, false}, 0, false, 0};
+        static constexpr EnumerationSignal code{
+            {ByteOrder::little_endian, 19U, 6U, false}, 0, false, 0};
+        static constexpr EnumerationSignal code_status{
+            {ByteOrder::little_endian, 25U, 2U, false}, 0, false, 0};
+        static constexpr IntegerSignal occurrences{
+            {ByteOrder::little_endian, 27U, 5U, false}, 0, 31, 0};
+        static constexpr PhysicalSignal<std::int32_t> first_lateral_acceleration_mps2{
+            {ByteOrder::little_endian, 32U, 8U, true}, 1.0F, 0.0F, 4.0F, -30.0F, 30.0F,
+            -120, 120, -128, true};
+        static constexpr PhysicalSignal<std::int32_t> first_roll_rate_deg_per_s{
+            {ByteOrder::little_endian, 40U, 8U, true}, 2.0F, 0.0F, 1.0F, -250.0F, 250.0F,
+            -125, 125, -128, true};
+        static constexpr PhysicalSignal<std::int32_t> first_roll_angle_deg{
+            {ByteOrder::little_endian, 48U, 8U, true}, 1.0F, 0.0F, 2.0F, -60.0F, 60.0F,
+            -120, 120, -128, true};
+        static constexpr PhysicalSignal<std::int32_t> first_speed_kmh{
+            {ByteOrder::little_endian, 56U, 8U, false}, 1.0F, 0.0F, 1.0F, 0.0F, 250.0F,
+            0, 250, 255, true};
+    };
+
+    static constexpr bool is_known(Degradation value) {
+        switch (value) {
+            case Degradation::unavailable:
+            case Degradation::full:
+            case Degradation::roll_sensor_lost:
+            case Degradation::motion_lost:
+            case Degradation::internal_fault:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(Degradation value) {
+        switch (value) {
+            case Degradation::unavailable:
+                return "unavailable";
+            case Degradation::full:
+                return "full";
+            case Degradation::roll_sensor_lost:
+                return "roll sensor lost";
+            case Degradation::motion_lost:
+                return "motion lost";
+            case Degradation::internal_fault:
+                return "internal fault";
+        }
+        return "unknown";
+    }
+
+    static constexpr bool is_known(Code value) {
+        switch (value) {
+            case Code::none:
+            case Code::imu_lost:
+            case Code::imu_damaged:
+            case Code::roll_angle_lost:
+            case Code::roll_angle_damaged:
+            case Code::vehicle_motion_lost:
+            case Code::vehicle_motion_damaged:
+            case Code::lateral_acceleration_invalid:
+            case Code::lateral_acceleration_jump:
+            case Code::lateral_acceleration_stuck:
+            case Code::vertical_acceleration_invalid:
+            case Code::vertical_acceleration_jump:
+            case Code::vertical_acceleration_stuck:
+            case Code::roll_rate_invalid:
+            case Code::roll_rate_jump:
+            case Code::roll_rate_stuck:
+            case Code::roll_angle_invalid:
+            case Code::roll_angle_jump:
+            case Code::roll_angle_stuck:
+            case Code::yaw_rate_invalid:
+            case Code::yaw_rate_jump:
+            case Code::yaw_rate_stuck:
+            case Code::speed_invalid:
+            case Code::speed_jump:
+            case Code::speed_stuck:
+            case Code::steering_invalid:
+            case Code::steering_jump:
+            case Code::steering_stuck:
+            case Code::roll_rate_contradicts_roll_angle:
+            case Code::lateral_acceleration_contradicts_yaw_rate:
+            case Code::roll_sensor_contradicts_observer:
+            case Code::roll_rate_offset:
+            case Code::lateral_acceleration_offset:
+            case Code::parameters_refused:
+            case Code::parameters_damaged:
+            case Code::estimate_out_of_range:
+            case Code::output_not_finite:
+            case Code::cycle_overrun:
+            case Code::cycle_stall:
+            case Code::clock_jump:
+            case Code::bus_error:
+            case Code::receive_overflow:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(Code value) {
+        switch (value) {
+            case Code::none:
+                return "none";
+            case Code::imu_lost:
+                return "imu lost";
+            case Code::imu_damaged:
+                return "imu damaged";
+            case Code::roll_angle_lost:
+                return "roll angle lost";
+            case Code::roll_angle_damaged:
+                return "roll angle damaged";
+            case Code::vehicle_motion_lost:
+                return "vehicle motion lost";
+            case Code::vehicle_motion_damaged:
+                return "vehicle motion damaged";
+            case Code::lateral_acceleration_invalid:
+                return "lateral acceleration invalid";
+            case Code::lateral_acceleration_jump:
+                return "lateral acceleration jump";
+            case Code::lateral_acceleration_stuck:
+                return "lateral acceleration stuck";
+            case Code::vertical_acceleration_invalid:
+                return "vertical acceleration invalid";
+            case Code::vertical_acceleration_jump:
+                return "vertical acceleration jump";
+            case Code::vertical_acceleration_stuck:
+                return "vertical acceleration stuck";
+            case Code::roll_rate_invalid:
+                return "roll rate invalid";
+            case Code::roll_rate_jump:
+                return "roll rate jump";
+            case Code::roll_rate_stuck:
+                return "roll rate stuck";
+            case Code::roll_angle_invalid:
+                return "roll angle invalid";
+            case Code::roll_angle_jump:
+                return "roll angle jump";
+            case Code::roll_angle_stuck:
+                return "roll angle stuck";
+            case Code::yaw_rate_invalid:
+                return "yaw rate invalid";
+            case Code::yaw_rate_jump:
+                return "yaw rate jump";
+            case Code::yaw_rate_stuck:
+                return "yaw rate stuck";
+            case Code::speed_invalid:
+                return "speed invalid";
+            case Code::speed_jump:
+                return "speed jump";
+            case Code::speed_stuck:
+                return "speed stuck";
+            case Code::steering_invalid:
+                return "steering invalid";
+            case Code::steering_jump:
+                return "steering jump";
+            case Code::steering_stuck:
+                return "steering stuck";
+            case Code::roll_rate_contradicts_roll_angle:
+                return "roll rate contradicts roll angle";
+            case Code::lateral_acceleration_contradicts_yaw_rate:
+                return "lateral acceleration contradicts yaw rate";
+            case Code::roll_sensor_contradicts_observer:
+                return "roll sensor contradicts observer";
+            case Code::roll_rate_offset:
+                return "roll rate offset";
+            case Code::lateral_acceleration_offset:
+                return "lateral acceleration offset";
+            case Code::parameters_refused:
+                return "parameters refused";
+            case Code::parameters_damaged:
+                return "parameters damaged";
+            case Code::estimate_out_of_range:
+                return "estimate out of range";
+            case Code::output_not_finite:
+                return "output not finite";
+            case Code::cycle_overrun:
+                return "cycle overrun";
+            case Code::cycle_stall:
+                return "cycle stall";
+            case Code::clock_jump:
+                return "clock jump";
+            case Code::bus_error:
+                return "bus error";
+            case Code::receive_overflow:
+                return "receive overflow";
+        }
+        return "unknown";
+    }
+
+    static constexpr bool is_known(CodeStatus value) {
+        switch (value) {
+            case CodeStatus::none:
+            case CodeStatus::set:
+            case CodeStatus::confirmed:
+            case CodeStatus::healed:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(CodeStatus value) {
+        switch (value) {
+            case CodeStatus::none:
+                return "none";
+            case CodeStatus::set:
+                return "set";
+            case CodeStatus::confirmed:
+                return "confirmed";
+            case CodeStatus::healed:
+                return "healed";
+        }
+        return "unknown";
+    }
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_enumeration(Signals::degradation, &RolloverDiagnosis::is_known, degradation, payload.data());
+        write_enumeration(Signals::code, &RolloverDiagnosis::is_known, code, payload.data());
+        write_enumeration(Signals::code_status, &RolloverDiagnosis::is_known, code_status, payload.data());
+        write_signal(Signals::occurrences, occurrences, payload.data());
+        write_signal(Signals::first_lateral_acceleration_mps2, first_lateral_acceleration_mps2, payload.data());
+        write_signal(Signals::first_roll_rate_deg_per_s, first_roll_rate_deg_per_s, payload.data());
+        write_signal(Signals::first_roll_angle_deg, first_roll_angle_deg, payload.data());
+        write_signal(Signals::first_speed_kmh, first_speed_kmh, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<RolloverDiagnosis> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("Degradation", "-", &RolloverDiagnosis::degradation, &Status::degradation);
+        visitor("Code", "-", &RolloverDiagnosis::code, &Status::code);
+        visitor("CodeStatus", "-", &RolloverDiagnosis::code_status, &Status::code_status);
+        visitor("Occurrences", "-", &RolloverDiagnosis::occurrences, &Status::occurrences);
+        visitor("FirstLateralAcceleration", "m/s^2", &RolloverDiagnosis::first_lateral_acceleration_mps2, &Status::first_lateral_acceleration_mps2);
+        visitor("FirstRollRate", "deg/s", &RolloverDiagnosis::first_roll_rate_deg_per_s, &Status::first_roll_rate_deg_per_s);
+        visitor("FirstRollAngle", "deg", &RolloverDiagnosis::first_roll_angle_deg, &Status::first_roll_angle_deg);
+        visitor("FirstSpeed", "km/h", &RolloverDiagnosis::first_speed_kmh, &Status::first_speed_kmh);
+    }
+};
+
+constexpr Decoded<RolloverDiagnosis> RolloverDiagnosis::decode(const std::uint8_t* payload) {
+    Decoded<RolloverDiagnosis> decoded{};
+    read_enumeration(Signals::degradation, &RolloverDiagnosis::is_known, payload, decoded.value.degradation, decoded.status.degradation);
+    read_enumeration(Signals::code, &RolloverDiagnosis::is_known, payload, decoded.value.code, decoded.status.code);
+    read_enumeration(Signals::code_status, &RolloverDiagnosis::is_known, payload, decoded.value.code_status, decoded.status.code_status);
+    read_signal(Signals::occurrences, payload, decoded.value.occurrences, decoded.status.occurrences);
+    read_signal(Signals::first_lateral_acceleration_mps2, payload, decoded.value.first_lateral_acceleration_mps2, decoded.status.first_lateral_acceleration_mps2);
+    read_signal(Signals::first_roll_rate_deg_per_s, payload, decoded.value.first_roll_rate_deg_per_s, decoded.status.first_roll_rate_deg_per_s);
+    read_signal(Signals::first_roll_angle_deg, payload, decoded.value.first_roll_angle_deg, decoded.status.first_roll_angle_deg);
+    read_signal(Signals::first_speed_kmh, payload, decoded.value.first_speed_kmh, decoded.status.first_speed_kmh);
+    return decoded;
+}
+
 // Lock-step simulation only: tells the control unit to step at simulated time CycleNumber * 10 ms.
 // From Simulator to RolloverEcu, every 10 ms.
 struct SimulationSync {
@@ -1146,6 +1520,7 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<RollIndicesAhead>{});
     visitor(MessageType<RollIndicesClassic>{});
     visitor(MessageType<RollObserver>{});
+    visitor(MessageType<RolloverDiagnosis>{});
     visitor(MessageType<SimulationSync>{});
 }
 

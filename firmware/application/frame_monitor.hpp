@@ -19,6 +19,7 @@ inline constexpr std::uint8_t largest_counter_step = 3U;
 
 // What went wrong with a frame in one cycle.
 struct FrameFaults {
+    bool received{false};        // a usable frame has come since the start
     bool timeout{false};         // no usable frame within the time limit
     bool checksum_error{false};  // CRC, data identifier or length
     bool counter_error{false};   // repeated, or more frames lost than tolerated
@@ -45,6 +46,8 @@ class FrameMonitor {
             received_ = true;
         }
     }
+
+    bool received() const noexcept { return received_; }
 
     bool is_fresh(hal::Time now) const noexcept {
         return received_ && !(frame_time_limit < (now - latest_time_));

@@ -7,6 +7,9 @@ namespace {
 
 constexpr std::uint32_t most_missed_cycles = 2U;
 
+// A sensor that has not yet sent anything is no fault for so long after the start.
+constexpr std::uint32_t start_cycles = 100U;
+
 // True when `count` is not what it was at the last call.
 bool has_changed(std::uint32_t count, std::uint32_t& previous) {
     const bool changed = (count != previous);
@@ -33,10 +36,44 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
 void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     reception_.receive(bus_);
     const hal::Time now = clock_.now();
+    const rsi::Inputs inputs = reception_.inputs(now);
+    Health report = health(now, missed_cycles);
+    hal::count_up(cycles_);
+    memory_.begin_cycle(monitoring::Snapshot{inputs.lateral_specific_force_mps2, inputs.roll_rate_radps,
+                                             inputs.roll_angle_rad, inputs.speed_mps});
+    report_reception(report.reception);
+    report_platform(report, missed_cycles);
+
     const bool stalled = (missed_cycles > most_missed_cycles);
-    component_.step(stalled ? no_inputs : reception_.inputs(now), outputs_);
-    transmission_.send(bus_, outputs_, health(now, missed_cycles));
+    component_.step(stalled ? no_inputs : inputs, outputs_);
+
+    report.degradation = monitoring::degradation_of(inputs, outputs_, false);
+    report.diagnosis = memory_.next();
+    transmission_.send(bus_, outputs_, report);
     watchdog_.feed();
+}
+
+void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
+    using monitoring::DiagnosticCode;
+    const auto report = [this](const FrameFaults& faults, DiagnosticCode lost, DiagnosticCode damaged) {
+        if (faults.received || (cycles_ > start_cycles)) {
+            memory_.report(lost, faults.timeout);
+        }
+        memory_.report(damaged, faults.checksum_error || faults.counter_error);
+    };
+    report(reception.imu, DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged);
+    report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
+    report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
+           DiagnosticCode::vehicle_motion_damaged);
+}
+
+void RolloverEcu::report_platform(const Health& health, std::uint32_t missed_cycles) noexcept {
+    using monitoring::DiagnosticCode;
+    memory_.report(DiagnosticCode::parameters_refused, health.parameters_refusal != ParametersRefusal::none);
+    memory_.report(DiagnosticCode::cycle_overrun, missed_cycles > 0U);
+    memory_.report(DiagnosticCode::cycle_stall, missed_cycles > most_missed_cycles);
+    memory_.report(DiagnosticCode::bus_error, health.bus_error);
+    memory_.report(DiagnosticCode::receive_overflow, health.receive_overflow);
 }
 
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {

@@ -11,6 +11,7 @@
 #include "hal/interface/clock.hpp"
 #include "hal/interface/reset_reason.hpp"
 #include "hal/interface/watchdog.hpp"
+#include "monitoring/diagnostic_memory.hpp"
 #include "rsi/component.hpp"
 
 namespace application {
@@ -41,6 +42,8 @@ class RolloverEcu {
 
  private:
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
+    void report_reception(const ReceptionReport& reception) noexcept;
+    void report_platform(const Health& health, std::uint32_t missed_cycles) noexcept;
     bool bus_error() noexcept;
     bool receive_overflow() noexcept;
 
@@ -50,9 +53,11 @@ class RolloverEcu {
     rsi::Component component_{};
     SensorReception reception_{};
     WarningTransmission transmission_{};
+    monitoring::DiagnosticMemory memory_{};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
+    std::uint32_t cycles_{0U};  // since the start
     std::uint32_t cycle_overruns_{0U};
     std::uint32_t overflow_count_{0U};
     std::uint32_t send_failure_count_{0U};

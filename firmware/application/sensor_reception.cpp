@@ -12,8 +12,8 @@ constexpr float mps_per_kmh = 1.0F / 3.6F;
 
 template <typename Message>
 FrameFaults faults(const FrameMonitor<Message>& monitor, hal::Time now, bool signals_valid) {
-    return FrameFaults{!monitor.is_fresh(now), monitor.checksum_error(), monitor.counter_error(),
-                       monitor.is_fresh(now) && !signals_valid};
+    return FrameFaults{monitor.received(), !monitor.is_fresh(now), monitor.checksum_error(),
+                       monitor.counter_error(), monitor.is_fresh(now) && !signals_valid};
 }
 
 template <typename Message>

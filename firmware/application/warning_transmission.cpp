@@ -11,6 +11,7 @@ std::uint8_t saturate(std::uint32_t count) {
 }
 
 constexpr float degrees_per_radian = 57.295780F;
+constexpr float kmh_per_mps = 3.6F;
 
 can_dbc::RolloverWarning warning_message(const rsi::Outputs& outputs, ParametersRefusal refusal) {
     can_dbc::RolloverWarning message{};
@@ -102,6 +103,116 @@ static_assert(is_sent_as(hal::ResetReason::stack_overflow,
                          can_dbc::RollObserver::ResetReason::stack_overflow));
 static_assert(is_sent_as(hal::ResetReason::interrupt, can_dbc::RollObserver::ResetReason::interrupt));
 
+static_assert(is_sent_as(monitoring::Degradation::unavailable,
+                         can_dbc::RolloverDiagnosis::Degradation::unavailable));
+static_assert(is_sent_as(monitoring::Degradation::full, can_dbc::RolloverDiagnosis::Degradation::full));
+static_assert(is_sent_as(monitoring::Degradation::roll_sensor_lost,
+                         can_dbc::RolloverDiagnosis::Degradation::roll_sensor_lost));
+static_assert(is_sent_as(monitoring::Degradation::motion_lost,
+                         can_dbc::RolloverDiagnosis::Degradation::motion_lost));
+static_assert(is_sent_as(monitoring::Degradation::internal_fault,
+                         can_dbc::RolloverDiagnosis::Degradation::internal_fault));
+static_assert(is_sent_as(monitoring::EventStatus::none, can_dbc::RolloverDiagnosis::CodeStatus::none));
+static_assert(is_sent_as(monitoring::EventStatus::set, can_dbc::RolloverDiagnosis::CodeStatus::set));
+static_assert(is_sent_as(monitoring::EventStatus::confirmed,
+                         can_dbc::RolloverDiagnosis::CodeStatus::confirmed));
+static_assert(is_sent_as(monitoring::EventStatus::healed, can_dbc::RolloverDiagnosis::CodeStatus::healed));
+static_assert(is_sent_as(monitoring::DiagnosticCode::none, can_dbc::RolloverDiagnosis::Code::none));
+static_assert(is_sent_as(monitoring::DiagnosticCode::imu_lost, can_dbc::RolloverDiagnosis::Code::imu_lost));
+static_assert(is_sent_as(monitoring::DiagnosticCode::imu_damaged,
+                         can_dbc::RolloverDiagnosis::Code::imu_damaged));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_lost,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_lost));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_damaged,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_damaged));
+static_assert(is_sent_as(monitoring::DiagnosticCode::vehicle_motion_lost,
+                         can_dbc::RolloverDiagnosis::Code::vehicle_motion_lost));
+static_assert(is_sent_as(monitoring::DiagnosticCode::vehicle_motion_damaged,
+                         can_dbc::RolloverDiagnosis::Code::vehicle_motion_damaged));
+static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_invalid,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_invalid));
+static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_jump,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_jump));
+static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_stuck,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_stuck));
+static_assert(is_sent_as(monitoring::DiagnosticCode::vertical_acceleration_invalid,
+                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_invalid));
+static_assert(is_sent_as(monitoring::DiagnosticCode::vertical_acceleration_jump,
+                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_jump));
+static_assert(is_sent_as(monitoring::DiagnosticCode::vertical_acceleration_stuck,
+                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_stuck));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_invalid,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_invalid));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_jump,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_jump));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_stuck,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_stuck));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_invalid,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_invalid));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_jump,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_jump));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_angle_stuck,
+                         can_dbc::RolloverDiagnosis::Code::roll_angle_stuck));
+static_assert(is_sent_as(monitoring::DiagnosticCode::yaw_rate_invalid,
+                         can_dbc::RolloverDiagnosis::Code::yaw_rate_invalid));
+static_assert(is_sent_as(monitoring::DiagnosticCode::yaw_rate_jump,
+                         can_dbc::RolloverDiagnosis::Code::yaw_rate_jump));
+static_assert(is_sent_as(monitoring::DiagnosticCode::yaw_rate_stuck,
+                         can_dbc::RolloverDiagnosis::Code::yaw_rate_stuck));
+static_assert(is_sent_as(monitoring::DiagnosticCode::speed_invalid,
+                         can_dbc::RolloverDiagnosis::Code::speed_invalid));
+static_assert(is_sent_as(monitoring::DiagnosticCode::speed_jump,
+                         can_dbc::RolloverDiagnosis::Code::speed_jump));
+static_assert(is_sent_as(monitoring::DiagnosticCode::speed_stuck,
+                         can_dbc::RolloverDiagnosis::Code::speed_stuck));
+static_assert(is_sent_as(monitoring::DiagnosticCode::steering_invalid,
+                         can_dbc::RolloverDiagnosis::Code::steering_invalid));
+static_assert(is_sent_as(monitoring::DiagnosticCode::steering_jump,
+                         can_dbc::RolloverDiagnosis::Code::steering_jump));
+static_assert(is_sent_as(monitoring::DiagnosticCode::steering_stuck,
+                         can_dbc::RolloverDiagnosis::Code::steering_stuck));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_contradicts_roll_angle,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_contradicts_roll_angle));
+static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_contradicts_yaw_rate));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_sensor_contradicts_observer,
+                         can_dbc::RolloverDiagnosis::Code::roll_sensor_contradicts_observer));
+static_assert(is_sent_as(monitoring::DiagnosticCode::roll_rate_offset,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_offset));
+static_assert(is_sent_as(monitoring::DiagnosticCode::lateral_acceleration_offset,
+                         can_dbc::RolloverDiagnosis::Code::lateral_acceleration_offset));
+static_assert(is_sent_as(monitoring::DiagnosticCode::parameters_refused,
+                         can_dbc::RolloverDiagnosis::Code::parameters_refused));
+static_assert(is_sent_as(monitoring::DiagnosticCode::parameters_damaged,
+                         can_dbc::RolloverDiagnosis::Code::parameters_damaged));
+static_assert(is_sent_as(monitoring::DiagnosticCode::estimate_out_of_range,
+                         can_dbc::RolloverDiagnosis::Code::estimate_out_of_range));
+static_assert(is_sent_as(monitoring::DiagnosticCode::output_not_finite,
+                         can_dbc::RolloverDiagnosis::Code::output_not_finite));
+static_assert(is_sent_as(monitoring::DiagnosticCode::cycle_overrun,
+                         can_dbc::RolloverDiagnosis::Code::cycle_overrun));
+static_assert(is_sent_as(monitoring::DiagnosticCode::cycle_stall,
+                         can_dbc::RolloverDiagnosis::Code::cycle_stall));
+static_assert(is_sent_as(monitoring::DiagnosticCode::clock_jump,
+                         can_dbc::RolloverDiagnosis::Code::clock_jump));
+static_assert(is_sent_as(monitoring::DiagnosticCode::bus_error, can_dbc::RolloverDiagnosis::Code::bus_error));
+static_assert(is_sent_as(monitoring::DiagnosticCode::receive_overflow,
+                         can_dbc::RolloverDiagnosis::Code::receive_overflow));
+
+can_dbc::RolloverDiagnosis diagnosis_message(const Health& health) {
+    const monitoring::DiagnosticRecord& record = health.diagnosis;
+    can_dbc::RolloverDiagnosis message{};
+    message.degradation = static_cast<can_dbc::RolloverDiagnosis::Degradation>(health.degradation);
+    message.code = static_cast<can_dbc::RolloverDiagnosis::Code>(record.code);
+    message.code_status = static_cast<can_dbc::RolloverDiagnosis::CodeStatus>(record.status);
+    message.occurrences = record.occurrences;
+    message.first_lateral_acceleration_mps2 = record.first.lateral_acceleration_mps2;
+    message.first_roll_rate_deg_per_s = record.first.roll_rate_radps * degrees_per_radian;
+    message.first_roll_angle_deg = record.first.roll_angle_rad * degrees_per_radian;
+    message.first_speed_kmh = record.first.speed_mps * kmh_per_mps;
+    return message;
+}
+
 can_dbc::RolloverStatus status_message(const Health& health) {
     const ReceptionReport& reception = health.reception;
     can_dbc::RolloverStatus message{};
@@ -150,6 +261,7 @@ void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, co
     send_protected(bus, indices_ahead_message(outputs), indices_ahead_);
     send_protected(bus, indices_classic_message(outputs), indices_classic_);
     send_protected(bus, observer_message(outputs, health.reset_reason), observer_);
+    send_protected(bus, diagnosis_message(health), diagnosis_);
     send_protected(bus, status_message(health), status_);
 }
 

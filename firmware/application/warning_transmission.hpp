@@ -7,6 +7,8 @@
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/reset_reason.hpp"
+#include "monitoring/degradation.hpp"
+#include "monitoring/diagnostic_memory.hpp"
 #include "rsi/types.hpp"
 
 namespace application {
@@ -20,6 +22,8 @@ struct Health {
     std::uint32_t cycle_overruns{0U};  // since the start
     hal::ResetReason reset_reason{};   // of the last start
     ReceptionReport reception{};
+    monitoring::Degradation degradation{};
+    monitoring::DiagnosticRecord diagnosis{};  // the one that this cycle tells of
 };
 
 class WarningTransmission {
@@ -34,6 +38,7 @@ class WarningTransmission {
     can_dbc::e2e::Profile11Sender indices_ahead_{can_dbc::RollIndicesAhead::e2e_data_id};
     can_dbc::e2e::Profile11Sender indices_classic_{can_dbc::RollIndicesClassic::e2e_data_id};
     can_dbc::e2e::Profile11Sender observer_{can_dbc::RollObserver::e2e_data_id};
+    can_dbc::e2e::Profile11Sender diagnosis_{can_dbc::RolloverDiagnosis::e2e_data_id};
     can_dbc::e2e::Profile11Sender status_{can_dbc::RolloverStatus::e2e_data_id};
 };
 

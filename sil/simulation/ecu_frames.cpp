@@ -34,6 +34,8 @@ EcuFrameKind EcuFrames::take(const hal::CanFrame& frame) {
             return take_as<RollIndicesClassic>(EcuFrameKind::indices, frame, indices_classic_receiver_);
         case RollObserver::identifier:
             return take_as<RollObserver>(EcuFrameKind::observer, frame, observer_receiver_);
+        case RolloverDiagnosis::identifier:
+            return take_as<RolloverDiagnosis>(EcuFrameKind::diagnosis, frame, diagnosis_receiver_);
         case RolloverStatus::identifier:
             return take_as<RolloverStatus>(EcuFrameKind::status, frame, status_receiver_);
         default:

@@ -10,7 +10,16 @@
 
 namespace sil {
 
-enum class EcuFrameKind : std::uint8_t { foreign, refused, warning, estimate, indices, observer, status };
+enum class EcuFrameKind : std::uint8_t {
+    foreign,
+    refused,
+    warning,
+    estimate,
+    indices,
+    observer,
+    diagnosis,
+    status
+};
 
 class EcuFrames {
  public:
@@ -19,6 +28,7 @@ class EcuFrames {
     EcuFrameKind take(const hal::CanFrame& frame);
 
     const EcuOutput& output() const { return output_; }
+    const can_dbc::RolloverDiagnosis& diagnosis() const { return diagnosis_; }
     const can_dbc::RolloverStatus& status() const { return status_; }
     std::uint64_t frames_received() const { return frames_received_; }
     std::uint64_t frames_refused() const { return frames_refused_; }
@@ -33,6 +43,7 @@ class EcuFrames {
     void keep(const can_dbc::RollIndicesAhead& message);
     void keep(const can_dbc::RollIndicesClassic& message);
     void keep(const can_dbc::RollObserver& message);
+    void keep(const can_dbc::RolloverDiagnosis& message) { diagnosis_ = message; }
     void keep(const can_dbc::RolloverStatus& message) { status_ = message; }
 
     can_dbc::e2e::Profile11Receiver warning_receiver_{can_dbc::RolloverWarning::e2e_data_id,
@@ -45,9 +56,12 @@ class EcuFrames {
                                                               can_dbc::RollIndicesClassic::length, 14U};
     can_dbc::e2e::Profile11Receiver observer_receiver_{can_dbc::RollObserver::e2e_data_id,
                                                        can_dbc::RollObserver::length, 14U};
+    can_dbc::e2e::Profile11Receiver diagnosis_receiver_{can_dbc::RolloverDiagnosis::e2e_data_id,
+                                                        can_dbc::RolloverDiagnosis::length, 14U};
     can_dbc::e2e::Profile11Receiver status_receiver_{can_dbc::RolloverStatus::e2e_data_id,
                                                      can_dbc::RolloverStatus::length, 14U};
     EcuOutput output_{};
+    can_dbc::RolloverDiagnosis diagnosis_{};
     can_dbc::RolloverStatus status_{};
     std::uint64_t frames_received_{0U};
     std::uint64_t frames_refused_{0U};

@@ -95,6 +95,9 @@ void Bench::step_ecu() {
             case can_dbc::RollCentreEstimate::identifier:
                 cycle.estimate = can_dbc::decode<can_dbc::RollCentreEstimate>(frame.data);
                 break;
+            case can_dbc::RolloverDiagnosis::identifier:
+                cycle.diagnosis = can_dbc::decode<can_dbc::RolloverDiagnosis>(frame.data);
+                break;
             case can_dbc::RolloverStatus::identifier:
                 cycle.status = can_dbc::decode<can_dbc::RolloverStatus>(frame.data);
                 break;

@@ -38,7 +38,7 @@ struct Motion {
 };
 
 // How many frames the ECU sends in one cycle.
-inline constexpr std::size_t frames_per_cycle = 6U;
+inline constexpr std::size_t frames_per_cycle = 7U;
 
 // They, as they came; those that matter here decoded.
 struct Cycle {
@@ -46,6 +46,7 @@ struct Cycle {
     std::vector<hal::CanFrame> frames{};
     can_dbc::Decoded<can_dbc::RolloverWarning> warning{};
     can_dbc::Decoded<can_dbc::RollCentreEstimate> estimate{};
+    can_dbc::Decoded<can_dbc::RolloverDiagnosis> diagnosis{};
     can_dbc::Decoded<can_dbc::RolloverStatus> status{};
 
     can_dbc::RolloverWarning::State state() const { return warning.value.state; }

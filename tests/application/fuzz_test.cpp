@@ -78,7 +78,7 @@ class FuzzBench {
             ++frames;
             judge(frame);
         }
-        frames_missing += frames == 6 ? 0U : 1U;
+        frames_missing += frames == 7 ? 0U : 1U;
     }
 
     void judge(const hal::CanFrame& frame) {

@@ -12,7 +12,7 @@
 namespace {
 
 constexpr unsigned sensor_frames = 3U;
-constexpr unsigned ecu_frames = 6U;
+constexpr unsigned ecu_frames = 7U;
 
 // The frames of one cycle; the test refills and reads them between two cycles.
 class Bus final : public hal::CanBus {
@@ -109,6 +109,7 @@ struct World {
     Ear<can_dbc::RollIndicesAhead> indices_ahead{};
     Ear<can_dbc::RollIndicesClassic> indices_classic{};
     Ear<can_dbc::RollObserver> observer{};
+    Ear<can_dbc::RolloverDiagnosis> diagnosis{};
     Ear<can_dbc::RolloverStatus> status{};
 
     // One cycle; whether the ECU sent its frames as it should.
@@ -122,7 +123,7 @@ struct World {
         return (bus.sent() == ecu_frames) && warning.hear(bus.from_ecu[0]) &&
                estimate.hear(bus.from_ecu[1]) && indices_ahead.hear(bus.from_ecu[2]) &&
                indices_classic.hear(bus.from_ecu[3]) && observer.hear(bus.from_ecu[4]) &&
-               status.hear(bus.from_ecu[5]);
+               diagnosis.hear(bus.from_ecu[5]) && status.hear(bus.from_ecu[6]);
     }
 
     bool drive(int cycles, float lateral_acceleration_mps2, float roll_angle_deg) {

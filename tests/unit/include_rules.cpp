@@ -31,17 +31,24 @@ std::vector<std::string> with_eigen() {
 const std::vector<Rule>& rules() {
     static const std::vector<Rule> all{
         {"firmware/rsi/", {"rsi/"}, Rule::Others::listed, with_eigen()},
+        {"firmware/monitoring/", {"rsi/", "monitoring/"}, Rule::Others::standard, {}},
         {"firmware/application/",
-         {"rsi/", "can_dbc/", "hal/interface/", "application/"},
+         {"rsi/", "monitoring/", "can_dbc/", "hal/interface/", "application/"},
          Rule::Others::standard,
          {}},
         {"can_dbc/", {"can_dbc/"}, Rule::Others::standard, {}},
         {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
         {"hal/", {"hal/"}, Rule::Others::any, {}},
-        {"firmware/images/", {"rsi/", "can_dbc/", "hal/", "application/", "images/"}, Rule::Others::any, {}},
-        {"sil/", {"rsi/", "can_dbc/", "hal/", "application/", "images/", "sil/"}, Rule::Others::any, {}},
+        {"firmware/images/",
+         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/"},
+         Rule::Others::any,
+         {}},
+        {"sil/",
+         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/", "sil/"},
+         Rule::Others::any,
+         {}},
         {"tests/",
-         {"rsi/", "can_dbc/", "hal/", "application/", "images/", "sil/", "tests/"},
+         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/", "sil/", "tests/"},
          Rule::Others::any,
          {}},
     };
@@ -54,8 +61,8 @@ bool starts_with(const std::string& text, const std::string& beginning) {
 
 // The project's folder that a header is in, as it is written in an include; empty for all others.
 std::string project_folder(const std::string& header) {
-    static const std::vector<std::string> folders{"rsi/", "application/", "firmware/", "can_dbc/",
-                                                  "hal/", "images/",      "sil/",      "tests/"};
+    static const std::vector<std::string> folders{
+        "rsi/", "monitoring/", "application/", "firmware/", "can_dbc/", "hal/", "images/", "sil/", "tests/"};
     for (const std::string& folder : folders) {
         if (starts_with(header, folder)) {
             return folder;

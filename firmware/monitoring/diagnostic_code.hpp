@@ -1,0 +1,97 @@
+// Diagnostic codes: what the component can find wrong, and how long it looks before it says so.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace monitoring {
+
+// docs/safety/degradation.md has the table of them: condition, threshold, debounce, healing, reaction.
+enum class DiagnosticCode : std::uint8_t {
+    none,
+
+    // Frames
+    imu_lost,
+    imu_damaged,
+    roll_angle_lost,
+    roll_angle_damaged,
+    vehicle_motion_lost,
+    vehicle_motion_damaged,
+
+    // Signals, each by itself: invalid (not available, or beyond what is physical), jump (faster than anything
+    // that moves a vehicle), stuck (the very same value while others say that it must move)
+    lateral_acceleration_invalid,
+    lateral_acceleration_jump,
+    lateral_acceleration_stuck,
+    vertical_acceleration_invalid,
+    vertical_acceleration_jump,
+    vertical_acceleration_stuck,
+    roll_rate_invalid,
+    roll_rate_jump,
+    roll_rate_stuck,
+    roll_angle_invalid,
+    roll_angle_jump,
+    roll_angle_stuck,
+    yaw_rate_invalid,
+    yaw_rate_jump,
+    yaw_rate_stuck,
+    speed_invalid,
+    speed_jump,
+    speed_stuck,
+    steering_invalid,
+    steering_jump,
+    steering_stuck,
+
+    // Signals against each other
+    roll_rate_contradicts_roll_angle,
+    lateral_acceleration_contradicts_yaw_rate,
+    roll_sensor_contradicts_observer,
+    roll_rate_offset,
+    lateral_acceleration_offset,
+
+    // The control unit itself
+    parameters_refused,
+    parameters_damaged,
+    estimate_out_of_range,
+    output_not_finite,
+    cycle_overrun,
+    cycle_stall,
+    clock_jump,
+    bus_error,
+    receive_overflow,
+};
+
+inline constexpr std::size_t diagnostic_code_count =
+    static_cast<std::size_t>(DiagnosticCode::receive_overflow) + 1U;
+
+// In cycles of 10 ms. Confirmed after so many cycles with the fault (with good ones between them: after more,
+// as DiagnosticEvent says); healed after so many good ones in a row.
+struct Debounce {
+    std::uint16_t confirm{1U};
+    std::uint16_t heal{1U};
+};
+
+constexpr Debounce debounce_of(DiagnosticCode code) {
+    switch (code) {
+        case DiagnosticCode::imu_lost:
+        case DiagnosticCode::roll_angle_lost:
+        case DiagnosticCode::vehicle_motion_lost:
+            return {1U, 10U};  // the time limit of the frame is the debounce
+        case DiagnosticCode::imu_damaged:
+        case DiagnosticCode::roll_angle_damaged:
+        case DiagnosticCode::vehicle_motion_damaged:
+            return {3U, 100U};
+        case DiagnosticCode::parameters_refused:
+            return {1U, 1U};
+        case DiagnosticCode::cycle_overrun:
+        case DiagnosticCode::cycle_stall:
+        case DiagnosticCode::clock_jump:
+        case DiagnosticCode::receive_overflow:
+            return {1U, 100U};
+        default:
+            return {3U, 100U};
+    }
+}
+
+}  // namespace monitoring

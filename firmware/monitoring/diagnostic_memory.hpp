@@ -1,0 +1,75 @@
+// Diagnostic memory: one entry a code, with what was measured when it was confirmed for the first time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "monitoring/diagnostic_code.hpp"
+#include "monitoring/diagnostic_event.hpp"
+#include "rsi/numeric/bounded.hpp"
+
+namespace monitoring {
+
+// As the sensors say it, unqualified; NaN where they say nothing.
+struct Snapshot {
+    float lateral_acceleration_mps2{rsi::not_available};
+    float roll_rate_radps{rsi::not_available};
+    float roll_angle_rad{rsi::not_available};
+    float speed_mps{rsi::not_available};
+};
+
+// An entry as it is told.
+struct DiagnosticRecord {
+    DiagnosticCode code{DiagnosticCode::none};
+    EventStatus status{EventStatus::none};
+    std::uint8_t occurrences{0U};
+    Snapshot first{};
+};
+
+class DiagnosticMemory {
+ public:
+    // What the entries that are confirmed in this cycle will keep.
+    void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
+
+    // One cycle in which the code's condition could be judged; a code that is not reported stays as it is.
+    void report(DiagnosticCode code, bool failed) noexcept {
+        Entry& entry = entries_[index_of(code)];
+        const bool first = (entry.event.occurrences() == 0U);
+        if (entry.event.update(failed, debounce_of(code)) && first) {
+            entry.first = snapshot_;
+        }
+    }
+
+    EventStatus status(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.status(); }
+    bool confirmed(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.confirmed(); }
+
+    // The next entry that has anything to tell, round and round; code `none` when there is none.
+    DiagnosticRecord next() noexcept {
+        for (std::size_t step = 0U; step < diagnostic_code_count; ++step) {
+            told_ = (told_ + 1U < diagnostic_code_count) ? told_ + 1U : 0U;
+            const Entry& entry = entries_[told_];
+            if (entry.event.status() != EventStatus::none) {
+                return DiagnosticRecord{static_cast<DiagnosticCode>(told_), entry.event.status(),
+                                        entry.event.occurrences(), entry.first};
+            }
+        }
+        return DiagnosticRecord{};
+    }
+
+ private:
+    struct Entry {
+        DiagnosticEvent event{};
+        Snapshot first{};
+    };
+
+    static constexpr std::size_t index_of(DiagnosticCode code) noexcept {
+        return static_cast<std::size_t>(code);
+    }
+
+    std::array<Entry, diagnostic_code_count> entries_{};  // that of `none` stays empty
+    Snapshot snapshot_{};
+    std::size_t told_{0U};
+};
+
+}  // namespace monitoring
