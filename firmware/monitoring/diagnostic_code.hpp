@@ -19,8 +19,8 @@ enum class DiagnosticCode : std::uint8_t {
     vehicle_motion_lost,
     vehicle_motion_damaged,
 
-    // Signals, each by itself: invalid (not available, or beyond what is physical), jump (faster than anything
-    // that moves a vehicle), stuck (the very same value while others say that it must move)
+    // Signals, each by itself: invalid (not available, or beyond what is physical), jump (faster than
+    // anything that moves a vehicle), stuck (the very same value while others say that it must move)
     lateral_acceleration_invalid,
     lateral_acceleration_jump,
     lateral_acceleration_stuck,

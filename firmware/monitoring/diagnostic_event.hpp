@@ -14,9 +14,9 @@ enum class EventStatus : std::uint8_t {
     healed,     // was confirmed, and is good again
 };
 
-// A cycle with the fault fills the count by two, a good one takes one away: a fault that shows in every second
-// cycle is confirmed too, after half as much time again, one in every third never. A confirmed one heals only
-// by good cycles without a break.
+// A cycle with the fault fills the count by two, a good one takes one away: a fault that shows in every
+// second cycle is confirmed too, after half as much time again, one in every third never. A confirmed one
+// heals only by good cycles without a break.
 class DiagnosticEvent {
  public:
     // One cycle in which the condition could be judged. True when it is confirmed by this one.

@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "sil/analysis/atomic_file.hpp"
+#include "sil/apps/command_line.hpp"
 #include "sil/calibration/calibration_file.hpp"
+#include "sil/faults/endurance.hpp"
 #include "sil/faults/fault_matrix.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 
@@ -82,6 +87,59 @@ void run_faults(const FaultsRequest& request) {
     }
 }
 
+struct EnduranceRequest {
+    std::string vehicle_file;
+    std::string calibration_file;
+    EnduranceSettings settings;
+    std::filesystem::path checked;
+};
+
+void run_hours(const EnduranceRequest& request) {
+    const auto progress = [](double share) {
+        fmt::print(stderr, "\rendurance: {:3.0f} %", share * 100.0);
+        std::fflush(stderr);
+    };
+    const EnduranceResult result =
+        run_endurance(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file),
+                      request.settings, progress);
+    fmt::print(stderr, "\rendurance: 100 %\n");
+    const std::string row = endurance_row(request.settings, result);
+    fmt::print("{}{}", endurance_head(), row);
+    const std::vector<std::string> found = shortfalls(result);
+    if (!request.checked.empty() && text_of(request.checked).find(row) == std::string::npos) {
+        throw std::runtime_error(fmt::format(
+            "{} does not hold this row; sil/faults/run --endurance renews it", request.checked.string()));
+    }
+    if (!found.empty()) {
+        throw std::runtime_error(fmt::format("not as it must be: {}", fmt::join(found, "; ")));
+    }
+}
+
+void add_endurance(CLI::App& app) {
+    const auto request = std::make_shared<EnduranceRequest>();
+    CLI::App* command =
+        app.add_subcommand("endurance", "Hours of mixed driving with random faults, in process");
+    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
+        ->required();
+    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
+        ->required();
+    command->add_option("--hours", request->settings.hours, "Simulated hours")
+        ->check(number_within(0.01, 1000.0))
+        ->capture_default_str();
+    command
+        ->add_option_function<std::string>(
+            "--seed",
+            [request](const std::string& text) {
+                request->settings.seed = whole_number(text).value_or(request->settings.seed);
+            },
+            "Seed of drive, noise and faults")
+        ->check(check_whole_number)
+        ->type_name("UINT")
+        ->default_str("1");
+    command->add_option("--check", request->checked, "A page that must hold this row");
+    command->callback([request] { run_hours(*request); });
+}
+
 }  // namespace
 
 void add_faults_command(CLI::App& app) {
@@ -95,6 +153,7 @@ void add_faults_command(CLI::App& app) {
     command->add_option("--document", request->document, "Write the matrix as a page");
     command->add_option("--check", request->checked, "Compare the matrix with a page; other figures fail");
     command->callback([request] { run_faults(*request); });
+    add_endurance(app);
 }
 
 }  // namespace sil

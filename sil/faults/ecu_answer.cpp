@@ -11,7 +11,7 @@ namespace {
 using Status = can_dbc::RolloverStatus;
 
 struct Flag {
-    bool Status::*value;
+    bool Status::* value;
     const char* name;
 };
 constexpr std::array flags{
@@ -38,17 +38,27 @@ constexpr DiagnosticCodes bit(std::size_t index) {
     return DiagnosticCodes{1U} << index;
 }
 
-constexpr std::size_t messages_of_ecu = 6U;
+constexpr std::size_t first_code_bit = roll_sensor_disagrees_bit + 1U;
+using Diagnosis = can_dbc::RolloverDiagnosis;
+constexpr std::size_t last_bit = 63U;
+
+constexpr std::size_t messages_of_ecu = 7U;
 
 }  // namespace
 
 std::string diagnostic_name(std::size_t index) {
-    return index < flags.size() ? flags[index].name : "RollSensorDisagrees";
+    if (index < flags.size()) {
+        return flags[index].name;
+    }
+    if (index == roll_sensor_disagrees_bit) {
+        return "RollSensorDisagrees";
+    }
+    return Diagnosis::name_of(static_cast<Diagnosis::Code>(index - first_code_bit));
 }
 
 std::vector<std::string> diagnostic_names(DiagnosticCodes codes) {
     std::vector<std::string> names;
-    for (std::size_t index = 0U; index <= roll_sensor_disagrees_bit; ++index) {
+    for (std::size_t index = 0U; index <= last_bit; ++index) {
         if ((codes & bit(index)) != 0U) {
             names.push_back(diagnostic_name(index));
         }
@@ -90,6 +100,18 @@ void EcuEar::keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) con
     }
 }
 
+void EcuEar::keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer) {
+    answer.degradation = message.degradation;
+    const DiagnosticCodes code = bit(first_code_bit + static_cast<std::size_t>(message.code));
+    if (message.code == Diagnosis::Code::none) {
+        confirmed_ = 0U;
+    } else if (message.code_status == Diagnosis::CodeStatus::confirmed) {
+        confirmed_ |= code;
+    } else {
+        confirmed_ &= ~code;
+    }
+}
+
 EcuAnswer EcuEar::listen(hal::CanBus& world) {
     EcuAnswer answer;
     answer.complete = true;
@@ -109,8 +131,10 @@ EcuAnswer EcuEar::listen(hal::CanBus& world) {
         take(frame, can_dbc::MessageType<can_dbc::RollIndicesAhead>{}, 2U);
         take(frame, can_dbc::MessageType<can_dbc::RollIndicesClassic>{}, 3U);
         take(frame, can_dbc::MessageType<can_dbc::RollObserver>{}, 4U);
-        take(frame, can_dbc::MessageType<can_dbc::RolloverStatus>{}, 5U);
+        take(frame, can_dbc::MessageType<can_dbc::RolloverDiagnosis>{}, 5U);
+        take(frame, can_dbc::MessageType<can_dbc::RolloverStatus>{}, 6U);
     }
+    answer.codes |= confirmed_;
     answer.complete = answer.complete && seen == (1U << messages_of_ecu) - 1U;
     return answer;
 }

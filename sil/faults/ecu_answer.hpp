@@ -12,7 +12,11 @@
 
 namespace sil {
 
-// A set of diagnostic codes, one bit each.
+// What the component can still do.
+using Degradation = can_dbc::RolloverDiagnosis::Degradation;
+
+// A set, one bit each: the flags of RolloverStatus, the observer's doubt of the roll sensor, and the codes of
+// RolloverDiagnosis that are confirmed.
 using DiagnosticCodes = std::uint64_t;
 
 // The name of a bit.
@@ -28,10 +32,12 @@ struct EcuAnswer {
     WarningState state{WarningState::unavailable};
     WarningSide side{WarningSide::none};
     RollSource roll_source{RollSource::none};
+    Degradation degradation{Degradation::unavailable};
     DiagnosticCodes codes{0U};
 };
 
-// Hears the ECU's frames on the bus, cycle by cycle.
+// Hears the ECU's frames on the bus, cycle by cycle. Each tells of one diagnostic code only, so what it was
+// told before counts until it hears otherwise.
 class EcuEar {
  public:
     // Reads what waits on the world's end of the bus.
@@ -43,8 +49,11 @@ class EcuEar {
     void keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const;
     void keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const;
     void keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const;
+    void keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer);
     template <typename Message>
     void keep(const Message&, EcuAnswer&) const {}
+
+    DiagnosticCodes confirmed_{0U};
 };
 
 }  // namespace sil

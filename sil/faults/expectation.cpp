@@ -11,9 +11,18 @@ constexpr int at_once_ms = 50;  // the frame itself shows that something is wron
 constexpr int roll_debounce_ms = 350;
 constexpr int debounce_ms = 500;
 
+// From the end of the fault to the right statement, and to the last code's healing.
 constexpr int recovery_of_frames_ms = 250;
 constexpr int recovery_of_values_ms = 3000;
+constexpr int healing_ms = 1500;
 constexpr int warning_hold_ms = 2000;  // warning_hold_s of the calibration
+
+constexpr Expectation nothing{Demand::unaffected, 0, at_once_ms, at_once_ms};
+
+// What can be seen at once, and is gone with the fault.
+constexpr Expectation at_once(Demand demand) {
+    return {demand, at_once_ms, recovery_of_frames_ms, healing_ms};
+}
 
 // What must follow when nothing usable comes from there.
 Demand demand_of_loss(FaultPlace place) {
@@ -26,6 +35,10 @@ Demand demand_of_loss(FaultPlace place) {
         case FaultPlace::roll_angle:
         case FaultPlace::roll_angle_frame:
             return Demand::roll_sensor_lost;
+        case FaultPlace::speed:
+        case FaultPlace::yaw_rate:
+        case FaultPlace::vehicle_motion_frame:
+            return Demand::motion_lost;
         default:
             return Demand::usable;
     }
@@ -33,13 +46,16 @@ Demand demand_of_loss(FaultPlace place) {
 
 Expectation contradiction(FaultPlace place) {
     const bool roll = place == FaultPlace::roll_angle;
-    return {Demand::reported, roll ? roll_debounce_ms : debounce_ms, recovery_of_values_ms};
+    return {Demand::reported, roll ? roll_debounce_ms : debounce_ms, recovery_of_values_ms,
+            recovery_of_values_ms};
 }
 
 }  // namespace
 
 Expectation expectation_of(const Fault& fault) {
     switch (fault.kind) {
+        case FaultKind::none:
+            return {};
         case FaultKind::frozen:
         case FaultKind::offset:
         case FaultKind::drift:
@@ -47,46 +63,38 @@ Expectation expectation_of(const Fault& fault) {
         case FaultKind::sign_flip:
             return contradiction(fault.place);
         case FaultKind::saturated:
-            return {demand_of_loss(fault.place), at_once_ms, recovery_of_values_ms};
+            return {demand_of_loss(fault.place), at_once_ms, recovery_of_values_ms, recovery_of_values_ms};
         case FaultKind::not_available:
             if (fault.place == FaultPlace::bank_angle) {  // as in most vehicles, which have no such sensor
-                return {Demand::unaffected, 0, at_once_ms};
+                return nothing;
             }
-            return {demand_of_loss(fault.place), at_once_ms, recovery_of_frames_ms};
+            return at_once(demand_of_loss(fault.place));
         case FaultKind::out_of_range:
         case FaultKind::lost:
         case FaultKind::bad_crc:
         case FaultKind::counter_stands:
         case FaultKind::counter_jumps:
         case FaultKind::wrong_length:
-            return {demand_of_loss(fault.place), at_once_ms, recovery_of_frames_ms};
+            return at_once(demand_of_loss(fault.place));
         case FaultKind::delayed:
-            return fault.magnitude > 30.0
-                       ? Expectation{demand_of_loss(fault.place), at_once_ms, recovery_of_frames_ms}
-                       : Expectation{Demand::unaffected, 0, at_once_ms};
+            return fault.magnitude > 30.0 ? at_once(demand_of_loss(fault.place)) : nothing;
         case FaultKind::swapped:
-            // Two frames are lost: Imu among them, or RollAngle and VehicleMotion, without which no roll angle
-            // is known.
-            return {Demand::unavailable, at_once_ms, recovery_of_frames_ms};
+            // Two frames are lost: Imu among them, or RollAngle and VehicleMotion, without which no roll
+            // angle is known.
+            return at_once(Demand::unavailable);
         case FaultKind::doubled:
         case FaultKind::error_passive:
-            return {Demand::usable, at_once_ms, recovery_of_frames_ms};
+            return at_once(Demand::usable);
         case FaultKind::flood_foreign:  // up to what the bus can carry, all of it is read in a cycle
-            return fault.magnitude < 50.0
-                       ? Expectation{Demand::unaffected, 0, at_once_ms}
-                       : Expectation{Demand::reported, at_once_ms, recovery_of_frames_ms};
+            return fault.magnitude < 50.0 ? nothing : at_once(Demand::reported);
         case FaultKind::flood_own:
-            return {Demand::reported, at_once_ms, recovery_of_frames_ms};
+            return at_once(Demand::reported);
         case FaultKind::bus_off:
-            return {Demand::reported, at_once_ms, recovery_of_frames_ms};
+            return at_once(Demand::reported);
         case FaultKind::clock_jump:
-            return fault.magnitude > 0.0
-                       ? Expectation{Demand::reported, at_once_ms, recovery_of_frames_ms}
-                       : Expectation{Demand::unaffected, 0, at_once_ms};
+            return fault.magnitude > 0.0 ? at_once(Demand::reported) : nothing;
         case FaultKind::process_stop:
-            return fault.magnitude > 30.0
-                       ? Expectation{Demand::unavailable, at_once_ms, recovery_of_frames_ms}
-                       : Expectation{Demand::usable, at_once_ms, recovery_of_frames_ms};
+            return fault.magnitude > 30.0 ? at_once(Demand::unavailable) : at_once(Demand::usable);
     }
     return {};
 }
@@ -96,8 +104,9 @@ int longest_false_warning_ms(const Expectation& expectation) {
 }
 
 const char* to_string(Demand demand) {
-    constexpr std::array names{"no change", "code", "code, usable", "code, roll from the observer",
-                               "code, unavailable"};
+    constexpr std::array names{"no change",         "code",
+                               "code, usable",      "code, roll from the observer",
+                               "code, motion lost", "code, unavailable"};
     return names[static_cast<std::size_t>(demand)];
 }
 

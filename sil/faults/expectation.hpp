@@ -13,6 +13,7 @@ enum class Demand : std::uint8_t {
     reported,          // a diagnostic code; the state may be any that the rules for every cell allow
     usable,            // a code, and the state is never "unavailable"
     roll_sensor_lost,  // a code, the observer's roll angle in use, never "unavailable"
+    motion_lost,       // a code, the degradation of that name, never "unavailable"
     unavailable,       // a code and "unavailable"
 };
 
@@ -21,7 +22,8 @@ const char* to_string(Demand demand);
 struct Expectation {
     Demand demand{};
     int reaction_ms{0};  // at the latest after the fault has become visible
-    int recovery_ms{0};  // at the latest after it is over: state and codes are those of the drive without it
+    int recovery_ms{0};  // at the latest after it is over: the statement is that of the drive without it
+    int healing_ms{0};   // at the latest after it is over: no code is left
 };
 
 Expectation expectation_of(const Fault& fault);

@@ -10,8 +10,8 @@
 namespace sil {
 namespace {
 
-constexpr std::array signal_kinds{FaultKind::frozen,        FaultKind::offset,    FaultKind::drift,
-                                  FaultKind::noise,         FaultKind::sign_flip, FaultKind::saturated,
+constexpr std::array signal_kinds{FaultKind::frozen,        FaultKind::offset,      FaultKind::drift,
+                                  FaultKind::noise,         FaultKind::sign_flip,   FaultKind::saturated,
                                   FaultKind::not_available, FaultKind::out_of_range};
 
 constexpr std::array sensor_frames{FaultPlace::imu_frame, FaultPlace::roll_angle_frame,
@@ -86,20 +86,47 @@ const std::vector<Fault>& all_faults() {
 }
 
 const char* to_string(FaultKind kind) {
-    constexpr std::array names{"frozen",         "offset",        "drift",         "noise burst",
-                               "sign flip",      "saturated",     "not available", "code out of range",
-                               "lost",           "delayed",       "bad CRC",       "counter stands",
-                               "counter jumps",  "identifier of the next frame",   "doubled",
-                               "wrong DLC",      "foreign frames", "damaged Imu frames", "bus-off",
-                               "error-passive",  "clock jump",    "process stopped"};
+    constexpr std::array names{"none",
+                               "frozen",
+                               "offset",
+                               "drift",
+                               "noise burst",
+                               "sign flip",
+                               "saturated",
+                               "not available",
+                               "code out of range",
+                               "lost",
+                               "delayed",
+                               "bad CRC",
+                               "counter stands",
+                               "counter jumps",
+                               "identifier of the next frame",
+                               "doubled",
+                               "wrong DLC",
+                               "foreign frames",
+                               "damaged Imu frames",
+                               "bus-off",
+                               "error-passive",
+                               "clock jump",
+                               "process stopped"};
     return names[static_cast<std::size_t>(kind)];
 }
 
 const char* to_string(FaultPlace place) {
-    constexpr std::array names{
-        "lateral acceleration", "vertical acceleration", "roll rate",           "roll angle", "bank angle",
-        "speed",                "yaw rate",              "steering wheel angle", "Imu",        "RollAngle",
-        "VehicleMotion",        "all sensor frames",     "bus",                 "processor"};
+    constexpr std::array names{"lateral acceleration",
+                               "vertical acceleration",
+                               "roll rate",
+                               "roll angle",
+                               "bank angle",
+                               "speed",
+                               "yaw rate",
+                               "steering wheel angle",
+                               "Imu",
+                               "RollAngle",
+                               "VehicleMotion",
+                               "all sensor frames",
+                               "bus",
+                               "processor"};
     return names[static_cast<std::size_t>(place)];
 }
 

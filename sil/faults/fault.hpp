@@ -8,6 +8,8 @@
 namespace sil {
 
 enum class FaultKind : std::uint8_t {
+    none,
+
     // Of a signal: the frame that carries it is protected as ever.
     frozen,         // the value of the fault's first cycle stays
     offset,         // by `magnitude`
@@ -18,20 +20,20 @@ enum class FaultKind : std::uint8_t {
     not_available,  // its code
     out_of_range,   // a code beyond the signal's range
     // Of a frame, after its protection.
-    lost,              //
-    delayed,           // by `magnitude` milliseconds: a gap at first, then each frame late
-    bad_crc,           //
-    counter_stands,    // each frame with the counter of the fault's first one, and a right CRC
-    counter_jumps,     // six on with each frame, and a right CRC
-    swapped,           // identifiers exchanged with the next sensor frame's
-    doubled,           // each frame twice
-    wrong_length,      // one byte short
-    flood_foreign,     // `magnitude` frames a cycle of an identifier that the ECU does not receive
-    flood_own,         // `magnitude` damaged frames a cycle with the identifier of Imu
-    bus_off,           // of the ECU's controller
-    error_passive,     // the same
-    clock_jump,        // of the ECU's clock, once, by `magnitude` milliseconds
-    process_stop,      // the ECU computes nothing for `magnitude` milliseconds, then goes on
+    lost,            //
+    delayed,         // by `magnitude` milliseconds: a gap at first, then each frame late
+    bad_crc,         //
+    counter_stands,  // each frame with the counter of the fault's first one, and a right CRC
+    counter_jumps,   // six on with each frame, and a right CRC
+    swapped,         // identifiers exchanged with the next sensor frame's
+    doubled,         // each frame twice
+    wrong_length,    // one byte short
+    flood_foreign,   // `magnitude` frames a cycle of an identifier that the ECU does not receive
+    flood_own,       // `magnitude` damaged frames a cycle with the identifier of Imu
+    bus_off,         // of the ECU's controller
+    error_passive,   // the same
+    clock_jump,      // of the ECU's clock, once, by `magnitude` milliseconds
+    process_stop,    // the ECU computes nothing for `magnitude` milliseconds, then goes on
 };
 
 enum class FaultPlace : std::uint8_t {
@@ -64,7 +66,7 @@ const char* to_string(FaultPlace place);
 std::string describe(const Fault& fault);
 
 constexpr bool is_signal_fault(FaultKind kind) {
-    return kind <= FaultKind::out_of_range;
+    return kind > FaultKind::none && kind <= FaultKind::out_of_range;
 }
 
 // Every fault of the matrix, in its order.

@@ -1,6 +1,5 @@
 #include "sil/faults/fault_matrix.hpp"
 
-#include <optional>
 #include <stdexcept>
 
 #include "sil/simulation/pace.hpp"
@@ -8,13 +7,8 @@
 namespace sil {
 namespace {
 
-// A drive with the same sensors and no fault.
-Fault none_at(FaultPlace place) {
-    return {FaultKind::offset, place, 0.0};
-}
-
 void place_fault_at_warning(Scene& scene, const rsi::Parameters& calibration) {
-    const FaultyRun right = run_with_fault(scene, std::nullopt, calibration);
+    const FaultyRun right = run_with_fault(scene, Fault{}, calibration);
     const auto before = static_cast<std::size_t>(before_warning_s / cycle_time_s + 0.5);
     for (std::size_t cycle = before; cycle < right.answers.size(); ++cycle) {
         if (right.answers[cycle]->state == WarningState::warning) {
@@ -38,13 +32,13 @@ FaultMatrix run_fault_matrix(const VehicleParameters& vehicle, const rsi::Parame
         if (scene.at_warning) {
             place_fault_at_warning(scene, calibration);
         }
-        const FaultyRun without_bank = run_with_fault(scene, std::nullopt, calibration);
-        const FaultyRun with_bank = run_with_fault(scene, none_at(FaultPlace::bank_angle), calibration);
+        const FaultyRun without_bank = run_with_fault(scene, Fault{}, calibration);
+        const FaultyRun with_bank =
+            run_with_fault(scene, Fault{FaultKind::none, FaultPlace::bank_angle, 0.0}, calibration);
         for (FaultRow& row : matrix.rows) {
             const FaultyRun& right = row.fault.place == FaultPlace::bank_angle ? with_bank : without_bank;
             FaultCell cell;
-            cell.reaction =
-                measure(scene, row.fault, right, run_with_fault(scene, row.fault, calibration));
+            cell.reaction = measure(scene, row.fault, right, run_with_fault(scene, row.fault, calibration));
             cell.shortfalls = shortfalls(row.fault, cell.reaction);
             row.cells.push_back(std::move(cell));
         }

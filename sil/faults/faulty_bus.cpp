@@ -94,8 +94,7 @@ void FaultyBus::send_flood() {
         return;
     }
     hal::CanFrame frame;
-    frame.identifier =
-        fault_.kind == FaultKind::flood_own ? can_dbc::Imu::identifier : foreign_identifier;
+    frame.identifier = fault_.kind == FaultKind::flood_own ? can_dbc::Imu::identifier : foreign_identifier;
     frame.length = 8U;
     frame.data.fill(0x55U);
     for (int count = 0; count < static_cast<int>(fault_.magnitude); ++count) {

@@ -15,13 +15,15 @@ namespace sil {
 class FaultyEcu {
  public:
     // Throws std::invalid_argument with the field's name when the parameters are refused.
-    FaultyEcu(const rsi::Parameters& parameters, const Fault& fault)
-        : fault_{fault}, ecu_{bus_.endpoint(0U), clock_, watchdog_} {
+    explicit FaultyEcu(const rsi::Parameters& parameters) : ecu_{bus_.endpoint(0U), clock_, watchdog_} {
         const rsi::Validation answer = ecu_.init(parameters);
         if (answer.accepted == 0) {
             throw std::invalid_argument(std::string{answer.field} + " " + answer.reason);
         }
     }
+
+    // The fault of the cycles that begin_cycle() calls active; to be called while none is.
+    void inject(const Fault& fault) { fault_ = fault; }
 
     hal::CanBus& world_bus() { return bus_.endpoint(1U); }
 
@@ -34,6 +36,7 @@ class FaultyEcu {
     // Whether the ECU's own fault was there in this cycle.
     bool is_visible() const { return visible_; }
     int watchdog_feeds() const { return watchdog_.feeds; }
+    const rsi::Outputs& outputs() const { return ecu_.outputs(); }
 
  private:
     // Unlike a VirtualClock it can also jump back, which no clock should.
@@ -46,7 +49,7 @@ class FaultyEcu {
         int feeds{0};
     };
 
-    Fault fault_;
+    Fault fault_{};
     JumpingClock clock_{};
     hal::MemoryBus<2U> bus_{clock_};
     CountingWatchdog watchdog_{};
@@ -69,8 +72,8 @@ inline void FaultyEcu::begin_cycle(std::size_t number, bool active) {
         case FaultKind::bus_off:
         case FaultKind::error_passive:
             if (begins || ends) {
-                const hal::BusState faulty = fault_.kind == FaultKind::bus_off ? hal::BusState::bus_off
-                                                                               : hal::BusState::error_passive;
+                const hal::BusState faulty =
+                    fault_.kind == FaultKind::bus_off ? hal::BusState::bus_off : hal::BusState::error_passive;
                 bus_.endpoint(0U).set_state(active ? faulty : hal::BusState::error_active);
             }
             // Off the bus, the ECU can say nothing until it is back.
@@ -97,8 +100,9 @@ inline bool FaultyEcu::step() {
         return false;
     }
     if (jumps_) {  // the frames that wait were stamped before
-        jumped_ = hal::Time::from_milliseconds(static_cast<std::int64_t>(fault_.magnitude));
-        clock_.time = clock_.time + jumped_;
+        const hal::Time jump = hal::Time::from_milliseconds(static_cast<std::int64_t>(fault_.magnitude));
+        jumped_ = jumped_ + jump;
+        clock_.time = clock_.time + jump;
         visible_ = true;
     }
     visible_ = visible_ || missed_cycles_ > 0U;

@@ -18,8 +18,11 @@ struct FaultyRun {
     bool watchdog_fed{true};                          // once in each cycle that was computed
 };
 
-// `fault` none: the scene as it is. Throws std::invalid_argument when the calibration is refused.
-FaultyRun run_with_fault(const Scene& scene, const std::optional<Fault>& fault,
-                         const rsi::Parameters& calibration);
+// Without a fault (kind `none`): the scene as it is, with a bank sensor if the place is that. Throws
+// std::invalid_argument when the calibration is refused.
+FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Parameters& calibration);
+
+// Most vehicles have no bank sensor; only a fault of it needs one.
+SensorSample as_equipped(SensorSample sample, const Fault& fault);
 
 }  // namespace sil

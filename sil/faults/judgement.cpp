@@ -13,8 +13,13 @@ int to_ms(std::size_t cycle, std::size_t since) {
     return (static_cast<int>(cycle) - static_cast<int>(since)) * cycle_ms;
 }
 
-bool is_same(const EcuAnswer& a, const EcuAnswer& b) {
-    return a.state == b.state && a.codes == b.codes && a.roll_source == b.roll_source;
+bool is_same_statement(const EcuAnswer& faulty, const EcuAnswer& right) {
+    return faulty.state == right.state && faulty.roll_source == right.roll_source &&
+           faulty.degradation == right.degradation;
+}
+
+bool has_no_further_code(const EcuAnswer& faulty, const EcuAnswer& right) {
+    return (faulty.codes & ~right.codes) == 0U;
 }
 
 std::optional<std::size_t> first_warning(const FaultyRun& run) {
@@ -50,20 +55,26 @@ void measure_warning(const FaultyRun& right, const FaultyRun& faulty, Reaction& 
     }
 }
 
+// From the end of the fault to the first cycle from which on `agree` holds; none: not until the scene's end.
+template <typename Agree>
+std::optional<int> time_to_agreement(const FaultyRun& right, const FaultyRun& faulty, Agree agree) {
+    std::size_t since = faulty.answers.size();
+    while (since > faulty.over && faulty.answers[since - 1U] &&
+           agree(*faulty.answers[since - 1U], *right.answers[since - 1U])) {
+        --since;
+    }
+    return since < faulty.answers.size() ? std::optional<int>{to_ms(since, faulty.over)} : std::nullopt;
+}
+
 void measure_recovery(const Scene& scene, const FaultyRun& right, const FaultyRun& faulty,
                       Reaction& reaction) {
     if (faulty.over >= scene.samples.size()) {
         return;
     }
-    std::size_t back = scene.samples.size();
-    while (back > faulty.over && faulty.answers[back - 1U] && right.answers[back - 1U] &&
-           is_same(*faulty.answers[back - 1U], *right.answers[back - 1U])) {
-        --back;
-    }
-    reaction.recovers = back < scene.samples.size();
-    if (reaction.recovers) {
-        reaction.recovery = to_ms(back, faulty.over);
-    }
+    reaction.recovery = time_to_agreement(right, faulty, is_same_statement);
+    reaction.recovers = reaction.recovery.has_value();
+    reaction.healing = time_to_agreement(right, faulty, has_no_further_code);
+    reaction.heals = reaction.healing.has_value();
 }
 
 }  // namespace
@@ -87,6 +98,8 @@ Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right,
                    is.state == WarningState::unavailable && was.state != WarningState::unavailable, now);
         keep_first(reaction.observer,
                    is.roll_source == RollSource::observer && was.roll_source == RollSource::sensor, now);
+        keep_first(reaction.motion_lost,
+                   is.degradation == Degradation::motion_lost && was.degradation == Degradation::full, now);
         if (!reaction.code && new_codes != 0U) {
             reaction.code = now;
             reaction.code_name = diagnostic_names(new_codes).front();
@@ -124,6 +137,9 @@ std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction
     demand(reaction.recovers && reaction.recovery.value_or(0) <= expected.recovery_ms,
            reaction.recovers ? fmt::format("back after {} ms only", reaction.recovery.value_or(0))
                              : std::string{"does not come back"});
+    demand(reaction.heals && reaction.healing.value_or(0) <= expected.healing_ms,
+           reaction.heals ? fmt::format("codes for {} ms more", reaction.healing.value_or(0))
+                          : std::string{"codes do not heal"});
     if (expected.demand == Demand::unaffected) {
         demand(!reaction.unavailable, "unavailable");
     } else if (reaction.visible) {
@@ -135,7 +151,11 @@ std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction
     if (expected.demand == Demand::roll_sensor_lost && reaction.visible) {
         demand(in_time(reaction.observer), "observer not in use in time");
     }
-    if (expected.demand == Demand::usable || expected.demand == Demand::roll_sensor_lost) {
+    if (expected.demand == Demand::motion_lost && reaction.visible) {
+        demand(in_time(reaction.motion_lost), "not \"motion lost\" in time");
+    }
+    if (expected.demand == Demand::usable || expected.demand == Demand::motion_lost ||
+        expected.demand == Demand::roll_sensor_lost) {
         demand(!reaction.unavailable, "unavailable");
         demand(!reaction.warning_missed, "no warning");
         demand(reaction.lead_loss.value_or(0) <= largest_lead_loss_ms, "warning late");
@@ -152,6 +172,7 @@ std::string describe(const Reaction& reaction) {
     };
     add("unavailable", reaction.unavailable);
     add("observer", reaction.observer);
+    add("motion lost", reaction.motion_lost);
     add(reaction.code_name.c_str(), reaction.code);
     if (parts.empty()) {
         parts.emplace_back(reaction.visible ? "nothing" : "not visible");
@@ -165,6 +186,9 @@ std::string describe(const Reaction& reaction) {
         parts.push_back(fmt::format("warning {:+}", *reaction.lead_loss));
     }
     add("back", reaction.recovery);
+    if (reaction.healing.value_or(0) > 0) {
+        add("codes gone", reaction.healing);
+    }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -17,6 +17,7 @@ struct Reaction {
     bool visible{false};
     std::optional<int> unavailable{};
     std::optional<int> observer{};
+    std::optional<int> motion_lost{};
     std::optional<int> code{};
     std::string code_name{};           // the first one
     std::optional<int> lead_loss{};    // of a due warning; none: it never came, or none was due
@@ -24,7 +25,9 @@ struct Reaction {
     int silence{0};                    // longest, without code: "ready" while a warning is due
     int false_warning{0};              // in all, where none is due in the whole scene
     std::optional<int> recovery{};     // none: not until the scene's end, or the scene ends with the fault
+    std::optional<int> healing{};      // the same of the codes
     bool recovers{true};               // false: not until the scene's end
+    bool heals{true};                  // the same of the codes
     std::size_t incomplete_cycles{0};  // without one of the ECU's frames, or with a damaged one
     std::size_t undefined_cycles{0};   // with a code that the DBC file does not define
     bool watchdog_fed{true};

@@ -16,8 +16,8 @@ struct Scene {
     std::string description{};
     std::vector<SensorSample> samples{};  // one a cycle
     std::size_t fault_begin{0U};          // cycle
-    std::size_t fault_end{0U};            // cycle after the last one; samples.size() when the scene ends first
-    bool at_warning{false};               // the fault begins `before_warning_s` before the ECU would warn
+    std::size_t fault_end{0U};  // cycle after the last one; samples.size() when the scene ends first
+    bool at_warning{false};     // the fault begins `before_warning_s` before the ECU would warn
 };
 
 // At rest, straight ahead, in a turn, before a turn that leads to a warning, in the moment of warning. The
