@@ -158,6 +158,11 @@ bool is_within(float value, double low, double high) {
     return number >= low && number <= high;
 }
 
+// What could not be computed is NaN.
+bool is_within_if_known(float value, double low, double high) {
+    return std::isnan(value) || is_within(value, low, high);
+}
+
 // Every number NaN or finite; what drives the warning there whenever there is a statement; estimates within
 // what the bus can carry.
 bool are_good(const rsi::Outputs& outputs) {
@@ -195,32 +200,38 @@ bool are_good(const rsi::Outputs& outputs) {
     }
     return finite && is_within(outputs.warning_level, 0.0, 20.0) &&
            is_within(outputs.lateral_acceleration_mps2, -100.0, 100.0) &&
-           is_within(outputs.roll_centre_deviation_m, 0.0, 0.5) &&
-           is_within(outputs.roll_centre_vertical_m, -1.0, 1.0);
+           is_within_if_known(outputs.roll_centre_deviation_m, 0.0, 0.5) &&
+           is_within_if_known(outputs.roll_centre_vertical_m, -1.0, 1.0);
 }
 
-// Watches the time from the end of each fault to the agreement of both ECUs.
+// Measures the time from the end of each fault to the agreement of both ECUs, which must last a second: in
+// hard driving each may doubt the roll sensor at a moment of its own.
 class RecoveryWatch {
  public:
     void begin(std::uint64_t over) {
         over_ = over;
-        agrees_ = false;
+        since_ = over;
+        recovered_ = false;
     }
     void cycle(std::uint64_t number, bool agrees) {
-        const bool counts = agrees && number >= over_;
-        if (counts && !agrees_) {
-            since_ = number;
+        if (recovered_) {
+            return;
         }
-        agrees_ = counts;
+        if (!agrees || number < over_) {
+            since_ = number + 1U;
+        }
+        recovered_ = number >= std::max(since_, over_) + lasting_cycles;
     }
     bool is_past_limit(std::uint64_t number) const { return number >= over_ + recovery_limit_ms / 10; }
-    bool has_recovered() const { return agrees_; }
-    int recovery_ms() const { return agrees_ ? static_cast<int>(since_ - over_) * 10 : 0; }
+    bool has_recovered() const { return recovered_; }
+    int recovery_ms() const { return recovered_ ? static_cast<int>(since_ - over_) * 10 : 0; }
 
  private:
+    static constexpr std::uint64_t lasting_cycles = 100U;
+
     std::uint64_t over_{0U};
     std::uint64_t since_{0U};
-    bool agrees_{false};
+    bool recovered_{false};
 };
 
 // Both are usable or not, use the same roll angle, and the faulty one has no code of its own. Which of ready,

@@ -71,10 +71,9 @@ void measure_recovery(const Scene& scene, const FaultyRun& right, const FaultyRu
     if (faulty.over >= scene.samples.size()) {
         return;
     }
+    reaction.watched_ms = to_ms(scene.samples.size(), faulty.over);
     reaction.recovery = time_to_agreement(right, faulty, is_same_statement);
-    reaction.recovers = reaction.recovery.has_value();
     reaction.healing = time_to_agreement(right, faulty, has_no_further_code);
-    reaction.heals = reaction.healing.has_value();
 }
 
 }  // namespace
@@ -134,12 +133,15 @@ std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction
            fmt::format("silent for {} ms while a warning is due", reaction.silence));
     demand(reaction.false_warning <= longest_false_warning_ms(expected),
            fmt::format("false warning for {} ms", reaction.false_warning));
-    demand(reaction.recovers && reaction.recovery.value_or(0) <= expected.recovery_ms,
-           reaction.recovers ? fmt::format("back after {} ms only", reaction.recovery.value_or(0))
+    const auto come_back = [&reaction](const std::optional<int>& time, int limit_ms) {
+        return time ? *time <= limit_ms : reaction.watched_ms < limit_ms;
+    };
+    demand(come_back(reaction.recovery, expected.recovery_ms),
+           reaction.recovery ? fmt::format("back after {} ms only", reaction.recovery.value_or(0))
                              : std::string{"does not come back"});
-    demand(reaction.heals && reaction.healing.value_or(0) <= expected.healing_ms,
-           reaction.heals ? fmt::format("codes for {} ms more", reaction.healing.value_or(0))
-                          : std::string{"codes do not heal"});
+    demand(come_back(reaction.healing, expected.healing_ms),
+           reaction.healing ? fmt::format("codes for {} ms more", reaction.healing.value_or(0))
+                            : std::string{"codes do not heal"});
     if (expected.demand == Demand::unaffected) {
         demand(!reaction.unavailable, "unavailable");
     } else if (reaction.visible) {

@@ -26,8 +26,7 @@ struct Reaction {
     int false_warning{0};              // in all, where none is due in the whole scene
     std::optional<int> recovery{};     // none: not until the scene's end, or the scene ends with the fault
     std::optional<int> healing{};      // the same of the codes
-    bool recovers{true};               // false: not until the scene's end
-    bool heals{true};                  // the same of the codes
+    int watched_ms{0};                 // from the end of the fault to the scene's; 0: the scene ends with it
     std::size_t incomplete_cycles{0};  // without one of the ECU's frames, or with a damaged one
     std::size_t undefined_cycles{0};   // with a code that the DBC file does not define
     bool watchdog_fed{true};

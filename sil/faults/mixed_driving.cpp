@@ -11,7 +11,7 @@ namespace sil {
 namespace {
 
 constexpr double largest_handwheel_rad = 6.0;
-constexpr double share_of_hard_turns = 0.06;
+constexpr double share_of_hard_turns = 0.3;
 
 enum class Segment : std::uint8_t { straight, turn, lane_change, weave };
 
@@ -72,7 +72,7 @@ class MixedDriver final : public Driver {
         course.period_s = chance_.between(2.0, 5.0);
         course.speed_share = chance_.between(0.3, 1.0);
         const bool hard = chance_.between(0.0, 1.0) < share_of_hard_turns;
-        const double acceleration_g = hard ? chance_.between(0.6, 1.0) : chance_.between(0.02, 0.5);
+        const double acceleration_g = hard ? chance_.between(0.5, 0.9) : chance_.between(0.02, 0.5);
         course.acceleration_mps2 = (chance_.below(2U) == 0U ? 1.0 : -1.0) * acceleration_g * g_mps2;
         switch (course.segment) {
             case Segment::straight:
