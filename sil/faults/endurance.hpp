@@ -47,8 +47,8 @@ EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Param
 // What was not as it must be, each in a few words; empty when all is well.
 std::vector<std::string> shortfalls(const EnduranceResult& result);
 
-// The head of docs/safety/endurance.md's table, and one row of it.
-std::string endurance_head();
+// One row of the table in docs/safety/endurance.md, and the page with these rows.
+std::string endurance_document(const std::string& rows);
 std::string endurance_row(const EnduranceSettings& settings, const EnduranceResult& result);
 
 }  // namespace sil

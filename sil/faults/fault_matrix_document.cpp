@@ -1,16 +1,45 @@
 // The fault matrix as a page.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sil/faults/fault_matrix.hpp"
+#include "sil/faults/known_shortfall.hpp"
 
 namespace sil {
 namespace {
+
+// Entries with the same sentence have one number.
+std::size_t reason_number(std::size_t entry) {
+    const std::vector<KnownShortfall>& all = known_shortfalls();
+    std::vector<std::string> reasons;
+    for (std::size_t index = 0U; index <= entry; ++index) {
+        if (std::find(reasons.begin(), reasons.end(), all[index].why) == reasons.end()) {
+            reasons.emplace_back(all[index].why);
+        }
+    }
+    const auto found = std::find(reasons.begin(), reasons.end(), all[entry].why);
+    return static_cast<std::size_t>(found - reasons.begin()) + 1U;
+}
+
+std::string reason_list() {
+    std::string text;
+    std::size_t listed = 0U;
+    for (std::size_t entry = 0U; entry < known_shortfalls().size(); ++entry) {
+        if (reason_number(entry) > listed) {
+            listed = reason_number(entry);
+            text += fmt::format("{}. {}\n", listed, known_shortfalls()[entry].why);
+        }
+    }
+    return text;
+}
 
 std::string describe_cell(const FaultCell& cell) {
     if (cell.shortfalls.empty()) {
         return describe(cell.reaction);
     }
-    return fmt::format("{} **NOT: {}**", describe(cell.reaction), fmt::join(cell.shortfalls, "; "));
+    return fmt::format("{} **NOT: {}**{}", describe(cell.reaction), fmt::join(cell.shortfalls, "; "),
+                       cell.known ? fmt::format(" [{}]", reason_number(*cell.known)) : "");
 }
 
 std::string describe_expectation(const Expectation& expected) {
@@ -57,7 +86,8 @@ std::string fault_matrix_document(const FaultMatrix& matrix) {
         "Written by `sil/faults/run --document`; `tests/run faults` runs it again and fails when a figure "
         "differs. Each fault is injected into each scene, in\nprocess and in simulated time (the large SUV, "
         "sensors with noise), and the ECU's frames are compared with those of the same drive without it.\n\n"
-        "**{} of {} cells are as expected.** The others say after **NOT** what is missing.\n\n"
+        "**{} of {} cells are as expected.** The others say after **NOT** what is missing, and with a number "
+        "why:\n\n{}\n"
         "## Scenes\n{}\n"
         "## How to read a cell\n"
         "All times are in milliseconds, in steps of a cycle. A reaction counts from the cycle in which the "
@@ -73,8 +103,8 @@ std::string fault_matrix_document(const FaultMatrix& matrix) {
         "most {} ms late; a warning without\nreason lasts at most the reaction time and the 2000 ms for "
         "which every warning is held.\n\n"
         "{}",
-        count.as_expected, count.all, scene_list(matrix), longest_silence_ms, largest_lead_loss_ms,
-        table(matrix));
+        count.as_expected, count.all, reason_list(), scene_list(matrix), longest_silence_ms,
+        largest_lead_loss_ms, table(matrix));
 }
 
 }  // namespace sil
