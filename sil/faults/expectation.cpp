@@ -17,7 +17,7 @@ constexpr int recovery_of_values_ms = 3000;
 constexpr int healing_ms = 1500;
 constexpr int warning_hold_ms = 2000;  // warning_hold_s of the calibration
 
-constexpr Expectation nothing{Demand::unaffected, 0, at_once_ms, at_once_ms};
+constexpr Expectation nothing{Demand::unaffected, 0, at_once_ms, healing_ms};
 
 // What can be seen at once, and is gone with the fault.
 constexpr Expectation at_once(Demand demand) {
@@ -44,10 +44,15 @@ Demand demand_of_loss(FaultPlace place) {
     }
 }
 
+// Nothing else in the vehicle says what these say, and the warning hardly needs them.
+bool is_optional(FaultPlace place) {
+    return place == FaultPlace::bank_angle || place == FaultPlace::steering_wheel_angle;
+}
+
 Expectation contradiction(FaultPlace place) {
     const bool roll = place == FaultPlace::roll_angle;
-    return {Demand::reported, roll ? roll_debounce_ms : debounce_ms, recovery_of_values_ms,
-            recovery_of_values_ms};
+    return {is_optional(place) ? Demand::right_or_reported : Demand::reported,
+            roll ? roll_debounce_ms : debounce_ms, recovery_of_values_ms, recovery_of_values_ms};
 }
 
 }  // namespace
@@ -104,9 +109,9 @@ int longest_false_warning_ms(const Expectation& expectation) {
 }
 
 const char* to_string(Demand demand) {
-    constexpr std::array names{"no change",         "code",
-                               "code, usable",      "code, roll from the observer",
-                               "code, motion lost", "code, unavailable"};
+    constexpr std::array names{
+        "no change",         "right, or code",   "code", "code, usable", "code, roll from the observer",
+        "code, motion lost", "code, unavailable"};
     return names[static_cast<std::size_t>(demand)];
 }
 

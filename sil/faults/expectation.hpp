@@ -9,12 +9,13 @@
 namespace sil {
 
 enum class Demand : std::uint8_t {
-    unaffected,        // the state is that of the drive without the fault
-    reported,          // a diagnostic code; the state may be any that the rules for every cell allow
-    usable,            // a code, and the state is never "unavailable"
-    roll_sensor_lost,  // a code, the observer's roll angle in use, never "unavailable"
-    motion_lost,       // a code, the degradation of that name, never "unavailable"
-    unavailable,       // a code and "unavailable"
+    unaffected,         // the state is that of the drive without the fault
+    right_or_reported,  // the statement is right, or there is a code
+    reported,           // a diagnostic code; the state may be any that the rules for every cell allow
+    usable,             // a code, and the state is never "unavailable"
+    roll_sensor_lost,   // a code, the observer's roll angle in use, never "unavailable"
+    motion_lost,        // a code, the degradation of that name, never "unavailable"
+    unavailable,        // a code and "unavailable"
 };
 
 const char* to_string(Demand demand);
@@ -28,6 +29,8 @@ struct Expectation {
 
 Expectation expectation_of(const Fault& fault);
 
+// Where the statement must be right, it may be another one for so long.
+inline constexpr int longest_wrong_ms = 100;
 // For every cell, whatever the fault:
 // a warning that is due may be missing without a code or "unavailable" for so long,
 inline constexpr int longest_silence_ms = 50;

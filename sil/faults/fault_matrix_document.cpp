@@ -101,10 +101,13 @@ std::string fault_matrix_document(const FaultMatrix& matrix) {
         "file does not define; the watchdog is fed once a cycle; while\na warning is due, `ready` without "
         "any diagnostic code lasts at most {} ms; where the state must stay usable, the warning comes at "
         "most {} ms late; a warning without\nreason lasts at most the reaction time and the 2000 ms for "
-        "which every warning is held.\n\n"
+        "which every warning is held. \"right, or code\": the state is that of the drive without the fault, "
+        "but for {} ms, or there is a code; so much is asked of inputs\nthat nothing else in the vehicle "
+        "could "
+        "contradict and that the warning hardly needs.\n\n"
         "{}",
         count.as_expected, count.all, reason_list(), scene_list(matrix), longest_silence_ms,
-        largest_lead_loss_ms, table(matrix));
+        largest_lead_loss_ms, longest_wrong_ms, table(matrix));
 }
 
 }  // namespace sil

@@ -85,6 +85,7 @@ Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right,
     const std::size_t since = faulty.visible.value_or(scene.fault_begin);
     const bool warning_due = first_warning(right).has_value();
     int silence = 0;
+    int wrong = 0;
     for (std::size_t cycle = scene.fault_begin; cycle < scene.samples.size(); ++cycle) {
         if (!is_heard(fault, faulty, scene, cycle)) {
             continue;
@@ -106,6 +107,8 @@ Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right,
         const bool due = was.state == WarningState::warning;
         silence = due && is.state == WarningState::ready && is.codes == 0U ? silence + cycle_ms : 0;
         reaction.silence = std::max(reaction.silence, silence);
+        wrong = is.state != was.state && is.codes == 0U ? wrong + cycle_ms : 0;
+        reaction.wrong = std::max(reaction.wrong, wrong);
         reaction.false_warning += !warning_due && is.state == WarningState::warning ? cycle_ms : 0;
         reaction.incomplete_cycles += is.complete ? 0U : 1U;
         reaction.undefined_cycles += is.defined ? 0U : 1U;
@@ -144,6 +147,9 @@ std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction
                             : std::string{"codes do not heal"});
     if (expected.demand == Demand::unaffected) {
         demand(!reaction.unavailable, "unavailable");
+    } else if (expected.demand == Demand::right_or_reported) {
+        demand(reaction.wrong <= longest_wrong_ms || in_time(reaction.code),
+               fmt::format("wrong for {} ms without a code", reaction.wrong));
     } else if (reaction.visible) {
         demand(in_time(reaction.code), "no code in time");
     }

@@ -23,6 +23,7 @@ struct Reaction {
     std::optional<int> lead_loss{};    // of a due warning; none: it never came, or none was due
     bool warning_missed{false};        // it never came
     int silence{0};                    // longest, without code: "ready" while a warning is due
+    int wrong{0};                      // longest, without code: another state than without the fault
     int false_warning{0};              // in all, where none is due in the whole scene
     std::optional<int> recovery{};     // none: not until the scene's end, or the scene ends with the fault
     std::optional<int> healing{};      // the same of the codes

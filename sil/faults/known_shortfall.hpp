@@ -9,9 +9,9 @@ namespace sil {
 
 struct KnownShortfall {
     FaultKind kind{};
-    std::vector<FaultPlace> places{};  // empty: all
+    std::vector<FaultPlace> places{};   // empty: all
     std::vector<const char*> scenes{};  // by name; empty: all
-    const char* why{""};               // a sentence for the page
+    const char* why{""};                // a sentence for the page
 };
 
 // A cell that falls short and is not in this list fails the run; so does an entry without any such cell.
