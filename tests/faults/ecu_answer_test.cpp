@@ -29,9 +29,9 @@ Diagnosis diagnosis(Diagnosis::Code code, Diagnosis::CodeStatus status) {
 }
 
 std::vector<hal::CanFrame> all_frames(const Diagnosis& message = {}) {
-    return {frame_of(can_dbc::RolloverWarning{}),    frame_of(can_dbc::RollCentreEstimate{}),
-            frame_of(can_dbc::RollIndicesAhead{}),   frame_of(can_dbc::RollIndicesClassic{}),
-            frame_of(can_dbc::RollObserver{}),       frame_of(message),
+    return {frame_of(can_dbc::RolloverWarning{}),  frame_of(can_dbc::RollCentreEstimate{}),
+            frame_of(can_dbc::RollIndicesAhead{}), frame_of(can_dbc::RollIndicesClassic{}),
+            frame_of(can_dbc::RollObserver{}),     frame_of(message),
             frame_of(can_dbc::RolloverStatus{})};
 }
 

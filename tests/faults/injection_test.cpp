@@ -184,8 +184,7 @@ TEST(FaultyBus, ExchangesIdentifiersWithTheNextFrame) {
 
 TEST(FaultyBus, DoublesFrames) {
     const Injection injection{{FaultKind::doubled, FaultPlace::imu_frame, 0.0}};
-    const std::vector<hal::CanFrame> twice =
-        of_identifier(injection.cycle(4U), can_dbc::Imu::identifier);
+    const std::vector<hal::CanFrame> twice = of_identifier(injection.cycle(4U), can_dbc::Imu::identifier);
     ASSERT_EQ(twice.size(), 2U);
     EXPECT_EQ(twice[0].data, twice[1].data);
 }

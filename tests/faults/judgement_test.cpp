@@ -106,7 +106,9 @@ TEST(Judgement, WantsNothingOfAFaultThatCannotBeSeen) {
 
 TEST(Judgement, WantsTheWarningOrACode) {
     Judged silent{};
-    silent.due(200U, 250U).say(200U, 206U, answer(WarningState::ready)).say(206U, 250U, answer(WarningState::warning));
+    silent.due(200U, 250U)
+        .say(200U, 206U, answer(WarningState::ready))
+        .say(206U, 250U, answer(WarningState::warning));
     EXPECT_THAT(silent.invisible().shortfalls(lying), Contains(HasSubstr("silent for 60 ms")));
     Judged short_time{};
     short_time.due(200U, 250U)
