@@ -299,7 +299,13 @@ EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Param
             result.undefined_cycles += answer->defined ? 0U : 1U;
         }
         watch_outputs(faulty, result);
+        const std::uint64_t silenced = result.warnings_silenced;
         silence.cycle(answer, expected, result);
+        if (result.warnings_silenced > silenced) {
+            result.silenced_by.push_back(fmt::format("{} of {}, at {:.0f} s", describe(schedule.fault()),
+                                                     to_string(schedule.fault().place),
+                                                     static_cast<double>(cycle) * cycle_time_s));
+        }
         recovery.cycle(cycle, answer && agree(*answer, expected));
         if (recovery.is_past_limit(cycle)) {
             ++result.faults;
@@ -330,7 +336,9 @@ std::vector<std::string> shortfalls(const EnduranceResult& result) {
     none(result.bad_outputs, "cycles with an output out of its range");
     none(result.unfed_cycles, "cycles in which the watchdog was not fed once");
     none(result.faults_not_recovered, "faults after which the ECU did not come back within 10 s");
-    none(result.warnings_silenced, "due warnings that were ready without a code for more than 50 ms");
+    for (const std::string& fault : result.silenced_by) {
+        found.push_back("a due warning was ready without a code for more than 50 ms: " + fault);
+    }
     return found;
 }
 

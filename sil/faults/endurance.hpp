@@ -24,6 +24,7 @@ struct EnduranceResult {
     std::uint64_t rollovers{0U};             // after each the drive goes on with a new vehicle
     std::uint64_t warnings_due{0U};          // how often the second ECU came to warn
     std::uint64_t warnings_silenced{0U};     // of these: `ready` without a code for longer than allowed
+    std::vector<std::string> silenced_by{};  // the faults of these, with the second of the drive
     int longest_silence_ms{0};               // the longest such time
     std::uint64_t incomplete_cycles{0U};     // without one of the ECU's frames
     std::uint64_t undefined_cycles{0U};      // with a code that the DBC file does not define
