@@ -22,13 +22,13 @@ class TurnConsistency {
             return;
         }
         difference_mps2_ = difference;
-        fast_mps2_ += (rsi::sample_time_s / 0.1F) * (difference - fast_mps2_);
+        fast_mps2_ += (rsi::sample_time_s / 0.3F) * (difference - fast_mps2_);
         slow_mps2_ += (rsi::sample_time_s / 4.0F) * (difference - slow_mps2_);
     }
 
     bool known() const noexcept { return known_; }
-    // More than the steepest bank of a road explains (25 %: 2.4 m/s^2).
-    bool suspicious() const noexcept { return known_ && !rsi::is_within_magnitude(fast_mps2_, 2.5F); }
+    // More than most roads' bank explains (15 %: 1.5 m/s^2): rather no statement than a wrong one.
+    bool suspicious() const noexcept { return known_ && !rsi::is_within_magnitude(fast_mps2_, 1.5F); }
     // More than any slide explains.
     bool contradicts() const noexcept { return known_ && !rsi::is_within_magnitude(slow_mps2_, 7.0F); }
     bool agrees() const noexcept { return known_ && rsi::is_within_magnitude(difference_mps2_, 2.0F); }
@@ -38,7 +38,7 @@ class TurnConsistency {
 
     bool known_{false};
     float difference_mps2_{0.0F};
-    float fast_mps2_{0.0F};  // lag 0.1 s
+    float fast_mps2_{0.0F};  // lag 0.3 s
     float slow_mps2_{0.0F};  // lag 4 s
 };
 
