@@ -115,11 +115,12 @@ Validation Component::init(const Parameters& parameters) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    further_.update(inputs, measured, fresh, outputs);
-    warn(measured, outputs);
-
+    // To the next sample at once: kept until the end, what this needs would crowd the registers.
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_);
+
+    further_.update(inputs, measured, fresh, outputs);
+    warn(measured, outputs);
     extended_rsi_ = outputs.rsi_extended;
 }
 

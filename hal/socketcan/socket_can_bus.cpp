@@ -93,6 +93,9 @@ OpenResult SocketCanBus::open(const SocketCanSettings& settings) noexcept {
     }
     settings_ = wanted;
     bit_rate_switch_ = settings.bit_rate_switch;
+    restart_when_bus_off_ = settings.restart_when_bus_off;
+    bus_off_ = BusOffReport{};
+    bus_off_schedule_.reset();
     statistics_ = BusStatistics{};
     descriptor_ = opened.descriptor;
     is_open_ = true;
@@ -116,6 +119,7 @@ ReceiveResult SocketCanBus::receive(CanFrame& frame) noexcept {
     if (!is_usable()) {
         return ReceiveResult::failed;
     }
+    follow_bus_off();
     for (int skipped = 0; skipped < most_frames_skipped_per_call; ++skipped) {
         canfd_frame kernel_frame{};
         const Time before = now_on(CLOCK_MONOTONIC);
@@ -136,10 +140,7 @@ ReceiveResult SocketCanBus::receive(CanFrame& frame) noexcept {
         } else if (kind == KernelFrameKind::data) {
             frame = from_kernel(kernel_frame, read.bytes, receive_time_of(read));
             count_up(statistics_.frames_received);
-            if (state_ == BusState::bus_off) {
-                state_ =
-                    BusState::error_active;  // a node that is bus-off hears nothing, so it has been restarted
-            }
+            take_sign_of_life();
             return ReceiveResult::frame;
         }
     }
@@ -183,7 +184,43 @@ void SocketCanBus::take_error_frame(const canfd_frame& error_frame) noexcept {
     if (tells_of_lost_frame(error_frame)) {
         count_up(statistics_.frames_lost);
     }
-    state_ = state_after_error(error_frame, state_);
+    const BusState before = state_;
+    state_ = state_after_error(error_frame, before);
+    if (state_ == BusState::bus_off && before != BusState::bus_off) {
+        count_up(bus_off_.times);
+        restart_at_ = now_on(CLOCK_MONOTONIC) + bus_off_schedule_.next();
+    }
+}
+
+// A node that is bus-off hears nothing, so somebody else has restarted it; but where this bus does that, the
+// frame may as well be a late one, and to believe it would mean to stay bus-off.
+void SocketCanBus::take_sign_of_life() noexcept {
+    if (state_ != BusState::bus_off) {
+        bus_off_schedule_.reset();
+    } else if (!restart_when_bus_off_ || left_to_kernel_) {
+        state_ = BusState::error_active;
+    }
+}
+
+void SocketCanBus::follow_bus_off() noexcept {
+    if (!restart_when_bus_off_ || state_ != BusState::bus_off) {
+        return;
+    }
+    const Time now = now_on(CLOCK_MONOTONIC);
+    if (now < restart_at_) {
+        return;
+    }
+    const ControllerRestartResult restart = restart_controller(settings_.interface_name);
+    bus_off_.refusal = restart.system_error;
+    left_to_kernel_ = restart.outcome == ControllerRestart::left_to_kernel;
+    if (restart.outcome == ControllerRestart::done) {
+        count_up(bus_off_.restarts);
+    }
+    if (restart.outcome == ControllerRestart::done || restart.outcome == ControllerRestart::not_bus_off) {
+        state_ = BusState::error_active;
+    } else {
+        restart_at_ = now + bus_off_schedule_.next();
+    }
 }
 
 void SocketCanBus::take_drop_count(std::uint32_t drop_count) noexcept {

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hal/interface/bus_off_schedule.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/socketcan/can_socket.hpp"
+#include "hal/socketcan/controller_restart.hpp"
 #include "hal/socketcan/open_result.hpp"
 
 namespace hal {
@@ -24,6 +26,14 @@ struct SocketCanSettings {
     int receive_buffer_bytes{1 << 20};  // room for about a thousand frames, as the kernel counts them
     bool receive_own_frames{false};     // whether what this bus sends comes back to it
     bool bit_rate_switch{true};         // send CAN FD payloads at the faster bit rate
+    bool restart_when_bus_off{false};   // by BusOffSchedule; needs the right to configure interfaces
+};
+
+// Counted since the bus was opened.
+struct BusOffReport {
+    std::uint32_t times{0U};
+    std::uint32_t restarts{0U};
+    int refusal{0};  // errno of the last restart that the kernel refused, 0 when the last one was not
 };
 
 // After open(), no call allocates, blocks or throws, except wait_for_frame(), which is made to block.
@@ -35,6 +45,10 @@ struct SocketCanSettings {
 // receive() every cycle. When the interface goes down or vanishes, the state is `closed` and both calls fail;
 // at most every 100 ms they look whether it is up again, and then go on by themselves, with a vanished one
 // made anew under the same name as well.
+//
+// With restart_when_bus_off, a controller that is bus-off is restarted from receive(), unless the interface
+// has a `restart-ms`, with which the kernel does that. This is the one thing for which receive() may take
+// longer: as long as the driver needs for it.
 class SocketCanBus final : public CanBus {
  public:
     SocketCanBus() noexcept = default;
@@ -49,6 +63,7 @@ class SocketCanBus final : public CanBus {
     SendResult send(const CanFrame& frame) noexcept override;
     BusState state() const noexcept override { return state_; }
     BusStatistics statistics() const noexcept override { return statistics_; }
+    BusOffReport bus_off_report() const noexcept { return bus_off_; }
 
     // Blocks until a frame or an error waits, for at most `longest` (rounded up to milliseconds).
     // True when receive() has something to look at. For programs that are driven by frames instead of by a
@@ -61,6 +76,8 @@ class SocketCanBus final : public CanBus {
 
  private:
     ReceiveResult after_read_error(int system_error) noexcept;
+    void take_sign_of_life() noexcept;
+    void follow_bus_off() noexcept;
     void take_error_frame(const canfd_frame& error_frame) noexcept;
     void take_drop_count(std::uint32_t drop_count) noexcept;
     Time receive_time_of(const ReadResult& read) const noexcept;
@@ -76,6 +93,11 @@ class SocketCanBus final : public CanBus {
     bool is_open_{false};  // between open() and close(), whatever the interface does
     bool vanished_{false};
     bool bit_rate_switch_{true};
+    bool restart_when_bus_off_{false};
+    BusOffReport bus_off_;
+    BusOffSchedule bus_off_schedule_;
+    bool left_to_kernel_{false};
+    Time restart_at_{};
     std::uint32_t drop_count_{0U};
     Time last_empty_{};
     Time next_recovery_{};

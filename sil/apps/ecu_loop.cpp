@@ -15,6 +15,7 @@
 #include "hal/linux/steady_clock.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/apps/bus_state_report.hpp"
 #include "sil/simulation/lock_step_receiver.hpp"
 #include "sil/simulation/pace.hpp"
 
@@ -33,6 +34,10 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     settings.interface_name = request.interface.c_str();
     settings.identifiers = identifiers.data();
     settings.identifier_count = request.lock_step ? identifiers.size() : identifiers.size() - 1U;
+    if (request.receive_everything) {
+        settings.identifier_count = 0U;
+    }
+    settings.restart_when_bus_off = !request.lock_step;  // simulated time knows no bus-off
     const hal::OpenResult opened = bus.open(settings);
     if (!opened) {
         throw std::runtime_error(opened.message());
@@ -67,6 +72,10 @@ void print_punctuality(const hal::PeriodicTick<hal::SteadyClock>& tick, const ha
         to_ms(lateness.quantile(0.99)), to_ms(lateness.largest()));
     fmt::print("rsi-ecu: {} frames received, {} sent, {} lost, {} error frames\n", statistics.frames_received,
                statistics.frames_sent, statistics.frames_lost, statistics.error_frames);
+    const hal::BusOffReport bus_off = bus.bus_off_report();
+    if (bus_off.times != 0U) {
+        fmt::print("rsi-ecu: {} times bus-off, {} restarts\n", bus_off.times, bus_off.restarts);
+    }
 }
 
 void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, hal::SocketCanBus& bus,
@@ -80,9 +89,11 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
         throw std::runtime_error(real_time.message());
     }
     say_listening(request);
+    BusStateReport bus_state{request.interface};
     hal::PeriodicTick<hal::SteadyClock> tick{clock, cycle_time};
     while (end_requested == 0) {
         ecu.step(tick.wait());
+        bus_state.follow(bus);
         if (watchdog.expired()) {
             throw std::runtime_error("the watchdog expired: a cycle took longer than 500 ms");
         }

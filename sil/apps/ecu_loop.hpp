@@ -13,6 +13,8 @@ struct EcuRequest {
     bool lock_step{false};
     int fifo_priority{0};  // 0: the scheduling stays as it is
     bool lock_memory{false};
+    bool receive_everything{
+        false};  // no filters in the kernel: foreign frames reach the firmware, which drops them
 };
 
 // Runs until `end_requested` is not zero, then prints how punctual the cycle was. Throws std::runtime_error

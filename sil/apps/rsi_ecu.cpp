@@ -93,6 +93,8 @@ int main(int argc, char** argv) {
     app.add_option("--priority", request.fifo_priority, "Real-time priority under SCHED_FIFO")
         ->check(CLI::Range(1, 99));
     app.add_flag("--lock-memory", request.lock_memory, "Keep all memory from being paged out");
+    app.add_flag("--receive-everything", request.receive_everything,
+                 "Set no filters in the kernel, to show what a busy bus does without them");
 
     CLI::App* replayed =
         app.add_subcommand("replay", "Feed recorded sensor frames to the firmware in simulated time");

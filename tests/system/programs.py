@@ -38,8 +38,8 @@ class Ecu:
     PROGRAM = PROGRAMS / "rsi-ecu"
     DEFAULTS = ("--parameters", CALIBRATION)
 
-    def __init__(self, *options):
-        command = [self.PROGRAM, "--interface", INTERFACE, *self.DEFAULTS, *options]
+    def __init__(self, *options, interface=None):
+        command = [self.PROGRAM, "--interface", interface or INTERFACE, *self.DEFAULTS, *options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.output = self.process.stdout.readline()
         if "listening" not in self.output:
@@ -67,13 +67,13 @@ class Ecu:
 
 
 class Candump:
-    """`candump -L` on the interface, writing to a file."""
+    """`candump -L` on the interface, writing to a file; `filters` as candump takes them behind the interface's name."""
 
-    def __init__(self, path):
+    def __init__(self, path, filters="", *options):
         self.path = pathlib.Path(path)
         self.file = open(self.path, "w", encoding="ascii")
         listeners = self._listeners()
-        command = ["candump", "-L", "-r", "8388608", INTERFACE]
+        command = ["candump", "-L", "-r", "8388608", *options, INTERFACE + filters]
         self.process = subprocess.Popen(command, stdout=self.file, stderr=subprocess.PIPE)
         deadline = time.monotonic() + 10
         while self._listeners() <= listeners:
@@ -83,9 +83,9 @@ class Candump:
 
     @staticmethod
     def _listeners():
-        """How many sockets hear everything on the interface, as the kernel lists them."""
-        text = pathlib.Path("/proc/net/can/rcvlist_all").read_text(encoding="ascii")
-        return len(re.findall(rf"^\s*{INTERFACE}\s+000\s", text, re.MULTILINE))
+        """How many filters there are on the interface, as the kernel lists them."""
+        lists = pathlib.Path("/proc/net/can").glob("rcvlist_*")
+        return sum(len(re.findall(rf"^\s*{INTERFACE}\s+[0-9a-f]", path.read_text(), re.MULTILINE)) for path in lists)
 
     def stop(self):
         """Ends it after it has read what waits; the frames as (time, identifier, data)."""

@@ -119,6 +119,38 @@ TEST_F(BusStateTest, FramesWaitingFromBeforeAreStillReadAfterwards) {
     EXPECT_EQ(frame.identifier, 0x11U);
 }
 
+TEST_F(BusStateTest, BusOffIsEndedByARestartAfterTheTimeOfTheSchedule) {
+    SocketCanSettings settings;
+    settings.restart_when_bus_off = true;
+    open_or_fail(first, settings);
+    for (const int wait_ms : {100, 200}) {
+        const Time before = clock.now();
+        send_raw(CAN_ERR_FLAG | CAN_ERR_BUSOFF);
+        ASSERT_EQ(state_after_reading(first), BusState::bus_off);
+        EXPECT_EQ(first.send(make_frame(1U)), SendResult::failed);
+        for (int i = 0; i < 400 && first.state() != BusState::error_active; ++i) {
+            clock.wait_until(clock.now() + Time::from_milliseconds(5));
+            first.receive(frame);
+        }
+        EXPECT_EQ(first.state(), BusState::error_active);
+        EXPECT_FALSE(clock.now() - before < Time::from_milliseconds(wait_ms));
+    }
+    EXPECT_EQ(first.bus_off_report().times, 2U);
+    EXPECT_EQ(first.bus_off_report().restarts, 2U);
+    EXPECT_EQ(first.bus_off_report().refusal, 0);
+    EXPECT_EQ(first.send(make_frame(1U)), SendResult::sent);
+}
+
+TEST_F(BusStateTest, BusOffIsLeftToTheKernelWhenNobodyAskedForARestart) {
+    send_raw(CAN_ERR_FLAG | CAN_ERR_BUSOFF);
+    ASSERT_EQ(state_after_reading(first), BusState::bus_off);
+    clock.wait_until(clock.now() + BusOffSchedule::shortest + BusOffSchedule::shortest);
+    EXPECT_EQ(first.receive(frame), ReceiveResult::empty);
+    EXPECT_EQ(first.state(), BusState::bus_off);
+    EXPECT_EQ(first.bus_off_report().times, 1U);
+    EXPECT_EQ(first.bus_off_report().restarts, 0U);
+}
+
 // An interface of its own, as a CAN adapter that can be unplugged.
 class UnpluggedInterfaceTest : public testing::InterfaceTest {
  protected:

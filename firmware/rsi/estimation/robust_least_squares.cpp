@@ -11,6 +11,7 @@ constexpr float two_pi = 6.2831853F;
 
 void RobustLeastSquares::init(const Parameters& parameters) {
     forgetting_factor_ = parameters.forgetting_factor;
+    forgetting_growth_ = 1.0F / forgetting_factor_;
     disturbance_weight_ =
         1.0F - decaying_exponential(two_pi * parameters.disturbance_cutoff_hz * sample_time_s);
     output_scale_nm_ = parameters.regression_scale_nm;
@@ -31,23 +32,26 @@ void RobustLeastSquares::reset() {
 // With g = P(k-1) psi and s = psi^T g, (10) gives P(k) psi / n_s = g / (lambda n_s + s) exactly, so the gain
 // of (9) needs no second product. Normalisation divides Y and psi by sqrt(n_s); only n_s itself remains in
 // (9) and (10).
-void RobustLeastSquares::update(const Regression& regression) {
+[[gnu::flatten, gnu::noinline]] void RobustLeastSquares::update(const Regression& regression) {
     const Eigen::Vector3f psi = regression.psi.cwiseProduct(input_scale_);
     const float output = regression.output_nm * output_scale_inverse_;
 
     const Eigen::Vector3f g = covariance_ * psi;
-    const float s = larger(psi.dot(g), 0.0F);
+    const float s = absolute(psi.dot(g));  // negative only by rounding
     const float n_s = 1.0F + s;
     // Without excitation forgetting would let P grow without bound; above the limit nothing is forgotten.
-    const float lambda = (covariance_.trace() > covariance_limit_) ? 1.0F : forgetting_factor_;
-    const float divisor = lambda * n_s + s;  // at least lambda
+    const bool forgets = !(covariance_.trace() > covariance_limit_);
+    const float lambda = forgets ? forgetting_factor_ : 1.0F;
+    const float growth = forgets ? forgetting_growth_ : 1.0F;  // 1 / lambda
+    const float divisor = lambda * n_s + s;                    // at least lambda
 
     const float innovation = output - psi.dot(theta_) - disturbance_;
-    theta_ += g * (innovation / divisor);
-    update_covariance(g, divisor, 1.0F / lambda);
     disturbance_ += disturbance_weight_ * innovation;
+    theta_ += g * (innovation / divisor);
+    update_covariance(g, divisor, growth);
 
-    if (!is_finite(theta_.sum() + covariance_.sum() + disturbance_)) {
+    // No element of P is larger than the largest on its diagonal.
+    if (!is_finite(theta_.sum() + covariance_.trace() + disturbance_)) {
         reset();
     }
 }

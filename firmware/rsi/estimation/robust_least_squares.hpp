@@ -19,7 +19,6 @@ struct Covariance {
                                p01 * v.x() + p11 * v.y() + p12 * v.z(),
                                p02 * v.x() + p12 * v.y() + p22 * v.z()};
     }
-    float sum() const { return p00 + p01 + p02 + p11 + p12 + p22; }
     float trace() const { return p00 + p11 + p22; }
 };
 
@@ -42,6 +41,7 @@ class RobustLeastSquares {
     void update_covariance(const Eigen::Vector3f& g, float divisor, float growth);
 
     float forgetting_factor_{1.0F};
+    float forgetting_growth_{1.0F};   // its inverse
     float disturbance_weight_{0.0F};  // alpha of (11)
     float output_scale_nm_{1.0F};
     Eigen::Vector3f parameter_scale_{Eigen::Vector3f::Ones()};

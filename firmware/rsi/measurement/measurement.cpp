@@ -23,10 +23,6 @@ bool necessary_inputs_available(const Inputs& inputs) {
            within(inputs.roll_rate_radps, largest_rate_radps);
 }
 
-bool observer_inputs_available(const Inputs& inputs) {
-    return within(inputs.yaw_rate_radps, largest_rate_radps) && within(inputs.speed_mps, largest_speed_mps);
-}
-
 // Of the road; flat where the angle is not available.
 struct Bank {
     float sine{0.0F};
@@ -85,9 +81,8 @@ void MeasurementStage::reset() {
 // f_cg = f_imu - alpha x r - omega x (omega x r) with pitch rate q = 0:
 //   f_y,cg = f_y - (r' x - p' z) + (p^2 + r^2) y
 //   f_z,cg = f_z - p' y - p (r x - p z)
-BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs) {
+BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs, bool yaw_known) {
     const float p = inputs.roll_rate_radps;
-    const bool yaw_known = within(inputs.yaw_rate_radps, largest_rate_radps);
     const float r = yaw_known ? inputs.yaw_rate_radps : 0.0F;
     const float roll_acceleration = roll_acceleration_.update(p);
     float yaw_acceleration = 0.0F;
@@ -106,10 +101,11 @@ BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs) {
 }
 
 // The observer runs whether it is needed or not, so that it knows the angle when the sensor fails.
-void MeasurementStage::observe(const Inputs& inputs, const BodyForces& at_cg, Measurement& measurement) {
+void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg,
+                               Measurement& measurement) {
     const bool sensor_available = within(inputs.roll_angle_rad, largest_roll_angle_rad);
     bool roll_known = false;
-    if (observer_inputs_available(inputs)) {
+    if (yaw_known && within(inputs.speed_mps, largest_speed_mps)) {
         roll_known = observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
                                       inputs.speed_mps, measurement.odd_sample);
     } else {
@@ -142,8 +138,9 @@ bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
     }
     odd_sample_ = !odd_sample_;
     measurement.odd_sample = odd_sample_;
-    const BodyForces at_cg = carry_to_cg(inputs);
-    observe(inputs, at_cg, measurement);
+    const bool yaw_known = within(inputs.yaw_rate_radps, largest_rate_radps);
+    const BodyForces at_cg = carry_to_cg(inputs, yaw_known);
+    observe(inputs, yaw_known, at_cg, measurement);
     if (measurement.roll_source == RSI_ROLL_NONE) {
         roll_acceleration_.reset();
         yaw_acceleration_.reset();

@@ -51,8 +51,8 @@ class MeasurementStage {
 
  private:
     // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
-    BodyForces carry_to_cg(const Inputs& inputs);
-    void observe(const Inputs& inputs, const BodyForces& at_cg, Measurement& measurement);
+    BodyForces carry_to_cg(const Inputs& inputs, bool yaw_known);
+    void observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg, Measurement& measurement);
 
     float imu_x_m_{0.0F};
     float imu_y_m_{0.0F};

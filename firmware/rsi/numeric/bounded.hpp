@@ -26,8 +26,9 @@ constexpr bool is_within_magnitude(float value, float limit) {
     return absolute(value) <= limit;
 }
 
+// A finite value less itself is zero, any other is NaN: needs no constant to compare with.
 constexpr bool is_finite(float value) {
-    return is_within_magnitude(value, std::numeric_limits<float>::max());
+    return (value - value) >= 0.0F;
 }
 
 // Bounds a finite value.

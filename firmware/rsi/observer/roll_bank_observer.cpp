@@ -94,7 +94,7 @@ bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, f
         const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
         // P33 tends to that of the steady filter from above.
         P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
-        if ((speed_mps > smallest_speed_mps) && !tipped_) {
+        if (!tipped_ && (speed_mps > smallest_speed_mps)) {
             correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
         }
     }

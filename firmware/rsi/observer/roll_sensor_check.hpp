@@ -29,7 +29,11 @@ class RollSensorCheck {
         const float distance_rad = absolute(difference_rad);
         const bool contradicts =
             disagrees_ ? (distance_rad < 0.5F * limit_rad_) : (distance_rad > limit_rad_);
-        samples_ = contradicts ? samples_ + 1 : 0;
+        if (!contradicts) {
+            samples_ = 0;
+            return;
+        }
+        ++samples_;
         if (samples_ > confirmation_samples_) {
             disagrees_ = !disagrees_;
             samples_ = 0;
