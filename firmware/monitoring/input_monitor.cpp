@@ -152,7 +152,8 @@ void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs&
                             inputs.roll_angle_rad);
     if (vertical_offset_.known()) {
         memory.report(DiagnosticCode::vertical_acceleration_offset,
-                      vertical_offset_.has_offset(before.state == RSI_STATE_WARNING));
+                      vertical_offset_.has_offset((before.state != RSI_STATE_READY) &&
+                                                  (before.state != RSI_STATE_ADVISORY)));
     }
 }
 
@@ -186,6 +187,9 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
         if (rsi::is_finite(difference)) {
             memory.report(roll_sensor, !rsi::is_within_magnitude(difference, agreement_rad));
         }
+        return;
+    }
+    if (turn_consistency_.spins()) {
         return;
     }
     // A roll sensor that is out for another reason does not come back as long as the observer contradicts it.

@@ -7,10 +7,10 @@
 
 namespace monitoring {
 
-// A driver who holds the wheel repeats its code as well as a frozen sensor does, and after a spin the vehicle swings
-// beneath a wheel that is held. So it must have gone straight for a while since the wheel moved last, and then turn
-// without a slide, yaw and lateral acceleration together: over 814 drawn runs of three vehicles these came to
-// 0.6 m/s^2.
+// A driver who holds the wheel repeats its code as well as a frozen sensor does, and after a spin the vehicle
+// swings beneath a wheel that is held. So it must have gone straight for a while since the wheel moved last,
+// and then turn without a slide, yaw and lateral acceleration together: over 814 drawn runs of three vehicles
+// these came to 0.6 m/s^2.
 class SteeringCheck {
  public:
     // One sample; one that is not finite starts anew. The equality of floats is meant.
@@ -29,7 +29,8 @@ class SteeringCheck {
         } else {
             straight_samples_ = (straight_samples_ < enough_) ? 0U : enough_;
         }
-        const bool turns = (rsi::smaller(force, yaw) > 3.0F) && (lateral_force_mps2 * yaw_acceleration_mps2 > 0.0F);
+        const bool turns =
+            (rsi::smaller(force, yaw) > 3.0F) && (lateral_force_mps2 * yaw_acceleration_mps2 > 0.0F);
         return turns && (straight_samples_ == enough_);
     }
 

@@ -1,6 +1,8 @@
 // Turn consistency: lateral acceleration against yaw rate times speed.
 #pragma once
 
+#include <cstdint>
+
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
@@ -16,6 +18,9 @@ class TurnConsistency {
     void update(float lateral_force_mps2, float yaw_rate_radps, float speed_mps) noexcept {
         const float difference = lateral_force_mps2 - yaw_rate_radps * speed_mps;
         known_ = rsi::is_finite(difference) && (speed_mps > smallest_speed_mps);
+        const bool spins = known_ && !rsi::is_within_magnitude(yaw_rate_radps * speed_mps, tyres_give_mps2);
+        const std::uint32_t fewer = (after_spin_ > 0U) ? after_spin_ - 1U : 0U;
+        after_spin_ = spins ? spin_samples : fewer;
         if (!known_) {
             fast_mps2_ = 0.0F;
             slow_mps2_ = 0.0F;
@@ -27,6 +32,9 @@ class TurnConsistency {
     }
 
     bool known() const noexcept { return known_; }
+    // It yaws faster than tyres can turn it, or did within the last second: no time for the observer, whose
+    // tyres roll.
+    bool spins() const noexcept { return after_spin_ > 0U; }
     // More than most roads' bank explains (15 %: 1.5 m/s^2): rather no statement than a wrong one.
     bool suspicious() const noexcept { return known_ && !rsi::is_within_magnitude(fast_mps2_, 1.5F); }
     // More than any slide explains.
@@ -35,11 +43,14 @@ class TurnConsistency {
 
  private:
     static constexpr float smallest_speed_mps = 5.0F;
+    static constexpr float tyres_give_mps2 = 10.5F;
+    static constexpr std::uint32_t spin_samples = 100U;
 
     bool known_{false};
     float difference_mps2_{0.0F};
     float fast_mps2_{0.0F};  // lag 0.3 s
     float slow_mps2_{0.0F};  // lag 4 s
+    std::uint32_t after_spin_{0U};
 };
 
 }  // namespace monitoring

@@ -6,9 +6,9 @@
 
 namespace monitoring {
 
-// f_z = g cos(roll) - a_y sin(roll), nearly g - f_y roll, plus the heave, whose mean over a second is small. Over
-// 814 drawn runs of three vehicles the difference with a lag of 0.4 s came to 1.25 m/s^2 before a warning and to
-// 2.4 in one, where wheels lift and come down.
+// f_z = g cos(roll) - a_y sin(roll), nearly g - f_y roll, plus the heave, whose mean over a second is small.
+// Over 814 drawn runs of three vehicles the difference with a lag of 0.4 s came to 1.25 m/s^2 before a
+// warning and to 2.4 in one, where wheels lift and come down.
 class VerticalOffset {
  public:
     // One sample; one that is not finite, or of a body far over, starts anew.

@@ -10,6 +10,9 @@ constexpr int at_once_ms = 50;  // the frame itself shows that something is wron
 // What only a comparison over some time shows.
 constexpr int roll_debounce_ms = 350;
 constexpr int debounce_ms = 500;
+constexpr int vertical_offset_debounce_ms = 700;
+constexpr int roll_rate_offset_debounce_ms = 1000;
+constexpr int yaw_sign_debounce_ms = 1300;
 
 // From the end of the fault to the right statement, and to the last code's healing.
 constexpr int recovery_of_frames_ms = 250;
@@ -49,10 +52,40 @@ bool is_optional(FaultPlace place) {
     return place == FaultPlace::bank_angle || place == FaultPlace::steering_wheel_angle;
 }
 
-Expectation contradiction(FaultPlace place) {
-    const bool roll = place == FaultPlace::roll_angle;
-    return {is_optional(place) ? Demand::right_or_reported : Demand::reported,
-            roll ? roll_debounce_ms : debounce_ms, recovery_of_values_ms, recovery_of_values_ms};
+// The stated debounces (docs/safety/degradation.md).
+int debounce_of(const Fault& fault) {
+    if (fault.place == FaultPlace::vertical_acceleration && fault.kind != FaultKind::noise) {
+        return vertical_offset_debounce_ms;
+    }
+    if (fault.place == FaultPlace::roll_rate && fault.kind != FaultKind::noise) {
+        return roll_rate_offset_debounce_ms;
+    }
+    if (fault.place == FaultPlace::yaw_rate && fault.kind == FaultKind::sign_flip) {
+        return yaw_sign_debounce_ms;
+    }
+    return fault.place == FaultPlace::roll_angle ? roll_debounce_ms : debounce_ms;
+}
+
+// What shows whatever the vehicle does. The others show only where something moves, or are for a while too
+// small to be told from the road: then nothing need be said as long as the warning does not suffer.
+bool always_shows(const Fault& fault) {
+    switch (fault.kind) {
+        case FaultKind::noise:
+            return true;
+        case FaultKind::offset:
+            return fault.place == FaultPlace::vertical_acceleration || fault.place == FaultPlace::roll_rate ||
+                   fault.place == FaultPlace::roll_angle || fault.place == FaultPlace::speed;
+        case FaultKind::sign_flip:
+            return fault.place == FaultPlace::vertical_acceleration;
+        default:
+            return false;
+    }
+}
+
+Expectation contradiction(const Fault& fault) {
+    const Demand demand = always_shows(fault) ? Demand::reported : Demand::kept_or_reported;
+    return {is_optional(fault.place) ? Demand::right_or_reported : demand, debounce_of(fault),
+            recovery_of_values_ms, recovery_of_values_ms};
 }
 
 }  // namespace
@@ -66,7 +99,7 @@ Expectation expectation_of(const Fault& fault) {
         case FaultKind::drift:
         case FaultKind::noise:
         case FaultKind::sign_flip:
-            return contradiction(fault.place);
+            return contradiction(fault);
         case FaultKind::saturated:
             return {demand_of_loss(fault.place), at_once_ms, recovery_of_values_ms, recovery_of_values_ms};
         case FaultKind::not_available:
@@ -97,7 +130,7 @@ Expectation expectation_of(const Fault& fault) {
         case FaultKind::bus_off:
             return at_once(Demand::reported);
         case FaultKind::clock_jump:
-            return fault.magnitude > 0.0 ? at_once(Demand::reported) : nothing;
+            return at_once(Demand::reported);
         case FaultKind::process_stop:
             return fault.magnitude > 30.0 ? at_once(Demand::unavailable) : at_once(Demand::usable);
     }
@@ -109,9 +142,14 @@ int longest_false_warning_ms(const Expectation& expectation) {
 }
 
 const char* to_string(Demand demand) {
-    constexpr std::array names{
-        "no change",         "right, or code",   "code", "code, usable", "code, roll from the observer",
-        "code, motion lost", "code, unavailable"};
+    constexpr std::array names{"no change",
+                               "right, or code",
+                               "warning kept, or code",
+                               "code",
+                               "code, usable",
+                               "code, roll from the observer",
+                               "code, motion lost",
+                               "code, unavailable"};
     return names[static_cast<std::size_t>(demand)];
 }
 

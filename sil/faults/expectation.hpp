@@ -11,6 +11,7 @@ namespace sil {
 enum class Demand : std::uint8_t {
     unaffected,         // the state is that of the drive without the fault
     right_or_reported,  // the statement is right, or there is a code
+    kept_or_reported,   // a warning that is due comes in time, or there is a code
     reported,           // a diagnostic code; the state may be any that the rules for every cell allow
     usable,             // a code, and the state is never "unavailable"
     roll_sensor_lost,   // a code, the observer's roll angle in use, never "unavailable"

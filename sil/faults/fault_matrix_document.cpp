@@ -104,7 +104,9 @@ std::string fault_matrix_document(const FaultMatrix& matrix) {
         "which every warning is held. \"right, or code\": the state is that of the drive without the fault, "
         "but for {} ms, or there is a code; so much is asked of inputs\nthat nothing else in the vehicle "
         "could "
-        "contradict and that the warning hardly needs.\n\n"
+        "contradict and that the warning hardly needs. \"warning kept, or code\": the due warning is at most "
+        "100 ms late, or there is a code in time; so much is asked of what shows\nonly while something "
+        "moves, or is too small for a while to be told from the road.\n\n"
         "{}",
         count.as_expected, count.all, reason_list(), scene_list(matrix), longest_silence_ms,
         largest_lead_loss_ms, longest_wrong_ms, table(matrix));

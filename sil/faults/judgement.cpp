@@ -150,6 +150,9 @@ std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction
     } else if (expected.demand == Demand::right_or_reported) {
         demand(reaction.wrong <= longest_wrong_ms || in_time(reaction.code),
                fmt::format("wrong for {} ms without a code", reaction.wrong));
+    } else if (expected.demand == Demand::kept_or_reported) {
+        const bool kept = !reaction.warning_missed && reaction.lead_loss.value_or(0) <= largest_lead_loss_ms;
+        demand(kept || in_time(reaction.code), "warning late, and no code in time");
     } else if (reaction.visible) {
         demand(in_time(reaction.code), "no code in time");
     }

@@ -5,18 +5,13 @@
 namespace sil {
 
 const std::vector<KnownShortfall>& known_shortfalls() {
-    static const char* const no_plausibility = "Signals are not yet compared with each other.";
     static const std::vector<KnownShortfall> all{
-        {FaultKind::frozen, {}, {}, no_plausibility},
-        {FaultKind::offset, {}, {}, no_plausibility},
-        {FaultKind::drift, {}, {}, no_plausibility},
-        {FaultKind::noise, {}, {}, no_plausibility},
-        {FaultKind::sign_flip, {}, {}, no_plausibility},
-        {FaultKind::saturated, {}, {}, "The range of a signal is not yet checked but by its code."},
         {FaultKind::delayed,
          {FaultPlace::roll_angle_frame},
-         {"before the turn"},
-         "A constant delay leaves counter and receive time in order; only the first gap shows."},
+         {"before the turn", "warning"},
+         "A constant delay leaves counter and receive time in order; only the first gap shows. While the "
+         "body "
+         "falls over, the old angle contradicts the roll rate, and there is no statement any more."},
     };
     return all;
 }

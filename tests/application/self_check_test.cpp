@@ -1,4 +1,5 @@
-// What the ECU does when it finds itself damaged: parameters, estimate, numbers, clock; and when it feeds the watchdog.
+// What the ECU does when it finds itself damaged: parameters, estimate, numbers, clock; and when it feeds the
+// watchdog.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -87,9 +88,17 @@ TEST(TheParameterGuard, SeesTwoExchangedWords) {
     EXPECT_TRUE(damaged);
 }
 
-// A slalom, so that there is an estimate; every copy of the roll centre's movement in the ECU becomes `value`.
-class ADamagedEstimate : public ::testing::Test {
+// A slalom, so that there is an estimate. The component heals much by itself, so what is damaged here is what
+// it heals by: the constants that it has made of the parameters, in its own memory.
+class ADamagedComponent : public ::testing::Test {
  protected:
+    static rsi::Parameters parameters() {
+        rsi::Parameters parameters = large_suv();
+        parameters.estimator = RSI_ESTIMATOR_CONSIDER_KALMAN;
+        parameters.roll_centre_limit_m = 0.2371F;  // a value that nothing else has
+        return parameters;
+    }
+
     void SetUp() override {
         bench.drive([this](double time_s) {
             vehicle.advance(4.0 * std::sin(2.0 * time_s));
@@ -99,41 +108,50 @@ class ADamagedEstimate : public ::testing::Test {
         ASSERT_EQ(bench.state(), State::ready);
     }
 
-    void damage_estimate(float value) {
-        const float movement = bench.outputs().roll_centre_vertical_m;
-        ASSERT_NE(movement, 0.0F);
-        for (const std::size_t place : places_of(bench, &movement, sizeof movement)) {
-            std::memcpy(bench.memory() + place, &value, sizeof value);
+    // Every copy of `value` in the ECU but that of the parameters themselves.
+    void damage(float value, float damaged) {
+        const rsi::Parameters sound = parameters();
+        const std::size_t kept = places_of(bench, &sound, sizeof sound).at(0);
+        for (const std::size_t place : places_of(bench, &value, sizeof value)) {
+            if (place < kept || place >= kept + sizeof sound) {
+                std::memcpy(bench.memory() + place, &damaged, sizeof damaged);
+            }
         }
     }
 
     void expect_reset_and_recovery(Code code) {
         const std::size_t from = bench.cycles().size();
         const int feeds = bench.watchdog_feeds();
-        bench.run_cycles(3);
+        bench.run_cycles(4);
         EXPECT_TRUE(told(bench, from, code, CodeStatus::confirmed));
         EXPECT_EQ(bench.state(), State::unavailable);
         EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::internal_fault);
-        EXPECT_LT(bench.watchdog_feeds(), feeds + 3);  // not after the unhealthy step
-        bench.run_for(1.2);
+        EXPECT_LT(bench.watchdog_feeds(), feeds + 4);  // not after the unhealthy step
+        for (std::size_t index = from; index < bench.cycles().size(); ++index) {
+            const Cycle& cycle = bench.cycles()[index];
+            EXPECT_EQ(cycle.frames.size(), frames_per_cycle);
+            EXPECT_TRUE(cycle.state() == State::unavailable || cycle.warning.status.all_valid());
+        }
+        bench.run_for(1.3);
         EXPECT_EQ(bench.state(), State::ready);
         EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::full);
-        EXPECT_LT(std::abs(bench.outputs().roll_centre_vertical_m), 0.5F);
+        EXPECT_LT(std::abs(bench.outputs().roll_centre_vertical_m), 0.3F);
         EXPECT_TRUE(told(bench, from, code, CodeStatus::healed));
     }
 
-    Bench bench;
+    Bench bench{parameters()};
     RollPlaneVehicle vehicle{large_suv()};
 };
 
-TEST_F(ADamagedEstimate, OutOfRangeGoesBackToNominal) {
-    damage_estimate(5.0F);
+TEST_F(ADamagedComponent, WhoseEstimateLeavesItsRangeStartsAnewFromTheParameters) {
+    damage(parameters().roll_centre_limit_m, 50.0F);
+    damage(bench.outputs().roll_centre_vertical_m, 5.0F);
     expect_reset_and_recovery(Code::estimate_out_of_range);
 }
 
-TEST_F(ADamagedEstimate, ThatIsNoNumberNeverReachesTheBus) {
-    damage_estimate(std::numeric_limits<float>::quiet_NaN());
-    expect_reset_and_recovery(Code::estimate_out_of_range);
+TEST_F(ADamagedComponent, WhoseAnswerIsNoNumberStartsAnewFromTheParameters) {
+    damage(parameters().roll_damping_nmsprad, std::numeric_limits<float>::quiet_NaN());
+    expect_reset_and_recovery(Code::output_not_finite);
 }
 
 TEST(TheOutputCheck, NoticesEveryNumberThatIsNone) {
@@ -157,7 +175,8 @@ TEST(TheOutputCheck, NoticesEveryNumberThatIsNone) {
                                              &rsi::Outputs::rollover_index,
                                              &rsi::Outputs::time_to_rollover_s};
     for (const auto number : numbers) {
-        for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        for (const float bad :
+             {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
             rsi::Outputs outputs = good;
             outputs.*number = bad;
             EXPECT_FALSE(monitoring::outputs_are_sound(outputs));
@@ -168,28 +187,32 @@ TEST(TheOutputCheck, NoticesEveryNumberThatIsNone) {
         outputs.*member = value;
         return outputs;
     };
-    EXPECT_FALSE(monitoring::outputs_are_sound(with(&rsi::Outputs::state, static_cast<rsi_state>(4))));
-    EXPECT_FALSE(monitoring::outputs_are_sound(with(&rsi::Outputs::side, static_cast<rsi_side>(3))));
-    EXPECT_FALSE(
-        monitoring::outputs_are_sound(with(&rsi::Outputs::roll_source, static_cast<rsi_roll_source>(3))));
+    const auto with_code = [&good](auto member, std::uint32_t code) {  // as damaged memory has it
+        rsi::Outputs outputs = good;
+        static_assert(sizeof(outputs.*member) == sizeof code);
+        std::memcpy(&(outputs.*member), &code, sizeof code);
+        return outputs;
+    };
+    EXPECT_FALSE(monitoring::outputs_are_sound(with_code(&rsi::Outputs::state, 4U)));
+    EXPECT_FALSE(monitoring::outputs_are_sound(with_code(&rsi::Outputs::side, 3U)));
+    EXPECT_FALSE(monitoring::outputs_are_sound(with_code(&rsi::Outputs::roll_source, 3U)));
     EXPECT_FALSE(monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_centre_vertical_m, -2.5F)));
-    EXPECT_FALSE(monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_stiffness_deviation_nmprad, 2.0e10F)));
-    EXPECT_FALSE(monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_damping_deviation_nmsprad, 2.0e5F)));
+    EXPECT_FALSE(
+        monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_stiffness_deviation_nmprad, 2.0e10F)));
+    EXPECT_FALSE(
+        monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_damping_deviation_nmsprad, 2.0e5F)));
 }
 
 TEST(TheClock, ThatJumpsIsReportedAndHeals) {
-    for (const std::int64_t jump_ms : {1000, -1000}) {
-        SCOPED_TRACE(jump_ms);
-        Bench bench;
-        bench.run_for(2.0);
-        const std::size_t from = bench.cycles().size();
-        bench.move_clock(hal::Time::from_milliseconds(jump_ms));
-        bench.run_cycles(2);
-        EXPECT_TRUE(told(bench, from, Code::clock_jump, CodeStatus::confirmed));
-        bench.run_for(1.5);
-        EXPECT_TRUE(told(bench, from, Code::clock_jump, CodeStatus::healed));
-        EXPECT_EQ(bench.state(), State::ready);
-    }
+    Bench bench;
+    bench.run_for(2.0);
+    const std::size_t from = bench.cycles().size();
+    bench.move_clock(hal::Time::from_milliseconds(1000));
+    bench.run_cycles(2);
+    EXPECT_TRUE(told(bench, from, Code::clock_jump, CodeStatus::confirmed));
+    bench.run_for(1.5);
+    EXPECT_TRUE(told(bench, from, Code::clock_jump, CodeStatus::healed));
+    EXPECT_EQ(bench.state(), State::ready);
 }
 
 TEST(TheClock, ThatIsLateByMissedCyclesHasNotJumped) {

@@ -24,7 +24,8 @@ constexpr std::size_t end = 300U;
 constexpr std::size_t length = 900U;
 
 constexpr Fault imu_lost{FaultKind::lost, FaultPlace::imu_frame, 0.0};
-constexpr Fault lying{FaultKind::offset, FaultPlace::lateral_acceleration, 2.0};
+constexpr Fault lying{FaultKind::noise, FaultPlace::lateral_acceleration, 2.0};
+constexpr Fault hardly_lying{FaultKind::offset, FaultPlace::lateral_acceleration, 2.0};
 
 EcuAnswer answer(WarningState state, sil::DiagnosticCodes codes = 0U) {
     EcuAnswer one;
@@ -128,9 +129,24 @@ TEST(Judgement, WantsARightStatementOrACodeOfOptionalInputs) {
     EXPECT_THAT(Judged{}.say(150U, 250U, answer(WarningState::advisory, 1U)).shortfalls(bank), IsEmpty());
 }
 
+TEST(Judgement, WantsTheDueWarningOrACodeInTimeOfWhatHardlyShows) {
+    const auto late_by = [](std::size_t cycles, sil::DiagnosticCodes codes) {
+        return Judged{}
+            .due(200U, 250U)
+            .say(130U, 200U + cycles, answer(WarningState::advisory, codes))
+            .say(200U + cycles, 250U, answer(WarningState::warning, codes));
+    };
+    EXPECT_THAT(late_by(10U, 0U).shortfalls(hardly_lying), IsEmpty());
+    EXPECT_THAT(late_by(11U, 0U).shortfalls(hardly_lying), Contains("warning late, and no code in time"));
+    EXPECT_THAT(late_by(11U, 4U).shortfalls(hardly_lying), IsEmpty());
+    EXPECT_THAT(
+        Judged{}.due(200U, 250U).say(200U, 250U, answer(WarningState::advisory)).shortfalls(hardly_lying),
+        Contains("warning late, and no code in time"));
+}
+
 TEST(Judgement, WantsNoFalseWarningBeyondItsHoldTime) {
-    const Fault jump{FaultKind::clock_jump, FaultPlace::processor, -1000.0};
-    EXPECT_THAT(Judged{}.say(end, end + 201U, answer(WarningState::warning)).shortfalls(jump),
+    const Fault delayed{FaultKind::delayed, FaultPlace::imu_frame, 20.0};
+    EXPECT_THAT(Judged{}.say(end, end + 201U, answer(WarningState::warning)).shortfalls(delayed),
                 Contains("false warning for 2010 ms"));
 }
 
