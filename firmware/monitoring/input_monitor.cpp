@@ -53,6 +53,11 @@ rsi::Inputs witnesses(const rsi::Inputs& inputs, const DiagnosticMemory& memory)
 
 }  // namespace
 
+void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
+    *this = InputMonitor{};
+    force_vote_.start(parameters);
+}
+
 rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
@@ -169,7 +174,9 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
                                 ? !turn_consistency_.agrees()
                                 : (turn_consistency_.contradicts() || turn_signs_.yaw_rate_is_alone()));
     constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
-    const bool alone = turn_signs_.lateral_acceleration_is_alone();
+    force_vote_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps,
+                       inputs.roll_angle_rad, turn_consistency_.spins());
+    const bool alone = turn_signs_.lateral_acceleration_is_alone() || force_vote_.accelerometer_is_alone();
     if (memory.confirmed(lateral) || alone) {
         memory.report(lateral, alone || !turn_consistency_.agrees());
     }

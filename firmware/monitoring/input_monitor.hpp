@@ -2,6 +2,7 @@
 #pragma once
 
 #include "monitoring/diagnostic_memory.hpp"
+#include "monitoring/force_vote.hpp"
 #include "monitoring/roll_consistency.hpp"
 #include "monitoring/signal_check.hpp"
 #include "monitoring/steering_check.hpp"
@@ -22,6 +23,9 @@ struct FreshFrames {
 
 class InputMonitor {
  public:
+    // Starts anew, for a vehicle with these accepted parameters.
+    void start(const rsi::Parameters& parameters) noexcept;
+
     // One cycle. `inputs` as received, NaN where there is nothing; `before` is what the component made of the
     // cycle before. The answer has NaN in place of what must not be used.
     rsi::Inputs qualify(const rsi::Inputs& inputs, const FreshFrames& fresh, const rsi::Outputs& before,
@@ -71,6 +75,7 @@ class InputMonitor {
     RollConsistency roll_consistency_{};
     TurnConsistency turn_consistency_{};
     TurnSigns turn_signs_{};
+    ForceVote force_vote_{};
     VerticalOffset vertical_offset_{};
     float turned_rad_{0.0F};          // integral of the roll rate, as a witness
     bool roll_rate_is_wrong_{false};  // of roll rate and roll angle, which contradict each other

@@ -259,6 +259,20 @@ TEST(AnOffsetOfTheLateralAcceleration, DoesNotBlameTheRollSensor) {
     }
 }
 
+// One that is large enough to hide a turn must be found, whichever way it goes.
+TEST(AnOffsetOfTheLateralAcceleration, ThatIsLargeTakesItOutWithinASecond) {
+    for (const float offset : {4.0F, -4.0F, 6.0F, -6.0F}) {
+        SCOPED_TRACE(offset);
+        bool faulty = false;
+        Turn turn{[&faulty, offset](Motion& motion) { lateral(motion) += faulty ? offset : 0.0F; }};
+        turn.bench.run_for(4.0);
+        faulty = true;
+        turn.bench.run_for(0.9);
+        EXPECT_TRUE(turn.told(Code::lateral_acceleration_contradicts_yaw_rate));
+        EXPECT_EQ(turn.bench.state(), State::unavailable);
+    }
+}
+
 TEST(GoodSensors, OfATurnSetNoCode) {
     Turn turn{[](Motion&) {}};
     turn.bench.run_for(4.0);
