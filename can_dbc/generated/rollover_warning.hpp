@@ -1134,33 +1134,37 @@ struct RolloverDiagnosis {
         vertical_acceleration_invalid = 10,
         vertical_acceleration_jump = 11,
         vertical_acceleration_stuck = 12,
-        roll_rate_invalid = 13,
-        roll_rate_jump = 14,
-        roll_rate_stuck = 15,
-        roll_angle_invalid = 16,
-        roll_angle_jump = 17,
-        roll_angle_stuck = 18,
-        yaw_rate_invalid = 19,
-        yaw_rate_jump = 20,
-        yaw_rate_stuck = 21,
-        speed_invalid = 22,
-        speed_jump = 23,
-        steering_invalid = 24,
-        steering_jump = 25,
-        roll_rate_contradicts_roll_angle = 26,
-        lateral_acceleration_contradicts_yaw_rate = 27,
-        roll_sensor_contradicts_observer = 28,
-        roll_rate_offset = 29,
-        yaw_rate_contradicts_lateral_acceleration = 30,
-        parameters_refused = 31,
-        parameters_damaged = 32,
-        estimate_out_of_range = 33,
-        output_not_finite = 34,
-        cycle_overrun = 35,
-        cycle_stall = 36,
-        clock_jump = 37,
-        bus_error = 38,
-        receive_overflow = 39,
+        vertical_acceleration_offset = 13,
+        roll_rate_invalid = 14,
+        roll_rate_jump = 15,
+        roll_rate_stuck = 16,
+        roll_angle_invalid = 17,
+        roll_angle_jump = 18,
+        roll_angle_stuck = 19,
+        bank_angle_invalid = 20,
+        yaw_rate_invalid = 21,
+        yaw_rate_jump = 22,
+        yaw_rate_stuck = 23,
+        speed_invalid = 24,
+        speed_jump = 25,
+        speed_stuck = 26,
+        steering_invalid = 27,
+        steering_jump = 28,
+        steering_stuck = 29,
+        roll_rate_contradicts_roll_angle = 30,
+        roll_rate_offset = 31,
+        lateral_acceleration_contradicts_yaw_rate = 32,
+        roll_sensor_contradicts_observer = 33,
+        yaw_rate_contradicts_lateral_acceleration = 34,
+        parameters_refused = 35,
+        parameters_damaged = 36,
+        estimate_out_of_range = 37,
+        output_not_finite = 38,
+        cycle_overrun = 39,
+        cycle_stall = 40,
+        clock_jump = 41,
+        bus_error = 42,
+        receive_overflow = 43,
     };
 
     // How far that code has come.
@@ -1287,23 +1291,27 @@ struct RolloverDiagnosis {
             case Code::vertical_acceleration_invalid:
             case Code::vertical_acceleration_jump:
             case Code::vertical_acceleration_stuck:
+            case Code::vertical_acceleration_offset:
             case Code::roll_rate_invalid:
             case Code::roll_rate_jump:
             case Code::roll_rate_stuck:
             case Code::roll_angle_invalid:
             case Code::roll_angle_jump:
             case Code::roll_angle_stuck:
+            case Code::bank_angle_invalid:
             case Code::yaw_rate_invalid:
             case Code::yaw_rate_jump:
             case Code::yaw_rate_stuck:
             case Code::speed_invalid:
             case Code::speed_jump:
+            case Code::speed_stuck:
             case Code::steering_invalid:
             case Code::steering_jump:
+            case Code::steering_stuck:
             case Code::roll_rate_contradicts_roll_angle:
+            case Code::roll_rate_offset:
             case Code::lateral_acceleration_contradicts_yaw_rate:
             case Code::roll_sensor_contradicts_observer:
-            case Code::roll_rate_offset:
             case Code::yaw_rate_contradicts_lateral_acceleration:
             case Code::parameters_refused:
             case Code::parameters_damaged:
@@ -1348,6 +1356,8 @@ struct RolloverDiagnosis {
                 return "vertical acceleration jump";
             case Code::vertical_acceleration_stuck:
                 return "vertical acceleration stuck";
+            case Code::vertical_acceleration_offset:
+                return "vertical acceleration offset";
             case Code::roll_rate_invalid:
                 return "roll rate invalid";
             case Code::roll_rate_jump:
@@ -1360,6 +1370,8 @@ struct RolloverDiagnosis {
                 return "roll angle jump";
             case Code::roll_angle_stuck:
                 return "roll angle stuck";
+            case Code::bank_angle_invalid:
+                return "bank angle invalid";
             case Code::yaw_rate_invalid:
                 return "yaw rate invalid";
             case Code::yaw_rate_jump:
@@ -1370,18 +1382,22 @@ struct RolloverDiagnosis {
                 return "speed invalid";
             case Code::speed_jump:
                 return "speed jump";
+            case Code::speed_stuck:
+                return "speed stuck";
             case Code::steering_invalid:
                 return "steering invalid";
             case Code::steering_jump:
                 return "steering jump";
+            case Code::steering_stuck:
+                return "steering stuck";
             case Code::roll_rate_contradicts_roll_angle:
                 return "roll rate contradicts roll angle";
+            case Code::roll_rate_offset:
+                return "roll rate offset";
             case Code::lateral_acceleration_contradicts_yaw_rate:
                 return "lateral acceleration contradicts yaw rate";
             case Code::roll_sensor_contradicts_observer:
                 return "roll sensor contradicts observer";
-            case Code::roll_rate_offset:
-                return "roll rate offset";
             case Code::yaw_rate_contradicts_lateral_acceleration:
                 return "yaw rate contradicts lateral acceleration";
             case Code::parameters_refused:

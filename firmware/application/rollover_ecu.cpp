@@ -24,6 +24,7 @@ rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
     parameters_ = parameters;
     parameter_guard_.start(parameters_);
+    input_monitor_.start(parameters_);
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
     return answer;
 }
@@ -33,6 +34,7 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
     static_cast<void>(component_.init(parameters_));
     parameter_guard_.start(parameters_);
+    input_monitor_.start(parameters_);
     refusal_ = answer.refusal;
     return answer;
 }
@@ -64,7 +66,7 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
 rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionReport& reception,
                                    std::uint32_t missed_cycles) noexcept {
     if (missed_cycles > most_missed_cycles) {
-        input_monitor_ = monitoring::InputMonitor{};
+        input_monitor_.start(parameters_);
         return no_inputs;
     }
     const monitoring::FreshFrames fresh{!reception.imu.timeout, !reception.roll_angle.timeout,
@@ -84,7 +86,7 @@ bool RolloverEcu::check_itself() noexcept {
     memory_.report(DiagnosticCode::estimate_out_of_range, !estimate_good);
     memory_.report(DiagnosticCode::output_not_finite, !outputs_good);
     if (!estimate_good || !outputs_good) {
-        component_.forget();
+        static_cast<void>(component_.init(parameters_));  // all anew, from the parameters that are watched
     }
     if (internal_fault()) {
         monitoring::withdraw(outputs_);

@@ -60,7 +60,7 @@ class RolloverEcu {
     const hal::Clock& clock_;
     hal::Watchdog& watchdog_;
     rsi::Component component_{};
-    rsi::Parameters parameters_{};
+    rsi::Parameters parameters_{};  // as started with, watched by the guard
     SensorReception reception_{};
     WarningTransmission transmission_{};
     monitoring::DiagnosticMemory memory_{};

@@ -141,6 +141,8 @@ static_assert(is_sent_as<monitoring::DiagnosticCode::vertical_acceleration_jump,
                          can_dbc::RolloverDiagnosis::Code::vertical_acceleration_jump>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::vertical_acceleration_stuck,
                          can_dbc::RolloverDiagnosis::Code::vertical_acceleration_stuck>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::vertical_acceleration_offset,
+                         can_dbc::RolloverDiagnosis::Code::vertical_acceleration_offset>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::roll_rate_invalid,
                          can_dbc::RolloverDiagnosis::Code::roll_rate_invalid>);
 static_assert(
@@ -153,6 +155,8 @@ static_assert(is_sent_as<monitoring::DiagnosticCode::roll_angle_jump,
                          can_dbc::RolloverDiagnosis::Code::roll_angle_jump>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::roll_angle_stuck,
                          can_dbc::RolloverDiagnosis::Code::roll_angle_stuck>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::bank_angle_invalid,
+                         can_dbc::RolloverDiagnosis::Code::bank_angle_invalid>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::yaw_rate_invalid,
                          can_dbc::RolloverDiagnosis::Code::yaw_rate_invalid>);
 static_assert(
@@ -163,18 +167,22 @@ static_assert(
     is_sent_as<monitoring::DiagnosticCode::speed_invalid, can_dbc::RolloverDiagnosis::Code::speed_invalid>);
 static_assert(
     is_sent_as<monitoring::DiagnosticCode::speed_jump, can_dbc::RolloverDiagnosis::Code::speed_jump>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::speed_stuck, can_dbc::RolloverDiagnosis::Code::speed_stuck>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::steering_invalid,
                          can_dbc::RolloverDiagnosis::Code::steering_invalid>);
 static_assert(
     is_sent_as<monitoring::DiagnosticCode::steering_jump, can_dbc::RolloverDiagnosis::Code::steering_jump>);
+static_assert(
+    is_sent_as<monitoring::DiagnosticCode::steering_stuck, can_dbc::RolloverDiagnosis::Code::steering_stuck>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::roll_rate_contradicts_roll_angle,
                          can_dbc::RolloverDiagnosis::Code::roll_rate_contradicts_roll_angle>);
+static_assert(is_sent_as<monitoring::DiagnosticCode::roll_rate_offset,
+                         can_dbc::RolloverDiagnosis::Code::roll_rate_offset>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::lateral_acceleration_contradicts_yaw_rate,
                          can_dbc::RolloverDiagnosis::Code::lateral_acceleration_contradicts_yaw_rate>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::roll_sensor_contradicts_observer,
                          can_dbc::RolloverDiagnosis::Code::roll_sensor_contradicts_observer>);
-static_assert(is_sent_as<monitoring::DiagnosticCode::roll_rate_offset,
-                         can_dbc::RolloverDiagnosis::Code::roll_rate_offset>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::yaw_rate_contradicts_lateral_acceleration,
                          can_dbc::RolloverDiagnosis::Code::yaw_rate_contradicts_lateral_acceleration>);
 static_assert(is_sent_as<monitoring::DiagnosticCode::parameters_refused,

@@ -19,6 +19,7 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::yaw_rate_invalid:
         case DiagnosticCode::speed_invalid:
         case DiagnosticCode::steering_invalid:
+        case DiagnosticCode::bank_angle_invalid:
             return {3U, 5U};
         case DiagnosticCode::lateral_acceleration_jump:
         case DiagnosticCode::vertical_acceleration_jump:
@@ -33,6 +34,8 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::roll_rate_stuck:
         case DiagnosticCode::roll_angle_stuck:
         case DiagnosticCode::yaw_rate_stuck:
+        case DiagnosticCode::speed_stuck:
+        case DiagnosticCode::steering_stuck:
             return {1U, 20U};  // the run of equal values is the debounce
         case DiagnosticCode::lateral_acceleration_contradicts_yaw_rate:
         case DiagnosticCode::roll_sensor_contradicts_observer:
@@ -48,7 +51,7 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::clock_jump:
         case DiagnosticCode::receive_overflow:
             return {1U, 100U};
-        default:  // roll rate and roll angle against each other, the bus
+        default:  // roll rate against roll angle, offsets, the bus
             return {3U, 100U};
     }
 }

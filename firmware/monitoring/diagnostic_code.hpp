@@ -19,32 +19,37 @@ enum class DiagnosticCode : std::uint8_t {
     vehicle_motion_damaged,
 
     // Signals, each by itself: invalid (not available, or beyond what is physical), jump (faster than
-    // anything that moves a vehicle), stuck (the very same value while others say that it must move)
+    // anything that moves a vehicle, or shaken by noise), stuck (the very same value while others say that it
+    // must move)
     lateral_acceleration_invalid,
     lateral_acceleration_jump,
     lateral_acceleration_stuck,
     vertical_acceleration_invalid,
     vertical_acceleration_jump,
     vertical_acceleration_stuck,
+    vertical_acceleration_offset,
     roll_rate_invalid,
     roll_rate_jump,
     roll_rate_stuck,
     roll_angle_invalid,
     roll_angle_jump,
     roll_angle_stuck,
+    bank_angle_invalid,
     yaw_rate_invalid,
     yaw_rate_jump,
     yaw_rate_stuck,
     speed_invalid,
     speed_jump,
+    speed_stuck,
     steering_invalid,
     steering_jump,
+    steering_stuck,
 
     // Signals against each other
     roll_rate_contradicts_roll_angle,
+    roll_rate_offset,
     lateral_acceleration_contradicts_yaw_rate,
     roll_sensor_contradicts_observer,
-    roll_rate_offset,
     yaw_rate_contradicts_lateral_acceleration,
 
     // The control unit itself

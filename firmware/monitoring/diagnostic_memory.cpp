@@ -5,21 +5,36 @@ namespace monitoring {
 void DiagnosticMemory::report(DiagnosticCode code, bool failed) noexcept {
     Entry& entry = entries_[index_of(code)];
     const bool first = (entry.event.occurrences() == 0U);
-    if (entry.event.update(failed, debounce_of(code)) && first) {
-        entry.first = snapshot_;
+    if (entry.event.update(failed, debounce_of(code))) {
+        entry.news = true;
+        entry.first = first ? snapshot_ : entry.first;
     }
 }
 
 DiagnosticRecord DiagnosticMemory::next() noexcept {
+    const std::size_t index = next_to_tell();
+    Entry& entry = entries_[index];
+    entry.news = false;
+    return DiagnosticRecord{static_cast<DiagnosticCode>(index), entry.event.status(),
+                            entry.event.occurrences(), entry.first};
+}
+
+// 0, the empty entry of `none`, when no other has anything to tell.
+std::size_t DiagnosticMemory::next_to_tell() noexcept {
+    std::size_t index = told_;
+    std::size_t found = 0U;
     for (std::size_t step = 0U; step < diagnostic_code_count; ++step) {
-        told_ = (told_ + 1U < diagnostic_code_count) ? told_ + 1U : 0U;
-        const Entry& entry = entries_[told_];
-        if (entry.event.status() != EventStatus::none) {
-            return DiagnosticRecord{static_cast<DiagnosticCode>(told_), entry.event.status(),
-                                    entry.event.occurrences(), entry.first};
+        index = (index + 1U < diagnostic_code_count) ? index + 1U : 0U;
+        const Entry& entry = entries_[index];
+        if (entry.news) {
+            return index;
+        }
+        if ((found == 0U) && (entry.event.status() != EventStatus::none)) {
+            found = index;
         }
     }
-    return DiagnosticRecord{};
+    told_ = found;
+    return found;
 }
 
 }  // namespace monitoring

@@ -38,14 +38,18 @@ class DiagnosticMemory {
     EventStatus status(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.status(); }
     bool confirmed(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.confirmed(); }
 
-    // The next entry that has anything to tell, round and round; code `none` when there is none.
+    // An entry that was confirmed since the last call, if there is one: the others must not delay it; else
+    // the next entry that has anything to tell, round and round; code `none` when there is none.
     DiagnosticRecord next() noexcept;
 
  private:
     struct Entry {
         DiagnosticEvent event{};
         Snapshot first{};
+        bool news{false};  // confirmed, and not yet told
     };
+
+    std::size_t next_to_tell() noexcept;
 
     static constexpr std::size_t index_of(DiagnosticCode code) noexcept {
         return static_cast<std::size_t>(code);

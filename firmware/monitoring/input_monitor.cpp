@@ -8,6 +8,9 @@ namespace {
 // Of the observer: it takes half of what the component's own check tolerates to be believed again.
 constexpr float agreement_rad = 0.025F;
 
+// No road is as steep (45 %, several times what is built), and the sensor ends at 0.785 rad.
+constexpr float steepest_bank_rad = 0.42F;
+
 // The body leans out of the turn; below this the sign of the force says nothing.
 constexpr float clear_force_mps2 = 2.0F;
 
@@ -40,10 +43,20 @@ rsi::Inputs witnesses(const rsi::Inputs& inputs, const DiagnosticMemory& memory)
                                   DiagnosticCode::yaw_rate_jump);
     kept.speed_mps =
         trusted(inputs.speed_mps, memory, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump);
+    kept.vertical_specific_force_mps2 =
+        trusted(inputs.vertical_specific_force_mps2, memory, DiagnosticCode::vertical_acceleration_invalid,
+                DiagnosticCode::vertical_acceleration_jump);
+    kept.steering_wheel_angle_rad = trusted(inputs.steering_wheel_angle_rad, memory,
+                                            DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump);
     return kept;
 }
 
 }  // namespace
+
+void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
+    *this = InputMonitor{};
+    force_vote_.start(parameters);
+}
 
 rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
@@ -51,6 +64,7 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     const rsi::Inputs kept = witnesses(inputs, memory);
     check_stuck(kept, memory);
     check_roll(kept, memory);
+    check_vertical(kept, before, memory);
     check_turn(kept, memory);
     check_observer(inputs, before, memory);
     take_out(qualified, memory);
@@ -75,6 +89,10 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
         const float turned =
             rsi::is_finite(inputs.roll_rate_radps) ? rsi::sample_time_s * inputs.roll_rate_radps : 0.0F;
         qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, turned);
+        // Most vehicles have no bank sensor.
+        memory.report(DiagnosticCode::bank_angle_invalid,
+                      rsi::is_finite(inputs.bank_angle_rad) &&
+                          !rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad));
     } else {
         roll_angle_.forget();
     }
@@ -103,6 +121,9 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     memory.report(DiagnosticCode::roll_angle_stuck,
                   roll_angle_stuck_.is_stuck(inputs.roll_angle_rad, turned_rad_));
     memory.report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_.is_stuck(inputs.yaw_rate_radps, lateral));
+    memory.report(DiagnosticCode::speed_stuck, speed_stuck_.is_stuck(inputs.speed_mps, turn));
+    memory.report(DiagnosticCode::steering_stuck,
+                  steering_stuck_.is_stuck(inputs.steering_wheel_angle_rad, lateral, turn));
 }
 
 void InputMonitor::check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
@@ -129,17 +150,35 @@ bool InputMonitor::roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept
     return !rsi::is_within_magnitude(force, clear_force_mps2) && (force * inputs.roll_angle_rad < 0.0F);
 }
 
+// In a warning wheels lift and come down.
+void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
+                                  DiagnosticMemory& memory) noexcept {
+    vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
+                            inputs.roll_angle_rad);
+    if (vertical_offset_.known()) {
+        memory.report(DiagnosticCode::vertical_acceleration_offset,
+                      vertical_offset_.has_offset((before.state != RSI_STATE_READY) &&
+                                                  (before.state != RSI_STATE_ADVISORY)));
+    }
+}
+
 void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
     if (!turn_consistency_.known()) {
         return;
     }
+    turn_signs_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps,
+                       inputs.roll_angle_rad);
     constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
-    memory.report(yaw_rate,
-                  memory.confirmed(yaw_rate) ? !turn_consistency_.agrees() : turn_consistency_.contradicts());
+    memory.report(yaw_rate, memory.confirmed(yaw_rate)
+                                ? !turn_consistency_.agrees()
+                                : (turn_consistency_.contradicts() || turn_signs_.yaw_rate_is_alone()));
     constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
-    if (memory.confirmed(lateral)) {
-        memory.report(lateral, !turn_consistency_.agrees());
+    force_vote_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps,
+                       inputs.roll_angle_rad, turn_consistency_.spins());
+    const bool alone = turn_signs_.lateral_acceleration_is_alone() || force_vote_.accelerometer_is_alone();
+    if (memory.confirmed(lateral) || alone) {
+        memory.report(lateral, alone || !turn_consistency_.agrees());
     }
 }
 
@@ -155,6 +194,9 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
         if (rsi::is_finite(difference)) {
             memory.report(roll_sensor, !rsi::is_within_magnitude(difference, agreement_rad));
         }
+        return;
+    }
+    if (turn_consistency_.spins()) {
         return;
     }
     // A roll sensor that is out for another reason does not come back as long as the observer contradicts it.
@@ -176,7 +218,8 @@ void InputMonitor::take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory)
                          DiagnosticCode::lateral_acceleration_contradicts_yaw_rate)) {
         inputs.lateral_specific_force_mps2 = rsi::not_available;
     }
-    if (memory.confirmed(DiagnosticCode::vertical_acceleration_stuck)) {
+    if (either_confirmed(memory, DiagnosticCode::vertical_acceleration_stuck,
+                         DiagnosticCode::vertical_acceleration_offset)) {
         inputs.vertical_specific_force_mps2 = rsi::not_available;
     }
     if (memory.confirmed(DiagnosticCode::roll_rate_stuck) || (roll_contradiction && roll_rate_is_wrong_)) {
@@ -190,6 +233,15 @@ void InputMonitor::take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory)
     if (either_confirmed(memory, DiagnosticCode::yaw_rate_stuck,
                          DiagnosticCode::yaw_rate_contradicts_lateral_acceleration)) {
         inputs.yaw_rate_radps = rsi::not_available;
+    }
+    if (memory.confirmed(DiagnosticCode::speed_stuck)) {
+        inputs.speed_mps = rsi::not_available;
+    }
+    if (memory.confirmed(DiagnosticCode::steering_stuck)) {
+        inputs.steering_wheel_angle_rad = rsi::not_available;
+    }
+    if (memory.confirmed(DiagnosticCode::bank_angle_invalid)) {
+        inputs.bank_angle_rad = rsi::not_available;
     }
 }
 

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "monitoring/diagnostic_memory.hpp"
+#include "monitoring/force_vote.hpp"
 #include "monitoring/roll_consistency.hpp"
 #include "monitoring/signal_check.hpp"
+#include "monitoring/steering_check.hpp"
 #include "monitoring/stuck_check.hpp"
 #include "monitoring/turn_consistency.hpp"
+#include "monitoring/turn_signs.hpp"
+#include "monitoring/vertical_offset.hpp"
 #include "rsi/types.hpp"
 
 namespace monitoring {
@@ -19,6 +23,9 @@ struct FreshFrames {
 
 class InputMonitor {
  public:
+    // Starts anew, for a vehicle with these accepted parameters.
+    void start(const rsi::Parameters& parameters) noexcept;
+
     // One cycle. `inputs` as received, NaN where there is nothing; `before` is what the component made of the
     // cycle before. The answer has NaN in place of what must not be used.
     rsi::Inputs qualify(const rsi::Inputs& inputs, const FreshFrames& fresh, const rsi::Outputs& before,
@@ -30,6 +37,8 @@ class InputMonitor {
     void check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
     void check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
     bool roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept;
+    void check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
+                        DiagnosticMemory& memory) noexcept;
     void check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
     void check_observer(const rsi::Inputs& inputs, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
@@ -38,30 +47,36 @@ class InputMonitor {
     // Ranges: beyond what a vehicle does, and below the end of the sensor's range, so that a saturated sensor
     // counts as failed. Jumps: half as much again as the largest change within a cycle over 2,900 drawn runs
     // of three vehicles, impacts of wheels that come down again among them, is still allowed.
-    SignalCheck lateral_{{-40.0F, 40.0F, 12.0F, DiagnosticCode::lateral_acceleration_invalid,
+    SignalCheck lateral_{{-40.0F, 40.0F, 12.0F, 3.0F, DiagnosticCode::lateral_acceleration_invalid,
                           DiagnosticCode::lateral_acceleration_jump}};
-    SignalCheck vertical_{{-40.0F, 55.0F, 12.0F, DiagnosticCode::vertical_acceleration_invalid,
+    SignalCheck vertical_{{-40.0F, 55.0F, 12.0F, 2.2F, DiagnosticCode::vertical_acceleration_invalid,
                            DiagnosticCode::vertical_acceleration_jump}};
     SignalCheck roll_rate_{
-        {-5.22F, 5.22F, 0.5F, DiagnosticCode::roll_rate_invalid, DiagnosticCode::roll_rate_jump}};
-    // Against the change that the roll rate leads to.
+        {-5.22F, 5.22F, 0.5F, 0.1F, DiagnosticCode::roll_rate_invalid, DiagnosticCode::roll_rate_jump}};
+    // Jump: against the change that the roll rate leads to.
     SignalCheck roll_angle_{
-        {-1.9F, 1.9F, 0.044F, DiagnosticCode::roll_angle_invalid, DiagnosticCode::roll_angle_jump}};
+        {-1.9F, 1.9F, 0.044F, 0.04F, DiagnosticCode::roll_angle_invalid, DiagnosticCode::roll_angle_jump}};
     SignalCheck yaw_rate_{
-        {-4.0F, 4.0F, 0.2F, DiagnosticCode::yaw_rate_invalid, DiagnosticCode::yaw_rate_jump}};
-    SignalCheck speed_{{0.0F, 97.0F, 1.5F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
+        {-4.0F, 4.0F, 0.2F, 0.1F, DiagnosticCode::yaw_rate_invalid, DiagnosticCode::yaw_rate_jump}};
+    SignalCheck speed_{{0.0F, 97.0F, 1.5F, 0.5F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
     SignalCheck steering_{
-        {-15.0F, 15.0F, 2.0F, DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump}};
+        {-15.0F, 15.0F, 2.0F, 0.3F, DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump}};
 
-    // Spans of the witness: three times what ideal sensors, which do repeat themselves, came to.
-    StuckCheck lateral_stuck_{2.0F};       // m/s^2 of yaw rate times speed
-    StuckCheck vertical_stuck_{3.0F};      // m/s^2 of the lateral one
-    StuckCheck roll_rate_stuck_{0.035F};   // rad of the roll angle less the integrated roll rate
-    StuckCheck roll_angle_stuck_{0.026F};  // rad of the integrated roll rate
-    StuckCheck yaw_rate_stuck_{2.5F};      // m/s^2 of the lateral acceleration
+    // Spans of the witness: at least one and a half times what ideal sensors, which do repeat themselves,
+    // came to.
+    StuckCheck lateral_stuck_{1.0F};       // m/s^2 of yaw rate times speed
+    StuckCheck vertical_stuck_{1.5F};      // m/s^2 of the lateral one
+    StuckCheck roll_rate_stuck_{0.02F};    // rad of the roll angle less the integrated roll rate
+    StuckCheck roll_angle_stuck_{0.015F};  // rad of the integrated roll rate
+    StuckCheck yaw_rate_stuck_{1.5F};      // m/s^2 of the lateral acceleration
+    StuckCheck speed_stuck_{4.5F};         // m/s^2 of yaw rate times this very speed
+    SteeringCheck steering_stuck_{};
 
     RollConsistency roll_consistency_{};
     TurnConsistency turn_consistency_{};
+    TurnSigns turn_signs_{};
+    ForceVote force_vote_{};
+    VerticalOffset vertical_offset_{};
     float turned_rad_{0.0F};          // integral of the roll rate, as a witness
     bool roll_rate_is_wrong_{false};  // of roll rate and roll angle, which contradict each other
 };

@@ -6,11 +6,12 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected
     const bool valid = rsi::is_within(value, limits_.minimum, limits_.maximum);
     memory.report(limits_.invalid, !valid);
     if (!rsi::is_finite(value)) {
-        known_ = false;
+        forget();
         return rsi::not_available;
     }
+    const bool unsteady = (known_ && has_jumped(value, expected_change)) || is_shaken(value);
     if (valid) {
-        memory.report(limits_.jumps, known_ && has_jumped(value, expected_change));
+        memory.report(limits_.jumps, unsteady);
     }
     if (memory.confirmed(limits_.invalid) || memory.confirmed(limits_.jumps)) {
         // From now on each value is compared with the one before: smooth again is good again.
@@ -18,11 +19,23 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected
         known_ = valid;
         return rsi::not_available;
     }
-    if (valid && !(known_ && has_jumped(value, expected_change))) {
+    if (valid && !unsteady) {
         good_ = value;
         known_ = true;
     }
     return known_ ? good_ : rsi::not_available;
+}
+
+// The second difference of white noise is 2.4 times as large as the noise, that of a vehicle's motion next to
+// nothing.
+bool SignalCheck::is_shaken(float value) noexcept {
+    const float bend = rsi::absolute(value - 2.0F * last_ + before_);
+    const float grown = shake_ + 0.1F * (bend - shake_);
+    shake_ = (values_ >= 2U) ? grown : 0.0F;
+    values_ = (values_ < 2U) ? values_ + 1U : 2U;
+    before_ = last_;
+    last_ = value;
+    return !rsi::is_within_magnitude(shake_, limits_.shake);
 }
 
 }  // namespace monitoring

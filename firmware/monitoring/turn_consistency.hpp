@@ -1,6 +1,8 @@
 // Turn consistency: lateral acceleration against yaw rate times speed.
 #pragma once
 
+#include <cstdint>
+
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
@@ -16,30 +18,39 @@ class TurnConsistency {
     void update(float lateral_force_mps2, float yaw_rate_radps, float speed_mps) noexcept {
         const float difference = lateral_force_mps2 - yaw_rate_radps * speed_mps;
         known_ = rsi::is_finite(difference) && (speed_mps > smallest_speed_mps);
+        const bool spins = known_ && !rsi::is_within_magnitude(yaw_rate_radps * speed_mps, tyres_give_mps2);
+        const std::uint32_t fewer = (after_spin_ > 0U) ? after_spin_ - 1U : 0U;
+        after_spin_ = spins ? spin_samples : fewer;
         if (!known_) {
             fast_mps2_ = 0.0F;
             slow_mps2_ = 0.0F;
             return;
         }
         difference_mps2_ = difference;
-        fast_mps2_ += (rsi::sample_time_s / 0.1F) * (difference - fast_mps2_);
+        fast_mps2_ += (rsi::sample_time_s / 0.3F) * (difference - fast_mps2_);
         slow_mps2_ += (rsi::sample_time_s / 4.0F) * (difference - slow_mps2_);
     }
 
     bool known() const noexcept { return known_; }
-    // More than the steepest bank of a road explains (25 %: 2.4 m/s^2).
-    bool suspicious() const noexcept { return known_ && !rsi::is_within_magnitude(fast_mps2_, 2.5F); }
+    // It yaws faster than tyres can turn it, or did within the last second: no time for the observer, whose
+    // tyres roll.
+    bool spins() const noexcept { return after_spin_ > 0U; }
+    // More than most roads' bank explains (15 %: 1.5 m/s^2): rather no statement than a wrong one.
+    bool suspicious() const noexcept { return known_ && !rsi::is_within_magnitude(fast_mps2_, 1.5F); }
     // More than any slide explains.
     bool contradicts() const noexcept { return known_ && !rsi::is_within_magnitude(slow_mps2_, 7.0F); }
     bool agrees() const noexcept { return known_ && rsi::is_within_magnitude(difference_mps2_, 2.0F); }
 
  private:
     static constexpr float smallest_speed_mps = 5.0F;
+    static constexpr float tyres_give_mps2 = 10.5F;
+    static constexpr std::uint32_t spin_samples = 100U;
 
     bool known_{false};
     float difference_mps2_{0.0F};
-    float fast_mps2_{0.0F};  // lag 0.1 s
+    float fast_mps2_{0.0F};  // lag 0.3 s
     float slow_mps2_{0.0F};  // lag 4 s
+    std::uint32_t after_spin_{0U};
 };
 
 }  // namespace monitoring

@@ -70,6 +70,7 @@ Validation Component::init(const Parameters& parameters) {
     initialised_ = (answer.accepted != 0);
     if (initialised_) {
         static_stability_factor_ = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
+        observer_weight_ = 1.0F + parameters.observer_margin;
         measurement_.init(parameters);
         model_.init(parameters);
         estimator_.init(parameters);
@@ -128,7 +129,8 @@ Validation Component::init(const Parameters& parameters) {
 void Component::warn(const Measurement& measured, Outputs& outputs) {
     const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
     outputs.warning_level = indicated.level;
-    RiskLevel risk{indicated.level, indicated.direction};
+    const float weight = (measured.roll_source == RSI_ROLL_OBSERVER) ? observer_weight_ : 1.0F;
+    RiskLevel risk{weight * indicated.level, indicated.direction};
     if (has_overturned(measured, static_stability_factor_)) {
         overturned_ = true;
         running_ = false;
@@ -143,15 +145,6 @@ void Component::step_unavailable(Outputs& outputs) {
     running_ = false;
     warning_.update_unavailable();
     outputs = no_outputs();
-}
-
-void Component::forget() {
-    running_ = false;
-    overturned_ = false;
-    measurement_.reset();
-    measurement_.assume_movement(0.0F);
-    estimator_.reset();
-    warning_.update_unavailable();
 }
 
 // After a gap the models start where the vehicle is; what the estimator has learnt stays, but not past an

@@ -24,9 +24,6 @@ class Component {
     // moves slowly is computed in every second sample and held in between: rsi_outputs says which.
     void step(const Inputs& inputs, Outputs& outputs);
 
-    // Forgets what was learnt and starts from the nominal vehicle at the next sample, as after init.
-    [[gnu::cold]] void forget();
-
  private:
     // Rare, so not to be made part of step() as all the rest is.
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
@@ -38,6 +35,7 @@ class Component {
     bool overturned_{false};    // and not resumed since
     float extended_rsi_{0.0F};  // of the cycle before
     float static_stability_factor_{1.0F};
+    float observer_weight_{1.0F};  // of the level, while the observer stands in for the roll sensor
     MeasurementStage measurement_{};
     RollPlaneModel model_{};
     FixedModelRoll fixed_{};

@@ -25,7 +25,7 @@ struct SelectionField {
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.
-inline constexpr std::array<ParameterField, 54> parameter_fields{{
+inline constexpr std::array<ParameterField, 55> parameter_fields{{
     {"sprung_mass_kg", &Parameters::sprung_mass_kg, 100.0F, 60000.0F},
     {"sprung_cg_height_m", &Parameters::sprung_cg_height_m, 0.2F, 4.0F},
     {"track_width_m", &Parameters::track_width_m, 0.8F, 3.0F},
@@ -72,6 +72,7 @@ inline constexpr std::array<ParameterField, 54> parameter_fields{{
     {"observer_bank_drift_radps", &Parameters::observer_bank_drift_radps, 0.0F, 1.0F},
     {"observer_disagreement_rad", &Parameters::observer_disagreement_rad, 0.005F, 1.0F},
     {"observer_disagreement_s", &Parameters::observer_disagreement_s, 0.05F, 10.0F},
+    {"observer_margin", &Parameters::observer_margin, 0.0F, 0.5F},
     {"advisory_on", &Parameters::advisory_on, 0.01F, 20.0F},
     {"advisory_off", &Parameters::advisory_off, 0.0F, 20.0F},
     {"warning_on", &Parameters::warning_on, 0.01F, 20.0F},

@@ -140,6 +140,7 @@ typedef struct {
     float observer_bank_drift_radps; /* how fast the bank changes: random walk, rad per square root of s */
     float observer_disagreement_rad; /* the sensor disagrees when further from the observer ... */
     float observer_disagreement_s;   /* ... for longer than this */
+    float observer_margin; /* while the observer stands in, the warning sees the level larger by this share */
 
     /* Warning */
     float advisory_on;            /* indicator at which the advisory state is entered */
@@ -181,7 +182,7 @@ typedef struct {
     int32_t roll_sensor_disagrees; /* 1: the roll sensor and the observer contradict each other */
     int32_t estimate_frozen;       /* 1: the estimator in use learns nothing at present */
 
-    float warning_level; /* of the indicator that drives the warning, 0 to 20 */
+    float warning_level; /* of the indicator that drives the warning, 0 to 20; without observer_margin */
 
     float rsi;                                 /* (25), 0 to 1 */
     float rsi_bank_free;                       /* |A/N| / T, 0 to 20 */

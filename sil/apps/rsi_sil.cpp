@@ -12,6 +12,7 @@
 #include "sil/analysis/bus_timing.hpp"
 #include "sil/apps/campaign_command.hpp"
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/faults_command.hpp"
 #include "sil/apps/identify_command.hpp"
 #include "sil/apps/parameters_command.hpp"
 #include "sil/apps/replay_command.hpp"
@@ -104,6 +105,7 @@ int main(int argc, char** argv) {
     add_timing(app, log);
     sil::add_replay_command(app, replay);
     sil::add_campaign(app);
+    sil::add_faults_command(app);
     sil::add_identify_command(app);
     sil::add_parameters_command(app);
     try {

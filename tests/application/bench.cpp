@@ -18,7 +18,7 @@ void Bench::drive(const Motion& motion) {
 
 void Bench::run_cycles(int count) {
     for (int index = 0; index < count; ++index) {
-        const hal::Time time = hal::Time::from_milliseconds(10 * cycle_number_);
+        const hal::Time time = hal::Time::from_milliseconds(10 * cycle_number_) + clock_offset_;
         clock_.set(time);
         send_sensor_frames();
         clock_.set(time + ecu_delay_);

@@ -107,6 +107,13 @@ class Bench {
     // When the last sensor frame went out.
     hal::Time last_sensor_time() const { return last_sensor_time_; }
 
+    // The ECU's object, for tests that damage it.
+    unsigned char* memory() { return reinterpret_cast<unsigned char*>(&ecu_); }
+    static constexpr std::size_t memory_size = sizeof(application::RolloverEcu);
+
+    // All clocks go on from there.
+    void move_clock(hal::Time by) { clock_offset_ = clock_offset_ + by; }
+
     // Reported to the ECU with each further cycle.
     void miss_cycles(std::uint32_t count) { missed_cycles_ = count; }
     void set_bus_state(hal::BusState state) { bus_.endpoint(ecu).set_state(state); }
@@ -117,6 +124,7 @@ class Bench {
     const can_dbc::RolloverStatus& status() const { return last().status.value; }
     // What the ECU made of the sensors' frames in its last cycle.
     const rsi::Inputs& inputs() const { return ecu_.inputs(); }
+    const rsi::Outputs& outputs() const { return ecu_.outputs(); }
     int watchdog_feeds() const { return watchdog_.feeds; }
     const rsi::Validation& parameters_answer() const { return answer_; }
 
@@ -153,6 +161,7 @@ class Bench {
     std::array<Line, 3> lines_{};
     std::int64_t cycle_number_{0};
     hal::Time last_sensor_time_{};
+    hal::Time clock_offset_{};
     std::uint32_t missed_cycles_{0U};
     std::vector<Cycle> cycles_{};
 };

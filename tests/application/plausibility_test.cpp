@@ -1,6 +1,7 @@
 // What the ECU does with sensors that lie: by itself each frame is good, but the values cannot be.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -110,6 +111,24 @@ float& speed(Motion& motion) {
     return motion.vehicle_motion.speed_kmh;
 }
 
+float& vertical(Motion& motion) {
+    return motion.imu.vertical_acceleration_mps2;
+}
+float& steering(Motion& motion) {
+    return motion.vehicle_motion.steering_wheel_angle_deg;
+}
+float& bank(Motion& motion) {
+    return motion.roll_angle.bank_angle_deg;
+}
+
+std::function<void(Motion&, double)> shifted(float& (*signal)(Motion&), float by) {
+    return [signal, by](Motion& motion, double) { signal(motion) += by; };
+}
+
+std::function<void(Motion&, double)> turned_over(float& (*signal)(Motion&)) {
+    return [signal](Motion& motion, double) { signal(motion) = -signal(motion); };
+}
+
 std::function<void(Motion&, double)> set_to(float& (*signal)(Motion&), float value) {
     return [signal, value](Motion& motion, double) { signal(motion) = value; };
 }
@@ -143,7 +162,35 @@ INSTANTIATE_TEST_SUITE_P(
             Degradation::unavailable, 1.0},
         Lie{"RollAngleFrozen", frozen(roll_angle), Code::roll_angle_stuck, Degradation::roll_sensor_lost,
             1.0},
-        Lie{"YawRateFrozen", frozen(yaw_rate), Code::yaw_rate_stuck, Degradation::motion_lost, 1.0}),
+        Lie{"YawRateFrozen", frozen(yaw_rate), Code::yaw_rate_stuck, Degradation::motion_lost, 1.0},
+        Lie{"SpeedFrozen", frozen(speed), Code::speed_stuck, Degradation::motion_lost, 2.0},
+        Lie{"VerticalAccelerationSaturated", set_to(vertical, 60.0F), Code::vertical_acceleration_invalid,
+            Degradation::full, 0.05},
+        Lie{"VerticalAccelerationInABurstOfNoise", shaken(vertical, 4.0F), Code::vertical_acceleration_jump,
+            Degradation::full, 0.3},
+        Lie{"VerticalAccelerationFrozen", frozen(vertical), Code::vertical_acceleration_stuck,
+            Degradation::full, 1.0},
+        Lie{"VerticalAccelerationOffset", shifted(vertical, 4.0F), Code::vertical_acceleration_offset,
+            Degradation::full, 0.5},
+        Lie{"VerticalAccelerationOfTheWrongSign", turned_over(vertical), Code::vertical_acceleration_jump,
+            Degradation::full, 0.5},
+        Lie{"RollRateFrozen", frozen(roll_rate), Code::roll_rate_stuck, Degradation::unavailable, 1.0},
+        Lie{"RollRateOffset", shifted(roll_rate, 15.0F), Code::roll_rate_offset, Degradation::unavailable,
+            1.2},
+        Lie{"RollRateOfTheWrongSign", turned_over(roll_rate), Code::roll_rate_offset,
+            Degradation::unavailable, 2.0},
+        Lie{"RollAngleOffset", shifted(roll_angle, 4.0F), Code::roll_angle_jump,
+            Degradation::roll_sensor_lost, 0.3},
+        Lie{"LateralAccelerationOffset", shifted(lateral, 4.0F),
+            Code::lateral_acceleration_contradicts_yaw_rate, Degradation::unavailable, 1.5},
+        Lie{"LateralAccelerationOfTheWrongSign", turned_over(lateral),
+            Code::lateral_acceleration_contradicts_yaw_rate, Degradation::unavailable, 1.5},
+        Lie{"SteeringSaturated", set_to(steering, 1200.0F), Code::steering_invalid, Degradation::full, 0.05},
+        Lie{"SteeringInABurstOfNoise", shaken(steering, 60.0F), Code::steering_jump, Degradation::full, 0.3},
+        Lie{"SpeedInABurstOfNoise", shaken(speed, 30.0F), Code::speed_jump, Degradation::motion_lost, 0.3},
+        Lie{"YawRateInABurstOfNoise", shaken(yaw_rate, 20.0F), Code::yaw_rate_jump, Degradation::motion_lost,
+            0.3},
+        Lie{"BankAngleSaturated", set_to(bank, 45.0F), Code::bank_angle_invalid, Degradation::full, 0.05}),
     [](const auto& tested) { return std::string{tested.param.name}; });
 
 TEST(ARollSensor, ThatContradictsTheObserverIsTakenOutUntilTheyAgreeForASecond) {
@@ -160,6 +207,78 @@ TEST(ARollSensor, ThatContradictsTheObserverIsTakenOutUntilTheyAgreeForASecond) 
     EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::roll_sensor_lost);
     bench.run_for(1.5);
     EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::full);
+}
+
+// Straight on, then a turn; what the steering and the yaw rate say of it is falsified.
+struct Turn {
+    explicit Turn(std::function<void(Motion&)> falsify) {
+        bench.drive([this, falsify](double time_s) {
+            vehicle.advance(time_s < 2.0 ? 0.0 : std::min(4.0, 8.0 * (time_s - 2.0)));
+            Motion motion = vehicle.motion();
+            falsify(motion);
+            return motion;
+        });
+    }
+
+    bool told(Code code) const {
+        return std::any_of(bench.cycles().begin(), bench.cycles().end(), [code](const Cycle& cycle) {
+            return cycle.diagnosis.value.code == code &&
+                   cycle.diagnosis.value.code_status == CodeStatus::confirmed;
+        });
+    }
+
+    Bench bench;
+    RollPlaneVehicle vehicle{large_suv()};
+};
+
+TEST(AFrozenSteeringWheel, IsFoundInTheFirstTurn) {
+    Turn turn{[](Motion& motion) { steering(motion) = 0.0F; }};
+    turn.bench.run_for(2.3);
+    EXPECT_FALSE(turn.told(Code::steering_stuck));
+    turn.bench.run_for(0.4);
+    EXPECT_TRUE(turn.told(Code::steering_stuck));
+    EXPECT_TRUE(std::isnan(turn.bench.inputs().steering_wheel_angle_rad));
+}
+
+TEST(AYawRateOfTheWrongSign, IsFoundInAHeldTurn) {
+    Turn turn{[](Motion& motion) { yaw_rate(motion) = -yaw_rate(motion); }};
+    turn.bench.run_for(3.2);
+    EXPECT_FALSE(turn.told(Code::yaw_rate_contradicts_lateral_acceleration));
+    turn.bench.run_for(1.0);
+    EXPECT_TRUE(turn.told(Code::yaw_rate_contradicts_lateral_acceleration));
+    EXPECT_EQ(turn.bench.last().diagnosis.value.degradation, Degradation::motion_lost);
+}
+
+// A small offset of the lateral acceleration must not cost the roll sensor.
+TEST(AnOffsetOfTheLateralAcceleration, DoesNotBlameTheRollSensor) {
+    for (const float offset : {2.0F, -2.0F, 2.4F, -2.4F, 3.0F, -3.0F, 5.0F, -5.0F}) {
+        SCOPED_TRACE(offset);
+        Turn turn{[offset](Motion& motion) { lateral(motion) += offset; }};
+        turn.bench.run_for(4.0);
+        EXPECT_FALSE(turn.told(Code::roll_sensor_contradicts_observer));
+    }
+}
+
+// One that is large enough to hide a turn must be found, whichever way it goes.
+TEST(AnOffsetOfTheLateralAcceleration, ThatIsLargeTakesItOutWithinASecond) {
+    for (const float offset : {4.0F, -4.0F, 6.0F, -6.0F}) {
+        SCOPED_TRACE(offset);
+        bool faulty = false;
+        Turn turn{[&faulty, offset](Motion& motion) { lateral(motion) += faulty ? offset : 0.0F; }};
+        turn.bench.run_for(4.0);
+        faulty = true;
+        turn.bench.run_for(0.9);
+        EXPECT_TRUE(turn.told(Code::lateral_acceleration_contradicts_yaw_rate));
+        EXPECT_EQ(turn.bench.state(), State::unavailable);
+    }
+}
+
+TEST(GoodSensors, OfATurnSetNoCode) {
+    Turn turn{[](Motion&) {}};
+    turn.bench.run_for(4.0);
+    for (const Cycle& cycle : turn.bench.cycles()) {
+        ASSERT_EQ(cycle.diagnosis.value.code, Code::none);
+    }
 }
 
 TEST(GoodSensors, OfASlalomSetNoCode) {

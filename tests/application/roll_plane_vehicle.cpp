@@ -38,8 +38,17 @@ Motion RollPlaneVehicle::motion() const {
         static_cast<float>(gravity_mps2 * cosine - acceleration_mps2_ * sine);
     motion.imu.roll_rate_deg_per_s = static_cast<float>(roll_rate_radps() * degrees_per_radian);
     motion.roll_angle.roll_angle_deg = static_cast<float>(angle_rad_ * degrees_per_radian);
+    // A sensor that lives moves: the speed falls a little in a turn, the steering is the one that asks for
+    // it.
+    motion.vehicle_motion.speed_kmh = static_cast<float>(80.0 - 0.05 * std::abs(acceleration_mps2_));
+    constexpr double speed_mps = 80.0 / 3.6;
     motion.vehicle_motion.yaw_rate_deg_per_s =
-        static_cast<float>(acceleration_mps2_ / (80.0 / 3.6) * degrees_per_radian);
+        static_cast<float>(acceleration_mps2_ / speed_mps * degrees_per_radian);
+    const double curvature = static_cast<double>(parameters_.wheelbase_m) / (speed_mps * speed_mps) +
+                             static_cast<double>(parameters_.understeer_gradient_s2pm);
+    motion.vehicle_motion.steering_wheel_angle_deg =
+        static_cast<float>(acceleration_mps2_ * curvature * static_cast<double>(parameters_.steering_ratio) *
+                           degrees_per_radian);
     return motion;
 }
 

@@ -54,6 +54,7 @@ static inline rsi_parameters rsi_test_large_suv(void) {
     parameters.observer_bank_drift_radps = 0.02F;
     parameters.observer_disagreement_rad = 0.05F;
     parameters.observer_disagreement_s = 0.3F;
+    parameters.observer_margin = 0.05F;
     parameters.advisory_on = 0.9F;
     parameters.advisory_off = 0.8F;
     parameters.warning_on = 1.0F;

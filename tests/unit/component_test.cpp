@@ -182,6 +182,24 @@ TEST(Component, ALostRollSensorIsReplacedByTheObserverAndTheStateStays) {
     }
 }
 
+TEST(Component, WarnsEarlierByTheMarginWhileTheObserverStandsIn) {
+    const rsi_inputs inputs = in_steady_turn(5.0);
+    rsi_inputs lost = inputs;
+    lost.roll_angle_rad = nan;
+    const float level = Scenario{}.run(3.0, inputs).warning_level;
+    const float observed_level = Scenario{}.run(3.0, lost).warning_level;
+    ASSERT_NEAR(observed_level, level, 0.02F);  // the level that is told is without the margin
+    for (const float margin : {0.0F, 0.1F}) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.observer_margin = margin;
+        parameters.warning_on = 1.05F * level;
+        parameters.warning_off = parameters.advisory_on = parameters.advisory_off = 1.04F * level;
+        Scenario scenario{parameters};
+        EXPECT_EQ(scenario.run(3.0, inputs).state, RSI_STATE_READY);
+        EXPECT_EQ(scenario.run(1.0, lost).state, margin > 0.0F ? RSI_STATE_WARNING : RSI_STATE_READY);
+    }
+}
+
 TEST(Component, WithoutARollSensorFromTheStartItIsReadyOnceTheObserverKnows) {
     Scenario scenario;
     rsi_inputs inputs = in_steady_turn(4.0);

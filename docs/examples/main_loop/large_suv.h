@@ -48,6 +48,7 @@ static const rsi_parameters large_suv_parameters = {
     .observer_bank_drift_radps = 0.02F,
     .observer_disagreement_rad = 0.05F,
     .observer_disagreement_s = 0.3F,
+    .observer_margin = 0.03F,
     .advisory_on = 0.8F,
     .advisory_off = 0.7F,
     .warning_on = 0.92F,

@@ -1,0 +1,51 @@
+// Force vote: three witnesses of the lateral force - the accelerometer, yaw rate times speed, and the roll angle, which
+// the suspension takes under that force. Is the accelerometer alone?
+#pragma once
+
+#include "rsi/numeric/bounded.hpp"
+#include "rsi/types.hpp"
+
+namespace monitoring {
+
+// A bank of the road and a slide part the yaw rate from the other two, a roll sensor that lies parts itself; only an
+// accelerometer that lies stands against both. Over 814 drawn runs of three vehicles it did so by 2.1 m/s^2 at most,
+// with a lag of 0.3 s.
+class ForceVote {
+ public:
+    // Accepted parameters.
+    void start(const rsi::Parameters& parameters) noexcept {
+        const float arm_kgm = parameters.sprung_mass_kg *
+                              (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+        force_per_roll_mps2_ =
+            (arm_kgm > 0.0F) ? parameters.roll_stiffness_nmprad / arm_kgm : rsi::not_available;
+    }
+
+    // One sample; one that is not finite, of a body far over or of a spin starts anew.
+    void update(float lateral_force_mps2, float yaw_acceleration_mps2, float roll_angle_rad, bool spins) noexcept {
+        const float by_roll_mps2 = force_per_roll_mps2_ * roll_angle_rad;
+        known_ = !spins && rsi::is_within_magnitude(roll_angle_rad, 0.15F) &&
+                 rsi::is_finite(lateral_force_mps2 + yaw_acceleration_mps2 + by_roll_mps2);
+        follow(lateral_force_mps2 - yaw_acceleration_mps2, against_yaw_mps2_);
+        follow(lateral_force_mps2 - by_roll_mps2, against_roll_mps2_);
+        follow(yaw_acceleration_mps2 - by_roll_mps2, others_mps2_);
+    }
+
+    bool accelerometer_is_alone() const noexcept {
+        const float least = rsi::smaller(rsi::absolute(against_yaw_mps2_), rsi::absolute(against_roll_mps2_));
+        return known_ && (against_yaw_mps2_ * against_roll_mps2_ > 0.0F) && (least > 3.0F) &&
+               (rsi::absolute(others_mps2_) < 0.5F * least);
+    }
+
+ private:
+    void follow(float value, float& mean) const noexcept {
+        mean = known_ ? mean + (rsi::sample_time_s / 0.3F) * (value - mean) : 0.0F;
+    }
+
+    float force_per_roll_mps2_{rsi::not_available};
+    bool known_{false};
+    float against_yaw_mps2_{0.0F};
+    float against_roll_mps2_{0.0F};
+    float others_mps2_{0.0F};
+};
+
+}  // namespace monitoring

@@ -1,0 +1,195 @@
+#include "sil/apps/faults_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sil/analysis/atomic_file.hpp"
+#include "sil/apps/command_line.hpp"
+#include "sil/calibration/calibration_file.hpp"
+#include "sil/faults/endurance.hpp"
+#include "sil/faults/fault_matrix.hpp"
+#include "sil/vehicle/parameter_file.hpp"
+
+namespace sil {
+namespace {
+
+struct FaultsRequest {
+    std::string vehicle_file;
+    std::string calibration_file;
+    std::filesystem::path document;
+    std::filesystem::path checked;
+};
+
+std::string text_of(const std::filesystem::path& path) {
+    std::ifstream file{path};
+    if (!file) {
+        throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
+    }
+    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
+}
+
+// The first line in which two texts differ, for a message.
+std::string first_difference(const std::string& held, const std::string& measured) {
+    std::size_t begin = 0U;
+    std::size_t position = 0U;
+    while (position < held.size() && position < measured.size() && held[position] == measured[position]) {
+        if (held[position] == '\n') {
+            begin = position + 1U;
+        }
+        ++position;
+    }
+    const auto line = [begin](const std::string& text) {
+        return text.substr(std::min(begin, text.size()), text.find('\n', begin) - begin);
+    };
+    return fmt::format("  the document: {}\n  measured:     {}", line(held), line(measured));
+}
+
+void print_unexpected(const FaultMatrix& matrix) {
+    for (const FaultRow& row : matrix.rows) {
+        for (std::size_t scene = 0U; scene < row.cells.size(); ++scene) {
+            const FaultCell& cell = row.cells[scene];
+            if (!cell.shortfalls.empty()) {
+                fmt::print("{}{} | {} | {}: {} ({})\n", cell.known ? "known: " : "", describe(row.fault),
+                           to_string(row.fault.place), matrix.scenes[scene].name,
+                           fmt::join(cell.shortfalls, "; "), describe(cell.reaction));
+            }
+        }
+    }
+}
+
+void check_surprises(const FaultMatrix& matrix, const CellCount& count) {
+    const std::vector<std::string> needless = needless_entries(matrix);
+    if (count.surprising > 0U) {
+        throw std::runtime_error(
+            fmt::format("{} cells are not as expected, and not known to be so: see the lines above without "
+                        "\"known\", and sil/faults/expectation.cpp",
+                        count.surprising));
+    }
+    if (!needless.empty()) {
+        throw std::runtime_error(
+            fmt::format("sil/faults/known_shortfall.cpp has entries that no cell needs any longer; strike "
+                        "them: {}",
+                        fmt::join(needless, "; ")));
+    }
+}
+
+void run_faults(const FaultsRequest& request) {
+    const FaultMatrix matrix =
+        run_fault_matrix(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file));
+    const std::string document = fault_matrix_document(matrix);
+    const CellCount count = count_cells(matrix);
+    print_unexpected(matrix);
+    fmt::print("{} faults in {} scenes: {} of {} cells as expected\n", matrix.rows.size(),
+               matrix.scenes.size(), count.as_expected, count.all);
+    check_surprises(matrix, count);
+    if (!request.document.empty()) {
+        write_file_atomically(request.document, document);
+    }
+    if (!request.checked.empty()) {
+        const std::string held = text_of(request.checked);
+        if (held != document) {
+            throw std::runtime_error(
+                fmt::format("{} holds other figures than this run; sil/faults/run --document renews it.\n{}",
+                            request.checked.string(), first_difference(held, document)));
+        }
+    }
+}
+
+struct EnduranceRequest {
+    std::string vehicle_file;
+    std::string calibration_file;
+    std::vector<double> hours;
+    std::uint64_t seed{1U};
+    std::filesystem::path document;
+    std::filesystem::path checked;
+};
+
+EnduranceResult run_with_progress(const EnduranceRequest& request, const EnduranceSettings& settings) {
+    const auto progress = [&settings](double share) {
+        fmt::print(stderr, "\r{:g} simulated hours: {:3.0f} %", settings.hours, share * 100.0);
+        std::fflush(stderr);
+    };
+    const EnduranceResult result = run_endurance(
+        load_vehicle(request.vehicle_file), load_calibration(request.calibration_file), settings, progress);
+    progress(1.0);
+    fmt::print(stderr, "\n");
+    return result;
+}
+
+void run_hours(const EnduranceRequest& request) {
+    std::string rows;
+    std::vector<std::string> found;
+    for (const double hours : request.hours) {
+        const EnduranceSettings settings{hours, request.seed};
+        const EnduranceResult result = run_with_progress(request, settings);
+        rows += endurance_row(settings, result);
+        const std::vector<std::string> more = shortfalls(result);
+        found.insert(found.end(), more.begin(), more.end());
+    }
+    const std::string document = endurance_document(rows);
+    fmt::print("{}", rows);
+    if (!request.document.empty()) {
+        write_file_atomically(request.document, document);
+    }
+    if (!found.empty()) {
+        throw std::runtime_error(fmt::format("not as it must be: {}", fmt::join(found, "; ")));
+    }
+    if (!request.checked.empty() && text_of(request.checked).find(rows) == std::string::npos) {
+        throw std::runtime_error(fmt::format(
+            "{} does not hold these rows; sil/faults/run --endurance renews it", request.checked.string()));
+    }
+}
+
+void add_endurance(CLI::App& app) {
+    const auto request = std::make_shared<EnduranceRequest>();
+    CLI::App* command =
+        app.add_subcommand("endurance", "Hours of mixed driving with random faults, in process");
+    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
+        ->required();
+    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
+        ->required();
+    command->add_option("--hours", request->hours, "Simulated hours; repeated: one run after the other")
+        ->required()
+        ->allow_extra_args(false)
+        ->check(number_within(0.01, 1000.0));
+    command
+        ->add_option_function<std::string>(
+            "--seed",
+            [request](const std::string& text) {
+                request->seed = whole_number(text).value_or(request->seed);
+            },
+            "Seed of drive, noise and faults")
+        ->check(check_whole_number)
+        ->type_name("UINT")
+        ->default_str("1");
+    command->add_option("--document", request->document, "Write the page with these runs");
+    command->add_option("--check", request->checked, "A page that must hold these runs");
+    command->callback([request] { run_hours(*request); });
+}
+
+}  // namespace
+
+void add_faults_command(CLI::App& app) {
+    const auto request = std::make_shared<FaultsRequest>();
+    CLI::App* command =
+        app.add_subcommand("faults", "Inject every fault into every scene and judge what the ECU does");
+    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
+        ->required();
+    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
+        ->required();
+    command->add_option("--document", request->document, "Write the matrix as a page");
+    command->add_option("--check", request->checked, "Compare the matrix with a page; other figures fail");
+    command->callback([request] { run_faults(*request); });
+    add_endurance(app);
+}
+
+}  // namespace sil

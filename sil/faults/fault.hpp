@@ -1,0 +1,75 @@
+// Fault: what goes wrong with one input, with the bus or with the ECU's processor.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sil {
+
+enum class FaultKind : std::uint8_t {
+    none,
+
+    // Of a signal: the frame that carries it is protected as ever.
+    frozen,         // the value of the fault's first cycle stays
+    offset,         // by `magnitude`
+    drift,          // by `magnitude` a second
+    noise,          // white, `magnitude` rms
+    sign_flip,      //
+    saturated,      // at the upper end of the signal's range
+    not_available,  // its code
+    out_of_range,   // a code beyond the signal's range
+    // Of a frame, after its protection.
+    lost,            //
+    delayed,         // by `magnitude` milliseconds: a gap at first, then each frame late
+    bad_crc,         //
+    counter_stands,  // each frame with the counter of the fault's first one, and a right CRC
+    counter_jumps,   // six on with each frame, and a right CRC
+    swapped,         // identifiers exchanged with the next sensor frame's
+    doubled,         // each frame twice
+    wrong_length,    // one byte short
+    flood_foreign,   // `magnitude` frames a cycle of an identifier that the ECU does not receive
+    flood_own,       // `magnitude` damaged frames a cycle with the identifier of Imu
+    bus_off,         // of the ECU's controller
+    error_passive,   // the same
+    clock_jump,      // of the ECU's clock, once, by `magnitude` milliseconds
+    process_stop,    // the ECU computes nothing for `magnitude` milliseconds, then goes on
+};
+
+enum class FaultPlace : std::uint8_t {
+    lateral_acceleration,
+    vertical_acceleration,
+    roll_rate,
+    roll_angle,
+    bank_angle,
+    speed,
+    yaw_rate,
+    steering_wheel_angle,
+    imu_frame,
+    roll_angle_frame,
+    vehicle_motion_frame,
+    all_sensor_frames,
+    bus,
+    processor,
+};
+
+struct Fault {
+    FaultKind kind{};
+    FaultPlace place{};
+    double magnitude{0.0};  // in the unit that the kind names; of a signal in that of SensorSample
+};
+
+const char* to_string(FaultKind kind);
+const char* to_string(FaultPlace place);
+
+// "offset, 2 m/s^2": kind and magnitude as a reader wants them.
+std::string describe(const Fault& fault);
+
+constexpr bool is_signal_fault(FaultKind kind) {
+    return kind > FaultKind::none && kind <= FaultKind::out_of_range;
+}
+
+// Every fault of the matrix, in its order.
+const std::vector<Fault>& all_faults();
+
+}  // namespace sil

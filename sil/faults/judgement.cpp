@@ -1,0 +1,206 @@
+#include "sil/faults/judgement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sil {
+namespace {
+
+constexpr int cycle_ms = 10;
+
+int to_ms(std::size_t cycle, std::size_t since) {
+    return (static_cast<int>(cycle) - static_cast<int>(since)) * cycle_ms;
+}
+
+bool is_same_statement(const EcuAnswer& faulty, const EcuAnswer& right) {
+    return faulty.state == right.state && faulty.roll_source == right.roll_source &&
+           faulty.degradation == right.degradation;
+}
+
+bool has_no_further_code(const EcuAnswer& faulty, const EcuAnswer& right) {
+    return (faulty.codes & ~right.codes) == 0U;
+}
+
+std::optional<std::size_t> first_warning(const FaultyRun& run) {
+    for (std::size_t cycle = 0U; cycle < run.answers.size(); ++cycle) {
+        if (run.answers[cycle] && run.answers[cycle]->state == WarningState::warning) {
+            return cycle;
+        }
+    }
+    return std::nullopt;
+}
+
+// While the controller is off the bus nobody hears the ECU.
+bool is_heard(const Fault& fault, const FaultyRun& run, const Scene& scene, std::size_t cycle) {
+    const bool off = fault.kind == FaultKind::bus_off && cycle >= scene.fault_begin && cycle < run.over;
+    return run.answers[cycle].has_value() && !off;
+}
+
+void keep_first(std::optional<int>& time, bool happened, int now) {
+    if (!time && happened) {
+        time = now;
+    }
+}
+
+void measure_warning(const FaultyRun& right, const FaultyRun& faulty, Reaction& reaction) {
+    const std::optional<std::size_t> due = first_warning(right);
+    if (!due) {
+        return;
+    }
+    const std::optional<std::size_t> came = first_warning(faulty);
+    reaction.warning_missed = !came;
+    if (came) {
+        reaction.lead_loss = to_ms(*came, *due);
+    }
+}
+
+// From the end of the fault to the first cycle from which on `agree` holds; none: not until the scene's end.
+template <typename Agree>
+std::optional<int> time_to_agreement(const FaultyRun& right, const FaultyRun& faulty, Agree agree) {
+    std::size_t since = faulty.answers.size();
+    while (since > faulty.over && faulty.answers[since - 1U] &&
+           agree(*faulty.answers[since - 1U], *right.answers[since - 1U])) {
+        --since;
+    }
+    return since < faulty.answers.size() ? std::optional<int>{to_ms(since, faulty.over)} : std::nullopt;
+}
+
+void measure_recovery(const Scene& scene, const FaultyRun& right, const FaultyRun& faulty,
+                      Reaction& reaction) {
+    if (faulty.over >= scene.samples.size()) {
+        return;
+    }
+    reaction.watched_ms = to_ms(scene.samples.size(), faulty.over);
+    reaction.recovery = time_to_agreement(right, faulty, is_same_statement);
+    reaction.healing = time_to_agreement(right, faulty, has_no_further_code);
+}
+
+}  // namespace
+
+Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right, const FaultyRun& faulty) {
+    Reaction reaction;
+    reaction.visible = faulty.visible.has_value();
+    reaction.watchdog_fed = faulty.watchdog_fed;
+    const std::size_t since = faulty.visible.value_or(scene.fault_begin);
+    const bool warning_due = first_warning(right).has_value();
+    int silence = 0;
+    int wrong = 0;
+    for (std::size_t cycle = scene.fault_begin; cycle < scene.samples.size(); ++cycle) {
+        if (!is_heard(fault, faulty, scene, cycle)) {
+            continue;
+        }
+        const EcuAnswer& was = *right.answers[cycle];
+        const EcuAnswer& is = *faulty.answers[cycle];
+        const DiagnosticCodes new_codes = is.codes & ~was.codes;
+        const int now = to_ms(cycle, since);
+        keep_first(reaction.unavailable,
+                   is.state == WarningState::unavailable && was.state != WarningState::unavailable, now);
+        keep_first(reaction.observer,
+                   is.roll_source == RollSource::observer && was.roll_source == RollSource::sensor, now);
+        keep_first(reaction.motion_lost,
+                   is.degradation == Degradation::motion_lost && was.degradation == Degradation::full, now);
+        if (!reaction.code && new_codes != 0U) {
+            reaction.code = now;
+            reaction.code_name = diagnostic_names(new_codes).front();
+        }
+        const bool due = was.state == WarningState::warning;
+        silence = due && is.state == WarningState::ready && is.codes == 0U ? silence + cycle_ms : 0;
+        reaction.silence = std::max(reaction.silence, silence);
+        wrong = is.state != was.state && is.codes == 0U ? wrong + cycle_ms : 0;
+        reaction.wrong = std::max(reaction.wrong, wrong);
+        reaction.false_warning += !warning_due && is.state == WarningState::warning ? cycle_ms : 0;
+        reaction.incomplete_cycles += is.complete ? 0U : 1U;
+        reaction.undefined_cycles += is.defined ? 0U : 1U;
+    }
+    measure_warning(right, faulty, reaction);
+    measure_recovery(scene, right, faulty, reaction);
+    return reaction;
+}
+
+std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction) {
+    const Expectation expected = expectation_of(fault);
+    std::vector<std::string> all;
+    const auto demand = [&all](bool good, const std::string& otherwise) {
+        if (!good) {
+            all.push_back(otherwise);
+        }
+    };
+    const auto in_time = [&expected](const std::optional<int>& time) {
+        return time && *time <= expected.reaction_ms;
+    };
+    demand(reaction.incomplete_cycles == 0U, "a frame is missing or damaged");
+    demand(reaction.undefined_cycles == 0U, "an undefined code on the bus");
+    demand(reaction.watchdog_fed, "watchdog");
+    demand(reaction.silence <= longest_silence_ms,
+           fmt::format("silent for {} ms while a warning is due", reaction.silence));
+    demand(reaction.false_warning <= longest_false_warning_ms(expected),
+           fmt::format("false warning for {} ms", reaction.false_warning));
+    const auto come_back = [&reaction](const std::optional<int>& time, int limit_ms) {
+        return time ? *time <= limit_ms : reaction.watched_ms < limit_ms;
+    };
+    demand(come_back(reaction.recovery, expected.recovery_ms),
+           reaction.recovery ? fmt::format("back after {} ms only", reaction.recovery.value_or(0))
+                             : std::string{"does not come back"});
+    demand(come_back(reaction.healing, expected.healing_ms),
+           reaction.healing ? fmt::format("codes for {} ms more", reaction.healing.value_or(0))
+                            : std::string{"codes do not heal"});
+    if (expected.demand == Demand::unaffected) {
+        demand(!reaction.unavailable, "unavailable");
+    } else if (expected.demand == Demand::right_or_reported) {
+        demand(reaction.wrong <= longest_wrong_ms || in_time(reaction.code),
+               fmt::format("wrong for {} ms without a code", reaction.wrong));
+    } else if (expected.demand == Demand::kept_or_reported) {
+        const bool kept = !reaction.warning_missed && reaction.lead_loss.value_or(0) <= largest_lead_loss_ms;
+        demand(kept || in_time(reaction.code), "warning late, and no code in time");
+    } else if (reaction.visible) {
+        demand(in_time(reaction.code), "no code in time");
+    }
+    if (expected.demand == Demand::unavailable && reaction.visible) {
+        demand(in_time(reaction.unavailable), "not unavailable in time");
+    }
+    if (expected.demand == Demand::roll_sensor_lost && reaction.visible) {
+        demand(in_time(reaction.observer), "observer not in use in time");
+    }
+    if (expected.demand == Demand::motion_lost && reaction.visible) {
+        demand(in_time(reaction.motion_lost), "not \"motion lost\" in time");
+    }
+    if (expected.demand == Demand::usable || expected.demand == Demand::motion_lost ||
+        expected.demand == Demand::roll_sensor_lost) {
+        demand(!reaction.unavailable, "unavailable");
+        demand(!reaction.warning_missed, "no warning");
+        demand(reaction.lead_loss.value_or(0) <= largest_lead_loss_ms, "warning late");
+    }
+    return all;
+}
+
+std::string describe(const Reaction& reaction) {
+    std::vector<std::string> parts;
+    const auto add = [&parts](const char* what, const std::optional<int>& time) {
+        if (time) {
+            parts.push_back(fmt::format("{} {}", what, *time));
+        }
+    };
+    add("unavailable", reaction.unavailable);
+    add("observer", reaction.observer);
+    add("motion lost", reaction.motion_lost);
+    add(reaction.code_name.c_str(), reaction.code);
+    if (parts.empty()) {
+        parts.emplace_back(reaction.visible ? "nothing" : "not visible");
+    }
+    if (reaction.false_warning > 0) {
+        parts.push_back(fmt::format("false warning for {}", reaction.false_warning));
+    }
+    if (reaction.warning_missed) {
+        parts.emplace_back("no warning");
+    } else if (reaction.lead_loss) {
+        parts.push_back(fmt::format("warning {:+}", *reaction.lead_loss));
+    }
+    add("back", reaction.recovery);
+    if (reaction.healing.value_or(0) > 0) {
+        add("codes gone", reaction.healing);
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace sil

@@ -1,0 +1,45 @@
+// Judgement: what the ECU did about a fault, measured against the run without it, and what of that was not
+// expected.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sil/faults/expectation.hpp"
+#include "sil/faults/faulty_run.hpp"
+
+namespace sil {
+
+// Times in milliseconds. A reaction counts from the cycle in which the fault became visible; it is negative
+// when it came before.
+struct Reaction {
+    bool visible{false};
+    std::optional<int> unavailable{};
+    std::optional<int> observer{};
+    std::optional<int> motion_lost{};
+    std::optional<int> code{};
+    std::string code_name{};           // the first one
+    std::optional<int> lead_loss{};    // of a due warning; none: it never came, or none was due
+    bool warning_missed{false};        // it never came
+    int silence{0};                    // longest, without code: "ready" while a warning is due
+    int wrong{0};                      // longest, without code: another state than without the fault
+    int false_warning{0};              // in all, where none is due in the whole scene
+    std::optional<int> recovery{};     // none: not until the scene's end, or the scene ends with the fault
+    std::optional<int> healing{};      // the same of the codes
+    int watched_ms{0};                 // from the end of the fault to the scene's; 0: the scene ends with it
+    std::size_t incomplete_cycles{0};  // without one of the ECU's frames, or with a damaged one
+    std::size_t undefined_cycles{0};   // with a code that the DBC file does not define
+    bool watchdog_fed{true};
+};
+
+// `right` is the run of the same scene without the fault.
+Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right, const FaultyRun& faulty);
+
+// What was expected and did not happen, each in a few words; empty when all is well.
+std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction);
+
+// "unavailable 30, ImuTimeout 30, back 140"
+std::string describe(const Reaction& reaction);
+
+}  // namespace sil

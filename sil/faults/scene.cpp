@@ -1,0 +1,127 @@
+#include "sil/faults/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "sil/manoeuvres/catalogue.hpp"
+#include "sil/manoeuvres/manoeuvre_run.hpp"
+#include "sil/sensors/sensor_suite.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
+#include "sil/simulation/pace.hpp"
+#include "sil/units.hpp"
+
+namespace sil {
+namespace {
+
+constexpr std::uint64_t noise_seed = 5U;
+constexpr double rolled_over_rad = 1.2;
+constexpr int steps_per_cycle = 10;
+
+constexpr std::size_t cycles(double seconds) {
+    return static_cast<std::size_t>(seconds / cycle_time_s + 0.5);
+}
+
+SensorSuite make_sensors(const VehicleParameters& vehicle) {
+    SensorFlaws flaws;
+    flaws.noise = true;
+    flaws.seed = noise_seed;
+    flaws.bank_sensor = true;
+    return SensorSuite{mounted_sensors(vehicle, flaws)};
+}
+
+std::vector<SensorSample> record(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre) {
+    ManoeuvreRun plant{vehicle, manoeuvre};
+    SensorSuite sensors = make_sensors(vehicle);
+    std::vector<SensorSample> samples;
+    sensors.observe(plant.truth());
+    for (;;) {
+        samples.push_back(sensors.report(plant.truth()));
+        if (plant.finished() || std::abs(plant.truth().roll_angle_rad) > rolled_over_rad) {
+            return samples;
+        }
+        for (int step = 0; step < steps_per_cycle; ++step) {
+            plant.step();
+            sensors.observe(plant.truth());
+        }
+    }
+}
+
+// The tyre model wants a rolling wheel, so a vehicle at rest is written down instead of driven.
+std::vector<SensorSample> record_rest(const VehicleParameters& vehicle, double duration_s) {
+    Truth truth;
+    truth.specific_force_mps2 = {0.0, 0.0, g_mps2};
+    SensorSuite sensors = make_sensors(vehicle);
+    std::vector<SensorSample> samples;
+    for (std::size_t cycle = 0U; cycle <= cycles(duration_s); ++cycle) {
+        truth.time_s = static_cast<double>(cycle) * cycle_time_s;
+        sensors.observe(truth);
+        samples.push_back(sensors.report(truth));
+    }
+    return samples;
+}
+
+// The driver of a manoeuvre after some seconds of straight road.
+class LateDriver final : public Driver {
+ public:
+    LateDriver(std::unique_ptr<Driver> driver, double delay_s)
+        : driver_{std::move(driver)}, delay_s_{delay_s} {}
+
+    DriverCommand command(const Truth& truth) override {
+        if (truth.time_s < delay_s_) {
+            return {};
+        }
+        Truth late = truth;
+        late.time_s -= delay_s_;
+        return driver_->command(late);
+    }
+
+ private:
+    std::unique_ptr<Driver> driver_;
+    double delay_s_;
+};
+
+Manoeuvre delayed(Manoeuvre manoeuvre, double delay_s) {
+    manoeuvre.duration_s += delay_s;
+    manoeuvre.make_driver = [inner = manoeuvre.make_driver, delay_s](const VehicleParameters& parameters) {
+        return std::make_unique<LateDriver>(inner(parameters), delay_s);
+    };
+    return manoeuvre;
+}
+
+Scene scene(std::string name, std::string description, std::vector<SensorSample> samples, double begin_s,
+            double end_s) {
+    const std::size_t end = std::min(cycles(end_s), samples.size());
+    return {std::move(name), std::move(description), std::move(samples), cycles(begin_s), end};
+}
+
+}  // namespace
+
+std::vector<Scene> record_scenes(const VehicleParameters& vehicle) {
+    constexpr double forever_s = 1.0e6;
+    constexpr double straight_s = 4.0;
+    constexpr double steering_s = straight_s + 1.0;  // as the J-turn's driver does
+    Manoeuvre straight = find_manoeuvre("straight");
+    straight.duration_s = 15.0;
+    Manoeuvre turn = find_manoeuvre("rough-turn");
+    const std::vector<SensorSample> j_turn =
+        record(vehicle, delayed(find_manoeuvre("j-turn-110"), straight_s));
+    Scene warning = scene("warning", "the same; the fault begins 0.1 s before the warning is due, and stays",
+                          j_turn, steering_s, forever_s);
+    warning.at_warning = true;
+    return {
+        scene("rest", "the vehicle stands; fault from 4 s to 8 s", record_rest(vehicle, 15.0), 4.0, 8.0),
+        scene("straight", "straight ahead at 100 km/h; fault from 4 s to 8 s", record(vehicle, straight), 4.0,
+              8.0),
+        scene("turn", "held turn of 0.3 g on a rough road at 80 km/h; fault from 6 s to 10 s",
+              record(vehicle, turn), 6.0, 10.0),
+        scene("before the turn",
+              "J-turn at 110 km/h that ends in a rollover; the fault begins 0.5 s before the driver steers, "
+              "and stays",
+              j_turn, steering_s - 0.5, forever_s),
+        warning,
+    };
+}
+
+}  // namespace sil

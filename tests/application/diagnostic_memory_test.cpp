@@ -1,0 +1,115 @@
+// Diagnostic codes: how they are set, confirmed and healed, and in which order they are told.
+#include "monitoring/diagnostic_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include "monitoring/diagnostic_event.hpp"
+
+namespace testing_application {
+namespace {
+
+using monitoring::Debounce;
+using monitoring::DiagnosticCode;
+using monitoring::DiagnosticEvent;
+using monitoring::DiagnosticMemory;
+using monitoring::EventStatus;
+using monitoring::Snapshot;
+
+constexpr Debounce three_and_five{3U, 5U};
+
+void update(DiagnosticEvent& event, bool failed, int cycles) {
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+        event.update(failed, three_and_five);
+    }
+}
+
+TEST(DiagnosticEvent, IsSetThenConfirmedThenHealed) {
+    DiagnosticEvent event;
+    update(event, false, 3);
+    EXPECT_EQ(event.status(), EventStatus::none);
+    update(event, true, 2);
+    EXPECT_EQ(event.status(), EventStatus::set);
+    EXPECT_TRUE(event.update(true, three_and_five));
+    EXPECT_TRUE(event.confirmed());
+    EXPECT_FALSE(event.update(true, three_and_five));  // confirmed once
+    update(event, false, 4);
+    EXPECT_TRUE(event.confirmed());
+    update(event, true, 1);  // not five in a row
+    update(event, false, 4);
+    EXPECT_TRUE(event.confirmed());
+    update(event, false, 1);
+    EXPECT_EQ(event.status(), EventStatus::healed);
+    EXPECT_EQ(event.occurrences(), 1U);
+    update(event, true, 1);
+    EXPECT_EQ(event.status(), EventStatus::set);
+    update(event, false, 2);
+    EXPECT_EQ(event.status(), EventStatus::healed);
+}
+
+TEST(DiagnosticEvent, OfEverySecondCycleIsConfirmedOfEveryThirdNever) {
+    DiagnosticEvent second;
+    DiagnosticEvent third;
+    for (int cycle = 0; cycle < 300; ++cycle) {
+        second.update(cycle % 2 == 0, three_and_five);
+        third.update(cycle % 3 == 0, three_and_five);
+        EXPECT_NE(third.status(), EventStatus::confirmed);
+    }
+    EXPECT_EQ(second.status(), EventStatus::confirmed);
+}
+
+TEST(DiagnosticEvent, CountsUpTo31Occurrences) {
+    DiagnosticEvent event;
+    for (int occurrence = 1; occurrence <= 40; ++occurrence) {
+        update(event, true, 3);
+        update(event, false, 5);
+        EXPECT_EQ(event.occurrences(), occurrence < 31 ? occurrence : 31);
+    }
+}
+
+TEST(DiagnosticMemory, KeepsWhatWasMeasuredTheFirstTime) {
+    DiagnosticMemory memory;
+    const auto occur = [&memory](float speed_mps) {
+        memory.begin_cycle(Snapshot{1.0F, 2.0F, 3.0F, speed_mps});
+        memory.report(DiagnosticCode::cycle_stall, true);
+        for (int cycle = 0; cycle < 100; ++cycle) {
+            memory.report(DiagnosticCode::cycle_stall, false);
+        }
+    };
+    occur(10.0F);
+    occur(20.0F);
+    const monitoring::DiagnosticRecord record = memory.next();
+    EXPECT_EQ(record.code, DiagnosticCode::cycle_stall);
+    EXPECT_EQ(record.status, EventStatus::healed);
+    EXPECT_EQ(record.occurrences, 2U);
+    EXPECT_EQ(record.first.speed_mps, 10.0F);
+    EXPECT_EQ(record.first.lateral_acceleration_mps2, 1.0F);
+}
+
+TEST(DiagnosticMemory, TellsNothingOfNothing) {
+    DiagnosticMemory memory;
+    EXPECT_EQ(memory.next().code, DiagnosticCode::none);
+    EXPECT_EQ(memory.next().status, EventStatus::none);
+}
+
+TEST(DiagnosticMemory, TellsNewsAtOnceAndTheRestRoundAndRound) {
+    DiagnosticMemory memory;
+    memory.report(DiagnosticCode::imu_lost, true);
+    memory.report(DiagnosticCode::clock_jump, true);
+    memory.report(DiagnosticCode::cycle_stall, true);
+    for (int news = 0; news < 3; ++news) {
+        memory.next();
+    }
+    EXPECT_EQ(memory.next().code, DiagnosticCode::imu_lost);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::cycle_stall);
+    memory.report(DiagnosticCode::cycle_overrun, true);
+    memory.report(DiagnosticCode::imu_damaged, true);
+    memory.report(DiagnosticCode::imu_damaged, true);
+    memory.report(DiagnosticCode::imu_damaged, true);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::imu_damaged);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::cycle_overrun);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::clock_jump);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::imu_lost);
+}
+
+}  // namespace
+}  // namespace testing_application

@@ -1,0 +1,198 @@
+// What counts as a shortfall: answers written by hand, so that each rule is seen to fail.
+#include "sil/faults/judgement.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sil/faults/expectation.hpp"
+#include "sil/faults/known_shortfall.hpp"
+
+namespace faults_test {
+namespace {
+
+using sil::EcuAnswer;
+using sil::Fault;
+using sil::FaultKind;
+using sil::FaultPlace;
+using sil::WarningState;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::size_t begin = 100U;
+constexpr std::size_t end = 300U;
+constexpr std::size_t length = 900U;
+
+constexpr Fault imu_lost{FaultKind::lost, FaultPlace::imu_frame, 0.0};
+constexpr Fault lying{FaultKind::noise, FaultPlace::lateral_acceleration, 2.0};
+constexpr Fault hardly_lying{FaultKind::offset, FaultPlace::lateral_acceleration, 2.0};
+
+EcuAnswer answer(WarningState state, sil::DiagnosticCodes codes = 0U) {
+    EcuAnswer one;
+    one.complete = true;
+    one.state = state;
+    one.roll_source = sil::RollSource::sensor;
+    one.degradation =
+        state == WarningState::unavailable ? sil::Degradation::unavailable : sil::Degradation::full;
+    one.codes = codes;
+    return one;
+}
+
+// A drive in which the ECU says the same all the time, but for what a test changes.
+class Judged {
+ public:
+    explicit Judged(WarningState right = WarningState::ready) {
+        scene_.samples.resize(length);
+        scene_.fault_begin = begin;
+        scene_.fault_end = end;
+        right_.answers.assign(length, answer(right));
+        faulty_.answers = right_.answers;
+        faulty_.visible = begin;
+        faulty_.over = end;
+    }
+
+    Judged& say(std::size_t from, std::size_t until, const EcuAnswer& one) {
+        for (std::size_t cycle = from; cycle < until; ++cycle) {
+            faulty_.answers[cycle] = one;
+        }
+        return *this;
+    }
+    Judged& due(std::size_t from, std::size_t until) {
+        for (std::size_t cycle = from; cycle < until; ++cycle) {
+            right_.answers[cycle] = answer(WarningState::warning);
+        }
+        return *this;
+    }
+    Judged& invisible() {
+        faulty_.visible.reset();
+        return *this;
+    }
+    Judged& unfed() {
+        faulty_.watchdog_fed = false;
+        return *this;
+    }
+
+    std::vector<std::string> shortfalls(const Fault& fault) const {
+        return sil::shortfalls(fault, measure(scene_, fault, right_, faulty_));
+    }
+
+ private:
+    sil::Scene scene_{};
+    sil::FaultyRun right_{};
+    sil::FaultyRun faulty_{};
+};
+
+Judged good_answer_to_a_lost_frame() {
+    return Judged{}.say(begin + 3U, end + 10U, answer(WarningState::unavailable, 1U));
+}
+
+TEST(Judgement, AcceptsWhatIsExpected) {
+    EXPECT_THAT(good_answer_to_a_lost_frame().shortfalls(imu_lost), IsEmpty());
+}
+
+TEST(Judgement, WantsTheReactionInTime) {
+    Judged late = Judged{}.say(begin + 6U, end + 10U, answer(WarningState::unavailable, 1U));
+    EXPECT_THAT(late.shortfalls(imu_lost), Contains("not unavailable in time"));
+    EXPECT_THAT(late.shortfalls(imu_lost), Contains("no code in time"));
+}
+
+TEST(Judgement, WantsACodeWithTheReaction) {
+    Judged silent = Judged{}.say(begin + 3U, end + 10U, answer(WarningState::unavailable));
+    EXPECT_THAT(silent.shortfalls(imu_lost), Contains("no code in time"));
+}
+
+TEST(Judgement, WantsNothingOfAFaultThatCannotBeSeen) {
+    EXPECT_THAT(Judged{}.invisible().shortfalls(imu_lost), IsEmpty());
+}
+
+TEST(Judgement, WantsTheWarningOrACode) {
+    Judged silent{};
+    silent.due(200U, 250U)
+        .say(200U, 206U, answer(WarningState::ready))
+        .say(206U, 250U, answer(WarningState::warning));
+    EXPECT_THAT(silent.invisible().shortfalls(lying), Contains(HasSubstr("silent for 60 ms")));
+    Judged short_time{};
+    short_time.due(200U, 250U)
+        .say(200U, 205U, answer(WarningState::ready))
+        .say(205U, 250U, answer(WarningState::warning));
+    EXPECT_THAT(short_time.invisible().shortfalls(lying), IsEmpty());
+    Judged with_code{};
+    with_code.due(200U, 250U).say(140U, 400U, answer(WarningState::ready, 4U));
+    EXPECT_THAT(with_code.shortfalls(lying), IsEmpty());
+}
+
+TEST(Judgement, WantsARightStatementOrACodeOfOptionalInputs) {
+    const Fault bank{FaultKind::offset, FaultPlace::bank_angle, 0.1};
+    EXPECT_THAT(Judged{}.say(150U, 160U, answer(WarningState::advisory)).shortfalls(bank), IsEmpty());
+    EXPECT_THAT(Judged{}.say(150U, 161U, answer(WarningState::advisory)).shortfalls(bank),
+                Contains("wrong for 110 ms without a code"));
+    EXPECT_THAT(Judged{}.say(150U, 250U, answer(WarningState::advisory, 1U)).shortfalls(bank), IsEmpty());
+}
+
+TEST(Judgement, WantsTheDueWarningOrACodeInTimeOfWhatHardlyShows) {
+    const auto late_by = [](std::size_t cycles, sil::DiagnosticCodes codes) {
+        return Judged{}
+            .due(200U, 250U)
+            .say(130U, 200U + cycles, answer(WarningState::advisory, codes))
+            .say(200U + cycles, 250U, answer(WarningState::warning, codes));
+    };
+    EXPECT_THAT(late_by(10U, 0U).shortfalls(hardly_lying), IsEmpty());
+    EXPECT_THAT(late_by(11U, 0U).shortfalls(hardly_lying), Contains("warning late, and no code in time"));
+    EXPECT_THAT(late_by(11U, 4U).shortfalls(hardly_lying), IsEmpty());
+    EXPECT_THAT(
+        Judged{}.due(200U, 250U).say(200U, 250U, answer(WarningState::advisory)).shortfalls(hardly_lying),
+        Contains("warning late, and no code in time"));
+}
+
+TEST(Judgement, WantsNoFalseWarningBeyondItsHoldTime) {
+    const Fault delayed{FaultKind::delayed, FaultPlace::imu_frame, 20.0};
+    EXPECT_THAT(Judged{}.say(end, end + 201U, answer(WarningState::warning)).shortfalls(delayed),
+                Contains("false warning for 2010 ms"));
+}
+
+TEST(Judgement, WantsTheEcuBack) {
+    Judged slow = Judged{}.say(begin + 3U, end + 26U, answer(WarningState::unavailable, 1U));
+    EXPECT_THAT(slow.shortfalls(imu_lost), Contains("back after 260 ms only"));
+    Judged never = Judged{}.say(begin + 3U, length, answer(WarningState::unavailable, 1U));
+    EXPECT_THAT(never.shortfalls(imu_lost), Contains("does not come back"));
+    Judged marked = Judged{}
+                        .say(begin + 3U, end + 10U, answer(WarningState::unavailable, 1U))
+                        .say(end + 10U, length, answer(WarningState::ready, 1U));
+    EXPECT_THAT(marked.shortfalls(imu_lost), Contains("codes do not heal"));
+}
+
+TEST(Judgement, WantsEveryFrameSoundAndTheWatchdogFed) {
+    EcuAnswer incomplete = answer(WarningState::ready);
+    incomplete.complete = false;
+    EXPECT_THAT(good_answer_to_a_lost_frame().say(500U, 501U, incomplete).shortfalls(imu_lost),
+                Contains("a frame is missing or damaged"));
+    EcuAnswer undefined = answer(WarningState::ready);
+    undefined.defined = false;
+    EXPECT_THAT(good_answer_to_a_lost_frame().say(500U, 501U, undefined).shortfalls(imu_lost),
+                Contains("an undefined code on the bus"));
+    EXPECT_THAT(good_answer_to_a_lost_frame().unfed().shortfalls(imu_lost), Contains("watchdog"));
+}
+
+TEST(Judgement, WantsAUsableStateWhereOneIsPossible) {
+    const Fault roll_lost{FaultKind::lost, FaultPlace::roll_angle_frame, 0.0};
+    EXPECT_THAT(good_answer_to_a_lost_frame().shortfalls(roll_lost), Contains("unavailable"));
+    EcuAnswer observed = answer(WarningState::ready, 1U);
+    observed.roll_source = sil::RollSource::observer;
+    EXPECT_THAT(Judged{}.say(begin + 3U, end, observed).shortfalls(roll_lost), IsEmpty());
+    Judged late = Judged{}
+                      .due(200U, 250U)
+                      .say(begin + 3U, end, observed)
+                      .say(212U, 250U, answer(WarningState::warning, 1U));
+    EXPECT_THAT(late.shortfalls(roll_lost), Contains("warning late"));
+}
+
+TEST(KnownShortfall, HoldsForItsOwnCellsOnly) {
+    const sil::KnownShortfall known{FaultKind::lost, {FaultPlace::imu_frame}, {"turn"}, "because"};
+    EXPECT_TRUE(concerns(known, imu_lost, "turn"));
+    EXPECT_FALSE(concerns(known, imu_lost, "rest"));
+    EXPECT_FALSE(concerns(known, {FaultKind::lost, FaultPlace::roll_angle_frame, 0.0}, "turn"));
+    EXPECT_FALSE(concerns(known, {FaultKind::bad_crc, FaultPlace::imu_frame, 0.0}, "turn"));
+}
+
+}  // namespace
+}  // namespace faults_test
