@@ -114,6 +114,16 @@ TEST(ParameterSection, IsNotReadBeyondItsMemoryAndRefusedWhereThatEndsTooEarly) 
     }
 }
 
+TEST(ParameterSection, WhatIsRefusedForItsFormIsNotAcceptedAndNamesNoField) {
+    Bytes bytes = good_section();
+    bytes[section::checksum_at] ^= 1U;
+    const application::ParameterSectionAnswer answer = read(bytes, bytes.size());
+    EXPECT_EQ(answer.refusal, ParametersRefusal::checksum);
+    EXPECT_EQ(answer.validation.accepted, 0);
+    EXPECT_STREQ(answer.validation.field, "");
+    EXPECT_STREQ(answer.validation.reason, "");
+}
+
 TEST(ParameterSection, ErasedMemoryIsAMissingSection) {
     EXPECT_EQ(refusal_of(Bytes(4096U, std::uint8_t{0xFFU})), ParametersRefusal::missing);
     EXPECT_EQ(refusal_of(Bytes(4096U, std::uint8_t{0U})), ParametersRefusal::missing);

@@ -193,4 +193,10 @@ TEST(CheckStatus, OnlyFramesInSequenceAreUsable) {
     }
 }
 
+TEST(Profile11, ChecksAPayloadOfNothingButItsHeader) {
+    std::array<std::uint8_t, 2> payload{};
+    can_dbc::e2e::protect_profile_11(payload, data_id, 3U);
+    EXPECT_EQ(can_dbc::e2e::verify_profile_11(payload.data(), 2U, 2U, data_id), CheckError::none);
+}
+
 }  // namespace

@@ -212,4 +212,11 @@ TEST(Profile05Receiver, ReportsACycleWithoutAFrame) {
     EXPECT_EQ(receiver_with(1U).no_frame().status, CheckStatus::no_new_data);
 }
 
+TEST(Profile05, ChecksAPayloadOfNothingButItsHeader) {
+    std::array<std::uint8_t, 3> payload{};
+    can_dbc::e2e::protect_profile_05(payload, 0x1234U, 3U);
+    EXPECT_EQ(can_dbc::e2e::verify_profile_05(payload.data(), 3U, 3U, 0U, 0x1234U),
+              can_dbc::e2e::CheckError::none);
+}
+
 }  // namespace

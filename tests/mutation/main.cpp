@@ -1,9 +1,12 @@
 // The main function of a test program in a mutated build. It reads requests, one a line, and answers each
 // with one line:
-//   tests                             every test: "test NAME", closed by "end"
-//   record FILTER                     runs it without a mutant: "CPU_MS ID ID ..." of what it executed, or
-//   "failed" try ID CPU_LIMIT_MS FILTER        runs it with a mutant: "survived", or "killed test|crash|time
-//   limit"
+//   tests                       every test: "test NAME", closed by "end"
+//   record LIMIT_MS TEST        runs it without a mutant: "failed", or "CPU_MS ID ID ... | ID ID ...":
+//   mutants whose
+//                               places it executed and that make another value there; those that make the
+//                               same. After LIMIT_MS of CPU time it ends with what it has executed so far.
+//   try ID CPU_LIMIT_MS FILTER  runs it with a mutant until a test notices: "survived", or
+//                               "killed by a test|a crash|the time limit", a tab, and the test that ran then
 // Each runs in a process of its own, so that nothing of a mutant is left behind.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -24,34 +27,60 @@ namespace mutation {
 
 constexpr std::size_t most_mutants = 1U << 16U;
 int active = 0;
-unsigned char before_main[most_mutants];
-unsigned char* executed = before_main;
+bool recording = false;
+unsigned char* record = nullptr;
 
 }  // namespace mutation
 
 namespace {
+
+// What a child tells its parent, however it ends.
+struct Shared {
+    unsigned char record[mutation::most_mutants];
+    char running_test[512];
+};
+Shared* shared = nullptr;
+
+std::string name_of(const testing::TestInfo& test) {
+    return std::string{test.test_suite_name()} + '.' + test.name();
+}
+
+class Witness final : public testing::EmptyTestEventListener {
+    void OnTestStart(const testing::TestInfo& test) override {
+        std::snprintf(shared->running_test, sizeof shared->running_test, "%s", name_of(test).c_str());
+    }
+    void OnTestPartResult(const testing::TestPartResult& result) override {
+        if (result.failed()) {
+            _exit(1);
+        }
+    }
+};
 
 struct Outcome {
     int status;
     long cpu_ms;
 };
 
+void limit_resources(long cpu_limit_ms) {
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit memory{2UL << 30U, 2UL << 30U};
+    setrlimit(RLIMIT_AS, &memory);
+    const itimerval limit{{0, 0}, {cpu_limit_ms / 1000, (cpu_limit_ms % 1000) * 1000}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
+    alarm(static_cast<unsigned>(60 + cpu_limit_ms / 50));  // should it wait for ever
+}
+
 Outcome run_in_child(int mutant, long cpu_limit_ms, const std::string& filter) {
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {
         mutation::active = mutant;
+        mutation::recording = (mutant == 0);
         static_cast<void>(std::freopen("/dev/null", "w", stdout));
         static_cast<void>(std::freopen("/dev/null", "w", stderr));
-        const rlimit no_core{0, 0};
-        setrlimit(RLIMIT_CORE, &no_core);
-        const rlimit memory{2UL << 30U, 2UL << 30U};
-        setrlimit(RLIMIT_AS, &memory);
-        const itimerval limit{{0, 0}, {cpu_limit_ms / 1000, (cpu_limit_ms % 1000) * 1000}};
-        setitimer(ITIMER_PROF, &limit, nullptr);
-        alarm(static_cast<unsigned>(60 + cpu_limit_ms / 50));  // should it wait for ever
+        limit_resources(cpu_limit_ms);
         GTEST_FLAG_SET(filter, filter);
-        GTEST_FLAG_SET(fail_fast, true);
         _exit(RUN_ALL_TESTS());
     }
     int status = 0;
@@ -65,38 +94,51 @@ void list_tests() {
     for (int i = 0; i < all.total_test_suite_count(); ++i) {
         const testing::TestSuite& suite = *all.GetTestSuite(i);
         for (int k = 0; k < suite.total_test_count(); ++k) {
-            std::cout << "test " << suite.name() << '.' << suite.GetTestInfo(k)->name() << '\n';
+            std::cout << "test " << name_of(*suite.GetTestInfo(k)) << '\n';
         }
     }
     std::cout << "end" << std::endl;
 }
 
-void record(const std::string& filter) {
-    std::fill_n(mutation::executed, mutation::most_mutants, static_cast<unsigned char>(0U));
-    const Outcome outcome = run_in_child(0, 600'000, filter);
-    if (outcome.status != 0) {
+bool is_out_of_time(int status) {
+    return WIFSIGNALED(status) && ((WTERMSIG(status) == SIGPROF) || (WTERMSIG(status) == SIGALRM));
+}
+
+void list_recorded(mutation::Recorded what) {
+    for (std::size_t mutant = 0U; mutant < mutation::most_mutants; ++mutant) {
+        if (shared->record[mutant] == what) {
+            std::cout << ' ' << mutant;
+        }
+    }
+}
+
+void record(long cpu_limit_ms, const std::string& filter) {
+    std::fill_n(shared->record, mutation::most_mutants, static_cast<unsigned char>(0U));
+    const Outcome outcome = run_in_child(0, cpu_limit_ms, filter);
+    if ((outcome.status != 0) && !is_out_of_time(outcome.status)) {
         std::cout << "failed" << std::endl;
         return;
     }
     std::cout << outcome.cpu_ms;
-    for (std::size_t mutant = 0U; mutant < mutation::most_mutants; ++mutant) {
-        if (mutation::executed[mutant] != 0U) {
-            std::cout << ' ' << mutant;
-        }
-    }
+    list_recorded(mutation::differing);
+    std::cout << " |";
+    list_recorded(mutation::executed);
     std::cout << std::endl;
+}
+
+const char* how_killed(int status) {
+    if (WIFEXITED(status)) {
+        return "a test";
+    }
+    return is_out_of_time(status) ? "the time limit" : "a crash";
 }
 
 void try_mutant(int mutant, long cpu_limit_ms, const std::string& filter) {
     const int status = run_in_child(mutant, cpu_limit_ms, filter).status;
     if (status == 0) {
         std::cout << "survived" << std::endl;
-    } else if (WIFEXITED(status)) {
-        std::cout << "killed test" << std::endl;
     } else {
-        const int signal = WTERMSIG(status);
-        const bool too_long = (signal == SIGPROF) || (signal == SIGALRM);
-        std::cout << (too_long ? "killed time limit" : "killed crash") << std::endl;
+        std::cout << "killed by " << how_killed(status) << '\t' << shared->running_test << std::endl;
     }
 }
 
@@ -104,12 +146,16 @@ void try_mutant(int mutant, long cpu_limit_ms, const std::string& filter) {
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
-    void* const shared =
-        mmap(nullptr, mutation::most_mutants, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (shared == MAP_FAILED) {
+    void* const memory =
+        mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) {
         return 1;
     }
-    mutation::executed = static_cast<unsigned char*>(shared);
+    shared = static_cast<Shared*>(memory);
+    mutation::record = shared->record;
+    testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
+    delete listeners.Release(listeners.default_result_printer());
+    listeners.Append(new Witness);
     for (std::string line; std::getline(std::cin, line);) {
         std::istringstream request{line};
         std::string what;
@@ -120,8 +166,8 @@ int main(int argc, char** argv) {
         if (what == "tests") {
             list_tests();
         } else if (what == "record") {
-            request >> filter;
-            record(filter);
+            request >> cpu_limit_ms >> filter;
+            record(cpu_limit_ms, filter);
         } else if (what == "try") {
             request >> mutant >> cpu_limit_ms >> filter;
             try_mutant(mutant, cpu_limit_ms, filter);

@@ -1,20 +1,28 @@
 """The mutated copy of the project: links to everything but what is mutated, and the build of its test programs."""
 
-import json
+import hashlib
 import pathlib
+import pickle
 import re
 import subprocess
 
+import edited_source
 import mutate
+import mutants
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = PROJECT / "build/mutation"
 SOURCE, BUILD = FOLDER / "source", FOLDER / "build"
 PROGRAMS = {"codec_test": "tests/codec", "unit_tests": "tests/unit", "application_test": "tests/application",
             "replay_test": "tests/mutation"}
-SCOPE = ("firmware/rsi", "firmware/application", "can_dbc/e2e")
+# Which programs are asked about what: a test of the frames seldom sees in the algorithm what its own tests and a drive do not.
+SCOPE = {"firmware/rsi": {"unit_tests", "replay_test"}, "firmware/application": set(PROGRAMS), "can_dbc/e2e": set(PROGRAMS)}
 INCLUDES = ["-I", "{project}", "-I", "{project}/firmware", "-isystem", "/usr/include/eigen3"]
 HELPERS = "tests/mutation/schemata.hpp"
+
+
+def is_asked(mutant, program):
+    return any(mutant.file.startswith(folder) and program in programs for folder, programs in SCOPE.items())
 
 
 def sources(project=PROJECT, scope=SCOPE):
@@ -29,13 +37,29 @@ def parse_arguments(project):
 
 def mutated_texts(names, project, left_out=frozenset()):
     """The mutated text of each file and all mutants. `left_out`: (file, line) that does not compile when mutated."""
-    mutator = mutate.Mutator()
-    arguments = parse_arguments(project)
-    units = {name: mutator.parse(project / name, arguments) for name in names}
-    for name in names:
-        mutator.find_constants(name, project / name, units[name])
-    return {name: mutator.mutated(name, project / name, units[name], {line for file, line in left_out if file == name})
-            for name in names}, mutator
+    all_mutants = mutants.Mutants()
+    files = [mutate.FileMutator(all_mutants, name, project / name,
+                                edited_source.parse(project / name, parse_arguments(project)),
+                                {line for file, line in left_out if file == name}) for name in names]
+    for file in files:
+        file.find_constants()
+    return {file.source.name: file.mutated() for file in files}, all_mutants
+
+
+def kept_mutated_texts(names, left_out):
+    """Those of the last run, unless a source, a header next to it, or the tool has changed: clang takes its time."""
+    read = hashlib.sha256(repr(sorted(left_out)).encode())
+    for path in [PROJECT / name for name in names] + sorted((PROJECT / "can_dbc").rglob("*.hpp")) + sorted(
+            (PROJECT / "hal/interface").rglob("*.hpp")) + sorted(pathlib.Path(__file__).parent.glob("*.py")):
+        read.update(path.read_bytes())
+    kept = FOLDER / f"mutants_{read.hexdigest()[:16]}.pickle"
+    if not kept.is_file():
+        texts, all_mutants = mutated_texts(names, PROJECT, left_out)
+        all_mutants.sources = {name: hashlib.sha256((PROJECT / name).read_bytes()).hexdigest() for name in names}
+        for old in FOLDER.glob("mutants_*.pickle"):
+            old.unlink()
+        kept.write_bytes(pickle.dumps((texts, all_mutants)))
+    return pickle.loads(kept.read_bytes())
 
 
 def write_if_other(path, text):
@@ -63,15 +87,15 @@ def link_everything_else(names):
     link(PROJECT)
 
 
-def build():
-    flags = f"-O1 -w -Wno-narrowing -include {PROJECT / HELPERS}"
+def build(jobs):
+    flags = f"-O1 -w -Wno-narrowing -D_GLIBCXX_ASSERTIONS -include {PROJECT / HELPERS}"
     if not (BUILD / "build.ninja").is_file():
         configured = subprocess.run(
             ["cmake", "-S", SOURCE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DRSI_BUILD_SIL=OFF",
              "-DRSI_MUTATION=ON", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}"], capture_output=True, text=True)
         if configured.returncode != 0:
             raise SystemExit(f"{configured.stdout}{configured.stderr}\nmutation: could not configure {BUILD}")
-    return subprocess.run(["ninja", "-C", BUILD, "-k", "0", *PROGRAMS], capture_output=True, text=True)
+    return subprocess.run(["ninja", "-C", BUILD, "-j", str(jobs), "-k", "0", *PROGRAMS], capture_output=True, text=True)
 
 
 def refused_places(output, names):
@@ -86,21 +110,20 @@ def refused_places(output, names):
     return places
 
 
-def make():
+def make(jobs):
     """Writes, builds; a line that does not compile when mutated is left out, and counted. Gives all mutants."""
     names = sources()
     link_everything_else(names)
     left_out = set()
     while True:
-        texts, mutator = mutated_texts(names, PROJECT, left_out)
+        texts, all_mutants = kept_mutated_texts(names, left_out)
         for name, text in texts.items():
             write_if_other(SOURCE / name, text)
-        built = build()
+        built = build(jobs)
         if built.returncode == 0:
             break
         refused = refused_places(built.stdout, names) - left_out
         if not refused:
             raise SystemExit(f"{built.stdout[-6000:]}\nmutation: the mutated copy does not build; the reason is above")
         left_out |= refused
-    (FOLDER / "mutants.json").write_text(json.dumps([vars(mutant) for mutant in mutator.mutants], indent=0))
-    return mutator
+    return all_mutants

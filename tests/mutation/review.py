@@ -2,38 +2,40 @@
 
 import tomllib
 
-FIELDS = {"file", "function", "operator", "original", "mutated", "why"}
+FIELDS = {"file", "why", "mutants"}
 
 
 class Review:
     def __init__(self, text):
-        self.entries = tomllib.loads(text).get("survivor", [])
+        self.groups = tomllib.loads(text).get("survivors", [])
         self._reasons = {}
-        for entry in self.entries:
-            if set(entry) != FIELDS or not entry["why"].strip():
-                raise SystemExit(f"mutation: survivors.toml: an entry has {', '.join(sorted(FIELDS))} and no more, and why "
-                                 f"is said; this one is not so: {entry}")
-            key = tuple(entry[field] for field in ("file", "function", "operator", "original", "mutated"))
-            if key in self._reasons:
-                raise SystemExit(f"mutation: survivors.toml names twice: {entry}")
-            self._reasons[key] = entry["why"]
+        for group in self.groups:
+            if set(group) != FIELDS or not group["why"].strip() or not group["mutants"]:
+                raise SystemExit(f"mutation: survivors.toml: a group has {', '.join(sorted(FIELDS))} and no more, none of them "
+                                 f"empty; this one is not so: {group}")
+            for name in group["mutants"]:
+                if (group["file"], name) in self._reasons:
+                    raise SystemExit(f"mutation: survivors.toml names twice: {group['file']}: {name}")
+                self._reasons[group["file"], name] = group["why"]
 
     def reason(self, mutant):
         return self._reasons.get(mutant.key())
 
-    def problems(self, mutants, results, whole):
-        """Survivors that nobody explains; explanations of what is killed or gone. In a sample (`whole` is false) only
-        explanations of what was tried can be found killed."""
+    def unexplained(self, mutants, results):
+        return [f"{mutant} survives; write a test, or explain it in tests/mutation/survivors.toml"
+                for mutant in mutants if results.get(mutant.id) == "survived" and not self.reason(mutant)]
+
+    def outdated(self, mutants, results):
+        """Explanations of what is killed or gone; of what was not tried only the latter can be said."""
         of_key = {}
         for mutant in mutants:
             of_key.setdefault(mutant.key(), []).append(mutant)
-        problems = [f"{mutant} survives; write a test, or explain it in tests/mutation/survivors.toml"
-                    for mutant in mutants if results.get(mutant.id) == "survived" and not self.reason(mutant)]
+        problems = []
         for key in self._reasons:
             there = of_key.get(key, [])
             tried = [results[mutant.id] for mutant in there if mutant.id in results]
             if not there:
-                problems.append(f"survivors.toml explains what is no longer there; take it out: {' | '.join(key)}")
+                problems.append(f"survivors.toml explains what is no longer there; take it out: {': '.join(key)}")
             elif len(tried) == len(there) and "survived" not in tried:
-                problems.append(f"survivors.toml explains what is killed; take it out: {' | '.join(key)}")
+                problems.append(f"survivors.toml explains what is killed; take it out: {': '.join(key)}")
         return problems

@@ -9,43 +9,111 @@
 
 namespace mutation {
 
-extern int active;               // the mutant that is alive; 0: none
-extern unsigned char* executed;  // a byte for each mutant: its place was executed
+extern int active;             // the mutant that is alive; 0: none
+extern bool recording;         // what a run without a mutant executes
+extern unsigned char* record;  // a byte for each mutant
 
+enum Recorded : unsigned char {
+    executed = 1U,   // its place was executed
+    differing = 3U,  // and what it makes there was not what is made without it
+};
+
+// A statement or a connector: what it changes shows only when it is alive.
 template <int mutant>
 constexpr bool on() {
     if (__builtin_is_constant_evaluated()) {
         return false;
     }
-    executed[mutant] = 1U;
+    if (recording) {
+        record[mutant] = differing;
+    }
     return active == mutant;
+}
+
+template <typename T>
+bool is_same(const T& a, const T& b) {
+    if constexpr (std::is_floating_point_v<T>) {
+        return __builtin_memcmp(&a, &b, sizeof a) == 0;
+    } else {
+        return a == b;
+    }
+}
+
+template <int mutant, typename T>
+constexpr T either(T original, T mutated) {
+    if (__builtin_is_constant_evaluated()) {
+        return original;
+    }
+    if (recording) {
+        record[mutant] |= is_same(original, mutated) ? executed : differing;
+    }
+    return (active == mutant) ? mutated : original;
 }
 
 enum class Swap { plus, minus, times, over, rest, left, right, bit_and, bit_or, bit_xor };
 
+constexpr Swap swapped(Swap operation) {
+    switch (operation) {
+        case Swap::plus:
+            return Swap::minus;
+        case Swap::minus:
+            return Swap::plus;
+        case Swap::times:
+            return Swap::over;
+        case Swap::over:
+        case Swap::rest:
+            return Swap::times;
+        case Swap::left:
+            return Swap::right;
+        case Swap::right:
+            return Swap::left;
+        case Swap::bit_and:
+            return Swap::bit_or;
+        default:
+            return Swap::bit_and;
+    }
+}
+
+template <Swap operation, typename A, typename B>
+constexpr auto operate(A a, B b) {
+    if constexpr (operation == Swap::plus) {
+        return a + b;
+    } else if constexpr (operation == Swap::minus) {
+        return a - b;
+    } else if constexpr (operation == Swap::times) {
+        return a * b;
+    } else if constexpr (operation == Swap::over) {
+        return a / b;
+    } else if constexpr (operation == Swap::rest) {
+        return a % b;
+    } else if constexpr (operation == Swap::left) {
+        return a << b;
+    } else if constexpr (operation == Swap::right) {
+        return a >> b;
+    } else if constexpr (operation == Swap::bit_and) {
+        return a & b;
+    } else if constexpr (operation == Swap::bit_or) {
+        return a | b;
+    } else {
+        return a ^ b;
+    }
+}
+
 template <int site, Swap operation, typename A, typename B>
 constexpr auto arithmetic(A a, B b) {
-    if constexpr (operation == Swap::plus) {
-        return on<site>() ? a - b : a + b;
-    } else if constexpr (operation == Swap::minus) {
-        return on<site>() ? a + b : a - b;
-    } else if constexpr (operation == Swap::times) {
-        return on<site>() ? a / b : a * b;
-    } else if constexpr (operation == Swap::over) {
-        return on<site>() ? a * b : a / b;
-    } else if constexpr (operation == Swap::rest) {
-        return on<site>() ? a * b : a % b;
-    } else if constexpr (operation == Swap::left) {
-        return on<site>() ? a >> b : a << b;
-    } else if constexpr (operation == Swap::right) {
-        return on<site>() ? a << b : a >> b;
-    } else if constexpr (operation == Swap::bit_and) {
-        return on<site>() ? a | b : a & b;
-    } else if constexpr (operation == Swap::bit_or) {
-        return on<site>() ? a & b : a | b;
-    } else {
-        return on<site>() ? a & b : a ^ b;
+    if (__builtin_is_constant_evaluated()) {
+        return operate<operation>(a, b);
     }
+    constexpr Swap other = swapped(operation);
+    if constexpr ((other == Swap::over) && std::is_integral_v<B>) {
+        if (b == B{}) {  // the mutant crashes
+            if (on<site>()) {
+                __builtin_trap();
+            }
+            return operate<operation>(a, b);
+        }
+    }
+    return either<site>(operate<operation>(a, b), operate<other>(a, b));
 }
 
 template <int site, Swap operation, typename A, typename B>
@@ -60,59 +128,61 @@ enum class Relation { less, less_equal, greater, greater_equal, equal, unequal }
 template <int site, Relation relation, typename A, typename B>
 constexpr bool compare(const A& a, const B& b) {
     if constexpr (relation == Relation::less) {
-        return on<site>() ? a <= b : (on<site + 1>() ? !(a < b) : a < b);
+        return either<site + 1>(either<site>(a < b, a <= b), !(a < b));
     } else if constexpr (relation == Relation::less_equal) {
-        return on<site>() ? a < b : (on<site + 1>() ? !(a <= b) : a <= b);
+        return either<site + 1>(either<site>(a <= b, a < b), !(a <= b));
     } else if constexpr (relation == Relation::greater) {
-        return on<site>() ? a >= b : (on<site + 1>() ? !(a > b) : a > b);
+        return either<site + 1>(either<site>(a > b, a >= b), !(a > b));
     } else if constexpr (relation == Relation::greater_equal) {
-        return on<site>() ? a > b : (on<site + 1>() ? !(a >= b) : a >= b);
+        return either<site + 1>(either<site>(a >= b, a > b), !(a >= b));
     } else if constexpr (relation == Relation::equal) {
-        return on<site>() ? !(a == b) : a == b;
+        return either<site>(a == b, !(a == b));
     } else {
-        return on<site>() ? !(a != b) : a != b;
+        return either<site>(a != b, !(a != b));
     }
 }
 
 // The same for a class that has no operator but <.
 template <int site, typename A>
 constexpr bool class_less(const A& a, const A& b) {
-    return on<site>() ? !(b < a) : (on<site + 1>() ? !(a < b) : a < b);
+    return either<site + 1>(either<site>(a < b, !(b < a)), !(a < b));
 }
 
 template <int site>
 constexpr bool negated(bool condition) {
-    return condition != on<site>();
+    return either<site>(condition, !condition);
 }
 
 template <int site, typename T>
 constexpr auto minus(T value) {
-    return on<site>() ? value : -value;
+    return either<site>(-value, +value);
 }
 
+// An integer by one up, one down, and to zero; one that is 0 or 1 only up and down.
+template <int site, typename T>
+constexpr T small_integer(T value) {
+    if (__builtin_is_constant_evaluated()) {
+        return value;
+    }
+    return either<site + 1>(either<site>(value, static_cast<T>(value + T{1})), static_cast<T>(value - T{1}));
+}
 template <int site, typename T>
 constexpr T integer(T value) {
-    if (on<site>()) {
-        return static_cast<T>(value + T{1});
-    }
-    if (on<site + 1>()) {
-        return static_cast<T>(value - T{1});
-    }
-    return on<site + 2>() ? T{} : value;
+    return either<site + 2>(small_integer<site>(value), T{});
 }
 
 template <int site, typename T>
 constexpr T real(T value) {
     const T step = (value == T{}) ? T{1} : value / T{10};
-    return on<site>() ? value + step : (on<site + 1>() ? value - step : value);
+    return either<site + 1>(either<site>(value, value + step), value - step);
 }
 
 template <int site, typename T>
 constexpr T returned(T value) {
     if constexpr (std::is_same_v<T, bool>) {
-        return value != on<site>();
+        return either<site>(value, !value);
     } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
-        return on<site>() ? T{} : value;
+        return either<site>(value, T{});
     } else {
         return value;
     }
@@ -122,37 +192,34 @@ constexpr T returned(T value) {
 template <int site>
 struct Smaller {
     constexpr float operator()(float a, float b) const {
-        return on<site>() ? a : (on<site + 1>() ? b : ((a < b) ? a : b));
+        return either<site + 1>(either<site>((a < b) ? a : b, a), b);
     }
 };
 template <int site>
 struct Larger {
     constexpr float operator()(float a, float b) const {
-        return on<site>() ? a : (on<site + 1>() ? b : ((a < b) ? b : a));
+        return either<site + 1>(either<site>((a > b) ? a : b, a), b);
     }
 };
 // First mutant: no lower bound; second: no upper one.
 template <int site>
 struct Clamp {
     constexpr float operator()(float value, float minimum, float maximum) const {
-        if ((value < minimum) && !on<site>()) {
-            return minimum;
-        }
-        return ((value > maximum) && !on<site + 1>()) ? maximum : value;
+        const float below = (value > maximum) ? maximum : value;
+        const float above = (value < minimum) ? minimum : value;
+        return either<site + 1>(either<site>((value < minimum) ? minimum : below, below), above);
     }
 };
 template <int site>
 struct ClampMagnitude {
     constexpr float operator()(float value, float limit) const {
-        if (on<site>()) {
-            return value;
-        }
-        return (__builtin_fabsf(value) > limit) ? ((value < 0.0F) ? -limit : limit) : value;
+        const float bounded = (__builtin_fabsf(value) > limit) ? ((value < 0.0F) ? -limit : limit) : value;
+        return either<site>(bounded, value);
     }
 };
 template <int site>
 struct Absolute {
-    constexpr float operator()(float value) const { return on<site>() ? value : __builtin_fabsf(value); }
+    constexpr float operator()(float value) const { return either<site>(__builtin_fabsf(value), value); }
 };
 
 }  // namespace mutation

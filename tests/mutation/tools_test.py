@@ -1,6 +1,7 @@
 """The tool itself, on a small planted source: which mutants there are, which of them are killed, which survive."""
 
 import collections
+import json
 import pathlib
 import subprocess
 import sys
@@ -11,7 +12,10 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 
+import edited_source
+import mutants as mutant_list
 import mutate
+import program as test_program
 import report
 import review
 import trial
@@ -77,29 +81,38 @@ class Planted(unittest.TestCase):
             folder = pathlib.Path(name)
             source = folder / "planted.hpp"
             source.write_text(PLANTED)
-            cls.mutator = mutate.Mutator()
-            unit = cls.mutator.parse(source, ["-x", "c++", "-std=c++17", "-w",
-                                              "-resource-dir=/usr/lib/llvm-19/lib/clang/19"])
-            cls.mutator.find_constants("planted.hpp", source, unit)
-            source.write_text(cls.mutator.mutated("planted.hpp", source, unit))
+            cls.all = mutant_list.Mutants()
+            unit = edited_source.parse(source, ["-x", "c++", "-std=c++17", "-w",
+                                                "-resource-dir=/usr/lib/llvm-19/lib/clang/19"])
+            file = mutate.FileMutator(cls.all, "planted.hpp", source, unit)
+            file.find_constants()
+            source.write_text(file.mutated())
             (folder / "planted_test.cpp").write_text(TESTS)
             program = folder / "planted_test"
             subprocess.run(["g++", "-std=c++17", "-O1", "-w", "-include", HERE / "schemata.hpp", "-o", program,
                             folder / "planted_test.cpp", HERE / "main.cpp", "-lgtest", "-pthread"], check=True)
             programs = {"planted_test": program}
-            record = trial.recorded(programs, folder)
-            cls.results = trial.Trial(programs, record, folder).run(cls.mutator.mutants, 1)
-            cls.again = trial.Trial({"planted_test": program}, record, folder).run(cls.mutator.mutants, 1)
-            cls.record = record
+            cls.record = test_program.recorded(programs, folder, 1)
+            cls.results = trial.Trial(programs, cls.record, folder).run(cls.all, 1)
+            cls.killers = {tuple(key): killer for _, key, _, killer in map(
+                json.loads, next(folder.glob("results_*.jsonl")).read_text().splitlines())}
+            cls.again = trial.Trial(programs, cls.record, folder).run(cls.all, 1)
+            other = folder / "other_test"
+            other.write_bytes(program.read_bytes() + b" ")
+            cls.asked_of_others = {}
+            for changed in (False, True):
+                sources = {"planted.hpp": "changed"} if changed else {}
+                others = trial.Trial({"planted_test": other}, cls.record, folder, sources)
+                cls.asked_of_others[changed] = {mutant.id: sum(others._groups(mutant), []) for mutant in cls.all}
 
     def mutants(self, operator, original=None):
-        return [m for m in self.mutator.mutants if m.operator == operator and original in (None, m.original)]
+        return [m for m in self.all if m.operator == operator and original in (None, m.original)]
 
     def survivors(self):
-        return {(m.operator, m.original, m.mutated) for m in self.mutator.mutants if self.results[m.id] == "survived"}
+        return {(m.operator, m.original, m.mutated) for m in self.all if self.results[m.id] == "survived"}
 
     def test_every_operator_makes_its_mutants(self):
-        count = collections.Counter(mutant.operator for mutant in self.mutator.mutants)
+        count = collections.Counter(mutant.operator for mutant in self.all)
         self.assertEqual(dict(count), {
             "constant": 17, "arithmetic": 3, "relation": 6, "logical connector": 3, "negated condition": 2,
             "statement": 4, "returned value": 5, "bounding": 2, "unary minus": 1})
@@ -120,11 +133,24 @@ class Planted(unittest.TestCase):
         self.assertIn(("relation", "step > 0", "step >= 0"), self.survivors())  # 0 adds nothing: equivalent
 
     def test_what_cannot_be_mutated_is_counted_by_kind(self):
-        self.assertEqual(self.mutator.skipped["static_assert, enumerator"], 1)
-        self.assertEqual(self.mutator.skipped["step of a loop"], 1)
+        self.assertEqual(self.all.skipped["static_assert, enumerator"], 1)
+        self.assertEqual(self.all.skipped["step of a loop"], 1)
 
     def test_results_are_taken_up_again(self):
         self.assertEqual(self.results, self.again)
+
+    def test_tests_that_a_mutant_survived_are_not_asked_again_while_its_sources_stay(self):
+        for mutant in self.all:
+            survived = self.results[mutant.id] == "survived"
+            self.assertEqual(self.asked_of_others[True][mutant.id] == [], mutant.id not in self.record.tests_of, mutant)
+            if survived:
+                self.assertEqual(self.asked_of_others[False][mutant.id], [], mutant)
+            else:
+                self.assertEqual(list(self.asked_of_others[False][mutant.id][0]), self.killers[mutant.key()], mutant)
+
+    def test_the_test_that_kills_is_known(self):
+        for mutant in self.mutants("arithmetic", "2 * x"):
+            self.assertEqual(self.killers[mutant.key()], ["planted_test", "Planted.Doubles"])
 
     def test_each_mutant_is_tried_on_the_tests_that_execute_it(self):
         mutant = self.mutants("arithmetic", "2 * x")[0]
@@ -132,29 +158,43 @@ class Planted(unittest.TestCase):
 
 
 class Reviewed(unittest.TestCase):
-    MUTANT = mutate.Mutant(7, "a.cpp", 3, "f", "relation", "a < b", "a <= b")
-    ENTRY = ('[[survivor]]\nfile = "a.cpp"\nfunction = "f"\noperator = "relation"\noriginal = "a < b"\n'
-             'mutated = "a <= b"\nwhy = "equivalent"\n')
+    MUTANT = mutant_list.Mutant(7, "a.cpp", 3, "f", "relation", "a < b", "a <= b")
+    GROUP = '[[survivors]]\nfile = "a.cpp"\nwhy = "equivalent"\nmutants = ["f: relation: a < b -> a <= b"]\n'
 
     def test_an_explained_survivor_is_no_problem(self):
-        self.assertEqual(review.Review(self.ENTRY).problems([self.MUTANT], {7: "survived"}, True), [])
+        reviewed = review.Review(self.GROUP)
+        self.assertEqual(reviewed.unexplained([self.MUTANT], {7: "survived"}), [])
+        self.assertEqual(reviewed.outdated([self.MUTANT], {7: "survived"}), [])
 
     def test_a_survivor_without_explanation_is_one(self):
-        self.assertEqual(len(review.Review("").problems([self.MUTANT], {7: "survived"}, True)), 1)
+        self.assertEqual(len(review.Review("").unexplained([self.MUTANT], {7: "survived"})), 1)
 
     def test_an_explanation_of_what_is_killed_or_gone_is_one(self):
-        self.assertEqual(len(review.Review(self.ENTRY).problems([self.MUTANT], {7: "killed test"}, True)), 1)
-        self.assertEqual(len(review.Review(self.ENTRY).problems([], {}, True)), 1)
-        self.assertEqual(review.Review(self.ENTRY).problems([self.MUTANT], {}, False), [])
+        reviewed = review.Review(self.GROUP)
+        self.assertEqual(len(reviewed.outdated([self.MUTANT], {7: "killed by a test"})), 1)
+        self.assertEqual(len(reviewed.outdated([], {7: "survived"})), 1)
+        self.assertEqual(reviewed.outdated([self.MUTANT], {}), [])
+
+    def test_a_group_without_a_reason_or_twice_the_same_is_refused(self):
+        for text in (self.GROUP.replace("equivalent", " "), self.GROUP + self.GROUP):
+            with self.assertRaises(SystemExit):
+                review.Review(text)
+
+
+class Reported(unittest.TestCase):
+    MUTANTS = [mutant_list.Mutant(number, "a.cpp", number, "f", "constant", str(number), "0") for number in range(1, 100)]
 
     def test_a_score_below_the_goal_is_told(self):
-        self.assertEqual(len(report.missed_goal({1: "survived", 2: "killed test"})), 1)
-        self.assertEqual(report.missed_goal({1: "killed crash"}), [])
+        self.assertEqual(len(report.missed_goal({1: "survived", 2: "killed by a test"})), 1)
+        self.assertEqual(report.missed_goal({1: "killed by a crash"}), [])
 
-    def test_the_interval_is_wilsons(self):
-        low, high = report.interval(90, 100)
-        self.assertAlmostEqual(low, 0.8256, places=3)
-        self.assertAlmostEqual(high, 0.9448, places=3)
+    def test_a_mutants_place_in_the_sample_does_not_depend_on_the_others(self):
+        sample = report.draw(self.MUTANTS, 20, 1)
+        self.assertEqual(len(sample), 20)
+        self.assertTrue(set(m.id for m in report.draw(self.MUTANTS, 10, 1)) < set(m.id for m in sample))
+        self.assertNotEqual(sample, report.draw(self.MUTANTS, 20, 2))
+        left_out = next(m for m in self.MUTANTS if m not in sample)
+        self.assertEqual(report.draw([m for m in self.MUTANTS if m != left_out], 20, 1), sample)
 
 
 if __name__ == "__main__":

@@ -1,154 +1,132 @@
-"""Tries mutants on test programs: which test executes which mutant, and which mutant is noticed."""
+"""Tries mutants on the tests in which they make a difference, until one notices."""
 
 import concurrent.futures
-import hashlib
 import json
-import subprocess
+import random
 import sys
 import threading
 import time
 
-QUICK_MS = 30      # tests up to here go together into one process
-SLOW_MS = 600      # tests beyond are the last resort: hours of driving, millions of random frames
-MOST_SLOW = 2      # so many of them at most, those that are about the least: they seldom see what the others do not
+import program as test_program
 
-
-class Program:
-    """One running test program, which answers requests."""
-
-    def __init__(self, path):
-        self._process = subprocess.Popen([path], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                         stderr=subprocess.DEVNULL, text=True)
-
-    def ask(self, request):
-        self._process.stdin.write(request + "\n")
-        self._process.stdin.flush()
-        answer = self._process.stdout.readline()
-        if not answer:
-            raise SystemExit(f"mutation: a test program ended at the request: {request[:200]}")
-        return answer.strip()
-
-    def tests(self):
-        names = []
-        line = self.ask("tests")
-        while line != "end":
-            names.append(line.removeprefix("test "))
-            line = self._process.stdout.readline().strip()
-        return names
-
-    def end(self):
-        self._process.stdin.close()
-        self._process.stdout.close()
-        self._process.wait()
-
-
-class Record:
-    """What each test costs (ms of CPU time) and executes."""
-
-    def __init__(self, content):
-        self.cost = {(program, test): ms for program, test, ms, _ in content}
-        self.breadth = {(program, test): len(executed) for program, test, _, executed in content}
-        self.tests_of = {}
-        for program, test, _, executed in content:
-            for mutant in executed:
-                self.tests_of.setdefault(mutant, []).append((program, test))
-
-
-def _digest(programs):
-    together = hashlib.sha256()
-    for path in programs.values():
-        together.update(path.read_bytes())
-    return together.hexdigest()
-
-
-def recorded(programs, folder):
-    file = folder / f"record_{_digest(programs)[:16]}.json"
-    if not file.is_file():
-        print("mutation: finding out which test executes what", file=sys.stderr)
-
-        def record(name):
-            program = Program(programs[name])
-            content = []
-            for test in program.tests():
-                answer = program.ask(f"record {test}")
-                if answer == "failed":
-                    raise SystemExit(f"mutation: {name} fails without a mutant: {test}")
-                ms, *executed = map(int, answer.split())
-                content.append((name, test, ms, executed))
-            program.end()
-            return content
-
-        with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            content = sum(pool.map(record, programs), [])
-        file.write_text(json.dumps(content))
-    return Record(json.loads(file.read_text()))
+QUICK_MS = 30      # tests up to here go together into one process ...
+TOGETHER_MS = 60   # ... so many of them
+SURVIVED = "survived"
 
 
 class Trial:
-    def __init__(self, programs, record, folder, anew=False):
+    """Results are written down one by one, and taken up again by the next run of the very same programs. Of runs of other
+    programs a hint is taken: what killed a mutant then is tried first, and what survived, while its file was what it is now
+    (`sources`: a digest for each file), is tried on tests of another name only."""
+
+    def __init__(self, programs, record, folder, sources=None, anew=False):
         self._programs = programs
         self._record = record
-        self._file = folder / f"results_{_digest(programs)[:16]}.jsonl"
+        name = test_program.digest(programs)
+        self._file = folder / f"results_{name}.jsonl"
+        self._results, self._killer, self._asked = {}, {}, {}
         if anew:
-            self._file.unlink(missing_ok=True)
-        self._results = {}
-        if self._file.is_file():
-            self._results = dict(map(json.loads, self._file.read_text().splitlines()))
+            for old in folder.glob("results_*.jsonl"):
+                old.unlink()
+        for file in sorted(folder.glob("results_*.jsonl"), key=lambda path: path.stat().st_mtime):
+            self._take_hints(file, sources or {})
+        (folder / f"asked_{name}.json").write_text(json.dumps([sources or {}, list(record.cost)]))
         self._kills = {}  # test: how many mutants it has killed
         self._lock = threading.Lock()
 
-    def _stages(self, mutant):
-        """Groups of tests of one program, the quickest first."""
-        tests = sorted(self._record.tests_of.get(mutant, []), key=lambda test: self._record.cost[test])
+    def _take_hints(self, file, sources):
+        results = [json.loads(line) for line in file.read_text().splitlines()]
+        if file == self._file:
+            self._results = {number: answer for number, _, answer, _ in results}
+        self._killer.update({tuple(key): tuple(killer) for _, key, _, killer in results if killer})
+        asked = file.with_name(file.name.replace("results_", "asked_")).with_suffix(".json")
+        of_sources, tests = json.loads(asked.read_text()) if asked.is_file() else ({}, [])
+        tests = set(map(tuple, tests))
+        for _, key, answer, _ in results:
+            if answer == SURVIVED and of_sources.get(key[0]) == sources.get(key[0]):
+                self._asked[tuple(key)] = self._asked.get(tuple(key), set()) | tests
+
+    def _cost(self, tests):
+        return sum(self._record.cost[test] for test in tests)
+
+    def _together(self, tests):
+        """Groups of quick tests of one program; those that are about the least first."""
+        group = []
+        for test in sorted(tests, key=lambda test: self._record.breadth[test]):
+            if group and self._cost(group + [test]) > TOGETHER_MS:
+                yield group
+                group = []
+            group.append(test)
+        if group:
+            yield group
+
+    def _groups(self, mutant):
+        """Tests in which it makes a difference, in the order in which they are tried: a group is of one program."""
+        record = self._record
+        asked = self._asked.get(mutant.key(), set())
+        tests = [test for test in record.tests_of.get(mutant.id, []) if test not in asked]
+        killer = self._killer.get(mutant.key())
+        if killer in tests:
+            yield [killer]
         quick = {}
-        for program, test in tests:
-            if self._record.cost[program, test] <= QUICK_MS:
-                quick.setdefault(program, []).append(test)
-        yield from ((program, names) for program, names in quick.items())
-        rest = [test for test in tests if QUICK_MS < self._record.cost[test] <= SLOW_MS]
-        rest.sort(key=lambda test: self._record.cost[test] / (1 + self._kills.get(test, 0)))
-        yield from ((program, [test]) for program, test in rest)
-        slow = [test for test in tests if self._record.cost[test] > SLOW_MS]
-        slow.sort(key=lambda test: self._record.breadth[test])
-        yield from ((program, [test]) for program, test in slow[:MOST_SLOW])
+        for test in tests:
+            if record.cost[test] <= QUICK_MS:
+                quick.setdefault(test[0], []).append(test)
+        groups = [group for of_program in quick.values() for group in self._together(of_program)]
+        yield from sorted(groups, key=self._price)
+        rest = [[test] for test in tests if record.cost[test] > QUICK_MS]
+        yield from sorted(rest, key=self._price)
+
+    def _price(self, group):
+        """Of a kill, as far as experience goes."""
+        return (1 + self._cost(group)) / (1 + sum(self._kills.get(test, 0) for test in group))
 
     def _try(self, mutant, running):
-        for program, tests in self._stages(mutant):
+        """What became of it, and the test that killed it."""
+        for group in self._groups(mutant):
+            program = group[0][0]
             if program not in running:
-                running[program] = Program(self._programs[program])
-            limit_ms = 500 + 10 * sum(self._record.cost[program, test] for test in tests)
-            answer = running[program].ask(f"try {mutant} {limit_ms} {':'.join(tests)}")
-            if answer != "survived":
-                if len(tests) == 1:
-                    self._kills[program, tests[0]] = self._kills.get((program, tests[0]), 0) + 1
-                return answer
-        return "survived"
+                running[program] = test_program.Program(self._programs[program])
+            limit_ms = 300 + 10 * self._cost(group)
+            answer = running[program].ask(f"try {mutant.id} {limit_ms} {':'.join(test for _, test in group)}")
+            if answer != SURVIVED:
+                how, killer = answer.split("\t")
+                return how, (program, killer)
+        return SURVIVED, None
 
-    def run(self, mutants, jobs):
-        """Number of each mutant: "survived" or "killed ..."."""
+    def run(self, mutants, jobs, minutes=None):
+        """Number of each mutant: "survived" or "killed ...". Of those that were tried: a run may end after so many minutes.
+        First come those of earlier runs, then the others in a random order, so that what was tried is a random sample."""
         waiting = [mutant for mutant in mutants if mutant.id not in self._results]
-        done, start = 0, time.monotonic()
+        random.Random(1).shuffle(waiting)
+        waiting.sort(key=lambda mutant: mutant.key() in self._killer or mutant.key() in self._asked)
+        start, whole = time.monotonic(), len(waiting)
+
+        def report():
+            tried = whole - len(waiting)
+            if tried % 100 == 0:
+                survive = sum(answer == SURVIVED for answer in self._results.values())
+                print(f"mutation: {tried} tried, {len(waiting)} to go, {time.monotonic() - start:.0f} s; of all "
+                      f"{len(self._results)} tried so far {survive} survive", file=sys.stderr)
 
         def work(file):
-            nonlocal done
             running = {}
             while True:
                 with self._lock:
-                    if not waiting:
+                    if not waiting or (minutes is not None and time.monotonic() > start + 60 * minutes):
                         break
-                    mutant = waiting.pop(0)
-                answer = self._try(mutant.id, running)
+                    mutant = waiting.pop()
+                how, killer = self._try(mutant, running)
                 with self._lock:
-                    self._results[mutant.id] = answer
-                    file.write(json.dumps([mutant.id, answer]) + "\n")
+                    self._results[mutant.id] = how
+                    if killer:
+                        self._kills[killer] = self._kills.get(killer, 0) + 1
+                    file.write(json.dumps([mutant.id, mutant.key(), how, killer]) + "\n")
                     file.flush()
-                    done += 1
-                    if done % 100 == 0:
-                        print(f"mutation: {done} tried, {len(waiting)} to go, {time.monotonic() - start:.0f} s",
-                              file=sys.stderr)
+                    report()
             for program in running.values():
                 program.end()
 
         with self._file.open("a") as file, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             list(pool.map(work, [file] * jobs))
-        return {mutant.id: self._results[mutant.id] for mutant in mutants}
+        return {mutant.id: self._results[mutant.id] for mutant in mutants if mutant.id in self._results}

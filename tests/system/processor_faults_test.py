@@ -1,8 +1,6 @@
 """The Cortex-R5F's image under QEMU on a CAN interface: what it does when an exception or the watchdog ends its run."""
 
-import pathlib
-import subprocess
-import tempfile
+import itertools
 import time
 import unittest
 
@@ -38,8 +36,18 @@ def has_right_checksum(data):
     return remainder == int(data[:2], 16)
 
 
+def sensor_cycles():
+    """The frames of one cycle after the other, without end."""
+    cycles = processor.cycles_of(programs.read_log(SENSOR_LOG))
+    return itertools.cycle([cycles[number] for number in range(SENSOR_CYCLES)])
+
+
 class Faults(unittest.TestCase):
     """One emulator for all: every fault ends in a reset, after which the firmware is there for the next."""
+
+    # Sensor frames go out when the firmware has ended a cycle, never ahead of it: QEMU 7.2 breaks when frames fill the
+    # controller's FIFO while the processor is in the midst of reading one.
+    sensors = None
 
     @classmethod
     def setUpClass(cls):
@@ -50,7 +58,11 @@ class Faults(unittest.TestCase):
     def frames(self, longest_s=60.0):
         deadline = time.monotonic() + longest_s
         while time.monotonic() < deadline:
-            yield self.bus.receive()
+            identifier, data = self.bus.receive()
+            if self.sensors and identifier == processor.STATUS_IDENTIFIER:
+                for frame in next(self.sensors):
+                    self.bus.send(*frame)
+            yield identifier, data
         self.fail("the firmware was not seen to do what it should in time")
 
     def wait_for_warning(self, state=None):
@@ -117,17 +129,9 @@ class Faults(unittest.TestCase):
         self.assertEqual(reason, 1)
 
     def test_a_fault_while_ready_says_unavailable_and_the_firmware_comes_back(self):
-        with tempfile.TemporaryDirectory(prefix="rsi_system_") as folder:
-            log = pathlib.Path(folder) / "sensors.log"
-            lines = SENSOR_LOG.read_text(encoding="ascii").splitlines(keepends=True)
-            log.write_text("".join(lines[: 3 * SENSOR_CYCLES]), encoding="ascii")
-            player = subprocess.Popen(["canplayer", "-l", "i", "-I", log, f"{programs.INTERFACE}=vcan0"])
-            try:
-                self.check_exception(1, reason=5, state_before=READY)
-                self.wait_for_warning(READY)
-            finally:
-                player.kill()
-                player.wait()
+        self.sensors = sensor_cycles()
+        self.check_exception(1, reason=5, state_before=READY)
+        self.wait_for_warning(READY)
 
 
 if __name__ == "__main__":

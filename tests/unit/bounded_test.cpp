@@ -51,6 +51,8 @@ TEST(Bounded, ClampKeepsWhatIsWithinAndCutsTheRest) {
     EXPECT_EQ(rsi::clamp_magnitude(-6.0F, 5.0F), -5.0F);
     EXPECT_EQ(rsi::clamp_magnitude(-4.5F, 5.0F), -4.5F);
     EXPECT_EQ(rsi::clamp_magnitude(6.0F, 5.0F), 5.0F);
+    EXPECT_EQ(rsi::clamp_magnitude(0.5F, 0.2F), 0.2F);
+    EXPECT_EQ(rsi::clamp_magnitude(-0.5F, 0.2F), -0.2F);
 }
 
 TEST(Bounded, SmallerAndLargerChoose) {

@@ -358,4 +358,57 @@ TEST(Component, AMirroredManoeuvreGivesExactlyMirroredOutputs) {
     }
 }
 
+// A contradiction needs its whole time again after the sensor, or any necessary input, has been away.
+TEST(Component, AContradictionOfTheRollSensorIsForgottenOverAGap) {
+    for (float rsi_inputs::* const lost :
+         {&rsi_inputs::roll_angle_rad, &rsi_inputs::speed_mps, &rsi_inputs::lateral_specific_force_mps2}) {
+        Scenario scenario;
+        rsi_inputs inputs = in_steady_turn(6.5);
+        scenario.run(3.0, inputs);
+        inputs.roll_angle_rad += 0.087F;
+        ASSERT_EQ(scenario.run(0.4, inputs).roll_sensor_disagrees, 1);
+        rsi_inputs gap = inputs;
+        gap.*lost = nan;
+        EXPECT_EQ(scenario.step(gap).roll_sensor_disagrees, 0);
+        EXPECT_EQ(scenario.run(0.25, inputs).roll_sensor_disagrees, 0);
+    }
+}
+
+// An overturn is forgotten once the vehicle stands again: what is learnt then outlives a gap as always.
+TEST(Component, WhatIsLearntAfterAnOverturnOutlivesAGap) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    Scenario scenario(parameters);
+    rsi_inputs on_its_side = rsi_test::at_rest();
+    on_its_side.roll_angle_rad = 1.4F;
+    scenario.run(0.1, on_its_side);
+    rsi_test::RandomManoeuvre drive(parameters, 41U, false);
+    rsi_inputs last{};
+    for (int k = 0; k < 3000; ++k) {
+        last = drive.next();
+        scenario.step(last);
+    }
+    const float before = scenario.outputs.roll_centre_vertical_m;
+    ASSERT_GT(std::fabs(before), 0.05F);
+    scenario.step(without_roll_angle());
+    scenario.step(last);
+    EXPECT_NEAR(static_cast<double>(scenario.outputs.roll_centre_vertical_m), static_cast<double>(before),
+                0.02);
+}
+
+TEST(Component, WhatTheFilterSeemedToLearnOfAnOverturnedVehicleIsForgottenToo) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.estimator = RSI_ESTIMATOR_CONSIDER_KALMAN;
+    Scenario scenario(parameters);
+    rsi_inputs learning = in_steady_turn(5.0);
+    scenario.run(3.0, in_steady_turn(0.0));
+    learning.roll_angle_rad *= 0.8F;
+    scenario.run(2.0, learning);
+    ASSERT_GT(std::fabs(scenario.outputs.roll_centre_vertical_m), 0.02F);
+    rsi_inputs on_its_side = rsi_test::at_rest();
+    on_its_side.roll_angle_rad = 1.4F;
+    scenario.run(0.1, on_its_side);
+    scenario.run(0.02, in_steady_turn(0.0));
+    EXPECT_EQ(scenario.outputs.roll_centre_vertical_m, 0.0F);
+}
+
 }  // namespace

@@ -319,4 +319,48 @@ TEST(ConsiderKalman, RunsForAnHourWithoutLosingItsCovariance) {
     }
 }
 
+TEST(ConsiderKalman, TakesTheFirstSpeedAfterAGapAsItIs) {
+    Drive drive({-0.05});
+    drive.turn_until(5.0);
+    EXPECT_FALSE(drive.two_steps(6.0, no_number).frozen);
+    EXPECT_FALSE(drive.two_steps(6.0, 12.0F).frozen);
+    drive.estimator().restart();
+    for (int k = 0; k < 50; ++k) {
+        drive.step(6.0, 0.0F, 30.0F);  // until the lags have settled
+    }
+    EXPECT_FALSE(drive.two_steps(6.0, 30.0F).frozen);
+}
+
+// Without lags nothing else hides the speed of before.
+TEST(ConsiderKalman, ForgetsTheSpeedOverAGap) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.estimator_filter_lag_s = 0.0F;
+    Drive drive({-0.05}, false, parameters);
+    drive.turn_until(5.0);
+    ASSERT_FALSE(drive.two_steps(6.0, 20.0F).frozen);
+    drive.estimator().restart();
+    drive.two_steps(6.0, 40.0F);
+    drive.two_steps(6.0, 40.0F);
+    EXPECT_FALSE(drive.two_steps(6.0, 40.0F).frozen);
+}
+
+TEST(ConsiderKalman, TakesEverySpeedOfAVehicleUpToItsEndsForKnown) {
+    const float changes[][2] = {{120.0F, 149.0F}, {10.0F, 0.0F}};
+    for (const auto& change : changes) {
+        Drive drive({-0.05});
+        drive.turn_until(5.0);
+        for (int k = 0; k < 100; ++k) {
+            drive.step(6.0, 0.0F, change[0]);
+        }
+        EXPECT_FALSE(drive.two_steps(6.0, change[0]).frozen);
+        EXPECT_TRUE(drive.two_steps(6.0, change[1]).frozen) << change[1];
+    }
+}
+
+TEST(ConsiderKalman, GivesTheInertiasMomentAsItActsOnTheBody) {
+    Drive drive({});
+    drive.turn_until(2.1);
+    EXPECT_LT(drive.step(6.0).inertia_moment_nm, -100.0F);  // it starts to roll to the outside
+}
+
 }  // namespace

@@ -236,9 +236,11 @@ TEST(FurtherIndicators, TheTimeToRolloverCountsOnlyWhileRollingOutwards) {
     inputs.roll_angle_rad = static_cast<float>(critical + 0.01);
     inputs.roll_rate_radps = 0.1F;
     EXPECT_EQ(one_step(parameters, inputs).time_to_rollover_s, 0.0F);
-    inputs.roll_angle_rad = 1.4F;  // on its side
     inputs.roll_rate_radps = 0.0F;
-    EXPECT_EQ(one_step(parameters, inputs).time_to_rollover_s, 0.0F);
+    for (const float on_its_side : {1.4F, -1.4F}) {
+        inputs.roll_angle_rad = on_its_side;
+        EXPECT_EQ(one_step(parameters, inputs).time_to_rollover_s, 0.0F);
+    }
 }
 
 // The gate with k_1 = -5 1/s: shut while the body swings back faster than 5 times its angle a second.
@@ -318,6 +320,74 @@ TEST(FurtherIndicators, AGapIsNoMovement) {
     EXPECT_EQ(out.predicted_load_transfer_ratio, fresh.predicted_load_transfer_ratio);
     EXPECT_EQ(out.rsi_extended, fresh.rsi_extended);
     EXPECT_EQ(out.dynamic_stability_index, fresh.dynamic_stability_index);
+}
+
+// None that exceeds its range, whatever the calibration.
+TEST(ClassicIndices, EndAtTheirBounds) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.track_width_m = 0.8F;
+    parameters.sprung_cg_height_m = 2.0F;  // a static stability factor of 0.2
+    parameters.roll_stiffness_nmprad = 1.0e5F;
+    parameters.rollover_index_roll_rate_radps = 0.1F;
+    rsi::ClassicIndices indices;
+    indices.init(parameters);
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::Measurement measured;
+        measured.lateral_acceleration_mps2 = side * 60.0F;
+        measured.roll_angle_rad = side * 0.1F;
+        measured.roll_rate_radps = side * 10.0F;
+        rsi::RollMotion motion;
+        motion.lateral_acceleration_mps2 = side * 60.0F;
+        motion.roll_acceleration_radps2 = side * -5000.0F;
+        const rsi::ClassicIndexValues values = indices.evaluate(measured, motion);
+        EXPECT_EQ(values.static_stability_level, 20.0F);
+        EXPECT_EQ(values.dynamic_stability_index, side * 20.0F);
+        EXPECT_EQ(values.dynamic_stability_index_late, side * -20.0F);
+        EXPECT_EQ(values.energy_margin, -20.0F);
+        EXPECT_EQ(values.rollover_index, 20.0F);
+    }
+}
+
+TEST(ClassicIndices, NoTimeIsLeftAtTheStaticStabilityFactorItself) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    rsi::ClassicIndices indices;
+    indices.init(parameters);
+    rsi::Measurement measured;
+    measured.tan_roll_angle = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
+    EXPECT_EQ(indices.evaluate(measured, rsi::RollMotion{}).time_to_rollover_s, 0.0F);
+    measured.tan_roll_angle *= 0.999F;
+    EXPECT_EQ(indices.evaluate(measured, rsi::RollMotion{}).time_to_rollover_s, 10.0F);
+}
+
+// k phi - T_0 - q tan phi is zero at the wanted angle by the choice of the track.
+TEST(EnergyMargin, ItsCriticalAngleIsFoundUpToOneRadianAndNotBeyond) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    const ReferenceVehicle v{parameters};
+    for (const double angle_rad : {0.05, 0.5, 0.99, 1.02, 1.2}) {
+        const double k = v.K / (v.m_s * gravity_mps2 * (v.h - v.h_rc));
+        const double T_0 = k * angle_rad - v.h_rc / v.h * std::tan(angle_rad);
+        parameters.track_width_m = static_cast<float>(2.0 * v.h * T_0);
+        const float found = rsi::critical_roll_angle_rad(parameters);
+        if (angle_rad <= 1.0) {
+            EXPECT_NEAR(wide(found), angle_rad, 1.0e-4);
+        } else {
+            EXPECT_TRUE(std::isnan(found)) << angle_rad;
+        }
+    }
+}
+
+// Where nothing rights the vehicle, T_dyn is 0.001 + 0.05 |A/N|.
+TEST(ExtendedIndicator, EndsShortOfTwenty) {
+    rsi::ExtendedIndicator extended;
+    extended.init(rsi_test::large_suv());
+    for (const double N : {1.0, 5.0}) {
+        for (const double side : {1.0, -1.0}) {
+            const double expected = (60.0 / N) / (0.001 + 0.05 * 60.0 / N);
+            EXPECT_NEAR(wide(extended.level(static_cast<float>(side * 60.0), static_cast<float>(N),
+                                            static_cast<float>(side * 3.0), 0.0F)),
+                        expected, 1.0e-4 * expected);
+        }
+    }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 
 #include "tests/unit/support/body_kinematics.hpp"
@@ -279,6 +280,87 @@ TEST(Measurement, WithoutRollSensorNeedsYawRateAndSpeedBoth) {
     for (const float bad : {nan, infinity, 1.0e3F}) {
         EXPECT_FALSE(known_after_gap_of(bad, 25.0F)) << bad;
         EXPECT_FALSE(known_after_gap_of(0.0F, bad)) << bad;
+    }
+}
+
+// Upright, so that the forces along and normal to the road are those of the body.
+TEST(Measurement, TheVerticalForceIsCarriedToo) {
+    const TurningBody body;
+    rsi::MeasurementStage stage = stage_of(with_imu_of(body, 0.0F));
+    rsi::Measurement measured;
+    for (int k = 0; k <= 10; ++k) {
+        rsi_inputs inputs = inputs_of(body, 0.01 * k);
+        inputs.vertical_specific_force_mps2 = static_cast<float>(body.force_at_imu(0.01 * k).z());
+        ASSERT_TRUE(stage.update(inputs, measured));
+    }
+    EXPECT_NEAR(static_cast<double>(measured.road_normal_force_mps2), body.cg_force.z(), 1.0e-4);
+}
+
+// f_y = A cos phi + N sin phi has no solution where the body lies across; a tenth is divided by instead.
+TEST(Measurement, WithoutVerticalForceABodyAcrossTheHorizonDividesByATenth) {
+    rsi_inputs inputs = rsi_test::at_rest();
+    inputs.vertical_specific_force_mps2 = nan;
+    inputs.lateral_specific_force_mps2 = 7.0F;
+    inputs.roll_angle_rad = 1.2F;
+    inputs.bank_angle_rad = 0.5F;
+    const double normal = rsi_test::gravity_mps2 / std::cos(0.5);
+    const double parallel = (7.0 - normal * std::sin(1.2)) / 0.1;
+    EXPECT_NEAR(static_cast<double>(measure(inputs).road_parallel_force_mps2), parallel, 1.0e-3);
+}
+
+TEST(Measurement, TheRatesBeforeAGapOfTheRollAngleAreForgotten) {
+    const TurningBody body;
+    rsi::MeasurementStage stage = stage_of(with_imu_of(body, 0.0F));
+    rsi::Measurement measured;
+    rsi_inputs before = inputs_of(body, 0.0);
+    before.roll_rate_radps = -8.0F;
+    before.yaw_rate_radps = 3.0F;
+    ASSERT_TRUE(stage.update(before, measured));
+    rsi_inputs gap = before;
+    gap.roll_angle_rad = nan;
+    gap.speed_mps = nan;
+    ASSERT_FALSE(stage.update(gap, measured));
+    ASSERT_TRUE(stage.update(inputs_of(body, 1.0), measured));
+    const double missing = body.angular_acceleration.cross(body.imu).y();
+    EXPECT_NEAR(static_cast<double>(measured.road_parallel_force_mps2), body.cg_force.y() + missing, 1.0e-5);
+}
+
+// The roll sensor of a tipping vehicle is not compared with a model that ends there: what was found before
+// stays.
+TEST(Measurement, TheRollSensorIsNotJudgedWhileTheVehicleTips) {
+    for (const bool tips : {false, true}) {
+        rsi::MeasurementStage stage = stage_of(rsi_test::large_suv());
+        rsi::Measurement measured;
+        rsi_inputs inputs = rsi_test::at_rest();
+        inputs.speed_mps = 20.0F;
+        for (int k = 0; k < 100; ++k) {
+            ASSERT_TRUE(stage.update(inputs, measured));
+        }
+        ASSERT_FALSE(measured.observed.sensor_disagrees);
+        inputs.lateral_specific_force_mps2 = tips ? 8.5F : 0.0F;  // it tips at 7.94
+        inputs.yaw_rate_radps = tips ? 0.4F : 0.0F;
+        inputs.roll_angle_rad = 0.3F;
+        for (int k = 0; k < 60; ++k) {
+            ASSERT_TRUE(stage.update(inputs, measured));
+        }
+        EXPECT_EQ(measured.observed.sensor_disagrees, !tips);
+    }
+}
+
+TEST(Measurement, TheObserverTakesASpeedUpToItsLimitAndNoneBeyond) {
+    for (const float sign : {1.0F, -1.0F}) {
+        rsi::MeasurementStage stage = stage_of(rsi_test::large_suv());
+        rsi::Measurement measured;
+        rsi_inputs inputs = rsi_test::at_rest();
+        inputs.roll_angle_rad = nan;
+        inputs.speed_mps = sign * 150.0F;
+        bool known = false;
+        for (int k = 0; k < 100; ++k) {
+            known = stage.update(inputs, measured);
+        }
+        EXPECT_TRUE(known);
+        inputs.speed_mps = sign * 150.1F;
+        EXPECT_FALSE(stage.update(inputs, measured));
     }
 }
 

@@ -128,4 +128,16 @@ TEST(LoadTransfer, IsTheMeanThatTheWeightSays) {
     }
 }
 
+TEST(MomentArmError, EndsAtItsLimitOnEitherSide) {
+    const rsi_parameters p = rsi_test::large_suv();
+    EXPECT_EQ(after(p, steady_turn(p, 8.0, 0.7), 200), 0.35F);
+    EXPECT_EQ(after(p, steady_turn(p, 4.0, -0.7), 200), -0.35F);
+}
+
+TEST(MomentArmError, KnowsNothingAtTheStartSoItsFirstStepIsLarge) {
+    const rsi_parameters p = rsi_test::large_suv();
+    const SteadyTurn turn = steady_turn(p, 5.0, 0.1);
+    EXPECT_GT(after(p, turn, 1), 0.1F * after(p, turn, 100));
+}
+
 }  // namespace

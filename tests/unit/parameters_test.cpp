@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "rsi/indicator/energy_margin.hpp"
 #include "tests/unit/support/nominal.hpp"
 
 namespace {
@@ -199,6 +200,83 @@ TEST(Parameters, LevelsThatTheTimeToRolloverNeverOrAlwaysReachesAreRefused) {
     parameters.time_to_rollover_limit_s = 5.0F;
     parameters.advisory_off = 0.4F;
     expect_refused(parameters, "advisory_off");
+}
+
+// The least stiffness is at the parabola's vertex, phi^2 = -K_2 / (2 K_4), if the wheels lift beyond it; else
+// at the angle at which they lift. So a vertex just beyond that angle counts as little as it is reached.
+TEST(Parameters, AStiffnessThatFallsTooFarOnlyBeyondTheLiftOfTheWheelsIsAccepted) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    const float critical_rad = rsi::critical_roll_angle_rad(parameters);
+    const float furthest = critical_rad * critical_rad;
+    const float spare = parameters.roll_stiffness_nmprad -
+                        parameters.sprung_mass_kg * 9.80665F *
+                            (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+    for (const float beyond : {0.95F, 1.05F}) {  // the vertex over `furthest`
+        // What the curve loses up to the vertex and up to the lift of the wheels, in units of K_4 furthest^2.
+        const float at_vertex = beyond * beyond;
+        const float at_lift = 2.0F * beyond - 1.0F;
+        const float K_4 = 2.0F * spare / ((at_vertex + at_lift) * furthest * furthest);
+        parameters.roll_stiffness_quintic_nmprad5 = K_4;
+        parameters.roll_stiffness_cubic_nmprad3 = -2.0F * beyond * K_4 * furthest;
+        if (beyond < 1.0F) {
+            expect_refused(parameters, "roll_stiffness_cubic_nmprad3");
+        } else {
+            EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+        }
+    }
+}
+
+TEST(Parameters, TheLevelAtRestOfTheTimeToRolloverIsNoOffLevel) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER;
+    parameters.time_to_rollover_limit_s = 5.0F;
+    parameters.advisory_off = 0.1F * 5.0F;
+    expect_refused(parameters, "advisory_off");
+    parameters.advisory_off = 0.51F;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+}
+
+TEST(Parameters, AStiffnessCurveThatOnlyRisesIsAccepted) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    for (const float cubic : {0.0F, 9.0e7F}) {
+        parameters.roll_stiffness_cubic_nmprad3 = cubic;
+        for (const float quintic : {0.0F, 1.0e9F}) {
+            parameters.roll_stiffness_quintic_nmprad5 = quintic;
+            EXPECT_EQ(rsi::validate(parameters).accepted, 1) << cubic << ' ' << quintic;
+        }
+    }
+}
+
+TEST(Parameters, ALevelThatTheTimeToRolloverJustReachesIsAccepted) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER;
+    parameters.time_to_rollover_limit_s = 0.0101F;
+    parameters.warning_on = 1.0F;  // 100 times the limit: 1.01
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+}
+
+TEST(Parameters, ATrackOfSixTimesTheHeightIsTheWidest) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.sprung_cg_height_m = 0.5F;
+    parameters.track_width_m = 3.0F;
+    EXPECT_STRNE(rsi::validate(parameters).field, "track_width_m");
+    parameters.sprung_cg_height_m = 0.499F;
+    expect_refused(parameters, "track_width_m");
+}
+
+TEST(Parameters, ARollCentreAHandBelowTheCentreOfGravityIsLowEnough) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.fixed_roll_centre_height_m = parameters.sprung_cg_height_m - 0.0105F;
+    EXPECT_STRNE(rsi::validate(parameters).field, "fixed_roll_centre_height_m");
+    parameters.fixed_roll_centre_height_m = parameters.sprung_cg_height_m - 0.0095F;
+    expect_refused(parameters, "fixed_roll_centre_height_m");
+}
+
+TEST(Parameters, ACurveThatOnlyItsQuinticBendsDownIsRefusedByTheQuintic) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.roll_stiffness_cubic_nmprad3 = 0.5F;
+    parameters.roll_stiffness_quintic_nmprad5 = -1.0e9F;
+    expect_refused(parameters, "roll_stiffness_quintic_nmprad5");
 }
 
 }  // namespace

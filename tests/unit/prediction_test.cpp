@@ -132,6 +132,17 @@ TEST(Prediction, TheExtendedIndicatorReachesOneWhereTheLoadTransferDoes) {
     }
 }
 
+TEST(Prediction, EndsAtTwentyOnEitherSide) {
+    const Look look{rsi_test::large_suv()};
+    for (const double side : {1.0, -1.0}) {
+        rsi::RollMotion motion = motion_with(side * 60.0, 0.0, 0.0, side * 1000.0);
+        motion.road_normal_force_mps2 = 1.0F;
+        const rsi::Prediction prediction = look.ahead(motion);
+        EXPECT_EQ(static_cast<double>(prediction.present.load_transfer_ratio), side * 20.0);
+        EXPECT_EQ(static_cast<double>(prediction.worst.load_transfer_ratio), side * 20.0);
+    }
+}
+
 class DemandOf {
  public:
     explicit DemandOf(const rsi_parameters& parameters) { stage_.init(parameters); }
@@ -178,6 +189,19 @@ TEST(SteeringDemand, IsUnknownWithoutSpeedOrSteering) {
     EXPECT_TRUE(unbounded(demand(20.0F, nan)));
     EXPECT_TRUE(unbounded(demand(20.0F, 31.0F)));
     EXPECT_TRUE(unbounded(demand(200.0F, 1.0F)));
+    for (const float sign : {1.0F, -1.0F}) {
+        EXPECT_FALSE(unbounded(demand(sign * 150.0F, 0.01F)));
+        EXPECT_TRUE(unbounded(demand(sign * 150.1F, 0.01F)));
+        EXPECT_FALSE(unbounded(demand(20.0F, sign * 30.0F)));
+        EXPECT_TRUE(unbounded(demand(20.0F, sign * 30.1F)));
+    }
+}
+
+TEST(SteeringDemand, PastTheCriticalSpeedATenthOfTheWheelbaseRemains) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.understeer_gradient_s2pm = -0.01F;
+    // 30^2 0.05 / (0.1 20 2.95) = 7.6271
+    EXPECT_NEAR(static_cast<double>(DemandOf{parameters}(30.0F, 0.05F).most_mps2), 7.6271, 1e-3);
 }
 
 }  // namespace

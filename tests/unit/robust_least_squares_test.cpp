@@ -200,4 +200,43 @@ TEST(RobustLeastSquares, ASampleThatCannotBeRepresentedResetsTheEstimator) {
     EXPECT_EQ(estimator.covariance().p00, 1.0F);
 }
 
+// What is not excited forgets nothing once the trace is above its limit, whichever element it is.
+TEST(RobustLeastSquares, EachElementOfTheCovarianceCountsInItsLimit) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.forgetting_factor = 0.95F;
+    parameters.covariance_limit = 5.0F;
+    for (int excited = 0; excited < 3; ++excited) {
+        rsi::RobustLeastSquares estimator = estimator_of(parameters);
+        const float scale[3] = {parameters.initial_roll_centre_deviation_m,
+                                parameters.initial_stiffness_deviation_nmprad,
+                                parameters.initial_damping_deviation_nmsprad};
+        rsi::Regression regression{};
+        regression.psi.setZero();
+        regression.psi[excited] = parameters.regression_scale_nm / scale[excited];
+        double trace = 0.0;
+        for (int k = 0; k < 500; ++k) {
+            estimator.update(regression);
+            const rsi::Covariance& P = estimator.covariance();
+            trace = wide(P.p00) + wide(P.p11) + wide(P.p22);
+            ASSERT_LE(trace, 5.0 / 0.95 + 1.0e-4) << excited << ' ' << k;
+        }
+        EXPECT_GT(trace, 4.5) << excited;
+    }
+}
+
+TEST(RobustLeastSquares, AboveItsLimitWhatIsNotExcitedStaysAsItIs) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.forgetting_factor = 0.95F;
+    parameters.covariance_limit = 5.0F;
+    rsi::RobustLeastSquares estimator = estimator_of(parameters);
+    rsi::Regression regression{};
+    regression.psi << parameters.regression_scale_nm / parameters.initial_roll_centre_deviation_m, 0.0F, 0.0F;
+    while (estimator.covariance().trace() <= parameters.covariance_limit) {
+        estimator.update(regression);
+    }
+    const float before = estimator.covariance().p11;
+    estimator.update(regression);
+    EXPECT_EQ(estimator.covariance().p11, before);
+}
+
 }  // namespace

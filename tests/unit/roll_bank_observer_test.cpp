@@ -282,4 +282,105 @@ TEST(RollSensorCheck, NeedsTheWholeTimeToSpeakAndToFallSilent) {
     EXPECT_FALSE(repeat(1, 0.024F));
 }
 
+TEST(RollSensorCheck, SpeaksAfterTheSameTimeOnEitherSideAndFromTheStart) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollSensorCheck check;
+        check.init(rsi_test::large_suv());
+        for (int after_reset = 0; after_reset < 2; ++after_reset) {
+            for (int k = 0; k < 15; ++k) {
+                check.update(side * 0.051F);
+                EXPECT_FALSE(check.disagrees()) << side << ' ' << k;
+            }
+            check.update(side * 0.051F);
+            EXPECT_TRUE(check.disagrees()) << side;
+            for (int k = 0; k < 100; ++k) {
+                check.update(side * 0.026F);  // closer, but not by half
+            }
+            EXPECT_TRUE(check.disagrees()) << side;
+            check.reset();
+            EXPECT_FALSE(check.disagrees());
+        }
+    }
+}
+
+TEST(RollSensorCheck, CountsAnewAfterEachChange) {
+    rsi::RollSensorCheck check;
+    check.init(rsi_test::large_suv());
+    for (int change = 0; change < 4; ++change) {
+        const bool before = (change % 2) != 0;
+        const float difference_rad = before ? 0.024F : 0.051F;
+        for (int k = 0; k < 15; ++k) {
+            check.update(difference_rad);
+            EXPECT_EQ(check.disagrees(), before) << change << ' ' << k;
+        }
+        check.update(difference_rad);
+        EXPECT_EQ(check.disagrees(), !before) << change;
+    }
+}
+
+TEST(RollBankObserver, KeepsItsAngleWithinAQuarterTurnWhileItTips) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        float largest = 0.0F;
+        for (int k = 0; k < 300; ++k) {
+            const float rate_radps = (k < 100) ? 0.0F : 3.0F;
+            observer.update(side * ((k < 100) ? 0.0F : 12.0F), side * rate_radps, 0.0F, 20.0F, (k % 2) == 0);
+            largest = std::fmax(largest, side * observer.roll_angle_rad());
+            ASSERT_LE(std::fabs(observer.roll_angle_rad()), 1.57F);
+        }
+        EXPECT_EQ(largest, 1.57F);
+    }
+}
+
+// Tipping ends where the suspension would hold the body at its angle, and no sooner.
+TEST(RollBankObserver, AVehicleTipsUntilItsBodyIsBackWhereTheSuspensionHoldsIt) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        const auto drive = [&observer, side](int samples, float force_mps2) {
+            for (int k = 0; k < samples; ++k) {
+                observer.update(side * force_mps2, 0.0F, side * force_mps2 / 20.0F, 20.0F, (k % 2) == 0);
+            }
+        };
+        drive(200, 3.0F);
+        ASSERT_NEAR(side * observer.roll_angle_rad(), 0.05F, 0.02F);
+        ASSERT_FALSE(observer.tipped());
+        drive(2, 8.5F);
+        EXPECT_TRUE(observer.tipped());
+        drive(20, 2.7F);
+        EXPECT_TRUE(observer.tipped());  // a little less force than holds it there
+        drive(2, 3.6F);
+        EXPECT_FALSE(observer.tipped());
+    }
+}
+
+TEST(RollBankObserver, KeepsItsBankWithinHalfARadian) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        for (int k = 0; k < 60000; ++k) {
+            observer.update(side * 7.0F, 0.0F, 0.0F, 20.0F, (k % 2) == 0);
+            ASSERT_LE(std::fabs(observer.bank_angle_rad()), 0.5F);
+        }
+        EXPECT_EQ(observer.bank_angle_rad(), side * 0.5F);
+    }
+}
+
+// To the nearest of 20 ms.
+TEST(RollSensorCheck, ItsTimeIsRoundedToSamples) {
+    for (const float time_s : {0.2907F, 0.3093F}) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.observer_disagreement_s = time_s;
+        rsi::RollSensorCheck check;
+        check.init(parameters);
+        for (int k = 0; k < 15; ++k) {
+            check.update(0.051F);
+        }
+        EXPECT_FALSE(check.disagrees()) << time_s;
+        check.update(0.051F);
+        EXPECT_TRUE(check.disagrees()) << time_s;
+    }
+}
+
 }  // namespace

@@ -249,4 +249,40 @@ TEST(RollStabilityIndicator, AVehicleHasOverturnedWhenItsCentreOfGravityStandsOu
     }
 }
 
+TEST(RollStabilityIndicator, AVehicleHasOverturnedAtTheStaticStabilityFactorItself) {
+    rsi::Measurement measured;
+    for (const float side : {1.0F, -1.0F}) {
+        measured.tan_roll_angle = side * 0.8F;
+        EXPECT_TRUE(rsi::has_overturned(measured, 0.8F));
+        EXPECT_FALSE(rsi::has_overturned(measured, 0.801F));
+    }
+}
+
+TEST(RollStabilityIndicator, TheBankFreeFormEndsAtTwenty) {
+    rsi::Measurement measured;
+    measured.road_normal_force_mps2 = 1.0F;
+    rsi::StabilityThreshold threshold;
+    threshold.half_track_ratio = 0.5F;
+    for (const float side : {1.0F, -1.0F}) {
+        measured.road_parallel_force_mps2 = side * 9.5F;
+        EXPECT_FLOAT_EQ(rsi::bank_free_indicator(measured, threshold), 19.0F);
+        measured.road_parallel_force_mps2 = side * 60.0F;
+        EXPECT_EQ(rsi::bank_free_indicator(measured, threshold), 20.0F);
+    }
+}
+
+// 1 + s T tan b stays at least 0.05 on a bank so steep that no acceleration overturns.
+TEST(StabilityThreshold, DividesByATwentiethAtLeast) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.track_width_m = 1.9F;
+    parameters.sprung_cg_height_m = 1.0F;
+    rsi::StabilityThresholdStage stage;
+    stage.init(parameters);
+    rsi::Measurement measured;
+    measured.road_parallel_force_mps2 = 1.0F;
+    measured.tan_bank_angle = -1.03F;
+    EXPECT_NEAR(static_cast<double>(stage.evaluate(measured, 0.0F, 0.0F).lateral_acceleration_mps2),
+                9.80665 * (0.95 + 1.03) / 0.05, 0.05);
+}
+
 }  // namespace

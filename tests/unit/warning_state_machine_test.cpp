@@ -262,4 +262,38 @@ TEST(WarningStateMachine, StartingAgainForgetsEverything) {
     EXPECT_EQ(machine.side(), RSI_SIDE_NONE);
 }
 
+TEST(WarningStateMachine, AWarningThatEndsStaysAdvisoryDownToTheAdvisorysOffLevel) {
+    for (const bool below : {false, true}) {
+        Warning warning(quick());
+        warning.after(1.2F);
+        EXPECT_EQ(warning.after(below ? 0.699F : 0.7F), below ? RSI_STATE_READY : RSI_STATE_ADVISORY);
+    }
+}
+
+// To the nearest of 10 ms.
+TEST(WarningStateMachine, TimesAreRoundedToSamples) {
+    for (const float time_s : {0.0253F, 0.0347F}) {
+        rsi_parameters parameters = quick();
+        parameters.warning_confirmation_s = time_s;
+        Warning warning(parameters);
+        EXPECT_EQ(warning.after_samples(2, 1.2F), RSI_STATE_ADVISORY) << time_s;
+        EXPECT_EQ(warning.after(1.2F), RSI_STATE_WARNING) << time_s;
+    }
+}
+
+TEST(WarningStateMachine, TheHoldTimesDoNotCountWhatWasBefore) {
+    rsi_parameters parameters = quick();
+    parameters.advisory_hold_s = 0.1F;
+    parameters.warning_hold_s = 0.2F;
+    Warning warning(parameters);
+    warning.after_samples(500, 0.0F);
+    EXPECT_EQ(warning.after(0.85F), RSI_STATE_ADVISORY);
+    EXPECT_EQ(warning.after_samples(9, 0.0F), RSI_STATE_ADVISORY);
+    EXPECT_EQ(warning.after(0.0F), RSI_STATE_READY);
+    warning.after_samples(500, 0.85F);
+    EXPECT_EQ(warning.after(1.2F), RSI_STATE_WARNING);
+    EXPECT_EQ(warning.after_samples(19, 0.0F), RSI_STATE_WARNING);
+    EXPECT_EQ(warning.after(0.0F), RSI_STATE_READY);
+}
+
 }  // namespace

@@ -13,9 +13,9 @@ struct EmulatorPolicy {
     static constexpr std::uint32_t timer_clock_hz{133'000'000U};
     static constexpr std::uint32_t can_clock_hz{100'000'000U};  // without effect
     using CanLayout = EmulatorCanFrameLayout;
-    // A busy host stops the emulator for longer than five cycles.
+    // A busy host stops the emulator for longer than five cycles, at times for seconds.
     template <typename Registers>
-    using Watchdog = emulator::SupervisorWatchdog<Registers, 2000U>;
+    using Watchdog = emulator::SupervisorWatchdog<Registers, 5000U>;
     template <typename Registers>
     using Reset = emulator::SupervisorReset<Registers>;
     // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too. So the looks

@@ -1,0 +1,93 @@
+"""Every fault on the interface is answered as docs/safety/faults_on_vcan.md says.
+
+With --document PAGE writes that page instead: tests/system/faults_on_vcan."""
+
+import pathlib
+import sys
+import unittest
+
+import bus_faults
+import bus_load_test
+import programs
+
+PAGE = programs.PROJECT / "docs/safety/faults_on_vcan.md"
+TEXT = """<!-- Written by tests/system/faults_on_vcan; do not edit. -->
+# Faults on a CAN interface
+
+What [fault_matrix.md](fault_matrix.md) shows in one process, here between processes: `rsi-ecu` and recorded sensor frames (a rough turn of 0.3 g) on `vcan0`, with
+the faults that only an interface and a kernel have. `tests/run vcan` injects them all again; `tests/system/faults_on_vcan` renews this page. All times are in
+milliseconds. "ImuTimeout 30": that flag of `RolloverStatus` 30 ms after the first frame that was missing or wrong. "back": from the fault's end to the first state
+that is not `unavailable`.
+
+## Frames, in lock-step
+Simulated time, so the answer is the same each time, and the test holds this table to it.
+
+| fault | of | expected | measured |
+|---|---|---|---|
+{frames}
+
+A constant delay of 20 ms leaves counter and receive time in order, and nothing but a clock in the frame would show it; the code comes when the delay ends and
+frames overtake each other.
+
+## Bus and process, in real time
+By the stamps of candump's log, which are the kernel's, in the small virtual machine; one run, others differ by some. The test judges in the ECU's own cycles, because
+the machine may hold them up, and asks only that the ECU is back. Where the ECU cannot be heard, "silent" is for how long, and the other figures count
+from its first frame thereafter.
+
+| fault | of | expected | measured |
+|---|---|---|---|
+{live}
+
+- **bus-off, error-passive**: an error frame written onto `vcan0`, which has no controller; the restart takes the interface down and up. A bus-off that a driver of the
+  kernel reports: `System.bus_off` (`tests/run environment`), on a serial adapter played by the test. No wire and no silicon was there.
+- **process stopped, 2000 ms**: beyond 500 ms the watchdog ends `rsi-ecu` after one more cycle, which says `unavailable`; whatever started it must start it again.
+
+## 10,000 foreign frames a second
+| filters | result |
+|---|---|
+| in the kernel, as always | {filtered} |
+| none (`--receive-everything`) | {unfiltered} |
+
+With filters no frame of a sensor and none of the ECU is lost. Without them the ECU reads 64 frames a cycle, the rest overflows the socket's buffer: each is received or counted as
+lost, and `ReceiveOverflow` says so. A second ECU on an interface without flood shows what the machine does to a cycle of 10 ms anyway (`System.bus_load`).
+"""
+
+
+class Faults(unittest.TestCase):
+    def test_every_fault_of_a_frame_is_answered_as_expected_and_as_the_page_says(self):
+        page = PAGE.read_text(encoding="utf-8")
+        for fault in bus_faults.FRAME_FAULTS:
+            with self.subTest(fault=fault.name, of=fault.place):
+                got, wrong = bus_faults.run(fault)
+                self.assertEqual(wrong, [], bus_faults.cell(got, wrong))
+                self.assertIn(bus_faults.row(fault, got, wrong), page, "renew the page: tests/system/faults_on_vcan")
+
+    def test_every_fault_of_bus_and_process_is_answered_as_expected(self):
+        for fault in bus_faults.LIVE_FAULTS:
+            with self.subTest(fault=fault.name):
+                got, wrong = bus_faults.run(fault)
+                print(bus_faults.row(fault, got, wrong))
+                self.assertEqual(wrong, [], bus_faults.cell(got, wrong))
+
+
+def table(faults):
+    return "\n".join(bus_faults.row(fault, *bus_faults.run(fault)) for fault in faults)
+
+
+def document(path):
+    bus_load_test.setUpModule()
+    held = bus_load_test.FloodedRun.cycle_held
+    page = TEXT.format(
+        frames=table(bus_faults.FRAME_FAULTS),
+        live=table(bus_faults.LIVE_FAULTS),
+        filtered=bus_load_test.flooded_run(good=held).describe(),
+        unfiltered=bus_load_test.flooded_run("--receive-everything").describe(),
+    )
+    pathlib.Path(path).write_text(page, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--document"]:
+        document(sys.argv[2])
+    else:
+        unittest.main()
