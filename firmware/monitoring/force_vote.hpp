@@ -1,5 +1,5 @@
-// Force vote: three witnesses of the lateral force - the accelerometer, yaw rate times speed, and the roll angle, which
-// the suspension takes under that force. Is the accelerometer alone?
+// Force vote: three witnesses of the lateral force - the accelerometer, yaw rate times speed, and the roll
+// angle, which the suspension takes under that force. Is the accelerometer alone?
 #pragma once
 
 #include "rsi/numeric/bounded.hpp"
@@ -7,9 +7,9 @@
 
 namespace monitoring {
 
-// A bank of the road and a slide part the yaw rate from the other two, a roll sensor that lies parts itself; only an
-// accelerometer that lies stands against both. Over 814 drawn runs of three vehicles it did so by 2.1 m/s^2 at most,
-// with a lag of 0.3 s.
+// A bank of the road and a slide part the yaw rate from the other two, a roll sensor that lies parts itself;
+// only an accelerometer that lies stands against both. Over 814 drawn runs of three vehicles it did so by 2.1
+// m/s^2 at most, with a lag of 0.3 s.
 class ForceVote {
  public:
     // Accepted parameters.
@@ -21,7 +21,8 @@ class ForceVote {
     }
 
     // One sample; one that is not finite, of a body far over or of a spin starts anew.
-    void update(float lateral_force_mps2, float yaw_acceleration_mps2, float roll_angle_rad, bool spins) noexcept {
+    void update(float lateral_force_mps2, float yaw_acceleration_mps2, float roll_angle_rad,
+                bool spins) noexcept {
         const float by_roll_mps2 = force_per_roll_mps2_ * roll_angle_rad;
         known_ = !spins && rsi::is_within_magnitude(roll_angle_rad, 0.15F) &&
                  rsi::is_finite(lateral_force_mps2 + yaw_acceleration_mps2 + by_roll_mps2);
