@@ -282,9 +282,9 @@ TEST_F(AVerticalForce, StartsAnewWhereItIsNotKnown) {
         float roll_angle;
     };
     const float high = gravity + 4.0F;
-    for (const Gap gap : {Gap{nan, 0.0F, 0.0F}, Gap{infinity, 0.0F, 0.0F}, Gap{high, nan, 0.0F},
-                          Gap{high, 0.0F, nan}, Gap{high, 0.0F, 0.21F}, Gap{high, 0.0F, -0.21F},
-                          Gap{high, 11.1F, 0.0F}, Gap{high, -11.1F, 0.0F}}) {
+    for (const Gap gap :
+         {Gap{nan, 0.0F, 0.0F}, Gap{infinity, 0.0F, 0.0F}, Gap{high, nan, 0.0F}, Gap{high, 0.0F, nan},
+          Gap{high, 0.0F, 0.21F}, Gap{high, 0.0F, -0.21F}, Gap{high, 11.1F, 0.0F}, Gap{high, -11.1F, 0.0F}}) {
         run(1000, high);
         ASSERT_TRUE(check.has_offset(true));
         run(1, gap.vertical, gap.lateral, gap.roll_angle);
@@ -339,9 +339,9 @@ TEST_F(AForceVote, NeedsOthersThatAgreeWithinHalfOfWhatTheyHaveAgainstIt) {
 }
 
 TEST_F(AForceVote, IsNotAgainstTheAccelerometerWhenAnotherIsAlone) {
-    EXPECT_FALSE(alone_after(300, 4.0F, -4.0F, 4.0F));   // bank or slide
-    EXPECT_FALSE(alone_after(300, 4.0F, 4.0F, -4.0F));   // roll sensor
-    EXPECT_FALSE(alone_after(300, 0.0F, 4.0F, -4.0F));   // all differ
+    EXPECT_FALSE(alone_after(300, 4.0F, -4.0F, 4.0F));  // bank or slide
+    EXPECT_FALSE(alone_after(300, 4.0F, 4.0F, -4.0F));  // roll sensor
+    EXPECT_FALSE(alone_after(300, 0.0F, 4.0F, -4.0F));  // all differ
 }
 
 TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
