@@ -43,16 +43,17 @@ TEST(ARun, WithAnotherSeedGivesOtherFrames) {
     EXPECT_FALSE(first.log_text == second.log_text);
 }
 
-TEST(ARun, ExchangesNineFramesEach10Milliseconds) {
+TEST(ARun, ExchangesTenFramesEach10Milliseconds) {
     RunSettings settings;
     settings.duration_s = 2.0;
     const RecordedRun run = run_and_record(sil::find_manoeuvre("straight"), settings);
-    ASSERT_EQ(run.log.size(), 9U * 201U);
-    const std::uint32_t order[] = {0x120U, 0x121U, 0x122U, 0x0D0U, 0x230U, 0x232U, 0x233U, 0x234U, 0x231U};
+    ASSERT_EQ(run.log.size(), 10U * 201U);
+    const std::uint32_t order[] = {0x120U, 0x121U, 0x122U, 0x0D0U, 0x230U,
+                                   0x232U, 0x233U, 0x234U, 0x235U, 0x231U};
     for (std::size_t index = 0U; index < run.log.size(); ++index) {
-        ASSERT_EQ(run.log[index].frame.identifier, order[index % 9U]) << index;
+        ASSERT_EQ(run.log[index].frame.identifier, order[index % 10U]) << index;
         ASSERT_EQ(run.log[index].frame.receive_time.nanoseconds,
-                  static_cast<std::int64_t>(index / 9U) * 10'000'000)
+                  static_cast<std::int64_t>(index / 10U) * 10'000'000)
             << index;
     }
     EXPECT_EQ(run.frames_refused, 0U);
@@ -102,7 +103,7 @@ TEST(EveryManoeuvreOfTheCatalogue, IsAnsweredInEachCycle) {
         RunSettings settings;
         settings.duration_s = 2.0;
         const RecordedRun run = run_and_record(manoeuvre, settings);
-        EXPECT_EQ(run.log.size(), 9U * run.ecu_outputs.size());
+        EXPECT_EQ(run.log.size(), 10U * run.ecu_outputs.size());
         EXPECT_EQ(run.frames_refused, 0U);
         EXPECT_EQ(run.ecu_outputs.front().state, WarningState::unavailable);
         EXPECT_EQ(run.ecu_outputs.at(20U).state, WarningState::ready);

@@ -5,7 +5,7 @@ import struct
 
 import programs
 
-ECU_IDENTIFIERS = ("0D0", "230", "232", "233", "234", "231")
+ECU_IDENTIFIERS = ("0D0", "230", "232", "233", "234", "235", "231")
 STATUS_IDENTIFIER = ECU_IDENTIFIERS[-1]
 CYCLE_S = 0.01
 
