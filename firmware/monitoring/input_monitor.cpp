@@ -201,9 +201,9 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
     }
     // A roll sensor that is out for another reason does not come back as long as the observer contradicts it.
     const bool out = (before.roll_source == RSI_ROLL_OBSERVER);
-    const bool disagrees =
-        rsi::is_finite(difference) && (out ? !rsi::is_within_magnitude(difference, 2.0F * agreement_rad)
-                                           : before.roll_sensor_disagrees != 0);
+    const bool contradicted =
+        out ? !rsi::is_within_magnitude(difference, 2.0F * agreement_rad) : before.roll_sensor_disagrees != 0;
+    const bool disagrees = rsi::is_finite(difference) && contradicted;
     const bool lateral_is_wrong = disagrees && turn_consistency_.suspicious();
     if (lateral_is_wrong) {
         memory.report(lateral, true);

@@ -1,8 +1,10 @@
 // A bus that falls silent: "unavailable" in a sent frame within 50 ms, never "ready", and back again.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
+#include "application/frame_monitor.hpp"
 #include "tests/application/bench.hpp"
 
 namespace testing_application {
@@ -186,6 +188,40 @@ TEST_P(Silence, IsNotBrokenByASensorThatRepeatsItsLastFrame) {
     expect_unavailable_in_time_and_for_ever(from);
     EXPECT_TRUE(bench.status().imu_timeout);
     EXPECT_TRUE(bench.status().imu_counter_error);
+}
+
+// A frame from the future has no age: nobody knows how old it is.
+TEST(AFrame, IsFreshFrom10MillisecondsBeforeTo35MillisecondsAfterItsTime) {
+    Bench bench;
+    bench.run_cycles(1);
+    hal::CanFrame frame = bench.last_frame(Sensor::imu);
+    const hal::Time received = hal::Time::from_milliseconds(1000);
+    frame.receive_time = received;
+    application::FrameMonitor<can_dbc::Imu> monitor;
+    EXPECT_FALSE(monitor.is_fresh(hal::Time{}));
+    monitor.begin_cycle();
+    monitor.take(frame);
+    const auto fresh_after_ns = [&monitor, received](std::int64_t age_ns) {
+        return monitor.is_fresh(received + hal::Time{age_ns});
+    };
+    EXPECT_TRUE(fresh_after_ns(0));
+    EXPECT_TRUE(fresh_after_ns(35'000'000));
+    EXPECT_FALSE(fresh_after_ns(35'000'001));
+    EXPECT_TRUE(fresh_after_ns(-10'000'000));
+    EXPECT_FALSE(fresh_after_ns(-10'000'001));
+}
+
+TEST(ASensorThatNeverSpeaks, IsAFaultFromOneSecondAfterTheStart) {
+    using Diagnosis = can_dbc::RolloverDiagnosis;
+    Bench bench;
+    bench.stop(Sensor::vehicle_motion);
+    bench.run_for(1.0);
+    for (const Cycle& cycle : bench.cycles()) {
+        ASSERT_EQ(cycle.diagnosis.value.code, Diagnosis::Code::none);
+    }
+    bench.run_cycles(1);
+    EXPECT_EQ(bench.last().diagnosis.value.code, Diagnosis::Code::vehicle_motion_lost);
+    EXPECT_EQ(bench.last().diagnosis.value.code_status, Diagnosis::CodeStatus::confirmed);
 }
 
 INSTANTIATE_TEST_SUITE_P(AtEveryPhase, Silence, ::testing::Range(0, 10),

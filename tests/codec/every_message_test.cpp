@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iomanip>
 #include <limits>
+#include <map>
 #include <random>
+#include <sstream>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "tests/codec/byte_orders.hpp"
@@ -137,36 +140,75 @@ TEST(EveryMessage, NeverSendsACodeOutOfRange) {
     });
 }
 
-// Every name of an enumeration in the order of its numbers; "unknown" belongs to all others alone.
+using Names = std::map<int, std::string>;
+
+// The names that the line "VAL_ identifier signal ..." of a DBC file gives to numbers; no line, no names.
+Names names_in(const std::string& dbc, std::uint32_t identifier, const std::string& signal) {
+    std::ifstream file{RSI_PROJECT_ROOT "/" + dbc};
+    EXPECT_TRUE(file.is_open()) << dbc;
+    Names names;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words{line};
+        std::string keyword;
+        std::string frame;
+        std::string of_signal;
+        words >> keyword >> frame >> of_signal;
+        if (keyword != "VAL_" || frame != std::to_string(identifier) || of_signal != signal) {
+            continue;
+        }
+        int number = 0;
+        for (std::string name; words >> number >> std::quoted(name);) {
+            names[number] = name;
+        }
+    }
+    return names;
+}
+
+// Those that the generated code gives; "unknown" belongs to all other numbers alone.
 template <typename Message, typename Enumeration>
-std::vector<std::string> names_of() {
+Names names_of() {
     using Number = std::underlying_type_t<Enumeration>;
-    std::vector<std::string> names;
+    Names names;
     for (int number = std::numeric_limits<Number>::min(); number <= std::numeric_limits<Number>::max();
          ++number) {
         const auto value = static_cast<Enumeration>(number);
         const std::string name = Message::name_of(value);
         EXPECT_EQ(Message::is_known(value), name != "unknown") << number;
         if (Message::is_known(value)) {
-            names.push_back(name);
+            names[number] = name;
         }
     }
     return names;
 }
 
+// How many enumerations the message has.
+template <typename Message>
+int expect_names_of_dbc(const std::string& dbc) {
+    constexpr std::uint32_t extended_bit = 0x80000000U;  // as a DBC file marks 29-bit identifiers
+    int enumerations = 0;
+    Message::visit_signals([&](const char* signal, const char*, auto value, auto) {
+        using Value = std::decay_t<decltype(Message{}.*value)>;
+        if constexpr (std::is_enum_v<Value>) {
+            const std::uint32_t identifier = Message::identifier | (Message::extended ? extended_bit : 0U);
+            EXPECT_EQ((names_of<Message, Value>()), names_in(dbc, identifier, signal))
+                << Message::name << "." << signal;
+            ++enumerations;
+        }
+    });
+    return enumerations;
+}
+
 TEST(EveryEnumeration, HasTheNamesOfTheDbcFile) {
-    using Names = std::vector<std::string>;
-    using can_dbc::RollObserver;
-    using can_dbc::RolloverWarning;
-    EXPECT_EQ((names_of<RolloverWarning, RolloverWarning::State>()),
-              (Names{"unavailable", "ready", "advisory", "warning"}));
-    EXPECT_EQ((names_of<RolloverWarning, RolloverWarning::Side>()), (Names{"none", "left", "right"}));
-    EXPECT_EQ((names_of<RolloverWarning, RolloverWarning::ParametersRefusal>()),
-              (Names{"none", "missing", "version", "layout", "length", "checksum", "value"}));
-    EXPECT_EQ((names_of<RollObserver, RollObserver::RollSource>()), (Names{"none", "sensor", "observer"}));
-    EXPECT_EQ((names_of<RollObserver, RollObserver::ResetReason>()),
-              (Names{"power on", "outside", "undefined instruction", "supervisor call", "prefetch abort",
-                     "data abort", "stack overflow", "interrupt", "start without reset"}));
+    int enumerations = 0;
+    can_dbc::visit_messages([&enumerations](auto type) {
+        enumerations += expect_names_of_dbc<typename decltype(type)::Type>("can_dbc/rollover_warning.dbc");
+    });
+    EXPECT_EQ(enumerations, 8);
+    enumerations = 0;
+    byte_orders::visit_messages([&enumerations](auto type) {
+        enumerations += expect_names_of_dbc<typename decltype(type)::Type>("tests/codec/byte_orders.dbc");
+    });
+    EXPECT_EQ(enumerations, 1);
 }
 
 }  // namespace

@@ -1,0 +1,380 @@
+// The checks of one sensor against another: at, just below and just above their limits, and what they forget.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "monitoring/force_vote.hpp"
+#include "monitoring/roll_consistency.hpp"
+#include "monitoring/turn_consistency.hpp"
+#include "monitoring/vertical_offset.hpp"
+#include "tests/support/large_suv.h"
+
+namespace {
+
+using monitoring::ForceVote;
+using monitoring::RollConsistency;
+using monitoring::TurnConsistency;
+using monitoring::VerticalOffset;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float gravity = 9.80665F;
+
+// A roll angle that goes its way while the roll rate says something else.
+class ARollAngle : public ::testing::Test {
+ protected:
+    void run(int samples, float rise_per_sample, float roll_rate_radps = 0.0F) {
+        for (int sample = 0; sample < samples; ++sample) {
+            angle_rad += rise_per_sample;
+            check.update(angle_rad, roll_rate_radps);
+        }
+    }
+
+    RollConsistency check;
+    float angle_rad{0.0F};
+};
+
+TEST_F(ARollAngle, IsJudgedFromThe21stSampleOn) {
+    run(20, 0.03F);
+    EXPECT_FALSE(check.known());
+    EXPECT_FALSE(check.contradicts());
+    run(1, 0.03F);
+    EXPECT_TRUE(check.known());
+    EXPECT_TRUE(check.contradicts());
+}
+
+TEST_F(ARollAngle, ContradictsWhenItComesApartBy3Point5DegreesIn200Milliseconds) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check = RollConsistency{};
+        run(90, sign * 0.0030F);
+        EXPECT_FALSE(check.contradicts());
+        run(30, sign * 0.0031F);
+        EXPECT_TRUE(check.contradicts());
+        run(30, 0.0F);
+        EXPECT_FALSE(check.contradicts());
+    }
+}
+
+TEST_F(ARollAngle, HasAnOffsetWhenItComesApartBy9DegreesInASecond) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check = RollConsistency{};
+        run(150, sign * 0.00155F);
+        EXPECT_FALSE(check.has_offset());
+        run(110, sign * 0.00160F);
+        EXPECT_TRUE(check.has_offset());
+        EXPECT_FALSE(check.contradicts());
+    }
+}
+
+TEST_F(ARollAngle, HasNoOffsetBeforeASecondIsOver) {
+    run(100, 0.0025F);
+    EXPECT_TRUE(check.known());
+    EXPECT_FALSE(check.has_offset());
+    run(1, 0.0025F);
+    EXPECT_TRUE(check.has_offset());
+}
+
+TEST_F(ARollAngle, AgreesWithTheRateThatTurnsItAndNotWithOneThatDoesNot) {
+    run(200, 0.005F, 0.5F);
+    EXPECT_FALSE(check.contradicts());
+    EXPECT_FALSE(check.has_offset());
+    run(30, 0.0F, 0.5F);
+    EXPECT_TRUE(check.contradicts());
+}
+
+// What was found before a gap says nothing after it.
+TEST_F(ARollAngle, StartsAnewAfterASampleThatIsNotFinite) {
+    for (const bool of_angle : {true, false}) {
+        for (const float bad : {nan, infinity}) {
+            run(150, 0.004F);
+            ASSERT_TRUE(check.contradicts());
+            ASSERT_TRUE(check.has_offset());
+            check.update(of_angle ? bad : angle_rad, of_angle ? 0.0F : bad);
+            EXPECT_FALSE(check.known());
+            EXPECT_FALSE(check.contradicts());
+            EXPECT_FALSE(check.has_offset());
+            run(20, 0.0F);
+            EXPECT_FALSE(check.known());
+            run(1, 0.0F);
+            EXPECT_TRUE(check.known());
+            EXPECT_FALSE(check.contradicts());
+            EXPECT_FALSE(check.has_offset());
+        }
+    }
+}
+
+// The integral of a rate with an offset must not grow until it has lost its resolution.
+TEST_F(ARollAngle, StartsAnewWhenTheIntegralOfTheRateComesTo50Radians) {
+    run(990, 0.05F, 5.0F);
+    EXPECT_TRUE(check.known());
+    int unknown_samples = 0;
+    for (int sample = 0; sample < 50; ++sample) {
+        run(1, 0.05F, 5.0F);
+        unknown_samples += check.known() ? 0 : 1;
+        EXPECT_FALSE(check.contradicts());
+    }
+    EXPECT_EQ(unknown_samples, 21);
+    EXPECT_TRUE(check.known());
+}
+
+// Lateral acceleration against yaw rate times speed.
+class ATurn : public ::testing::Test {
+ protected:
+    static constexpr float speed_mps = 20.0F;
+
+    void run(int samples, float lateral_mps2, float yaw_acceleration_mps2) {
+        for (int sample = 0; sample < samples; ++sample) {
+            check.update(lateral_mps2, yaw_acceleration_mps2 / speed_mps, speed_mps);
+        }
+    }
+
+    void expect_no_statement() const {
+        EXPECT_FALSE(check.known());
+        EXPECT_FALSE(check.suspicious());
+        EXPECT_FALSE(check.contradicts());
+        EXPECT_FALSE(check.agrees());
+    }
+
+    TurnConsistency check;
+};
+
+TEST_F(ATurn, IsNotJudgedBeforeItsFirstSample) {
+    expect_no_statement();
+    EXPECT_FALSE(check.spins());
+}
+
+TEST_F(ATurn, IsJudgedAbove5MetresASecondOnly) {
+    check.update(1.0F, 0.1F, 5.0F);
+    expect_no_statement();
+    check.update(1.0F, 0.1F, 5.001F);
+    EXPECT_TRUE(check.known());
+    EXPECT_TRUE(check.agrees());
+}
+
+TEST_F(ATurn, IsSuspiciousWhenTheFastFilterExceedsTheBankOfARoad) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check = TurnConsistency{};
+        run(300, sign * 5.49F, sign * 4.0F);
+        EXPECT_FALSE(check.suspicious());
+        check = TurnConsistency{};
+        run(20, sign * 3.0F, 0.0F);  // of lag 0.3 s: half of the step after 0.21 s
+        EXPECT_FALSE(check.suspicious());
+        run(1, sign * 3.0F, 0.0F);
+        EXPECT_TRUE(check.suspicious());
+        EXPECT_FALSE(check.contradicts());
+    }
+}
+
+TEST_F(ATurn, ContradictsWhenTheSlowFilterExceedsAnySlide) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check = TurnConsistency{};
+        run(4000, sign * 6.9F, 0.0F);
+        EXPECT_FALSE(check.contradicts());
+        check = TurnConsistency{};
+        run(825, 0.0F, sign * 8.0F);  // of lag 4 s: seven eighths of the step after 8.3 s
+        EXPECT_FALSE(check.contradicts());
+        run(12, 0.0F, sign * 8.0F);
+        EXPECT_TRUE(check.contradicts());
+    }
+}
+
+TEST_F(ATurn, AgreesUpTo2MetresPerSecondSquared) {
+    for (const float sign : {1.0F, -1.0F}) {
+        run(1, sign * 5.99F, sign * 4.0F);
+        EXPECT_TRUE(check.agrees());
+        run(1, sign * 6.01F, sign * 4.0F);
+        EXPECT_FALSE(check.agrees());
+    }
+}
+
+TEST_F(ATurn, StartsAnewWhenTheVehicleHardlyMovesOrASampleIsNotFinite) {
+    struct Gap {
+        float lateral;
+        float yaw_rate;
+        float speed;
+    };
+    for (const Gap gap : {Gap{9.0F, 0.0F, 4.0F}, Gap{nan, 0.0F, 20.0F}, Gap{9.0F, nan, 20.0F},
+                          Gap{9.0F, 0.0F, nan}, Gap{9.0F, 0.0F, infinity}}) {
+        run(1500, 9.0F, 0.0F);
+        ASSERT_TRUE(check.suspicious());
+        ASSERT_TRUE(check.contradicts());
+        check.update(gap.lateral, gap.yaw_rate, gap.speed);
+        expect_no_statement();
+        run(1, 9.0F, 0.0F);
+        EXPECT_TRUE(check.known());
+        EXPECT_FALSE(check.suspicious());
+        EXPECT_FALSE(check.contradicts());
+    }
+}
+
+TEST_F(ATurn, SpinsForASecondAfterItHasYawedFasterThanTyresTurn) {
+    for (const float sign : {1.0F, -1.0F}) {
+        run(200, sign * 10.4F, sign * 10.4F);
+        EXPECT_FALSE(check.spins());
+        run(1, sign * 10.4F, sign * 10.6F);
+        EXPECT_TRUE(check.spins());
+        run(99, 0.0F, 0.0F);
+        EXPECT_TRUE(check.spins());
+        run(1, 0.0F, 0.0F);
+        EXPECT_FALSE(check.spins());
+    }
+}
+
+TEST_F(ATurn, DoesNotSpinByWhatIsNotKnown) {
+    check.update(0.0F, 4.0F, 4.0F);
+    EXPECT_FALSE(check.spins());
+    check.update(nan, 1.0F, 20.0F);
+    EXPECT_FALSE(check.spins());
+}
+
+// The vertical force of a body that neither rises nor falls.
+class AVerticalForce : public ::testing::Test {
+ protected:
+    void run(int samples, float vertical_mps2, float lateral_mps2 = 0.0F, float roll_angle_rad = 0.0F) {
+        for (int sample = 0; sample < samples; ++sample) {
+            check.update(vertical_mps2, lateral_mps2, roll_angle_rad);
+        }
+    }
+
+    VerticalOffset check;
+};
+
+TEST_F(AVerticalForce, HasAnOffsetBeyondItsLimitAndBeyondALargerOneInAWarning) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check = VerticalOffset{};
+        run(1000, gravity + sign * 1.49F);
+        EXPECT_FALSE(check.has_offset(false));
+        run(1000, gravity + sign * 1.51F);
+        EXPECT_TRUE(check.has_offset(false));
+        run(1000, gravity + sign * 3.49F);
+        EXPECT_TRUE(check.has_offset(false));
+        EXPECT_FALSE(check.has_offset(true));
+        run(1000, gravity + sign * 3.51F);
+        EXPECT_TRUE(check.has_offset(true));
+    }
+}
+
+TEST_F(AVerticalForce, IsJudgedByItsMeanOver400Milliseconds) {
+    run(27, gravity + 3.0F);
+    EXPECT_FALSE(check.has_offset(false));
+    run(1, gravity + 3.0F);
+    EXPECT_TRUE(check.has_offset(false));
+}
+
+TEST_F(AVerticalForce, IsSmallerInABodyThatLeansOutOfTheTurn) {
+    run(1000, gravity - 10.0F * 0.19F, 10.0F, 0.19F);
+    EXPECT_TRUE(check.known());
+    EXPECT_FALSE(check.has_offset(false));
+    run(1000, gravity, 10.0F, 0.19F);
+    EXPECT_TRUE(check.has_offset(false));
+}
+
+TEST_F(AVerticalForce, IsNotJudgedBeforeItsFirstSample) {
+    EXPECT_FALSE(check.known());
+    EXPECT_FALSE(check.has_offset(false));
+}
+
+TEST_F(AVerticalForce, StartsAnewWhereItIsNotKnown) {
+    struct Gap {
+        float vertical;
+        float lateral;
+        float roll_angle;
+    };
+    const float high = gravity + 4.0F;
+    for (const Gap gap :
+         {Gap{nan, 0.0F, 0.0F}, Gap{infinity, 0.0F, 0.0F}, Gap{high, nan, 0.0F}, Gap{high, 0.0F, nan},
+          Gap{high, 0.0F, 0.21F}, Gap{high, 0.0F, -0.21F}, Gap{high, 11.1F, 0.0F}, Gap{high, -11.1F, 0.0F}}) {
+        run(1000, high);
+        ASSERT_TRUE(check.has_offset(true));
+        run(1, gap.vertical, gap.lateral, gap.roll_angle);
+        EXPECT_FALSE(check.known());
+        EXPECT_FALSE(check.has_offset(false));
+        run(1, high);
+        EXPECT_TRUE(check.known());
+        EXPECT_FALSE(check.has_offset(false));
+    }
+}
+
+// Three witnesses of the lateral force; the roll angle is given as the force under which the body takes it.
+class AForceVote : public ::testing::Test {
+ protected:
+    void SetUp() override { vote.start(parameters()); }
+
+    static rsi::Parameters parameters() { return rsi_test_large_suv(); }
+
+    static float roll_angle_rad(float force_mps2) {
+        const rsi::Parameters suv = parameters();
+        return force_mps2 * suv.sprung_mass_kg * (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+               suv.roll_stiffness_nmprad;
+    }
+
+    bool alone_after(int samples, float accelerometer_mps2, float by_yaw_mps2, float by_roll_mps2) {
+        for (int sample = 0; sample < samples; ++sample) {
+            vote.update(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2), false);
+        }
+        return vote.accelerometer_is_alone();
+    }
+
+    ForceVote vote;
+};
+
+TEST_F(AForceVote, IsAgainstAnAccelerometerThatBothOthersContradict) {
+    for (const float sign : {1.0F, -1.0F}) {
+        EXPECT_FALSE(alone_after(300, sign * 5.9F, sign * 3.0F, sign * 3.0F));
+        EXPECT_TRUE(alone_after(300, sign * 6.1F, sign * 3.0F, sign * 3.0F));
+    }
+}
+
+TEST_F(AForceVote, TakesAMeanOver300Milliseconds) {
+    EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
+    EXPECT_TRUE(alone_after(1, 10.0F, 0.0F, 0.0F));
+}
+
+TEST_F(AForceVote, NeedsOthersThatAgreeWithinHalfOfWhatTheyHaveAgainstIt) {
+    EXPECT_TRUE(alone_after(300, 9.0F, 0.0F, 2.9F));  // 2.9 against half of 6.1
+    EXPECT_FALSE(alone_after(300, 9.0F, 0.0F, 3.1F));
+    EXPECT_TRUE(alone_after(300, 9.0F, 2.9F, 0.0F));
+    EXPECT_FALSE(alone_after(300, 9.0F, 3.1F, 0.0F));
+}
+
+TEST_F(AForceVote, IsNotAgainstTheAccelerometerWhenAnotherIsAlone) {
+    EXPECT_FALSE(alone_after(300, 4.0F, -4.0F, 4.0F));  // bank or slide
+    EXPECT_FALSE(alone_after(300, 4.0F, 4.0F, -4.0F));  // roll sensor
+    EXPECT_FALSE(alone_after(300, 0.0F, 4.0F, -4.0F));  // all differ
+}
+
+TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
+    struct Gap {
+        float lateral;
+        float by_yaw;
+        float roll_angle;
+        bool spins;
+    };
+    for (const Gap gap :
+         {Gap{10.0F, 0.0F, 0.0F, true}, Gap{20.0F, 0.0F, 0.151F, false}, Gap{-20.0F, 0.0F, -0.151F, false},
+          Gap{nan, 0.0F, 0.0F, false}, Gap{10.0F, nan, 0.0F, false}, Gap{10.0F, 0.0F, nan, false},
+          Gap{infinity, 0.0F, 0.0F, false}}) {
+        ASSERT_TRUE(alone_after(100, 10.0F, 0.0F, 0.0F));
+        vote.update(gap.lateral, gap.by_yaw, gap.roll_angle, gap.spins);
+        EXPECT_FALSE(vote.accelerometer_is_alone());
+        EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
+    }
+}
+
+TEST_F(AForceVote, SaysNothingOfAVehicleWithoutALeverArm) {
+    rsi::Parameters flat = parameters();
+    flat.fixed_roll_centre_height_m = flat.sprung_cg_height_m;
+    vote.start(flat);
+    EXPECT_FALSE(alone_after(300, 10.0F, 0.0F, 0.0F));
+}
+
+TEST(AForceVoteThatHasNotStarted, SaysNothing) {
+    ForceVote vote;
+    for (int sample = 0; sample < 300; ++sample) {
+        vote.update(10.0F, 0.0F, 0.0F, false);
+    }
+    EXPECT_FALSE(vote.accelerometer_is_alone());
+}
+
+}  // namespace

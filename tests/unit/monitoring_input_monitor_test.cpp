@@ -1,0 +1,250 @@
+// Which sensor the input monitor blames when two of them contradict each other, and what it then takes out.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "monitoring/input_monitor.hpp"
+#include "tests/support/large_suv.h"
+
+namespace {
+
+using monitoring::DiagnosticCode;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+// Straight on at 30 m/s, every frame fresh, the component content.
+class AnInputMonitor : public ::testing::Test {
+ protected:
+    AnInputMonitor() {
+        monitor.start(rsi_test_large_suv());
+        inputs.lateral_specific_force_mps2 = 0.0F;
+        inputs.vertical_specific_force_mps2 = 9.80665F;
+        inputs.roll_rate_radps = 0.0F;
+        inputs.roll_angle_rad = 0.0F;
+        inputs.yaw_rate_radps = 0.0F;
+        inputs.bank_angle_rad = nan;
+        inputs.speed_mps = 30.0F;
+        inputs.steering_wheel_angle_rad = 0.0F;
+        before.state = RSI_STATE_READY;
+        before.roll_source = RSI_ROLL_SENSOR;
+    }
+
+    void turn_at(float lateral_mps2) {
+        inputs.lateral_specific_force_mps2 = lateral_mps2;
+        inputs.yaw_rate_radps = lateral_mps2 / inputs.speed_mps;
+    }
+
+    // Roll angle and roll rate go on by so much each cycle; both have a noise of one part in a thousand,
+    // unless they are frozen.
+    void roll(int cycles, float rise_per_cycle_rad, float roll_rate_radps, bool angle_frozen = false,
+              bool rate_frozen = false) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            const float noise = (cycle % 2 == 0) ? 0.001F : -0.001F;
+            angle_rad += rise_per_cycle_rad;
+            inputs.roll_angle_rad = angle_rad + (angle_frozen ? 0.0F : noise);
+            inputs.roll_rate_radps = roll_rate_radps + (rate_frozen ? 0.0F : noise);
+            run(1);
+        }
+    }
+
+    void run(int cycles) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            qualified = monitor.qualify(inputs, {true, true, true}, before, memory);
+        }
+    }
+
+    bool confirmed(DiagnosticCode code) const { return memory.confirmed(code); }
+
+    static constexpr DiagnosticCode roll_sensor_code = DiagnosticCode::roll_sensor_contradicts_observer;
+    static constexpr DiagnosticCode lateral_code = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
+    static constexpr DiagnosticCode yaw_code = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
+    static constexpr DiagnosticCode roll_code = DiagnosticCode::roll_rate_contradicts_roll_angle;
+
+    monitoring::InputMonitor monitor;
+    monitoring::DiagnosticMemory memory;
+    rsi::Inputs inputs{};
+    rsi::Outputs before{};
+    rsi::Inputs qualified{};
+    float angle_rad{0.0F};
+};
+
+TEST_F(AnInputMonitor, PassesOnWhatContradictsNobody) {
+    run(1000);
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, inputs.lateral_specific_force_mps2);
+    EXPECT_EQ(qualified.vertical_specific_force_mps2, inputs.vertical_specific_force_mps2);
+    EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+    EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
+    EXPECT_EQ(qualified.yaw_rate_radps, inputs.yaw_rate_radps);
+    EXPECT_EQ(qualified.speed_mps, inputs.speed_mps);
+    EXPECT_EQ(qualified.steering_wheel_angle_rad, inputs.steering_wheel_angle_rad);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::none);
+}
+
+// 9 m/s^2 of yaw rate times speed while the vehicle goes straight: with a lag of 4 s, 7 m/s^2 after 6.0 s.
+TEST_F(AnInputMonitor, TakesOutAYawRateThatNoSlideExplains) {
+    inputs.yaw_rate_radps = 0.3F;
+    run(595);
+    EXPECT_FALSE(confirmed(yaw_code));
+    EXPECT_EQ(qualified.yaw_rate_radps, 0.3F);
+    run(12);
+    EXPECT_TRUE(confirmed(yaw_code));
+    EXPECT_TRUE(std::isnan(qualified.yaw_rate_radps));
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, 0.0F);
+    EXPECT_FALSE(confirmed(lateral_code));
+
+    inputs.yaw_rate_radps = 0.15F;
+    run(10);
+    inputs.yaw_rate_radps = 0.0F;  // from here on they agree
+    run(99);
+    EXPECT_TRUE(std::isnan(qualified.yaw_rate_radps));
+    run(1);
+    EXPECT_EQ(qualified.yaw_rate_radps, 0.0F);
+}
+
+TEST_F(AnInputMonitor, BlamesTheRollSensorForWhatTheObserverContradicts) {
+    run(100);
+    before.roll_sensor_disagrees = 1;
+    run(1);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
+    EXPECT_FALSE(confirmed(lateral_code));
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, 0.0F);
+}
+
+TEST_F(AnInputMonitor, BlamesTheAccelerometerWhenTheYawRateContradictsItToo) {
+    inputs.lateral_specific_force_mps2 = 2.5F;
+    run(100);
+    EXPECT_FALSE(confirmed(lateral_code));
+    before.roll_sensor_disagrees = 1;
+    run(1);
+    EXPECT_TRUE(confirmed(lateral_code));
+    EXPECT_TRUE(std::isnan(qualified.lateral_specific_force_mps2));
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+    EXPECT_EQ(qualified.roll_angle_rad, 0.0F);
+}
+
+TEST_F(AnInputMonitor, BlamesNobodyForASuspicionOfTheYawRateAlone) {
+    inputs.lateral_specific_force_mps2 = 2.5F;
+    run(1000);
+    EXPECT_FALSE(confirmed(lateral_code));
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+    EXPECT_FALSE(confirmed(yaw_code));
+}
+
+TEST_F(AnInputMonitor, DoesNotBelieveTheObserverInASpin) {
+    turn_at(10.6F);
+    before.roll_sensor_disagrees = 1;
+    run(100);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+    turn_at(10.4F);
+    run(99);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+    run(1);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+}
+
+// Without a roll sensor there is nothing to contradict, whatever the component has said of it before.
+TEST_F(AnInputMonitor, DoesNotBlameARollSensorThatSaysNothing) {
+    inputs.roll_angle_rad = nan;
+    before.roll_sensor_disagrees = 1;
+    run(100);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+}
+
+TEST_F(AnInputMonitor, LetsARollSensorThatIsOutComeBackOnlyWithin50MilliradiansOfTheObserver) {
+    before.roll_source = RSI_ROLL_OBSERVER;
+    for (const float sign : {1.0F, -1.0F}) {
+        before.observed_roll_angle_rad = sign * 0.049F;
+        run(100);
+        EXPECT_FALSE(confirmed(roll_sensor_code));
+    }
+    before.observed_roll_angle_rad = 0.051F;
+    run(1);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+}
+
+TEST_F(AnInputMonitor, TakesTheRollSensorBackAfterASecondWithin25MilliradiansOfTheObserver) {
+    before.roll_sensor_disagrees = 1;
+    run(1);
+    ASSERT_TRUE(confirmed(roll_sensor_code));
+    before.roll_sensor_disagrees = 0;
+    before.observed_roll_angle_rad = 0.026F;
+    run(500);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+    before.observed_roll_angle_rad = -0.024F;
+    run(99);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+    run(1);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+    EXPECT_EQ(qualified.roll_angle_rad, 0.0F);
+}
+
+// Neither good nor bad: half a second, then a gap, then half a second heal it.
+TEST_F(AnInputMonitor, DoesNotJudgeTheRollSensorWhileEitherSaysNothing) {
+    before.roll_sensor_disagrees = 1;
+    run(1);
+    ASSERT_TRUE(confirmed(roll_sensor_code));
+    before.roll_sensor_disagrees = 0;
+    run(50);
+    before.observed_roll_angle_rad = nan;
+    run(300);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+    before.observed_roll_angle_rad = 0.0F;
+    run(49);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+    run(1);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+}
+
+// Of a roll angle and a roll rate that come apart by 4.6 deg in 0.2 s, in a turn to the left.
+TEST_F(AnInputMonitor, BlamesARollAngleThatLeansIntoTheTurn) {
+    turn_at(3.0F);
+    roll(40, -0.004F, 0.0F);
+    EXPECT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
+    EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+}
+
+TEST_F(AnInputMonitor, BlamesTheRollRateWhenTheAngleLeansOutOfTheTurn) {
+    turn_at(3.0F);
+    roll(40, 0.004F, 0.0F);
+    EXPECT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_rate_radps));
+    EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
+}
+
+TEST_F(AnInputMonitor, BlamesTheRollRateWhenTheForceSaysNothingOfTheAngle) {
+    turn_at(1.9F);
+    roll(40, -0.004F, 0.0F);
+    EXPECT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_rate_radps));
+    EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
+}
+
+TEST_F(AnInputMonitor, KeepsToWhomItHasBlamed) {
+    turn_at(3.0F);
+    roll(40, -0.004F, 0.0F);
+    ASSERT_TRUE(std::isnan(qualified.roll_angle_rad));
+    roll(45, 0.0045F, 0.0F);  // now leans out of it
+    EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
+    EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+}
+
+TEST_F(AnInputMonitor, BlamesTheOneOfTheTwoThatRepeatsItself) {
+    turn_at(3.0F);
+    roll(40, 0.0F, 0.4F, true, false);
+    EXPECT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
+    EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+
+    monitor.start(rsi_test_large_suv());
+    memory = {};
+    angle_rad = 0.0F;
+    roll(40, -0.004F, 0.0F, false, true);
+    EXPECT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_rate_radps));
+    EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
+}
+
+}  // namespace
