@@ -30,7 +30,7 @@ struct EnduranceResult {
     std::uint64_t undefined_cycles{0U};      // with a code that the DBC file does not define
     std::uint64_t bad_outputs{0U};           // cycles with an output infinite or out of its range
     std::uint64_t unfed_cycles{0U};          // in which the watchdog was not fed once
-    std::uint64_t faults_not_recovered{0U};  // not as the second ECU within `recovery_limit_ms`
+    std::vector<std::string> not_recovered_from{};  // not as the second ECU within `recovery_limit_ms`
     int longest_recovery_ms{0};
     double largest_roll_centre_deviation_m{0.0};  // of the estimator, over all
     double largest_roll_centre_movement_m{0.0};   // likewise
