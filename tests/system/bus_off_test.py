@@ -17,6 +17,8 @@ READY = 1
 ALL_AND_ERRORS = ",0:0,#FFFFFFFF"
 CONTROLLER_PROBLEM = "20000204"  # with the error counters
 BUS_OFF = "20000040"
+# What the ECU has sent may still come out of driver and line so long after the kernel's report.
+ON_ITS_WAY_S = 0.05
 
 
 def has_bus_error(data):
@@ -35,14 +37,13 @@ def passive_told(frames):
 
 
 def silences_after_bus_off(frames):
-    """Seconds from each bus-off to the ECU's next frame."""
-    silences, start = [], None
-    for time, identifier, _ in frames:
-        if identifier == BUS_OFF:
-            start = time
-        elif start is not None and identifier == programs.WARNING_IDENTIFIER:
-            silences.append(time - start)
-            start = None
+    """Seconds from each bus-off to the ECU's next frame, not counting what was on its way at the bus-off."""
+    warnings = [time for time, identifier, _ in frames if identifier == programs.WARNING_IDENTIFIER]
+    silences = []
+    for start in (time for time, identifier, _ in frames if identifier == BUS_OFF):
+        arrived = start + ON_ITS_WAY_S
+        last = max((time for time in warnings if start < time <= arrived), default=start)
+        silences.append(next(time for time in warnings if time > arrived) - last)
     return silences
 
 
