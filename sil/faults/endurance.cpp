@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "sil/faults/chance.hpp"
@@ -84,7 +85,7 @@ class Line {
     void inject(const Fault& fault) {
         fault_ = fault;
         ecu_.inject(fault);
-        bus_.emplace(ecu_.world_bus(), fault);
+        bus_ = std::make_unique<FaultyBus>(ecu_.world_bus(), fault);
         sensor_.emplace(fault);
     }
 
@@ -112,7 +113,7 @@ class Line {
  private:
     FaultyEcu ecu_;
     Fault fault_{};
-    std::optional<FaultyBus> bus_{};
+    std::unique_ptr<FaultyBus> bus_{};
     std::optional<SignalFault> sensor_{};
     SensorFrames frames_{};
     EcuEar ear_{};
