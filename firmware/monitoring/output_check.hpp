@@ -20,8 +20,9 @@ inline bool estimate_is_in_range(const rsi::Outputs& outputs) noexcept {
            rsi::is_within_magnitude(outputs.roll_damping_deviation_nmsprad, 1.0e5F);
 }
 
-// Everything that has a number whenever the component has computed, and the enumerations.
-inline bool outputs_are_sound(const rsi::Outputs& outputs) noexcept {
+// Everything that has a number whenever the component has computed, and the enumerations: it looks for codes
+// that these do not have, which a sanitizer would take amiss.
+[[gnu::no_sanitize("enum")]] inline bool outputs_are_sound(const rsi::Outputs& outputs) noexcept {
     const auto state = static_cast<unsigned>(outputs.state);
     const auto side = static_cast<unsigned>(outputs.side);
     const auto source = static_cast<unsigned>(outputs.roll_source);

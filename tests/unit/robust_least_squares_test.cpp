@@ -253,7 +253,7 @@ TEST(RobustLeastSquares, AboveItsLimitWhatIsNotExcitedStaysAsItIs) {
 }
 
 TEST(RobustLeastSquares, StartsWithTheUnitMatrix) {
-    const rsi::Covariance& P = estimator_of(rsi_test::large_suv()).covariance();
+    const rsi::Covariance P = estimator_of(rsi_test::large_suv()).covariance();
     EXPECT_EQ(P.p00, 1.0F);
     EXPECT_EQ(P.p11, 1.0F);
     EXPECT_EQ(P.p22, 1.0F);
