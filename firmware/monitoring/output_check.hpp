@@ -22,7 +22,7 @@ inline bool estimate_is_in_range(const rsi::Outputs& outputs) noexcept {
 
 // Everything that has a number whenever the component has computed, and the enumerations: it looks for codes
 // that these do not have, which a sanitizer would take amiss.
-[[gnu::no_sanitize("enum")]] inline bool outputs_are_sound(const rsi::Outputs& outputs) noexcept {
+__attribute__((no_sanitize("enum"))) inline bool outputs_are_sound(const rsi::Outputs& outputs) noexcept {
     const auto state = static_cast<unsigned>(outputs.state);
     const auto side = static_cast<unsigned>(outputs.side);
     const auto source = static_cast<unsigned>(outputs.roll_source);
