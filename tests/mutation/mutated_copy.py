@@ -16,7 +16,8 @@ SOURCE, BUILD = FOLDER / "source", FOLDER / "build"
 PROGRAMS = {"codec_test": "tests/codec", "unit_tests": "tests/unit", "application_test": "tests/application",
             "replay_test": "tests/mutation"}
 # Which programs are asked about what: a test of the frames seldom sees in the algorithm what its own tests and a drive do not.
-SCOPE = {"firmware/rsi": {"unit_tests", "replay_test"}, "firmware/application": set(PROGRAMS), "can_dbc/e2e": set(PROGRAMS)}
+SCOPE = {"firmware/rsi": {"unit_tests", "replay_test"}, "firmware/monitoring": {"unit_tests", "application_test", "replay_test"},
+         "firmware/application": set(PROGRAMS), "can_dbc/e2e": set(PROGRAMS)}
 INCLUDES = ["-I", "{project}", "-I", "{project}/firmware", "-isystem", "/usr/include/eigen3"]
 HELPERS = "tests/mutation/schemata.hpp"
 
