@@ -151,6 +151,25 @@ TEST(ParameterSection, AnotherFormatOrLayoutOrLengthIsRefusedAsSuchThoughTheChec
     }
 }
 
+TEST(ParameterSection, AnyWrongByteOfTheHeaderIsRefusedForWhatItBelongsTo) {
+    struct Field {
+        std::size_t at;
+        std::size_t length;
+        ParametersRefusal refusal;
+    };
+    for (const Field& field : {Field{0U, 4U, ParametersRefusal::missing},
+                               Field{section::version_at, 2U, ParametersRefusal::version},
+                               Field{section::count_at, 2U, ParametersRefusal::layout},
+                               Field{section::layout_at, 4U, ParametersRefusal::layout},
+                               Field{section::length_at, 4U, ParametersRefusal::length}}) {
+        for (std::size_t byte = field.at; byte < field.at + field.length; ++byte) {
+            Bytes bytes = good_section();
+            bytes[byte] ^= 0x01U;
+            EXPECT_EQ(refusal_of(sealed(bytes)), field.refusal) << "byte " << byte;
+        }
+    }
+}
+
 // The committed sections and every flashed one are of this layout. Whoever changes rsi_parameters makes them
 // useless, which must be meant: then this number changes, too, and generate_parameter_sections has to run.
 TEST(ParameterSection, TheLayoutIsTheOneThatWasFlashed) {

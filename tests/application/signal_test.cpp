@@ -148,6 +148,17 @@ TEST_P(Signal, AtTheEndsOfItsRangeIsSaturatedAndNotUsed) {
     }
 }
 
+// Then the frame is what is missing.
+TEST_P(Signal, WithoutAUsableValueIsNoLongerReportedOnceItsFrameIsStale) {
+    const SignalCase& signal = GetParam();
+    put(signal.unusable.back());
+    bench.run_cycles(1);
+    ASSERT_TRUE(flag(signal.sensor));
+    bench.stop(signal.sensor);
+    bench.run_cycles(6);
+    EXPECT_FALSE(flag(signal.sensor));
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEachSensorFrame, Signal, ::testing::ValuesIn(signal_cases()),
                          [](const auto& tested) { return std::string{tested.param.name}; });
 

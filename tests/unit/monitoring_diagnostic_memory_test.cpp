@@ -101,8 +101,18 @@ TEST_F(ADiagnosticMemory, ConfirmsAndHealsEachCodeAfterTheStatedCycles) {
     EXPECT_EQ(codes.size(), monitoring::diagnostic_code_count - 1U);  // all but `none`
 }
 
-// A cycle with the fault counts two, a good one takes one away: two, one, three, two, four, three, five, four,
-// and the ninth cycle, the fifth with the fault, makes six.
+TEST_F(ADiagnosticMemory, KeepsEachCodeConfirmedAsLongAsTheFaultIsThere) {
+    for (const StatedDebounce& stated : stated_debounces) {
+        confirm(stated.code);
+        for (int cycle = 0; cycle < 200; ++cycle) {
+            memory.report(stated.code, true);
+            ASSERT_EQ(memory.status(stated.code), EventStatus::confirmed) << static_cast<int>(stated.code);
+        }
+    }
+}
+
+// A cycle with the fault counts two, a good one takes one away: two, one, three, two, four, three, five,
+// four, and the ninth cycle, the fifth with the fault, makes six.
 TEST_F(ADiagnosticMemory, ConfirmsAFaultOfEverySecondCycleAfterHalfAsMuchTimeAgain) {
     constexpr DiagnosticCode code = DiagnosticCode::bus_error;
     for (int cycle = 1; cycle < 9; ++cycle) {

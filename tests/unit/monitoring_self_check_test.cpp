@@ -1,5 +1,5 @@
-// What the control unit checks of itself - clock, parameters, estimate, outputs - each at its limits, and what
-// it says it can still do.
+// What the control unit checks of itself - clock, parameters, estimate, outputs - each at its limits, and
+// what it says it can still do.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -230,6 +230,14 @@ TEST_P(ASignal, MayBeAnywhereAfterACycleWithoutItsFrame) {
     EXPECT_EQ(used(), sent());
 }
 
+TEST_P(ASignal, MayBeAnywhereAfterACycleInWhichItSaidNothing) {
+    run(5);
+    send(nan);
+    send(usual + 1.5F * limits.jump);
+    EXPECT_EQ(status(limits.jumps), EventStatus::none);
+    EXPECT_EQ(used(), sent());
+}
+
 TEST_P(ASignal, IsNotBridgedByAValueOfBeforeAGap) {
     run(5);
     run_without(limits.without_its_frame, 1);
@@ -425,21 +433,21 @@ TEST_P(AStuckSignal, ComesBack20CyclesAfterItHasMoved) {
 
 INSTANTIATE_TEST_SUITE_P(
     OfEachSensor, AStuckSignal,
-    ::testing::Values(
-        StatedWitness{"LateralAcceleration", DiagnosticCode::lateral_acceleration_stuck,
-                      &rsi::Inputs::lateral_specific_force_mps2, &rsi::Inputs::yaw_rate_radps, 1.0F / 30.0F,
-                      1},
-        StatedWitness{"VerticalAcceleration", DiagnosticCode::vertical_acceleration_stuck,
-                      &rsi::Inputs::vertical_specific_force_mps2, &rsi::Inputs::lateral_specific_force_mps2,
-                      1.5F, 1},
-        StatedWitness{"RollRate", DiagnosticCode::roll_rate_stuck, &rsi::Inputs::roll_rate_radps,
-                      &rsi::Inputs::roll_angle_rad, 0.02F, 1},
-        StatedWitness{"RollAngle", DiagnosticCode::roll_angle_stuck, &rsi::Inputs::roll_angle_rad,
-                      &rsi::Inputs::roll_rate_radps, 0.15F, 10},  // 0.015 rad in ten cycles
-        StatedWitness{"YawRate", DiagnosticCode::yaw_rate_stuck, &rsi::Inputs::yaw_rate_radps,
-                      &rsi::Inputs::lateral_specific_force_mps2, 1.5F, 1},
-        StatedWitness{"Speed", DiagnosticCode::speed_stuck, &rsi::Inputs::speed_mps,
-                      &rsi::Inputs::yaw_rate_radps, 4.5F / 30.0F, 1}),
+    ::testing::Values(StatedWitness{"LateralAcceleration", DiagnosticCode::lateral_acceleration_stuck,
+                                    &rsi::Inputs::lateral_specific_force_mps2, &rsi::Inputs::yaw_rate_radps,
+                                    1.0F / 30.0F, 1},
+                      StatedWitness{"VerticalAcceleration", DiagnosticCode::vertical_acceleration_stuck,
+                                    &rsi::Inputs::vertical_specific_force_mps2,
+                                    &rsi::Inputs::lateral_specific_force_mps2, 1.5F, 1},
+                      StatedWitness{"RollRate", DiagnosticCode::roll_rate_stuck,
+                                    &rsi::Inputs::roll_rate_radps, &rsi::Inputs::roll_angle_rad, 0.02F, 1},
+                      StatedWitness{"RollAngle", DiagnosticCode::roll_angle_stuck,
+                                    &rsi::Inputs::roll_angle_rad, &rsi::Inputs::roll_rate_radps, 0.15F,
+                                    10},  // 0.015 rad in ten cycles
+                      StatedWitness{"YawRate", DiagnosticCode::yaw_rate_stuck, &rsi::Inputs::yaw_rate_radps,
+                                    &rsi::Inputs::lateral_specific_force_mps2, 1.5F, 1},
+                      StatedWitness{"Speed", DiagnosticCode::speed_stuck, &rsi::Inputs::speed_mps,
+                                    &rsi::Inputs::yaw_rate_radps, 4.5F / 30.0F, 1}),
     [](const auto& tested) { return std::string{tested.param.name}; });
 
 }  // namespace

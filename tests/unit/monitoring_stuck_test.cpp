@@ -77,6 +77,14 @@ TEST_F(AStuckCheck, StartsAnewWhenEitherIsNotFinite) {
     }
 }
 
+TEST_F(AStuckCheck, DoesNotJudgeWhatIsNotFinite) {
+    for (const float value : {nan, infinity, -infinity}) {
+        run(1, value, 0.0F);
+        EXPECT_FALSE(run(100, value, 3.0F));
+        EXPECT_FALSE(check.seems_frozen());
+    }
+}
+
 TEST_F(AStuckCheck, SeemsFrozenFromTheSixthEqualValueOnWhateverTheWitnessDoes) {
     run(5, 1.0F, 0.0F);
     EXPECT_FALSE(check.seems_frozen());
@@ -128,6 +136,20 @@ TEST_F(ASteeringCheck, WantsToHaveGoneStraightFor200MillisecondsSinceTheWheelMov
     EXPECT_FALSE(run(10, 5.0F, 5.0F));
     go_straight(20);
     EXPECT_TRUE(run(10, 5.0F, 5.0F));
+}
+
+// Nobody knows how it got there.
+TEST_F(ASteeringCheck, SaysNothingInATurnInWhichItStarts) {
+    EXPECT_FALSE(run(100, 5.0F, 5.0F, 0.0F));
+    EXPECT_FALSE(run(100, 5.0F, 5.0F));
+}
+
+TEST_F(ASteeringCheck, WantsTheWholeStraightAfterItsStartToo) {
+    run(19, 0.0F, 0.0F, 0.0F);
+    EXPECT_FALSE(run(10, 5.0F, 5.0F, 0.0F));
+    check = SteeringCheck{};
+    run(20, 0.0F, 0.0F, 0.0F);
+    EXPECT_TRUE(run(10, 5.0F, 5.0F, 0.0F));
 }
 
 TEST_F(ASteeringCheck, CallsItStraightBelow1MetrePerSecondSquared) {
