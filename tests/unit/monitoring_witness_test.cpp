@@ -88,7 +88,8 @@ TEST_P(AFailingSignal, ThatIsOutOfRangeAccusesNoOther) {
     }
     // The one exception: the roll angle is expected to follow a roll rate that is beyond its range, too.
     const bool expects_angle = (failing.invalid == DiagnosticCode::roll_rate_invalid);
-    expect_no_code_but(failing.invalid, expects_angle ? DiagnosticCode::roll_angle_jump : DiagnosticCode::none);
+    expect_no_code_but(failing.invalid,
+                       expects_angle ? DiagnosticCode::roll_angle_jump : DiagnosticCode::none);
 }
 
 TEST_P(AFailingSignal, ThatJumpsAccusesNoOther) {
@@ -176,9 +177,8 @@ TEST_F(ASteadyTurn, AllowsMoreOfTheVerticalAccelerationInAWarningThanBefore) {
         rsi_state state;
         float offset_mps2;
     };
-    for (const Allowed& allowed :
-         {Allowed{RSI_STATE_READY, 1.5F}, Allowed{RSI_STATE_ADVISORY, 1.5F}, Allowed{RSI_STATE_WARNING, 3.5F},
-          Allowed{RSI_STATE_UNAVAILABLE, 3.5F}}) {
+    for (const Allowed& allowed : {Allowed{RSI_STATE_READY, 1.5F}, Allowed{RSI_STATE_ADVISORY, 1.5F},
+                                   Allowed{RSI_STATE_WARNING, 3.5F}, Allowed{RSI_STATE_UNAVAILABLE, 3.5F}}) {
         const float usual = inputs.vertical_specific_force_mps2;
         before.state = allowed.state;
         for (const float share : {0.99F, 1.01F}) {
