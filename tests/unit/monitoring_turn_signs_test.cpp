@@ -1,5 +1,5 @@
-// Lateral acceleration, yaw rate and roll angle of a turn: which of them has another sign than the two others,
-// how far beyond zero each must be, and for how long.
+// Lateral acceleration, yaw rate and roll angle of a turn: which of them has another sign than the two
+// others, how far beyond zero each must be, and for how long.
 #include "monitoring/turn_signs.hpp"
 
 #include <gtest/gtest.h>
