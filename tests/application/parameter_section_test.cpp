@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "tests/application/bench.hpp"
+#include "tests/application/roll_plane_vehicle.hpp"
 
 extern "C" const unsigned char rsi_parameter_section[application::section::length];
 
@@ -268,6 +270,30 @@ TEST(TheEcu, StartedWithARefusedSectionStaysUnavailableAndSaysWhyInEachCycle) {
             ASSERT_TRUE(cycle.status.value.parameters_invalid) << name;
         }
     }
+}
+
+// Its monitoring knows the roll stiffness of the section, not that of before: an accelerometer that is too
+// high by little more than it takes is found by the roll angle that the suspension takes under the true
+// force.
+TEST(TheEcu, StartedWithASectionMonitorsTheVehicleOfThatSection) {
+    rsi::Parameters stiffer = large_suv();
+    stiffer.roll_stiffness_nmprad *= 2.0F;
+    Bench bench{stiffer};
+    ASSERT_EQ(bench.parameters_answer().accepted, 1);
+    ASSERT_EQ(bench.start_with(good_section()).refusal, ParametersRefusal::none);
+    RollPlaneVehicle vehicle{large_suv()};
+    bench.drive([&vehicle](double time_s) {
+        vehicle.advance(std::min(4.0, 4.0 * time_s));
+        Motion motion = vehicle.motion();
+        motion.imu.lateral_acceleration_mps2 += (time_s < 3.0) ? 0.0F : 3.3F;
+        return motion;
+    });
+    using Code = can_dbc::RolloverDiagnosis::Code;
+    bench.run_for(3.0);
+    ASSERT_EQ(bench.last().diagnosis.value.code, Code::none);
+    bench.run_for(2.0);
+    EXPECT_EQ(bench.last().diagnosis.value.code, Code::lateral_acceleration_contradicts_yaw_rate);
+    EXPECT_EQ(bench.state(), can_dbc::RolloverWarning::State::unavailable);
 }
 
 }  // namespace
