@@ -61,6 +61,16 @@ TEST_F(APlatform, ThatMissesOneCycleHasAnOverrunThatHealsInASecond) {
     EXPECT_TRUE(told(Code::cycle_overrun, CodeStatus::healed));
 }
 
+TEST_F(APlatform, ThatMissesOneCycleFlagsItInThatCycle) {
+    bench.miss_cycles(1U);
+    bench.run_cycles(1);
+    EXPECT_TRUE(bench.status().cycle_overrun);
+    EXPECT_EQ(bench.status().cycle_overruns, 1U);
+    bench.miss_cycles(0U);
+    bench.run_cycles(1);
+    EXPECT_FALSE(bench.status().cycle_overrun);
+}
+
 TEST_F(APlatform, ThatMissesTwoCyclesHasNotStalled) {
     miss_once(2U);
     EXPECT_TRUE(confirmed(Code::cycle_overrun));

@@ -323,12 +323,13 @@ TEST(FurtherIndicators, AGapIsNoMovement) {
 }
 
 // Nor has the steering asked for anything: the force grows over a gap's first samples as far as it likes.
-TEST(FurtherIndicators, AfterAGapNothingIsLeftOfWhatTheSteeringAskedFor) {
+TEST(FurtherIndicators, AGapForgetsWhatTheSteeringAskedFor) {
     rsi_parameters parameters = rsi_test::large_suv();
     const auto measured_at = [](int sample) {
         rsi::Measurement measured;
         measured.road_parallel_force_mps2 = 3.0F + 0.3F * static_cast<float>(sample);
         measured.road_normal_force_mps2 = static_cast<float>(gravity_mps2);
+        measured.lateral_acceleration_mps2 = measured.road_parallel_force_mps2;  // a level road
         measured.roll_angle_rad = 0.05F;
         measured.roll_rate_radps = 0.3F;
         measured.odd_sample = (sample % 2 != 0);
