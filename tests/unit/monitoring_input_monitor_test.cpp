@@ -342,4 +342,18 @@ TEST_F(AnInputMonitor, BlamesARollAngleThatLeansIntoATurnOfMoreThan2MetresPerSec
     }
 }
 
+// Whatever else is wrong then.
+TEST_F(AnInputMonitor, TakesTheRollRateBackOnceTheContradictionHasHealed) {
+    turn_at(3.0F);
+    roll(40, 0.004F, 0.0F);
+    ASSERT_TRUE(confirmed(roll_code));
+    ASSERT_TRUE(std::isnan(qualified.roll_rate_radps));
+    inputs.steering_wheel_angle_rad = nan;
+    roll(300, 0.0F, 0.0F);
+    EXPECT_FALSE(confirmed(roll_code));
+    EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+    EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
+    EXPECT_TRUE(confirmed(DiagnosticCode::steering_invalid));
+}
+
 }  // namespace
