@@ -27,12 +27,14 @@ __attribute__((no_sanitize("enum"))) inline bool outputs_are_sound(const rsi::Ou
     const auto side = static_cast<unsigned>(outputs.side);
     const auto source = static_cast<unsigned>(outputs.roll_source);
     return (state <= RSI_STATE_WARNING) && (side <= RSI_SIDE_RIGHT) && (source <= RSI_ROLL_OBSERVER) &&
-           rsi::all_finite(outputs.warning_level, outputs.rsi, outputs.rsi_bank_free, outputs.rsi_extended,
-                           outputs.lateral_acceleration_mps2, outputs.lateral_acceleration_threshold_mps2,
-                           outputs.roll_centre_lateral_m, outputs.load_transfer_ratio,
-                           outputs.predicted_load_transfer_ratio, outputs.predicted_rsi,
-                           outputs.dynamic_stability_index, outputs.energy_margin, outputs.rollover_index,
-                           outputs.time_to_rollover_s);
+           rsi::is_finite(outputs.warning_level) && rsi::is_finite(outputs.rsi) &&
+           rsi::is_finite(outputs.rsi_bank_free) && rsi::is_finite(outputs.rsi_extended) &&
+           rsi::is_finite(outputs.lateral_acceleration_mps2) &&
+           rsi::is_finite(outputs.lateral_acceleration_threshold_mps2) &&
+           rsi::is_finite(outputs.roll_centre_lateral_m) && rsi::is_finite(outputs.load_transfer_ratio) &&
+           rsi::is_finite(outputs.predicted_load_transfer_ratio) && rsi::is_finite(outputs.predicted_rsi) &&
+           rsi::is_finite(outputs.dynamic_stability_index) && rsi::is_finite(outputs.energy_margin) &&
+           rsi::is_finite(outputs.rollover_index) && rsi::is_finite(outputs.time_to_rollover_s);
 }
 
 // Takes back the statement on the risk.

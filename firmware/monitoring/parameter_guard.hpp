@@ -1,6 +1,7 @@
 // Parameter guard: a check word over the parameters in memory, computed anew a slice a cycle.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -48,11 +49,10 @@ class ParameterGuard {
 
     static void add(const rsi::Parameters& parameters, std::size_t begin, std::size_t end,
                     Sums& sums) noexcept {
-        const auto* const bytes = static_cast<const unsigned char*>(static_cast<const void*>(&parameters));
-        for (std::size_t place = begin; place < end; ++place) {
-            std::uint32_t word = 0U;
-            std::memcpy(&word, bytes + place * sizeof(word), sizeof(word));
-            sums.plain += word;
+        std::array<std::uint32_t, word_count> words{};
+        std::memcpy(words.data(), &parameters, sizeof(words));
+        for (std::size_t word = begin; word < end; ++word) {
+            sums.plain += words[word];
             sums.weighted += sums.plain;
         }
     }

@@ -34,17 +34,6 @@ TEST(Bounded, WithinAMagnitudeHoldsOnBothSides) {
     EXPECT_FALSE(rsi::is_within_magnitude(nan, 3.0F));
 }
 
-TEST(Bounded, AllAreFiniteWhenNoneIsNot) {
-    EXPECT_TRUE(rsi::all_finite(largest, -largest, 0.0F));
-    EXPECT_TRUE(rsi::all_finite(largest, largest, largest));
-    for (const float value : {nan, infinity, -infinity}) {
-        EXPECT_FALSE(rsi::all_finite(value, 0.0F, 1.0F));
-        EXPECT_FALSE(rsi::all_finite(0.0F, value, 1.0F));
-        EXPECT_FALSE(rsi::all_finite(0.0F, 1.0F, value));
-        EXPECT_FALSE(rsi::all_finite(value, -value, 0.0F));
-    }
-}
-
 TEST(Bounded, FiniteIsEveryNumberAndNothingElse) {
     for (const float value : {0.0F, -0.0F, largest, -largest, std::numeric_limits<float>::denorm_min()}) {
         EXPECT_TRUE(rsi::is_finite(value)) << value;

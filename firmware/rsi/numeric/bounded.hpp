@@ -31,12 +31,6 @@ constexpr bool is_finite(float value) {
     return (value - value) >= 0.0F;
 }
 
-// All of them: one comparison.
-template <typename... Floats>
-constexpr bool all_finite(Floats... values) {
-    return ((values - values) + ...) >= 0.0F;
-}
-
 // Bounds a finite value.
 constexpr float clamp(float value, float minimum, float maximum) {
     return (value < minimum) ? minimum : ((value > maximum) ? maximum : value);
