@@ -61,13 +61,15 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
 rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
-    const rsi::Inputs kept = witnesses(inputs, memory);
+    const rsi::Inputs kept = memory.all_rest() ? inputs : witnesses(inputs, memory);
     check_stuck(kept, memory);
     check_roll(kept, memory);
     check_vertical(kept, before, memory);
     check_turn(kept, memory);
     check_observer(inputs, before, memory);
-    take_out(qualified, memory);
+    if (!memory.all_rest()) {
+        take_out(qualified, memory);
+    }
     return qualified;
 }
 
@@ -135,7 +137,9 @@ void InputMonitor::check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memor
                                          DiagnosticCode::roll_rate_offset);
     memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts());
     memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset());
-    if (!before) {
+    const bool now = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
+                                      DiagnosticCode::roll_rate_offset);
+    if (now && !before) {
         roll_rate_is_wrong_ = !roll_angle_is_wrong(inputs);
     }
 }
