@@ -46,6 +46,7 @@ class FrameMonitor {
             follow(receiver_.no_frame());
         }
         heard_ = false;
+        usable_ = false;
         checksum_error_ = false;
         counter_error_ = false;
     }
@@ -55,6 +56,7 @@ class FrameMonitor {
     void take(const hal::CanFrame& frame) noexcept {
         const can_dbc::e2e::CheckResult check = receiver_.check(frame.data, frame.length);
         heard_ = true;
+        usable_ = usable_ || can_dbc::e2e::is_usable(check.status);
         count(check);
         follow(check);
         if (channel_.is_valid() && can_dbc::e2e::is_usable(check.status)) {
@@ -80,6 +82,11 @@ class FrameMonitor {
     bool counter_error() const noexcept { return counter_error_; }
     std::uint32_t frames_rejected() const noexcept { return frames_rejected_; }
     std::uint32_t frames_lost() const noexcept { return frames_lost_; }
+    // Whether one came in this cycle whose sequence was good too.
+    bool usable() const noexcept { return usable_; }
+    // How many the sender has made as far as its counter tells, modulo 2^32: what is lost counts too, but for
+    // whole rounds of the counter.
+    std::uint32_t frames_made() const noexcept { return frames_made_; }
 
  private:
     // What an invalid channel has said before is not used either, nor when it is valid again.
@@ -93,8 +100,12 @@ class FrameMonitor {
         checksum_error_ = checksum_error_ || (check.status == CheckStatus::error);
         counter_error_ = counter_error_ || (check.status == CheckStatus::repeated) ||
                          (check.status == CheckStatus::wrong_sequence);
-        if (!can_dbc::e2e::is_usable(check.status)) {
+        const bool usable = can_dbc::e2e::is_usable(check.status);
+        if (!usable) {
             hal::count_up(frames_rejected_);
+        }
+        if (usable || (check.status == CheckStatus::wrong_sequence)) {
+            frames_made_ += 1U + check.lost_frames;
         }
         hal::count_up(frames_lost_, check.lost_frames);
     }
@@ -112,6 +123,8 @@ class FrameMonitor {
     bool counter_error_{false};
     std::uint32_t frames_rejected_{0U};
     std::uint32_t frames_lost_{0U};
+    std::uint32_t frames_made_{0U};
+    bool usable_{false};
 };
 
 }  // namespace application

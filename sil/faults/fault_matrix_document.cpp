@@ -23,7 +23,10 @@ std::size_t reason_number(std::size_t entry) {
 }
 
 std::string reason_list() {
-    std::string text;
+    if (known_shortfalls().empty()) {
+        return "";
+    }
+    std::string text{" The others say after **NOT** what is missing, and with a number why:\n\n"};
     std::size_t listed = 0U;
     for (std::size_t entry = 0U; entry < known_shortfalls().size(); ++entry) {
         if (reason_number(entry) > listed) {
@@ -86,8 +89,7 @@ std::string fault_matrix_document(const FaultMatrix& matrix) {
         "Written by `sil/faults/run --document`; `tests/run faults` runs it again and fails when a figure "
         "differs. Each fault is injected into each scene, in\nprocess and in simulated time (the large SUV, "
         "sensors with noise), and the ECU's frames are compared with those of the same drive without it.\n\n"
-        "**{} of {} cells are as expected.** The others say after **NOT** what is missing, and with a number "
-        "why:\n\n{}\n"
+        "**{} of {} cells are as expected.**{}\n\n"
         "## Scenes\n{}\n"
         "## How to read a cell\n"
         "All times are in milliseconds, in steps of a cycle. A reaction counts from the cycle in which the "
