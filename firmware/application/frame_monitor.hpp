@@ -46,7 +46,6 @@ class FrameMonitor {
             follow(receiver_.no_frame());
         }
         heard_ = false;
-        usable_ = false;
         checksum_error_ = false;
         counter_error_ = false;
     }
@@ -56,12 +55,12 @@ class FrameMonitor {
     void take(const hal::CanFrame& frame) noexcept {
         const can_dbc::e2e::CheckResult check = receiver_.check(frame.data, frame.length);
         heard_ = true;
-        usable_ = usable_ || can_dbc::e2e::is_usable(check.status);
         count(check);
         follow(check);
         if (channel_.is_valid() && can_dbc::e2e::is_usable(check.status)) {
             latest_ = can_dbc::decode<Message>(frame.data);
             latest_time_ = frame.receive_time;
+            latest_counter_ = static_cast<std::uint8_t>(frame.data[1] & 0x0FU);
             received_ = true;
             withdrawn_ = false;
         }
@@ -76,17 +75,14 @@ class FrameMonitor {
 
     // The last usable values; only meaningful while is_fresh().
     const can_dbc::Decoded<Message>& latest() const noexcept { return latest_; }
+    // Their frame's counter, 0 to 14.
+    std::uint8_t latest_counter() const noexcept { return latest_counter_; }
 
     can_dbc::e2e::ChannelState channel_state() const noexcept { return channel_.state(); }
     bool checksum_error() const noexcept { return checksum_error_; }
     bool counter_error() const noexcept { return counter_error_; }
     std::uint32_t frames_rejected() const noexcept { return frames_rejected_; }
     std::uint32_t frames_lost() const noexcept { return frames_lost_; }
-    // Whether one came in this cycle whose sequence was good too.
-    bool usable() const noexcept { return usable_; }
-    // How many the sender has made as far as its counter tells, modulo 2^32: what is lost counts too, but for
-    // whole rounds of the counter.
-    std::uint32_t frames_made() const noexcept { return frames_made_; }
 
  private:
     // What an invalid channel has said before is not used either, nor when it is valid again.
@@ -100,12 +96,8 @@ class FrameMonitor {
         checksum_error_ = checksum_error_ || (check.status == CheckStatus::error);
         counter_error_ = counter_error_ || (check.status == CheckStatus::repeated) ||
                          (check.status == CheckStatus::wrong_sequence);
-        const bool usable = can_dbc::e2e::is_usable(check.status);
-        if (!usable) {
+        if (!can_dbc::e2e::is_usable(check.status)) {
             hal::count_up(frames_rejected_);
-        }
-        if (usable || (check.status == CheckStatus::wrong_sequence)) {
-            frames_made_ += 1U + check.lost_frames;
         }
         hal::count_up(frames_lost_, check.lost_frames);
     }
@@ -116,6 +108,7 @@ class FrameMonitor {
     can_dbc::e2e::StateMachine<channel_settings> channel_{};
     can_dbc::Decoded<Message> latest_{};
     hal::Time latest_time_{};
+    std::uint8_t latest_counter_{0U};
     bool received_{false};
     bool withdrawn_{false};  // the channel was not valid since the latest usable frame
     bool heard_{true};       // a frame came in this cycle, good or not; the first cycle has none before it
@@ -123,8 +116,6 @@ class FrameMonitor {
     bool counter_error_{false};
     std::uint32_t frames_rejected_{0U};
     std::uint32_t frames_lost_{0U};
-    std::uint32_t frames_made_{0U};
-    bool usable_{false};
 };
 
 }  // namespace application

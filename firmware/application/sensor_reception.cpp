@@ -35,7 +35,7 @@ void SensorReception::receive(hal::CanBus& bus) noexcept {
         }
         dispatch(frame);
     }
-    roll_angle_delay_.update(imu_.frames_made(), roll_angle_.frames_made(), roll_angle_.usable(),
+    roll_angle_delay_.update(imu_.latest_counter(), roll_angle_.latest_counter(),
                              roll_angle_.latest().value.roll_angle_deg * radians_per_degree,
                              imu_.latest().value.roll_rate_deg_per_s * radians_per_degree);
 }
