@@ -27,8 +27,8 @@ constexpr Expectation nothing{Demand::unaffected,   0,        of_frames.recovery
                               of_frames.healing_ms, wrong_ms, lead_loss_ms};
 
 // What can be seen at once, and is gone with the fault.
-constexpr Expectation at_once(Demand demand, bool lasting = true, Return back = of_frames) {
-    return {demand, at_once_ms, back.recovery_ms, back.healing_ms, wrong_ms, lead_loss_ms, lasting};
+constexpr Expectation at_once(Demand demand, int lapse_ms = 0, Return back = of_frames) {
+    return {demand, at_once_ms, back.recovery_ms, back.healing_ms, wrong_ms, lead_loss_ms, lapse_ms};
 }
 
 // What must follow when nothing usable comes from there.
@@ -74,19 +74,20 @@ Expectation contradiction(const Fault& fault, SceneKind scene) {
     const int limit_ms = stated.limits_ms[static_cast<std::size_t>(scene)];
     const Return back = return_from(fault.kind);
     if (limit_ms == hidden) {
-        return {Demand::right, 0, back.recovery_ms, back.healing_ms, stated.wrong_ms, lead_loss_ms};
+        return {Demand::right, 0,          back.recovery_ms, back.healing_ms, stated.wrong_ms,
+                lead_loss_ms,  any_time_ms};
     }
-    return {demand_of_loss(fault.place),
-            limit_ms,
-            back.recovery_ms,
-            back.healing_ms,
-            std::max(limit_ms, wrong_ms),
-            std::max(limit_ms, lead_loss_ms)};
+    Expectation expected{demand_of_loss(fault.place), limit_ms, back.recovery_ms, back.healing_ms};
+    expected.wrong_ms = std::max(limit_ms, wrong_ms);
+    expected.lead_loss_ms = std::max(limit_ms, lead_loss_ms);
+    expected.lapse_ms = stated.lapse_ms;
+    return expected;
 }
 
 // Of the other two frames only the silence at its beginning shows; then the statement comes late.
 Expectation delay(FaultPlace place) {
-    Expectation expected = at_once(demand_of_loss(place), place == FaultPlace::roll_angle_frame);
+    Expectation expected =
+        at_once(demand_of_loss(place), place == FaultPlace::roll_angle_frame ? 0 : any_time_ms);
     expected.wrong_ms = wrong_ms + at_once_ms;
     return expected;
 }
@@ -104,14 +105,14 @@ Expectation expectation_of(const Fault& fault, SceneKind scene) {
         case FaultKind::sign_flip:
             return contradiction(fault, scene);
         case FaultKind::saturated:
-            return at_once(demand_of_loss(fault.place), true, of_saturation);
+            return at_once(demand_of_loss(fault.place), 0, of_saturation);
         case FaultKind::not_available:
             if (fault.place == FaultPlace::bank_angle) {  // as in most vehicles, which have no such sensor
                 return nothing;
             }
-            return at_once(demand_of_loss(fault.place), true, of_values);
+            return at_once(demand_of_loss(fault.place), 0, of_values);
         case FaultKind::out_of_range:
-            return at_once(demand_of_loss(fault.place), true, of_values);
+            return at_once(demand_of_loss(fault.place), 0, of_values);
         case FaultKind::lost:
         case FaultKind::bad_crc:
         case FaultKind::counter_stands:
@@ -133,9 +134,9 @@ Expectation expectation_of(const Fault& fault, SceneKind scene) {
             return at_once(Demand::unavailable);
         case FaultKind::bus_off:
         case FaultKind::clock_jump:
-            return at_once(Demand::unavailable, false);
+            return at_once(Demand::unavailable, any_time_ms);
         case FaultKind::process_stop:
-            return at_once(fault.magnitude > 30.0 ? Demand::unavailable : Demand::usable, false);
+            return at_once(fault.magnitude > 30.0 ? Demand::unavailable : Demand::usable, any_time_ms);
     }
     return {};
 }

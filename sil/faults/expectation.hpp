@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sil/faults/contradiction.hpp"
 #include "sil/faults/fault.hpp"
 #include "sil/faults/scene.hpp"
 
@@ -28,8 +29,8 @@ struct Expectation {
     int healing_ms{0};   // at the latest after it is over: no code is left
     int wrong_ms{0};     // a state other than without the fault, without a code, lasts no longer
     int lead_loss_ms{
-        0};  // a warning that is due and that a state other than "unavailable" can tell, is no later
-    bool lasting{false};  // from the reaction to its end there is a code all the time
+        0};           // a warning that is due and that a state other than "unavailable" can tell, is no later
+    int lapse_ms{0};  // after the first code and while the fault is there, no longer without one
 };
 
 Expectation expectation_of(const Fault& fault, SceneKind scene);

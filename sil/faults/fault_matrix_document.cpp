@@ -51,16 +51,29 @@ std::string describe_expectation(const Fault& fault) {
     return fmt::format("{} {}; back {}", to_string(demand),
                        contradicts(fault) ? describe_limits(contradiction_of(fault))
                                           : fmt::format("{}{}", expected.reaction_ms,
-                                                        expected.lasting ? ", all the time" : ""),
+                                                        expected.lapse_ms == 0 ? ", all the time" : ""),
                        expected.recovery_ms);
+}
+
+bool shows_somewhere(const Contradiction& stated) {
+    return std::any_of(stated.limits_ms.begin(), stated.limits_ms.end(),
+                       [](int limit_ms) { return limit_ms != hidden; });
+}
+
+std::string describe_lapse(const Contradiction& stated) {
+    if (!shows_somewhere(stated)) {
+        return "";
+    }
+    return stated.lapse_ms == any_time_ms ? "any time" : fmt::format("{}", stated.lapse_ms);
 }
 
 std::string contradiction_table() {
     std::string text =
-        "| fault | of | limit, ms | what it is made of, or why nothing shows |\n|---|---|---|---|\n";
+        "| fault | of | limit, ms | no code again, ms | what the limit is made of, or why nothing shows "
+        "|\n|---|---|---|---|---|\n";
     for (const Contradiction& stated : contradictions()) {
-        text += fmt::format("| {} | {} | {} | {}{} |\n", to_string(stated.kind), to_string(stated.place),
-                            describe_limits(stated), stated.why,
+        text += fmt::format("| {} | {} | {} | {} | {}{} |\n", to_string(stated.kind), to_string(stated.place),
+                            describe_limits(stated), describe_lapse(stated), stated.why,
                             stated.wrong_ms == Contradiction{}.wrong_ms
                                 ? ""
                                 : fmt::format("; wrong for {} ms at most", stated.wrong_ms));

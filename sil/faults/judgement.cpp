@@ -156,7 +156,7 @@ std::vector<std::string> shortfalls(const Expectation& expected, const Reaction&
         demand(!reaction.code && !reaction.unavailable, "a reaction");
     } else if (expected.demand != Demand::right && reaction.visible) {
         demand(reported, "no code in time");
-        demand(!expected.lasting || reaction.lapse == 0,
+        demand(reaction.lapse <= expected.lapse_ms,
                fmt::format("no code for {} ms while the fault is there", reaction.lapse));
     }
     demand(reaction.wrong <= expected.wrong_ms,
