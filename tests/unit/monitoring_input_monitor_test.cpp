@@ -356,4 +356,41 @@ TEST_F(AnInputMonitor, TakesTheRollRateBackOnceTheContradictionHasHealed) {
     EXPECT_TRUE(confirmed(DiagnosticCode::steering_invalid));
 }
 
+// While the yaw rate alone is ahead, as in a weave near the limit, an accelerometer that was blamed is shown
+// to be neither good nor bad: its second is interrupted and goes on. A roll angle that contradicts it as well
+// by more than half of what would blame it lets the second begin anew.
+TEST_F(AnInputMonitor, LetsAnAccelerometersSecondWaitWhileTheYawRateAloneIsAhead) {
+    const rsi::Parameters suv = rsi_test_large_suv();
+    const float roll_per_force = suv.sprung_mass_kg *
+                                 (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+                                 suv.roll_stiffness_nmprad;
+    const auto cycles_to_heal = [this, &suv, roll_per_force](float roll_contradicts_by_mps2,
+                                                             int ahead_cycles) {
+        monitor.start(suv);
+        memory = {};
+        turn_at(4.0F);
+        inputs.roll_angle_rad = roll_per_force * 4.0F;
+        run(100);
+        inputs.lateral_specific_force_mps2 = 9.0F;
+        run(50);
+        EXPECT_TRUE(confirmed(lateral_code));
+        inputs.lateral_specific_force_mps2 = 4.0F;
+        inputs.roll_angle_rad = roll_per_force * (4.0F - roll_contradicts_by_mps2);
+        run(100);
+        EXPECT_TRUE(confirmed(lateral_code));
+        inputs.yaw_rate_radps = 7.0F / inputs.speed_mps;
+        run(ahead_cycles);
+        turn_at(4.0F);
+        int cycles = 100 + ahead_cycles;
+        for (; confirmed(lateral_code) && cycles < 1000; ++cycles) {
+            run(1);
+        }
+        return cycles;
+    };
+    for (const float sign : {1.0F, -1.0F}) {
+        EXPECT_EQ(cycles_to_heal(sign * 1.3F, 30), cycles_to_heal(sign * 1.3F, 0) + 30);
+        EXPECT_EQ(cycles_to_heal(sign * 1.75F, 30), 100 + 30 + 100);
+    }
+}
+
 }  // namespace
