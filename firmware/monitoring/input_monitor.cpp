@@ -181,8 +181,10 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     force_vote_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps,
                        inputs.roll_angle_rad, turn_consistency_.spins());
     const bool alone = turn_signs_.lateral_acceleration_is_alone() || force_vote_.accelerometer_is_alone();
-    if (memory.confirmed(lateral) || alone) {
-        memory.report(lateral, alone || !turn_consistency_.agrees());
+    // While the yaw rate alone contradicts, as in a weave near the limit, neither good nor bad is shown.
+    const bool good = turn_consistency_.agrees() && !alone;
+    if (alone || (memory.confirmed(lateral) && (good || !force_vote_.roll_angle_agrees()))) {
+        memory.report(lateral, !good);
     }
 }
 
