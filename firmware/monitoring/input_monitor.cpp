@@ -89,7 +89,7 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
     }
     if (fresh.roll_angle) {
         const float turned =
-            rsi::is_finite(inputs.roll_rate_radps) ? rsi::sample_time_s * inputs.roll_rate_radps : 0.0F;
+            rsi::is_finite(qualified.roll_rate_radps) ? rsi::sample_time_s * qualified.roll_rate_radps : 0.0F;
         qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, turned);
         // Most vehicles have no bank sensor.
         memory.report(DiagnosticCode::bank_angle_invalid,

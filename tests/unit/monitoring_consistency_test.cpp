@@ -383,6 +383,21 @@ TEST_F(AForceVote, IsNotAgainstTheAccelerometerWhenAnotherIsAlone) {
     EXPECT_FALSE(alone_after(300, 0.0F, 4.0F, -4.0F));  // all differ
 }
 
+// The roll angle stands by the accelerometer, whatever the yaw rate says; who does not know says no.
+TEST_F(AForceVote, HasTheRollAngleAgreeWithin1500MillimetresPerSecondSquared) {
+    EXPECT_FALSE(vote.roll_angle_agrees());
+    for (const float sign : {1.0F, -1.0F}) {
+        alone_after(300, sign * 5.45F, sign * 1.0F, sign * 4.0F);
+        EXPECT_TRUE(vote.roll_angle_agrees());
+        alone_after(300, sign * 5.55F, sign * 1.0F, sign * 4.0F);
+        EXPECT_FALSE(vote.roll_angle_agrees());
+        alone_after(300, sign * 4.0F, sign * 1.0F, sign * 4.0F);
+        EXPECT_TRUE(vote.roll_angle_agrees());
+        vote.update(nan, 1.0F, roll_angle_rad(4.0F), false);
+        EXPECT_FALSE(vote.roll_angle_agrees());
+    }
+}
+
 TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
     struct Gap {
         float lateral;
