@@ -1,0 +1,12 @@
+// A second CRC-32, which shares nothing with the firmware's.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace fuzz {
+
+// As the polynomial division that it is: bits in the order of transmission, generator 0x104C11DB7.
+std::uint32_t crc32_by_division(const std::uint8_t* bytes, std::size_t length);
+
+}  // namespace fuzz
