@@ -27,7 +27,8 @@ using fuzz::require;
 using testing_application::protect;
 
 constexpr int most_cycles = 64;
-// Of a recovery: holds of at most 1 s, faults that heal after 1 s, a filter with a lag of 4 s; then for so long.
+// Of a recovery: holds of at most 1 s, faults that heal after 1 s, a filter with a lag of 4 s; then for so
+// long.
 constexpr int longest_recovery = 3000;
 constexpr int lasting = 100;
 constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
@@ -184,7 +185,8 @@ class World {
             payloads_[0][at] = static_cast<std::uint8_t>(payloads_[0][at] ^ 1U);
             payloads_[2][at] = static_cast<std::uint8_t>(payloads_[2][at] ^ 1U);
         }
-        payloads_[1][3] = static_cast<std::uint8_t>(payloads_[1][3] ^ 1U);  // the other order of bytes; no bank
+        payloads_[1][3] =
+            static_cast<std::uint8_t>(payloads_[1][3] ^ 1U);  // the other order of bytes; no bank
     }
 
     void hold(unsigned count) {
@@ -394,7 +396,7 @@ class World {
     bool accepted_{false};
     int cycles_{0};
     std::uint64_t missed_cycles_{0U};
-    std::vector<hal::CanFrame> frames_{};  // of the last cycle, in the order of sending
+    std::vector<hal::CanFrame> frames_{};          // of the last cycle, in the order of sending
     std::array<unsigned, 0x236> sent_counters_{};  // by identifier
     bool counters_known_{false};
     RolloverWarning::State state_{};

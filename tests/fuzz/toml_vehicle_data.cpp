@@ -27,8 +27,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
     } catch (const sil::VehicleDataError& error) {
         // Which file, or, where a value came from elsewhere, which key.
-        fuzz::require(std::string_view{error.what()}.substr(0U, fuzz::toml_path().size()) == fuzz::toml_path(),
-                      "an error names the file");
+        fuzz::require(
+            std::string_view{error.what()}.substr(0U, fuzz::toml_path().size()) == fuzz::toml_path(),
+            "an error names the file");
     }
     return 0;
 }

@@ -1,5 +1,6 @@
-// The observer's gains are a pure function of the calibration whose 2,000 iterations took half of an execution: for arguments that
-// came before, what they gave then is given again. The linker puts this in place of the function in the calls of others.
+// The observer's gains are a pure function of the calibration whose 2,000 iterations took half of an
+// execution: for arguments that came before, what they gave then is given again. The linker puts this in
+// place of the function in the calls of others.
 #include <array>
 #include <cstring>
 #include <functional>
