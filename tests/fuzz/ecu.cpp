@@ -18,6 +18,9 @@
 #include "tests/fuzz/support/require.hpp"
 #include "tests/support/large_suv.h"
 
+// Of firmware/calibrations/generated/large_suv.c.
+extern "C" const unsigned char rsi_parameter_section[];
+
 namespace {
 
 using can_dbc::RolloverStatus;
@@ -67,6 +70,18 @@ bool is_good_imu(const hal::CanFrame& frame) {
            std::abs(int{little_endian_at(frame, 6U)}) <= 30000;
 }
 
+using Section = std::array<std::uint8_t, application::section::length>;
+
+// A good one, of which some bytes have changed.
+Section any_section(ByteReader& bytes) {
+    Section section{};
+    std::copy_n(&rsi_parameter_section[0], section.size(), section.begin());
+    for (unsigned changes = bytes.below(4U); changes > 0U; --changes) {
+        section[bytes.take<std::uint16_t>() % section.size()] = bytes.take<std::uint8_t>();
+    }
+    return section;
+}
+
 rsi::Parameters any_parameters(ByteReader& bytes) {
     rsi::Parameters parameters = rsi_test_large_suv();
     parameters.estimator = static_cast<std::int32_t>(bytes.below(2U));
@@ -95,8 +110,7 @@ class World {
     void start() {
         switch (bytes_.below(4U)) {
             case 0U: {
-                std::array<std::uint8_t, application::section::length> section{};
-                bytes_.take_into(section.data(), section.size());
+                const Section section = any_section(bytes_);
                 accepted_ =
                     ecu_.init(section.data(), section.size()).refusal == application::ParametersRefusal::none;
                 break;
