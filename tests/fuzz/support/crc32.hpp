@@ -6,7 +6,8 @@
 
 namespace fuzz {
 
-// As the polynomial division that it is: bits in the order of transmission, generator 0x104C11DB7.
+// As the polynomial division that it is, most significant bit first: generator 0x104C11DB7, a table of what a
+// byte leaves.
 std::uint32_t crc32_by_division(const std::uint8_t* bytes, std::size_t length);
 
 }  // namespace fuzz
