@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hal/interface/bus_off_schedule.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/clock.hpp"
 #include "hal/interface/saturating_count.hpp"
@@ -27,12 +28,6 @@ struct CanSettings {
 
 // Accesses to a register for which the controller is given to follow a request.
 inline constexpr std::uint32_t most_can_polls{1000U};
-
-// The controller is taken off the bus for this long after a bus-off, twice as long after each further one
-// without a frame received in between, up to the longest. ISO 11898-1 demands 128 times 11 recessive bits,
-// which is 11 ms at 125 kbit/s.
-inline constexpr Time shortest_bus_off = Time::from_milliseconds(100);
-inline constexpr Time longest_bus_off = Time::from_milliseconds(1600);
 
 // A controller that does not respond disturbs nobody on the bus, so waiting longer each time would help
 // nobody: it is tried again at an even pace. A try costs at most two waits of most_can_polls, some 0.2 ms.
@@ -63,7 +58,7 @@ class CanController final : public CanBus {
     bool open(const CanSettings& settings = {}) noexcept {
         settings_ = settings;
         statistics_ = BusStatistics{};
-        off_interval_ = shortest_bus_off;
+        bus_off_schedule_.reset();
         opened_ = are_possible(settings);
         if (!opened_) {
             return false;
@@ -85,7 +80,7 @@ class CanController final : public CanBus {
                 received.receive_time = clock_.now();
                 frame = received;
                 count_up(statistics_.frames_received);
-                off_interval_ = shortest_bus_off;
+                bus_off_schedule_.reset();
                 return ReceiveResult::frame;
             }
         }
@@ -298,9 +293,7 @@ class CanController final : public CanBus {
         follow_transmission(events);
         if ((events & can::event_bits::bus_off) != 0U) {
             registers_.write(can::software_reset, 0U);  // off the bus, until it is restarted
-            stay_off(Standing::bus_off, off_interval_);
-            const Time twice = off_interval_ + off_interval_;
-            off_interval_ = twice < longest_bus_off ? twice : longest_bus_off;
+            stay_off(Standing::bus_off, bus_off_schedule_.next());
         }
         return events;
     }
@@ -326,7 +319,7 @@ class CanController final : public CanBus {
         0U};  // frames of which the last may still be in the controller's FIFO; the first since:
     Time pending_since_{};
     Time on_again_{};
-    Time off_interval_{shortest_bus_off};
+    BusOffSchedule bus_off_schedule_;
 };
 
 }  // namespace hal::zynqmp_r5

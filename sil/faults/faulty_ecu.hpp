@@ -2,11 +2,12 @@
 // and a processor that may stop.
 #pragma once
 
-#include <stdexcept>
-#include <string>
+#include <cstddef>
+#include <cstdint>
 
 #include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
+#include "sil/calibration/require_accepted.hpp"
 #include "sil/faults/fault.hpp"
 #include "sil/simulation/pace.hpp"
 
@@ -16,10 +17,7 @@ class FaultyEcu {
  public:
     // Throws std::invalid_argument with the field's name when the parameters are refused.
     explicit FaultyEcu(const rsi::Parameters& parameters) : ecu_{bus_.endpoint(0U), clock_, watchdog_} {
-        const rsi::Validation answer = ecu_.init(parameters);
-        if (answer.accepted == 0) {
-            throw std::invalid_argument(std::string{answer.field} + " " + answer.reason);
-        }
+        require_accepted(ecu_.init(parameters));
     }
 
     // The fault of the cycles that begin_cycle() calls active; to be called while none is.

@@ -1,12 +1,10 @@
 // In-process ECU: the firmware in the same process on a memory bus, stepped in simulated time.
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
 #include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "sil/calibration/require_accepted.hpp"
 
 namespace sil {
 
@@ -15,10 +13,7 @@ class InProcessEcu {
  public:
     // Throws std::invalid_argument with the field's name when the parameters are refused.
     explicit InProcessEcu(const rsi::Parameters& parameters) : ecu_{bus_.endpoint(0U), clock_, watchdog_} {
-        const rsi::Validation answer = ecu_.init(parameters);
-        if (answer.accepted == 0) {
-            throw std::invalid_argument(std::string{answer.field} + " " + answer.reason);
-        }
+        require_accepted(ecu_.init(parameters));
     }
 
     hal::CanBus& world_bus() { return bus_.endpoint(1U); }

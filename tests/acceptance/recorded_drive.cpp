@@ -1,10 +1,10 @@
 #include "tests/acceptance/recorded_drive.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "rsi/component.hpp"
 #include "sil/calibration/calibration_file.hpp"
+#include "sil/calibration/require_accepted.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
 #include "sil/manoeuvres/manoeuvre_run.hpp"
 #include "sil/sensors/sensor_suite.hpp"
@@ -63,10 +63,7 @@ std::vector<Cycle> evaluate(const RecordedDrive& drive, const SensorQuality& qua
                             const rsi::Parameters& parameters) {
     sil::SensorSuite sensors{sensors_of(drive, quality)};
     rsi::Component component;
-    const rsi::Validation answer = component.init(parameters);
-    if (answer.accepted == 0) {
-        throw std::invalid_argument(std::string{answer.field} + " " + answer.reason);
-    }
+    sil::require_accepted(component.init(parameters));
     std::vector<Cycle> cycles;
     for (std::size_t step = 0; step < drive.truths.size(); ++step) {
         const sil::Truth& truth = drive.truths[step];
