@@ -60,6 +60,7 @@ class FrameMonitor {
         if (channel_.is_valid() && can_dbc::e2e::is_usable(check.status)) {
             latest_ = can_dbc::decode<Message>(frame.data);
             latest_time_ = frame.receive_time;
+            latest_counter_ = static_cast<std::uint8_t>(frame.data[1] & 0x0FU);
             received_ = true;
             withdrawn_ = false;
         }
@@ -74,6 +75,8 @@ class FrameMonitor {
 
     // The last usable values; only meaningful while is_fresh().
     const can_dbc::Decoded<Message>& latest() const noexcept { return latest_; }
+    // Their frame's counter, 0 to 14.
+    std::uint8_t latest_counter() const noexcept { return latest_counter_; }
 
     can_dbc::e2e::ChannelState channel_state() const noexcept { return channel_.state(); }
     bool checksum_error() const noexcept { return checksum_error_; }
@@ -105,6 +108,7 @@ class FrameMonitor {
     can_dbc::e2e::StateMachine<channel_settings> channel_{};
     can_dbc::Decoded<Message> latest_{};
     hal::Time latest_time_{};
+    std::uint8_t latest_counter_{0U};
     bool received_{false};
     bool withdrawn_{false};  // the channel was not valid since the latest usable frame
     bool heard_{true};       // a frame came in this cycle, good or not; the first cycle has none before it

@@ -11,9 +11,9 @@ constexpr float radians_per_degree = 0.017453293F;
 constexpr float mps_per_kmh = 1.0F / 3.6F;
 
 template <typename Message>
-FrameFaults faults(const FrameMonitor<Message>& monitor, hal::Time now, bool signals_valid) {
-    return FrameFaults{monitor.received(), !monitor.is_fresh(now), monitor.checksum_error(),
-                       monitor.counter_error(), monitor.is_fresh(now) && !signals_valid};
+FrameFaults faults(const FrameMonitor<Message>& monitor, bool fresh, bool signals_valid) {
+    return FrameFaults{monitor.received(), !fresh, monitor.checksum_error(), monitor.counter_error(),
+                       fresh && !signals_valid};
 }
 
 template <typename Message>
@@ -35,6 +35,9 @@ void SensorReception::receive(hal::CanBus& bus) noexcept {
         }
         dispatch(frame);
     }
+    roll_angle_delay_.update(imu_.latest_counter(), roll_angle_.latest_counter(),
+                             roll_angle_.latest().value.roll_angle_deg * radians_per_degree,
+                             imu_.latest().value.roll_rate_deg_per_s * radians_per_degree);
 }
 
 void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
@@ -60,7 +63,7 @@ void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
 rsi::Inputs SensorReception::inputs(hal::Time now) const noexcept {
     const can_dbc::Imu imu = imu_.is_fresh(now) ? imu_.latest().value : can_dbc::Imu{};
     const can_dbc::RollAngle roll =
-        roll_angle_.is_fresh(now) ? roll_angle_.latest().value : can_dbc::RollAngle{};
+        is_roll_angle_fresh(now) ? roll_angle_.latest().value : can_dbc::RollAngle{};
     const can_dbc::VehicleMotion motion =
         vehicle_motion_.is_fresh(now) ? vehicle_motion_.latest().value : can_dbc::VehicleMotion{};
 
@@ -83,9 +86,10 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
         (roll.roll_angle_deg == SignalStatus::valid) && (roll.bank_angle_deg != SignalStatus::out_of_range);
 
     ReceptionReport report{};
-    report.imu = faults(imu_, now, imu_.latest().status.all_valid());
-    report.roll_angle = faults(roll_angle_, now, roll_valid);
-    report.vehicle_motion = faults(vehicle_motion_, now, vehicle_motion_.latest().status.all_valid());
+    report.imu = faults(imu_, imu_.is_fresh(now), imu_.latest().status.all_valid());
+    report.roll_angle = faults(roll_angle_, is_roll_angle_fresh(now), roll_valid);
+    report.vehicle_motion =
+        faults(vehicle_motion_, vehicle_motion_.is_fresh(now), vehicle_motion_.latest().status.all_valid());
     add_counts(imu_, report);
     add_counts(roll_angle_, report);
     add_counts(vehicle_motion_, report);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "application/frame_monitor.hpp"
+#include "application/roll_angle_delay.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
@@ -43,10 +44,14 @@ class SensorReception {
 
  private:
     void dispatch(const hal::CanFrame& frame) noexcept;
+    bool is_roll_angle_fresh(hal::Time now) const noexcept {
+        return roll_angle_.is_fresh(now) && !roll_angle_delay_.is_late();
+    }
 
     FrameMonitor<can_dbc::Imu> imu_{};
     FrameMonitor<can_dbc::RollAngle> roll_angle_{};
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
+    RollAngleDelay roll_angle_delay_{};
 };
 
 }  // namespace application

@@ -37,6 +37,10 @@ class DiagnosticEvent {
         return true;
     }
 
+    // A good cycle changes nothing.
+    constexpr bool rests() const noexcept {
+        return (status_ == EventStatus::none) || (status_ == EventStatus::healed);
+    }
     constexpr EventStatus status() const noexcept { return status_; }
     constexpr bool confirmed() const noexcept { return status_ == EventStatus::confirmed; }
     // How often it was confirmed; stays at 31, the largest that the bus can carry.

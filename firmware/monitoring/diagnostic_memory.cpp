@@ -2,13 +2,16 @@
 
 namespace monitoring {
 
-void DiagnosticMemory::report(DiagnosticCode code, bool failed) noexcept {
+void DiagnosticMemory::update(DiagnosticCode code, bool failed) noexcept {
+    empty_ = false;
     Entry& entry = entries_[index_of(code)];
+    active_ -= entry.event.rests() ? 0U : 1U;
     const bool first = (entry.event.occurrences() == 0U);
     if (entry.event.update(failed, debounce_of(code))) {
         entry.news = true;
         entry.first = first ? snapshot_ : entry.first;
     }
+    active_ += entry.event.rests() ? 0U : 1U;
 }
 
 DiagnosticRecord DiagnosticMemory::next() noexcept {
@@ -21,6 +24,9 @@ DiagnosticRecord DiagnosticMemory::next() noexcept {
 
 // 0, the empty entry of `none`, when no other has anything to tell.
 std::size_t DiagnosticMemory::next_to_tell() noexcept {
+    if (empty_) {
+        return 0U;
+    }
     std::size_t index = told_;
     std::size_t found = 0U;
     for (std::size_t step = 0U; step < diagnostic_code_count; ++step) {

@@ -33,8 +33,15 @@ class DiagnosticMemory {
     void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
 
     // One cycle in which the code's condition could be judged; a code that is not reported stays as it is.
-    void report(DiagnosticCode code, bool failed) noexcept;
+    // In nearly all cycles nearly all codes are good and rest: that is what has to be cheap.
+    void report(DiagnosticCode code, bool failed) noexcept {
+        if (failed || !entries_[index_of(code)].event.rests()) {
+            update(code, failed);
+        }
+    }
 
+    // No code fails or waits to heal: another good cycle of any code would change nothing.
+    bool all_rest() const noexcept { return active_ == 0U; }
     EventStatus status(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.status(); }
     bool confirmed(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.confirmed(); }
 
@@ -49,6 +56,7 @@ class DiagnosticMemory {
         bool news{false};  // confirmed, and not yet told
     };
 
+    void update(DiagnosticCode code, bool failed) noexcept;
     std::size_t next_to_tell() noexcept;
 
     static constexpr std::size_t index_of(DiagnosticCode code) noexcept {
@@ -58,6 +66,8 @@ class DiagnosticMemory {
     std::array<Entry, diagnostic_code_count> entries_{};  // that of `none` stays empty
     Snapshot snapshot_{};
     std::size_t told_{0U};
+    std::uint32_t active_{0U};  // codes that do not rest
+    bool empty_{true};          // no code has ever been seen
 };
 
 }  // namespace monitoring

@@ -36,6 +36,10 @@ class ForceVote {
         return known_ && (against_yaw_mps2_ * against_roll_mps2_ > 0.0F) && (least > 3.0F) &&
                (rsi::absolute(others_mps2_) < 0.5F * least);
     }
+    // Half of what would make it lie: the yaw rate alone may be ahead in a weave.
+    bool roll_angle_agrees() const noexcept {
+        return known_ && rsi::is_within_magnitude(against_roll_mps2_, 1.5F);
+    }
 
  private:
     void follow(float value, float& mean) const noexcept {

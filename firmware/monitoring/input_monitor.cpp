@@ -61,13 +61,15 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
 rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
-    const rsi::Inputs kept = witnesses(inputs, memory);
+    const rsi::Inputs kept = memory.all_rest() ? inputs : witnesses(inputs, memory);
     check_stuck(kept, memory);
     check_roll(kept, memory);
     check_vertical(kept, before, memory);
     check_turn(kept, memory);
     check_observer(inputs, before, memory);
-    take_out(qualified, memory);
+    if (!memory.all_rest()) {
+        take_out(qualified, memory);
+    }
     return qualified;
 }
 
@@ -87,7 +89,7 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
     }
     if (fresh.roll_angle) {
         const float turned =
-            rsi::is_finite(inputs.roll_rate_radps) ? rsi::sample_time_s * inputs.roll_rate_radps : 0.0F;
+            rsi::is_finite(qualified.roll_rate_radps) ? rsi::sample_time_s * qualified.roll_rate_radps : 0.0F;
         qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, turned);
         // Most vehicles have no bank sensor.
         memory.report(DiagnosticCode::bank_angle_invalid,
@@ -135,7 +137,9 @@ void InputMonitor::check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memor
                                          DiagnosticCode::roll_rate_offset);
     memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts());
     memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset());
-    if (!before) {
+    const bool now = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
+                                      DiagnosticCode::roll_rate_offset);
+    if (now && !before) {
         roll_rate_is_wrong_ = !roll_angle_is_wrong(inputs);
     }
 }
@@ -177,8 +181,10 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     force_vote_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps,
                        inputs.roll_angle_rad, turn_consistency_.spins());
     const bool alone = turn_signs_.lateral_acceleration_is_alone() || force_vote_.accelerometer_is_alone();
-    if (memory.confirmed(lateral) || alone) {
-        memory.report(lateral, alone || !turn_consistency_.agrees());
+    // While the yaw rate alone contradicts, as in a weave near the limit, neither good nor bad is shown.
+    const bool good = turn_consistency_.agrees() && !alone;
+    if (alone || (memory.confirmed(lateral) && (good || !force_vote_.roll_angle_agrees()))) {
+        memory.report(lateral, !good);
     }
 }
 

@@ -4,12 +4,18 @@ namespace monitoring {
 
 float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected_change) noexcept {
     const bool valid = rsi::is_within(value, limits_.minimum, limits_.maximum);
-    memory.report(limits_.invalid, !valid);
     if (!rsi::is_finite(value)) {
+        memory.report(limits_.invalid, true);
         forget();
         return rsi::not_available;
     }
     const bool unsteady = (known_ && has_jumped(value, expected_change)) || is_shaken(value);
+    if (valid && !unsteady && memory.all_rest()) {
+        good_ = value;
+        known_ = true;
+        return value;
+    }
+    memory.report(limits_.invalid, !valid);
     if (valid) {
         memory.report(limits_.jumps, unsteady);
     }

@@ -1,30 +1,34 @@
 // The table of expectations: first the kind of fault, then the place.
 #include "sil/faults/expectation.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "sil/faults/contradiction.hpp"
 
 namespace sil {
 namespace {
 
 constexpr int at_once_ms = 50;  // the frame itself shows that something is wrong
-// What only a comparison over some time shows.
-constexpr int roll_debounce_ms = 350;
-constexpr int debounce_ms = 500;
-constexpr int vertical_offset_debounce_ms = 700;
-constexpr int roll_rate_offset_debounce_ms = 1000;
-constexpr int yaw_sign_debounce_ms = 1300;
-
-// From the end of the fault to the right statement, and to the last code's healing.
-constexpr int recovery_of_frames_ms = 250;
-constexpr int recovery_of_values_ms = 3000;
-constexpr int healing_ms = 1500;
+constexpr int wrong_ms = 100;
+constexpr int lead_loss_ms = 100;
 constexpr int warning_hold_ms = 2000;  // warning_hold_s of the calibration
 
-constexpr Expectation nothing{Demand::unaffected, 0, at_once_ms, healing_ms};
+// From the end of the fault to the right statement, and to the last code's healing.
+struct Return {
+    int recovery_ms;
+    int healing_ms;
+};
+constexpr Return of_frames{150, 1100};       // channel, recovery_s; 100 cycles
+constexpr Return of_values{150, 50};         // 5 cycles, recovery_s
+constexpr Return of_saturation{1000, 1050};  // the jump back, the observer's second
+
+constexpr Expectation nothing{Demand::unaffected,   0,        of_frames.recovery_ms,
+                              of_frames.healing_ms, wrong_ms, lead_loss_ms};
 
 // What can be seen at once, and is gone with the fault.
-constexpr Expectation at_once(Demand demand) {
-    return {demand, at_once_ms, recovery_of_frames_ms, healing_ms};
+constexpr Expectation at_once(Demand demand, int lapse_ms = 0, Return back = of_frames) {
+    return {demand, at_once_ms, back.recovery_ms, back.healing_ms, wrong_ms, lead_loss_ms, lapse_ms};
 }
 
 // What must follow when nothing usable comes from there.
@@ -47,50 +51,50 @@ Demand demand_of_loss(FaultPlace place) {
     }
 }
 
-// Nothing else in the vehicle says what these say, and the warning hardly needs them.
-bool is_optional(FaultPlace place) {
-    return place == FaultPlace::bank_angle || place == FaultPlace::steering_wheel_angle;
-}
-
-// The stated debounces (docs/safety/degradation.md).
-int debounce_of(const Fault& fault) {
-    if (fault.place == FaultPlace::vertical_acceleration && fault.kind != FaultKind::noise) {
-        return vertical_offset_debounce_ms;
-    }
-    if (fault.place == FaultPlace::roll_rate && fault.kind != FaultKind::noise) {
-        return roll_rate_offset_debounce_ms;
-    }
-    if (fault.place == FaultPlace::yaw_rate && fault.kind == FaultKind::sign_flip) {
-        return yaw_sign_debounce_ms;
-    }
-    return fault.place == FaultPlace::roll_angle ? roll_debounce_ms : debounce_ms;
-}
-
-// What shows whatever the vehicle does. The others show only where something moves, or are for a while too
-// small to be told from the road: then nothing need be said as long as the warning does not suffer.
-bool always_shows(const Fault& fault) {
-    switch (fault.kind) {
+// After a value that contradicted others: what had to be good without a break, and filters that have to
+// settle.
+Return return_from(FaultKind kind) {
+    switch (kind) {
+        case FaultKind::frozen:
+            return {300, 250};
         case FaultKind::noise:
-            return true;
+            return {1000, 1050};
         case FaultKind::offset:
-            return fault.place == FaultPlace::vertical_acceleration || fault.place == FaultPlace::roll_rate ||
-                   fault.place == FaultPlace::roll_angle || fault.place == FaultPlace::speed;
-        case FaultKind::sign_flip:
-            return fault.place == FaultPlace::vertical_acceleration;
+        case FaultKind::drift:
+            return {1300, 1200};
         default:
-            return false;
+            return {1550, 1650};
     }
 }
 
-Expectation contradiction(const Fault& fault) {
-    const Demand demand = always_shows(fault) ? Demand::reported : Demand::kept_or_reported;
-    return {is_optional(fault.place) ? Demand::right_or_reported : demand, debounce_of(fault),
-            recovery_of_values_ms, recovery_of_values_ms};
+// Where it shows, what is lost is taken out; the warning suffers no longer than the debounce takes. Where it
+// does not, nothing may come of it.
+Expectation contradiction(const Fault& fault, SceneKind scene) {
+    const Contradiction& stated = contradiction_of(fault);
+    const int limit_ms = stated.limits_ms[static_cast<std::size_t>(scene)];
+    const Return back = return_from(fault.kind);
+    if (limit_ms == hidden) {
+        return {Demand::right, 0,          back.recovery_ms, back.healing_ms, stated.wrong_ms,
+                lead_loss_ms,  any_time_ms};
+    }
+    Expectation expected{demand_of_loss(fault.place), limit_ms, back.recovery_ms, back.healing_ms};
+    expected.wrong_ms = std::max(limit_ms, wrong_ms);
+    expected.lead_loss_ms = std::max(limit_ms, lead_loss_ms);
+    expected.lapse_ms = stated.lapse_ms;
+    return expected;
+}
+
+// Of the other two frames only the silence at its beginning shows; then the statement comes late.
+Expectation delay(FaultPlace place) {
+    Expectation expected =
+        at_once(demand_of_loss(place), place == FaultPlace::roll_angle_frame ? 0 : any_time_ms);
+    expected.wrong_ms = wrong_ms + at_once_ms;
+    return expected;
 }
 
 }  // namespace
 
-Expectation expectation_of(const Fault& fault) {
+Expectation expectation_of(const Fault& fault, SceneKind scene) {
     switch (fault.kind) {
         case FaultKind::none:
             return {};
@@ -99,15 +103,16 @@ Expectation expectation_of(const Fault& fault) {
         case FaultKind::drift:
         case FaultKind::noise:
         case FaultKind::sign_flip:
-            return contradiction(fault);
+            return contradiction(fault, scene);
         case FaultKind::saturated:
-            return {demand_of_loss(fault.place), at_once_ms, recovery_of_values_ms, recovery_of_values_ms};
+            return at_once(demand_of_loss(fault.place), 0, of_saturation);
         case FaultKind::not_available:
             if (fault.place == FaultPlace::bank_angle) {  // as in most vehicles, which have no such sensor
                 return nothing;
             }
-            return at_once(demand_of_loss(fault.place));
+            return at_once(demand_of_loss(fault.place), 0, of_values);
         case FaultKind::out_of_range:
+            return at_once(demand_of_loss(fault.place), 0, of_values);
         case FaultKind::lost:
         case FaultKind::bad_crc:
         case FaultKind::counter_stands:
@@ -115,7 +120,7 @@ Expectation expectation_of(const Fault& fault) {
         case FaultKind::wrong_length:
             return at_once(demand_of_loss(fault.place));
         case FaultKind::delayed:
-            return fault.magnitude > 30.0 ? at_once(demand_of_loss(fault.place)) : nothing;
+            return fault.magnitude > 30.0 ? delay(fault.place) : nothing;
         case FaultKind::swapped:
             // Two frames are lost: Imu among them, or RollAngle and VehicleMotion, without which no roll
             // angle is known.
@@ -126,25 +131,25 @@ Expectation expectation_of(const Fault& fault) {
         case FaultKind::flood_foreign:  // up to what the bus can carry, all of it is read in a cycle
             return fault.magnitude < 50.0 ? nothing : at_once(Demand::reported);
         case FaultKind::flood_own:
-            return at_once(Demand::reported);
+            return at_once(Demand::unavailable);
         case FaultKind::bus_off:
-            return at_once(Demand::reported);
         case FaultKind::clock_jump:
-            return at_once(Demand::reported);
+            return at_once(Demand::unavailable, any_time_ms);
         case FaultKind::process_stop:
-            return fault.magnitude > 30.0 ? at_once(Demand::unavailable) : at_once(Demand::usable);
+            return at_once(fault.magnitude > 30.0 ? Demand::unavailable : Demand::usable, any_time_ms);
     }
     return {};
 }
 
 int longest_false_warning_ms(const Expectation& expectation) {
-    return expectation.reaction_ms + warning_hold_ms;
+    return expectation.demand == Demand::unaffected || expectation.demand == Demand::right
+               ? 0
+               : expectation.reaction_ms + warning_hold_ms;
 }
 
 const char* to_string(Demand demand) {
     constexpr std::array names{"no change",
-                               "right, or code",
-                               "warning kept, or code",
+                               "right",
                                "code",
                                "code, usable",
                                "code, roll from the observer",

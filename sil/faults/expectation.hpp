@@ -1,22 +1,23 @@
-// Expectation: what the ECU must do about a fault, and how fast.
+// Expectation: what the ECU must do about a fault in a scene, and how fast.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
+#include "sil/faults/contradiction.hpp"
 #include "sil/faults/fault.hpp"
+#include "sil/faults/scene.hpp"
 
 namespace sil {
 
 enum class Demand : std::uint8_t {
-    unaffected,         // the state is that of the drive without the fault
-    right_or_reported,  // the statement is right, or there is a code
-    kept_or_reported,   // a warning that is due comes in time, or there is a code
-    reported,           // a diagnostic code; the state may be any that the rules for every cell allow
-    usable,             // a code, and the state is never "unavailable"
-    roll_sensor_lost,   // a code, the observer's roll angle in use, never "unavailable"
-    motion_lost,        // a code, the degradation of that name, never "unavailable"
-    unavailable,        // a code and "unavailable"
+    unaffected,        // the state is that of the drive without the fault, for all but `wrong_ms`
+    right,             // the same, or there is a code
+    reported,          // a diagnostic code; the state may be any that the rules for every cell allow
+    usable,            // a code, and the state is never "unavailable"
+    roll_sensor_lost,  // a code, the observer's roll angle in use, never "unavailable"
+    motion_lost,       // a code, the degradation of that name, never "unavailable"
+    unavailable,       // a code and "unavailable"
 };
 
 const char* to_string(Demand demand);
@@ -26,17 +27,17 @@ struct Expectation {
     int reaction_ms{0};  // at the latest after the fault has become visible
     int recovery_ms{0};  // at the latest after it is over: the statement is that of the drive without it
     int healing_ms{0};   // at the latest after it is over: no code is left
+    int wrong_ms{0};     // a state other than without the fault, without a code, lasts no longer
+    int lead_loss_ms{
+        0};           // a warning that is due and that a state other than "unavailable" can tell, is no later
+    int lapse_ms{0};  // after the first code and while the fault is there, no longer without one
 };
 
-Expectation expectation_of(const Fault& fault);
+Expectation expectation_of(const Fault& fault, SceneKind scene);
 
-// Where the statement must be right, it may be another one for so long.
-inline constexpr int longest_wrong_ms = 100;
 // For every cell, whatever the fault:
-// a warning that is due may be missing without a code or "unavailable" for so long,
-inline constexpr int longest_silence_ms = 50;
-// a warning whose state is not "unavailable" may be late by so much,
-inline constexpr int largest_lead_loss_ms = 100;
+// a warning that is due is never "ready" without a code, not for one cycle,
+inline constexpr int longest_silence_ms = 0;
 // a warning without a reason may stand so long: the reaction, and the time for which a warning is held.
 int longest_false_warning_ms(const Expectation& expectation);
 

@@ -2,21 +2,10 @@
 
 #include <stdexcept>
 
-#include "sil/faults/known_shortfall.hpp"
 #include "sil/simulation/pace.hpp"
 
 namespace sil {
 namespace {
-
-std::optional<std::size_t> why_short(const Fault& fault, const std::string& scene) {
-    const std::vector<KnownShortfall>& all = known_shortfalls();
-    for (std::size_t index = 0U; index < all.size(); ++index) {
-        if (concerns(all[index], fault, scene)) {
-            return index;
-        }
-    }
-    return std::nullopt;
-}
 
 void place_fault_at_warning(Scene& scene, const rsi::Parameters& calibration) {
     const FaultyRun right = run_with_fault(scene, Fault{}, calibration);
@@ -40,7 +29,7 @@ FaultMatrix run_fault_matrix(const VehicleParameters& vehicle, const rsi::Parame
         matrix.rows.push_back({fault, {}});
     }
     for (Scene& scene : matrix.scenes) {
-        if (scene.at_warning) {
+        if (scene.kind == SceneKind::warning) {
             place_fault_at_warning(scene, calibration);
         }
         const FaultyRun without_bank = run_with_fault(scene, Fault{}, calibration);
@@ -50,33 +39,11 @@ FaultMatrix run_fault_matrix(const VehicleParameters& vehicle, const rsi::Parame
             const FaultyRun& right = row.fault.place == FaultPlace::bank_angle ? with_bank : without_bank;
             FaultCell cell;
             cell.reaction = measure(scene, row.fault, right, run_with_fault(scene, row.fault, calibration));
-            cell.shortfalls = shortfalls(row.fault, cell.reaction);
-            if (!cell.shortfalls.empty()) {
-                cell.known = why_short(row.fault, scene.name);
-            }
+            cell.shortfalls = shortfalls(expectation_of(row.fault, scene.kind), cell.reaction);
             row.cells.push_back(std::move(cell));
         }
     }
     return matrix;
-}
-
-std::vector<std::string> needless_entries(const FaultMatrix& matrix) {
-    std::vector<bool> needed(known_shortfalls().size(), false);
-    for (const FaultRow& row : matrix.rows) {
-        for (const FaultCell& cell : row.cells) {
-            if (cell.known) {
-                needed[*cell.known] = true;
-            }
-        }
-    }
-    std::vector<std::string> needless;
-    for (std::size_t index = 0U; index < needed.size(); ++index) {
-        if (!needed[index]) {
-            const KnownShortfall& entry = known_shortfalls()[index];
-            needless.push_back(std::string{to_string(entry.kind)} + ": " + entry.why);
-        }
-    }
-    return needless;
 }
 
 CellCount count_cells(const FaultMatrix& matrix) {
@@ -85,7 +52,8 @@ CellCount count_cells(const FaultMatrix& matrix) {
         for (const FaultCell& cell : row.cells) {
             ++count.all;
             count.as_expected += cell.shortfalls.empty() ? 1U : 0U;
-            count.surprising += cell.shortfalls.empty() || cell.known ? 0U : 1U;
+            count.with_due_warning += cell.reaction.warning_due ? 1U : 0U;
+            count.silenced += silences_a_warning(cell.reaction) ? 1U : 0U;
         }
     }
     return count;

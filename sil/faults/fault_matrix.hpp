@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,6 @@ namespace sil {
 struct FaultCell {
     Reaction reaction{};
     std::vector<std::string> shortfalls{};  // empty: as expected
-    std::optional<std::size_t> known{};     // why it falls short: the first entry of known_shortfalls()
 };
 
 struct FaultRow {
@@ -34,12 +32,10 @@ FaultMatrix run_fault_matrix(const VehicleParameters& vehicle, const rsi::Parame
 struct CellCount {
     std::size_t all{0U};
     std::size_t as_expected{0U};
-    std::size_t surprising{0U};  // fall short and are not known to
+    std::size_t with_due_warning{0U};
+    std::size_t silenced{0U};  // of these: "ready" without a code instead
 };
 CellCount count_cells(const FaultMatrix& matrix);
-
-// Entries of known_shortfalls() that no cell needs any longer, by their sentence and kind.
-std::vector<std::string> needless_entries(const FaultMatrix& matrix);
 
 // docs/safety/fault_matrix.md.
 std::string fault_matrix_document(const FaultMatrix& matrix);

@@ -83,9 +83,10 @@ Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right,
     reaction.visible = faulty.visible.has_value();
     reaction.watchdog_fed = faulty.watchdog_fed;
     const std::size_t since = faulty.visible.value_or(scene.fault_begin);
-    const bool warning_due = first_warning(right).has_value();
+    reaction.warning_due = first_warning(right).has_value();
     int silence = 0;
     int wrong = 0;
+    int lapse = 0;
     for (std::size_t cycle = scene.fault_begin; cycle < scene.samples.size(); ++cycle) {
         if (!is_heard(fault, faulty, scene, cycle)) {
             continue;
@@ -109,7 +110,9 @@ Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right,
         reaction.silence = std::max(reaction.silence, silence);
         wrong = is.state != was.state && is.codes == 0U ? wrong + cycle_ms : 0;
         reaction.wrong = std::max(reaction.wrong, wrong);
-        reaction.false_warning += !warning_due && is.state == WarningState::warning ? cycle_ms : 0;
+        lapse = reaction.code && cycle < faulty.over && new_codes == 0U ? lapse + cycle_ms : 0;
+        reaction.lapse = std::max(reaction.lapse, lapse);
+        reaction.false_warning += !reaction.warning_due && is.state == WarningState::warning ? cycle_ms : 0;
         reaction.incomplete_cycles += is.complete ? 0U : 1U;
         reaction.undefined_cycles += is.defined ? 0U : 1U;
     }
@@ -118,8 +121,11 @@ Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right,
     return reaction;
 }
 
-std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction) {
-    const Expectation expected = expectation_of(fault);
+bool silences_a_warning(const Reaction& reaction) {
+    return reaction.silence > longest_silence_ms;
+}
+
+std::vector<std::string> shortfalls(const Expectation& expected, const Reaction& reaction) {
     std::vector<std::string> all;
     const auto demand = [&all](bool good, const std::string& otherwise) {
         if (!good) {
@@ -132,7 +138,7 @@ std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction
     demand(reaction.incomplete_cycles == 0U, "a frame is missing or damaged");
     demand(reaction.undefined_cycles == 0U, "an undefined code on the bus");
     demand(reaction.watchdog_fed, "watchdog");
-    demand(reaction.silence <= longest_silence_ms,
+    demand(!silences_a_warning(reaction),
            fmt::format("silent for {} ms while a warning is due", reaction.silence));
     demand(reaction.false_warning <= longest_false_warning_ms(expected),
            fmt::format("false warning for {} ms", reaction.false_warning));
@@ -145,17 +151,16 @@ std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction
     demand(come_back(reaction.healing, expected.healing_ms),
            reaction.healing ? fmt::format("codes for {} ms more", reaction.healing.value_or(0))
                             : std::string{"codes do not heal"});
+    const bool reported = in_time(reaction.code);
     if (expected.demand == Demand::unaffected) {
-        demand(!reaction.unavailable, "unavailable");
-    } else if (expected.demand == Demand::right_or_reported) {
-        demand(reaction.wrong <= longest_wrong_ms || in_time(reaction.code),
-               fmt::format("wrong for {} ms without a code", reaction.wrong));
-    } else if (expected.demand == Demand::kept_or_reported) {
-        const bool kept = !reaction.warning_missed && reaction.lead_loss.value_or(0) <= largest_lead_loss_ms;
-        demand(kept || in_time(reaction.code), "warning late, and no code in time");
-    } else if (reaction.visible) {
-        demand(in_time(reaction.code), "no code in time");
+        demand(!reaction.code && !reaction.unavailable, "a reaction");
+    } else if (expected.demand != Demand::right && reaction.visible) {
+        demand(reported, "no code in time");
+        demand(reaction.lapse <= expected.lapse_ms,
+               fmt::format("no code for {} ms while the fault is there", reaction.lapse));
     }
+    demand(reaction.wrong <= expected.wrong_ms,
+           fmt::format("wrong for {} ms without a code", reaction.wrong));
     if (expected.demand == Demand::unavailable && reaction.visible) {
         demand(in_time(reaction.unavailable), "not unavailable in time");
     }
@@ -165,11 +170,10 @@ std::vector<std::string> shortfalls(const Fault& fault, const Reaction& reaction
     if (expected.demand == Demand::motion_lost && reaction.visible) {
         demand(in_time(reaction.motion_lost), "not \"motion lost\" in time");
     }
-    if (expected.demand == Demand::usable || expected.demand == Demand::motion_lost ||
-        expected.demand == Demand::roll_sensor_lost) {
+    if (expected.demand != Demand::unavailable && expected.demand != Demand::reported) {
         demand(!reaction.unavailable, "unavailable");
         demand(!reaction.warning_missed, "no warning");
-        demand(reaction.lead_loss.value_or(0) <= largest_lead_loss_ms, "warning late");
+        demand(reaction.lead_loss.value_or(0) <= expected.lead_loss_ms, "warning late");
     }
     return all;
 }

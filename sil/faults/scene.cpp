@@ -90,10 +90,10 @@ Manoeuvre delayed(Manoeuvre manoeuvre, double delay_s) {
     return manoeuvre;
 }
 
-Scene scene(std::string name, std::string description, std::vector<SensorSample> samples, double begin_s,
-            double end_s) {
+Scene scene(SceneKind kind, std::string name, std::string description, std::vector<SensorSample> samples,
+            double begin_s, double end_s) {
     const std::size_t end = std::min(cycles(end_s), samples.size());
-    return {std::move(name), std::move(description), std::move(samples), cycles(begin_s), end};
+    return {kind, std::move(name), std::move(description), std::move(samples), cycles(begin_s), end};
 }
 
 }  // namespace
@@ -107,20 +107,21 @@ std::vector<Scene> record_scenes(const VehicleParameters& vehicle) {
     Manoeuvre turn = find_manoeuvre("rough-turn");
     const std::vector<SensorSample> j_turn =
         record(vehicle, delayed(find_manoeuvre("j-turn-110"), straight_s));
-    Scene warning = scene("warning", "the same; the fault begins 0.1 s before the warning is due, and stays",
-                          j_turn, steering_s, forever_s);
-    warning.at_warning = true;
     return {
-        scene("rest", "the vehicle stands; fault from 4 s to 8 s", record_rest(vehicle, 15.0), 4.0, 8.0),
-        scene("straight", "straight ahead at 100 km/h; fault from 4 s to 8 s", record(vehicle, straight), 4.0,
-              8.0),
-        scene("turn", "held turn of 0.3 g on a rough road at 80 km/h; fault from 6 s to 10 s",
-              record(vehicle, turn), 6.0, 10.0),
-        scene("before the turn",
+        scene(SceneKind::rest, "rest", "the vehicle stands; fault from 4 s to 8 s",
+              record_rest(vehicle, 15.0), 4.0, 8.0),
+        scene(SceneKind::straight, "straight", "straight ahead at 100 km/h; fault from 4 s to 8 s",
+              record(vehicle, straight), 4.0, 8.0),
+        scene(SceneKind::turn, "turn",
+              "held turn of 0.3 g on a rough road at 80 km/h; fault from 6 s to 10 s", record(vehicle, turn),
+              6.0, 10.0),
+        scene(SceneKind::before_turn, "before the turn",
               "J-turn at 110 km/h that ends in a rollover; the fault begins 0.5 s before the driver steers, "
               "and stays",
               j_turn, steering_s - 0.5, forever_s),
-        warning,
+        scene(SceneKind::warning, "warning",
+              "the same; the fault begins 0.1 s before the warning is due, and stays", j_turn, steering_s,
+              forever_s),
     };
 }
 

@@ -179,5 +179,27 @@ TEST_F(Monitor, ForgetsWhatAnInvalidChannelHasSaid) {
     EXPECT_FALSE(monitor.is_fresh(now));
 }
 
+// The damaged frames leave the window in cycles without a frame.
+TEST_F(Monitor, ForgetsItAlsoWhenTheChannelIsValidAgainBeforeAnotherFrameCame) {
+    for (int cycle = 0; cycle < 8; ++cycle) {
+        run_cycle(true);
+    }
+    const hal::Time last_good = now;
+    for (int damaged = 0; damaged < 5; ++damaged) {
+        hal::CanFrame bad = frame();
+        bad.data[2] ^= 1U;
+        monitor.take(bad);
+    }
+    for (int good = 0; good < 3; ++good) {  // too few, and not used
+        monitor.take(frame());
+        ASSERT_EQ(monitor.channel_state(), ChannelState::invalid);
+    }
+    for (int silent = 0; silent < 4; ++silent) {
+        run_cycle(false);
+    }
+    ASSERT_EQ(monitor.channel_state(), ChannelState::valid);
+    EXPECT_FALSE(monitor.is_fresh(last_good));
+}
+
 }  // namespace
 }  // namespace testing_application

@@ -66,6 +66,29 @@ TEST(DiagnosticEvent, CountsUpTo31Occurrences) {
     }
 }
 
+// What rests may be passed over, so it must be told exactly from what still counts.
+TEST(DiagnosticMemory, RestsWhenNoCodeIsSetOrConfirmed) {
+    constexpr DiagnosticCode one = DiagnosticCode::speed_invalid;     // 3 cycles, 5 good ones heal
+    constexpr DiagnosticCode other = DiagnosticCode::roll_rate_jump;  // set, then forgotten
+    DiagnosticMemory memory;
+    memory.report(one, false);
+    EXPECT_TRUE(memory.all_rest());
+    memory.report(other, true);
+    EXPECT_FALSE(memory.all_rest());
+    for (int cycle = 0; cycle < 3; ++cycle) {
+        memory.report(one, true);
+        memory.report(other, false);
+        EXPECT_FALSE(memory.all_rest());
+    }
+    EXPECT_EQ(memory.status(other), EventStatus::none);
+    EXPECT_TRUE(memory.confirmed(one));
+    for (int good = 1; good <= 5; ++good) {
+        memory.report(one, false);
+        EXPECT_EQ(memory.all_rest(), good == 5);
+    }
+    EXPECT_EQ(memory.status(one), EventStatus::healed);
+}
+
 TEST(DiagnosticMemory, KeepsWhatWasMeasuredTheFirstTime) {
     DiagnosticMemory memory;
     const auto occur = [&memory](float speed_mps) {

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "tests/application/bench.hpp"
+#include "tests/application/roll_plane_vehicle.hpp"
 
 extern "C" const unsigned char rsi_parameter_section[application::section::length];
 
@@ -151,6 +153,25 @@ TEST(ParameterSection, AnotherFormatOrLayoutOrLengthIsRefusedAsSuchThoughTheChec
     }
 }
 
+TEST(ParameterSection, AnyWrongByteOfTheHeaderIsRefusedForWhatItBelongsTo) {
+    struct Field {
+        std::size_t at;
+        std::size_t length;
+        ParametersRefusal refusal;
+    };
+    for (const Field& field : {Field{0U, 4U, ParametersRefusal::missing},
+                               Field{section::version_at, 2U, ParametersRefusal::version},
+                               Field{section::count_at, 2U, ParametersRefusal::layout},
+                               Field{section::layout_at, 4U, ParametersRefusal::layout},
+                               Field{section::length_at, 4U, ParametersRefusal::length}}) {
+        for (std::size_t byte = field.at; byte < field.at + field.length; ++byte) {
+            Bytes bytes = good_section();
+            bytes[byte] ^= 0x01U;
+            EXPECT_EQ(refusal_of(sealed(bytes)), field.refusal) << "byte " << byte;
+        }
+    }
+}
+
 // The committed sections and every flashed one are of this layout. Whoever changes rsi_parameters makes them
 // useless, which must be meant: then this number changes, too, and generate_parameter_sections has to run.
 TEST(ParameterSection, TheLayoutIsTheOneThatWasFlashed) {
@@ -249,6 +270,30 @@ TEST(TheEcu, StartedWithARefusedSectionStaysUnavailableAndSaysWhyInEachCycle) {
             ASSERT_TRUE(cycle.status.value.parameters_invalid) << name;
         }
     }
+}
+
+// Its monitoring knows the roll stiffness of the section, not that of before: an accelerometer that is too
+// high by little more than it takes is found by the roll angle that the suspension takes under the true
+// force.
+TEST(TheEcu, StartedWithASectionMonitorsTheVehicleOfThatSection) {
+    rsi::Parameters stiffer = large_suv();
+    stiffer.roll_stiffness_nmprad *= 2.0F;
+    Bench bench{stiffer};
+    ASSERT_EQ(bench.parameters_answer().accepted, 1);
+    ASSERT_EQ(bench.start_with(good_section()).refusal, ParametersRefusal::none);
+    RollPlaneVehicle vehicle{large_suv()};
+    bench.drive([&vehicle](double time_s) {
+        vehicle.advance(std::min(4.0, 4.0 * time_s));
+        Motion motion = vehicle.motion();
+        motion.imu.lateral_acceleration_mps2 += (time_s < 3.0) ? 0.0F : 3.3F;
+        return motion;
+    });
+    using Code = can_dbc::RolloverDiagnosis::Code;
+    bench.run_for(3.0);
+    ASSERT_EQ(bench.last().diagnosis.value.code, Code::none);
+    bench.run_for(2.0);
+    EXPECT_EQ(bench.last().diagnosis.value.code, Code::lateral_acceleration_contradicts_yaw_rate);
+    EXPECT_EQ(bench.state(), can_dbc::RolloverWarning::State::unavailable);
 }
 
 }  // namespace

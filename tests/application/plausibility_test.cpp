@@ -273,6 +273,36 @@ TEST(AnOffsetOfTheLateralAcceleration, ThatIsLargeTakesItOutWithinASecond) {
     }
 }
 
+// A weave near the limit: the tyres slide, and the yaw rate is ahead of the lateral acceleration by 0.3 s.
+double fast_weave_mps2(double time_s) {
+    return 6.0 * std::sin(1.65 * time_s);
+}
+
+TEST(ALateralAccelerationOfTheWrongSign, ThatIsRightAgainIsBelievedInAWeave) {
+    const auto run = [](double flipped_from_s, double flipped_to_s, double until_s) {
+        Bench bench;
+        RollPlaneVehicle vehicle{large_suv()};
+        bench.drive([&vehicle, flipped_from_s, flipped_to_s](double time_s) {
+            vehicle.advance(fast_weave_mps2(time_s));
+            Motion motion = vehicle.motion();
+            motion.vehicle_motion.yaw_rate_deg_per_s = 57.29578F * 3.6F *
+                                                       static_cast<float>(fast_weave_mps2(time_s + 0.3)) /
+                                                       motion.vehicle_motion.speed_kmh;
+            if (time_s >= flipped_from_s && time_s < flipped_to_s) {
+                motion.imu.lateral_acceleration_mps2 *= -1.0F;
+            }
+            return motion;
+        });
+        bench.run_for(until_s);
+        return bench.state();
+    };
+    EXPECT_NE(run(9.0, 9.0, 10.0), State::unavailable) << "without the fault";
+    for (double now_s = 4.8; now_s < 12.0; now_s += 0.3) {
+        ASSERT_EQ(run(3.8, 12.0, now_s), State::unavailable) << "not healed at " << now_s;
+    }
+    EXPECT_NE(run(3.8, 6.0, 10.0), State::unavailable);
+}
+
 TEST(GoodSensors, OfATurnSetNoCode) {
     Turn turn{[](Motion&) {}};
     turn.bench.run_for(4.0);

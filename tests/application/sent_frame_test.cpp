@@ -103,5 +103,30 @@ TEST(EachSentStatus, BearsTheSoftwaresVersion) {
     }
 }
 
+// In the cycle in which the component says so; in the next the monitoring takes the sensor out.
+TEST(TheObserversFrame, SaysThatTheRollSensorContradictsTheObserver) {
+    Bench bench;
+    bench.drive([noise = 0.05F](double time_s) mutable {
+        Motion motion;
+        noise = -noise;
+        motion.imu.roll_rate_deg_per_s = noise;
+        motion.roll_angle.roll_angle_deg = static_cast<float>(2.0 * std::clamp(time_s - 1.0, 0.0, 2.0));
+        return motion;
+    });
+    bench.run_for(4.0);
+    int said = 0;
+    for (const Cycle& cycle : bench.cycles()) {
+        for (const hal::CanFrame& frame : cycle.frames) {
+            if (frame.identifier == can_dbc::RollObserver::identifier) {
+                const auto observer = can_dbc::decode<can_dbc::RollObserver>(frame.data).value;
+                said += observer.roll_sensor_disagrees ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GE(said, 1);
+    EXPECT_EQ(bench.last().diagnosis.value.code,
+              can_dbc::RolloverDiagnosis::Code::roll_sensor_contradicts_observer);
+}
+
 }  // namespace
 }  // namespace testing_application

@@ -25,7 +25,18 @@ struct SignalCase {
     std::vector<std::uint16_t> limits;    // the outermost codes that are still good
     bool necessary;
     bool may_be_missing;  // "not available" raises no flag
+    // What the outermost codes mean, [minimum|maximum] of the DBC file in its unit, and which of the two the
+    // ECU may use: no vehicle gets to the others.
+    std::vector<float> limit_values;
+    std::vector<bool> limits_used;
+    float (*decoded)(const hal::CanFrame& frame);
+    float rsi::Inputs::* input;
 };
+
+template <typename Message, float Message::* field>
+float decoded(const hal::CanFrame& frame) {
+    return can_dbc::decode<Message>(frame.data).value.*field;
+}
 
 // How a failing test shows a signal.
 void PrintTo(const SignalCase& signal, std::ostream* out) {
@@ -44,10 +55,50 @@ std::vector<SignalCase> signal_cases() {
     const std::vector<std::uint16_t> beyond_9000{code(-32768), code(-9001), code(9001), code(32767)};
     const std::vector<std::uint16_t> beyond_12000{code(-32768), code(-12001), code(12001), code(32767)};
     const std::vector<std::uint16_t> beyond_speed{0xFFFFU, 40001U, 0xFFFEU};
+    const std::vector<bool> never{false, false};
+    using can_dbc::Imu;
+    using can_dbc::RollAngle;
+    using can_dbc::VehicleMotion;
     return {
-        {"LateralAcceleration", Sensor::imu, 0x3A7U, 2U, false, beyond_30000, within_30000, true, false},
-        {"VerticalAcceleration", Sensor::imu, 0x3A7U, 4U, false, beyond_30000, within_30000, false, false},
-        {"RollRate", Sensor::imu, 0x3A7U, 6U, false, beyond_30000, within_30000, true, false},
+        {"LateralAcceleration",
+         Sensor::imu,
+         0x3A7U,
+         2U,
+         false,
+         beyond_30000,
+         within_30000,
+         true,
+         false,
+         {-60.0F, 60.0F},
+         never,
+         decoded<Imu, &Imu::lateral_acceleration_mps2>,
+         &rsi::Inputs::lateral_specific_force_mps2},
+        {"VerticalAcceleration",
+         Sensor::imu,
+         0x3A7U,
+         4U,
+         false,
+         beyond_30000,
+         within_30000,
+         false,
+         false,
+         {-60.0F, 60.0F},
+         never,
+         decoded<Imu, &Imu::vertical_acceleration_mps2>,
+         &rsi::Inputs::vertical_specific_force_mps2},
+        {"RollRate",
+         Sensor::imu,
+         0x3A7U,
+         6U,
+         false,
+         beyond_30000,
+         within_30000,
+         true,
+         false,
+         {-300.0F, 300.0F},
+         never,
+         decoded<Imu, &Imu::roll_rate_deg_per_s>,
+         &rsi::Inputs::roll_rate_radps},
         {"RollAngle",
          Sensor::roll_angle,
          0x45CU,
@@ -56,7 +107,11 @@ std::vector<SignalCase> signal_cases() {
          beyond_24000,
          {code(-24000), code(24000)},
          false,  // the observer stands in
-         false},
+         false,
+         {-120.0F, 120.0F},
+         never,
+         decoded<RollAngle, &RollAngle::roll_angle_deg>,
+         &rsi::Inputs::roll_angle_rad},
         {"BankAngle",
          Sensor::roll_angle,
          0x45CU,
@@ -65,9 +120,37 @@ std::vector<SignalCase> signal_cases() {
          beyond_9000,
          {code(-9000), code(9000)},
          false,
-         true},
-        {"Speed", Sensor::vehicle_motion, 0x5B1U, 2U, false, beyond_speed, {0U, 40000U}, false, false},
-        {"YawRate", Sensor::vehicle_motion, 0x5B1U, 4U, false, beyond_30000, within_30000, false, false},
+         true,
+         {-45.0F, 45.0F},
+         never,
+         decoded<RollAngle, &RollAngle::bank_angle_deg>,
+         &rsi::Inputs::bank_angle_rad},
+        {"Speed",
+         Sensor::vehicle_motion,
+         0x5B1U,
+         2U,
+         false,
+         beyond_speed,
+         {0U, 40000U},
+         false,
+         false,
+         {0.0F, 400.0F},
+         {true, false},
+         decoded<VehicleMotion, &VehicleMotion::speed_kmh>,
+         &rsi::Inputs::speed_mps},
+        {"YawRate",
+         Sensor::vehicle_motion,
+         0x5B1U,
+         4U,
+         false,
+         beyond_30000,
+         within_30000,
+         false,
+         false,
+         {-300.0F, 300.0F},
+         never,
+         decoded<VehicleMotion, &VehicleMotion::yaw_rate_deg_per_s>,
+         &rsi::Inputs::yaw_rate_radps},
         {"SteeringWheelAngle",
          Sensor::vehicle_motion,
          0x5B1U,
@@ -76,7 +159,11 @@ std::vector<SignalCase> signal_cases() {
          beyond_12000,
          {code(-12000), code(12000)},
          false,
-         false},
+         false,
+         {-1200.0F, 1200.0F},
+         never,
+         decoded<VehicleMotion, &VehicleMotion::steering_wheel_angle_deg>,
+         &rsi::Inputs::steering_wheel_angle_rad},
     };
 }
 
@@ -136,16 +223,29 @@ TEST_P(Signal, WithoutAUsableValueMakesTheEcuUnavailableExactlyWhenItIsNecessary
 // The ends of a sensor's range are what it says when it is saturated; no vehicle gets there.
 TEST_P(Signal, AtTheEndsOfItsRangeIsSaturatedAndNotUsed) {
     const SignalCase& signal = GetParam();
-    for (const std::uint16_t raw : signal.limits) {
-        SCOPED_TRACE("raw " + std::to_string(raw));
-        put(raw);
-        bench.run_for(0.5);
-        const bool may_be_zero = signal.may_be_missing || raw == 0U;
-        EXPECT_EQ(bench.state(), signal.necessary && !may_be_zero ? State::unavailable : bench.state());
-        EXPECT_FALSE(flag(signal.sensor));
+    for (std::size_t end = 0U; end < 2U; ++end) {
+        SCOPED_TRACE("raw " + std::to_string(signal.limits[end]));
+        put(signal.limits[end]);
+        bench.run_for(1.0);  // the step there is a jump, which has healed
+        EXPECT_NEAR(signal.decoded(bench.last_frame(signal.sensor)), signal.limit_values[end], 1.0e-4F);
+        EXPECT_FALSE(flag(signal.sensor)) << "the code itself is good";
+        EXPECT_NE(std::isnan(bench.inputs().*signal.input), signal.limits_used[end]);
+        EXPECT_EQ(bench.state(), signal.necessary ? State::unavailable : State::ready);
         bench.tamper(signal.sensor, {});
-        bench.run_for(0.2);
+        bench.run_for(1.0);
+        EXPECT_EQ(bench.state(), State::ready);
     }
+}
+
+// Then the frame is what is missing.
+TEST_P(Signal, WithoutAUsableValueIsNoLongerReportedOnceItsFrameIsStale) {
+    const SignalCase& signal = GetParam();
+    put(signal.unusable.back());
+    bench.run_cycles(1);
+    ASSERT_TRUE(flag(signal.sensor));
+    bench.stop(signal.sensor);
+    bench.run_cycles(6);
+    EXPECT_FALSE(flag(signal.sensor));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachSensorFrame, Signal, ::testing::ValuesIn(signal_cases()),

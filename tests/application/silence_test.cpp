@@ -224,6 +224,16 @@ TEST(ASensorThatNeverSpeaks, IsAFaultFromOneSecondAfterTheStart) {
     EXPECT_EQ(bench.last().diagnosis.value.code_status, Diagnosis::CodeStatus::confirmed);
 }
 
+TEST(ASensorThatHasSpoken, IsAFaultAsSoonAsItIsSilentAlsoRightAfterTheStart) {
+    using Diagnosis = can_dbc::RolloverDiagnosis;
+    Bench bench;
+    bench.run_for(0.3);
+    bench.stop(Sensor::vehicle_motion);
+    bench.run_cycles(5);
+    EXPECT_EQ(bench.last().diagnosis.value.code, Diagnosis::Code::vehicle_motion_lost);
+    EXPECT_EQ(bench.last().diagnosis.value.code_status, Diagnosis::CodeStatus::confirmed);
+}
+
 INSTANTIATE_TEST_SUITE_P(AtEveryPhase, Silence, ::testing::Range(0, 10),
                          [](const auto& tested) { return std::to_string(tested.param) + "Milliseconds"; });
 

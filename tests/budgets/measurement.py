@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import shutil
 import struct
 import subprocess
 import tomllib
@@ -24,28 +25,38 @@ TARGETS = {
 }
 DEFAULT = "consider_kalman"
 MANOEUVRES = ("j-turn-110", "fishhook-1a")
+# Recorded sensor frames for whole cycles of the ECU; the last has faults of bus and sensors.
+LOGS = PROJECT / "tests/regression/logs"
+FAULTY_LOG = "bus-faults-noise"
+CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
+CYCLE = "application::RolloverEcu::step"
 
 
 class BudgetError(Exception):
     """Something could not be measured, or two ways of measuring contradict each other."""
 
 
-def stages():
-    return tomllib.loads((HERE / "stages.toml").read_text())["stage"]
+def stages(of="step"):
+    return tomllib.loads((HERE / "stages.toml").read_text())[of]
+
+
+def functions_of(root):
+    return [name for stage in stages(root) for name in stage["functions"]]
 
 
 def build():
     script = PROJECT / "sil/environment/build"
-    subprocess.run([script, "release", "budgets_record", "budgets_floor_test"], check=True)
-    subprocess.run([script, "cortex-m4f", "steps", "least_squares", "least_image"], check=True)
-    subprocess.run(
-        [script, "cortex-r5f", "steps", "least_squares", "least_image", "release-r5", "rsi-ecu-r5f"], check=True
-    )
+    subprocess.run([script, "release", "budgets_record", "budgets_floor_test", "write_parameters"], check=True)
+    programs = ["steps", "least_squares", "least_image", "replay_frames"]
+    subprocess.run([script, "cortex-m4f", *programs], check=True)
+    subprocess.run([script, "cortex-r5f", *programs, "release-r5", "rsi-ecu-r5f"], check=True)
 
 
 def record():
     RECORDINGS.mkdir(parents=True, exist_ok=True)
     subprocess.run([PROJECT / "build/release/tests/budgets/budgets_record", RECORDINGS], check=True)
+    writer = PROJECT / "build/release/tests/targets/write_parameters"
+    subprocess.run([writer, CALIBRATION, RECORDINGS / "cycle.parameters"], check=True)
 
 
 def floor_operations():
@@ -108,10 +119,10 @@ class Measurement:
         self._scratch.mkdir(parents=True, exist_ok=True)
 
     def take(self):
-        self._names = [name for stage in stages() for name in stage["functions"]]
         self.steps = self._drives("steps", traced=True)
         self.search = self._drives("search", traced=False)
         self._least_squares()
+        self.cycles = {log: self._cycle(log) for log in (*MANOEUVRES, FAULTY_LOG)}
         self._memory()
         self._contents()
         return self
@@ -136,14 +147,17 @@ class Measurement:
             raise BudgetError(f"{ticks} ticks on {self.target} are no whole number of instructions")
         return count
 
-    def _trace(self, program, roots, *arguments):
+    def _trace(self, program, roots, names, *arguments):
+        """The calls of the functions `roots` in a run of the program, with what is within `names`."""
         log = self._scratch / f"{program}.trace"
         elf = self._folder / f"targets/{program}.elf"
-        known = instruction_trace.Program(elf, self._names)
+        known = instruction_trace.Program(elf, names)
+        if known.missing:
+            raise BudgetError("stages.toml names functions that are in no image: " + ", ".join(known.missing))
         self._run(program, *arguments, trace=log.name)
         try:
             with open(log, encoding="ascii", errors="replace") as lines:
-                return known, instruction_trace.read(lines, known, roots, self._facts["processor"])
+                return instruction_trace.read(lines, known, roots, self._facts["processor"])
         finally:
             log.unlink()
 
@@ -153,9 +167,7 @@ class Measurement:
         words = self._words("counts.bin")
         calls = None
         if traced:
-            known, calls = self._trace("steps", ["rsi_step"], path, "traced.bin", "trace")
-            if known.missing:
-                raise BudgetError("stages.toml names functions that are in no image: " + ", ".join(known.missing))
+            calls = self._trace("steps", ["rsi_step"], functions_of("step"), path, "traced.bin", "trace")
         drives, at, step = {}, 1, 0
         for drive in json.loads((RECORDINGS / f"{recording}.json").read_text()):
             steps = drive["steps"]
@@ -170,11 +182,23 @@ class Measurement:
         return drives
 
     def _least_squares(self):
-        _, calls = self._trace("least_squares", ["update_firmware", "update_textbook"], "../regressions.bin")
+        calls = self._trace("least_squares", ["update_firmware", "update_textbook"], [], "../regressions.bin")
         self.firmware_update, self.textbook_update = (
             Figures(call.instructions for call in calls if call.root == name)
             for name in ("update_firmware", "update_textbook")
         )
+
+    def _cycle(self, log):
+        """Cycles of the whole ECU on recorded sensor frames."""
+        symbols = binary_tools.functions(self._folder / "targets/replay_frames.elf")
+        root = next(s for s, name in zip(symbols, binary_tools.demangled(symbols)) if name == CYCLE)
+        names = functions_of("cycle")
+        files = "../cycle.parameters", "sensors.log", "ecu.log"
+        shutil.copyfile(LOGS / f"{log}.sensors.log", self._scratch / files[1])
+        calls = self._trace("replay_frames", [root], names, *files)
+        if (self._scratch / files[2]).read_bytes() != (LOGS / f"{log}.ecu.log").read_bytes():
+            raise BudgetError(f"{self.target} answers {log} otherwise than recorded; see tests/run targets")
+        return Steps([call.instructions for call in calls], calls)
 
     # Memory.
 

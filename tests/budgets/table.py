@@ -2,7 +2,7 @@
 
 import binary_tools
 import limits
-from measurement import DEFAULT, MANOEUVRES, Figures, stages
+from measurement import DEFAULT, FAULTY_LOG, MANOEUVRES, Figures, stages
 
 HEAD_1 = ["", "R5F least", "mean", "most", "worst case", "M4F least", "mean", "most", "worst case"]
 HEAD_2 = ["goal", "limit", ""]
@@ -104,16 +104,33 @@ def _instructions(table, measurements, operations):
 
 
 def _stages(table, measurements, estimator):
-    def row(name, values):
-        table.row(name, {m.target: _of_steps(m, estimator, values) for m in measurements})
+    _parts(table, "step", lambda values: {m.target: _of_steps(m, estimator, values) for m in measurements}, "order, outputs")
 
-    for stage in stages():
-        row(("· · of it: " if stage.get("part") else "· ") + stage["name"], lambda s: s.within(stage["functions"]))
-    named = [name for stage in stages() if not stage.get("part") for name in stage["functions"]]
-    row(
-        "· the rest: order, outputs",
-        lambda s: [call.instructions - sum(call.within[name] for name in named) for call in s.calls],
-    )
+
+def _parts(table, root, figures_of, rest):
+    """A row a stage of `root` and one for the rest; `figures_of(values)`: by target, of `values(steps)`."""
+    for stage in stages(root):
+        name = ("· · of it: " if stage.get("part") else "· ") + stage["name"]
+        table.row(name, figures_of(lambda s: s.within(stage["functions"])), stage.get("key"))
+    named = [name for stage in stages(root) if not stage.get("part") for name in stage["functions"]]
+    remain = lambda s: [call.instructions - sum(call.within[name] for name in named) for call in s.calls]
+    table.row(f"· the rest: {rest}", figures_of(remain))
+
+
+def _of_cycles(measured, values):
+    """Least, mean, most over the manoeuvres and most with the faulty recording."""
+    whole = Figures(v for name in MANOEUVRES for v in values(measured.cycles[name]))
+    return [whole.least, whole.mean, whole.most, max(whole.most, *values(measured.cycles[FAULTY_LOG]))]
+
+
+def _cycles(table, measurements):
+    table.heading("Instructions of a cycle of the ECU, frames to frames")
+
+    def figures_of(values):
+        return {m.target: _of_cycles(m, values) for m in measurements}
+
+    table.row("cycle: RolloverEcu::step()", figures_of(lambda s: s.counts), "cycle_most")
+    _parts(table, "cycle", figures_of, "order")
 
 
 def _update(table, measurements, operations, published):
@@ -163,5 +180,6 @@ def make(measurements, operations, held_to):
     """The table of both targets."""
     table = Table(held_to)
     _instructions(table, measurements, operations)
+    _cycles(table, measurements)
     _memory(table, measurements)
     return table

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sil/faults/contradiction.hpp"
 #include "sil/faults/expectation.hpp"
-#include "sil/faults/known_shortfall.hpp"
 
 namespace faults_test {
 namespace {
@@ -72,8 +72,9 @@ class Judged {
         return *this;
     }
 
-    std::vector<std::string> shortfalls(const Fault& fault) const {
-        return sil::shortfalls(fault, measure(scene_, fault, right_, faulty_));
+    std::vector<std::string> shortfalls(const Fault& fault,
+                                        sil::SceneKind scene = sil::SceneKind::turn) const {
+        return sil::shortfalls(sil::expectation_of(fault, scene), measure(scene_, fault, right_, faulty_));
     }
 
  private:
@@ -105,54 +106,85 @@ TEST(Judgement, WantsNothingOfAFaultThatCannotBeSeen) {
     EXPECT_THAT(Judged{}.invisible().shortfalls(imu_lost), IsEmpty());
 }
 
-TEST(Judgement, WantsTheWarningOrACode) {
-    Judged silent{};
-    silent.due(200U, 250U)
-        .say(200U, 206U, answer(WarningState::ready))
-        .say(206U, 250U, answer(WarningState::warning));
-    EXPECT_THAT(silent.invisible().shortfalls(lying), Contains(HasSubstr("silent for 60 ms")));
-    Judged short_time{};
-    short_time.due(200U, 250U)
-        .say(200U, 205U, answer(WarningState::ready))
-        .say(205U, 250U, answer(WarningState::warning));
-    EXPECT_THAT(short_time.invisible().shortfalls(lying), IsEmpty());
-    Judged with_code{};
-    with_code.due(200U, 250U).say(140U, 400U, answer(WarningState::ready, 4U));
-    EXPECT_THAT(with_code.shortfalls(lying), IsEmpty());
+TEST(Judgement, WantsNoDueWarningSilencedNotForACycle) {
+    const auto silent_with = [](sil::DiagnosticCodes codes) {
+        return Judged{}
+            .due(200U, 250U)
+            .say(200U, 201U, answer(WarningState::ready, codes))
+            .say(201U, 250U, answer(WarningState::warning, codes))
+            .invisible();
+    };
+    for (const Fault& fault : {lying, imu_lost, hardly_lying}) {
+        EXPECT_THAT(silent_with(0U).shortfalls(fault), Contains(HasSubstr("silent for 10 ms")));
+        EXPECT_THAT(silent_with(4U).shortfalls(fault), testing::Not(Contains(HasSubstr("silent"))));
+    }
 }
 
-TEST(Judgement, WantsARightStatementOrACodeOfOptionalInputs) {
+TEST(Judgement, WantsTheReactionOfAContradictionWithinItsOwnLimit) {
+    const auto found_after = [](std::size_t cycles) {
+        return Judged{}.say(begin + cycles, end + 10U, answer(WarningState::unavailable, 4U));
+    };
+    const Fault flipped{FaultKind::sign_flip, FaultPlace::lateral_acceleration, 0.0};
+    EXPECT_THAT(found_after(20U).shortfalls(flipped), IsEmpty());
+    EXPECT_THAT(found_after(21U).shortfalls(flipped), Contains("no code in time"));
+    EXPECT_THAT(found_after(40U).shortfalls(flipped, sil::SceneKind::before_turn), IsEmpty());
+    EXPECT_THAT(found_after(41U).shortfalls(flipped, sil::SceneKind::before_turn),
+                Contains("not unavailable in time"));
+    EXPECT_THAT(Judged{}.shortfalls(flipped), Contains("no code in time"));
+    EXPECT_THAT(Judged{}.shortfalls(flipped, sil::SceneKind::straight), IsEmpty());
+}
+
+TEST(Judgement, WantsARightStatementOfWhatNeedNotShow) {
     const Fault bank{FaultKind::offset, FaultPlace::bank_angle, 0.1};
     EXPECT_THAT(Judged{}.say(150U, 160U, answer(WarningState::advisory)).shortfalls(bank), IsEmpty());
     EXPECT_THAT(Judged{}.say(150U, 161U, answer(WarningState::advisory)).shortfalls(bank),
                 Contains("wrong for 110 ms without a code"));
     EXPECT_THAT(Judged{}.say(150U, 250U, answer(WarningState::advisory, 1U)).shortfalls(bank), IsEmpty());
+    EXPECT_THAT(Judged{}.say(150U, 151U, answer(WarningState::warning, 1U)).shortfalls(bank),
+                Contains("false warning for 10 ms"));
+    EXPECT_THAT(Judged{}.say(150U, 151U, answer(WarningState::unavailable, 1U)).shortfalls(bank),
+                Contains("unavailable"));
 }
 
-TEST(Judgement, WantsTheDueWarningOrACodeInTimeOfWhatHardlyShows) {
+TEST(Judgement, WantsTheDueWarningOfWhatNeedNotShow) {
     const auto late_by = [](std::size_t cycles, sil::DiagnosticCodes codes) {
         return Judged{}
             .due(200U, 250U)
-            .say(130U, 200U + cycles, answer(WarningState::advisory, codes))
+            .say(200U, 200U + cycles, answer(WarningState::advisory, codes))
             .say(200U + cycles, 250U, answer(WarningState::warning, codes));
     };
     EXPECT_THAT(late_by(10U, 0U).shortfalls(hardly_lying), IsEmpty());
-    EXPECT_THAT(late_by(11U, 0U).shortfalls(hardly_lying), Contains("warning late, and no code in time"));
-    EXPECT_THAT(late_by(11U, 4U).shortfalls(hardly_lying), IsEmpty());
+    EXPECT_THAT(late_by(11U, 0U).shortfalls(hardly_lying), Contains("warning late"));
+    EXPECT_THAT(late_by(11U, 4U).shortfalls(hardly_lying), Contains("warning late"));
     EXPECT_THAT(
         Judged{}.due(200U, 250U).say(200U, 250U, answer(WarningState::advisory)).shortfalls(hardly_lying),
-        Contains("warning late, and no code in time"));
+        Contains("no warning"));
+}
+
+TEST(Judgement, WantsACodeUntilTheFaultEnds) {
+    EXPECT_THAT(
+        good_answer_to_a_lost_frame().say(200U, 201U, answer(WarningState::unavailable)).shortfalls(imu_lost),
+        Contains("no code for 10 ms while the fault is there"));
+}
+
+TEST(Judgement, WantsNoReactionToWhatIsNoFault) {
+    const Fault delayed{FaultKind::delayed, FaultPlace::imu_frame, 20.0};
+    EXPECT_THAT(Judged{}.shortfalls(delayed), IsEmpty());
+    EXPECT_THAT(Judged{}.say(150U, 151U, answer(WarningState::ready, 1U)).shortfalls(delayed),
+                Contains("a reaction"));
 }
 
 TEST(Judgement, WantsNoFalseWarningBeyondItsHoldTime) {
     const Fault delayed{FaultKind::delayed, FaultPlace::imu_frame, 20.0};
-    EXPECT_THAT(Judged{}.say(end, end + 201U, answer(WarningState::warning)).shortfalls(delayed),
-                Contains("false warning for 2010 ms"));
+    EXPECT_THAT(Judged{}.say(end, end + 1U, answer(WarningState::warning)).shortfalls(delayed),
+                Contains("false warning for 10 ms"));
+    EXPECT_THAT(Judged{}.say(end, end + 206U, answer(WarningState::warning)).shortfalls(imu_lost),
+                Contains("false warning for 2060 ms"));
 }
 
 TEST(Judgement, WantsTheEcuBack) {
-    Judged slow = Judged{}.say(begin + 3U, end + 26U, answer(WarningState::unavailable, 1U));
-    EXPECT_THAT(slow.shortfalls(imu_lost), Contains("back after 260 ms only"));
+    Judged slow = Judged{}.say(begin + 3U, end + 16U, answer(WarningState::unavailable, 1U));
+    EXPECT_THAT(slow.shortfalls(imu_lost), Contains("back after 160 ms only"));
     Judged never = Judged{}.say(begin + 3U, length, answer(WarningState::unavailable, 1U));
     EXPECT_THAT(never.shortfalls(imu_lost), Contains("does not come back"));
     Judged marked = Judged{}
@@ -186,12 +218,17 @@ TEST(Judgement, WantsAUsableStateWhereOneIsPossible) {
     EXPECT_THAT(late.shortfalls(roll_lost), Contains("warning late"));
 }
 
-TEST(KnownShortfall, HoldsForItsOwnCellsOnly) {
-    const sil::KnownShortfall known{FaultKind::lost, {FaultPlace::imu_frame}, {"turn"}, "because"};
-    EXPECT_TRUE(concerns(known, imu_lost, "turn"));
-    EXPECT_FALSE(concerns(known, imu_lost, "rest"));
-    EXPECT_FALSE(concerns(known, {FaultKind::lost, FaultPlace::roll_angle_frame, 0.0}, "turn"));
-    EXPECT_FALSE(concerns(known, {FaultKind::bad_crc, FaultPlace::imu_frame, 0.0}, "turn"));
+// Each contradiction of the matrix, and no other, has its limits.
+TEST(Contradiction, IsStatedForEveryFaultOfThatKind) {
+    std::size_t stated = 0U;
+    for (const Fault& fault : sil::all_faults()) {
+        if (fault.kind >= FaultKind::frozen && fault.kind <= FaultKind::sign_flip) {
+            ++stated;
+            EXPECT_NO_THROW(sil::contradiction_of(fault)) << describe(fault) << to_string(fault.place);
+        }
+    }
+    EXPECT_EQ(stated, sil::contradictions().size());
+    EXPECT_THROW(sil::contradiction_of(imu_lost), std::logic_error);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 """The mutated copy of the project: links to everything but what is mutated, and the build of its test programs."""
 
+import concurrent.futures
 import hashlib
+import os
 import pathlib
 import pickle
 import re
@@ -16,7 +18,8 @@ SOURCE, BUILD = FOLDER / "source", FOLDER / "build"
 PROGRAMS = {"codec_test": "tests/codec", "unit_tests": "tests/unit", "application_test": "tests/application",
             "replay_test": "tests/mutation"}
 # Which programs are asked about what: a test of the frames seldom sees in the algorithm what its own tests and a drive do not.
-SCOPE = {"firmware/rsi": {"unit_tests", "replay_test"}, "firmware/application": set(PROGRAMS), "can_dbc/e2e": set(PROGRAMS)}
+SCOPE = {"firmware/rsi": {"unit_tests", "replay_test"}, "firmware/monitoring": {"unit_tests", "application_test", "replay_test"},
+         "firmware/application": set(PROGRAMS), "can_dbc/e2e": set(PROGRAMS)}
 INCLUDES = ["-I", "{project}", "-I", "{project}/firmware", "-isystem", "/usr/include/eigen3"]
 HELPERS = "tests/mutation/schemata.hpp"
 
@@ -38,9 +41,10 @@ def parse_arguments(project):
 def mutated_texts(names, project, left_out=frozenset()):
     """The mutated text of each file and all mutants. `left_out`: (file, line) that does not compile when mutated."""
     all_mutants = mutants.Mutants()
-    files = [mutate.FileMutator(all_mutants, name, project / name,
-                                edited_source.parse(project / name, parse_arguments(project)),
-                                {line for file, line in left_out if file == name}) for name in names]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        units = pool.map(lambda name: edited_source.parse(project / name, parse_arguments(project)), names)
+    files = [mutate.FileMutator(all_mutants, name, project / name, unit,
+                                {line for file, line in left_out if file == name}) for name, unit in zip(names, units)]
     for file in files:
         file.find_constants()
     return {file.source.name: file.mutated() for file in files}, all_mutants

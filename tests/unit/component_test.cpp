@@ -314,6 +314,13 @@ TEST(Component, StartingAgainForgetsEverything) {
 }
 
 // Left and right exchanged: the IMU on the other side, every lateral signal with the other sign.
+TEST(Component, SaysWithOneThatItsEstimatorLearnsNothing) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.estimator = RSI_ESTIMATOR_CONSIDER_KALMAN;
+    Scenario scenario{parameters};
+    EXPECT_EQ(scenario.run(1.0, in_turn(6.0)).estimate_frozen, 1);  // no straight has been seen yet
+}
+
 TEST(Component, AMirroredManoeuvreGivesExactlyMirroredOutputs) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.imu_x_m = 0.5F;

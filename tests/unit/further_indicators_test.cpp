@@ -322,6 +322,41 @@ TEST(FurtherIndicators, AGapIsNoMovement) {
     EXPECT_EQ(out.dynamic_stability_index, fresh.dynamic_stability_index);
 }
 
+// Nor has the steering asked for anything: the force grows over a gap's first samples as far as it likes.
+TEST(FurtherIndicators, AGapForgetsWhatTheSteeringAskedFor) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    const auto measured_at = [](int sample) {
+        rsi::Measurement measured;
+        measured.road_parallel_force_mps2 = 3.0F + 0.3F * static_cast<float>(sample);
+        measured.road_normal_force_mps2 = static_cast<float>(gravity_mps2);
+        measured.lateral_acceleration_mps2 = measured.road_parallel_force_mps2;  // a level road
+        measured.roll_angle_rad = 0.05F;
+        measured.roll_rate_radps = 0.3F;
+        measured.odd_sample = (sample % 2 != 0);
+        return measured;
+    };
+    rsi_inputs straight = rsi_test::at_rest();
+    straight.speed_mps = 20.0F;  // and the steering wheel in the middle: a demand of none
+    rsi::FurtherIndicators driven;
+    driven.init(parameters);
+    driven.reset(measured_at(0));
+    rsi_outputs of_driven{};
+    for (int sample = 0; sample < 50; ++sample) {
+        driven.update(straight, measured_at(sample), sample == 0, of_driven);
+    }
+    rsi::FurtherIndicators fresh;
+    fresh.init(parameters);
+    rsi_outputs of_fresh{};
+    driven.reset(measured_at(1));
+    fresh.reset(measured_at(1));
+    for (int sample = 1; sample < 3; ++sample) {
+        driven.update(straight, measured_at(sample), sample == 1, of_driven);
+        fresh.update(straight, measured_at(sample), sample == 1, of_fresh);
+        EXPECT_EQ(of_driven.predicted_load_transfer_ratio, of_fresh.predicted_load_transfer_ratio) << sample;
+        EXPECT_EQ(of_driven.predicted_rsi, of_fresh.predicted_rsi) << sample;
+    }
+}
+
 // None that exceeds its range, whatever the calibration.
 TEST(ClassicIndices, EndAtTheirBounds) {
     rsi_parameters parameters = rsi_test::large_suv();

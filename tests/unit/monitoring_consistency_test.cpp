@@ -208,6 +208,26 @@ TEST_F(ATurn, StartsAnewWhenTheVehicleHardlyMovesOrASampleIsNotFinite) {
     }
 }
 
+TEST_F(ATurn, TakesAsLongToBeSuspiciousAfterAGapAsFromTheStart) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check.update(nan, 0.0F, speed_mps);
+        run(20, sign * 3.0F, 0.0F);
+        EXPECT_FALSE(check.suspicious());
+        run(1, sign * 3.0F, 0.0F);
+        EXPECT_TRUE(check.suspicious());
+    }
+}
+
+TEST_F(ATurn, TakesAsLongToContradictAfterAGapAsFromTheStart) {
+    for (const float sign : {1.0F, -1.0F}) {
+        check.update(nan, 0.0F, speed_mps);
+        run(825, 0.0F, sign * 8.0F);
+        EXPECT_FALSE(check.contradicts());
+        run(12, 0.0F, sign * 8.0F);
+        EXPECT_TRUE(check.contradicts());
+    }
+}
+
 TEST_F(ATurn, SpinsForASecondAfterItHasYawedFasterThanTyresTurn) {
     for (const float sign : {1.0F, -1.0F}) {
         run(200, sign * 10.4F, sign * 10.4F);
@@ -260,6 +280,25 @@ TEST_F(AVerticalForce, IsJudgedByItsMeanOver400Milliseconds) {
     EXPECT_FALSE(check.has_offset(false));
     run(1, gravity + 3.0F);
     EXPECT_TRUE(check.has_offset(false));
+}
+
+TEST_F(AVerticalForce, IsJudgedByItsMeanOver400MillisecondsAfterAGapToo) {
+    for (const float sign : {1.0F, -1.0F}) {
+        run(1, nan);
+        run(27, gravity + sign * 3.0F);
+        EXPECT_FALSE(check.has_offset(false));
+        run(1, gravity + sign * 3.0F);
+        EXPECT_TRUE(check.has_offset(false));
+    }
+}
+
+TEST_F(AVerticalForce, IsJudgedWhileTheBodyIsUpright) {
+    for (const float sign : {1.0F, -1.0F}) {
+        run(1, gravity, sign * 11.0F, 0.0F);
+        EXPECT_TRUE(check.known());
+        run(1, gravity, 0.0F, sign * 0.2F);
+        EXPECT_TRUE(check.known());
+    }
 }
 
 TEST_F(AVerticalForce, IsSmallerInABodyThatLeansOutOfTheTurn) {
@@ -344,6 +383,21 @@ TEST_F(AForceVote, IsNotAgainstTheAccelerometerWhenAnotherIsAlone) {
     EXPECT_FALSE(alone_after(300, 0.0F, 4.0F, -4.0F));  // all differ
 }
 
+// The roll angle stands by the accelerometer, whatever the yaw rate says; who does not know says no.
+TEST_F(AForceVote, HasTheRollAngleAgreeWithin1500MillimetresPerSecondSquared) {
+    EXPECT_FALSE(vote.roll_angle_agrees());
+    for (const float sign : {1.0F, -1.0F}) {
+        alone_after(300, sign * 5.45F, sign * 1.0F, sign * 4.0F);
+        EXPECT_TRUE(vote.roll_angle_agrees());
+        alone_after(300, sign * 5.55F, sign * 1.0F, sign * 4.0F);
+        EXPECT_FALSE(vote.roll_angle_agrees());
+        alone_after(300, sign * 4.0F, sign * 1.0F, sign * 4.0F);
+        EXPECT_TRUE(vote.roll_angle_agrees());
+        vote.update(nan, 1.0F, roll_angle_rad(4.0F), false);
+        EXPECT_FALSE(vote.roll_angle_agrees());
+    }
+}
+
 TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
     struct Gap {
         float lateral;
@@ -359,6 +413,33 @@ TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
         vote.update(gap.lateral, gap.by_yaw, gap.roll_angle, gap.spins);
         EXPECT_FALSE(vote.accelerometer_is_alone());
         EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
+    }
+}
+
+// Of each pair of witnesses: 10 m/s^2 are 3 after 0.11 s.
+TEST_F(AForceVote, TakesThatMeanFromItsStartAndAfterAGapWhicheverOtherIsNearer) {
+    struct Others {
+        float by_yaw;
+        float by_roll;
+    };
+    for (const float sign : {1.0F, -1.0F}) {
+        for (const Others others : {Others{0.0F, -4.0F}, Others{-4.0F, 0.0F}}) {
+            vote = ForceVote{};
+            vote.start(parameters());
+            for (int times = 0; times < 2; ++times) {
+                EXPECT_FALSE(alone_after(10, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
+                EXPECT_TRUE(alone_after(1, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
+                vote.update(nan, 0.0F, 0.0F, false);
+            }
+        }
+    }
+}
+
+TEST_F(AForceVote, JudgesABodyUpTo150Milliradians) {
+    for (const float sign : {1.0F, -1.0F}) {
+        const float angle_rad = sign * 0.149F;
+        const float by_roll_mps2 = angle_rad / roll_angle_rad(1.0F);
+        EXPECT_TRUE(alone_after(100, by_roll_mps2 + sign * 4.0F, by_roll_mps2, by_roll_mps2));
     }
 }
 

@@ -247,4 +247,150 @@ TEST_F(AnInputMonitor, BlamesTheOneOfTheTwoThatRepeatsItself) {
     EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
 }
 
+// A turn to the left by yaw rate and roll angle, to the right by the accelerometer, too weak for other votes.
+TEST_F(AnInputMonitor, BlamesAnAccelerometerOfTheWrongSignAfter200Milliseconds) {
+    turn_at(2.1F);
+    inputs.lateral_specific_force_mps2 = -2.1F;
+    inputs.roll_angle_rad = 0.03F;
+    run(19);
+    EXPECT_FALSE(confirmed(lateral_code));
+    run(1);
+    EXPECT_TRUE(confirmed(lateral_code));
+    EXPECT_TRUE(std::isnan(qualified.lateral_specific_force_mps2));
+    EXPECT_FALSE(confirmed(yaw_code));
+}
+
+TEST_F(AnInputMonitor, BlamesAYawRateOfTheWrongSignAfter1200Milliseconds) {
+    turn_at(2.1F);
+    inputs.yaw_rate_radps = -inputs.yaw_rate_radps;
+    inputs.roll_angle_rad = 0.03F;
+    run(119);
+    EXPECT_FALSE(confirmed(yaw_code));
+    run(1);
+    EXPECT_TRUE(confirmed(yaw_code));
+    EXPECT_TRUE(std::isnan(qualified.yaw_rate_radps));
+    EXPECT_FALSE(confirmed(lateral_code));
+}
+
+TEST_F(AnInputMonitor, DoesNotJudgeATurnBelow5MetresASecond) {
+    inputs.speed_mps = 4.9F;
+    turn_at(2.5F);
+    inputs.lateral_specific_force_mps2 = -2.5F;
+    inputs.roll_angle_rad = 0.03F;
+    run(1000);
+    EXPECT_FALSE(confirmed(lateral_code));
+    EXPECT_FALSE(confirmed(yaw_code));
+}
+
+TEST_F(AnInputMonitor, TakesTheAccelerometerBackAfterASecondWithin2MetresPerSecondSquaredOfTheTurn) {
+    inputs.lateral_specific_force_mps2 = 2.1F;
+    run(100);
+    before.roll_sensor_disagrees = 1;
+    run(1);
+    ASSERT_TRUE(confirmed(lateral_code));
+    before.roll_sensor_disagrees = 0;
+    run(500);
+    EXPECT_TRUE(confirmed(lateral_code));
+    inputs.lateral_specific_force_mps2 = 1.9F;
+    run(99);
+    EXPECT_TRUE(confirmed(lateral_code));
+    EXPECT_TRUE(std::isnan(qualified.lateral_specific_force_mps2));
+    run(1);
+    EXPECT_FALSE(confirmed(lateral_code));
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, 1.9F);
+}
+
+// 10 m/s^2 too much: with a lag of 0.3 s it has stood against the two others for 0.36 s more once it agrees.
+TEST_F(AnInputMonitor, TakesTheAccelerometerBackASecondAfterItsMeanAgreesToo) {
+    inputs.lateral_specific_force_mps2 = 10.0F;
+    run(200);
+    ASSERT_TRUE(confirmed(lateral_code));
+    inputs.lateral_specific_force_mps2 = 0.0F;
+    run(130);
+    EXPECT_TRUE(confirmed(lateral_code));
+    run(10);
+    EXPECT_FALSE(confirmed(lateral_code));
+}
+
+// Nothing is said of the two while either is missing: neither that they contradict each other, nor that they
+// do not.
+TEST_F(AnInputMonitor, DoesNotHealRollRateAndRollAngleByTheirAbsence) {
+    turn_at(3.0F);
+    roll(40, -0.004F, 0.0F);
+    ASSERT_TRUE(confirmed(roll_code));
+    const float last_rad = inputs.roll_angle_rad;
+    inputs.roll_angle_rad = nan;
+    run(500);
+    EXPECT_TRUE(confirmed(roll_code));
+    inputs.roll_angle_rad = last_rad;
+    run(120);  // 4 until it is trusted, 20 until the two are compared, 100
+    EXPECT_TRUE(confirmed(roll_code));
+    run(10);
+    EXPECT_FALSE(confirmed(roll_code));
+}
+
+TEST_F(AnInputMonitor, BlamesARollAngleThatLeansIntoATurnOfMoreThan2MetresPerSecondSquared) {
+    for (const float sign : {1.0F, -1.0F}) {
+        monitor.start(rsi_test_large_suv());
+        memory = {};
+        angle_rad = 0.0F;
+        turn_at(sign * 2.05F);
+        roll(40, sign * -0.004F, 0.0F);
+        EXPECT_TRUE(confirmed(roll_code));
+        EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
+        EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+    }
+}
+
+// Whatever else is wrong then.
+TEST_F(AnInputMonitor, TakesTheRollRateBackOnceTheContradictionHasHealed) {
+    turn_at(3.0F);
+    roll(40, 0.004F, 0.0F);
+    ASSERT_TRUE(confirmed(roll_code));
+    ASSERT_TRUE(std::isnan(qualified.roll_rate_radps));
+    inputs.steering_wheel_angle_rad = nan;
+    roll(300, 0.0F, 0.0F);
+    EXPECT_FALSE(confirmed(roll_code));
+    EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+    EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
+    EXPECT_TRUE(confirmed(DiagnosticCode::steering_invalid));
+}
+
+// While the yaw rate alone is ahead, as in a weave near the limit, an accelerometer that was blamed is shown
+// to be neither good nor bad: its second is interrupted and goes on. A roll angle that contradicts it as well
+// by more than half of what would blame it lets the second begin anew.
+TEST_F(AnInputMonitor, LetsAnAccelerometersSecondWaitWhileTheYawRateAloneIsAhead) {
+    const rsi::Parameters suv = rsi_test_large_suv();
+    const float roll_per_force = suv.sprung_mass_kg *
+                                 (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+                                 suv.roll_stiffness_nmprad;
+    const auto cycles_to_heal = [this, &suv, roll_per_force](float roll_contradicts_by_mps2,
+                                                             int ahead_cycles) {
+        monitor.start(suv);
+        memory = {};
+        turn_at(4.0F);
+        inputs.roll_angle_rad = roll_per_force * 4.0F;
+        run(100);
+        inputs.lateral_specific_force_mps2 = 9.0F;
+        run(50);
+        EXPECT_TRUE(confirmed(lateral_code));
+        inputs.lateral_specific_force_mps2 = 4.0F;
+        inputs.roll_angle_rad = roll_per_force * (4.0F - roll_contradicts_by_mps2);
+        run(100);
+        EXPECT_TRUE(confirmed(lateral_code));
+        inputs.yaw_rate_radps = 7.0F / inputs.speed_mps;
+        run(ahead_cycles);
+        turn_at(4.0F);
+        int cycles = 100 + ahead_cycles;
+        for (; confirmed(lateral_code) && cycles < 1000; ++cycles) {
+            run(1);
+        }
+        return cycles;
+    };
+    for (const float sign : {1.0F, -1.0F}) {
+        EXPECT_EQ(cycles_to_heal(sign * 1.3F, 30), cycles_to_heal(sign * 1.3F, 0) + 30);
+        EXPECT_EQ(cycles_to_heal(sign * 1.75F, 30), 100 + 30 + 100);
+    }
+}
+
 }  // namespace

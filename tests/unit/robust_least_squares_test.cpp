@@ -214,6 +214,26 @@ TEST(RobustLeastSquares, ASampleThatCannotBeRepresentedResetsTheEstimator) {
 }
 
 // What is not excited forgets nothing once the trace is above its limit, whichever element it is.
+TEST(RobustLeastSquares, AResetForgetsParametersCovarianceAndDisturbance) {
+    rsi::RobustLeastSquares estimator = estimator_of(rsi_test::large_suv());
+    rsi::Regression regression;
+    regression.psi = Eigen::Vector3f{4000.0F, 0.05F, 0.2F};
+    regression.output_nm = 300.0F;
+    for (int k = 0; k < 50; ++k) {
+        estimator.update(regression);
+    }
+    ASSERT_NE(estimator.estimate().vertical_movement_m, 0.0F);
+    ASSERT_NE(estimator.estimate().disturbance_nm, 0.0F);
+    estimator.reset();
+    const rsi::RollCentreEstimate estimate = estimator.estimate();
+    EXPECT_EQ(estimate.vertical_movement_m, 0.0F);
+    EXPECT_EQ(estimate.stiffness_deviation_nmprad, 0.0F);
+    EXPECT_EQ(estimate.damping_deviation_nmsprad, 0.0F);
+    EXPECT_EQ(estimate.disturbance_nm, 0.0F);
+    EXPECT_EQ(estimator.covariance().p00, 1.0F);
+    EXPECT_EQ(estimator.covariance().p01, 0.0F);
+}
+
 TEST(RobustLeastSquares, EachElementOfTheCovarianceCountsInItsLimit) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.forgetting_factor = 0.95F;

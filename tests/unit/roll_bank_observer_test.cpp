@@ -367,6 +367,63 @@ TEST(RollBankObserver, KeepsItsBankWithinHalfARadian) {
     }
 }
 
+// A body that has just begun to lean says little: the filter must know its angle before wheels can lift.
+TEST(RollBankObserver, DoesNotTipBeforeItKnowsItsAngle) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        int samples = 0;
+        while (!observer.roll_known() && samples < 100) {
+            observer.update(side * 9.0F, 0.0F, side * 0.45F, 20.0F, (samples % 2) == 0);
+            ++samples;
+            EXPECT_FALSE(observer.tipped()) << samples;
+        }
+        EXPECT_GE(samples, 2);
+        observer.update(side * 9.0F, 0.0F, side * 0.45F, 20.0F, false);
+        EXPECT_TRUE(observer.tipped());
+    }
+}
+
+TEST(RollBankObserver, StartsInBalanceWithinAFifthOfARadian) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        observer.update(side * 20.0F, 0.0F, 0.0F, 20.0F, true);
+        EXPECT_EQ(observer.roll_angle_rad(), side * 0.2F);
+        observer.reset();
+        observer.update(side * 3.0F, 0.0F, 0.0F, 20.0F, true);
+        EXPECT_NEAR(observer.roll_angle_rad(), side * 0.05F, 0.02F);
+    }
+}
+
+TEST(RollBankObserver, KnowsNothingOfATippedVehicleAfterAReset) {
+    rsi::RollBankObserver observer;
+    observer.init(rsi_test::large_suv());
+    for (int k = 0; k < 100; ++k) {
+        observer.update((k < 90) ? 0.0F : 9.0F, 0.0F, 0.0F, 20.0F, (k % 2) == 0);
+    }
+    ASSERT_TRUE(observer.tipped());
+    observer.reset();
+    observer.update(9.0F, 0.0F, 0.0F, 20.0F, true);
+    EXPECT_FALSE(observer.tipped());
+    EXPECT_FALSE(observer.roll_known());
+}
+
+TEST(RollSensorCheck, WantsTheWholeTimeAfterAReset) {
+    rsi::RollSensorCheck check;
+    check.init(rsi_test::large_suv());
+    for (int k = 0; k < 15; ++k) {
+        check.update(0.051F);
+    }
+    check.reset();
+    for (int k = 0; k < 15; ++k) {
+        check.update(0.051F);
+        EXPECT_FALSE(check.disagrees()) << k;
+    }
+    check.update(0.051F);
+    EXPECT_TRUE(check.disagrees());
+}
+
 // To the nearest of 20 ms.
 TEST(RollSensorCheck, ItsTimeIsRoundedToSamples) {
     for (const float time_s : {0.2907F, 0.3093F}) {

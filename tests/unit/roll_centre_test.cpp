@@ -94,6 +94,15 @@ TEST_F(RollCentre, WithoutDeviationAndWithEqualAnglesNothingIsAdded) {
     EXPECT_EQ(rsi::additional_roll_moment_nm(model, measured, rsi::RollCentreEstimate{}, c_rc), 0.0F);
 }
 
+// -Ixx phi'' of an estimator whose model has an inertia.
+TEST_F(RollCentre, TheMomentOfTheInertiaAddsToTheAdditionalMoment) {
+    rsi::RollCentreEstimate estimate = exactly(Deviation{0.05, -5.0e3, 600.0});
+    const rsi::Measurement measured = measured_at(4.0, 9.5, 0.05, 0.1);
+    const float without = rsi::additional_roll_moment_nm(model, measured, estimate, 0.01F);
+    estimate.inertia_moment_nm = 250.0F;
+    EXPECT_NEAR(rsi::additional_roll_moment_nm(model, measured, estimate, 0.01F), without + 250.0F, 0.01F);
+}
+
 // Fig. 7 with the exact theta in place of the estimate. Holding the forces over a sample delays the model by
 // half a sample against the measured rate: at most 0.2 rad/s * 5 ms.
 TEST_F(RollCentre, WithTheExactParametersTheCompensatedModelFollowsTheVehicle) {

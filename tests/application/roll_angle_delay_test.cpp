@@ -1,0 +1,198 @@
+// RollAngle frames that arrive in order, but late all the time.
+#include "application/roll_angle_delay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "monitoring/roll_lag.hpp"
+#include "tests/application/bench.hpp"
+#include "tests/application/roll_plane_vehicle.hpp"
+
+namespace testing_application {
+namespace {
+
+using Degradation = can_dbc::RolloverDiagnosis::Degradation;
+using State = can_dbc::RolloverWarning::State;
+
+// A weave; the roll angle's frames can be told to be as old as `late_s` says.
+struct Weave {
+    explicit Weave(double amplitude_mps2) {
+        bench.drive([this, amplitude_mps2](double time_s) {
+            vehicle.advance(amplitude_mps2 * std::sin(3.0 * time_s));
+            angles.push_back(vehicle.motion().roll_angle);
+            Motion motion = vehicle.motion();
+            const auto late = static_cast<std::size_t>(std::lround(late_s * 100.0));
+            motion.roll_angle = angles[angles.size() > late ? angles.size() - 1U - late : 0U];
+            return motion;
+        });
+        bench.run_for(2.0);
+    }
+
+    // For so long no RollAngle frame comes; then its counter goes on where it had stopped.
+    void hold_back(double seconds) {
+        bench.stop(Sensor::roll_angle);
+        bench.run_for(seconds);
+        bench.resume_all();
+    }
+
+    bool told_lost() const { return bench.status().roll_angle_timeout; }
+
+    double late_s{0.0};
+    std::vector<can_dbc::RollAngle> angles{};
+    RollPlaneVehicle vehicle{large_suv()};
+    Bench bench;
+};
+
+TEST(ARollAngle, ThatIsHeldBackIsNotUsedAndTheObserverStandsIn) {
+    Weave drive{0.5};
+    drive.hold_back(0.1);
+    for (int cycle = 0; cycle < 500; ++cycle) {
+        drive.bench.run_cycles(1);
+        ASSERT_TRUE(drive.told_lost()) << cycle;
+        ASSERT_EQ(drive.bench.state(), State::ready) << cycle;
+        ASSERT_EQ(drive.bench.last().diagnosis.value.degradation, Degradation::roll_sensor_lost) << cycle;
+    }
+}
+
+TEST(ARollAngle, ThatHasCaughtUpIsUsedAgain) {
+    Weave drive{0.5};
+    drive.hold_back(0.1);
+    drive.bench.run_for(1.0);
+    ASSERT_TRUE(drive.told_lost());
+    drive.bench.lose_frames(Sensor::roll_angle, 10U);
+    drive.bench.run_cycles(2);  // the first one is out of sequence
+    EXPECT_FALSE(drive.told_lost());
+}
+
+TEST(ARollAngle, IsLateWhenItsCounterIsFourFramesBehindOrMore) {
+    for (unsigned counted = 0U; counted < 14U; ++counted) {
+        SCOPED_TRACE("counted " + std::to_string(counted));
+        Weave drive{0.5};
+        drive.hold_back(0.1);
+        drive.bench.lose_frames(Sensor::roll_angle, counted);
+        drive.bench.run_for(0.2);
+        EXPECT_EQ(drive.told_lost(), counted < 7U);
+    }
+}
+
+TEST(ARollAngle, IsLateFromASilenceOfFourCyclesOn) {
+    for (const double silence_s : {0.03, 0.04}) {
+        Weave drive{0.5};
+        drive.hold_back(silence_s);
+        drive.bench.run_for(0.2);
+        EXPECT_EQ(drive.told_lost(), silence_s > 0.035) << silence_s;
+    }
+}
+
+// From then on its counter is compared with that of the IMU as it is.
+TEST(ARollAngle, IsLateWhateverTheImuHasLostBefore) {
+    Weave drive{0.5};
+    drive.bench.lose_frames(Sensor::imu, 9U);
+    drive.bench.run_for(1.0);
+    ASSERT_FALSE(drive.told_lost());
+    drive.hold_back(0.05);
+    drive.bench.run_for(0.2);
+    EXPECT_TRUE(drive.told_lost());
+}
+
+TEST(ARollAngle, IsNotLateWhenItBeginsLater) {
+    for (int cycles = 1; cycles < 20; ++cycles) {
+        Bench bench;
+        bench.stop(Sensor::roll_angle);
+        bench.run_cycles(cycles);
+        bench.resume_all();
+        bench.run_cycles(10);
+        EXPECT_FALSE(bench.status().roll_angle_timeout) << cycles;
+    }
+}
+
+TEST(ARollAngle, IsNotLateWhenAllSendersHavePaused) {
+    Weave drive{0.5};
+    drive.bench.stop_all();
+    drive.bench.run_for(0.1);
+    drive.bench.resume_all();
+    drive.bench.run_for(0.2);
+    EXPECT_FALSE(drive.told_lost());
+}
+
+TEST(ARollAngle, IsNotLateWhenItsSenderMayHaveStartedAnew) {
+    for (const double silence_s : {0.12, 0.2, 1.0}) {
+        Weave drive{0.5};
+        drive.hold_back(silence_s);
+        drive.bench.run_for(0.2);
+        EXPECT_FALSE(drive.told_lost()) << silence_s;
+    }
+    Weave drive{0.5};
+    drive.hold_back(0.11);
+    drive.bench.run_for(0.2);
+    EXPECT_TRUE(drive.told_lost());
+}
+
+TEST(ARollAngle, IsNotLateWhenTheImuPausesOrCatchesUp) {
+    Weave drive{0.5};
+    drive.bench.stop(Sensor::imu);
+    drive.bench.run_for(0.1);
+    drive.bench.resume_all();
+    drive.bench.run_for(0.2);
+    EXPECT_FALSE(drive.told_lost());
+    drive.bench.lose_frames(Sensor::imu, 10U);
+    drive.bench.run_for(0.2);
+    EXPECT_FALSE(drive.told_lost());
+}
+
+// Its sender had only paused: the roll rate shows it.
+TEST(ARollAngle, IsBelievedAgainWhenItMovesWithTheRollRate) {
+    Weave drive{4.0};
+    drive.hold_back(0.1);
+    drive.bench.run_for(0.2);
+    EXPECT_TRUE(drive.told_lost());
+    drive.bench.run_for(10.0);
+    EXPECT_FALSE(drive.told_lost());
+}
+
+TEST(ARollAngle, IsNotBelievedAsLongAsItMovesLater) {
+    Weave drive{4.0};
+    drive.late_s = 0.1;
+    drive.hold_back(0.1);
+    for (int second = 0; second < 60; ++second) {
+        drive.bench.run_for(1.0);
+        ASSERT_TRUE(drive.told_lost()) << second;
+    }
+}
+
+// The angle of a sine of the roll rate, late by `delay_s`.
+monitoring::RollLag lag_after(double delay_s, double seconds, double amplitude_radps) {
+    monitoring::RollLag lag;
+    for (int sample = 0; sample < static_cast<int>(seconds * 100.0); ++sample) {
+        const double time_s = 0.01 * sample;
+        const double angle = 0.3 - amplitude_radps / 4.0 * std::cos(4.0 * (time_s - delay_s));
+        lag.update(static_cast<float>(angle), static_cast<float>(amplitude_radps * std::sin(4.0 * time_s)));
+    }
+    return lag;
+}
+
+TEST(RollLag, TellsAnAngleInTimeFromOneThatIsTooOld) {
+    for (const double delay_s : {0.0, 0.01, 0.02, 0.03}) {
+        EXPECT_TRUE(lag_after(delay_s, 5.0, 0.2).is_in_time()) << delay_s;
+    }
+    for (const double delay_s : {0.045, 0.06, 0.1, 0.13}) {
+        EXPECT_FALSE(lag_after(delay_s, 5.0, 0.2).is_in_time()) << delay_s;
+    }
+}
+
+TEST(RollLag, KnowsNothingOfABodyThatHasHardlyRolled) {
+    EXPECT_FALSE(lag_after(0.0, 5.0, 0.02).is_in_time());
+    EXPECT_FALSE(lag_after(0.0, 0.3, 0.2).is_in_time());
+}
+
+TEST(RollLag, StartsAnewWithANumberThatIsNotFinite) {
+    monitoring::RollLag lag = lag_after(0.0, 5.0, 0.2);
+    lag.update(std::numeric_limits<float>::quiet_NaN(), 0.0F);
+    EXPECT_FALSE(lag.is_in_time());
+}
+
+}  // namespace
+}  // namespace testing_application

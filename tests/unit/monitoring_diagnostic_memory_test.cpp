@@ -1,0 +1,244 @@
+// The diagnostic memory: how long each code looks before it says so, how long it takes to heal, what it keeps
+// of its first occurrence, and in which order the codes are told. The table is that of
+// docs/safety/degradation.md.
+#include "monitoring/diagnostic_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace {
+
+using monitoring::DiagnosticCode;
+using monitoring::DiagnosticMemory;
+using monitoring::DiagnosticRecord;
+using monitoring::EventStatus;
+
+// In cycles; `confirmed` with the fault in each of them, `healed` without it in any.
+struct StatedDebounce {
+    DiagnosticCode code;
+    int confirmed;
+    int healed;
+};
+
+constexpr StatedDebounce stated_debounces[] = {
+    {DiagnosticCode::imu_lost, 1, 10},
+    {DiagnosticCode::roll_angle_lost, 1, 10},
+    {DiagnosticCode::vehicle_motion_lost, 1, 10},
+    {DiagnosticCode::imu_damaged, 3, 100},
+    {DiagnosticCode::roll_angle_damaged, 3, 100},
+    {DiagnosticCode::vehicle_motion_damaged, 3, 100},
+    {DiagnosticCode::lateral_acceleration_invalid, 3, 5},
+    {DiagnosticCode::vertical_acceleration_invalid, 3, 5},
+    {DiagnosticCode::roll_rate_invalid, 3, 5},
+    {DiagnosticCode::roll_angle_invalid, 3, 5},
+    {DiagnosticCode::yaw_rate_invalid, 3, 5},
+    {DiagnosticCode::speed_invalid, 3, 5},
+    {DiagnosticCode::steering_invalid, 3, 5},
+    {DiagnosticCode::bank_angle_invalid, 3, 5},
+    {DiagnosticCode::lateral_acceleration_jump, 3, 50},
+    {DiagnosticCode::vertical_acceleration_jump, 3, 50},
+    {DiagnosticCode::roll_rate_jump, 3, 50},
+    {DiagnosticCode::roll_angle_jump, 3, 50},
+    {DiagnosticCode::yaw_rate_jump, 3, 50},
+    {DiagnosticCode::speed_jump, 3, 50},
+    {DiagnosticCode::steering_jump, 3, 50},
+    {DiagnosticCode::lateral_acceleration_stuck, 1, 20},
+    {DiagnosticCode::vertical_acceleration_stuck, 1, 20},
+    {DiagnosticCode::roll_rate_stuck, 1, 20},
+    {DiagnosticCode::roll_angle_stuck, 1, 20},
+    {DiagnosticCode::yaw_rate_stuck, 1, 20},
+    {DiagnosticCode::speed_stuck, 1, 20},
+    {DiagnosticCode::steering_stuck, 1, 20},
+    {DiagnosticCode::vertical_acceleration_offset, 3, 100},
+    {DiagnosticCode::roll_rate_contradicts_roll_angle, 3, 100},
+    {DiagnosticCode::roll_rate_offset, 3, 100},
+    {DiagnosticCode::lateral_acceleration_contradicts_yaw_rate, 1, 100},
+    {DiagnosticCode::roll_sensor_contradicts_observer, 1, 100},
+    {DiagnosticCode::yaw_rate_contradicts_lateral_acceleration, 1, 100},
+    {DiagnosticCode::parameters_refused, 1, 1},
+    {DiagnosticCode::parameters_damaged, 1, 100},
+    {DiagnosticCode::estimate_out_of_range, 1, 100},
+    {DiagnosticCode::output_not_finite, 1, 100},
+    {DiagnosticCode::cycle_overrun, 1, 100},
+    {DiagnosticCode::cycle_stall, 1, 100},
+    {DiagnosticCode::clock_jump, 1, 100},
+    {DiagnosticCode::bus_error, 3, 100},
+    {DiagnosticCode::receive_overflow, 1, 100},
+};
+
+class ADiagnosticMemory : public ::testing::Test {
+ protected:
+    void report(DiagnosticCode code, bool failed, int cycles) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            memory.report(code, failed);
+        }
+    }
+
+    // Seen for as long as any code takes.
+    void confirm(DiagnosticCode code) { report(code, true, 3); }
+
+    DiagnosticMemory memory;
+};
+
+TEST_F(ADiagnosticMemory, ConfirmsAndHealsEachCodeAfterTheStatedCycles) {
+    std::set<DiagnosticCode> codes;
+    for (const StatedDebounce& stated : stated_debounces) {
+        SCOPED_TRACE(static_cast<int>(stated.code));
+        EXPECT_TRUE(codes.insert(stated.code).second);
+        report(stated.code, true, stated.confirmed - 1);
+        EXPECT_EQ(memory.status(stated.code), stated.confirmed > 1 ? EventStatus::set : EventStatus::none);
+        report(stated.code, true, 1);
+        EXPECT_EQ(memory.status(stated.code), EventStatus::confirmed);
+        EXPECT_TRUE(memory.confirmed(stated.code));
+        report(stated.code, false, stated.healed - 1);
+        EXPECT_EQ(memory.status(stated.code), EventStatus::confirmed);
+        report(stated.code, false, 1);
+        EXPECT_EQ(memory.status(stated.code), EventStatus::healed);
+        EXPECT_FALSE(memory.confirmed(stated.code));
+    }
+    EXPECT_EQ(codes.size(), monitoring::diagnostic_code_count - 1U);  // all but `none`
+}
+
+TEST_F(ADiagnosticMemory, KeepsEachCodeConfirmedAsLongAsTheFaultIsThere) {
+    for (const StatedDebounce& stated : stated_debounces) {
+        confirm(stated.code);
+        for (int cycle = 0; cycle < 200; ++cycle) {
+            memory.report(stated.code, true);
+            ASSERT_EQ(memory.status(stated.code), EventStatus::confirmed) << static_cast<int>(stated.code);
+        }
+    }
+}
+
+// A cycle with the fault counts two, a good one takes one away: two, one, three, two, four, three, five,
+// four, and the ninth cycle, the fifth with the fault, makes six.
+TEST_F(ADiagnosticMemory, ConfirmsAFaultOfEverySecondCycleAfterHalfAsMuchTimeAgain) {
+    constexpr DiagnosticCode code = DiagnosticCode::bus_error;
+    for (int cycle = 1; cycle < 9; ++cycle) {
+        memory.report(code, cycle % 2 == 1);
+        EXPECT_EQ(memory.status(code), EventStatus::set) << cycle;
+    }
+    memory.report(code, true);
+    EXPECT_EQ(memory.status(code), EventStatus::confirmed);
+}
+
+TEST_F(ADiagnosticMemory, ForgetsASightingAfterTwiceAsManyGoodCycles) {
+    constexpr DiagnosticCode code = DiagnosticCode::bus_error;
+    report(code, true, 2);
+    report(code, false, 3);
+    EXPECT_EQ(memory.status(code), EventStatus::set);
+    report(code, false, 1);
+    EXPECT_EQ(memory.status(code), EventStatus::none);
+    report(code, false, 50);  // good cycles are not saved up against a later fault
+    report(code, true, 3);
+    EXPECT_EQ(memory.status(code), EventStatus::confirmed);
+}
+
+TEST_F(ADiagnosticMemory, HealsByGoodCyclesInARowOnlyAndFromThereDebouncesAnew) {
+    constexpr DiagnosticCode code = DiagnosticCode::speed_invalid;
+    confirm(code);
+    report(code, false, 4);
+    report(code, true, 1);
+    report(code, false, 4);
+    EXPECT_EQ(memory.status(code), EventStatus::confirmed);
+    report(code, false, 1);
+    EXPECT_EQ(memory.status(code), EventStatus::healed);
+    report(code, true, 2);
+    EXPECT_EQ(memory.status(code), EventStatus::set);
+    report(code, true, 1);
+    EXPECT_EQ(memory.status(code), EventStatus::confirmed);
+    report(code, false, 5);
+    report(code, true, 1);
+    report(code, false, 2);  // seen, and gone again
+    EXPECT_EQ(memory.status(code), EventStatus::healed);
+}
+
+TEST_F(ADiagnosticMemory, LeavesEveryOtherCodeAsItIs) {
+    confirm(DiagnosticCode::speed_jump);
+    for (const StatedDebounce& other : stated_debounces) {
+        if (other.code != DiagnosticCode::speed_jump) {
+            EXPECT_EQ(memory.status(other.code), EventStatus::none);
+        }
+    }
+    EXPECT_EQ(memory.status(DiagnosticCode::none), EventStatus::none);
+}
+
+TEST_F(ADiagnosticMemory, KeepsWhatWasMeasuredAtTheFirstConfirmationAndNothingLater) {
+    constexpr DiagnosticCode code = DiagnosticCode::bus_error;
+    for (const float cycle : {1.0F, 2.0F, 3.0F}) {  // confirmed in the third
+        memory.begin_cycle({cycle, 10.0F + cycle, 20.0F + cycle, 30.0F + cycle});
+        memory.report(code, true);
+    }
+    memory.begin_cycle({4.0F, 14.0F, 24.0F, 34.0F});
+    report(code, false, 100);
+    confirm(code);
+    const DiagnosticRecord record = memory.next();
+    EXPECT_EQ(record.code, code);
+    EXPECT_EQ(record.status, EventStatus::confirmed);
+    EXPECT_EQ(record.occurrences, 2U);
+    EXPECT_EQ(record.first.lateral_acceleration_mps2, 3.0F);
+    EXPECT_EQ(record.first.roll_rate_radps, 13.0F);
+    EXPECT_EQ(record.first.roll_angle_rad, 23.0F);
+    EXPECT_EQ(record.first.speed_mps, 33.0F);
+}
+
+TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
+    memory.begin_cycle({1.0F, 2.0F, 3.0F, 4.0F});
+    memory.report(DiagnosticCode::bus_error, true);
+    const DiagnosticRecord record = memory.next();
+    EXPECT_EQ(record.code, DiagnosticCode::bus_error);
+    EXPECT_EQ(record.status, EventStatus::set);
+    EXPECT_EQ(record.occurrences, 0U);
+    EXPECT_TRUE(std::isnan(record.first.lateral_acceleration_mps2));
+    EXPECT_TRUE(std::isnan(record.first.roll_rate_radps));
+    EXPECT_TRUE(std::isnan(record.first.roll_angle_rad));
+    EXPECT_TRUE(std::isnan(record.first.speed_mps));
+}
+
+TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
+    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::receive_overflow}) {
+        memory = {};
+        confirm(code);
+        for (int cycle = 0; cycle < 5; ++cycle) {
+            EXPECT_EQ(memory.next().code, code);
+        }
+    }
+}
+
+// Those that have something to tell come one a cycle, in the order of the codes, and the first follows the
+// last.
+TEST_F(ADiagnosticMemory, TellsAllEntriesRoundAndRound) {
+    for (const StatedDebounce& entry : stated_debounces) {
+        confirm(entry.code);
+    }
+    std::set<DiagnosticCode> news;
+    for (std::size_t cycle = 1U; cycle < monitoring::diagnostic_code_count; ++cycle) {
+        EXPECT_TRUE(news.insert(memory.next().code).second);
+    }
+    for (int round = 0; round < 2; ++round) {
+        for (std::size_t code = 1U; code < monitoring::diagnostic_code_count; ++code) {
+            EXPECT_EQ(memory.next().code, static_cast<DiagnosticCode>(code));
+        }
+    }
+}
+
+TEST_F(ADiagnosticMemory, TellsEachConfirmationAtOnceAndOnlyOnce) {
+    confirm(DiagnosticCode::imu_lost);
+    confirm(DiagnosticCode::speed_jump);
+    confirm(DiagnosticCode::clock_jump);
+    for (int cycle = 0; cycle < 5; ++cycle) {
+        memory.next();  // three that are news, then two of the round
+    }
+    confirm(DiagnosticCode::roll_rate_jump);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::roll_rate_jump);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::clock_jump);  // the round goes on
+    EXPECT_EQ(memory.next().code, DiagnosticCode::imu_lost);
+
+    report(DiagnosticCode::clock_jump, false, 100);
+    confirm(DiagnosticCode::clock_jump);  // again is news too
+    EXPECT_EQ(memory.next().code, DiagnosticCode::clock_jump);
+    EXPECT_EQ(memory.next().code, DiagnosticCode::roll_rate_jump);
+}
+
+}  // namespace
