@@ -131,7 +131,10 @@ std::string section_source(const std::vector<std::uint8_t>& bytes) {
 std::string calibration_toml(const rsi::Parameters& parameters) {
     std::string text;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
-        text += fmt::format("{} = {}\n", field.name, parameters.*field.member);
+        // With a point, because "-0" would be read as an integer, which has no sign then.
+        const float value = parameters.*field.member;
+        const bool is_zero = !(value < 0.0F) && !(value > 0.0F);
+        text += field.name + (is_zero ? fmt::format(" = {:#}\n", value) : fmt::format(" = {}\n", value));
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
         text += fmt::format("{} = \"{}\"\n", field.name, field.choices[parameters.*field.member]);

@@ -199,7 +199,8 @@ CampaignSettings load_campaign(const std::filesystem::path& path) {
         throw CampaignError(fmt::format("{}:{}: cannot be read as TOML: {}", path.string(),
                                         error.source().begin.line, error.description()));
     }
-    return read_settings(table, path.string(), default_campaign());
+    static const CampaignSettings defaults = default_campaign();
+    return read_settings(table, path.string(), defaults);
 }
 
 }  // namespace sil

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <map>
 #include <type_traits>
 #include <vector>
 
@@ -19,6 +18,9 @@
 #include "tests/fuzz/support/require.hpp"
 #include "tests/support/large_suv.h"
 
+// Of firmware/calibrations/generated/large_suv.c.
+extern "C" const unsigned char rsi_parameter_section[];
+
 namespace {
 
 using can_dbc::RolloverStatus;
@@ -28,6 +30,10 @@ using fuzz::require;
 using testing_application::protect;
 
 constexpr int most_cycles = 64;
+// Of a recovery: holds of at most 1 s, faults that heal after 1 s, a filter with a lag of 4 s; then for so
+// long.
+constexpr int longest_recovery = 3000;
+constexpr int lasting = 100;
 constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
 constexpr hal::Time never = hal::Time::from_milliseconds(-1'000'000);
 
@@ -64,6 +70,18 @@ bool is_good_imu(const hal::CanFrame& frame) {
            std::abs(int{little_endian_at(frame, 6U)}) <= 30000;
 }
 
+using Section = std::array<std::uint8_t, application::section::length>;
+
+// A good one, of which some bytes have changed.
+Section any_section(ByteReader& bytes) {
+    Section section{};
+    std::copy_n(&rsi_parameter_section[0], section.size(), section.begin());
+    for (unsigned changes = bytes.below(4U); changes > 0U; --changes) {
+        section[bytes.take<std::uint16_t>() % section.size()] = bytes.take<std::uint8_t>();
+    }
+    return section;
+}
+
 rsi::Parameters any_parameters(ByteReader& bytes) {
     rsi::Parameters parameters = rsi_test_large_suv();
     parameters.estimator = static_cast<std::int32_t>(bytes.below(2U));
@@ -92,8 +110,7 @@ class World {
     void start() {
         switch (bytes_.below(4U)) {
             case 0U: {
-                std::array<std::uint8_t, application::section::length> section{};
-                bytes_.take_into(section.data(), section.size());
+                const Section section = any_section(bytes_);
                 accepted_ =
                     ecu_.init(section.data(), section.size()).refusal == application::ParametersRefusal::none;
                 break;
@@ -158,19 +175,32 @@ class World {
         }
     }
 
-    // The ECU must find back to "ready" from anything, once all is well.
+    // The ECU must find back to "ready" from anything, once all is well, and stay there.
     void recover() {
         set_bus_state(hal::BusState::error_active);
         payloads_ = calm_payloads;
-        constexpr int enough =
-            400;  // holds of at most 1 s, recovery 0.1 s, and what the estimator needs to settle
-        for (int count = 0; count < enough; ++count) {
+        int ready_cycles = 0;
+        for (int count = 0; count < longest_recovery && ready_cycles < lasting; ++count) {
+            stir();
             send_good(0U);
             send_good(1U);
             send_good(2U);
             cycle(10, 0U);
+            const bool ready = !accepted_ || state_ == RolloverWarning::State::ready;
+            ready_cycles = ready ? ready_cycles + 1 : 0;
         }
-        require(!accepted_ || state_ == RolloverWarning::State::ready, "ready again once all is well");
+        require(ready_cycles == lasting, "ready again once all is well");
+    }
+
+    // The least that a living sensor does: the last bit of each signal goes up and down. One that repeats
+    // itself for ever stays "stuck" once it has been found so, and rightly.
+    void stir() {
+        for (const std::size_t at : {2U, 4U, 6U}) {
+            payloads_[0][at] = static_cast<std::uint8_t>(payloads_[0][at] ^ 1U);
+            payloads_[2][at] = static_cast<std::uint8_t>(payloads_[2][at] ^ 1U);
+        }
+        payloads_[1][3] =
+            static_cast<std::uint8_t>(payloads_[1][3] ^ 1U);  // the other order of bytes; no bank
     }
 
     void hold(unsigned count) {
@@ -292,6 +322,7 @@ class World {
         judged<can_dbc::RollIndicesAhead>();
         judged<can_dbc::RollIndicesClassic>();
         judged<can_dbc::RollObserver>();
+        judged<can_dbc::RolloverDiagnosis>();
         const RolloverStatus status = judged<RolloverStatus>();
         require(frames_.front().identifier == RolloverWarning::identifier, "the warning is sent first");
         require(frames_.back().identifier == RolloverStatus::identifier, "the status is sent last");
@@ -355,12 +386,12 @@ class World {
     }
 
     void judge_counter(std::uint32_t identifier, unsigned counter) {
-        const auto before = sent_counters_.find(identifier);
-        if (counters_known_ && before != sent_counters_.end()) {
-            require(counter == (before->second + 1U) % 15U, "the counter goes up by one");
+        unsigned& before = sent_counters_[identifier];
+        if (counters_known_) {
+            require(counter == (before + 1U) % 15U, "the counter goes up by one");
         }
         require(counter <= 14U, "the counter is one that a sender may use");
-        sent_counters_[identifier] = counter;
+        before = counter;
     }
 
     hal::MemoryBus<2U, 80U>::Endpoint& world() { return bus_.endpoint(1U); }
@@ -379,8 +410,8 @@ class World {
     bool accepted_{false};
     int cycles_{0};
     std::uint64_t missed_cycles_{0U};
-    std::vector<hal::CanFrame> frames_{};  // of the last cycle, in the order of sending
-    std::map<std::uint32_t, unsigned> sent_counters_{};
+    std::vector<hal::CanFrame> frames_{};          // of the last cycle, in the order of sending
+    std::array<unsigned, 0x236> sent_counters_{};  // by identifier
     bool counters_known_{false};
     RolloverWarning::State state_{};
     unsigned frames_rejected_{0U};

@@ -10,6 +10,7 @@
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/calibration/parameter_section_file.hpp"
 #include "tests/fuzz/support/byte_reader.hpp"
+#include "tests/fuzz/support/crc32.hpp"
 #include "tests/fuzz/support/require.hpp"
 #include "tests/support/large_suv.h"
 
@@ -28,21 +29,6 @@ std::uint32_t number_at(const Bytes& bytes, std::size_t at, std::size_t count) {
         number = number * 256U + bytes[at + index];
     }
     return number;
-}
-
-// CRC-32 as the polynomial division that it is: bits in the order of transmission, generator 0x104C11DB7.
-std::uint32_t crc32_by_division(const Bytes& bytes, std::size_t length) {
-    std::uint32_t remainder = 0xFFFFFFFFU;
-    for (std::size_t bit = 0U; bit < 8U * length; ++bit) {
-        const std::uint32_t next = (bytes[bit / 8U] >> (bit % 8U)) & 1U;
-        const std::uint32_t out = remainder >> 31U;
-        remainder = (remainder << 1U) ^ (out != next ? 0x04C11DB7U : 0U);
-    }
-    std::uint32_t reflected = 0U;
-    for (unsigned bit = 0U; bit < 32U; ++bit) {
-        reflected |= ((remainder >> bit) & 1U) << (31U - bit);
-    }
-    return ~reflected;
 }
 
 rsi::Parameters values_of(const Bytes& bytes) {
@@ -69,7 +55,7 @@ ParametersRefusal refusal_of(const Bytes& bytes) {
     if (bytes.size() < length || number_at(bytes, 12U, 4U) != length) {
         return ParametersRefusal::length;
     }
-    if (number_at(bytes, length - 4U, 4U) != crc32_by_division(bytes, length - 4U)) {
+    if (number_at(bytes, length - 4U, 4U) != fuzz::crc32_by_division(bytes.data(), length - 4U)) {
         return ParametersRefusal::checksum;
     }
     return rsi::validate(values_of(bytes)).accepted == 1 ? ParametersRefusal::none : ParametersRefusal::value;
@@ -90,7 +76,7 @@ Bytes any_section(ByteReader& reader) {
         bytes[at] = reader.take<std::uint8_t>();
     }
     if (kind == 2U) {
-        const std::uint32_t crc = crc32_by_division(bytes, section::checksum_at);
+        const std::uint32_t crc = fuzz::crc32_by_division(bytes.data(), section::checksum_at);
         std::memcpy(bytes.data() + section::checksum_at, &crc, sizeof crc);
     } else if (kind == 3U) {
         bytes.resize(reader.take<std::uint16_t>() % 600U);
@@ -111,7 +97,7 @@ void check_written_again(const Bytes& bytes, const rsi::Parameters& parameters) 
     for (std::size_t at = 16U + name.size(); at < 64U; ++at) {
         expected[at] = 0U;  // behind the name's end there may be anything
     }
-    const std::uint32_t crc = crc32_by_division(expected, section::checksum_at);
+    const std::uint32_t crc = fuzz::crc32_by_division(expected.data(), section::checksum_at);
     std::memcpy(expected.data() + section::checksum_at, &crc, sizeof crc);
     require(again == expected, "the tool writes the same section");
 }

@@ -7,24 +7,23 @@
 #include "rsi/parameters.hpp"
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/calibration/parameter_section_file.hpp"
-#include "tests/fuzz/support/memory_file.hpp"
 #include "tests/fuzz/support/message.hpp"
 #include "tests/fuzz/support/require.hpp"
+#include "tests/fuzz/support/toml_text.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static fuzz::MemoryFile file;
-    file.write(data, size);
+    fuzz::set_toml_text({reinterpret_cast<const char*>(data), size});
     rsi::Parameters parameters{};
     try {
-        parameters = sil::load_calibration(file.path());
+        parameters = sil::load_calibration(fuzz::toml_path());
     } catch (const sil::CalibrationError& error) {
-        fuzz::require_place(error.what(), file.path());
+        fuzz::require_place(error.what(), fuzz::toml_path());
         return 0;
     }
     fuzz::require(rsi::validate(parameters).accepted == 1, "the component accepts what was read");
     const std::string text = sil::calibration_toml(parameters);
-    file.write(text.data(), text.size());
-    const rsi::Parameters again = sil::load_calibration(file.path());
+    fuzz::set_toml_text(text);
+    const rsi::Parameters again = sil::load_calibration(fuzz::toml_path());
     fuzz::require(std::memcmp(&again, &parameters, sizeof again) == 0, "what was written reads as the same");
     return 0;
 }

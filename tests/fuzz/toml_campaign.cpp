@@ -6,9 +6,9 @@
 
 #include "sil/campaign/settings.hpp"
 #include "sil/manoeuvres/catalogue.hpp"
-#include "tests/fuzz/support/memory_file.hpp"
 #include "tests/fuzz/support/message.hpp"
 #include "tests/fuzz/support/require.hpp"
+#include "tests/fuzz/support/toml_text.hpp"
 
 // Stands for the catalogue, which needs the whole simulated vehicle and is none of the reader's business.
 sil::Manoeuvre sil::find_manoeuvre(std::string_view name) {
@@ -20,19 +20,18 @@ sil::Manoeuvre sil::find_manoeuvre(std::string_view name) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static fuzz::MemoryFile file;
-    file.write(data, size);
+    fuzz::set_toml_text({reinterpret_cast<const char*>(data), size});
     sil::CampaignSettings settings;
     try {
-        settings = sil::load_campaign(file.path());
+        settings = sil::load_campaign(fuzz::toml_path());
     } catch (const sil::CampaignError& error) {
-        fuzz::require_place(error.what(), file.path());
+        fuzz::require_place(error.what(), fuzz::toml_path());
         return 0;
     }
     sil::check_campaign(settings);
     const std::string text = sil::to_toml(settings);
-    file.write(text.data(), text.size());
-    fuzz::require(sil::to_toml(sil::load_campaign(file.path())) == text,
+    fuzz::set_toml_text(text);
+    fuzz::require(sil::to_toml(sil::load_campaign(fuzz::toml_path())) == text,
                   "what was written reads as the same");
     return 0;
 }

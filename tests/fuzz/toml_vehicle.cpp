@@ -3,15 +3,14 @@
 #include <cstdint>
 
 #include "sil/vehicle/parameter_file.hpp"
-#include "tests/fuzz/support/memory_file.hpp"
 #include "tests/fuzz/support/message.hpp"
 #include "tests/fuzz/support/require.hpp"
+#include "tests/fuzz/support/toml_text.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static fuzz::MemoryFile file;
-    file.write(data, size);
+    fuzz::set_toml_text({reinterpret_cast<const char*>(data), size});
     try {
-        const sil::VehicleParameters vehicle = sil::load_vehicle(file.path());
+        const sil::VehicleParameters vehicle = sil::load_vehicle(fuzz::toml_path());
         for (const double positive :
              {vehicle.mass.sprung_kg, vehicle.mass.front_unsprung_kg, vehicle.mass.rear_axle_kg,
               vehicle.inertia.sprung_roll_kgm2, vehicle.inertia.wheel_spin_kgm2,
@@ -23,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                           "what a vehicle divides by is above zero");
         }
     } catch (const sil::ParameterError& error) {
-        fuzz::require_place(error.what(), file.path());
+        fuzz::require_place(error.what(), fuzz::toml_path());
     }
     return 0;
 }

@@ -4,14 +4,13 @@
 #include <string_view>
 
 #include "sil/identification/vehicle_data.hpp"
-#include "tests/fuzz/support/memory_file.hpp"
 #include "tests/fuzz/support/require.hpp"
+#include "tests/fuzz/support/toml_text.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static fuzz::MemoryFile file;
-    file.write(data, size);
+    fuzz::set_toml_text({reinterpret_cast<const char*>(data), size});
     try {
-        const sil::VehicleData vehicle = sil::load_vehicle_data(file.path());
+        const sil::VehicleData vehicle = sil::load_vehicle_data(fuzz::toml_path());
         for (const double positive :
              {vehicle.total_mass_kg, vehicle.sprung_mass_kg, vehicle.sprung_cg_height_m,
               vehicle.unsprung_cg_height_m, vehicle.track_width_m, vehicle.wheelbase_m}) {
@@ -28,8 +27,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
     } catch (const sil::VehicleDataError& error) {
         // Which file, or, where a value came from elsewhere, which key.
-        fuzz::require(std::string_view{error.what()}.substr(0U, file.path().size()) == file.path(),
-                      "an error names the file");
+        fuzz::require(
+            std::string_view{error.what()}.substr(0U, fuzz::toml_path().size()) == fuzz::toml_path(),
+            "an error names the file");
     }
     return 0;
 }

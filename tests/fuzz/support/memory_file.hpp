@@ -25,13 +25,17 @@ class MemoryFile {
     const std::string& path() const { return path_; }
 
     void write(const void* bytes, std::size_t size) {
-        require(ftruncate(descriptor_, 0) == 0, "the file can be emptied");
         require(pwrite(descriptor_, bytes, size, 0) == static_cast<ssize_t>(size), "the file can be written");
+        if (size < size_) {  // only then: it takes as long as the writing
+            require(ftruncate(descriptor_, static_cast<off_t>(size)) == 0, "the file can be shortened");
+        }
+        size_ = size;
     }
 
  private:
     int descriptor_;
     std::string path_;
+    std::size_t size_{0U};
 };
 
 }  // namespace fuzz
