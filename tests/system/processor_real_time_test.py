@@ -13,12 +13,12 @@ READY, ADVISORY, WARNING = 1, 2, 3
 # So the drive is repeated until the machine keeps pace; the firmware is the same all the time.
 MOST_DRIVES = 10
 KEPT_PACE = 0.02  # share of cycles missed
+LONGEST_PAUSE_S = 0.04  # of the simulated sensors; after 50 ms without them the ECU says "unavailable", and rightly
 MOST_OVERRUNS = 255  # where CycleOverruns ends
 # The firmware's clock knows nothing of the simulation's: a sensor frame waits up to one cycle, the warning's
 # confirmation is counted in whole cycles, and the replay on the host has cycles of its own.
 TOLERANCE_S = 0.03
-# The simulation's own clock against the bus: the world starts and steps late when it is held up.
-WORLD_TOLERANCE_S = 0.1
+IMU_IDENTIFIER = "120"
 
 
 class Drive:
@@ -36,6 +36,18 @@ class Drive:
 
     def warnings(self):
         return [frame for frame in self.during if frame[1] == programs.WARNING_IDENTIFIER]
+
+    def longest_pause(self):
+        times = [time for time, identifier, _ in self.during if identifier == IMU_IDENTIFIER]
+        return max(after - before for before, after in zip(times, times[1:]))
+
+    def kept_pace(self):
+        return self.missed_share() <= KEPT_PACE and self.longest_pause() <= LONGEST_PAUSE_S
+
+    def simulated_time(self, time):
+        """The simulation's, by its Imu frames: a busy machine holds the world up, and its clock stands meanwhile."""
+        steps = sum(identifier == IMU_IDENTIFIER and at <= time for at, identifier, _ in self.frames)
+        return (steps - 1) * processor.CYCLE_S
 
     def missed_share(self):
         wanted = (self.last - self.first) / processor.CYCLE_S
@@ -64,12 +76,13 @@ class RealTime(unittest.TestCase):
                 drive = Drive(folder)
                 cls.drives.append(drive)
                 print(f"drive {len(cls.drives)}: {100 * drive.missed_share():.1f} % of the cycles missed, "
+                      f"longest pause of the sensors {1000 * drive.longest_pause():.0f} ms, "
                       f"lead {drive.summary['lead_time_s']} s", flush=True)
-                if drive.missed_share() <= KEPT_PACE:
+                if drive.kept_pace():
                     break
             cls.exit_status = ecu.stop()
             cls.ecu_output = ecu.output
-        cls.drive = min(cls.drives, key=Drive.missed_share)
+        cls.drive = min(cls.drives, key=lambda drive: (not drive.kept_pace(), drive.missed_share()))
         print(programs.run("rsi-sil", "timing", cls.drive.log).stdout)
 
     def test_the_programs_end_well(self):
@@ -79,6 +92,7 @@ class RealTime(unittest.TestCase):
 
     def test_a_hundred_cycles_a_second_are_kept(self):
         self.assertLessEqual(self.drive.missed_share(), KEPT_PACE, "this machine is too busy for real time")
+        self.assertLessEqual(self.drive.longest_pause(), LONGEST_PAUSE_S, "this machine is too busy for the simulation")
         # Kept or missed, the firmware accounts for each: its clock runs like the machine's.
         statuses = [(time, data) for time, identifier, data in self.drive.frames
                     if identifier == processor.STATUS_IDENTIFIER]
@@ -93,8 +107,10 @@ class RealTime(unittest.TestCase):
     def test_the_warning_is_on_the_bus_before_two_wheels_lift(self):
         self.assertGreater(self.drive.summary["lead_time_s"], 0.25)
         changes = state_changes(self.drive.frames, self.drive.first)
-        warning_s = next(time for time, state in changes if state == WARNING)
-        self.assertAlmostEqual(warning_s, self.drive.summary["warning_time_s"], delta=WORLD_TOLERANCE_S)
+        warning_s = self.drive.simulated_time(
+            self.drive.first + next(time for time, state in changes if state == WARNING)
+        )
+        self.assertAlmostEqual(warning_s, self.drive.summary["warning_time_s"], delta=TOLERANCE_S)
 
     def test_no_frame_is_lost(self):
         for identifier in processor.ECU_IDENTIFIERS:
