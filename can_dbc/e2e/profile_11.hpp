@@ -46,6 +46,11 @@ constexpr void protect_profile_11(std::array<std::uint8_t, size>& payload, std::
     payload[0] = detail::profile_11_crc(payload.data(), size, data_id);
 }
 
+// The counter of a payload of at least profile_11_header_length bytes; 15 is one that no sender may use.
+constexpr std::uint8_t profile_11_counter(const std::uint8_t* payload) {
+    return static_cast<std::uint8_t>(payload[1] & 0x0FU);
+}
+
 // What is wrong with a received payload of `length` bytes, taken by itself: everything but the sequence.
 constexpr CheckError verify_profile_11(const std::uint8_t* payload, std::size_t length,
                                        std::size_t expected_length, std::uint16_t data_id) {
@@ -58,7 +63,7 @@ constexpr CheckError verify_profile_11(const std::uint8_t* payload, std::size_t 
     if ((payload[1] >> 4U) != detail::profile_11_nibble(data_id)) {
         return CheckError::data_id;
     }
-    return (payload[1] & 0x0FU) > profile_11_largest_counter ? CheckError::counter : CheckError::none;
+    return profile_11_counter(payload) > profile_11_largest_counter ? CheckError::counter : CheckError::none;
 }
 
 // Protects the frames of one sender and one data identifier, counting them. The caller owns it, one a
@@ -105,7 +110,7 @@ class Profile11Receiver {
         if (error != CheckError::none) {
             return CheckResult{CheckStatus::error, error};
         }
-        return sequence_.follow(static_cast<std::uint8_t>(payload[1] & 0x0FU));
+        return sequence_.follow(profile_11_counter(payload));
     }
 
     std::size_t length_;

@@ -60,7 +60,7 @@ class FrameMonitor {
         if (channel_.is_valid() && can_dbc::e2e::is_usable(check.status)) {
             latest_ = can_dbc::decode<Message>(frame.data);
             latest_time_ = frame.receive_time;
-            latest_counter_ = static_cast<std::uint8_t>(frame.data[1] & 0x0FU);
+            latest_counter_ = can_dbc::e2e::profile_11_counter(frame.data.data());
             received_ = true;
             withdrawn_ = false;
         }

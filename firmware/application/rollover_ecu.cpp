@@ -70,7 +70,7 @@ rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionRep
         return no_inputs;
     }
     const monitoring::FreshFrames fresh{!reception.imu.timeout, !reception.roll_angle.timeout,
-                                        !reception.vehicle_motion.timeout};
+                                        !reception.vehicle_motion.timeout, reception.late_roll_angle_rad};
     return input_monitor_.qualify(inputs, fresh, outputs_, memory_);
 }
 

@@ -90,6 +90,9 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
     report.roll_angle = faults(roll_angle_, is_roll_angle_fresh(now), roll_valid);
     report.vehicle_motion =
         faults(vehicle_motion_, vehicle_motion_.is_fresh(now), vehicle_motion_.latest().status.all_valid());
+    if (roll_angle_delay_.is_late() && roll_angle_.is_fresh(now)) {
+        report.late_roll_angle_rad = roll_angle_.latest().value.roll_angle_deg * radians_per_degree;
+    }
     add_counts(imu_, report);
     add_counts(roll_angle_, report);
     add_counts(vehicle_motion_, report);

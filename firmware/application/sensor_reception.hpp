@@ -25,6 +25,8 @@ struct ReceptionReport {
     FrameFaults vehicle_motion{};
     std::uint32_t frames_rejected{0U};  // since the start
     std::uint32_t frames_lost{0U};      // since the start, by the counters
+    // The newest roll angle while it is held back, and for that not among the inputs; else NaN.
+    float late_roll_angle_rad{rsi::not_available};
 };
 
 // A cycle in which nothing is known.

@@ -18,6 +18,12 @@ bool either_confirmed(const DiagnosticMemory& memory, DiagnosticCode a, Diagnost
     return memory.confirmed(a) || memory.confirmed(b);
 }
 
+// Roll rate and roll angle, each other.
+bool roll_contradicts(const DiagnosticMemory& memory) noexcept {
+    return either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
+                            DiagnosticCode::roll_rate_offset);
+}
+
 // Seen, if only once.
 bool suspected(const DiagnosticMemory& memory, DiagnosticCode code) noexcept {
     const EventStatus status = memory.status(code);
@@ -54,7 +60,9 @@ rsi::Inputs witnesses(const rsi::Inputs& inputs, const DiagnosticMemory& memory)
 }  // namespace
 
 void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
+    const bool roll_rate_is_wrong = roll_rate_is_wrong_;  // the code outlives a stall, and so must the blame
     *this = InputMonitor{};
+    roll_rate_is_wrong_ = roll_rate_is_wrong;
     force_vote_.start(parameters);
 }
 
@@ -63,7 +71,7 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
     const rsi::Inputs kept = memory.all_rest() ? inputs : witnesses(inputs, memory);
     check_stuck(kept, memory);
-    check_roll(kept, memory);
+    check_roll(kept, fresh.late_roll_angle_rad, memory);
     check_vertical(kept, before, memory);
     check_turn(kept, memory);
     check_observer(inputs, before, memory);
@@ -113,33 +121,41 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
 void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
     const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
     const float lateral = inputs.lateral_specific_force_mps2;
-    const float turned = turned_rad_ + rsi::sample_time_s * inputs.roll_rate_radps;
-    turned_rad_ = rsi::is_within_magnitude(turned, 50.0F) ? turned : 0.0F;
-    memory.report(DiagnosticCode::lateral_acceleration_stuck, lateral_stuck_.is_stuck(lateral, turn));
-    memory.report(DiagnosticCode::vertical_acceleration_stuck,
-                  vertical_stuck_.is_stuck(inputs.vertical_specific_force_mps2, lateral));
-    memory.report(DiagnosticCode::roll_rate_stuck,
-                  roll_rate_stuck_.is_stuck(inputs.roll_rate_radps, inputs.roll_angle_rad - turned_rad_));
-    memory.report(DiagnosticCode::roll_angle_stuck,
-                  roll_angle_stuck_.is_stuck(inputs.roll_angle_rad, turned_rad_));
-    memory.report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_.is_stuck(inputs.yaw_rate_radps, lateral));
-    memory.report(DiagnosticCode::speed_stuck, speed_stuck_.is_stuck(inputs.speed_mps, turn));
-    memory.report(DiagnosticCode::steering_stuck,
-                  steering_stuck_.is_stuck(inputs.steering_wheel_angle_rad, lateral, turn));
+    // NaN when it begins anew: no witness has jumped then.
+    const float sum = turned_rad_ + rsi::sample_time_s * inputs.roll_rate_radps;
+    const float turned = rsi::is_within_magnitude(sum, 5.0F) ? sum : rsi::not_available;
+    turned_rad_ = rsi::is_finite(turned) ? turned : 0.0F;
+    const auto report = [&memory](DiagnosticCode code, auto& check, auto... signals) noexcept {
+        const bool stuck = check.is_stuck(signals...);
+        // A witness that rests, or is missing, does not clear a value that repeats itself.
+        if (stuck || check.moves()) {
+            memory.report(code, stuck);
+        }
+    };
+    report(DiagnosticCode::lateral_acceleration_stuck, lateral_stuck_, lateral, turn);
+    report(DiagnosticCode::vertical_acceleration_stuck, vertical_stuck_, inputs.vertical_specific_force_mps2,
+           lateral);
+    report(DiagnosticCode::roll_rate_stuck, roll_rate_stuck_, inputs.roll_rate_radps,
+           inputs.roll_angle_rad - turned);
+    report(DiagnosticCode::roll_angle_stuck, roll_angle_stuck_, inputs.roll_angle_rad, turned);
+    report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_, inputs.yaw_rate_radps, lateral);
+    report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
+    report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
 }
 
-void InputMonitor::check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
-    roll_consistency_.update(inputs.roll_angle_rad, inputs.roll_rate_radps);
+// An angle that is held back accuses nobody, but without it a contradiction could not heal.
+void InputMonitor::check_roll(const rsi::Inputs& inputs, float late_roll_angle_rad,
+                              DiagnosticMemory& memory) noexcept {
+    const bool before = roll_contradicts(memory);
+    const bool only_heals = before && !rsi::is_finite(inputs.roll_angle_rad);
+    roll_consistency_.update(only_heals ? late_roll_angle_rad : inputs.roll_angle_rad,
+                             inputs.roll_rate_radps);
     if (!roll_consistency_.known()) {
         return;
     }
-    const bool before = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
-                                         DiagnosticCode::roll_rate_offset);
     memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts());
     memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset());
-    const bool now = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
-                                      DiagnosticCode::roll_rate_offset);
-    if (now && !before) {
+    if (roll_contradicts(memory) && !before) {
         roll_rate_is_wrong_ = !roll_angle_is_wrong(inputs);
     }
 }
@@ -154,32 +170,38 @@ bool InputMonitor::roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept
     return !rsi::is_within_magnitude(force, clear_force_mps2) && (force * inputs.roll_angle_rad < 0.0F);
 }
 
-// In a warning wheels lift and come down.
+// In a warning wheels lift and come down: no time to accuse anybody, nor to clear.
 void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
                                   DiagnosticMemory& memory) noexcept {
     vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
                             inputs.roll_angle_rad);
     if (vertical_offset_.known()) {
-        memory.report(DiagnosticCode::vertical_acceleration_offset,
-                      vertical_offset_.has_offset((before.state != RSI_STATE_READY) &&
-                                                  (before.state != RSI_STATE_ADVISORY)));
+        constexpr DiagnosticCode code = DiagnosticCode::vertical_acceleration_offset;
+        const bool calm = (before.state == RSI_STATE_READY) || (before.state == RSI_STATE_ADVISORY);
+        memory.report(code, vertical_offset_.has_offset(!calm && !memory.confirmed(code)));
     }
 }
 
 void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
+    constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
+    constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
+    const float yaw_acceleration =
+        turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
+    turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, inputs.roll_angle_rad);
+    force_vote_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, inputs.roll_angle_rad,
+                       turn_consistency_.spins());
     if (!turn_consistency_.known()) {
+        // Too slow to accuse anybody. Without this a vehicle at rest could not clear them.
+        if (turn_consistency_.agrees()) {
+            memory.report(yaw_rate, false);
+            memory.report(lateral, false);
+        }
         return;
     }
-    turn_signs_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps,
-                       inputs.roll_angle_rad);
-    constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
     memory.report(yaw_rate, memory.confirmed(yaw_rate)
                                 ? !turn_consistency_.agrees()
                                 : (turn_consistency_.contradicts() || turn_signs_.yaw_rate_is_alone()));
-    constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
-    force_vote_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps,
-                       inputs.roll_angle_rad, turn_consistency_.spins());
     const bool alone = turn_signs_.lateral_acceleration_is_alone() || force_vote_.accelerometer_is_alone();
     // While the yaw rate alone contradicts, as in a weave near the limit, neither good nor bad is shown.
     const bool good = turn_consistency_.agrees() && !alone;
@@ -210,7 +232,7 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
     const bool contradicted =
         out ? !rsi::is_within_magnitude(difference, 2.0F * agreement_rad) : before.roll_sensor_disagrees != 0;
     const bool disagrees = rsi::is_finite(difference) && contradicted;
-    const bool lateral_is_wrong = disagrees && turn_consistency_.suspicious();
+    const bool lateral_is_wrong = disagrees && !out && turn_consistency_.suspicious();
     if (lateral_is_wrong) {
         memory.report(lateral, true);
     }
@@ -218,8 +240,7 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
 }
 
 void InputMonitor::take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept {
-    const bool roll_contradiction = either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
-                                                     DiagnosticCode::roll_rate_offset);
+    const bool roll_contradiction = roll_contradicts(memory);
     if (either_confirmed(memory, DiagnosticCode::lateral_acceleration_stuck,
                          DiagnosticCode::lateral_acceleration_contradicts_yaw_rate)) {
         inputs.lateral_specific_force_mps2 = rsi::not_available;

@@ -19,6 +19,8 @@ struct FreshFrames {
     bool imu{false};
     bool roll_angle{false};
     bool vehicle_motion{false};
+    // Of a roll angle that is not fresh because its frames are held back; else NaN.
+    float late_roll_angle_rad{rsi::not_available};
 };
 
 class InputMonitor {
@@ -35,7 +37,7 @@ class InputMonitor {
     rsi::Inputs check_each(const rsi::Inputs& inputs, const FreshFrames& fresh,
                            DiagnosticMemory& memory) noexcept;
     void check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
-    void check_roll(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
+    void check_roll(const rsi::Inputs& inputs, float late_roll_angle_rad, DiagnosticMemory& memory) noexcept;
     bool roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept;
     void check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
@@ -64,12 +66,14 @@ class InputMonitor {
 
     // Spans of the witness: at least one and a half times what ideal sensors, which do repeat themselves,
     // came to.
-    StuckCheck lateral_stuck_{1.0F};       // m/s^2 of yaw rate times speed
-    StuckCheck vertical_stuck_{1.5F};      // m/s^2 of the lateral one
-    StuckCheck roll_rate_stuck_{0.02F};    // rad of the roll angle less the integrated roll rate
-    StuckCheck roll_angle_stuck_{0.015F};  // rad of the integrated roll rate
-    StuckCheck yaw_rate_stuck_{1.5F};      // m/s^2 of the lateral acceleration
-    StuckCheck speed_stuck_{4.5F};         // m/s^2 of yaw rate times this very speed
+    StuckCheck lateral_stuck_{1.0F};   // m/s^2 of yaw rate times speed
+    StuckCheck vertical_stuck_{1.5F};  // m/s^2 of the lateral one
+    // rad of the roll angle less the integrated roll rate, and of that; a gyro's offset up to 0.55 deg/s is
+    // none
+    StuckCheck roll_rate_stuck_{0.02F, 0.0001F};
+    StuckCheck roll_angle_stuck_{0.015F, 0.0001F};
+    StuckCheck yaw_rate_stuck_{1.5F};  // m/s^2 of the lateral acceleration
+    StuckCheck speed_stuck_{4.5F};     // m/s^2 of yaw rate times this very speed
     SteeringCheck steering_stuck_{};
 
     RollConsistency roll_consistency_{};

@@ -35,7 +35,8 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected
 // The second difference of white noise is 2.4 times as large as the noise, that of a vehicle's motion next to
 // nothing.
 bool SignalCheck::is_shaken(float value) noexcept {
-    const float bend = rsi::absolute(value - 2.0F * last_ + before_);
+    // Bounded, so that a single value that is off, which bends three times, does not come to it.
+    const float bend = rsi::smaller(rsi::absolute(value - 2.0F * last_ + before_), 3.5F * limits_.shake);
     const float grown = shake_ + 0.1F * (bend - shake_);
     shake_ = (values_ >= 2U) ? grown : 0.0F;
     values_ = (values_ < 2U) ? values_ + 1U : 2U;

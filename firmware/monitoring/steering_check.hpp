@@ -15,10 +15,10 @@ class SteeringCheck {
  public:
     // One sample; one that is not finite starts anew. The equality of floats is meant.
     bool is_stuck(float steering_rad, float lateral_force_mps2, float yaw_acceleration_mps2) noexcept {
-        const float sum = lateral_force_mps2 + yaw_acceleration_mps2;
-        if (!rsi::is_finite(steering_rad + sum) || (steering_rad < steering_rad_) ||
-            (steering_rad > steering_rad_)) {
-            steering_rad_ = rsi::is_finite(steering_rad) ? steering_rad : 0.0F;
+        const bool repeated = (steering_rad <= steering_rad_) && (steering_rad >= steering_rad_);
+        moves_ = !repeated && rsi::is_finite(steering_rad - steering_rad_);
+        steering_rad_ = steering_rad;
+        if (!repeated || !rsi::is_finite(steering_rad + lateral_force_mps2 + yaw_acceleration_mps2)) {
             straight_samples_ = 0U;
             return false;
         }
@@ -34,11 +34,15 @@ class SteeringCheck {
         return turns && (straight_samples_ == enough_);
     }
 
+    // The wheel has changed in the last cycle, whatever the vehicle does.
+    bool moves() const noexcept { return moves_; }
+
  private:
     static constexpr std::uint32_t enough_ = 20U;
 
-    float steering_rad_{0.0F};
+    float steering_rad_{rsi::not_available};
     std::uint32_t straight_samples_{0U};
+    bool moves_{false};
 };
 
 }  // namespace monitoring

@@ -3,17 +3,21 @@
 namespace monitoring {
 
 bool StuckCheck::is_stuck(float value, float witness) noexcept {
-    if (!rsi::is_finite(value) || !rsi::is_finite(witness) || !repeats(value)) {
+    const bool repeated = repeats(value);
+    moves_ = !repeated && rsi::is_finite(value - value_);
+    if (!repeated || !rsi::is_finite(value) || !rsi::is_finite(witness)) {
         value_ = value;
         repetitions_ = 0U;
         lowest_ = witness;
         highest_ = witness;
         return false;
     }
-    repetitions_ = (repetitions_ < fewest_repetitions) ? repetitions_ + 1U : fewest_repetitions;
+    repetitions_ += (repetitions_ < most_repetitions) ? 1U : 0U;
     lowest_ = rsi::smaller(lowest_, witness);
     highest_ = rsi::larger(highest_, witness);
-    return (repetitions_ >= fewest_repetitions) && ((highest_ - lowest_) > witness_span_);
+    const std::uint32_t drifting = (repetitions_ > without_drift) ? repetitions_ - without_drift : 0U;
+    const float least = witness_span_ + drift_ * static_cast<float>(drifting);
+    return (repetitions_ >= fewest_repetitions) && ((highest_ - lowest_) > least);
 }
 
 }  // namespace monitoring

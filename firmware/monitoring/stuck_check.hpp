@@ -9,12 +9,17 @@ namespace monitoring {
 
 class StuckCheck {
  public:
-    // `witness_span`: how far the witness has to move while the value does not.
-    constexpr explicit StuckCheck(float witness_span) noexcept : witness_span_{witness_span} {}
+    // `witness_span`: how far the witness has to move while the value does not; `drift`: how much further for
+    // each cycle that the value repeats itself beyond a second, because the witness goes on by itself.
+    constexpr explicit StuckCheck(float witness_span, float drift = 0.0F) noexcept
+        : witness_span_{witness_span}, drift_{drift} {}
 
     // One cycle; false when either is not finite. The equality of floats is meant: a sensor that lives has
     // noise, and a frozen one repeats its code.
     bool is_stuck(float value, float witness) noexcept;
+
+    // The value has changed in the last cycle, whatever the witness does.
+    bool moves() const noexcept { return moves_; }
 
     // It has not moved for longer than the noise of a living sensor allows; no proof by itself.
     bool seems_frozen() const noexcept { return repetitions_ >= suspicious_repetitions; }
@@ -22,14 +27,18 @@ class StuckCheck {
  private:
     static constexpr std::uint32_t fewest_repetitions = 20U;
     static constexpr std::uint32_t suspicious_repetitions = 5U;
+    static constexpr std::uint32_t without_drift = 100U;
+    static constexpr std::uint32_t most_repetitions = 1'000'000U;  // a float has a number for each
 
     bool repeats(float value) const noexcept { return (value <= value_) && (value >= value_); }
 
     float witness_span_;
+    float drift_;
     float value_{rsi::not_available};
     float lowest_{rsi::not_available};
     float highest_{rsi::not_available};
     std::uint32_t repetitions_{0U};
+    bool moves_{false};
 };
 
 }  // namespace monitoring

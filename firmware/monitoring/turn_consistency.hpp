@@ -17,6 +17,7 @@ class TurnConsistency {
     // One sample; one that is not finite, or from a vehicle that hardly moves, starts anew.
     void update(float lateral_force_mps2, float yaw_rate_radps, float speed_mps) noexcept {
         const float difference = lateral_force_mps2 - yaw_rate_radps * speed_mps;
+        difference_mps2_ = difference;
         known_ = rsi::is_finite(difference) && (speed_mps > smallest_speed_mps);
         const bool spins = known_ && !rsi::is_within_magnitude(yaw_rate_radps * speed_mps, tyres_give_mps2);
         const std::uint32_t fewer = (after_spin_ > 0U) ? after_spin_ - 1U : 0U;
@@ -26,7 +27,6 @@ class TurnConsistency {
             slow_mps2_ = 0.0F;
             return;
         }
-        difference_mps2_ = difference;
         fast_mps2_ += (rsi::sample_time_s / 0.3F) * (difference - fast_mps2_);
         slow_mps2_ += (rsi::sample_time_s / 4.0F) * (difference - slow_mps2_);
     }
@@ -39,7 +39,8 @@ class TurnConsistency {
     bool suspicious() const noexcept { return known_ && !rsi::is_within_magnitude(fast_mps2_, 1.5F); }
     // More than any slide explains.
     bool contradicts() const noexcept { return known_ && !rsi::is_within_magnitude(slow_mps2_, 7.0F); }
-    bool agrees() const noexcept { return known_ && rsi::is_within_magnitude(difference_mps2_, 2.0F); }
+    // However slow the vehicle is.
+    bool agrees() const noexcept { return rsi::is_within_magnitude(difference_mps2_, 2.0F); }
 
  private:
     static constexpr float smallest_speed_mps = 5.0F;
@@ -47,7 +48,7 @@ class TurnConsistency {
     static constexpr std::uint32_t spin_samples = 100U;
 
     bool known_{false};
-    float difference_mps2_{0.0F};
+    float difference_mps2_{rsi::not_available};
     float fast_mps2_{0.0F};  // lag 0.3 s
     float slow_mps2_{0.0F};  // lag 4 s
     std::uint32_t after_spin_{0U};

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "sil/campaign/times.hpp"
+
 namespace sil {
 namespace {
-
-constexpr double early_s = 0.1;
-// Times in the rows are whole milliseconds.
-constexpr double rounding_s = 1.0e-6;
 
 using TimeOf = std::function<std::optional<double>(const RecordedCampaignRun&)>;
 

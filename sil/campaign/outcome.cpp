@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sil/analysis/indices.hpp"
+#include "sil/campaign/times.hpp"
 
 namespace sil {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr double rolled_over_rad = 1.0;
 // After so long on two wheels it is of no more interest whether the vehicle falls or comes back.
 constexpr double settled_after_lift_s = 1.0;
-// Times are sums of steps of 1 ms.
-constexpr double rounding_s = 1.0e-6;
 
 bool side_is_up(const Truth& truth, Wheel front, Wheel rear) {
     return truth.wheel_load_n[front] <= 0.0 && truth.wheel_load_n[rear] <= 0.0;

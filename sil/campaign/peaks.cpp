@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/campaign/times.hpp"
+
 namespace sil {
 namespace {
-
-constexpr double early_s = 0.1;
-// Times are sums of steps of 1 ms.
-constexpr double rounding_s = 1.0e-6;
 
 // The level that all of the last `cycles` reached; 0 when one of them had none.
 double lasting_level(const std::vector<double>& levels, std::size_t last, std::size_t cycles) {

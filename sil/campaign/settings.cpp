@@ -68,13 +68,13 @@ std::string quoted(const std::string& text) {
 }
 
 // As TOML wants a float: never without a point or an exponent.
-std::string number(double value) {
+std::string number_text(double value) {
     const std::string text = fmt::format("{}", value);
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 std::string pair(const Interval& interval) {
-    return fmt::format("[{}, {}]", number(interval.lowest), number(interval.highest));
+    return fmt::format("[{}, {}]", number_text(interval.lowest), number_text(interval.highest));
 }
 
 }  // namespace
@@ -105,10 +105,10 @@ std::string to_toml(const CampaignSettings& settings) {
     text += "friction_factor = " + pair(spread.friction_factor) + "\n";
     text += "load_share = " + pair(spread.load_share) + "\n";
     text += "load_height_factor = " + pair(spread.load_height_factor) + "\n";
-    text += "cg_height_error = " + number(spread.cg_height_error) + "\n";
-    text += "stiffness_error = " + number(spread.stiffness_error) + "\n";
-    text += "mass_error = " + number(spread.mass_error) + "\n";
-    text += "accelerometer_bias_g = " + number(spread.accelerometer_bias_g) + "\n";
+    text += "cg_height_error = " + number_text(spread.cg_height_error) + "\n";
+    text += "stiffness_error = " + number_text(spread.stiffness_error) + "\n";
+    text += "mass_error = " + number_text(spread.mass_error) + "\n";
+    text += "accelerometer_bias_g = " + number_text(spread.accelerometer_bias_g) + "\n";
     text += fmt::format("sensor_noise = {}\n", spread.sensor_noise);
     text += fmt::format("steering_sensor = {}\n", spread.steering_sensor);
     text += fmt::format("roll_sensor = {}\n", spread.roll_sensor);
@@ -119,9 +119,9 @@ std::string to_toml(const CampaignSettings& settings) {
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         text +=
             fmt::format("\n[[manoeuvre]]\nname = {}\nweight = {}\nspeed_factor = {}\nsteering_factor = {}\n",
-                        quoted(manoeuvre.name), number(manoeuvre.weight), pair(manoeuvre.speed_factor),
+                        quoted(manoeuvre.name), number_text(manoeuvre.weight), pair(manoeuvre.speed_factor),
                         pair(manoeuvre.steering_factor));
-        text += "duration_s = " + number(manoeuvre.duration_s) + "\n";
+        text += "duration_s = " + number_text(manoeuvre.duration_s) + "\n";
     }
     return text;
 }

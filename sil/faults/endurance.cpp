@@ -5,103 +5,57 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <optional>
 
-#include "sil/faults/chance.hpp"
+#include "sil/faults/driven_world.hpp"
 #include "sil/faults/expectation.hpp"
+#include "sil/faults/fault_schedule.hpp"
 #include "sil/faults/faulty_bus.hpp"
 #include "sil/faults/faulty_ecu.hpp"
 #include "sil/faults/faulty_run.hpp"
-#include "sil/faults/mixed_driving.hpp"
 #include "sil/faults/signal_fault.hpp"
-#include "sil/manoeuvres/manoeuvre_run.hpp"
-#include "sil/sensors/sensor_suite.hpp"
-#include "sil/simulation/mounted_sensors.hpp"
+#include "sil/faults/unseen.hpp"
 #include "sil/simulation/sensor_frames.hpp"
 
 namespace sil {
 namespace {
 
-constexpr double upset_rad = 1.2;
 constexpr std::uint64_t cycles_an_hour = 360000U;
-constexpr std::uint64_t cycles_without_vehicle = 100U;
 constexpr std::uint64_t settling_cycles = 100U;  // of the first start, before the first fault
 
-// Plant and sensors; a vehicle that has rolled over is replaced by another one.
-class World {
- public:
-    World(const VehicleParameters& vehicle, std::uint64_t seed, double duration_s)
-        : vehicle_{vehicle}, seed_{seed}, duration_s_{duration_s} {
-        SensorFlaws flaws;
-        flaws.noise = true;
-        flaws.seed = seed;
-        flaws.bank_sensor = true;
-        sensors_.emplace(mounted_sensors(vehicle, flaws));
-        start();
-    }
-
-    // The next cycle's sample; none while there is no vehicle.
-    std::optional<SensorSample> next() {
-        if (absent_ > 0U) {
-            --absent_;
-            return std::nullopt;
-        }
-        for (int step = 0; step < 10; ++step) {
-            plant_->step();
-            sensors_->observe(plant_->truth());
-        }
-        if (std::abs(plant_->truth().roll_angle_rad) > upset_rad) {
-            ++rollovers_;
-            start();
-            absent_ = cycles_without_vehicle;
-            return std::nullopt;
-        }
-        return sensors_->report(plant_->truth());
-    }
-
-    std::uint64_t rollovers() const { return rollovers_; }
-
- private:
-    void start() {
-        plant_.emplace(vehicle_, mixed_driving(seed_ + 1000U * rollovers_, duration_s_));
-        sensors_->observe(plant_->truth());
-    }
-
-    const VehicleParameters& vehicle_;
-    std::uint64_t seed_;
-    double duration_s_;
-    std::optional<ManoeuvreRun> plant_{};
-    std::optional<SensorSuite> sensors_{};
-    std::uint64_t absent_{0U};
-    std::uint64_t rollovers_{0U};
-};
-
-// One ECU and the way to it.
+// One ECU and the way to it, on which two faults can be.
 class Line {
  public:
-    explicit Line(const rsi::Parameters& calibration) : ecu_{calibration} { inject(Fault{}); }
+    explicit Line(const rsi::Parameters& calibration) : ecu_{calibration} { inject({}); }
 
-    void inject(const Fault& fault) {
-        fault_ = fault;
-        ecu_.inject(fault);
-        bus_ = std::make_unique<FaultyBus>(ecu_.world_bus(), fault);
-        sensor_.emplace(fault);
+    void inject(const std::array<ScheduledFault, 2U>& faults) {
+        faults_ = faults;
+        ecu_.inject(faults_[0].fault);
+        first_.reset();  // before what it sends on
+        second_ = std::make_unique<FaultyBus>(ecu_.world_bus(), faults_[1].fault);
+        first_ = std::make_unique<FaultyBus>(*second_, faults_[0].fault);
+        for (std::size_t index = 0U; index < sensors_.size(); ++index) {
+            sensors_[index].emplace(faults_[index].fault);
+        }
     }
 
     // None while the ECU's processor stands or nobody hears it.
-    std::optional<EcuAnswer> cycle(std::uint64_t number, const std::optional<SensorSample>& sample,
-                                   bool active) {
-        ecu_.begin_cycle(number, active);
-        bus_->begin_cycle(active);
+    std::optional<EcuAnswer> cycle(std::uint64_t number, const std::optional<SensorSample>& sample) {
+        const bool first = faults_[0].is_active(number);
+        const bool second = faults_[1].is_active(number);
+        ecu_.begin_cycle(number, first);
+        second_->begin_cycle(second);
+        first_->begin_cycle(first);
         if (sample) {
-            frames_.send(*bus_, sensor_->apply(*sample, active));
+            frames_.send(*first_, sensors_[1]->apply(sensors_[0]->apply(*sample, first), second));
         }
         stepped_ = ecu_.step();
         const int feeds = ecu_.watchdog_feeds() - fed_;
         fed_ = ecu_.watchdog_feeds();
         fed_once_ = feeds == (stepped_ ? 1 : 0);
-        if (!stepped_ || (active && fault_.kind == FaultKind::bus_off)) {
+        if (!stepped_ || (first && faults_[0].fault.kind == FaultKind::bus_off)) {
             return std::nullopt;
         }
         return ear_.listen(ecu_.world_bus());
@@ -112,9 +66,10 @@ class Line {
 
  private:
     FaultyEcu ecu_;
-    Fault fault_{};
-    std::unique_ptr<FaultyBus> bus_{};
-    std::optional<SignalFault> sensor_{};
+    std::array<ScheduledFault, 2U> faults_{};
+    std::unique_ptr<FaultyBus> second_{};
+    std::unique_ptr<FaultyBus> first_{};
+    std::array<std::optional<SignalFault>, 2U> sensors_{};
     SensorFrames frames_{};
     EcuEar ear_{};
     int fed_{0};
@@ -122,36 +77,56 @@ class Line {
     bool fed_once_{true};
 };
 
-// When which fault is there.
-class Schedule {
+// The drive some seconds ahead of itself, so that faults can be drawn to where a warning will be due. The
+// ECUs only warn, so the drive does not depend on them.
+class Outlook {
  public:
-    explicit Schedule(std::uint64_t seed) : chance_{seed} { draw(settling_cycles); }
+    struct Cycle {
+        std::optional<SensorSample> sample{};
+        bool stands{false};
+    };
 
-    const Fault& fault() const { return fault_; }
-    std::uint64_t begin() const { return begin_; }
-    bool is_active(std::uint64_t cycle) const { return cycle >= begin_ && cycle < end_; }
-    // Of the fault and its consequences: a stopped process goes on later than the fault's end.
-    std::uint64_t over() const { return over_; }
-
-    void draw(std::uint64_t from) {
-        const std::vector<Fault>& all = all_faults();
-        fault_ = all[chance_.below(all.size())];
-        begin_ = from + cycles(chance_.between(1.0, 20.0));
-        end_ = begin_ + cycles(chance_.between(0.05, 5.0));
-        over_ = end_;
-        if (fault_.kind == FaultKind::process_stop) {
-            over_ = std::max(end_, begin_ + static_cast<std::uint64_t>(fault_.magnitude) / 10U + 1U);
+    Outlook(const VehicleParameters& vehicle, const rsi::Parameters& calibration, std::uint64_t seed,
+            double duration_s)
+        : world_{vehicle, seed, duration_s}, scout_{calibration} {
+        while (ahead_.size() < cycles_ahead) {
+            look();
         }
     }
 
- private:
-    static std::uint64_t cycles(double seconds) { return static_cast<std::uint64_t>(seconds * 100.0); }
+    Cycle next() {
+        look();
+        const Cycle cycle = ahead_.front();
+        ahead_.pop_front();
+        return cycle;
+    }
 
-    Chance chance_;
-    Fault fault_{};
-    std::uint64_t begin_{0U};
-    std::uint64_t end_{0U};
-    std::uint64_t over_{0U};
+    // Of the cycle that was seen last.
+    bool warning_begins() const { return warning_begins_; }
+    const DrivenWorld& world() const { return world_; }
+
+    static constexpr std::uint64_t cycles_ahead = 600U;
+
+ private:
+    void look() {
+        Cycle cycle{world_.next(), world_.stands()};
+        std::optional<SensorSample> seen = cycle.sample;
+        if (seen) {
+            seen = as_equipped(*seen, Fault{});
+        }
+        const bool warns = scout_.cycle(number_, seen)->state == WarningState::warning;
+        warning_begins_ = warns && !warned_;
+        warned_ = warns;
+        ++number_;
+        ahead_.push_back(cycle);
+    }
+
+    DrivenWorld world_;
+    Line scout_;
+    std::deque<Cycle> ahead_{};
+    std::uint64_t number_{0U};
+    bool warned_{false};
+    bool warning_begins_{false};
 };
 
 bool is_within(float value, double low, double high) {
@@ -206,33 +181,45 @@ bool are_good(const rsi::Outputs& outputs) {
 }
 
 // Measures the time from the end of each fault to the agreement of both ECUs, which must last a second: in
-// hard driving each may doubt the roll sensor at a moment of its own.
+// hard driving each may doubt the roll sensor at a moment of its own. Time at a standstill counts apart:
+// where nothing moves, some values cannot prove themselves.
 class RecoveryWatch {
  public:
     void begin(std::uint64_t over) {
+        *this = RecoveryWatch{};
         over_ = over;
         since_ = over;
-        recovered_ = false;
     }
-    void cycle(std::uint64_t number, bool agrees) {
-        if (recovered_) {
+    void cycle(std::uint64_t number, bool agrees, bool stands) {
+        if (recovered_ || number < over_) {
             return;
         }
-        if (!agrees || number < over_) {
+        over_at_standstill_ = over_at_standstill_ || (number == over_ && stands);
+        driven_ += stands ? 0U : 1U;
+        if (!agrees) {
             since_ = number + 1U;
+            driven_since_ = driven_;
         }
-        recovered_ = number >= std::max(since_, over_) + lasting_cycles;
+        recovered_ = number >= since_ + lasting_cycles;
+        recovered_standing_ = recovered_ && stands && driven_ == 0U;
     }
-    bool is_past_limit(std::uint64_t number) const { return number >= over_ + recovery_limit_ms / 10; }
+    // Ten seconds of driving.
+    bool is_past_limit() const { return driven_ >= recovery_limit_ms / 10; }
     bool has_recovered() const { return recovered_; }
-    int recovery_ms() const { return recovered_ ? static_cast<int>(since_ - over_) * 10 : 0; }
+    bool was_over_at_standstill() const { return over_at_standstill_; }
+    bool has_recovered_at_standstill() const { return recovered_standing_; }
+    int driven_ms() const { return static_cast<int>(driven_since_) * 10; }
 
  private:
     static constexpr std::uint64_t lasting_cycles = 100U;
 
     std::uint64_t over_{0U};
     std::uint64_t since_{0U};
+    std::uint64_t driven_{0U};
+    std::uint64_t driven_since_{0U};
     bool recovered_{false};
+    bool over_at_standstill_{false};
+    bool recovered_standing_{false};
 };
 
 // Both are usable or not, use the same roll angle, and the faulty one has no code of its own. Which of ready,
@@ -249,27 +236,73 @@ class SilenceWatch {
  public:
     explicit SilenceWatch(float warning_off) : warning_off_{warning_off} {}
 
-    void cycle(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right, float right_level,
+    // `near`: a fault is there, or was within the last two seconds. True in the first cycle of a silence.
+    bool cycle(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right, float right_level, bool near,
                EnduranceResult& result) {
         const bool warns = right.state == WarningState::warning;
-        result.warnings_due += warns && !warned_ ? 1U : 0U;
+        if (warns && !warned_) {
+            ++result.warnings_due;
+            with_fault_ = answered_ = told_ = silent_ = false;
+        }
+        if (!warns && warned_) {
+            count(result);
+        }
         warned_ = warns;
-        const bool silent = warns && right_level >= warning_off_ && faulty &&
-                            faulty->state == WarningState::ready && faulty->codes == 0U;
-        silence_ms_ = silent ? silence_ms_ + 10 : 0;
+        const bool due = warns && right_level >= warning_off_;
+        with_fault_ = with_fault_ || (due && near);
+        answered_ = answered_ || (due && faulty && faulty->state == WarningState::warning);
+        told_ =
+            told_ || (due && faulty && (faulty->state == WarningState::unavailable || faulty->codes != 0U));
+        const bool is_silent = due && faulty && faulty->state == WarningState::ready && faulty->codes == 0U;
+        silence_ms_ = is_silent ? silence_ms_ + 10 : 0;
         result.longest_silence_ms = std::max(result.longest_silence_ms, silence_ms_);
-        result.warnings_silenced += silence_ms_ == longest_silence_ms + 10 ? 1U : 0U;
+        const bool first = is_silent && !silent_;
+        silent_ = silent_ || is_silent;
+        return first;
     }
 
  private:
+    void count(EnduranceResult& result) const {
+        if (!with_fault_) {
+            return;
+        }
+        ++result.due_with_fault;
+        if (silent_) {
+            ++result.due_with_fault_silenced;
+        } else if (answered_) {
+            ++result.due_with_fault_warned;
+        } else if (told_) {
+            ++result.due_with_fault_told;
+        }
+    }
+
     float warning_off_;
     bool warned_{false};
+    bool with_fault_{false};
+    bool answered_{false};
+    bool told_{false};
+    bool silent_{false};
     int silence_ms_{0};
 };
 
-std::string fault_at(std::uint64_t cycle, const Fault& fault) {
-    return fmt::format("{} of {}, at {:.0f} s", describe(fault), to_string(fault.place),
-                       static_cast<double>(cycle) * cycle_time_s);
+std::string faults_at(std::uint64_t cycle, const FaultSchedule& schedule) {
+    std::string text;
+    for (const ScheduledFault& each : schedule.faults()) {
+        if (each.fault.kind != FaultKind::none) {
+            text += fmt::format("{} of {} from {:.2f} to {:.2f} s, ", describe(each.fault),
+                                to_string(each.fault.place), static_cast<double>(each.begin) * cycle_time_s,
+                                static_cast<double>(each.end) * cycle_time_s);
+        }
+    }
+    return fmt::format("{}at {:.2f} s", text, static_cast<double>(cycle) * cycle_time_s);
+}
+
+// Of errors that no check sees in time those of a turn to this side.
+bool is_any_unseen(const FaultSchedule& schedule, WarningSide side) {
+    return std::any_of(
+        schedule.faults().begin(), schedule.faults().end(), [side](const ScheduledFault& each) {
+            return is_unseen(side == WarningSide::right ? each.fault : in_turn_to_the_other_side(each.fault));
+        });
 }
 
 void watch_outputs(const Line& line, EnduranceResult& result) {
@@ -285,6 +318,36 @@ void watch_outputs(const Line& line, EnduranceResult& result) {
     largest(result.largest_roll_centre_movement_m, outputs.roll_centre_vertical_m);
 }
 
+// A bank sensor when one of the faults is of it.
+SensorSample equipped_for(const SensorSample& sample, const FaultSchedule& schedule) {
+    const auto& [first, second] = schedule.faults();
+    return as_equipped(sample, second.fault.place == FaultPlace::bank_angle ? second.fault : first.fault);
+}
+
+// What the ECU still says otherwise.
+std::string difference(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right) {
+    if (!faulty) {
+        return "nothing is heard";
+    }
+    return fmt::format("degradation {} instead of {}, roll source {} instead of {}, codes: {}",
+                       static_cast<int>(faulty->degradation), static_cast<int>(right.degradation),
+                       static_cast<int>(faulty->roll_source), static_cast<int>(right.roll_source),
+                       fmt::join(diagnostic_names(faulty->codes & ~right.codes), ", "));
+}
+
+void count_recovery(const RecoveryWatch& recovery, const std::string& faults, const std::string& otherwise,
+                    EnduranceResult& result) {
+    ++result.faults;
+    if (!recovery.has_recovered()) {
+        result.not_recovered_from.push_back(fmt::format("{} ({})", faults, otherwise));
+    }
+    if (recovery.has_recovered()) {
+        result.longest_recovery_ms = std::max(result.longest_recovery_ms, recovery.driven_ms());
+    }
+    result.over_at_standstill += recovery.was_over_at_standstill() ? 1U : 0U;
+    result.recovered_at_standstill += recovery.has_recovered_at_standstill() ? 1U : 0U;
+}
+
 }  // namespace
 
 EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Parameters& calibration,
@@ -292,48 +355,51 @@ EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Param
                               const std::function<void(double share)>& progress) {
     EnduranceResult result;
     const auto all = static_cast<std::uint64_t>(settings.hours * static_cast<double>(cycles_an_hour));
-    World world{vehicle, settings.seed, settings.hours * 3600.0 + 10.0};
+    Outlook drive{vehicle, calibration, settings.seed, settings.hours * 3600.0 + 20.0};
     Line faulty{calibration};
     Line right{calibration};
-    Schedule schedule{settings.seed};
+    FaultSchedule schedule{settings.seed};
     RecoveryWatch recovery;
     SilenceWatch silence{calibration.warning_off};
-    recovery.begin(schedule.over());
-    faulty.inject(schedule.fault());
+    const auto begin_next = [&] {
+        faulty.inject(schedule.faults());
+        recovery.begin(schedule.over());
+    };
+    schedule.draw(settling_cycles);
+    begin_next();
     for (std::uint64_t cycle = 0U; cycle < all; ++cycle) {
-        std::optional<SensorSample> sample = world.next();
-        if (sample) {
-            sample = as_equipped(*sample, schedule.fault());
+        auto [sample, stands] = drive.next();
+        if (drive.warning_begins() && schedule.draw_towards(cycle + Outlook::cycles_ahead, cycle)) {
+            begin_next();
         }
-        const EcuAnswer expected = *right.cycle(cycle, sample, false);
-        const std::optional<EcuAnswer> answer = faulty.cycle(cycle, sample, schedule.is_active(cycle));
+        if (sample) {
+            sample = equipped_for(*sample, schedule);
+        }
+        const EcuAnswer expected = *right.cycle(cycle, sample);
+        const std::optional<EcuAnswer> answer = faulty.cycle(cycle, sample);
         if (answer) {
             result.incomplete_cycles += answer->complete ? 0U : 1U;
             result.undefined_cycles += answer->defined ? 0U : 1U;
         }
         watch_outputs(faulty, result);
-        const std::uint64_t silenced = result.warnings_silenced;
-        silence.cycle(answer, expected, right.outputs().warning_level, result);
-        if (result.warnings_silenced > silenced) {
-            result.silenced_by.push_back(fault_at(cycle, schedule.fault()));
+        if (silence.cycle(answer, expected, right.outputs().warning_level, schedule.is_near(cycle), result)) {
+            const bool unseen = is_any_unseen(schedule, expected.side);
+            (unseen ? result.silenced_unseen : result.silenced_by).push_back(faults_at(cycle, schedule));
         }
-        recovery.cycle(cycle, answer && agree(*answer, expected));
-        if (recovery.is_past_limit(cycle)) {
-            ++result.faults;
-            if (!recovery.has_recovered()) {
-                result.not_recovered_from.push_back(fault_at(cycle, schedule.fault()));
-            }
-            result.longest_recovery_ms = std::max(result.longest_recovery_ms, recovery.recovery_ms());
+        recovery.cycle(cycle, answer && agree(*answer, expected), stands);
+        if (recovery.has_recovered() || recovery.is_past_limit()) {
+            count_recovery(recovery, faults_at(cycle, schedule), difference(answer, expected), result);
+            result.pairs += schedule.has_two() ? 1U : 0U;
             schedule.draw(cycle);
-            faulty.inject(schedule.fault());
-            recovery.begin(schedule.over());
+            begin_next();
         }
         if (progress && cycle % cycles_an_hour == 0U) {
             progress(static_cast<double>(cycle) / static_cast<double>(all));
         }
     }
     result.cycles = all;
-    result.rollovers = world.rollovers();
+    result.rollovers = drive.world().rollovers();
+    result.stops = drive.world().stops();
     return result;
 }
 
@@ -355,55 +421,6 @@ std::vector<std::string> shortfalls(const EnduranceResult& result) {
         found.push_back("the ECU did not come back within 10 s of the fault: " + fault);
     }
     return found;
-}
-
-std::string endurance_row(const EnduranceSettings& settings, const EnduranceResult& result) {
-    return fmt::format(
-        "| {:g} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {:.3f} | {:.3f} |\n", settings.hours,
-        settings.seed, result.faults, result.rollovers, result.warnings_due, result.warnings_silenced,
-        result.longest_silence_ms, result.incomplete_cycles + result.undefined_cycles + result.unfed_cycles,
-        result.bad_outputs,
-        result.not_recovered_from.empty() ? fmt::format("{}", result.longest_recovery_ms)
-                                          : fmt::format("{} not", result.not_recovered_from.size()),
-        result.largest_roll_centre_deviation_m, result.largest_roll_centre_movement_m);
-}
-
-std::string endurance_document(const std::string& rows) {
-    return "# Endurance: hours of driving with random faults\n\n"
-           "Written by `sil/faults/run --endurance`; `tests/run faults` drives the first row again and fails "
-           "when a figure differs.\n\n"
-           "A simulated large SUV goes straight, turns, changes lanes and weaves by chance, at 30 to 110 "
-           "km/h "
-           "on a level road, with sensor noise; three in ten turns are\nmeant for 0.5 to 0.9 g. Who rolls "
-           "over "
-           "gets a new vehicle. Every 11 to 30 s a fault of the [fault matrix](fault_matrix.md), drawn from "
-           "all "
-           "of them, lasts 0.05 to 5 s.\nOne ECU drives through all of it and is never started anew; a "
-           "second "
-           "one sees the same drive without faults, and says what would be right.\n\n"
-           "| hours | seed | faults | rollovers | warnings due | silenced | longest silence, ms | bad cycles "
-           "| "
-           "outputs out of range | longest recovery, ms | roll centre: largest deviation, m | largest "
-           "movement, m |\n"
-           "|---|---|---|---|---|---|---|---|---|---|---|---|\n" +
-           rows +
-           "\n- **warnings due**: how often the second ECU came to warn; **silenced**: of these, how often "
-           "the "
-           "first one was `ready` without any diagnostic code, if only for a cycle, while the level of the "
-           "second\n  was not below `warning_off` (below that it merely holds its warning for two seconds); "
-           "**longest silence**: the longest such time.\n"
-           "- **bad cycles**: a frame is missing or damaged, a code is on the bus that the DBC file does not "
-           "define, or the watchdog was not fed once.\n"
-           "- **outputs out of range**: cycles in which an output is infinite, or one that is needed for the "
-           "statement is not a number, or an estimate is beyond what the bus can carry.\n"
-           "- **longest recovery**: from the end of a fault until availability, degradation and roll source "
-           "are "
-           "those of the second ECU and no further code is left, for a second.\n  More than 10,000 ms would "
-           "count as stuck (\"not\").\n"
-           "- **roll centre**: the largest standard deviation that the estimator gave itself, and the "
-           "largest "
-           "vertical movement that it estimated: its covariance stays bounded.\n\n"
-           "The firmware has no heap (`tests/run application`), so its memory cannot grow.\n";
 }
 
 }  // namespace sil

@@ -5,13 +5,13 @@
 #include <array>
 
 #include "sil/faults/contradiction.hpp"
+#include "sil/faults/unseen.hpp"
 
 namespace sil {
 namespace {
 
 constexpr int at_once_ms = 50;  // the frame itself shows that something is wrong
 constexpr int wrong_ms = 100;
-constexpr int lead_loss_ms = 100;
 constexpr int warning_hold_ms = 2000;  // warning_hold_s of the calibration
 
 // From the end of the fault to the right statement, and to the last code's healing.
@@ -24,11 +24,11 @@ constexpr Return of_values{150, 50};         // 5 cycles, recovery_s
 constexpr Return of_saturation{1000, 1050};  // the jump back, the observer's second
 
 constexpr Expectation nothing{Demand::unaffected,   0,        of_frames.recovery_ms,
-                              of_frames.healing_ms, wrong_ms, lead_loss_ms};
+                              of_frames.healing_ms, wrong_ms, longest_lead_loss_ms};
 
 // What can be seen at once, and is gone with the fault.
 constexpr Expectation at_once(Demand demand, int lapse_ms = 0, Return back = of_frames) {
-    return {demand, at_once_ms, back.recovery_ms, back.healing_ms, wrong_ms, lead_loss_ms, lapse_ms};
+    return {demand, at_once_ms, back.recovery_ms, back.healing_ms, wrong_ms, longest_lead_loss_ms, lapse_ms};
 }
 
 // What must follow when nothing usable comes from there.
@@ -53,9 +53,12 @@ Demand demand_of_loss(FaultPlace place) {
 
 // After a value that contradicted others: what had to be good without a break, and filters that have to
 // settle.
-Return return_from(FaultKind kind) {
+Return return_from(FaultKind kind, SceneKind scene) {
     switch (kind) {
         case FaultKind::frozen:
+            if (scene == SceneKind::over) {  // back to a value that has moved on: a jump
+                return of_saturation;
+            }
             return {300, 250};
         case FaultKind::noise:
             return {1000, 1050};
@@ -71,15 +74,15 @@ Return return_from(FaultKind kind) {
 // does not, nothing may come of it.
 Expectation contradiction(const Fault& fault, SceneKind scene) {
     const Contradiction& stated = contradiction_of(fault);
-    const int limit_ms = stated.limits_ms[static_cast<std::size_t>(scene)];
-    const Return back = return_from(fault.kind);
+    const int limit_ms = limit_of(stated, scene);
+    const Return back = return_from(fault.kind, scene);
     if (limit_ms == hidden) {
-        return {Demand::right, 0,          back.recovery_ms, back.healing_ms, stated.wrong_ms,
-                lead_loss_ms,  any_time_ms};
+        return {Demand::right,        0,          back.recovery_ms, back.healing_ms, stated.wrong_ms,
+                longest_lead_loss_ms, any_time_ms};
     }
     Expectation expected{demand_of_loss(fault.place), limit_ms, back.recovery_ms, back.healing_ms};
     expected.wrong_ms = std::max(limit_ms, wrong_ms);
-    expected.lead_loss_ms = std::max(limit_ms, lead_loss_ms);
+    expected.lead_loss_ms = std::max(limit_ms, longest_lead_loss_ms);
     expected.lapse_ms = stated.lapse_ms;
     return expected;
 }
@@ -92,9 +95,7 @@ Expectation delay(FaultPlace place) {
     return expected;
 }
 
-}  // namespace
-
-Expectation expectation_of(const Fault& fault, SceneKind scene) {
+Expectation expectation_while_there(const Fault& fault, SceneKind scene) {
     switch (fault.kind) {
         case FaultKind::none:
             return {};
@@ -141,6 +142,33 @@ Expectation expectation_of(const Fault& fault, SceneKind scene) {
     return {};
 }
 
+// The fault is over before the warning is due, so that the ECU may or may not have found it. It is back in
+// time for the warning, or after it by no more than its recovery takes.
+Expectation expectation_of_recovery(const Expectation& there) {
+    Expectation expected = there;
+    if (there.demand == Demand::unaffected || there.demand == Demand::right) {
+        return expected;
+    }
+    expected.demand = Demand::recovery;
+    expected.lead_loss_ms = std::max(there.recovery_ms - over_before_warning_ms, 0) + longest_lead_loss_ms;
+    return expected;
+}
+
+bool ends_as_the_scene_says(const Fault& fault) {
+    return fault.kind != FaultKind::clock_jump && fault.kind != FaultKind::process_stop;
+}
+
+}  // namespace
+
+Expectation expectation_of(const Fault& fault, SceneKind scene) {
+    Expectation expected = expectation_while_there(fault, scene);
+    if (scene == SceneKind::over && ends_as_the_scene_says(fault)) {
+        expected = expectation_of_recovery(expected);
+    }
+    expected.unseen = is_unseen(fault) && scene >= SceneKind::before_turn;
+    return expected;
+}
+
 int longest_false_warning_ms(const Expectation& expectation) {
     return expectation.demand == Demand::unaffected || expectation.demand == Demand::right
                ? 0
@@ -148,7 +176,8 @@ int longest_false_warning_ms(const Expectation& expectation) {
 }
 
 const char* to_string(Demand demand) {
-    constexpr std::array names{"no change",
+    constexpr std::array names{"recovery",
+                               "no change",
                                "right",
                                "code",
                                "code, usable",

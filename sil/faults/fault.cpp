@@ -50,6 +50,8 @@ double magnitude_of(FaultKind kind, const SensorSignal& signal) {
             return signal.drift_ps * signal.unit_si;
         case FaultKind::noise:
             return signal.noise * signal.unit_si;
+        case FaultKind::saturated:
+            return 1.0;
         default:
             return 0.0;
     }
@@ -83,6 +85,16 @@ std::vector<Fault> make_all() {
 const std::vector<Fault>& all_faults() {
     static const std::vector<Fault> all = make_all();
     return all;
+}
+
+std::vector<Fault> in_each_sign(const Fault& fault) {
+    // A saturated speed has one end: the lower one is a vehicle at rest.
+    const bool has_sign = fault.kind == FaultKind::offset || fault.kind == FaultKind::drift ||
+                          (fault.kind == FaultKind::saturated && fault.place != FaultPlace::speed);
+    if (!has_sign) {
+        return {fault};
+    }
+    return {fault, {fault.kind, fault.place, -fault.magnitude}};
 }
 
 const char* to_string(FaultKind kind) {
@@ -135,12 +147,14 @@ std::string describe(const Fault& fault) {
     const SensorSignal* const signal = find_signal(fault.place);
     switch (fault.kind) {
         case FaultKind::offset:
+            return fmt::format("{}, {:+.3g} {}", name, fault.magnitude / signal->unit_si, signal->unit);
         case FaultKind::noise:
-            return fmt::format("{}, {:.3g} {}{}", name, fault.magnitude / signal->unit_si, signal->unit,
-                               fault.kind == FaultKind::noise ? " rms" : "");
+            return fmt::format("{}, {:.3g} {} rms", name, fault.magnitude / signal->unit_si, signal->unit);
         case FaultKind::drift:
-            return fmt::format("{}, {:.3g} {} a second", name, fault.magnitude / signal->unit_si,
+            return fmt::format("{}, {:+.3g} {} a second", name, fault.magnitude / signal->unit_si,
                                signal->unit);
+        case FaultKind::saturated:
+            return name + (fault.magnitude < 0.0 ? ", lower end" : ", upper end");
         case FaultKind::delayed:
         case FaultKind::clock_jump:
         case FaultKind::process_stop:
@@ -151,6 +165,17 @@ std::string describe(const Fault& fault) {
         default:
             return name;
     }
+}
+
+std::string describe_each_sign(const Fault& fault) {
+    std::string text = describe(fault);
+    if (in_each_sign(fault).size() == 1U) {
+        return text;
+    }
+    if (fault.kind == FaultKind::saturated) {
+        return std::string{to_string(fault.kind)} + ", either end";
+    }
+    return text.replace(text.find('+'), 1U, "\u00B1");
 }
 
 }  // namespace sil

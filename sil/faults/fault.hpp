@@ -12,11 +12,11 @@ enum class FaultKind : std::uint8_t {
 
     // Of a signal: the frame that carries it is protected as ever.
     frozen,         // the value of the fault's first cycle stays
-    offset,         // by `magnitude`
-    drift,          // by `magnitude` a second
+    offset,         // by `magnitude`, which has a sign
+    drift,          // by `magnitude` a second, likewise
     noise,          // white, `magnitude` rms
     sign_flip,      //
-    saturated,      // at the upper end of the signal's range
+    saturated,      // at an end of the signal's range: the lower one when `magnitude` is negative
     not_available,  // its code
     out_of_range,   // a code beyond the signal's range
     // Of a frame, after its protection.
@@ -62,14 +62,20 @@ struct Fault {
 const char* to_string(FaultKind kind);
 const char* to_string(FaultPlace place);
 
-// "offset, 2 m/s^2": kind and magnitude as a reader wants them.
+// "offset, +2 m/s^2": kind and magnitude as a reader wants them.
 std::string describe(const Fault& fault);
+
+// "offset, ±2 m/s^2": the same of all of in_each_sign().
+std::string describe_each_sign(const Fault& fault);
 
 constexpr bool is_signal_fault(FaultKind kind) {
     return kind > FaultKind::none && kind <= FaultKind::out_of_range;
 }
 
-// Every fault of the matrix, in its order.
+// The fault, and where its error can have either sign, with the other one too.
+std::vector<Fault> in_each_sign(const Fault& fault);
+
+// Every fault of the matrix, in its order; of those with a sign only the positive ones.
 const std::vector<Fault>& all_faults();
 
 }  // namespace sil

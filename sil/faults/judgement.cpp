@@ -43,7 +43,8 @@ void keep_first(std::optional<int>& time, bool happened, int now) {
     }
 }
 
-void measure_warning(const FaultyRun& right, const FaultyRun& faulty, Reaction& reaction) {
+void measure_warning(const Scene& scene, const FaultyRun& right, const FaultyRun& faulty,
+                     Reaction& reaction) {
     const std::optional<std::size_t> due = first_warning(right);
     if (!due) {
         return;
@@ -52,28 +53,38 @@ void measure_warning(const FaultyRun& right, const FaultyRun& faulty, Reaction& 
     reaction.warning_missed = !came;
     if (came) {
         reaction.lead_loss = to_ms(*came, *due);
+        if (scene.two_wheel_lift) {
+            reaction.lead = to_ms(*scene.two_wheel_lift, *came);
+        }
     }
 }
 
-// From the end of the fault to the first cycle from which on `agree` holds; none: not until the scene's end.
+// From the end of the fault to the first cycle from which on `agree` holds; none: not until `end`.
 template <typename Agree>
-std::optional<int> time_to_agreement(const FaultyRun& right, const FaultyRun& faulty, Agree agree) {
-    std::size_t since = faulty.answers.size();
+std::optional<int> time_to_agreement(const FaultyRun& right, const FaultyRun& faulty, std::size_t end,
+                                     Agree agree) {
+    std::size_t since = end;
     while (since > faulty.over && faulty.answers[since - 1U] &&
            agree(*faulty.answers[since - 1U], *right.answers[since - 1U])) {
         --since;
     }
-    return since < faulty.answers.size() ? std::optional<int>{to_ms(since, faulty.over)} : std::nullopt;
+    return since < end ? std::optional<int>{to_ms(since, faulty.over)} : std::nullopt;
 }
 
 void measure_recovery(const Scene& scene, const FaultyRun& right, const FaultyRun& faulty,
                       Reaction& reaction) {
-    if (faulty.over >= scene.samples.size()) {
+    // With two wheels in the air the vehicle is no longer what the checks know.
+    const std::size_t end = scene.two_wheel_lift.value_or(scene.samples.size());
+    if (faulty.over >= end) {
         return;
     }
-    reaction.watched_ms = to_ms(scene.samples.size(), faulty.over);
-    reaction.recovery = time_to_agreement(right, faulty, is_same_statement);
-    reaction.healing = time_to_agreement(right, faulty, has_no_further_code);
+    reaction.watched_ms = to_ms(end, faulty.over);
+    const std::optional<std::size_t> due = first_warning(right);
+    if (due && *due >= faulty.over) {
+        reaction.due = to_ms(*due, faulty.over);
+    }
+    reaction.recovery = time_to_agreement(right, faulty, end, is_same_statement);
+    reaction.healing = time_to_agreement(right, faulty, end, has_no_further_code);
 }
 
 }  // namespace
@@ -116,7 +127,7 @@ Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right,
         reaction.incomplete_cycles += is.complete ? 0U : 1U;
         reaction.undefined_cycles += is.defined ? 0U : 1U;
     }
-    measure_warning(right, faulty, reaction);
+    measure_warning(scene, right, faulty, reaction);
     measure_recovery(scene, right, faulty, reaction);
     return reaction;
 }
@@ -125,11 +136,17 @@ bool silences_a_warning(const Reaction& reaction) {
     return reaction.silence > longest_silence_ms;
 }
 
-std::vector<std::string> shortfalls(const Expectation& expected, const Reaction& reaction) {
-    std::vector<std::string> all;
-    const auto demand = [&all](bool good, const std::string& otherwise) {
+Verdict judge(const Expectation& expected, const Reaction& reaction) {
+    Verdict verdict;
+    const auto demand = [&verdict](bool good, const std::string& otherwise) {
         if (!good) {
-            all.push_back(otherwise);
+            verdict.shortfalls.push_back(otherwise);
+        }
+    };
+    // What an error that no check sees in time does to the warning.
+    const auto demand_if_seen = [&](bool good, const std::string& otherwise) {
+        if (!good) {
+            (expected.unseen ? verdict.unseen : verdict.shortfalls).push_back(otherwise);
         }
     };
     const auto in_time = [&expected](const std::optional<int>& time) {
@@ -138,14 +155,18 @@ std::vector<std::string> shortfalls(const Expectation& expected, const Reaction&
     demand(reaction.incomplete_cycles == 0U, "a frame is missing or damaged");
     demand(reaction.undefined_cycles == 0U, "an undefined code on the bus");
     demand(reaction.watchdog_fed, "watchdog");
-    demand(!silences_a_warning(reaction),
-           fmt::format("silent for {} ms while a warning is due", reaction.silence));
+    demand_if_seen(!silences_a_warning(reaction),
+                   fmt::format("silent for {} ms while a warning is due", reaction.silence));
     demand(reaction.false_warning <= longest_false_warning_ms(expected),
            fmt::format("false warning for {} ms", reaction.false_warning));
     const auto come_back = [&reaction](const std::optional<int>& time, int limit_ms) {
         return time ? *time <= limit_ms : reaction.watched_ms < limit_ms;
     };
-    demand(come_back(reaction.recovery, expected.recovery_ms),
+    // A warning that is due soon after the fault may come as late as it may with the fault.
+    const int recovery_ms = reaction.due
+                                ? std::max(expected.recovery_ms, *reaction.due + expected.lead_loss_ms)
+                                : expected.recovery_ms;
+    demand(come_back(reaction.recovery, recovery_ms),
            reaction.recovery ? fmt::format("back after {} ms only", reaction.recovery.value_or(0))
                              : std::string{"does not come back"});
     demand(come_back(reaction.healing, expected.healing_ms),
@@ -154,13 +175,13 @@ std::vector<std::string> shortfalls(const Expectation& expected, const Reaction&
     const bool reported = in_time(reaction.code);
     if (expected.demand == Demand::unaffected) {
         demand(!reaction.code && !reaction.unavailable, "a reaction");
-    } else if (expected.demand != Demand::right && reaction.visible) {
+    } else if (expected.demand != Demand::right && expected.demand != Demand::recovery && reaction.visible) {
         demand(reported, "no code in time");
         demand(reaction.lapse <= expected.lapse_ms,
                fmt::format("no code for {} ms while the fault is there", reaction.lapse));
     }
-    demand(reaction.wrong <= expected.wrong_ms,
-           fmt::format("wrong for {} ms without a code", reaction.wrong));
+    demand_if_seen(reaction.wrong <= expected.wrong_ms,
+                   fmt::format("wrong for {} ms without a code", reaction.wrong));
     if (expected.demand == Demand::unavailable && reaction.visible) {
         demand(in_time(reaction.unavailable), "not unavailable in time");
     }
@@ -170,41 +191,18 @@ std::vector<std::string> shortfalls(const Expectation& expected, const Reaction&
     if (expected.demand == Demand::motion_lost && reaction.visible) {
         demand(in_time(reaction.motion_lost), "not \"motion lost\" in time");
     }
-    if (expected.demand != Demand::unavailable && expected.demand != Demand::reported) {
-        demand(!reaction.unavailable, "unavailable");
-        demand(!reaction.warning_missed, "no warning");
-        demand(reaction.lead_loss.value_or(0) <= expected.lead_loss_ms, "warning late");
+    const bool usable = expected.demand != Demand::unavailable && expected.demand != Demand::reported &&
+                        expected.demand != Demand::recovery;
+    const bool back_before =
+        expected.demand == Demand::recovery && reaction.due.value_or(0) >= expected.recovery_ms;
+    demand(!usable || !reaction.unavailable, "unavailable");
+    if (usable || back_before) {
+        demand_if_seen(!reaction.warning_missed, "no warning");
+        demand_if_seen(reaction.lead_loss.value_or(0) <= expected.lead_loss_ms, "warning late");
+        demand_if_seen(reaction.lead.value_or(least_lead_ms) >= least_lead_ms,
+                       "warning too late before two-wheel lift-off");
     }
-    return all;
-}
-
-std::string describe(const Reaction& reaction) {
-    std::vector<std::string> parts;
-    const auto add = [&parts](const char* what, const std::optional<int>& time) {
-        if (time) {
-            parts.push_back(fmt::format("{} {}", what, *time));
-        }
-    };
-    add("unavailable", reaction.unavailable);
-    add("observer", reaction.observer);
-    add("motion lost", reaction.motion_lost);
-    add(reaction.code_name.c_str(), reaction.code);
-    if (parts.empty()) {
-        parts.emplace_back(reaction.visible ? "nothing" : "not visible");
-    }
-    if (reaction.false_warning > 0) {
-        parts.push_back(fmt::format("false warning for {}", reaction.false_warning));
-    }
-    if (reaction.warning_missed) {
-        parts.emplace_back("no warning");
-    } else if (reaction.lead_loss) {
-        parts.push_back(fmt::format("warning {:+}", *reaction.lead_loss));
-    }
-    add("back", reaction.recovery);
-    if (reaction.healing.value_or(0) > 0) {
-        add("codes gone", reaction.healing);
-    }
-    return fmt::format("{}", fmt::join(parts, ", "));
+    return verdict;
 }
 
 }  // namespace sil

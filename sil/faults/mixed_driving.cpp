@@ -11,7 +11,7 @@ namespace sil {
 namespace {
 
 constexpr double largest_handwheel_rad = 6.0;
-constexpr double share_of_hard_turns = 0.3;
+constexpr double share_of_hard_turns = 0.4;
 
 enum class Segment : std::uint8_t { straight, turn, lane_change, weave };
 

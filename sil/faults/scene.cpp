@@ -31,15 +31,29 @@ SensorSuite make_sensors(const VehicleParameters& vehicle) {
     return SensorSuite{mounted_sensors(vehicle, flaws)};
 }
 
-std::vector<SensorSample> record(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre) {
+struct Recording {
+    std::vector<SensorSample> samples{};
+    std::optional<std::size_t> two_wheel_lift{};
+};
+
+bool has_lifted_two_wheels(const Truth& truth) {
+    const auto& load_n = truth.wheel_load_n;
+    return (load_n[front_left] <= 0.0 && load_n[rear_left] <= 0.0) ||
+           (load_n[front_right] <= 0.0 && load_n[rear_right] <= 0.0);
+}
+
+Recording record(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre) {
     ManoeuvreRun plant{vehicle, manoeuvre};
     SensorSuite sensors = make_sensors(vehicle);
-    std::vector<SensorSample> samples;
+    Recording recording;
     sensors.observe(plant.truth());
     for (;;) {
-        samples.push_back(sensors.report(plant.truth()));
+        if (!recording.two_wheel_lift && has_lifted_two_wheels(plant.truth())) {
+            recording.two_wheel_lift = recording.samples.size();
+        }
+        recording.samples.push_back(sensors.report(plant.truth()));
         if (plant.finished() || std::abs(plant.truth().roll_angle_rad) > rolled_over_rad) {
-            return samples;
+            return recording;
         }
         for (int step = 0; step < steps_per_cycle; ++step) {
             plant.step();
@@ -49,17 +63,17 @@ std::vector<SensorSample> record(const VehicleParameters& vehicle, const Manoeuv
 }
 
 // The tyre model wants a rolling wheel, so a vehicle at rest is written down instead of driven.
-std::vector<SensorSample> record_rest(const VehicleParameters& vehicle, double duration_s) {
+Recording record_rest(const VehicleParameters& vehicle, double duration_s) {
     Truth truth;
     truth.specific_force_mps2 = {0.0, 0.0, g_mps2};
     SensorSuite sensors = make_sensors(vehicle);
-    std::vector<SensorSample> samples;
+    Recording recording;
     for (std::size_t cycle = 0U; cycle <= cycles(duration_s); ++cycle) {
         truth.time_s = static_cast<double>(cycle) * cycle_time_s;
         sensors.observe(truth);
-        samples.push_back(sensors.report(truth));
+        recording.samples.push_back(sensors.report(truth));
     }
-    return samples;
+    return recording;
 }
 
 // The driver of a manoeuvre after some seconds of straight road.
@@ -90,10 +104,23 @@ Manoeuvre delayed(Manoeuvre manoeuvre, double delay_s) {
     return manoeuvre;
 }
 
-Scene scene(SceneKind kind, std::string name, std::string description, std::vector<SensorSample> samples,
-            double begin_s, double end_s) {
-    const std::size_t end = std::min(cycles(end_s), samples.size());
-    return {kind, std::move(name), std::move(description), std::move(samples), cycles(begin_s), end};
+Scene scene(SceneKind kind, std::string name, std::string description, Recording recording, double begin_s,
+            double end_s) {
+    const std::size_t end = std::min(cycles(end_s), recording.samples.size());
+    return {
+        kind, std::move(name),         std::move(description), std::move(recording.samples), cycles(begin_s),
+        end,  recording.two_wheel_lift};
+}
+
+Scene at_warning(const Scene& drive, SceneKind kind, const char* name, const char* description,
+                 std::size_t begin, std::size_t end) {
+    Scene scene = drive;
+    scene.kind = kind;
+    scene.name = name;
+    scene.description = description;
+    scene.fault_begin = begin;
+    scene.fault_end = end;
+    return scene;
 }
 
 }  // namespace
@@ -105,8 +132,6 @@ std::vector<Scene> record_scenes(const VehicleParameters& vehicle) {
     Manoeuvre straight = find_manoeuvre("straight");
     straight.duration_s = 15.0;
     Manoeuvre turn = find_manoeuvre("rough-turn");
-    const std::vector<SensorSample> j_turn =
-        record(vehicle, delayed(find_manoeuvre("j-turn-110"), straight_s));
     return {
         scene(SceneKind::rest, "rest", "the vehicle stands; fault from 4 s to 8 s",
               record_rest(vehicle, 15.0), 4.0, 8.0),
@@ -115,13 +140,27 @@ std::vector<Scene> record_scenes(const VehicleParameters& vehicle) {
         scene(SceneKind::turn, "turn",
               "held turn of 0.3 g on a rough road at 80 km/h; fault from 6 s to 10 s", record(vehicle, turn),
               6.0, 10.0),
-        scene(SceneKind::before_turn, "before the turn",
-              "J-turn at 110 km/h that ends in a rollover; the fault begins 0.5 s before the driver steers, "
-              "and stays",
-              j_turn, steering_s - 0.5, forever_s),
-        scene(SceneKind::warning, "warning",
-              "the same; the fault begins 0.1 s before the warning is due, and stays", j_turn, steering_s,
-              forever_s),
+        scene(
+            SceneKind::before_turn, "before the turn",
+            "J-turn at 110 km/h that ends in a rollover; the fault begins 0.5 s before the driver steers and "
+            "0.6 s before the warning is due (as he steers), and stays",
+            record(vehicle, delayed(find_manoeuvre("j-turn-110"), straight_s)), steering_s - 0.5, forever_s),
+    };
+}
+
+std::vector<Scene> scenes_at_warning(const Scene& before_turn, std::size_t due) {
+    constexpr const char* warning = "warning";
+    constexpr const char* about_warning =
+        "the same; the fault begins 0.3 s and 0.1 s before the warning is due, and stays";
+    const std::size_t end = before_turn.samples.size();
+    return {
+        at_warning(before_turn, SceneKind::steering, before_turn.name.c_str(),
+                   before_turn.description.c_str(), due - cycles(0.6), end),
+        at_warning(before_turn, SceneKind::before_warning, warning, about_warning, due - cycles(0.3), end),
+        at_warning(before_turn, SceneKind::warning, warning, about_warning, due - cycles(0.1), end),
+        at_warning(before_turn, SceneKind::over, "over before the warning",
+                   "the same; the fault begins 1 s before the warning is due, and ends 0.2 s before it",
+                   due - cycles(1.0), due - cycles(over_before_warning_ms * 1.0e-3)),
     };
 }
 

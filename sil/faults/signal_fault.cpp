@@ -27,6 +27,9 @@ SensorSample SignalFault::apply(const SensorSample& sample, bool active) {
     double& value = changed.*(signal_->value);
     const double right = value;
     value = faulty(right);
+    if (fault_.place == FaultPlace::speed && value < 0.0) {
+        value = 0.0;  // a wheel's sensor counts and knows no sign
+    }
     const double error = std::abs(value - right);
     visible_ = fault_.kind == FaultKind::out_of_range ||
                !(error < signal_->smallest_error * signal_->unit_si);  // also true of "not available"
@@ -48,7 +51,7 @@ double SignalFault::faulty(double value) {
         case FaultKind::sign_flip:
             return -value;
         case FaultKind::saturated:
-            return beyond_every_range;
+            return std::copysign(beyond_every_range, fault_.magnitude);
         case FaultKind::not_available:
             return SensorSample::not_available;
         default:

@@ -39,7 +39,7 @@ std::string head(const Identification& result) {
            "# what each one is, rsi/parameters.hpp which range it has.\n";
 }
 
-std::string_view key_of(std::string_view line) {
+std::string_view key_in(std::string_view line) {
     const std::size_t end = line.find(" = ");
     return line.empty() || line.front() == '#' || end == std::string_view::npos ? std::string_view{}
                                                                                 : line.substr(0U, end);
@@ -59,7 +59,7 @@ std::string calibration_text(const Identification& result) {
         }
         const auto found =
             std::find_if(result.values.begin(), result.values.end(),
-                         [&line](const IdentifiedValue& value) { return value.key == key_of(line); });
+                         [&line](const IdentifiedValue& value) { return value.key == key_in(line); });
         if (found == result.values.end()) {
             text += line + "\n";
         } else {

@@ -13,7 +13,6 @@
 namespace sil {
 namespace {
 
-constexpr double step_s = 0.01;
 constexpr double lifted_load_share = 0.02;                          // of the wheel's load at the start
 constexpr double straight_steering_rad = 0.6 / degrees_per_radian;  // at the steering wheel
 constexpr double straight_yaw_rate_radps = 0.008;
@@ -127,15 +126,16 @@ class Preparation {
                 fmt::format("{}: only {:.2f} s can be used{}{}. Record at least some seconds with lateral "
                             "acceleration, roll "
                             "rate and roll angle all present before a wheel lifts",
-                            drive_.name, step_s * static_cast<double>(cycles_.size()),
+                            drive_.name, sample_time_s * static_cast<double>(cycles_.size()),
                             reason.empty() ? "" : ": ", reason));
         }
     }
 
     Signal smooth(double DriveSample::* member) const {
         Signal signal = signal_of(cycles_, member);
-        return complete(signal) ? filter_without_delay(std::move(signal), options_.filter_lag_s, step_s)
-                                : Signal(cycles_.size(), std::numeric_limits<double>::quiet_NaN());
+        return complete(signal)
+                   ? filter_without_delay(std::move(signal), options_.filter_lag_s, sample_time_s)
+                   : Signal(cycles_.size(), std::numeric_limits<double>::quiet_NaN());
     }
 
     Signal smooth_load_moment() const {
@@ -144,8 +144,9 @@ class Preparation {
             signal.push_back(has_loads(cycle.sample) ? load_moment_nm(cycle.sample, vehicle_.track_width_m)
                                                      : std::numeric_limits<double>::quiet_NaN());
         }
-        return complete(signal) ? filter_without_delay(std::move(signal), options_.filter_lag_s, step_s)
-                                : signal;
+        return complete(signal)
+                   ? filter_without_delay(std::move(signal), options_.filter_lag_s, sample_time_s)
+                   : signal;
     }
 
     // How many samples pass before the driver steers: by the steering wheel, else by the yaw rate.
@@ -160,7 +161,7 @@ class Preparation {
             ++count;
         }
         // The filter lets the turn shine back.
-        const auto margin = static_cast<std::size_t>(4.0 * options_.filter_lag_s / step_s);
+        const auto margin = static_cast<std::size_t>(4.0 * options_.filter_lag_s / sample_time_s);
         count = count > margin ? count - margin : 0U;
         // A steady turn is not a straight road.
         const bool turning = complete(yaw_rate) && std::abs(yaw_rate.front()) > 0.05;
@@ -178,7 +179,7 @@ class Preparation {
     SensorOffsets offsets() const {
         SensorOffsets offsets;
         const std::size_t count = straight_samples();
-        offsets.straight_s = step_s * static_cast<double>(count);
+        offsets.straight_s = sample_time_s * static_cast<double>(count);
         if (offsets.straight_s < shortest_straight_s) {
             return offsets;
         }
@@ -265,8 +266,8 @@ class Preparation {
         const Signal speed = smooth(&DriveSample::speed_mps);
         const Signal steering = smooth(&DriveSample::steering_wheel_angle_rad);
         const Signal load_moment = smooth_load_moment();
-        const Signal roll_acceleration = differentiate(roll_rate, step_s);
-        const Signal yaw_acceleration = differentiate(yaw_rate, step_s);
+        const Signal roll_acceleration = differentiate(roll_rate, sample_time_s);
+        const Signal yaw_acceleration = differentiate(yaw_rate, sample_time_s);
         const double gyro_offset = offsets.known ? offsets.roll_rate_radps : mean_rate_error(roll, roll_rate);
         for (std::size_t k = edge; k + edge < roll.size(); ++k) {
             const double p = roll_rate[k] - gyro_offset;
@@ -299,7 +300,7 @@ class Preparation {
         for (const double rate : roll_rate) {
             sum += rate;
         }
-        const double time_s = step_s * static_cast<double>(roll.size() - 1U);
+        const double time_s = sample_time_s * static_cast<double>(roll.size() - 1U);
         return sum / static_cast<double>(roll_rate.size()) - (roll.back() - roll.front()) / time_s;
     }
 

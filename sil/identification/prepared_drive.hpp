@@ -24,7 +24,9 @@ struct PreparationOptions {
     double lift_share{0.85};  // without wheel loads: |A/N| stays below this share of c_w / (2 h)
 };
 
-// One sample of 10 ms. Letters are those of docs/theory.md.
+inline constexpr double sample_time_s = 0.01;
+
+// One sample. Letters are those of docs/theory.md.
 struct RollSample {
     double time_s;
     double parallel_mps2;     // A

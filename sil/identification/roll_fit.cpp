@@ -12,7 +12,6 @@
 namespace sil {
 namespace {
 
-constexpr double step_s = 0.01;
 // Errors of the model last about so long: one independent observation a fifth of a second.
 constexpr double correlation_s = 0.2;
 // The model is never trusted beyond this share of a drive's moment, however clean the signals.
@@ -131,7 +130,7 @@ class RollProblem {
         for (std::size_t i = 0U; i < drives_.size(); ++i) {
             for (const RollSample& sample : drives_[i].drive->samples) {
                 problem.add(psi(i, sample), mass_arm_kgm_ * sample.overturning_mps2, deviation_nm[i],
-                            step_s / correlation_s);
+                            sample_time_s / correlation_s);
             }
         }
         return problem.solve();
@@ -214,7 +213,7 @@ void refuse_wrong_roll_rate(const PreparedDrive& drive) {
     for (const RollSample& sample : drive.samples) {
         angle.push_back(sample.roll_angle_rad);
     }
-    const std::vector<double> slope = differentiate(angle, step_s);
+    const std::vector<double> slope = differentiate(angle, sample_time_s);
     double common = 0.0, squares = 0.0;
     for (std::size_t k = 0U; k < slope.size(); ++k) {
         common += slope[k] * drive.samples[k].roll_rate_radps;

@@ -10,8 +10,7 @@
 namespace sil {
 namespace {
 
-constexpr double step_s = 0.01;
-constexpr double correlation_s = 0.2;
+constexpr double residual_correlation_s = 0.2;
 constexpr double slowest_mps = 5.0;
 // Tyres are linear up to about here.
 constexpr double smallest_mps2 = 0.1 * g_mps2;
@@ -37,7 +36,7 @@ std::vector<double> steering_rate(const PreparedDrive& drive) {
     for (const RollSample& sample : drive.samples) {
         steering.push_back(sample.steering_wheel_angle_rad);
     }
-    return differentiate(steering, step_s);
+    return differentiate(steering, sample_time_s);
 }
 
 std::vector<Row> rows_of(const std::vector<PreparedDrive>& ramps) {
@@ -99,7 +98,7 @@ class SteeringProblem {
         for (int pass = 0; pass < 3; ++pass) {
             LinearProblem problem{priors};
             for (const Row& row : rows_) {
-                problem.add(x(row), y(row), deviation, step_s / correlation_s);
+                problem.add(x(row), y(row), deviation, sample_time_s / residual_correlation_s);
             }
             fit = problem.solve();
             double squares = 0.0;

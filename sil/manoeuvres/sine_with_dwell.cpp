@@ -5,11 +5,11 @@
 
 #include "sil/manoeuvres/manoeuvre.hpp"
 #include "sil/manoeuvres/slowly_increasing_steer.hpp"
+#include "sil/units.hpp"
 
 namespace sil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double start_s = 2.0;
 constexpr double frequency_hz = 0.7;
 constexpr double second_peak_s = 0.75 / frequency_hz;

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "sil/manoeuvres/manoeuvre.hpp"
+#include "sil/units.hpp"
 
 namespace sil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double frequency_hz = 0.3;
 constexpr double amplitude_rad = from_degrees(42.0);
 constexpr double start_s = 1.0;

@@ -94,6 +94,8 @@ struct DrivelineParameters {
     double rear_brake_nm{};
 };
 
+inline constexpr double air_density_kgpm3 = 1.2;
+
 struct AerodynamicParameters {
     double drag_area_m2{};  // c_d A
 };

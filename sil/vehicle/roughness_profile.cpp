@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sil/units.hpp"
+
 namespace sil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double reference_pm = 0.1;       // n0
 constexpr double lowest_pm = 0.05;         // cycles per metre
 constexpr std::size_t point_count = 8192;  // a power of two, so that a mask wraps

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double bandwidth_radps = 3.0;
 constexpr double integral_time_s = 1.0;
-constexpr double air_density_kgpm3 = 1.2;
 
 }  // namespace
 

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/units.hpp"
+
 namespace sil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double level_until_m = 20.0;
 constexpr double complete_from_m = 40.0;
 constexpr double half_joint_m = 0.5;  // of the surface between the tracks

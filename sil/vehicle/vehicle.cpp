@@ -12,7 +12,6 @@
 namespace sil {
 namespace {
 
-constexpr double air_density_kgpm3 = 1.2;
 constexpr double hull_may_touch_below = 0.7;  // cosine of the angle between body z and road normal
 constexpr double smallest_heading = 1e-6;
 

@@ -9,6 +9,7 @@
 #include "tests/acceptance/closed_run.hpp"
 
 namespace rsi_test {
+namespace manoeuvre_acceptance_test {
 namespace {
 
 constexpr double g_mps2 = 9.80665;
@@ -168,4 +169,5 @@ INSTANTIATE_TEST_SUITE_P(StraightAndSlalom, TenMinutes,
                          });
 
 }  // namespace
+}  // namespace manoeuvre_acceptance_test
 }  // namespace rsi_test

@@ -18,6 +18,7 @@
 #include "sil/vehicle/parameter_file.hpp"
 
 namespace rsi_test {
+namespace observer_accuracy_test {
 namespace {
 
 constexpr double degrees_per_radian = 57.295779513082321;
@@ -234,4 +235,5 @@ TEST(WithoutRollSensor, TheWarningComesWhenItComesWithIt) {
 }
 
 }  // namespace
+}  // namespace observer_accuracy_test
 }  // namespace rsi_test

@@ -8,6 +8,7 @@
 #include "tests/acceptance/closed_run.hpp"
 
 namespace rsi_test {
+namespace readme_figures_test {
 namespace {
 
 std::string readme() {
@@ -48,4 +49,5 @@ TEST(Readme, ShowsTheFiguresOfTheLockStepRun) {
 }
 
 }  // namespace
+}  // namespace readme_figures_test
 }  // namespace rsi_test

@@ -14,6 +14,7 @@
 #include "sil/calibration/calibration_file.hpp"
 
 namespace rsi_test {
+namespace recorded_signals_test {
 namespace {
 
 // Equations (1), (5), (8) to (11) in double, with a full covariance matrix, libm, and both Y and psi divided
@@ -122,4 +123,5 @@ INSTANTIATE_TEST_SUITE_P(RegressionSet, RecordedSignals,
                                          "slalom-noise"));
 
 }  // namespace
+}  // namespace recorded_signals_test
 }  // namespace rsi_test

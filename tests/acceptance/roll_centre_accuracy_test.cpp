@@ -12,6 +12,7 @@
 #include "sil/manoeuvres/catalogue.hpp"
 
 namespace rsi_test {
+namespace roll_centre_accuracy_test {
 namespace {
 
 constexpr std::array<const char*, 2> vehicles{"large_suv", "ordinary_suv"};
@@ -136,4 +137,5 @@ INSTANTIATE_TEST_SUITE_P(Vehicles, EveryVehicle, testing::ValuesIn(vehicles),
                          [](const auto& run) { return std::string{run.param}; });
 
 }  // namespace
+}  // namespace roll_centre_accuracy_test
 }  // namespace rsi_test

@@ -303,6 +303,40 @@ TEST(ALateralAccelerationOfTheWrongSign, ThatIsRightAgainIsBelievedInAWeave) {
     EXPECT_NE(run(3.8, 6.0, 10.0), State::unavailable);
 }
 
+// Two faults at once: the second must not clear the first.
+TEST(ALieThatIsFound, IsNotBelievedAfterAStall) {
+    Slalom slalom{[](Motion& motion, double) { roll_rate(motion) += 12.0F; }};
+    slalom.faulty = true;
+    slalom.bench.run_for(2.0);
+    ASSERT_EQ(slalom.bench.state(), State::unavailable);
+    slalom.bench.miss_cycles(3U);
+    slalom.bench.run_cycles(1);
+    slalom.bench.miss_cycles(0U);
+    for (int cycle = 0; cycle < 2000; ++cycle) {
+        slalom.bench.run_cycles(1);
+        ASSERT_EQ(slalom.bench.state(), State::unavailable) << cycle;
+    }
+    slalom.faulty = false;
+    slalom.bench.run_for(4.0);
+    EXPECT_NE(slalom.bench.state(), State::unavailable);
+}
+
+TEST(ALieThatIsFound, IsNotBelievedWithoutItsWitness) {
+    Slalom slalom{frozen(lateral)};
+    slalom.faulty = true;
+    slalom.bench.run_for(1.0);
+    ASSERT_EQ(slalom.bench.state(), State::unavailable);
+    slalom.bench.stop(Sensor::vehicle_motion);
+    for (int cycle = 0; cycle < 1000; ++cycle) {
+        slalom.bench.run_cycles(1);
+        ASSERT_EQ(slalom.bench.state(), State::unavailable) << cycle;
+    }
+    slalom.bench.resume(Sensor::vehicle_motion);
+    slalom.faulty = false;
+    slalom.bench.run_for(4.0);
+    EXPECT_NE(slalom.bench.state(), State::unavailable);
+}
+
 TEST(GoodSensors, OfATurnSetNoCode) {
     Turn turn{[](Motion&) {}};
     turn.bench.run_for(4.0);

@@ -163,6 +163,66 @@ TEST(ARollAngle, IsNotBelievedAsLongAsItMovesLater) {
     }
 }
 
+// A gentle roll, in which the roll rate is taken out for contradicting the angle and is right again.
+struct RollRateTakenOut {
+    RollRateTakenOut() {
+        bench.drive([this](double time_s) {
+            Motion motion;
+            const double error = faulty ? 25.0 : 0.0;
+            motion.imu.roll_rate_deg_per_s = static_cast<float>(error + std::sin(3.0 * time_s));
+            const double jump = std::lround(100.0 * time_s) % 2 == 0 ? jump_deg : -jump_deg;
+            motion.roll_angle.roll_angle_deg = static_cast<float>(jump - std::cos(3.0 * time_s) / 3.0);
+            return motion;
+        });
+        bench.run_for(2.0);
+        faulty = true;
+        bench.run_for(0.5);
+        faulty = false;
+    }
+
+    void hold_back_the_angle() {
+        bench.stop(Sensor::roll_angle);
+        bench.run_for(0.1);
+        bench.resume_all();
+        bench.run_cycles(10);
+    }
+
+    bool faulty{false};
+    double jump_deg{0.0};
+    Bench bench;
+};
+
+TEST(ARollAngle, ThatIsHeldBackClearsARollRateWithWhichItAgrees) {
+    RollRateTakenOut drive;
+    drive.hold_back_the_angle();
+    ASSERT_TRUE(drive.bench.status().roll_angle_timeout);
+    ASSERT_EQ(drive.bench.state(), State::unavailable);
+    drive.bench.run_for(1.5);
+    EXPECT_TRUE(drive.bench.status().roll_angle_timeout);
+    EXPECT_EQ(drive.bench.state(), State::ready);
+}
+
+TEST(ARollAngle, ThatNoLongerComesClearsNoRollRate) {
+    RollRateTakenOut drive;
+    drive.hold_back_the_angle();
+    drive.bench.stop(Sensor::roll_angle);
+    drive.bench.run_for(5.0);
+    EXPECT_EQ(drive.bench.state(), State::unavailable);
+    drive.bench.resume_all();
+    drive.bench.run_for(2.0);
+    EXPECT_EQ(drive.bench.state(), State::ready);
+}
+
+TEST(ARollAngle, ThatJumpsClearsNoRollRate) {
+    RollRateTakenOut drive;
+    drive.jump_deg = 1.5;  // by 3 deg, which would be no contradiction within 0.2 s
+    drive.bench.run_for(3.0);
+    EXPECT_EQ(drive.bench.state(), State::unavailable);
+    drive.jump_deg = 0.0;
+    drive.bench.run_for(2.5);
+    EXPECT_EQ(drive.bench.state(), State::ready);
+}
+
 // The angle of a sine of the roll rate, late by `delay_s`.
 monitoring::RollLag lag_after(double delay_s, double seconds, double amplitude_radps) {
     monitoring::RollLag lag;

@@ -6,6 +6,7 @@
 
 #include "tests/campaign/small_campaign.hpp"
 
+namespace detection_test {
 namespace {
 
 using testing_campaign::HandMadeRun;
@@ -112,3 +113,4 @@ TEST(DetectionCurve, AnIndexThatSaturatesHasNoThresholdForFewFalseAlarms) {
 }
 
 }  // namespace
+}  // namespace detection_test

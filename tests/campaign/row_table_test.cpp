@@ -7,6 +7,7 @@
 #include "sil/campaign/settings.hpp"
 #include "tests/support/scratch_folder.hpp"
 
+namespace row_table_test {
 namespace {
 
 using testing::HasSubstr;
@@ -63,3 +64,4 @@ TEST(RowTable, NamesLineAndColumnOfWhatIsWrong) {
 }
 
 }  // namespace
+}  // namespace row_table_test

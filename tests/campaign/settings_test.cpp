@@ -7,6 +7,7 @@
 #include "tests/campaign/small_campaign.hpp"
 #include "tests/support/scratch_folder.hpp"
 
+namespace settings_test {
 namespace {
 
 using testing::HasSubstr;
@@ -94,3 +95,4 @@ TEST(CampaignSettings, AVehicleOnTheCommandLineIsTwoPaths) {
 }
 
 }  // namespace
+}  // namespace settings_test

@@ -12,6 +12,7 @@
 
 #include "can_dbc/generated/rollover_warning.hpp"
 
+namespace codec_test {
 namespace {
 
 using can_dbc::decode;
@@ -207,3 +208,4 @@ TEST(Codec, KeepsDistinctIdentifiersAndDataIdentifiers) {
 }
 
 }  // namespace
+}  // namespace codec_test

@@ -6,6 +6,7 @@
 
 #include "can_dbc/e2e/profile_11.hpp"
 
+namespace e2e_test {
 namespace {
 
 using can_dbc::e2e::CheckError;
@@ -200,3 +201,4 @@ TEST(Profile11, ChecksAPayloadOfNothingButItsHeader) {
 }
 
 }  // namespace
+}  // namespace e2e_test

@@ -16,6 +16,7 @@
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "tests/codec/byte_orders.hpp"
 
+namespace every_message_test {
 namespace {
 
 using can_dbc::Decoded;
@@ -212,3 +213,4 @@ TEST(EveryEnumeration, HasTheNamesOfTheDbcFile) {
 }
 
 }  // namespace
+}  // namespace every_message_test

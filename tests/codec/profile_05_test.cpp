@@ -8,6 +8,7 @@
 
 #include "tests/codec/can_fd.hpp"
 
+namespace profile_05_test {
 namespace {
 
 using can_dbc::e2e::CheckError;
@@ -220,3 +221,4 @@ TEST(Profile05, ChecksAPayloadOfNothingButItsHeader) {
 }
 
 }  // namespace
+}  // namespace profile_05_test

@@ -8,6 +8,7 @@
 #include "can_dbc/codec/integer_signal.hpp"
 #include "can_dbc/codec/physical_signal.hpp"
 
+namespace signal_test {
 namespace {
 
 using can_dbc::ByteOrder;
@@ -102,3 +103,4 @@ TEST(EnumerationSignal, KnowsItsOwnNotAvailableWhereItHasOne) {
 }
 
 }  // namespace
+}  // namespace signal_test

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string>
 
+namespace state_machine_test {
 namespace {
 
 using can_dbc::e2e::are_consistent;
@@ -186,3 +187,4 @@ TEST(StateMachineSettings, ThatContradictThemselvesAreRefused) {
 }
 
 }  // namespace
+}  // namespace state_machine_test

@@ -81,8 +81,17 @@ class Injection {
     std::vector<std::size_t> counts_{};
 };
 
-TEST(SignalFault, ChangesItsOwnSignalAloneAndOnlyWhileActive) {
+std::vector<Fault> all_signs() {
+    std::vector<Fault> all;
     for (const Fault& fault : sil::all_faults()) {
+        const std::vector<Fault> signs = in_each_sign(fault);
+        all.insert(all.end(), signs.begin(), signs.end());
+    }
+    return all;
+}
+
+TEST(SignalFault, ChangesItsOwnSignalAloneAndOnlyWhileActive) {
+    for (const Fault& fault : all_signs()) {
         if (!sil::is_signal_fault(fault.kind) || fault.kind == FaultKind::out_of_range) {
             continue;
         }
@@ -100,6 +109,33 @@ TEST(SignalFault, ChangesItsOwnSignalAloneAndOnlyWhileActive) {
                   right.*(sil::find_signal(fault.place)->value));
         EXPECT_FALSE(sensor.is_visible());
     }
+}
+
+TEST(SignalFault, HasEitherSignWhereThereIsOne) {
+    EXPECT_EQ(all_signs().size(), sil::all_faults().size() + 8U + 8U + 7U)
+        << "offset, drift; saturated, but for the speed";
+    const auto error = [](const Fault& fault) {
+        sil::SignalFault sensor{fault};
+        const sil::SensorSample right = sample_of(1.0);
+        const auto value = sil::find_signal(fault.place)->value;
+        return sensor.apply(right, true).*value - right.*value;
+    };
+    for (const Fault& fault : sil::all_faults()) {
+        const std::vector<Fault> signs = in_each_sign(fault);
+        if (signs.size() == 2U) {
+            SCOPED_TRACE(describe_each_sign(fault) + " of " + to_string(fault.place));
+            EXPECT_GT(error(signs[0]), 0.0);
+            EXPECT_LT(error(signs[1]), 0.0);
+        }
+    }
+}
+
+TEST(SignalFault, LeavesASpeedAtZeroWhenItIsToBeNegative) {
+    sil::SignalFault sensor{{FaultKind::offset, FaultPlace::speed, -30.0}};
+    EXPECT_EQ(sensor.apply(sample_of(1.0), true).speed_mps, 0.0);
+    EXPECT_TRUE(sensor.is_visible());
+    EXPECT_EQ(sensor.apply(sample_of(0.0), true).speed_mps, 0.0);
+    EXPECT_FALSE(sensor.is_visible()) << "at rest it is right";
 }
 
 TEST(SignalFault, IsVisibleFromTheSmallestErrorOn) {

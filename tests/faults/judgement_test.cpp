@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "sil/faults/contradiction.hpp"
 #include "sil/faults/expectation.hpp"
+#include "sil/faults/unseen.hpp"
 
 namespace faults_test {
 namespace {
@@ -26,6 +29,7 @@ constexpr std::size_t length = 900U;
 constexpr Fault imu_lost{FaultKind::lost, FaultPlace::imu_frame, 0.0};
 constexpr Fault lying{FaultKind::noise, FaultPlace::lateral_acceleration, 2.0};
 constexpr Fault hardly_lying{FaultKind::offset, FaultPlace::lateral_acceleration, 2.0};
+constexpr Fault unseen{FaultKind::offset, FaultPlace::lateral_acceleration, -2.0};
 
 EcuAnswer answer(WarningState state, sil::DiagnosticCodes codes = 0U) {
     EcuAnswer one;
@@ -67,14 +71,21 @@ class Judged {
         faulty_.visible.reset();
         return *this;
     }
+    Judged& lifts(std::size_t cycle) {
+        scene_.two_wheel_lift = cycle;
+        return *this;
+    }
     Judged& unfed() {
         faulty_.watchdog_fed = false;
         return *this;
     }
 
+    sil::Verdict verdict(const Fault& fault, sil::SceneKind scene) const {
+        return judge(sil::expectation_of(fault, scene), measure(scene_, fault, right_, faulty_));
+    }
     std::vector<std::string> shortfalls(const Fault& fault,
                                         sil::SceneKind scene = sil::SceneKind::turn) const {
-        return sil::shortfalls(sil::expectation_of(fault, scene), measure(scene_, fault, right_, faulty_));
+        return verdict(fault, scene).shortfalls;
     }
 
  private:
@@ -218,16 +229,74 @@ TEST(Judgement, WantsAUsableStateWhereOneIsPossible) {
     EXPECT_THAT(late.shortfalls(roll_lost), Contains("warning late"));
 }
 
+// The reaction of that fault may take 600 ms, but the vehicle does not wait for it.
+TEST(Judgement, WantsTheWarningBeforeTwoWheelsLift) {
+    const Fault offset{FaultKind::offset, FaultPlace::vertical_acceleration, -2.0};
+    const auto late_by = [](std::size_t cycles) {
+        return Judged{}
+            .due(200U, 250U)
+            .say(150U, end, answer(WarningState::advisory, 4U))
+            .say(200U + cycles, end, answer(WarningState::warning, 4U))
+            .lifts(245U);
+    };
+    EXPECT_THAT(late_by(35U).shortfalls(offset), IsEmpty());
+    EXPECT_THAT(late_by(36U).shortfalls(offset), Contains("warning too late before two-wheel lift-off"));
+}
+
+TEST(Judgement, TellsWhatNoCheckSeesApart) {
+    const auto silent = [] {
+        return Judged{}
+            .due(200U, 250U)
+            .say(200U, 230U, answer(WarningState::ready))
+            .say(230U, 250U, answer(WarningState::warning));
+    };
+    const sil::Verdict told = silent().verdict(unseen, sil::SceneKind::warning);
+    EXPECT_THAT(told.shortfalls, IsEmpty());
+    EXPECT_THAT(told.unseen, Contains("silent for 300 ms while a warning is due"));
+    EXPECT_THAT(told.unseen, Contains("warning late"));
+    EXPECT_THAT(silent().shortfalls(hardly_lying, sil::SceneKind::warning),
+                Contains("silent for 300 ms while a warning is due"))
+        << "of the other sign";
+    EXPECT_THAT(silent().shortfalls(unseen, sil::SceneKind::turn), Contains(HasSubstr("silent")))
+        << "where no warning is due without it";
+    EXPECT_THAT(silent().unfed().shortfalls(unseen, sil::SceneKind::warning), Contains("watchdog"));
+}
+
+// The warning is due 200 ms after the end of the fault.
+TEST(Judgement, WantsTheWarningAfterAFaultThatIsOver) {
+    const auto back_after = [](std::size_t cycles) {
+        return good_answer_to_a_lost_frame()
+            .due(end + 20U, end + 60U)
+            .say(end + 10U, end + 20U + cycles, answer(WarningState::ready))
+            .say(end + 20U + cycles, end + 60U, answer(WarningState::warning))
+            .lifts(end + 65U);
+    };
+    EXPECT_THAT(back_after(0U).shortfalls(imu_lost, sil::SceneKind::over), IsEmpty());
+    EXPECT_THAT(back_after(1U).shortfalls(imu_lost, sil::SceneKind::over),
+                Contains(HasSubstr("silent for 10 ms")));
+    const auto advises_until = [](std::size_t cycles) {
+        return good_answer_to_a_lost_frame()
+            .due(end + 20U, end + 60U)
+            .say(end + 20U, end + 20U + cycles, answer(WarningState::advisory))
+            .say(end + 20U + cycles, end + 60U, answer(WarningState::warning))
+            .lifts(end + 65U);
+    };
+    EXPECT_THAT(advises_until(10U).shortfalls(imu_lost, sil::SceneKind::over), IsEmpty());
+    EXPECT_THAT(advises_until(11U).shortfalls(imu_lost, sil::SceneKind::over), Contains("warning late"));
+}
+
 // Each contradiction of the matrix, and no other, has its limits.
 TEST(Contradiction, IsStatedForEveryFaultOfThatKind) {
-    std::size_t stated = 0U;
-    for (const Fault& fault : sil::all_faults()) {
-        if (fault.kind >= FaultKind::frozen && fault.kind <= FaultKind::sign_flip) {
-            ++stated;
-            EXPECT_NO_THROW(sil::contradiction_of(fault)) << describe(fault) << to_string(fault.place);
+    std::set<const sil::Contradiction*> stated;
+    for (const Fault& each : sil::all_faults()) {
+        for (const Fault& fault : in_each_sign(each)) {
+            if (fault.kind >= FaultKind::frozen && fault.kind <= FaultKind::sign_flip) {
+                EXPECT_NO_THROW(stated.insert(&sil::contradiction_of(fault)))
+                    << describe(fault) << to_string(fault.place);
+            }
         }
     }
-    EXPECT_EQ(stated, sil::contradictions().size());
+    EXPECT_EQ(stated.size(), sil::contradictions().size());
     EXPECT_THROW(sil::contradiction_of(imu_lost), std::logic_error);
 }
 

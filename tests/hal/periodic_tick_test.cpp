@@ -8,6 +8,7 @@
 #include "hal/linux/steady_clock.hpp"
 
 namespace hal {
+namespace periodic_tick_test {
 namespace {
 
 constexpr Time microseconds(std::int64_t count) {
@@ -170,4 +171,5 @@ TEST(DurationHistogram, TakesNegativeDurationsAsZero) {
 }
 
 }  // namespace
+}  // namespace periodic_tick_test
 }  // namespace hal

@@ -6,6 +6,7 @@
 #include "hal/memory/virtual_clock.hpp"
 
 namespace hal {
+namespace software_watchdog_test {
 namespace {
 
 constexpr Time milliseconds(std::int64_t count) {
@@ -56,4 +57,5 @@ TEST_F(SoftwareWatchdogTest, StaysExpired) {
 }
 
 }  // namespace
+}  // namespace software_watchdog_test
 }  // namespace hal

@@ -6,6 +6,7 @@
 
 #include "sil/sensors/sensor_suite.hpp"
 
+namespace sensor_test {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -334,3 +335,4 @@ TEST(NoisySensors, OneSensorsNoiseDoesNotDependOnTheOthers) {
 }
 
 }  // namespace
+}  // namespace sensor_test

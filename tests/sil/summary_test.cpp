@@ -14,6 +14,7 @@
 #include "sil/analysis/event_marks.hpp"
 #include "tests/support/scratch_folder.hpp"
 
+namespace summary_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -211,3 +212,4 @@ TEST(EventMarks, DoNotShowTheRoundingOfSums) {
 }
 
 }  // namespace
+}  // namespace summary_test

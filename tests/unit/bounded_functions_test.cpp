@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+namespace bounded_functions_test {
 namespace {
 
 constexpr int points = 400000;
@@ -107,3 +108,4 @@ TEST(BoundedFunctions, NotANumberAndInfinitiesAreNotFinite) {
 }
 
 }  // namespace
+}  // namespace bounded_functions_test

@@ -9,6 +9,7 @@
 
 #include "rsi/numeric/saturating_count.hpp"
 
+namespace bounded_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -79,3 +80,4 @@ TEST(SaturatingCount, StaysAtItsLargest) {
 }
 
 }  // namespace
+}  // namespace bounded_test

@@ -9,6 +9,7 @@
 #include "tests/unit/support/output_fields.hpp"
 #include "tests/unit/support/random_manoeuvre.hpp"
 
+namespace c_face_test {
 namespace {
 
 TEST(CFace, GivesTheBitsOfTheCppFace) {
@@ -52,3 +53,4 @@ TEST(CFace, TheStorageFitsTheComponent) {
 }
 
 }  // namespace
+}  // namespace c_face_test

@@ -9,6 +9,7 @@
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/random_manoeuvre.hpp"
 
+namespace component_data_flow_test {
 namespace {
 
 constexpr double m_s = 2060.0;
@@ -112,3 +113,4 @@ TEST(ComponentDataFlow, TheCompensatedModelMovesUnderTheAdditionalMoment) {
 }
 
 }  // namespace
+}  // namespace component_data_flow_test

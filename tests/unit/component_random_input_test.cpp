@@ -10,6 +10,7 @@
 #include "tests/unit/support/output_fields.hpp"
 #include "tests/unit/support/recorded_like_signals.hpp"
 
+namespace component_random_input_test {
 namespace {
 
 using rsi_test::Noise;
@@ -155,3 +156,4 @@ TEST(ComponentUnderRandomInput, EveryCalibrationThatIsAdmittedSurvives) {
 }
 
 }  // namespace
+}  // namespace component_random_input_test

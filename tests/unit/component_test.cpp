@@ -11,6 +11,7 @@
 #include "tests/unit/support/output_fields.hpp"
 #include "tests/unit/support/random_manoeuvre.hpp"
 
+namespace component_test {
 namespace {
 
 using rsi_test::GroundMotion;
@@ -419,3 +420,4 @@ TEST(Component, WhatTheFilterSeemedToLearnOfAnOverturnedVehicleIsForgottenToo) {
 }
 
 }  // namespace
+}  // namespace component_test

@@ -12,6 +12,7 @@
 #include "tests/unit/support/recorded_like_signals.hpp"
 #include "tests/unit/support/reference_consider_kalman.hpp"
 
+namespace consider_kalman_reference_test {
 namespace {
 
 double wide(float value) {
@@ -119,3 +120,4 @@ TEST(ConsiderKalman, LearnsATurnFromTheSampleInWhichItsEquationsDo) {
 }
 
 }  // namespace
+}  // namespace consider_kalman_reference_test

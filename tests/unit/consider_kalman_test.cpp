@@ -11,6 +11,7 @@
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/recorded_like_signals.hpp"
 
+namespace consider_kalman_test {
 namespace {
 
 using rsi::RollCentreEstimate;
@@ -385,3 +386,4 @@ TEST(ConsiderKalman, AfterAResetItIsAsNew) {
 }
 
 }  // namespace
+}  // namespace consider_kalman_test

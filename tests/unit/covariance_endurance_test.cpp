@@ -12,6 +12,7 @@
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/recorded_like_signals.hpp"
 
+namespace covariance_endurance_test {
 namespace {
 
 constexpr int samples_in_eight_hours = 8 * 3600 * 100;
@@ -125,3 +126,4 @@ INSTANTIATE_TEST_SUITE_P(ForgettingFactors, CovarianceEndurance, ::testing::Valu
                          });
 
 }  // namespace
+}  // namespace covariance_endurance_test

@@ -10,6 +10,7 @@
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/random_manoeuvre.hpp"
 
+namespace further_indicators_test {
 namespace {
 
 using rsi_test::gravity_mps2;
@@ -426,3 +427,4 @@ TEST(ExtendedIndicator, EndsShortOfTwenty) {
 }
 
 }  // namespace
+}  // namespace further_indicators_test

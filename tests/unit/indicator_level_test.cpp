@@ -9,6 +9,7 @@
 
 #include "tests/unit/support/nominal.hpp"
 
+namespace indicator_level_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -145,3 +146,4 @@ TEST(IndicatorLevel, ATimeBelowTenMillisecondsCountsAsTen) {
 }
 
 }  // namespace
+}  // namespace indicator_level_test

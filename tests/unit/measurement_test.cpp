@@ -12,6 +12,7 @@
 #include "tests/unit/support/body_kinematics.hpp"
 #include "tests/unit/support/nominal.hpp"
 
+namespace measurement_test {
 namespace {
 
 using rsi_test::GroundMotion;
@@ -365,3 +366,4 @@ TEST(Measurement, TheObserverTakesASpeedUpToItsLimitAndNoneBeyond) {
 }
 
 }  // namespace
+}  // namespace measurement_test

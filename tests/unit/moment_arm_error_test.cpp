@@ -9,6 +9,7 @@
 #include "rsi/indicator/load_transfer.hpp"
 #include "tests/unit/support/nominal.hpp"
 
+namespace moment_arm_error_test {
 namespace {
 
 constexpr double g = 9.80665;
@@ -141,3 +142,4 @@ TEST(MomentArmError, KnowsNothingAtTheStartSoItsFirstStepIsLarge) {
 }
 
 }  // namespace
+}  // namespace moment_arm_error_test

@@ -10,6 +10,7 @@
 #include "monitoring/vertical_offset.hpp"
 #include "tests/support/large_suv.h"
 
+namespace monitoring_consistency_test {
 namespace {
 
 using monitoring::ForceVote;
@@ -129,10 +130,14 @@ class ATurn : public ::testing::Test {
         }
     }
 
-    void expect_no_statement() const {
+    void expect_no_accusation() const {
         EXPECT_FALSE(check.known());
         EXPECT_FALSE(check.suspicious());
         EXPECT_FALSE(check.contradicts());
+    }
+
+    void expect_no_statement() const {
+        expect_no_accusation();
         EXPECT_FALSE(check.agrees());
     }
 
@@ -144,9 +149,12 @@ TEST_F(ATurn, IsNotJudgedBeforeItsFirstSample) {
     EXPECT_FALSE(check.spins());
 }
 
-TEST_F(ATurn, IsJudgedAbove5MetresASecondOnly) {
+TEST_F(ATurn, AccusesNobodyUpTo5MetresASecond) {
     check.update(1.0F, 0.1F, 5.0F);
-    expect_no_statement();
+    expect_no_accusation();
+    EXPECT_TRUE(check.agrees());
+    check.update(3.0F, 0.1F, 5.0F);
+    EXPECT_FALSE(check.agrees());
     check.update(1.0F, 0.1F, 5.001F);
     EXPECT_TRUE(check.known());
     EXPECT_TRUE(check.agrees());
@@ -459,3 +467,4 @@ TEST(AForceVoteThatHasNotStarted, SaysNothing) {
 }
 
 }  // namespace
+}  // namespace monitoring_consistency_test

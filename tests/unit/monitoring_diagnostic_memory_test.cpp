@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+namespace monitoring_diagnostic_memory_test {
 namespace {
 
 using monitoring::DiagnosticCode;
@@ -242,3 +243,4 @@ TEST_F(ADiagnosticMemory, TellsEachConfirmationAtOnceAndOnlyOnce) {
 }
 
 }  // namespace
+}  // namespace monitoring_diagnostic_memory_test

@@ -7,6 +7,7 @@
 #include "monitoring/input_monitor.hpp"
 #include "tests/support/large_suv.h"
 
+namespace monitoring_input_monitor_test {
 namespace {
 
 using monitoring::DiagnosticCode;
@@ -50,9 +51,18 @@ class AnInputMonitor : public ::testing::Test {
 
     void run(int cycles) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
-            qualified = monitor.qualify(inputs, {true, true, true}, before, memory);
+            monitoring::FreshFrames fresh{true, true, true};
+            rsi::Inputs received = inputs;
+            if (angle_is_held_back) {
+                fresh.roll_angle = false;
+                fresh.late_roll_angle_rad = inputs.roll_angle_rad;
+                received.roll_angle_rad = nan;
+            }
+            qualified = monitor.qualify(received, fresh, before, memory);
         }
     }
+
+    void hold_back_the_angle() { angle_is_held_back = true; }
 
     bool confirmed(DiagnosticCode code) const { return memory.confirmed(code); }
 
@@ -67,6 +77,7 @@ class AnInputMonitor : public ::testing::Test {
     rsi::Outputs before{};
     rsi::Inputs qualified{};
     float angle_rad{0.0F};
+    bool angle_is_held_back{false};
 };
 
 TEST_F(AnInputMonitor, PassesOnWhatContradictsNobody) {
@@ -282,6 +293,56 @@ TEST_F(AnInputMonitor, DoesNotJudgeATurnBelow5MetresASecond) {
     EXPECT_FALSE(confirmed(yaw_code));
 }
 
+TEST_F(AnInputMonitor, TakesAccelerometerAndYawRateBackAtRestToo) {
+    for (const float sign : {1.0F, -1.0F}) {  // of the yaw rate: with the roll angle, or against it
+        monitor.start(rsi_test_large_suv());
+        memory = {};
+        inputs.speed_mps = 30.0F;
+        turn_at(sign * 2.5F);
+        inputs.lateral_specific_force_mps2 = sign * -2.5F;
+        inputs.roll_angle_rad = 0.03F;
+        run(150);
+        const DiagnosticCode code = sign > 0.0F ? lateral_code : yaw_code;
+        ASSERT_TRUE(confirmed(code));
+        inputs.speed_mps = 0.0F;
+        run(200);
+        EXPECT_TRUE(confirmed(code));  // 2.5 m/s^2 are too much for a vehicle at rest
+        turn_at(0.0F);
+        inputs.yaw_rate_radps = 0.0F;
+        run(99);
+        EXPECT_TRUE(confirmed(code));
+        run(1);
+        EXPECT_FALSE(confirmed(code));
+    }
+}
+
+// From the moment on in which it is fast enough.
+TEST_F(AnInputMonitor, CountsTheSignsOfATurnAbove5MetresASecondOnly) {
+    inputs.speed_mps = 4.9F;
+    turn_at(2.5F);
+    inputs.lateral_specific_force_mps2 = -2.5F;
+    inputs.roll_angle_rad = 0.03F;
+    run(100);
+    inputs.speed_mps = 5.1F;
+    run(19);
+    EXPECT_FALSE(confirmed(lateral_code));
+    run(1);
+    EXPECT_TRUE(confirmed(lateral_code));
+}
+
+// The observer's model is no witness against the accelerometer in the moment in which the roll sensor
+// returns.
+TEST_F(AnInputMonitor, BlamesOnlyARollSensorThatComesBackForWhatTheObserverContradicts) {
+    inputs.lateral_specific_force_mps2 = 2.1F;
+    run(100);
+    before.roll_source = RSI_ROLL_OBSERVER;
+    before.observed_roll_angle_rad = 0.06F;
+    run(1);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+    EXPECT_FALSE(confirmed(lateral_code));
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, 2.1F);
+}
+
 TEST_F(AnInputMonitor, TakesTheAccelerometerBackAfterASecondWithin2MetresPerSecondSquaredOfTheTurn) {
     inputs.lateral_specific_force_mps2 = 2.1F;
     run(100);
@@ -329,6 +390,71 @@ TEST_F(AnInputMonitor, DoesNotHealRollRateAndRollAngleByTheirAbsence) {
     EXPECT_FALSE(confirmed(roll_code));
 }
 
+// A gyro's offset goes on for hours; in a vehicle at rest an angle of few digits repeats itself, and so does
+// the gyro.
+TEST_F(AnInputMonitor, CallsNoSensorStuckForTheOffsetOfAGyro) {
+    inputs.speed_mps = 0.0F;
+    inputs.roll_angle_rad = 0.01F;
+    for (const float offset_radps : {0.0096F, -0.0096F}) {  // 0.55 deg/s
+        monitor.start(rsi_test_large_suv());
+        for (int cycle = 0; cycle < 100000; ++cycle) {  // 5 rad and on
+            inputs.roll_rate_radps = offset_radps + (cycle % 2 == 0 ? 0.001F : -0.001F);
+            run(1);
+        }
+        inputs.roll_rate_radps = offset_radps;
+        run(100000);
+        EXPECT_FALSE(confirmed(DiagnosticCode::roll_angle_stuck));
+        EXPECT_FALSE(confirmed(DiagnosticCode::roll_rate_stuck));
+    }
+}
+
+// Short enough to see how much is allowed: 0.01 rad/s beyond the first second.
+TEST_F(AnInputMonitor, CallsARollSensorStuckForMoreThanTheOffsetOfAGyro) {
+    for (const float sign : {1.0F, -1.0F}) {
+        for (const float rate_radps : {0.0096F, 0.0104F}) {
+            monitor.start(rsi_test_large_suv());
+            memory = {};
+            inputs.speed_mps = 0.0F;
+            inputs.roll_angle_rad = 0.01F;
+            inputs.roll_rate_radps = sign * rate_radps;
+            run(3000);
+            EXPECT_EQ(confirmed(DiagnosticCode::roll_angle_stuck), rate_radps > 0.01F);
+            EXPECT_EQ(confirmed(DiagnosticCode::roll_rate_stuck), rate_radps > 0.01F);
+        }
+    }
+}
+
+// It comes late; but if it fits nevertheless, the roll rate is cleared.
+TEST_F(AnInputMonitor, HealsRollRateAndRollAngleByAnAngleThatIsHeldBack) {
+    turn_at(3.0F);
+    roll(40, 0.004F, 0.0F);
+    ASSERT_TRUE(confirmed(roll_code));
+    hold_back_the_angle();
+    roll(120, 0.0F, 0.0F);
+    EXPECT_FALSE(confirmed(roll_code));
+    EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+    EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
+}
+
+TEST_F(AnInputMonitor, DoesNotHealByAnAngleThatIsHeldBackAndContradicts) {
+    turn_at(3.0F);
+    roll(40, 0.004F, 0.0F);
+    ASSERT_TRUE(confirmed(roll_code));
+    hold_back_the_angle();
+    roll(500, 0.004F, 0.0F);
+    EXPECT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_rate_radps));
+}
+
+TEST_F(AnInputMonitor, BlamesNobodyForAnAngleThatIsHeldBack) {
+    turn_at(3.0F);
+    hold_back_the_angle();
+    roll(500, 0.004F, 0.0F);
+    EXPECT_FALSE(confirmed(roll_code));
+    EXPECT_FALSE(confirmed(DiagnosticCode::roll_rate_offset));
+    EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
+}
+
 TEST_F(AnInputMonitor, BlamesARollAngleThatLeansIntoATurnOfMoreThan2MetresPerSecondSquared) {
     for (const float sign : {1.0F, -1.0F}) {
         monitor.start(rsi_test_large_suv());
@@ -340,6 +466,18 @@ TEST_F(AnInputMonitor, BlamesARollAngleThatLeansIntoATurnOfMoreThan2MetresPerSec
         EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
         EXPECT_EQ(qualified.roll_rate_radps, inputs.roll_rate_radps);
     }
+}
+
+// After a stall it starts anew, but the code is still there.
+TEST_F(AnInputMonitor, KeepsToWhomItHasBlamedOverAStart) {
+    turn_at(3.0F);
+    roll(40, 0.004F, 0.0F);
+    ASSERT_TRUE(confirmed(roll_code));
+    monitor.start(rsi_test_large_suv());
+    roll(50, 0.004F, 0.0F);
+    ASSERT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_rate_radps));
+    EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
 }
 
 // Whatever else is wrong then.
@@ -394,3 +532,4 @@ TEST_F(AnInputMonitor, LetsAnAccelerometersSecondWaitWhileTheYawRateAloneIsAhead
 }
 
 }  // namespace
+}  // namespace monitoring_input_monitor_test

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+namespace monitoring_roll_lag_test {
 namespace {
 
 using monitoring::RollLag;
@@ -109,3 +110,4 @@ TEST_F(ALateRollAngle, StartsAnewAfterASampleThatIsNotFinite) {
 }
 
 }  // namespace
+}  // namespace monitoring_roll_lag_test

@@ -15,6 +15,7 @@
 #include "monitoring/parameter_guard.hpp"
 #include "tests/support/large_suv.h"
 
+namespace monitoring_self_check_test {
 namespace {
 
 using monitoring::ClockCheck;
@@ -248,3 +249,4 @@ TEST_F(ADegradation, IsTheWorstOfThoseThatHold) {
 }
 
 }  // namespace
+}  // namespace monitoring_self_check_test

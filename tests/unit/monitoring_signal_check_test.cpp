@@ -12,6 +12,7 @@
 #include "monitoring/input_monitor.hpp"
 #include "tests/support/large_suv.h"
 
+namespace monitoring_signal_check_test {
 namespace {
 
 using monitoring::DiagnosticCode;
@@ -320,8 +321,23 @@ TEST_F(ASignalCheck, NeedsThreeValuesForTheChangeOfAChange) {
         {-10.0F, 10.0F, 100.0F, 1.0F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
     EXPECT_EQ(qualify(10.0F), 10.0F);  // whatever it has in memory
     EXPECT_EQ(qualify(-10.0F), -10.0F);
-    EXPECT_EQ(qualify(10.0F), -10.0F);  // shaken
+    EXPECT_EQ(qualify(10.0F), 10.0F);  // 0.35 of the change of the change
+    EXPECT_EQ(qualify(-10.0F), -10.0F);
+    EXPECT_EQ(qualify(10.0F), 10.0F);
+    EXPECT_EQ(qualify(-10.0F), 10.0F);  // shaken
     EXPECT_EQ(memory.status(DiagnosticCode::speed_jump), EventStatus::set);
+}
+
+TEST_F(ASignalCheck, BridgesASingleValueThatIsOffHoweverFar) {
+    for (const float next : {1.3F, 1.6F}) {
+        memory = {};
+        check = monitoring::SignalCheck{
+            {-10.0F, 10.0F, 100.0F, 1.0F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
+        for (const float value : {0.0F, 0.0F, 9.0F, 0.0F, 0.0F}) {
+            EXPECT_EQ(qualify(value), value);
+        }
+        EXPECT_EQ(qualify(next), next < 1.5F ? next : 0.0F);  // one more change of so much
+    }
 }
 
 TEST_F(ASignalOfTheInputMonitor, RollAngleJumpsByMoreOrLessThanTheRollRateSays) {
@@ -404,6 +420,12 @@ class AStuckSignal : public ASignalOfTheInputMonitor, public ::testing::WithPara
             }
         }
     }
+    void move(int times) {
+        for (int cycle = 0; cycle < times; ++cycle) {
+            inputs.*GetParam().signal += cycle % 2 == 0 ? 0.001F : -0.001F;
+            run(1);
+        }
+    }
 };
 
 TEST_P(AStuckSignal, IsFoundAtThe21stEqualValueIfItsWitnessHasMovedEnough) {
@@ -420,15 +442,52 @@ TEST_P(AStuckSignal, IsFoundAtThe21stEqualValueIfItsWitnessHasMovedEnough) {
     }
 }
 
-TEST_P(AStuckSignal, ComesBack20CyclesAfterItHasMoved) {
+TEST_P(AStuckSignal, ComesBackWhenItHasMoved20Times) {
     const StatedWitness& stuck = GetParam();
     repeat(20, 1.01F);
     ASSERT_EQ(status(stuck.code), EventStatus::confirmed);
-    inputs.*stuck.signal += 0.001F;
-    run(19);
+    move(19);
     EXPECT_EQ(status(stuck.code), EventStatus::confirmed);
-    run(1);
+    run(50);  // repetitions clear nothing
+    EXPECT_EQ(status(stuck.code), EventStatus::confirmed);
+    move(1);
     EXPECT_EQ(status(stuck.code), EventStatus::healed);
+    EXPECT_FALSE(std::isnan(qualified.*stuck.signal));
+}
+
+TEST_P(AStuckSignal, IsNotClearedByAWitnessThatIsMissing) {
+    const StatedWitness& stuck = GetParam();
+    repeat(20, 1.01F);
+    ASSERT_EQ(status(stuck.code), EventStatus::confirmed);
+    inputs.*stuck.witness = nan;
+    run(500);
+    EXPECT_EQ(status(stuck.code), EventStatus::confirmed);
+    inputs.*stuck.witness = 0.0F;
+    run(500);
+    EXPECT_EQ(status(stuck.code), EventStatus::confirmed);
+}
+
+TEST_P(AStuckSignal, IsNotClearedByValuesThatAreNone) {
+    const StatedWitness& stuck = GetParam();
+    repeat(20, 1.01F);
+    ASSERT_EQ(status(stuck.code), EventStatus::confirmed);
+    const float value = inputs.*stuck.signal;
+    for (int time = 0; time < 50; ++time) {
+        inputs.*stuck.signal = nan;
+        run(1);
+        inputs.*stuck.signal = value;
+        run(10);
+    }
+    EXPECT_EQ(status(stuck.code), EventStatus::confirmed);
+}
+
+TEST_P(AStuckSignal, IsNotClearedByAStart) {
+    const StatedWitness& stuck = GetParam();
+    repeat(20, 1.01F);
+    ASSERT_EQ(status(stuck.code), EventStatus::confirmed);
+    monitor.start(rsi_test_large_suv());
+    run(500);
+    EXPECT_EQ(status(stuck.code), EventStatus::confirmed);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -451,3 +510,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string{tested.param.name}; });
 
 }  // namespace
+}  // namespace monitoring_signal_check_test

@@ -6,6 +6,7 @@
 #include "monitoring/steering_check.hpp"
 #include "monitoring/stuck_check.hpp"
 
+namespace monitoring_stuck_test {
 namespace {
 
 using monitoring::SteeringCheck;
@@ -49,6 +50,25 @@ TEST_F(AStuckCheck, WantsAWitnessThatMovesByMoreThanItsSpanInEitherDirection) {
     run(10, 1.0F, 1.1F);
     EXPECT_FALSE(run(9, 1.0F, -1.1F));
     EXPECT_TRUE(run(1, 1.0F, 0.0F));  // highest less lowest, wherever it is now
+}
+
+TEST_F(AStuckCheck, AllowsAWitnessItsDriftInEachCycleBeyondASecond) {
+    check = StuckCheck{2.0F, 0.01F};
+    run(1, 1.0F, 0.0F);
+    EXPECT_FALSE(run(99, 1.0F, 1.99F));
+    EXPECT_TRUE(run(1, 1.0F, 2.005F));
+    EXPECT_FALSE(run(1, 1.0F, 2.005F));  // 2.01
+    EXPECT_FALSE(run(99, 1.0F, 2.99F));
+    EXPECT_TRUE(run(1, 1.0F, 3.015F));
+    EXPECT_FALSE(run(1, 1.0F, 3.015F));
+}
+
+// Nearly three hours; from then on a float could no longer count the cycles.
+TEST_F(AStuckCheck, AllowsTheDriftOfAMillionCyclesAtMost) {
+    check = StuckCheck{2.0F, 0.01F};
+    run(1, 1.0F, 0.0F);
+    EXPECT_FALSE(run(1'100'000, 1.0F, 10'000.0F));
+    EXPECT_TRUE(run(1, 1.0F, 10'002.0F));
 }
 
 TEST_F(AStuckCheck, CountsAValueThatGoesUpOrDownAsMoved) {
@@ -145,10 +165,10 @@ TEST_F(ASteeringCheck, SaysNothingInATurnInWhichItStarts) {
 }
 
 TEST_F(ASteeringCheck, WantsTheWholeStraightAfterItsStartToo) {
-    run(19, 0.0F, 0.0F, 0.0F);
+    run(20, 0.0F, 0.0F, 0.0F);  // the first of them repeats nothing
     EXPECT_FALSE(run(10, 5.0F, 5.0F, 0.0F));
     check = SteeringCheck{};
-    run(20, 0.0F, 0.0F, 0.0F);
+    run(21, 0.0F, 0.0F, 0.0F);
     EXPECT_TRUE(run(10, 5.0F, 5.0F, 0.0F));
 }
 
@@ -200,3 +220,4 @@ TEST_F(ASteeringCheck, StartsAnewWhenASampleIsNotFinite) {
 }
 
 }  // namespace
+}  // namespace monitoring_stuck_test

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+namespace monitoring_turn_signs_test {
 namespace {
 
 using monitoring::TurnSigns;
@@ -131,3 +132,4 @@ TEST_F(TheSignsOfATurn, SayNothingOfWhatIsNotFinite) {
 }
 
 }  // namespace
+}  // namespace monitoring_turn_signs_test

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "monitoring/input_monitor.hpp"
 #include "tests/support/large_suv.h"
 
+namespace monitoring_witness_test {
 namespace {
 
 using monitoring::DiagnosticCode;
@@ -159,11 +161,44 @@ TEST_F(ASteadyTurn, IsHeldAgainstASteeringWheelThatHasNotMovedSinceTheStraight) 
     run(1);
     EXPECT_TRUE(memory.confirmed(DiagnosticCode::steering_stuck));
     EXPECT_TRUE(std::isnan(qualified.steering_wheel_angle_rad));
-    inputs.steering_wheel_angle_rad += 0.001F;
-    run(19);
-    EXPECT_TRUE(memory.confirmed(DiagnosticCode::steering_stuck));
-    run(1);
+    turn_at(0.0F);
+    run(500);  // nor does the straight clear it
+    for (int cycle = 0; cycle < 20; ++cycle) {
+        EXPECT_TRUE(memory.confirmed(DiagnosticCode::steering_stuck)) << cycle;
+        inputs.steering_wheel_angle_rad += 0.001F;
+        run(1);
+    }
     EXPECT_FALSE(memory.confirmed(DiagnosticCode::steering_stuck));
+}
+
+TEST_F(ASteadyTurn, DoesNotClearASteeringWheelThatSaysNothing) {
+    monitor.start(rsi_test_large_suv());
+    turn_at(0.0F);
+    run(25);
+    turn_at(5.0F);
+    run(1);
+    ASSERT_TRUE(memory.confirmed(DiagnosticCode::steering_stuck));
+    const float held_rad = inputs.steering_wheel_angle_rad;
+    for (int time = 0; time < 50; ++time) {
+        inputs.steering_wheel_angle_rad = std::numeric_limits<float>::quiet_NaN();
+        run(1);
+        inputs.steering_wheel_angle_rad = held_rad;
+        run(10);
+    }
+    EXPECT_TRUE(memory.confirmed(DiagnosticCode::steering_stuck));
+}
+
+// An offset that has been found does not vanish because a warning allows more.
+TEST_F(ASteadyTurn, DoesNotClearTheVerticalAccelerationByAWarning) {
+    inputs.vertical_specific_force_mps2 += 2.0F;
+    run(200);
+    ASSERT_TRUE(memory.confirmed(DiagnosticCode::vertical_acceleration_offset));
+    before.state = RSI_STATE_WARNING;
+    run(500);
+    EXPECT_TRUE(memory.confirmed(DiagnosticCode::vertical_acceleration_offset));
+    inputs.vertical_specific_force_mps2 -= 2.0F;
+    run(250);
+    EXPECT_FALSE(memory.confirmed(DiagnosticCode::vertical_acceleration_offset));
 }
 
 // In a warning wheels lift and come down.
@@ -189,3 +224,4 @@ TEST_F(ASteadyTurn, AllowsMoreOfTheVerticalAccelerationInAWarningThanBefore) {
 }
 
 }  // namespace
+}  // namespace monitoring_witness_test

@@ -13,6 +13,7 @@
 #include "rsi/indicator/energy_margin.hpp"
 #include "tests/unit/support/nominal.hpp"
 
+namespace parameters_test {
 namespace {
 
 std::ptrdiff_t offset_of(float rsi_parameters::* member) {
@@ -280,3 +281,4 @@ TEST(Parameters, ACurveThatOnlyItsQuinticBendsDownIsRefusedByTheQuintic) {
 }
 
 }  // namespace
+}  // namespace parameters_test

@@ -8,6 +8,7 @@
 #include "tests/unit/support/index_reference.hpp"
 #include "tests/unit/support/nominal.hpp"
 
+namespace prediction_test {
 namespace {
 
 using rsi_test::gravity_mps2;
@@ -205,3 +206,4 @@ TEST(SteeringDemand, PastTheCriticalSpeedATenthOfTheWheelbaseRemains) {
 }
 
 }  // namespace
+}  // namespace prediction_test

@@ -9,6 +9,7 @@
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/roll_plane_vehicle.hpp"
 
+namespace regression_test {
 namespace {
 
 using rsi_test::Deviation;
@@ -114,3 +115,4 @@ TEST(Regression, TheRegressorHoldsForceAngleAndRateOfTheMeasuredVehicle) {
 }
 
 }  // namespace
+}  // namespace regression_test

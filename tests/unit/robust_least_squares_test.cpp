@@ -12,6 +12,7 @@
 #include "tests/unit/support/recorded_like_signals.hpp"
 #include "tests/unit/support/reference_least_squares.hpp"
 
+namespace robust_least_squares_test {
 namespace {
 
 using rsi_test::Deviation;
@@ -300,3 +301,4 @@ TEST(RobustLeastSquares, AboveItsLimitWhatIsExcitedIsLearntWithoutForgetting) {
 }
 
 }  // namespace
+}  // namespace robust_least_squares_test

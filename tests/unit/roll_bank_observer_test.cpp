@@ -11,6 +11,7 @@
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/recorded_like_signals.hpp"
 
+namespace roll_bank_observer_test {
 namespace {
 
 constexpr double degrees_per_radian = 180.0 / rsi_test::pi;
@@ -441,3 +442,4 @@ TEST(RollSensorCheck, ItsTimeIsRoundedToSamples) {
 }
 
 }  // namespace
+}  // namespace roll_bank_observer_test

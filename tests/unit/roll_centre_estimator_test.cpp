@@ -5,6 +5,7 @@
 
 #include "tests/unit/support/nominal.hpp"
 
+namespace roll_centre_estimator_test {
 namespace {
 
 class AnEstimatorsSeat : public ::testing::Test {
@@ -53,3 +54,4 @@ TEST_F(AnEstimatorsSeat, MayMoveTheObserverInEvenSamplesWhileTheConsiderKalmanFi
 }
 
 }  // namespace
+}  // namespace roll_centre_estimator_test

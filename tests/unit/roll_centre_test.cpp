@@ -9,6 +9,7 @@
 #include "tests/unit/support/recorded_like_signals.hpp"
 #include "tests/unit/support/roll_plane_vehicle.hpp"
 
+namespace roll_centre_test {
 namespace {
 
 using rsi_test::Deviation;
@@ -137,3 +138,4 @@ TEST_F(RollCentre, WithTheExactParametersTheCompensatedModelFollowsTheVehicle) {
 }
 
 }  // namespace
+}  // namespace roll_centre_test

@@ -8,6 +8,7 @@
 #include "tests/unit/support/inertial_roll_vehicle.hpp"
 #include "tests/unit/support/nominal.hpp"
 
+namespace roll_equation_test {
 namespace {
 
 using rsi_test::InertialRollVehicle;
@@ -87,3 +88,4 @@ TEST(RollEquation, IsSettledOnceItsLagsHaveForgottenTheirStart) {
 }
 
 }  // namespace
+}  // namespace roll_equation_test

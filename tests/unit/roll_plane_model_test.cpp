@@ -10,6 +10,7 @@
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/roll_plane_vehicle.hpp"
 
+namespace roll_plane_model_test {
 namespace {
 
 using rsi_test::RollPlaneVehicle;
@@ -166,3 +167,4 @@ TEST(RollPlaneModel, TheStepGoesTheWayOfTheRateAndNoFurtherThanItInOneSample) {
 }
 
 }  // namespace
+}  // namespace roll_plane_model_test

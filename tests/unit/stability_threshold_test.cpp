@@ -9,6 +9,7 @@
 #include "tests/unit/support/body_kinematics.hpp"
 #include "tests/unit/support/nominal.hpp"
 
+namespace stability_threshold_test {
 namespace {
 
 using rsi_test::GroundMotion;
@@ -286,3 +287,4 @@ TEST(StabilityThreshold, DividesByATwentiethAtLeast) {
 }
 
 }  // namespace
+}  // namespace stability_threshold_test

@@ -5,6 +5,7 @@
 
 #include "rsi/numeric/two_lags.hpp"
 
+namespace two_lags_test {
 namespace {
 
 // Two lags of 0.02 s answer a unit step with 1 - (1 + t/tau) exp(-t/tau), half a sample earlier in each lag.
@@ -38,3 +39,4 @@ TEST(TwoLags, StartWhereTheyAreTold) {
 }
 
 }  // namespace
+}  // namespace two_lags_test

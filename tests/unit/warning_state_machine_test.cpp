@@ -7,6 +7,7 @@
 
 #include "tests/unit/support/nominal.hpp"
 
+namespace warning_state_machine_test {
 namespace {
 
 rsi_parameters quick() {
@@ -297,3 +298,4 @@ TEST(WarningStateMachine, TheHoldTimesDoNotCountWhatWasBefore) {
 }
 
 }  // namespace
+}  // namespace warning_state_machine_test
