@@ -15,9 +15,8 @@ import time
 
 import programs
 
-STATUS_IDENTIFIER = "231"
 UNAVAILABLE, READY = 0, 1
-CYCLE_S, CYCLE_MS = 0.01, 10
+CYCLE_MS = 10
 SYNC_IDENTIFIER = 0x7F0
 # In cycles: good frames, the fault, good frames again.
 GOOD, FAULTY, AFTER = 100, 60, 100
@@ -204,7 +203,7 @@ def recorded_cycles(first, count):
     cycles = {}
     for stamp, identifier, data in log:
         if identifier in programs.SENSOR_IDENTIFIERS:
-            cycles.setdefault(round(stamp / CYCLE_S), []).append((int(identifier, 16), bytes.fromhex(data)))
+            cycles.setdefault(round(stamp / programs.CYCLE_S), []).append((int(identifier, 16), bytes.fromhex(data)))
     return [cycles[number] for number in range(first, first + count)]
 
 
@@ -220,7 +219,7 @@ def take_answer(bus):
         text = data[:length].hex()
         if f"{identifier:03X}" == programs.WARNING_IDENTIFIER:
             state = programs.state_of(text)
-        elif f"{identifier:03X}" == STATUS_IDENTIFIER:
+        elif f"{identifier:03X}" == programs.STATUS_IDENTIFIER:
             return state, flags_of(text)
 
 
@@ -271,7 +270,7 @@ class Sensors:
         with open_bus() as bus:
             start = time.monotonic()
             for number, frames in enumerate(self._cycles):
-                while (wait := start + number * CYCLE_S - time.monotonic()) > 0:
+                while (wait := start + number * programs.CYCLE_S - time.monotonic()) > 0:
                     time.sleep(wait)
                 if self._ended.is_set():
                     return
@@ -288,12 +287,12 @@ def inject_live(fault):
     """In real time: the fault happens for its time; the answer by candump's stamps, which are the kernel's."""
     with tempfile.NamedTemporaryFile() as log, programs.Candump(log.name, "", "-D") as candump, programs.Ecu() as ecu:
         sensors = Sensors()
-        time.sleep(GOOD * CYCLE_S)
+        time.sleep(GOOD * programs.CYCLE_S)
         start = time.time()
         with fault.happening(ecu.process):
             time.sleep(fault.seconds)
         end = time.time()
-        time.sleep(AFTER * CYCLE_S)
+        time.sleep(AFTER * programs.CYCLE_S)
         sensors.end()
         status = ecu.stop()
         if (status != 0) != fault.ends_ecu:
@@ -303,7 +302,7 @@ def inject_live(fault):
 
 def live_answer(fault, frames, start, end):
     warnings = [(stamp, programs.state_of(data)) for stamp, name, data in frames if name == programs.WARNING_IDENTIFIER]
-    statuses = [(stamp, flags_of(data)) for stamp, name, data in frames if name == STATUS_IDENTIFIER]
+    statuses = [(stamp, flags_of(data)) for stamp, name, data in frames if name == programs.STATUS_IDENTIFIER]
     silent_ms = None
     if fault.silences_ecu:
         pauses = [

@@ -15,7 +15,6 @@ FLOOD_RATE, FLOOD_S = 10_500, 3
 CYCLES = 650
 LEAST_RATE = 10_000
 OWN_FRAMES = ",0D0:7FF,230:7F8,120:7FC"  # ECU and sensors, as candump takes filters
-STATUS_IDENTIFIER = "231"
 UNAVAILABLE = 0
 QUIET_INTERFACE = "quiet0"
 
@@ -72,7 +71,7 @@ class FloodedRun:
         self.quiet, self.ecu = EcuReport(quiet.output), EcuReport(ecu.output)
         self.ecu_identifiers = sorted({name for _, name, _ in self.frames} - set(programs.SENSOR_IDENTIFIERS))
         self.sensor_frames = sum(name in programs.SENSOR_IDENTIFIERS for _, name, _ in self.frames)
-        self.statuses = [data for _, name, data in self.frames if name == STATUS_IDENTIFIER]
+        self.statuses = [data for _, name, data in self.frames if name == programs.STATUS_IDENTIFIER]
         self.states = [programs.state_of(data) for _, name, data in self.frames if name == programs.WARNING_IDENTIFIER]
 
     def _run(self, folder):

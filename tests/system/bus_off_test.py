@@ -10,7 +10,6 @@ import unittest
 import programs
 import serial_line_adapter
 
-STATUS_IDENTIFIER = "231"
 READY = 1
 
 # In candump's terms: a filter for everything and for every error frame, and two of these (linux/can/error.h).
@@ -32,7 +31,7 @@ def passive_told(frames):
     return next(
         time - start
         for time, identifier, data in frames
-        if identifier == STATUS_IDENTIFIER and time > start and has_bus_error(data)
+        if identifier == programs.STATUS_IDENTIFIER and time > start and has_bus_error(data)
     )
 
 
@@ -101,7 +100,7 @@ class BusOff(unittest.TestCase):
     def wait_for_status(self, bus_error):
         return self.wait_for(
             f"status with BusError {bus_error}", 10,
-            lambda frame: frame[1] == STATUS_IDENTIFIER and has_bus_error(frame[2]) == bus_error,
+            lambda frame: frame[1] == programs.STATUS_IDENTIFIER and has_bus_error(frame[2]) == bus_error,
         )
 
     def go_bus_off(self):

@@ -5,9 +5,7 @@ import struct
 
 import programs
 
-ECU_IDENTIFIERS = ("0D0", "230", "232", "233", "234", "235", "231")
-STATUS_IDENTIFIER = ECU_IDENTIFIERS[-1]
-CYCLE_S = 0.01
+ECU_IDENTIFIERS = ("0D0", "230", "232", "233", "234", "235", programs.STATUS_IDENTIFIER)
 
 
 class Processor(programs.Ecu):
@@ -43,16 +41,11 @@ class Bus:
         self.socket.close()
 
 
-def cycle_overruns_of(status):
-    """RolloverStatus.CycleOverruns."""
-    return int(status[8:10], 16)
-
-
 def cycles_of(frames):
     """The frames of a log, gathered by their time stamps: cycle number to frames."""
     cycles = {}
     for time, identifier, data in frames:
-        cycles.setdefault(round(time / CYCLE_S), []).append((identifier, data))
+        cycles.setdefault(round(time / programs.CYCLE_S), []).append((identifier, data))
     return cycles
 
 
@@ -64,6 +57,6 @@ def answers(bus, sensor_frames):
         for identifier, data in cycles.get(number, []):
             bus.send(identifier, data)
         bus.send(programs.SYNC_IDENTIFIER, struct.pack("<I", number).hex())
-        while not answered or answered[-1][0] != number or answered[-1][1] != STATUS_IDENTIFIER:
+        while not answered or answered[-1][0] != number or answered[-1][1] != programs.STATUS_IDENTIFIER:
             answered.append((number, *bus.receive()))
     return answered

@@ -52,14 +52,14 @@ class Faults(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.enterClassContext(processor.Processor("--image", IMAGE))
-        cls.bus = processor.Bus(only=(programs.WARNING_IDENTIFIER, OBSERVER_IDENTIFIER, processor.STATUS_IDENTIFIER))
+        cls.bus = processor.Bus(only=(programs.WARNING_IDENTIFIER, OBSERVER_IDENTIFIER, programs.STATUS_IDENTIFIER))
         cls.addClassCleanup(cls.bus.close)
 
     def frames(self, longest_s=60.0):
         deadline = time.monotonic() + longest_s
         while time.monotonic() < deadline:
             identifier, data = self.bus.receive()
-            if self.sensors and identifier == processor.STATUS_IDENTIFIER:
+            if self.sensors and identifier == programs.STATUS_IDENTIFIER:
                 for frame in next(self.sensors):
                     self.bus.send(*frame)
             yield identifier, data

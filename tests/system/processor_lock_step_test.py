@@ -26,7 +26,7 @@ class LockStep(unittest.TestCase):
                 self.addCleanup(bus.close)
                 answered = processor.answers(bus, programs.read_log(LOGS / f"{name}.sensors.log"))
                 recorded = [
-                    (round(time / processor.CYCLE_S), identifier, data)
+                    (round(time / programs.CYCLE_S), identifier, data)
                     for time, identifier, data in programs.read_log(LOGS / f"{name}.ecu.log")
                 ]
                 self.assertEqual(len(answered), len(recorded))

@@ -15,7 +15,10 @@ CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
 
 SENSOR_IDENTIFIERS = ("120", "121", "122")
 WARNING_IDENTIFIER = "0D0"
+STATUS_IDENTIFIER = "231"
 SYNC_IDENTIFIER = "7F0"
+CYCLE_S = 0.01
+MOST_OVERRUNS = 255  # where CycleOverruns ends
 
 
 def run(program, *arguments, timeout=120):
@@ -118,3 +121,27 @@ def read_log(path):
 def state_of(data):
     """The state in a RolloverWarning's payload: the lowest three bits of byte 2."""
     return int(data[4:6], 16) & 0x7
+
+
+def cycle_overruns_of(data):
+    """CycleOverruns in a RolloverStatus's payload."""
+    return int(data[8:10], 16)
+
+
+class Cycles:
+    """From the first RolloverStatus of a log to its last: how many cycles there were, and how many the ECU says it missed.
+
+    A busy machine holds up the ECU; but each cycle is kept or counted, so that both together go with the clock.
+    """
+
+    def __init__(self, frames):
+        statuses = [(time, data) for time, identifier, data in frames if identifier == STATUS_IDENTIFIER]
+        (begin, first), (end, last) = statuses[0], statuses[-1]
+        if cycle_overruns_of(last) >= MOST_OVERRUNS:
+            raise RuntimeError("this machine is too busy for real time: so many cycles were missed that the count has ended")
+        self.kept = len(statuses) - 1
+        self.missed = cycle_overruns_of(last) - cycle_overruns_of(first)
+        self.periods = (end - begin) / CYCLE_S
+
+    def __str__(self):
+        return f"{self.kept} cycles kept, {self.missed} counted as missed, in {self.periods:.1f} periods"
