@@ -11,8 +11,9 @@ set(RSI_SANITIZERS "" CACHE STRING "Sanitizers for all targets, for example addr
 add_library(rsi_options_host INTERFACE)
 target_compile_features(rsi_options_host INTERFACE cxx_std_17)
 target_compile_options(rsi_options_host INTERFACE
-    -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Wcast-align
+    -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wcast-align
     -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual
+    $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>  # clang means double{x} too, where it is wanted
     $<$<BOOL:${RSI_WARNINGS_AS_ERRORS}>:-Werror>
     -ffp-contract=off -fno-math-errno)
 if(RSI_SANITIZERS)

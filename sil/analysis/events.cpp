@@ -10,21 +10,12 @@
 namespace sil {
 namespace {
 
-bool has_lifted(const Truth& truth, Wheel wheel) {
-    return truth.wheel_load_n[static_cast<std::size_t>(wheel)] <= 0.0;
-}
-
 bool front_wheel_has_lifted(const Truth& truth) {
     return has_lifted(truth, front_left) || has_lifted(truth, front_right);
 }
 
 bool rear_wheel_has_lifted(const Truth& truth) {
     return has_lifted(truth, rear_left) || has_lifted(truth, rear_right);
-}
-
-bool one_side_has_lifted(const Truth& truth) {
-    return (has_lifted(truth, front_left) && has_lifted(truth, rear_left)) ||
-           (has_lifted(truth, front_right) && has_lifted(truth, rear_right));
 }
 
 void keep_first(std::optional<EventMoment>& event, bool happens, const EventMoment& moment) {
@@ -80,7 +71,7 @@ void EventObserver::observe(const Truth& truth) {
         keep_first(events_.one_wheel_lift, front_lifted || rear_lifted, latest_);
         keep_first(events_.front_axle_lift, front_lifted, latest_);
         keep_first(events_.rear_axle_lift, rear_lifted, latest_);
-        keep_first(events_.two_wheel_lift, one_side_has_lifted(truth), latest_);
+        keep_first(events_.two_wheel_lift, two_wheels_have_lifted(truth), latest_);
         keep_first(events_.ssf_crossing, magnitude_mps2 >= ssf_acceleration_mps2_, latest_);
         events_.largest_lateral_acceleration_mps2 =
             std::max(events_.largest_lateral_acceleration_mps2, magnitude_mps2);

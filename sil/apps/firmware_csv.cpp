@@ -45,10 +45,6 @@ constexpr Column columns[] = {
 };
 // clang-format on
 
-bool carries_nothing(const Truth& truth, Wheel wheel) {
-    return truth.wheel_load_n[static_cast<std::size_t>(wheel)] <= 0.0;
-}
-
 constexpr const char* lift_names[] = {"front_left", "front_right", "rear_left",
                                       "rear_right", "left_side",   "right_side"};
 
@@ -109,11 +105,11 @@ void FirmwareCsvWriter::close() {
 void LiftCsvWriter::observe(const Truth& truth) {
     latest_s_ = truth.time_s;
     bool lifted[kinds];
-    for (std::size_t wheel = 0U; wheel < 4U; ++wheel) {
-        lifted[wheel] = carries_nothing(truth, static_cast<Wheel>(wheel));
+    for (int wheel = 0; wheel < wheel_count; ++wheel) {
+        lifted[wheel] = has_lifted(truth, static_cast<Wheel>(wheel));
     }
-    lifted[4] = lifted[front_left] && lifted[rear_left];
-    lifted[5] = lifted[front_right] && lifted[rear_right];
+    lifted[4] = left_side_has_lifted(truth);
+    lifted[5] = right_side_has_lifted(truth);
     for (std::size_t i = 0U; i < kinds; ++i) {
         if (lifted[i] && !since_s_[i]) {
             since_s_[i] = truth.time_s;

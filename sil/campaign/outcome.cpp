@@ -15,10 +15,6 @@ constexpr double rolled_over_rad = 1.0;
 // After so long on two wheels it is of no more interest whether the vehicle falls or comes back.
 constexpr double settled_after_lift_s = 1.0;
 
-bool side_is_up(const Truth& truth, Wheel front, Wheel rear) {
-    return truth.wheel_load_n[front] <= 0.0 && truth.wheel_load_n[rear] <= 0.0;
-}
-
 }  // namespace
 
 void OutcomeObserver::observe(const Truth& truth) {
@@ -47,7 +43,7 @@ void OutcomeObserver::observe_sides(const Truth& truth) {
     if (outcome_.two_wheel_lift_time_s) {
         return;
     }
-    const bool up = side_is_up(truth, front_left, rear_left) || side_is_up(truth, front_right, rear_right);
+    const bool up = two_wheels_have_lifted(truth);
     if (up && !lift_began_s_) {
         lift_began_s_ = truth.time_s;
     }

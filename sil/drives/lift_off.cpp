@@ -57,7 +57,7 @@ LiftOff find_lift_off(const Drive& drive) {
     }
     LiftOff result{LiftOffSource::wheel_loads, {}, {}};
     for (const DriveSample& sample : drive.samples) {
-        const auto lifted = [&](Wheel wheel) { return sample.wheel_load_n[wheel] < threshold_n; };
+        const auto lifted = [&](std::size_t wheel) { return sample.wheel_load_n[wheel] < threshold_n; };
         const bool left_front = lifted(front_left), right_front = lifted(front_right);
         const bool left_rear = lifted(rear_left), right_rear = lifted(rear_right);
         if (!result.one_wheel_s && (left_front || right_front || left_rear || right_rear)) {

@@ -36,19 +36,13 @@ struct Recording {
     std::optional<std::size_t> two_wheel_lift{};
 };
 
-bool has_lifted_two_wheels(const Truth& truth) {
-    const auto& load_n = truth.wheel_load_n;
-    return (load_n[front_left] <= 0.0 && load_n[rear_left] <= 0.0) ||
-           (load_n[front_right] <= 0.0 && load_n[rear_right] <= 0.0);
-}
-
 Recording record(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre) {
     ManoeuvreRun plant{vehicle, manoeuvre};
     SensorSuite sensors = make_sensors(vehicle);
     Recording recording;
     sensors.observe(plant.truth());
     for (;;) {
-        if (!recording.two_wheel_lift && has_lifted_two_wheels(plant.truth())) {
+        if (!recording.two_wheel_lift && two_wheels_have_lifted(plant.truth())) {
             recording.two_wheel_lift = recording.samples.size();
         }
         recording.samples.push_back(sensors.report(plant.truth()));

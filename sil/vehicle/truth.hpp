@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace sil {
 
@@ -50,5 +51,23 @@ struct Truth {
 
     std::array<double, wheel_count> wheel_spin_radps{};  // > 0 when rolling forward
 };
+
+// A wheel that carries nothing has lifted.
+inline bool has_lifted(const Truth& truth, Wheel wheel) {
+    return truth.wheel_load_n[static_cast<std::size_t>(wheel)] <= 0.0;
+}
+
+inline bool left_side_has_lifted(const Truth& truth) {
+    return has_lifted(truth, front_left) && has_lifted(truth, rear_left);
+}
+
+inline bool right_side_has_lifted(const Truth& truth) {
+    return has_lifted(truth, front_right) && has_lifted(truth, rear_right);
+}
+
+// What a rollover begins with.
+inline bool two_wheels_have_lifted(const Truth& truth) {
+    return left_side_has_lifted(truth) || right_side_has_lifted(truth);
+}
 
 }  // namespace sil

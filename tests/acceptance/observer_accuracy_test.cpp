@@ -56,10 +56,6 @@ std::string source(const std::string& path) {
     return std::string{RSI_SOURCE_DIR} + path;
 }
 
-bool lifted(const sil::Truth& truth, sil::Wheel wheel) {
-    return truth.wheel_load_n[static_cast<std::size_t>(wheel)] <= 0.0;
-}
-
 rsi::Inputs inputs_of(const sil::SensorSample& sample, const RollSensor& roll_sensor) {
     rsi::Inputs inputs{};
     inputs.lateral_specific_force_mps2 = static_cast<float>(sample.lateral_acceleration_mps2);
@@ -91,11 +87,10 @@ rsi::Parameters calibration(const Setting& setting, double raised_m) {
 class Judge {
  public:
     void see(const sil::Truth& truth, const rsi::Outputs& outputs) {
-        const bool left = lifted(truth, sil::front_left) && lifted(truth, sil::rear_left);
-        const bool right = lifted(truth, sil::front_right) && lifted(truth, sil::rear_right);
-        one_lifted_ = one_lifted_ || lifted(truth, sil::front_left) || lifted(truth, sil::rear_left) ||
-                      lifted(truth, sil::front_right) || lifted(truth, sil::rear_right);
-        note(left || right, truth.time_s, result_.two_wheels_s);
+        one_lifted_ = one_lifted_ || has_lifted(truth, sil::front_left) ||
+                      has_lifted(truth, sil::rear_left) || has_lifted(truth, sil::front_right) ||
+                      has_lifted(truth, sil::rear_right);
+        note(two_wheels_have_lifted(truth), truth.time_s, result_.two_wheels_s);
         note(outputs.roll_sensor_disagrees != 0, truth.time_s, result_.flagged_s);
         note(outputs.state == RSI_STATE_WARNING, truth.time_s, result_.warned_s);
         result_.unavailable += (truth.time_s > 1.0 && outputs.state == RSI_STATE_UNAVAILABLE) ? 1 : 0;

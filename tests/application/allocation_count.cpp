@@ -19,7 +19,7 @@ std::uint64_t allocation_count() {
 
 }  // namespace testing_application
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(RSI_ADDRESS_SANITIZER)
 
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*, std::size_t),
                                                          void (*released)(const volatile void*));

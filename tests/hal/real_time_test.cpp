@@ -38,7 +38,7 @@ TEST(RealTimeDeathTest, ARefusedPriorityNamesItAndTheWayToGetIt) {
                 "priority 50 .*refused: Operation not permitted.*Next: .*root.*cap_sys_nice");
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer turns mlockall into a call without effect
+#if !defined(RSI_ADDRESS_SANITIZER)  // AddressSanitizer turns mlockall into a call without effect
 TEST(RealTimeDeathTest, RefusedMemoryLockingNamesTheWayToGetIt) {
     EXPECT_EXIT(request_and_leave({0, true}),
                 ::testing::ExitedWithCode(static_cast<int>(RealTimeFailure::memory)),

@@ -37,7 +37,7 @@ def tests_of(listing):
             not_built.append(test["name"].removesuffix("_NOT_BUILT"))
         elif not properties.get("DISABLED"):
             label = (properties.get("LABELS") or ["none"])[0]
-            tests[plain_name(test["name"])] = label.removesuffix(".long")
+            tests[plain_name(test["name"])] = label.removesuffix(".once")
     if not_built:
         raise EvidenceError(f"not built: {', '.join(not_built)}; build first: sil/environment/build release")
     return tests

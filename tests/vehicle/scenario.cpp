@@ -12,10 +12,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-bool side_has_lifted(const sil::Truth& truth, sil::Wheel front, sil::Wheel rear) {
-    return truth.wheel_load_n[front] <= 0.0 && truth.wheel_load_n[rear] <= 0.0;
-}
-
 // Model (1) with an explicit Euler step, and the threshold (22) with c_rc from (6). Bank is positive when the
 // left side is up, so that it acts as a lateral acceleration to the left does.
 class PublishedIndicator {
@@ -126,8 +122,7 @@ Outcome drive(const sil::VehicleParameters& parameters, const sil::Manoeuvre& ma
         const double rsi = indicator.advance(truth, options.step_s);
         const bool one = std::any_of(truth.wheel_load_n.begin(), truth.wheel_load_n.end(),
                                      [](double load_n) { return load_n <= 0.0; });
-        const bool two = side_has_lifted(truth, sil::front_left, sil::rear_left) ||
-                         side_has_lifted(truth, sil::front_right, sil::rear_right);
+        const bool two = two_wheels_have_lifted(truth);
         outcome.largest_ay_g = std::max(outcome.largest_ay_g, ay_g);
         outcome.largest_roll_deg =
             std::max(outcome.largest_roll_deg, std::abs(truth.roll_angle_rad) * 180.0 / pi);

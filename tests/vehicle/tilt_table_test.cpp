@@ -40,7 +40,7 @@ Tipping tilt_until_two_wheels_lift(const sil::VehicleParameters& parameters) {
         table.tilt_to(angle_rad);
         vehicle.step({});
         const sil::Truth& truth = vehicle.truth();
-        if (truth.wheel_load_n[sil::front_left] <= 0.0 && truth.wheel_load_n[sil::rear_left] <= 0.0) {
+        if (left_side_has_lifted(truth)) {
             return {angle_rad, truth.roll_angle_rad, truth};
         }
     }

@@ -67,7 +67,7 @@ TEST(EmulatorCanFrameLayout, FilterAndUnpackingKeepOutWhatIsNoStandardDataFrame)
 template <typename Layout>
 class CanFrameLayoutTest : public ::testing::Test {};
 using Layouts = ::testing::Types<SiliconCanFrameLayout, EmulatorCanFrameLayout>;
-TYPED_TEST_SUITE(CanFrameLayoutTest, Layouts);
+TYPED_TEST_SUITE(CanFrameLayoutTest, Layouts, );
 
 TYPED_TEST(CanFrameLayoutTest, EveryLengthAndIdentifierComesBackAsItWas) {
     for (std::uint8_t length = 0U; length <= 8U; ++length) {
