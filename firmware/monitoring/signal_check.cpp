@@ -11,8 +11,7 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected
     }
     const bool unsteady = (known_ && has_jumped(value, expected_change)) || is_shaken(value);
     if (valid && !unsteady && memory.all_rest()) {
-        good_ = value;
-        known_ = true;
+        keep(value);
         return value;
     }
     memory.report(limits_.invalid, !valid);
@@ -26,8 +25,7 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected
         return rsi::not_available;
     }
     if (valid && !unsteady) {
-        good_ = value;
-        known_ = true;
+        keep(value);
     }
     return known_ ? good_ : rsi::not_available;
 }

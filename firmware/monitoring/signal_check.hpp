@@ -41,6 +41,11 @@ class SignalCheck {
 
     bool is_shaken(float value) noexcept;
 
+    void keep(float value) noexcept {
+        good_ = value;
+        known_ = true;
+    }
+
     SignalLimits limits_;
     float good_{0.0F};
     bool known_{false};  // good_ is a value

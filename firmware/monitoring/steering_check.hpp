@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "monitoring/repetition.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace monitoring {
@@ -13,12 +14,9 @@ namespace monitoring {
 // these came to 0.6 m/s^2.
 class SteeringCheck {
  public:
-    // One sample; one that is not finite starts anew. The equality of floats is meant.
+    // One sample; one that is not finite starts anew.
     bool is_stuck(float steering_rad, float lateral_force_mps2, float yaw_acceleration_mps2) noexcept {
-        const bool repeated = (steering_rad <= steering_rad_) && (steering_rad >= steering_rad_);
-        moves_ = !repeated && rsi::is_finite(steering_rad - steering_rad_);
-        steering_rad_ = steering_rad;
-        if (!repeated || !rsi::is_finite(steering_rad + lateral_force_mps2 + yaw_acceleration_mps2)) {
+        if (!steering_.repeats(steering_rad) || !rsi::is_finite(lateral_force_mps2 + yaw_acceleration_mps2)) {
             straight_samples_ = 0U;
             return false;
         }
@@ -35,14 +33,13 @@ class SteeringCheck {
     }
 
     // The wheel has changed in the last cycle, whatever the vehicle does.
-    bool moves() const noexcept { return moves_; }
+    bool moves() const noexcept { return steering_.moves(); }
 
  private:
     static constexpr std::uint32_t enough_ = 20U;
 
-    float steering_rad_{rsi::not_available};
+    Repetition steering_{};
     std::uint32_t straight_samples_{0U};
-    bool moves_{false};
 };
 
 }  // namespace monitoring

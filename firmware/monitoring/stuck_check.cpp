@@ -3,10 +3,7 @@
 namespace monitoring {
 
 bool StuckCheck::is_stuck(float value, float witness) noexcept {
-    const bool repeated = repeats(value);
-    moves_ = !repeated && rsi::is_finite(value - value_);
-    if (!repeated || !rsi::is_finite(value) || !rsi::is_finite(witness)) {
-        value_ = value;
+    if (!value_.repeats(value) || !rsi::is_finite(witness)) {
         repetitions_ = 0U;
         lowest_ = witness;
         highest_ = witness;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "monitoring/repetition.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace monitoring {
@@ -14,12 +15,11 @@ class StuckCheck {
     constexpr explicit StuckCheck(float witness_span, float drift = 0.0F) noexcept
         : witness_span_{witness_span}, drift_{drift} {}
 
-    // One cycle; false when either is not finite. The equality of floats is meant: a sensor that lives has
-    // noise, and a frozen one repeats its code.
+    // One cycle; false when either is not finite.
     bool is_stuck(float value, float witness) noexcept;
 
     // The value has changed in the last cycle, whatever the witness does.
-    bool moves() const noexcept { return moves_; }
+    bool moves() const noexcept { return value_.moves(); }
 
     // It has not moved for longer than the noise of a living sensor allows; no proof by itself.
     bool seems_frozen() const noexcept { return repetitions_ >= suspicious_repetitions; }
@@ -30,15 +30,12 @@ class StuckCheck {
     static constexpr std::uint32_t without_drift = 100U;
     static constexpr std::uint32_t most_repetitions = 1'000'000U;  // a float has a number for each
 
-    bool repeats(float value) const noexcept { return (value <= value_) && (value >= value_); }
-
     float witness_span_;
     float drift_;
-    float value_{rsi::not_available};
+    Repetition value_{};
     float lowest_{rsi::not_available};
     float highest_{rsi::not_available};
     std::uint32_t repetitions_{0U};
-    bool moves_{false};
 };
 
 }  // namespace monitoring

@@ -59,7 +59,7 @@ void protect_again(hal::CanFrame& frame, std::uint8_t counter) {
 }
 
 std::uint8_t counter_of(const hal::CanFrame& frame) {
-    return static_cast<std::uint8_t>(frame.data[1] & 0x0FU);
+    return can_dbc::e2e::profile_11_counter(frame.data.data());
 }
 
 // The signal's code replaced, and the frame protected as if its sender had sent that.

@@ -44,7 +44,7 @@ class WarningWitness final : public hal::CanBus {
             return bus_.send(frame);
         }
         const std::uint8_t before = last_.counter();
-        last_.set_counter(static_cast<std::uint8_t>(frame.data[1] & 0x0FU));
+        last_.set_counter(can_dbc::e2e::profile_11_counter(frame.data.data()));
         const hal::SendResult result = bus_.send(frame);
         if (result != hal::SendResult::sent) {
             last_.set_counter(before);
