@@ -11,26 +11,31 @@ namespace application {
 // A constant delay leaves counters and receive times in order; only its beginning shows, as a silence. After
 // a silence in which frames were lost, the counter goes on with the one that is due; after one that held them
 // back, where it had stopped, while the IMU's counter has gone on. Compared with the IMU's counter instead of
-// the clock, because when all senders pause together nothing is late. A sender that itself has paused looks
-// the same: it is believed again when the roll rate shows that its angle is in time.
+// the clock, because when all senders pause together nothing is late. While the IMU itself is silent or its
+// frames are damaged there is nothing to compare with: the judgement waits for it, unless it takes so long
+// that its sender may have started anew. A roll angle's sender that itself has paused looks as a delay does:
+// it is believed again when the roll rate shows that its angle is in time.
 class RollAngleDelay {
  public:
     // One cycle: counter and value of the newest good frames, new or not.
     void update(std::uint32_t imu_counter, std::uint32_t roll_counter, float roll_angle_rad,
                 float roll_rate_radps) noexcept {
+        imu_silence_ = (imu_counter == imu_counter_) ? grown(imu_silence_) : 0U;
+        imu_counter_ = imu_counter;
         if (roll_counter == roll_counter_) {
-            silent_cycles_ += (silent_cycles_ <= longest_silence) ? 1U : 0U;
+            roll_silence_ = grown(roll_silence_);
             return;
         }
-        const bool paused = (silent_cycles_ >= shortest_silence) && (silent_cycles_ <= longest_silence);
-        const std::uint32_t ahead = (imu_counter + counters - roll_counter) % counters;
-        const std::uint32_t behind = (ahead + counters - ahead_in_time_) % counters;
-        const bool held_back = (behind >= shortest_silence) && (behind <= longest_silence);
-        lag_.update(late_ ? roll_angle_rad : rsi::not_available, roll_rate_radps);
-        late_ = held_back && (late_ || paused) && !lag_.is_in_time();
-        ahead_in_time_ = late_ ? ahead_in_time_ : ahead;
         roll_counter_ = roll_counter;
-        silent_cycles_ = 0U;
+        if (roll_silence_ >= shortest_silence) {
+            paused_ = roll_silence_ <= longest_silence;
+        }
+        roll_silence_ = 0U;
+        if (imu_silence_ < shortest_silence) {
+            judge(roll_angle_rad, roll_rate_radps);
+        } else {
+            paused_ = paused_ && (imu_silence_ <= longest_silence);
+        }
     }
 
     bool is_late() const noexcept { return late_; }
@@ -42,9 +47,27 @@ class RollAngleDelay {
     static constexpr std::uint32_t shortest_silence = 4U;
     static constexpr std::uint32_t longest_silence = 11U;
 
-    std::uint32_t roll_counter_{0U};   // of the frame before
+    static constexpr std::uint32_t grown(std::uint32_t silence) noexcept {
+        return silence + ((silence <= longest_silence) ? 1U : 0U);
+    }
+
+    void judge(float roll_angle_rad, float roll_rate_radps) noexcept {
+        const std::uint32_t ahead = (imu_counter_ + counters - roll_counter_) % counters;
+        const std::uint32_t behind = (ahead + counters - ahead_in_time_) % counters;
+        const bool held_back = (behind >= shortest_silence) && (behind <= longest_silence);
+        lag_.update(late_ ? roll_angle_rad : rsi::not_available, roll_rate_radps);
+        late_ = held_back && (late_ || paused_) && !lag_.is_in_time();
+        paused_ = false;
+        ahead_in_time_ = late_ ? ahead_in_time_ : ahead;
+    }
+
+    std::uint32_t imu_counter_{0U};  // of the newest frames
+    std::uint32_t roll_counter_{0U};
     std::uint32_t ahead_in_time_{0U};  // of the IMU's counter, while the roll angle is not late
-    std::uint32_t silent_cycles_{longest_silence + 1U};
+    std::uint32_t imu_silence_{longest_silence + 1U};  // cycles without another counter
+    std::uint32_t roll_silence_{longest_silence + 1U};
+    bool paused_{
+        false};  // the roll angle was silent for as long as a delay begins with, and this is not judged yet
     bool late_{false};
     monitoring::RollLag lag_{};
 };

@@ -1,5 +1,5 @@
-// Repetition: whether a signal says the very same again. The equality of floats is meant: a sensor that lives has
-// noise, and a frozen one repeats its code.
+// Repetition: whether a signal says the very same again. The equality of floats is meant: a sensor that lives
+// has noise, and a frozen one repeats its code.
 #pragma once
 
 #include "rsi/numeric/bounded.hpp"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -160,6 +161,78 @@ TEST(ARollAngle, IsNotBelievedAsLongAsItMovesLater) {
     for (int second = 0; second < 60; ++second) {
         drive.bench.run_for(1.0);
         ASSERT_TRUE(drive.told_lost()) << second;
+    }
+}
+
+// The newest counters of two senders that send in each cycle, as the receiver knows them.
+struct Counters {
+    void run(int cycles) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            ++imu_sent;
+            ++roll_sent;
+            imu_known = imu_comes ? imu_sent : imu_known;
+            roll_known = roll_comes ? roll_sent : roll_known;
+            delay.update(imu_known % 15U, roll_known % 15U, 0.0F, 0.0F);
+        }
+    }
+
+    std::uint32_t imu_sent{0U}, roll_sent{0U};
+    std::uint32_t imu_known{0U}, roll_known{0U};
+    bool imu_comes{true}, roll_comes{true};
+    application::RollAngleDelay delay{};
+};
+
+// Both are damaged or lost, the IMU's frames for longer, or the IMU has just come back.
+TEST(ARollAngle, IsNotLateBecauseTheImuIsNotKnown) {
+    for (int imu_before = 0; imu_before < 25; ++imu_before) {
+        for (int together = 4; together < 12; ++together) {
+            for (int imu_after = 0; imu_after < 25; ++imu_after) {
+                Counters counters;
+                counters.run(20);
+                counters.imu_comes = false;
+                counters.run(imu_before);
+                counters.roll_comes = false;
+                counters.run(together);
+                counters.roll_comes = true;
+                counters.run(imu_after);
+                counters.imu_comes = true;
+                counters.run(20);
+                ASSERT_FALSE(counters.delay.is_late()) << imu_before << ' ' << together << ' ' << imu_after;
+            }
+        }
+    }
+}
+
+// Held back in the same moment: found as soon as the IMU is known again, unless that takes so long that its
+// sender may have started anew.
+TEST(ARollAngle, IsFoundLateWhenTheImuIsKnownAgain) {
+    for (int imu_after = 0; imu_after < 25; ++imu_after) {
+        Counters counters;
+        counters.run(20);
+        counters.imu_comes = false;
+        counters.roll_comes = false;
+        counters.run(5);
+        counters.roll_sent -= 5U;
+        counters.roll_comes = true;
+        counters.run(imu_after);
+        counters.imu_comes = true;
+        counters.run(2);
+        EXPECT_EQ(counters.delay.is_late(), imu_after <= 6) << imu_after;
+    }
+}
+
+TEST(ARollAngle, IsJudgedWhileTheImuHasLostUpToThreeFrames) {
+    for (int lost = 0; lost < 6; ++lost) {
+        Counters counters;
+        counters.run(20);
+        counters.roll_comes = false;
+        counters.run(9 - lost);
+        counters.imu_comes = false;
+        counters.run(lost - 1);
+        counters.roll_sent -= 8U;
+        counters.roll_comes = true;
+        counters.run(1);
+        EXPECT_EQ(counters.delay.is_late(), lost <= 3) << lost;
     }
 }
 
