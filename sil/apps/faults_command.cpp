@@ -120,14 +120,15 @@ struct EnduranceRequest {
     std::string vehicle_file;
     std::string calibration_file;
     std::vector<double> hours;
-    std::uint64_t seed{1U};
+    std::vector<std::uint64_t> seeds{1U};
     std::filesystem::path document;
     std::filesystem::path checked;
 };
 
 EnduranceResult run_with_progress(const EnduranceRequest& request, const EnduranceSettings& settings) {
     const auto progress = [&settings](double share) {
-        fmt::print(stderr, "\r{:g} simulated hours: {:3.0f} %", settings.hours, share * 100.0);
+        fmt::print(stderr, "\r{:g} simulated hours, seed {}: {:3.0f} %", settings.hours, settings.seed,
+                   share * 100.0);
         std::fflush(stderr);
     };
     const EnduranceResult result = run_endurance(
@@ -141,11 +142,13 @@ void run_hours(const EnduranceRequest& request) {
     std::string rows;
     std::vector<std::string> found;
     for (const double hours : request.hours) {
-        const EnduranceSettings settings{hours, request.seed};
-        const EnduranceResult result = run_with_progress(request, settings);
-        rows += endurance_row(settings, result);
-        const std::vector<std::string> more = shortfalls(result);
-        found.insert(found.end(), more.begin(), more.end());
+        for (const std::uint64_t seed : request.seeds) {
+            const EnduranceSettings settings{hours, seed};
+            const EnduranceResult result = run_with_progress(request, settings);
+            rows += endurance_row(settings, result);
+            const std::vector<std::string> more = shortfalls(result);
+            found.insert(found.end(), more.begin(), more.end());
+        }
     }
     const std::string document = endurance_document(rows);
     fmt::print("{}", rows);
@@ -174,12 +177,16 @@ void add_endurance(CLI::App& app) {
         ->allow_extra_args(false)
         ->check(number_within(0.01, 1000.0));
     command
-        ->add_option_function<std::string>(
+        ->add_option_function<std::vector<std::string>>(
             "--seed",
-            [request](const std::string& text) {
-                request->seed = whole_number(text).value_or(request->seed);
+            [request](const std::vector<std::string>& texts) {
+                request->seeds.clear();
+                for (const std::string& text : texts) {
+                    request->seeds.push_back(whole_number(text).value_or(0U));  // checked below
+                }
             },
-            "Seed of drive, noise and faults")
+            "Seed of drive, noise and faults; repeated: each of --hours with each of them")
+        ->allow_extra_args(false)
         ->check(check_whole_number)
         ->type_name("UINT")
         ->default_str("1");
