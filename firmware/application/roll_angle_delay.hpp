@@ -47,13 +47,18 @@ class RollAngleDelay {
     static constexpr std::uint32_t shortest_silence = 4U;
     static constexpr std::uint32_t longest_silence = 11U;
 
+    // Of one counter over another, both from 0 to 14.
+    static constexpr std::uint32_t lead(std::uint32_t first, std::uint32_t second) noexcept {
+        return first - second + ((first < second) ? counters : 0U);
+    }
+
     static constexpr std::uint32_t grown(std::uint32_t silence) noexcept {
         return silence + ((silence <= longest_silence) ? 1U : 0U);
     }
 
     void judge(float roll_angle_rad, float roll_rate_radps) noexcept {
-        const std::uint32_t ahead = (imu_counter_ + counters - roll_counter_) % counters;
-        const std::uint32_t behind = (ahead + counters - ahead_in_time_) % counters;
+        const std::uint32_t ahead = lead(imu_counter_, roll_counter_);
+        const std::uint32_t behind = lead(ahead, ahead_in_time_);
         const bool held_back = (behind >= shortest_silence) && (behind <= longest_silence);
         lag_.update(late_ ? roll_angle_rad : rsi::not_available, roll_rate_radps);
         late_ = held_back && (late_ || paused_) && !lag_.is_in_time();

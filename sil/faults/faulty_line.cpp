@@ -2,7 +2,9 @@
 
 namespace sil {
 
-FaultyLine::FaultyLine(const rsi::Parameters& calibration) : ecu_{calibration} { inject({}); }
+FaultyLine::FaultyLine(const rsi::Parameters& calibration) : ecu_{calibration} {
+    inject({});
+}
 
 void FaultyLine::inject(const std::array<ScheduledFault, 2U>& faults) {
     faults_ = faults;

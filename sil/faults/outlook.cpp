@@ -5,7 +5,7 @@
 namespace sil {
 
 Outlook::Outlook(const VehicleParameters& vehicle, const rsi::Parameters& calibration, std::uint64_t seed,
-        double duration_s)
+                 double duration_s)
     : world_{vehicle, seed, duration_s}, scout_{calibration} {
     while (ahead_.size() < cycles_ahead) {
         look();
@@ -18,7 +18,6 @@ Outlook::Cycle Outlook::next() {
     ahead_.pop_front();
     return cycle;
 }
-
 
 void Outlook::look() {
     Cycle cycle{world_.next(), world_.stands()};

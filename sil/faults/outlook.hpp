@@ -1,5 +1,5 @@
-// Outlook: the drive some seconds ahead of itself, so that faults can be drawn to where a warning will be due. The
-// ECUs only warn, so the drive does not depend on them.
+// Outlook: the drive some seconds ahead of itself, so that faults can be drawn to where a warning will be
+// due. The ECUs only warn, so the drive does not depend on them.
 #pragma once
 
 #include <cstdint>

@@ -4,8 +4,8 @@
 
 namespace sil {
 
-bool SilenceWatch::cycle(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right, float right_level, bool near,
-           EnduranceResult& result) {
+bool SilenceWatch::cycle(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right, float right_level,
+                         bool near, EnduranceResult& result) {
     const bool warns = right.state == WarningState::warning;
     if (warns && !warned_) {
         ++result.warnings_due;
@@ -18,8 +18,7 @@ bool SilenceWatch::cycle(const std::optional<EcuAnswer>& faulty, const EcuAnswer
     const bool due = warns && right_level >= warning_off_;
     with_fault_ = with_fault_ || (due && near);
     answered_ = answered_ || (due && faulty && faulty->state == WarningState::warning);
-    told_ =
-        told_ || (due && faulty && (faulty->state == WarningState::unavailable || faulty->codes != 0U));
+    told_ = told_ || (due && faulty && (faulty->state == WarningState::unavailable || faulty->codes != 0U));
     const bool is_silent = due && faulty && faulty->state == WarningState::ready && faulty->codes == 0U;
     silence_ms_ = is_silent ? silence_ms_ + 10 : 0;
     result.longest_silence_ms = std::max(result.longest_silence_ms, silence_ms_);

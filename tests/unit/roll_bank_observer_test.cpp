@@ -190,7 +190,7 @@ TEST(RollBankObserver, FollowsTheGyroWhileTheVehicleTipsOver) {
     EXPECT_TRUE(observer.roll_known());
     EXPECT_NEAR(observer.roll_angle_rad(), 1.0F, 0.1F);
     for (int k = 0; k < 150; ++k) {  // and back
-        observer.update(3.0F, -1.0F / 1.5F, 0.3F, 25.0F, (k % 2) == 0);
+        observer.update(5.0F, -1.0F / 1.5F, 0.3F, 25.0F, (k % 2) == 0);
     }
     for (int k = 0; k < 100; ++k) {
         observer.update(0.0F, 0.0F, 0.0F, 25.0F, (k % 2) == 0);
@@ -353,6 +353,46 @@ TEST(RollBankObserver, AVehicleTipsUntilItsBodyIsBackWhereTheSuspensionHoldsIt) 
         EXPECT_TRUE(observer.tipped());  // a little less force than holds it there
         drive(2, 3.6F);
         EXPECT_FALSE(observer.tipped());
+    }
+}
+
+// Tipped by a force that was none, for example: a body on two wheels falls back without one.
+TEST(RollBankObserver, AVehicleWithoutHalfTheForceForASecondHasNotTipped) {
+    for (const float side : {1.0F, -1.0F}) {
+        for (const float force_mps2 : {-3.5F, 0.0F, 3.5F, -4.5F, 4.5F}) {  // 8.1 tip it
+            rsi::RollBankObserver observer;
+            observer.init(rsi_test::large_suv());
+            const auto drive = [&observer, side](int samples, float force, float rate_radps) {
+                for (int k = 0; k < samples; ++k) {
+                    observer.update(side * force, side * rate_radps, 0.0F, 0.0F, (k % 2) == 0);
+                }
+            };
+            drive(200, 0.0F, 0.0F);
+            drive(60, 9.0F, 1.0F);
+            ASSERT_TRUE(observer.tipped());
+            drive(99, force_mps2, 0.0F);
+            EXPECT_TRUE(observer.tipped());
+            drive(1, force_mps2, 0.0F);
+            EXPECT_EQ(observer.tipped(), std::fabs(force_mps2) > 4.0F) << force_mps2;
+            if (!observer.tipped()) {
+                drive(200, 0.0F, 0.0F);
+                EXPECT_NEAR(observer.roll_angle_rad(), 0.0F, 0.01F);
+            }
+        }
+    }
+}
+
+TEST(RollBankObserver, TheForceMustBeMissingForTheWholeSecond) {
+    for (const float now_and_then_mps2 : {4.5F, 9.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        for (int k = 0; k < 260; ++k) {
+            observer.update((k < 200) ? 0.0F : 9.0F, (k < 200) ? 0.0F : 1.0F, 0.0F, 0.0F, (k % 2) == 0);
+        }
+        for (int k = 0; k < 1000; ++k) {
+            observer.update((k % 90 == 89) ? now_and_then_mps2 : 0.0F, 0.0F, 0.0F, 0.0F, (k % 2) == 0);
+            ASSERT_TRUE(observer.tipped()) << k;
+        }
     }
 }
 

@@ -26,6 +26,9 @@ constexpr float turn_deviation_per_yaw_acceleration_m = 5.0F;
 // A larger one comes from a vehicle that slides, not from a road that has suddenly tilted.
 constexpr float plausible_innovation_mps2 = 2.0F;
 
+// Samples for which a body may fall back onto its wheels.
+constexpr std::uint32_t longest_fall = 100U;
+
 // Variances at the start, and bounds.
 constexpr float initial_roll_variance_rad2 = square(0.05F);
 constexpr float initial_bank_variance_rad2 = square(0.1F);
@@ -94,7 +97,7 @@ bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, f
         const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
         // P33 tends to that of the steady filter from above.
         P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
-        if (!tipped_ && (speed_mps > smallest_speed_mps)) {
+        if ((tipped_ == 0U) && (speed_mps > smallest_speed_mps)) {
             correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
         }
     }
@@ -115,16 +118,22 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     roll_gain_ = 0.0F;
     P33_ = initial_bank_variance_rad2;
     yaw_acceleration_.reset();
-    tipped_ = false;
+    tipped_ = 0U;
     running_ = true;
 }
 
 // The inner wheels have lifted, so the suspension no longer holds the body: from the force that tips the
-// standing vehicle until the body has come back to where the suspension would hold it.
-bool RollBankObserver::tips(float lateral_force_mps2, float roll_acceleration_radps2) const {
-    const bool begins =
-        (absolute(lateral_force_mps2) > tipping_force_mps2_) && (P11_ < largest_roll_variance_rad2);
-    return begins || (tipped_ && (phi_ * roll_acceleration_radps2 < 0.0F));
+// standing vehicle until the body has come back to where the suspension would hold it. Without half that
+// force it falls back at 3 rad/s^2: if that lasts, it has.
+std::uint32_t RollBankObserver::tipped_for(float lateral_force_mps2, float roll_acceleration_radps2) const {
+    const float force = absolute(lateral_force_mps2);
+    if ((force > tipping_force_mps2_) && (P11_ < largest_roll_variance_rad2)) {
+        return longest_fall;
+    }
+    if ((tipped_ == 0U) || (phi_ * roll_acceleration_radps2 >= 0.0F)) {
+        return 0U;
+    }
+    return (force < 0.5F * tipping_force_mps2_) ? tipped_ - 1U : longest_fall;
 }
 
 // Trapezoidal rule with the local stiffness k, stable for any admitted parameters:
@@ -133,10 +142,10 @@ bool RollBankObserver::tips(float lateral_force_mps2, float roll_acceleration_ra
 void RollBankObserver::predict(float lateral_force_mps2) {
     const float force = moved_force_to_acceleration_ * lateral_force_mps2 * short_secant(phi_ * phi_);
     const float spring = stiffness_over_inertia_.moment_nm(phi_);
-    tipped_ = tips(lateral_force_mps2, force - spring);
+    tipped_ = tipped_for(lateral_force_mps2, force - spring);
     const float k = larger(stiffness_over_inertia_.slope_nmprad(phi_) - force * phi_, 0.0F);
     const float c = damping_over_inertia_ + 0.5F * T * k;
-    const float step = tipped_ ? 0.0F : T / (1.0F + 0.5F * T * c);
+    const float step = (tipped_ > 0U) ? 0.0F : T / (1.0F + 0.5F * T * c);
 
     const float roll_rate = rate_ - offset_;
     const float d = step * (force - spring - c * roll_rate);

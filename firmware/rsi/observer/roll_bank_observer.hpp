@@ -2,6 +2,8 @@
 // roll sensor.
 #pragma once
 
+#include <cstdint>
+
 #include "rsi/model/roll_stiffness_curve.hpp"
 #include "rsi/numeric/filtered_derivative.hpp"
 #include "rsi/observer/observer_gains.hpp"
@@ -39,12 +41,12 @@ class RollBankObserver {
     // Whether the angle's standard deviation is small enough to be relied on. False after a start for as long
     // as the filter needs.
     bool roll_known() const {
-        return running_ && (P11_ < (tipped_ ? largest_tipped_variance_rad2 : largest_roll_variance_rad2));
+        return running_ && (P11_ < (tipped() ? largest_tipped_variance_rad2 : largest_roll_variance_rad2));
     }
     bool bank_known() const { return running_ && (P33_ < largest_bank_variance_rad2); }
 
     // The inner wheels are up: the roll angle comes from the gyro alone, to some ten degrees.
-    bool tipped() const { return tipped_; }
+    bool tipped() const { return tipped_ > 0U; }
 
     float roll_angle_rad() const { return phi_; }   // relative to the road, within +-1.57
     float bank_angle_rad() const { return bank_; }  // left side up is positive, within +-0.5
@@ -56,7 +58,7 @@ class RollBankObserver {
 
     [[gnu::cold, gnu::noinline]] void start(float lateral_force_mps2, float roll_rate_radps);
     void predict(float lateral_force_mps2);
-    bool tips(float lateral_force_mps2, float roll_acceleration_radps2) const;
+    std::uint32_t tipped_for(float lateral_force_mps2, float roll_acceleration_radps2) const;
     void correct_by_roll_rate(float roll_rate_radps);
     void renew_roll_gain();
     void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
@@ -72,7 +74,7 @@ class RollBankObserver {
     FilteredDerivative yaw_acceleration_{};
 
     bool running_{false};
-    bool tipped_{false};
+    std::uint32_t tipped_{0U};  // samples for which it may still be
     float phi_{0.0F};
     float rate_{0.0F};
     float bank_{0.0F};
