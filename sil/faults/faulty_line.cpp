@@ -26,11 +26,11 @@ std::optional<EcuAnswer> FaultyLine::cycle(std::uint64_t number, const std::opti
     if (sample) {
         frames_.send(*first_, sensors_[1]->apply(sensors_[0]->apply(*sample, first), second));
     }
-    stepped_ = ecu_.step();
+    const bool stepped = ecu_.step();
     const int feeds = ecu_.watchdog_feeds() - fed_;
     fed_ = ecu_.watchdog_feeds();
-    fed_once_ = feeds == (stepped_ ? 1 : 0);
-    if (!stepped_ || (first && faults_[0].fault.kind == FaultKind::bus_off)) {
+    fed_once_ = feeds == (stepped ? 1 : 0);
+    if (!stepped || (first && faults_[0].fault.kind == FaultKind::bus_off)) {
         return std::nullopt;
     }
     return ear_.listen(ecu_.world_bus());

@@ -38,7 +38,6 @@ class FaultyLine {
     SensorFrames frames_{};
     EcuEar ear_{};
     int fed_{0};
-    bool stepped_{false};
     bool fed_once_{true};
 };
 

@@ -203,6 +203,19 @@ TEST(ARollAngle, IsNotLateBecauseTheImuIsNotKnown) {
     }
 }
 
+// What a pause makes of it is judged once: later the IMU may lose frames without one.
+TEST(ARollAngle, IsNotLateByAPauseThatIsLongOver) {
+    Counters counters;
+    counters.run(20);
+    counters.roll_comes = false;
+    counters.run(5);
+    counters.roll_comes = true;
+    counters.run(10);
+    counters.imu_sent += 5U;
+    counters.run(10);
+    EXPECT_FALSE(counters.delay.is_late());
+}
+
 // Held back in the same moment: found as soon as the IMU is known again, unless that takes so long that its
 // sender may have started anew.
 TEST(ARollAngle, IsFoundLateWhenTheImuIsKnownAgain) {
