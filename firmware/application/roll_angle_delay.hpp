@@ -71,8 +71,7 @@ class RollAngleDelay {
     std::uint32_t ahead_in_time_{0U};  // of the IMU's counter, while the roll angle is not late
     std::uint32_t imu_silence_{longest_silence + 1U};  // cycles without another counter
     std::uint32_t roll_silence_{longest_silence + 1U};
-    bool paused_{
-        false};  // the roll angle was silent for as long as a delay begins with, and this is not judged yet
+    bool paused_{false};  // silent for as long as a delay begins with, and not judged yet
     bool late_{false};
     monitoring::RollLag lag_{};
 };
