@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rsi/parameters.hpp"
+#include "sil/printable.hpp"
 
 namespace sil {
 namespace {
@@ -137,9 +138,10 @@ class CalibrationReader {
     [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& what) const {
         const auto changed = changes_.find(std::string{key});
         if (changed != changes_.end()) {
-            throw CalibrationError(fmt::format("{}: \"{}\" {}", changed->second, key, what));
+            throw CalibrationError(fmt::format("{}: \"{}\" {}", changed->second, printable(key), what));
         }
-        throw CalibrationError(fmt::format("{}:{}: \"{}\" {}", path_, node.source().begin.line, key, what));
+        throw CalibrationError(
+            fmt::format("{}:{}: \"{}\" {}", path_, node.source().begin.line, printable(key), what));
     }
 
     std::string path_;

@@ -9,6 +9,7 @@
 
 #include "default_campaign.hpp"
 #include "sil/campaign/settings.hpp"
+#include "sil/printable.hpp"
 
 namespace sil {
 namespace {
@@ -114,7 +115,8 @@ class Reader {
     }
 
     [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& what) const {
-        throw CampaignError(fmt::format("{}:{}: \"{}\" {}", file_, node.source().begin.line, key, what));
+        throw CampaignError(
+            fmt::format("{}:{}: \"{}\" {}", file_, node.source().begin.line, printable(key), what));
     }
 
     const toml::table& table_;

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace sil {
@@ -19,8 +18,5 @@ class CsvPlace {
  private:
     std::string file_;
 };
-
-// For messages: at most 40 characters, others than printable ASCII replaced by '?'.
-std::string printable(std::string_view text);
 
 }  // namespace sil

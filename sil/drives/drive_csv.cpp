@@ -13,6 +13,7 @@
 #include "sil/drives/csv_lines.hpp"
 #include "sil/drives/drive_check.hpp"
 #include "sil/drives/drive_header.hpp"
+#include "sil/printable.hpp"
 
 namespace sil {
 namespace {

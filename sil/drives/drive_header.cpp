@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sil/analysis/signal_csv.hpp"
+#include "sil/printable.hpp"
 
 namespace sil {
 namespace {

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "sil/printable.hpp"
 #include "sil/vehicle/parameter_file.hpp"
 
 namespace sil {
@@ -45,7 +46,7 @@ std::string ParameterTable::full_name(std::string_view key) const {
 
 void ParameterTable::fail(const toml::source_region& where, std::string_view key,
                           const std::string& what) const {
-    throw ParameterError(place(file_, where) + "'" + full_name(key) + "' " + what);
+    throw ParameterError(place(file_, where) + "'" + full_name(printable(key)) + "' " + what);
 }
 
 const toml::node& ParameterTable::find(std::string_view key, std::string_view what) {

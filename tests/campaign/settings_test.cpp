@@ -61,6 +61,7 @@ TEST(CampaignSettings, WhatAFileLeavesOutIsBuiltIn) {
 
 TEST(CampaignSettings, WhatIsWrongIsNamedWithLineAndKey) {
     expect_refused("runs = 5\nsede = 1\n", "mine.toml:2: \"sede\" is not known");
+    expect_refused("runs = 5\n\"a\\u0000b\" = 1\n", "mine.toml:2: \"a?b\" is not known here; remove it");
     expect_refused("runs = 1.5\n", "mine.toml:1: \"runs\" must be a whole number");
     expect_refused("runs = -1\n", "\"runs\" must be a whole number");
     expect_refused("runs = 0\n", "\"runs\" must be from 1");

@@ -138,6 +138,11 @@ TEST_F(CalibrationFile, AnUnknownKeyIsRefusedWithItsLine) {
     EXPECT_THAT(said, HasSubstr("\"track_widht_m\" is not a parameter"));
 }
 
+TEST_F(CalibrationFile, AKeyThatCannotBePrintedCutsNoMessageShort) {
+    replace("track_width_m", "track_width_m = 1.6\n\"a\\u0000b\" = 1.7");
+    EXPECT_THAT(message(), HasSubstr("\"a?b\" is not a parameter of the component; remove it"));
+}
+
 TEST_F(CalibrationFile, AnUnknownTableIsRefusedWithItsLine) {
     replace("recovery_s", "recovery_s = 0.1\n[vehicle]\nmass = 3");
     const std::string said = message();

@@ -75,6 +75,11 @@ TEST_F(ParameterFile, AnUnknownKeyIsNamedWithThoseThatExist) {
     expect_error(text, "spring_kg = 3.0", "mass.spring_kg", "sprung_kg");
 }
 
+TEST_F(ParameterFile, AKeyThatCannotBePrintedCutsNoMessageShort) {
+    const std::string text = replaced("[mass]\n", "[mass]\n\"a\\u0000b\" = 3.0\n");
+    expect_error(text, "u0000", "mass.a?b", "sprung_kg");
+}
+
 TEST_F(ParameterFile, AnUnknownTableIsNamed) {
     const std::string text = good_text() + "\n[masses]\nx = 1.0\n";
     expect_error(text, "[masses]", "masses", "not known");
