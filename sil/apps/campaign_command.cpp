@@ -90,8 +90,8 @@ void report(const CampaignRequest& request) {
     const std::uint64_t wanted = load_campaign(settings).runs;
     const CampaignReport report = make_report(load_rows(request.output / "runs.csv"), wanted);
     write_report(report, request.output);
-    fmt::print("{}\nAll of it is in {}; sil/studies/campaign/draw {} makes the pictures.\n", report_markdown(report),
-               (request.output / "report.json").string(), request.output.string());
+    fmt::print("{}\nAll of it is in {}; sil/studies/campaign/draw {} makes the pictures.\n",
+               report_markdown(report), (request.output / "report.json").string(), request.output.string());
 }
 
 void run(const CampaignRequest& request) {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "sil/files/atomic_file.hpp"
 #include "sil/apps/command_line.hpp"
+#include "sil/files/atomic_file.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/faults/endurance.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
@@ -109,9 +109,9 @@ void run_faults(const FaultsRequest& request) {
     if (!request.checked.empty()) {
         const std::string held = text_of(request.checked);
         if (held != document) {
-            throw std::runtime_error(
-                fmt::format("{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
-                            request.checked.string(), first_difference(held, document)));
+            throw std::runtime_error(fmt::format(
+                "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
+                request.checked.string(), first_difference(held, document)));
         }
     }
 }
@@ -159,8 +159,9 @@ void run_hours(const EnduranceRequest& request) {
         throw std::runtime_error(fmt::format("not as it must be: {}", fmt::join(found, "; ")));
     }
     if (!request.checked.empty() && text_of(request.checked).find(rows) == std::string::npos) {
-        throw std::runtime_error(fmt::format(
-            "{} does not hold these rows; sil/studies/faults/run --endurance renews it", request.checked.string()));
+        throw std::runtime_error(
+            fmt::format("{} does not hold these rows; sil/studies/faults/run --endurance renews it",
+                        request.checked.string()));
     }
 }
 

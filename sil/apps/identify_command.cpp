@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "sil/files/atomic_file.hpp"
 #include "sil/apps/command_line.hpp"
+#include "sil/files/atomic_file.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/identification/calibration_writer.hpp"

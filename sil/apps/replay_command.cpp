@@ -11,8 +11,8 @@
 #include <string>
 
 #include "sil/files/atomic_file.hpp"
-#include "sil/results/event_marks.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/results/event_marks.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/drives/drive_names.hpp"
 #include "sil/studies/drives/drive_replay.hpp"

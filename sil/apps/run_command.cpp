@@ -6,13 +6,13 @@
 #include <optional>
 #include <utility>
 
-#include "sil/results/event_marks.hpp"
-#include "sil/files/signal_csv.hpp"
-#include "sil/results/summary.hpp"
 #include "sil/apps/account.hpp"
 #include "sil/apps/firmware_csv.hpp"
 #include "sil/apps/run_timing.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/results/event_marks.hpp"
+#include "sil/results/signal_csv.hpp"
+#include "sil/results/summary.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 

@@ -12,7 +12,7 @@
 namespace sil {
 namespace {
 
-std::string number(double value) {
+std::string gnuplot_number(double value) {
     return std::isfinite(value) ? fmt::format("{:.9g}", value) : "NaN";
 }
 
@@ -20,9 +20,10 @@ std::string assignments(const char* name, const std::optional<EventMoment>& even
     if (!event) {
         return fmt::format("{0}_time_s = NaN\n{0}_ay_g = NaN\n{0}_roll_deg = NaN\n", name);
     }
-    return fmt::format("{0}_time_s = {1}\n{0}_ay_g = {2}\n{0}_roll_deg = {3}\n", name, number(event->time_s),
-                       number(event->lateral_acceleration_mps2 / g_mps2),
-                       number(event->roll_angle_rad * degrees_per_radian));
+    return fmt::format("{0}_time_s = {1}\n{0}_ay_g = {2}\n{0}_roll_deg = {3}\n", name,
+                       gnuplot_number(event->time_s),
+                       gnuplot_number(event->lateral_acceleration_mps2 / g_mps2),
+                       gnuplot_number(event->roll_angle_rad * degrees_per_radian));
 }
 
 // In gnuplot's single quotes only the quote itself is special.
@@ -39,7 +40,7 @@ std::string quoted(const std::string& text) {
 
 std::string event_marks(const RunEvents& events, double static_stability_factor, const std::string& title) {
     return fmt::format("title_text = {}\nend_time_s = {}\nssf = {}\n", quoted(title),
-                       number(events.end_time_s), number(static_stability_factor)) +
+                       gnuplot_number(events.end_time_s), gnuplot_number(static_stability_factor)) +
            assignments("warning", events.warning) + assignments("one_wheel_lift", events.one_wheel_lift) +
            assignments("two_wheel_lift", events.two_wheel_lift) +
            assignments("ssf_crossing", events.ssf_crossing);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "sil/files/ecu_output.hpp"
+#include "sil/results/ecu_output.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {

@@ -2,7 +2,7 @@
 width = 1150
 height = 1150
 load scripts."/picture_style.gp"
-load scripts."/../campaign/index_style.gp"
+load scripts."/../studies/campaign/index_style.gp"
 load "report.gp"
 
 share(name, wanted) = strcol("index") eq wanted ? 100 * column(name) : NaN

@@ -1,8 +1,8 @@
 #include "sil/studies/campaign/drawn_run.hpp"
 
+#include "sil/units.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
-#include "sil/units.hpp"
 #include "sil/world/vehicle/load.hpp"
 
 namespace sil {

@@ -2,7 +2,7 @@
 width = 1000
 height = 620
 load scripts."/picture_style.gp"
-load scripts."/../campaign/index_style.gp"
+load scripts."/../studies/campaign/index_style.gp"
 load "report.gp"
 
 lead_of(wanted) = strcol("index") eq wanted ? column("lead_time_s") : NaN

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "default_campaign.hpp"
-#include "sil/studies/campaign/settings.hpp"
 #include "sil/printable.hpp"
+#include "sil/studies/campaign/settings.hpp"
 
 namespace sil {
 namespace {

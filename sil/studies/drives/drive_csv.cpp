@@ -10,10 +10,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "sil/printable.hpp"
 #include "sil/studies/drives/csv_lines.hpp"
 #include "sil/studies/drives/drive_check.hpp"
 #include "sil/studies/drives/drive_header.hpp"
-#include "sil/printable.hpp"
 
 namespace sil {
 namespace {

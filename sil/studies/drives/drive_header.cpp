@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "sil/files/signal_csv.hpp"
 #include "sil/printable.hpp"
+#include "sil/results/signal_csv.hpp"
 
 namespace sil {
 namespace {

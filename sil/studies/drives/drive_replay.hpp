@@ -9,7 +9,7 @@
 
 #include "rsi/types.hpp"
 #include "sil/files/candump_log.hpp"
-#include "sil/files/ecu_output.hpp"
+#include "sil/results/ecu_output.hpp"
 #include "sil/results/events.hpp"
 #include "sil/studies/drives/drive.hpp"
 #include "sil/studies/drives/lift_off.hpp"

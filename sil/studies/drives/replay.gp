@@ -1,7 +1,7 @@
 # A replayed drive over time: four panels with one time axis, vertical lines at the events.
 width = 1100
 height = 1000
-load scripts."/analysis/picture_style.gp"
+load scripts."/results/picture_style.gp"
 load "events.gp"
 data = "indices.csv"
 

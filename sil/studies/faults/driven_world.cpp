@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "sil/studies/faults/mixed_driving.hpp"
+#include "sil/units.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/simulation/pace.hpp"
-#include "sil/units.hpp"
 
 namespace sil {
 namespace {

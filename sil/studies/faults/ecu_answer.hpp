@@ -8,7 +8,7 @@
 
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/interface/can_bus.hpp"
-#include "sil/files/ecu_output.hpp"
+#include "sil/results/ecu_output.hpp"
 
 namespace sil {
 

@@ -23,7 +23,8 @@ std::string endurance_row(const EnduranceSettings& settings, const EnduranceResu
 
 std::string endurance_document(const std::string& rows) {
     return "# Endurance: hours of driving with random faults\n\n"
-           "Written by `sil/studies/faults/run --endurance`; `tests/run faults` drives the first row again and fails "
+           "Written by `sil/studies/faults/run --endurance`; `tests/run faults` drives the first row again "
+           "and fails "
            "when a figure differs.\n\n"
            "A simulated large SUV goes straight, turns to both sides, changes lanes and weaves by chance, at "
            "30 to "

@@ -227,7 +227,8 @@ std::string fault_matrix_document(const FaultMatrix& matrix) {
     const InjectionCount count = count_injections(matrix);
     return fmt::format(
         "# Fault matrix\n\n"
-        "Written by `sil/studies/faults/run --document`; `tests/run faults` runs it again and fails when a figure "
+        "Written by `sil/studies/faults/run --document`; `tests/run faults` runs it again and fails when a "
+        "figure "
         "differs. Each fault is injected into each scene, in\nprocess and in simulated time (the large SUV, "
         "sensors with noise), and the ECU's frames are compared with those of the same drive without it.\n\n"
         "{}"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sil/studies/faults/chance.hpp"
-#include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
 namespace sil {
 namespace {

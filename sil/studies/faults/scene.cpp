@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
+#include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/simulation/pace.hpp"
-#include "sil/units.hpp"
 
 namespace sil {
 namespace {

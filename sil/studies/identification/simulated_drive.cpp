@@ -5,9 +5,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "sil/units.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
-#include "sil/units.hpp"
 
 namespace sil {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
+#include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/manoeuvres/roll_centre_comparison.hpp"
-#include "sil/units.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace {

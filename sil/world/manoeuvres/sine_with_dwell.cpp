@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/units.hpp"
 #include "sil/world/manoeuvres/manoeuvre.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
-#include "sil/units.hpp"
 
 namespace sil {
 namespace {

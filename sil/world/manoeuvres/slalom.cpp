@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sil/world/manoeuvres/manoeuvre.hpp"
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/manoeuvre.hpp"
 
 namespace sil {
 namespace {

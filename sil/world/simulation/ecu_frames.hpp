@@ -6,7 +6,7 @@
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/interface/can_bus.hpp"
-#include "sil/files/ecu_output.hpp"
+#include "sil/results/ecu_output.hpp"
 
 namespace sil {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "sil/world/sensors/sensor_options.hpp"
 #include "sil/units.hpp"
+#include "sil/world/sensors/sensor_options.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {

@@ -1,7 +1,7 @@
 // Parameter file: which keys there are and which values make sense.
 #include "sil/world/vehicle/parameter_file.hpp"
 
-#include "sil/files/parameter_reader.hpp"
+#include "sil/world/vehicle/parameter_reader.hpp"
 
 namespace sil {
 namespace {

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_compare.hpp"
 #include "sil/files/candump_log.hpp"
 #include "sil/files/frame_description.hpp"
 #include "sil/files/sensor_frame.hpp"
-#include "sil/files/calibration_file.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
@@ -68,10 +68,11 @@ void check(const Request& request) {
         sil::compare_logs(sil::read_candump_log(ecu_log(request)), answers(request), options);
     fmt::print("{}\n", comparison.report);
     if (!comparison.equal) {
-        throw std::runtime_error(fmt::format(
-            "the firmware no longer answers {} as {} says. If that is meant, run tests/application/regression/renew "
-            "and commit the logs with the reason.",
-            sensor_log(request), ecu_log(request)));
+        throw std::runtime_error(
+            fmt::format("the firmware no longer answers {} as {} says. If that is meant, run "
+                        "tests/application/regression/renew "
+                        "and commit the logs with the reason.",
+                        sensor_log(request), ecu_log(request)));
     }
 }
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "rsi/component.hpp"
-#include "tests/support/textbook_least_squares.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/random_manoeuvre.hpp"
+#include "tests/support/textbook_least_squares.hpp"
 
 namespace {
 

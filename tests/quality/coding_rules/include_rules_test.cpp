@@ -100,15 +100,15 @@ TEST_P(ForbiddenInCMake, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(
     IncludeRules, ForbiddenInCMake,
-    ::testing::Values(CMakeLine{"firmware/images/a/CMakeLists.txt", "set(sil ${PROJECT_SOURCE_DIR}/sil)"},
-                      CMakeLine{"firmware/images/a/CMakeLists.txt", "    ../../sil/apps/rsi_ecu.cpp)"},
-                      CMakeLine{"firmware/CMakeLists.txt", "add_subdirectory(../tests/rsi)"},
-                      CMakeLine{"firmware/rules.cmake", "    COMMAND ${PROJECT_SOURCE_DIR}/tests/run"},
-                      CMakeLine{"hal/CMakeLists.txt",
-                                "set(map \"${PROJECT_SOURCE_DIR}/tests/support/r5.ld\")"},
-                      CMakeLine{"hal/CMakeLists.txt", "include(${CMAKE_SOURCE_DIR}/firmware/list.cmake)"},
-                      CMakeLine{"can_dbc/CMakeLists.txt", "    DEPENDS sil/world/simulation/frames.cpp  # why"},
-                      CMakeLine{"sil/CMakeLists.txt", "include_directories(${PROJECT_SOURCE_DIR}/tests)"}));
+    ::testing::Values(
+        CMakeLine{"firmware/images/a/CMakeLists.txt", "set(sil ${PROJECT_SOURCE_DIR}/sil)"},
+        CMakeLine{"firmware/images/a/CMakeLists.txt", "    ../../sil/apps/rsi_ecu.cpp)"},
+        CMakeLine{"firmware/CMakeLists.txt", "add_subdirectory(../tests/rsi)"},
+        CMakeLine{"firmware/rules.cmake", "    COMMAND ${PROJECT_SOURCE_DIR}/tests/run"},
+        CMakeLine{"hal/CMakeLists.txt", "set(map \"${PROJECT_SOURCE_DIR}/tests/support/r5.ld\")"},
+        CMakeLine{"hal/CMakeLists.txt", "include(${CMAKE_SOURCE_DIR}/firmware/list.cmake)"},
+        CMakeLine{"can_dbc/CMakeLists.txt", "    DEPENDS sil/world/simulation/frames.cpp  # why"},
+        CMakeLine{"sil/CMakeLists.txt", "include_directories(${PROJECT_SOURCE_DIR}/tests)"}));
 
 class AllowedInCMake : public ::testing::TestWithParam<CMakeLine> {};
 

@@ -9,7 +9,8 @@ import subprocess
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 BUILD = PROJECT / "build/coverage"
 # What tests the firmware and the codec and needs nothing of sil/.
-PROGRAMS = {"unit_tests": "tests/rsi", "codec_test": "tests/can_dbc", "application_test": "tests/application"}
+PROGRAMS = {"rsi_tests": "tests/rsi", "monitoring_tests": "tests/monitoring", "application_test": "tests/application",
+            "codec_test": "tests/can_dbc"}
 TIME_LIMIT_S = 300
 
 

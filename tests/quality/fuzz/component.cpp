@@ -12,8 +12,8 @@
 #include "rsi/parameters.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
-#include "tests/support/large_suv.h"
 #include "tests/rsi/support/output_fields.hpp"
+#include "tests/support/large_suv.h"
 
 namespace {
 

@@ -15,10 +15,11 @@ import mutants
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = PROJECT / "build/mutation"
 SOURCE, BUILD = FOLDER / "source", FOLDER / "build"
-PROGRAMS = {"codec_test": "tests/can_dbc", "unit_tests": "tests/rsi", "application_test": "tests/application",
-            "replay_test": "tests/quality/mutation"}
+PROGRAMS = {"codec_test": "tests/can_dbc", "rsi_tests": "tests/rsi", "monitoring_tests": "tests/monitoring",
+            "application_test": "tests/application", "replay_test": "tests/quality/mutation"}
 # Which programs are asked about what: a test of the frames seldom sees in the algorithm what its own tests and a drive do not.
-SCOPE = {"firmware/rsi": {"unit_tests", "replay_test"}, "firmware/monitoring": {"unit_tests", "application_test", "replay_test"},
+SCOPE = {"firmware/rsi": {"rsi_tests", "monitoring_tests", "replay_test"},
+         "firmware/monitoring": {"rsi_tests", "monitoring_tests", "application_test", "replay_test"},
          "firmware/application": set(PROGRAMS), "can_dbc/e2e": set(PROGRAMS)}
 INCLUDES = ["-I", "{project}", "-I", "{project}/firmware", "-isystem", "/usr/include/eigen3"]
 HELPERS = "tests/quality/mutation/schemata.hpp"

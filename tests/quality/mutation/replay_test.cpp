@@ -1,6 +1,6 @@
 // The recorded drives of the regression through the mutated firmware: each frame must be what the firmware
-// without a mutant sends. Only for the mutated build: tests/application/regression compares the firmware with what is
-// committed.
+// without a mutant sends. Only for the mutated build: tests/application/regression compares the firmware with
+// what is committed.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -36,8 +36,8 @@ def tests_of(listing):
         if test["name"].endswith("_NOT_BUILT"):
             not_built.append(test["name"].removesuffix("_NOT_BUILT"))
         elif not properties.get("DISABLED"):
-            label = (properties.get("LABELS") or ["none"])[0]
-            tests[plain_name(test["name"])] = label.removesuffix(".once")
+            labels = properties.get("LABELS") or ["none"]
+            tests[plain_name(test["name"])] = next((label for label in labels if label in ON_REQUEST), labels[0])
     if not_built:
         raise EvidenceError(f"not built: {', '.join(not_built)}; build first: cmake/environment/build release")
     return tests
@@ -116,6 +116,6 @@ def collect(project, build):
     if not (build / "CTestTestfile.cmake").is_file():
         raise EvidenceError(f"{build} is not built; build first: cmake/environment/build release")
     tests = tests_of(output("/usr/bin/ctest", "--test-dir", str(build), "--show-only=json-v1"))
-    groups = set(re.findall(r"^  (\w+) +\S", output(project / "tests/run", "--help"), re.MULTILINE))
+    groups = {folder.parent.name for folder in (project / "tests").rglob("CMakeLists.txt")} | ON_REQUEST | {"sanitize", "vcan"}
     signals, codes = signals_and_codes(project / "can_dbc/rollover_warning.dbc")
     return Evidence(project, tests, groups, signals, codes, sources_of(project))

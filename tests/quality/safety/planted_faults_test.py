@@ -37,7 +37,7 @@ theme = "Hearing"
 text = "hear"
 goals = ["SG-1"]
 code = ["ear.cpp"]
-tests = ["Ear.Hears*", "tests/run unit"]
+tests = ["Ear.Hears*", "tests/run rsi"]
 limit = "only loud sounds"
 
 [[requirement]]
@@ -144,7 +144,7 @@ class PlantedFaults(unittest.TestCase):
         self.assertIn("2 safety requirements: 0 verified, 1 verified within a stated limit, 1 open", page)
 
     def test_a_requirement_without_a_test(self):
-        self.plant_requirement('tests = ["Ear.Hears*", "tests/run unit"]\n', "")
+        self.plant_requirement('tests = ["Ear.Hears*", "tests/run rsi"]\n', "")
         self.expect("SR-1 has no test")
 
     def test_an_unknown_test(self):
@@ -161,11 +161,11 @@ class PlantedFaults(unittest.TestCase):
         self.expect("Ear.Hears*")
 
     def test_an_unknown_group(self):
-        self.plant_requirement("tests/run unit", "tests/run nowhere")
+        self.plant_requirement("tests/run rsi", "tests/run nowhere")
         self.expect("SR-1", "tests/run nowhere")
 
     def test_an_unknown_command(self):
-        self.plant_requirement("tests/run unit", "tests/walk")
+        self.plant_requirement("tests/run rsi", "tests/walk")
         self.expect("SR-1", "tests/walk")
 
     def test_a_requirement_without_code(self):

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
 #include "tests/sil/acceptance/roll_centre_accuracy.hpp"
 
 namespace {

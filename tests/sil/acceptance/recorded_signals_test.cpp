@@ -10,8 +10,8 @@
 #include "hal/memory/frame_replay.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "rsi/component.hpp"
-#include "sil/files/candump_log.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/candump_log.hpp"
 
 namespace rsi_test {
 namespace recorded_signals_test {
@@ -72,8 +72,8 @@ class RecordedSignals : public testing::TestWithParam<const char*> {};
 TEST_P(RecordedSignals, GiveTheEstimatesOfTheDoublePrecisionReference) {
     const std::string source{RSI_SOURCE_DIR};
     std::vector<hal::CanFrame> frames;
-    for (const sil::LoggedFrame& logged :
-         sil::read_candump_log(source + "/tests/application/regression/logs/" + GetParam() + ".sensors.log")) {
+    for (const sil::LoggedFrame& logged : sil::read_candump_log(
+             source + "/tests/application/regression/logs/" + GetParam() + ".sensors.log")) {
         frames.push_back(logged.frame);
     }
     const rsi::Parameters parameters =

@@ -16,8 +16,8 @@ using testing_campaign::HandMadeRun;
 using testing_campaign::recorded;
 
 int draw(const std::filesystem::path& folder) {
-    const std::string command = testing_campaign::project_file("sil/studies/campaign/draw") + " '" + folder.string() +
-                                "' > '" + (folder / "messages").string() + "' 2>&1";
+    const std::string command = testing_campaign::project_file("sil/studies/campaign/draw") + " '" +
+                                folder.string() + "' > '" + (folder / "messages").string() + "' 2>&1";
     return std::system(command.c_str());
 }
 

@@ -29,7 +29,8 @@ void expect_refused(const std::string& text, const std::string& why) {
 
 TEST(CampaignSettings, TheBuiltInOnesAreThoseOfTheFile) {
     EXPECT_EQ(sil::to_toml(sil::default_campaign()),
-              sil::to_toml(sil::load_campaign(testing_campaign::project_file("sil/studies/campaign/default.toml"))));
+              sil::to_toml(
+                  sil::load_campaign(testing_campaign::project_file("sil/studies/campaign/default.toml"))));
 }
 
 TEST(CampaignSettings, TheBuiltInSpreadIsWhatWasAskedFor) {

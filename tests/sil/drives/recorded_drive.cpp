@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "sil/files/candump_log.hpp"
-#include "sil/files/signal_csv.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/candump_log.hpp"
+#include "sil/results/signal_csv.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/simulation/closed_loop.hpp"
 #include "sil/world/simulation/in_process_pace.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rsi/types.hpp"
-#include "sil/files/ecu_output.hpp"
+#include "sil/results/ecu_output.hpp"
 #include "sil/results/events.hpp"
 #include "sil/world/manoeuvres/manoeuvre.hpp"
 

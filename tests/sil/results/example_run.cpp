@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sil/results/event_marks.hpp"
-#include "sil/files/signal_csv.hpp"
+#include "sil/results/signal_csv.hpp"
 #include "sil/world/sensors/sensor_options.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
 

@@ -1,7 +1,7 @@
 #include "tests/sil/simulation/recorded_run.hpp"
 
-#include "sil/files/sensor_frame.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/sensor_frame.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"

@@ -8,10 +8,10 @@
 
 #include "rsi/estimation/robust_least_squares.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
-#include "tests/targets/budgets/counted_float.hpp"
 #include "tests/rsi/support/estimation_chain.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/random_manoeuvre.hpp"
+#include "tests/targets/budgets/counted_float.hpp"
 
 namespace {
 

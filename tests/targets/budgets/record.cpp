@@ -15,17 +15,17 @@
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "rsi/component.hpp"
+#include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_log.hpp"
 #include "sil/files/sensor_frame.hpp"
-#include "sil/files/calibration_file.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
+#include "tests/rsi/support/estimation_chain.hpp"
 #include "tests/targets/budgets/dear_drive.hpp"
 #include "tests/targets/budgets/output_digest.hpp"
 #include "tests/targets/budgets/recording.hpp"
-#include "tests/rsi/support/estimation_chain.hpp"
 
 namespace {
 

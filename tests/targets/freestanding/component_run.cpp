@@ -3,8 +3,8 @@
 // That it links with -nostdlib proves that the component needs no allocator, no mathematical library, no
 // exceptions and no output; the exit code says whether it works.
 #include "rsi/rsi.h"
-#include "tests/targets/freestanding/start.hpp"
 #include "tests/support/large_suv.h"
+#include "tests/targets/freestanding/start.hpp"
 
 namespace {
 

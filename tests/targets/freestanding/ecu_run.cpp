@@ -6,8 +6,8 @@
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
-#include "tests/targets/freestanding/start.hpp"
 #include "tests/support/large_suv.h"
+#include "tests/targets/freestanding/start.hpp"
 
 namespace {
 

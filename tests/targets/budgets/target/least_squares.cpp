@@ -2,9 +2,9 @@
 // emulator.
 //   least_squares RECORDING
 #include "rsi/estimation/robust_least_squares.hpp"
+#include "tests/support/textbook_least_squares.hpp"
 #include "tests/targets/budgets/recording.hpp"
 #include "tests/targets/budgets/target/recording_reader.hpp"
-#include "tests/support/textbook_least_squares.hpp"
 
 namespace {
 

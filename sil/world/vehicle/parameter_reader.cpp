@@ -1,5 +1,5 @@
 // Parameter reader: every failure names file, line and key, and says what to do.
-#include "sil/files/parameter_reader.hpp"
+#include "sil/world/vehicle/parameter_reader.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Signal CSV: header, units, round trip of every number, and fields that are not available.
-#include "sil/files/signal_csv.hpp"
+#include "sil/results/signal_csv.hpp"
 
 #include <gtest/gtest.h>
 

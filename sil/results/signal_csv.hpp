@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sil/files/ecu_output.hpp"
+#include "sil/results/ecu_output.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
 #include "sil/world/vehicle/truth.hpp"
 

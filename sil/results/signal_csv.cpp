@@ -1,5 +1,5 @@
 // SignalCsvWriter: the table of columns and their formatting.
-#include "sil/files/signal_csv.hpp"
+#include "sil/results/signal_csv.hpp"
 #include "sil/units.hpp"
 
 #include <fmt/format.h>
