@@ -90,17 +90,13 @@ Validation Component::init(const Parameters& parameters) {
         step_unavailable(outputs);
         return;
     }
-    bool fresh = false;
     if (!running_) {
         resume(measured);
-        fresh = true;
     }
     fixed_.evaluate(model_, measured);
-    if (estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps,
-                          measured.odd_sample || fresh)) {
-        measurement_.assume_movement(estimator_.estimate().vertical_movement_m);
-    }
-    const RollCentreEstimate& estimate = estimator_.estimate();
+    const RollCentreEstimate estimate =
+        estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps);
+    measurement_.assume_movement(estimator_.movement_for_observer_m());
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
@@ -115,13 +111,12 @@ Validation Component::init(const Parameters& parameters) {
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    // To the next sample at once: kept until the end, what this needs would crowd the registers.
+    further_.update(inputs, measured, outputs);
+    warn(measured, outputs);
+
+    extended_rsi_ = outputs.rsi_extended;
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_);
-
-    further_.update(inputs, measured, fresh, outputs);
-    warn(measured, outputs);
-    extended_rsi_ = outputs.rsi_extended;
 }
 
 // An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.

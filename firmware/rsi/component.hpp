@@ -20,8 +20,7 @@ class Component {
     // every step says "unavailable" until an init succeeds.
     [[gnu::cold]] Validation init(const Parameters& parameters);
 
-    // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable". What
-    // moves slowly is computed in every second sample and held in between: rsi_outputs says which.
+    // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
     void step(const Inputs& inputs, Outputs& outputs);
 
  private:

@@ -107,16 +107,6 @@ void expect_classic_indices(const rsi_parameters& p, const rsi_inputs& in, const
     EXPECT_NEAR(wide(out.time_to_rollover_s), std::min(time, 10.0), 1e-4 + 2e-3 * std::min(time, 10.0));
 }
 
-// Those of the sample before.
-void expect_held_indices(const rsi_outputs& out, const rsi_outputs& before) {
-    EXPECT_EQ(out.static_stability_level, before.static_stability_level);
-    EXPECT_EQ(out.dynamic_stability_index, before.dynamic_stability_index);
-    EXPECT_EQ(out.dynamic_stability_index_late, before.dynamic_stability_index_late);
-    EXPECT_EQ(out.energy_margin, before.energy_margin);
-    EXPECT_EQ(out.rollover_index, before.rollover_index);
-    EXPECT_EQ(out.time_to_rollover_s, before.time_to_rollover_s);
-}
-
 TEST(FurtherIndicators, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.prediction_horizon_s = 0.11F;
@@ -128,29 +118,17 @@ TEST(FurtherIndicators, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
     rsi_test::ReferenceMomentArmError moment_arm_error;
     int ahead = 0;
     int with_demand = 0;
-    rsi_outputs before{};
-    rsi_test::ReferenceForce demanded;  // of the last sample in which it was due
     for (int k = 0; k < 20000 && !HasFailure(); ++k) {
         const rsi_inputs inputs = drive.next();
         rsi_outputs out;
         component.step(inputs, out);
         motion.next(inputs, out);
         expect_state_indices(parameters, out, motion);
-        if (k % 2 == 0) {
-            expect_classic_indices(parameters, inputs, out, motion);
-        } else {
-            expect_held_indices(out, before);
-        }
-        before = out;
+        expect_classic_indices(parameters, inputs, out, motion);
         vehicle.e = moment_arm_error.next(vehicle, motion.A.value(), motion.N.value(), motion.phi.value(),
                                           motion.p.value(), motion.roll_acceleration,
                                           wide(parameters.excitation_threshold_mps2));
-        rsi_test::ReferenceForce force = force_ahead(parameters, inputs, out, motion);
-        if ((k % 2 == 0) && (k > 0)) {
-            demanded = force;
-        }
-        force.bounded = demanded.bounded;
-        force.demand = demanded.demand;
+        const rsi_test::ReferenceForce force = force_ahead(parameters, inputs, out, motion);
         const double L =
             rsi_test::predicted_load_transfer(vehicle, force, motion.N.value(), motion.phi.value(),
                                               motion.p.value(), wide(parameters.prediction_horizon_s), 5);
@@ -282,28 +260,6 @@ TEST(FurtherIndicators, InASteadyTurnTheExtendedIndicatorAndTheLoadTransferReach
     EXPECT_NEAR(wide(out.predicted_rsi), 1.0, 1e-3);
 }
 
-// An index that drives the warning is never held.
-TEST(FurtherIndicators, AClassicIndexThatDrivesTheWarningIsNewInEverySample) {
-    for (const rsi_indicator indicator :
-         {RSI_INDICATOR_STATIC_STABILITY_FACTOR, RSI_INDICATOR_DYNAMIC_STABILITY,
-          RSI_INDICATOR_DYNAMIC_STABILITY_LATE, RSI_INDICATOR_ENERGY, RSI_INDICATOR_ROLLOVER_INDEX,
-          RSI_INDICATOR_TIME_TO_ROLLOVER}) {
-        rsi_parameters parameters = rsi_test::large_suv();
-        parameters.warning_indicator = indicator;
-        rsi::Component component;
-        ASSERT_EQ(component.init(parameters).accepted, 1);
-        rsi_test::RandomManoeuvre drive(parameters, 29U, false);
-        ReferenceMotion motion{wide(parameters.prediction_filter_lag_s)};
-        for (int k = 0; k < 200; ++k) {
-            const rsi_inputs inputs = drive.next();
-            rsi_outputs out;
-            component.step(inputs, out);
-            motion.next(inputs, out);
-            expect_classic_indices(parameters, inputs, out, motion);
-        }
-    }
-}
-
 TEST(FurtherIndicators, AGapIsNoMovement) {
     rsi_parameters parameters = rsi_test::large_suv();
     rsi::Component component;
@@ -333,7 +289,6 @@ TEST(FurtherIndicators, AGapForgetsWhatTheSteeringAskedFor) {
         measured.lateral_acceleration_mps2 = measured.road_parallel_force_mps2;  // a level road
         measured.roll_angle_rad = 0.05F;
         measured.roll_rate_radps = 0.3F;
-        measured.odd_sample = (sample % 2 != 0);
         return measured;
     };
     rsi_inputs straight = rsi_test::at_rest();
@@ -343,7 +298,7 @@ TEST(FurtherIndicators, AGapForgetsWhatTheSteeringAskedFor) {
     driven.reset(measured_at(0));
     rsi_outputs of_driven{};
     for (int sample = 0; sample < 50; ++sample) {
-        driven.update(straight, measured_at(sample), sample == 0, of_driven);
+        driven.update(straight, measured_at(sample), of_driven);
     }
     rsi::FurtherIndicators fresh;
     fresh.init(parameters);
@@ -351,8 +306,8 @@ TEST(FurtherIndicators, AGapForgetsWhatTheSteeringAskedFor) {
     driven.reset(measured_at(1));
     fresh.reset(measured_at(1));
     for (int sample = 1; sample < 3; ++sample) {
-        driven.update(straight, measured_at(sample), sample == 1, of_driven);
-        fresh.update(straight, measured_at(sample), sample == 1, of_fresh);
+        driven.update(straight, measured_at(sample), of_driven);
+        fresh.update(straight, measured_at(sample), of_fresh);
         EXPECT_EQ(of_driven.predicted_load_transfer_ratio, of_fresh.predicted_load_transfer_ratio) << sample;
         EXPECT_EQ(of_driven.predicted_rsi, of_fresh.predicted_rsi) << sample;
     }

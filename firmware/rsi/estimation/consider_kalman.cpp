@@ -15,10 +15,10 @@ constexpr float offset_prior_mps2 = 0.03F * gravity_mps2;
 constexpr float offset_drift_mps2_per_root_s = 0.0005F * gravity_mps2;
 // The noise of neighbouring samples is alike, because F makes it so; both numbers are larger for that.
 constexpr float noise_nm = 400.0F;
-constexpr float correlation = 1.5F;
+constexpr float correlation = 3.0F;
 // The variance holds what neighbouring samples share, so one sample's innovation is far smaller as a rule.
-// Beyond 0.7 standard deviations it loses weight with the square of its size: a kerb, a pothole.
-constexpr float outlier_variances = 0.5F;
+// Beyond half a standard deviation it loses weight with the square of its size: a kerb, a pothole.
+constexpr float outlier_variances = 0.25F;
 // d is learnt below this share of the excitation threshold.
 constexpr float straight_share = 0.5F;
 // d is known once its deviation is below this share of its prior.
@@ -40,7 +40,7 @@ constexpr float straight_roll_rate_radps = 0.01F;
 void ConsiderKalman::init(const Parameters& parameters) {
     equation_.init(parameters);
     prior_variance_m2_ = square(parameters.roll_centre_prior_deviation_m);
-    reversion_ = 1.0F - decaying_exponential(slow_sample_time_s / parameters.roll_centre_reversion_s);
+    reversion_ = 1.0F - decaying_exponential(sample_time_s / parameters.roll_centre_reversion_s);
     limit_m_ = parameters.roll_centre_limit_m;
     excitation_threshold_n_ = parameters.sprung_mass_kg * parameters.excitation_threshold_mps2;
     freeze_level_ = parameters.freeze_level;
@@ -50,7 +50,7 @@ void ConsiderKalman::init(const Parameters& parameters) {
     const float nm_per_mps2 =
         parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
     offset_prior_nm2_ = square(offset_prior_mps2 * nm_per_mps2);
-    offset_drift_nm2_ = square(offset_drift_mps2_per_root_s * nm_per_mps2) * slow_sample_time_s;
+    offset_drift_nm2_ = square(offset_drift_mps2_per_root_s * nm_per_mps2) * sample_time_s;
     reset();
 }
 
@@ -101,7 +101,7 @@ RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float ext
 }
 
 void ConsiderKalman::pass_time(const RollEquation& equation, bool excited, bool held) {
-    const float rolled = absolute(equation.roll_rate_radps) * (slow_sample_time_s / memory_angle_rad);
+    const float rolled = absolute(equation.roll_rate_radps) * (sample_time_s / memory_angle_rad);
     const float forgotten = (excited ? steady_reversion_ : reversion_) + rolled;
     const float retention = 1.0F - smaller(forgotten, 0.5F);
     variance_m2_ = prior_variance_m2_ + square(retention) * (variance_m2_ - prior_variance_m2_);
@@ -124,7 +124,7 @@ bool ConsiderKalman::changes_speed(float speed_mps) {
         speed_known_ = true;
     }
     const float behind_mps = lagged_speed_mps_ - speed_mps;
-    lagged_speed_mps_ -= behind_mps * (slow_sample_time_s / speed_lag_s);
+    lagged_speed_mps_ -= behind_mps * (sample_time_s / speed_lag_s);
     return absolute(behind_mps) > largest_speed_change_mps2 * speed_lag_s;
 }
 

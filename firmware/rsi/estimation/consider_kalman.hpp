@@ -24,10 +24,11 @@ class ConsiderKalman {
         speed_known_ = false;
     }
 
-    // Every second sample, slow_sample_time_s apart. `extended_rsi` is that of the cycle before. Near wheel
-    // lift, in hard braking and while speed is gathered fast dh is held; a number that is not available holds
-    // nothing.
+    // One sample. `extended_rsi` is that of the cycle before. Near wheel lift and while the speed changes fast
+    // dh is held; a number that is not available holds nothing.
     RollCentreEstimate update(const Measurement& measured, float extended_rsi, float speed_mps);
+
+    float movement_m() const { return movement_m_; }  // dh
 
  private:
     // z against what was expected, and its covariances with what is unknown.

@@ -19,14 +19,11 @@ class FurtherIndicators {
     void reset(const Measurement& measured) {
         filter_.reset(measured);
         moment_arm_error_.reset();
-        demand_ = DemandedForce{};
         load_transfer_ratio_ = 1.0F;
     }
 
-    // Writes rsi_extended, load_transfer_ratio and all that follows in rsi_outputs; every one is finite. What
-    // the steering asks for and the classic indices are those of the last odd sample, unless one of the
-    // latter drives the warning. `fresh`: the first sample after a reset.
-    void update(const Inputs& inputs, const Measurement& measured, bool fresh, Outputs& outputs);
+    // Writes rsi_extended, load_transfer_ratio and all that follows in rsi_outputs; every one is finite.
+    void update(const Inputs& inputs, const Measurement& measured, Outputs& outputs);
 
  private:
     RollMotionFilter filter_{};
@@ -38,9 +35,6 @@ class FurtherIndicators {
     float load_transfer_ratio_{
         1.0F};  // of the cycle before; 1, at which nothing is learnt, where there is none
     ClassicIndices classic_{};
-    bool classic_in_every_sample_{false};
-    DemandedForce demand_{};  // of the last odd sample, as the next
-    ClassicIndexValues classic_values_{};
 };
 
 }  // namespace rsi

@@ -10,14 +10,14 @@ namespace {
 constexpr float prior_deviation = 0.06F;
 constexpr float largest_error = 0.35F;
 // e returns to zero in 2 s, so that a load that has left is forgotten.
-constexpr float error_reversion = 0.6F * slow_sample_time_s;
+constexpr float error_reversion = 0.6F * sample_time_s;
 // Noise of one sample, as a share of m_s g H, and what the calibration's other terms may be wrong by.
 constexpr float sample_noise_share = 0.06F;
 constexpr float stiffness_share = 0.07F;
 constexpr float damping_share = 0.25F;
 constexpr float inertia_share = 0.3F;
 // Neighbouring samples are alike, because all signals are lagged.
-constexpr float noise_correlation = 1.5F;
+constexpr float noise_correlation = 3.0F;
 
 }  // namespace
 

@@ -18,13 +18,11 @@ class MomentArmError {
     [[gnu::cold]] void init(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void reset();
 
-    // Every second sample, slow_sample_time_s apart; `suspension_moment_nm` is M(phi) + c_f phi' of the same
-    // motion, `load_transfer_ratio` that of the sample before. Learns only from a `measured_angle`: the
-    // observer's comes from the calibrated equation itself. Returns e, -0.35 to 0.35.
+    // One sample; `suspension_moment_nm` is M(phi) + c_f phi' and `load_transfer_ratio` the load transfer of
+    // the same motion. Learns only from a `measured_angle`: the observer's comes from the calibrated equation
+    // itself. Returns e, -0.35 to 0.35.
     float update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio,
                  bool measured_angle);
-
-    float value() const { return error_; }
 
  private:
     float moment_arm_kgm_{1.0F};   // m_s H

@@ -107,7 +107,7 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
     bool roll_known = false;
     if (yaw_known && within(inputs.speed_mps, largest_speed_mps)) {
         roll_known = observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
-                                      inputs.speed_mps, measurement.odd_sample);
+                                      inputs.speed_mps);
     } else {
         observer_.reset();
     }
@@ -123,7 +123,7 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
     }
     if (!sensor_available || !roll_known) {
         check_.reset();
-    } else if (measurement.odd_sample && !observer_.tipped()) {
+    } else if (!observer_.tipped()) {
         check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
     } else {
         // The observer's model ends where the vehicle tips: the check keeps what it has.
@@ -136,8 +136,6 @@ bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
         reset();
         return false;
     }
-    odd_sample_ = !odd_sample_;
-    measurement.odd_sample = odd_sample_;
     const bool yaw_known = within(inputs.yaw_rate_radps, largest_rate_radps);
     const BodyForces at_cg = carry_to_cg(inputs, yaw_known);
     observe(inputs, yaw_known, at_cg, measurement);

@@ -27,7 +27,6 @@ struct Measurement {
     float versine_roll_angle{0.0F};  // 1 - cos phi_m
     float tan_bank_angle{0.0F};      // of b, 0 where it is not known
     rsi_roll_source roll_source{RSI_ROLL_NONE};
-    bool odd_sample{false};  // true, false, true, ...: what is due in every second sample takes turns by it
     RollObservation observed{};
 };
 
@@ -61,7 +60,6 @@ class MeasurementStage {
     FilteredDerivative yaw_acceleration_{};
     RollBankObserver observer_{};
     RollSensorCheck check_{};
-    bool odd_sample_{false};
 };
 
 }  // namespace rsi

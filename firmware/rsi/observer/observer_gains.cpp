@@ -81,10 +81,6 @@ ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise
         gains.bank = p.P23 / rate_variance;
         gains.offset = p.P24 / rate_variance;
         gains.roll_growth_rad2 = p.P12 * p.P12 / rate_variance;
-        P = q;
-        if ((k % 2) == 0) {
-            continue;
-        }
         const float by_turn[4] = {gravity_mps2 * (q.P11 + q.P13), gravity_mps2 * (q.P12 + q.P23),
                                   gravity_mps2 * (q.P13 + q.P33), gravity_mps2 * (q.P14 + q.P34)};
         const float turn_variance = gravity_mps2 * (by_turn[0] + by_turn[2]) + noise.turn_mps2_2;

@@ -24,11 +24,11 @@ struct ObserverGains {
     float offset{0.0F};
     float roll_growth_rad2{0.0F};  // of P11 in one step
 
-    // Turn, in every second step: covariances with g (phi + b); to the bank's belongs g P33.
+    // Turn: covariances with g (phi + b); to the bank's belongs g P33.
     float turn_roll{0.0F};
     float turn_bank{0.0F};
     float turn_offset{0.0F};
-    float bank_growth_rad2{0.0F};  // of P33 in two steps
+    float bank_growth_rad2{0.0F};  // of P33 in one step
 };
 
 // Variances of the noise in one step, and of the measurements.
@@ -42,8 +42,7 @@ struct ObserverNoise {
     float turn_mps2_2;
 };
 
-// Iterates the filter's covariance from its start for a bounded number of steps (20 s of driving straight),
-// the turn in every second one.
+// Iterates the filter's covariance from its start for a bounded number of steps (20 s of driving straight).
 [[gnu::cold]] ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise& noise);
 
 }  // namespace rsi

@@ -21,8 +21,8 @@ constexpr float smallest_speed_mps = 5.0F;
 constexpr float yaw_acceleration_lag_s = 0.1F;
 
 // v_y' is no white noise: it lasts for many samples, so it counts as more than it is.
-constexpr float turn_deviation_mps2 = 4.25F;
-constexpr float turn_deviation_per_yaw_acceleration_m = 5.0F;
+constexpr float turn_deviation_mps2 = 6.0F;
+constexpr float turn_deviation_per_yaw_acceleration_m = 7.0F;
 // A larger one comes from a vehicle that slides, not from a road that has suddenly tilted.
 constexpr float plausible_innovation_mps2 = 2.0F;
 
@@ -68,7 +68,7 @@ void RollBankObserver::init(const Parameters& parameters) {
     force_to_acceleration_ = movement_to_acceleration_ * H;
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia;
     tipping_force_mps2_ = 0.5F * gravity_mps2 * parameters.track_width_m / parameters.sprung_cg_height_m;
-    yaw_acceleration_.init(yaw_acceleration_lag_s, slow_sample_time_s);
+    yaw_acceleration_.init(yaw_acceleration_lag_s);
     const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
     const float c = damping_over_inertia_ + 0.5F * T * k;
     const float step = T / (1.0F + 0.5F * T * c);
@@ -84,22 +84,18 @@ void RollBankObserver::assume_movement(float vertical_movement_m) {
 }
 
 bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps,
-                              float speed_mps, bool turn_is_due) {
+                              float speed_mps) {
     if (!running_) {
         start(lateral_force_mps2, roll_rate_radps);
         return false;
     }
     predict(lateral_force_mps2);
     correct_by_roll_rate(roll_rate_radps);
-    if (!turn_is_due) {
-        renew_roll_gain();
-    } else {
-        const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
-        // P33 tends to that of the steady filter from above.
-        P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
-        if ((tipped_ == 0U) && (speed_mps > smallest_speed_mps)) {
-            correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
-        }
+    const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
+    // P33 tends to that of the steady filter from above.
+    P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
+    if ((tipped_ == 0U) && (speed_mps > smallest_speed_mps)) {
+        correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
     }
     keep_in_bounds();
     return roll_known();
@@ -115,7 +111,6 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     offset_ = 0.0F;
     stiffness_step_ = 0.0F;
     P11_ = initial_roll_variance_rad2;
-    roll_gain_ = 0.0F;
     P33_ = initial_bank_variance_rad2;
     yaw_acceleration_.reset();
     tipped_ = 0U;
@@ -159,20 +154,14 @@ void RollBankObserver::predict(float lateral_force_mps2) {
 // p = w
 void RollBankObserver::correct_by_roll_rate(float roll_rate_radps) {
     const float innovation = roll_rate_radps - rate_;
-    phi_ += roll_gain_ * innovation;
+    const float s = stiffness_step_;
+    const float covariance = gains_.roll_rate_covariance - s * P11_;
+    const float roll_gain = covariance / (gains_.rate_variance + s * s * P11_);
+    phi_ += roll_gain * innovation;
     rate_ += gains_.rate * innovation;
     bank_ += gains_.bank * innovation;
     offset_ += gains_.offset * innovation;
-}
-
-// For two samples at once: the first takes the share -s gain off the variance, the second that of what is
-// left.
-void RollBankObserver::renew_roll_gain() {
-    const float s = stiffness_step_;
-    const float s_P11 = s * P11_;
-    const float covariance = gains_.roll_rate_covariance - s_P11;
-    roll_gain_ = covariance / (gains_.rate_variance + s * s_P11);
-    P11_ += 2.0F * gains_.roll_growth_rad2 - (2.0F + s * roll_gain_) * (roll_gain_ * covariance);
+    P11_ += gains_.roll_growth_rad2 - roll_gain * covariance;
     P11_ = larger(P11_, smallest_roll_variance_rad2);
 }
 

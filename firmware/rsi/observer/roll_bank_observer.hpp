@@ -29,13 +29,11 @@ class RollBankObserver {
     void reset() { running_ = false; }
 
     // One sample. All values finite; `lateral_force_mps2` is f_yb, the specific force at the sprung CG along
-    // the body's y axis. A state that is not finite starts anew at the next sample. `turn_is_due` in every
-    // second sample: the turn is compared there. Returns roll_known().
-    bool update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps,
-                bool turn_is_due);
+    // the body's y axis. A state that is not finite starts anew at the next sample. Returns roll_known().
+    bool update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps);
 
     // dh from now on, 0 where no sound estimate is. Only its first 0.05 m count: dh has been learnt from the
-    // roll sensor, and a sensor that lies must not teach the observer to lie with it.
+    // roll sensor, and an implausible sensor must not move the observer with it.
     void assume_movement(float vertical_movement_m);
 
     // Whether the angle's standard deviation is small enough to be relied on. False after a start for as long
@@ -60,7 +58,6 @@ class RollBankObserver {
     void predict(float lateral_force_mps2);
     std::uint32_t tipped_for(float lateral_force_mps2, float roll_acceleration_radps2) const;
     void correct_by_roll_rate(float roll_rate_radps);
-    void renew_roll_gain();
     void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
     void keep_in_bounds();
 
@@ -81,7 +78,6 @@ class RollBankObserver {
     float offset_{0.0F};
     float stiffness_step_{0.0F};  // s: what an error of phi makes of the rate in one step
     float P11_{0.0F};             // variance of phi
-    float roll_gain_{0.0F};       // of phi, for what the gyro says
     float P33_{0.0F};             // variance of the bank
 };
 
