@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "rsi/indicator/indicator_level.hpp"
+#include "rsi/warning/indicator_level.hpp"
 #include "rsi/parameters.hpp"
 #include "sil/analysis/indices.hpp"
 

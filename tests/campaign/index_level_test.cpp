@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rsi/indicator/indicator_level.hpp"
+#include "rsi/warning/indicator_level.hpp"
 #include "sil/calibration/calibration_file.hpp"
 #include "sil/campaign/drawn_run.hpp"
 #include "sil/manoeuvres/catalogue.hpp"

@@ -1,12 +1,12 @@
 // The observer of roll angle and bank, against vehicles that obey its equations exactly.
-#include "rsi/observer/roll_bank_observer.hpp"
+#include "rsi/measurement/roll_bank_observer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "rsi/observer/roll_sensor_check.hpp"
+#include "rsi/measurement/roll_sensor_check.hpp"
 #include "rsi/parameters.hpp"
 #include "tests/unit/support/nominal.hpp"
 #include "tests/unit/support/recorded_like_signals.hpp"

@@ -62,12 +62,17 @@ RoadForces assume_no_heave(float lateral, float sine, float cosine, const Bank& 
 }  // namespace
 
 void MeasurementStage::init(const Parameters& parameters) {
+    observer_.init(parameters);
+    init_again(parameters);
+}
+
+void MeasurementStage::init_again(const Parameters& parameters) {
     imu_x_m_ = parameters.imu_x_m;
     imu_y_m_ = parameters.imu_y_m;
     imu_z_m_ = parameters.imu_z_m;
     roll_acceleration_.init(parameters.angular_acceleration_lag_s);
     yaw_acceleration_.init(parameters.angular_acceleration_lag_s);
-    observer_.init(parameters);
+    observer_.init_again(parameters);
     check_.init(parameters);
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "rsi/numeric/filtered_derivative.hpp"
-#include "rsi/observer/roll_bank_observer.hpp"
-#include "rsi/observer/roll_sensor_check.hpp"
+#include "rsi/measurement/roll_bank_observer.hpp"
+#include "rsi/measurement/roll_sensor_check.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -39,6 +39,10 @@ struct BodyForces {
 class MeasurementStage {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // As init, but keeps the observer's settled gains.
+    [[gnu::cold]] void init_again(const Parameters& parameters);
+
     void reset();
 
     // True and a measurement when lateral force and roll rate are available and in range, and the roll angle

@@ -77,12 +77,11 @@ class ReferenceMomentArmError {
  public:
     double next(const ReferenceVehicle& v, double A, double N, double x, double y, double roll_acceleration,
                 double excitation_mps2) {
-        const double lifted = lifted_;
-        lifted_ = std::fabs(v.load_transfer(A, N, x, y));
         e_ *= 1.0 - 0.006;
         P_ += 0.012 * (0.0036 - P_);
         const double arm = v.m_s * (v.h - v.h_rc) * (A + N * std::tan(x));
-        if (std::fabs(arm) > v.m_s * (v.h - v.h_rc) * excitation_mps2 && lifted < 1.0) {
+        if (std::fabs(arm) > v.m_s * (v.h - v.h_rc) * excitation_mps2 &&
+            std::fabs(v.load_transfer(A, N, x, y)) < 1.0) {
             const double inertia = v.Ixx * roll_acceleration;
             const double noise = std::pow(0.06 * gravity_mps2 * v.m_s * (v.h - v.h_rc), 2) +
                                  std::pow(0.07 * v.K * x, 2) + std::pow(0.25 * v.c * y, 2) +
@@ -99,7 +98,6 @@ class ReferenceMomentArmError {
  private:
     double e_{0.0};
     double P_{0.0036};
-    double lifted_{1.0};
 };
 
 // How A goes on from an instant: towards A + A' tau_j, bounded where the steering's demand is known.

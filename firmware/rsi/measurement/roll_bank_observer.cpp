@@ -1,4 +1,4 @@
-#include "rsi/observer/roll_bank_observer.hpp"
+#include "rsi/measurement/roll_bank_observer.hpp"
 #include "rsi/numeric/square.hpp"
 
 namespace rsi {
@@ -61,6 +61,14 @@ float short_secant(float z) {
 }  // namespace
 
 void RollBankObserver::init(const Parameters& parameters) {
+    init_again(parameters);
+    const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
+    const float c = damping_over_inertia_ + 0.5F * T * k;
+    const float step = T / (1.0F + 0.5F * T * c);
+    gains_ = steady_observer_gains(UprightRoll{step * k, step * c}, noise_of(parameters));
+}
+
+void RollBankObserver::init_again(const Parameters& parameters) {
     const float H = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
     const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
     stiffness_over_inertia_.init(parameters, inverse_inertia);
@@ -69,10 +77,6 @@ void RollBankObserver::init(const Parameters& parameters) {
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia;
     tipping_force_mps2_ = 0.5F * gravity_mps2 * parameters.track_width_m / parameters.sprung_cg_height_m;
     yaw_acceleration_.init(yaw_acceleration_lag_s);
-    const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
-    const float c = damping_over_inertia_ + 0.5F * T * k;
-    const float step = T / (1.0F + 0.5F * T * c);
-    gains_ = steady_observer_gains(UprightRoll{step * k, step * c}, noise_of(parameters));
     assume_movement(0.0F);
     reset();
 }

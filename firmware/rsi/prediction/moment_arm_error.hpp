@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rsi/indicator/load_transfer.hpp"
-#include "rsi/indicator/roll_motion.hpp"
+#include "rsi/measurement/roll_motion.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -18,11 +18,9 @@ class MomentArmError {
     [[gnu::cold]] void init(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void reset();
 
-    // One sample; `suspension_moment_nm` is M(phi) + c_f phi' and `load_transfer_ratio` the load transfer of
-    // the same motion. Learns only from a `measured_angle`: the observer's comes from the calibrated equation
-    // itself. Returns e, -0.35 to 0.35.
-    float update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio,
-                 bool measured_angle);
+    // One sample; `load` is that of `motion`. Learns only from a `measured_angle`: the observer's comes from
+    // the calibrated equation itself. Returns e, -0.35 to 0.35.
+    float update(const RollMotion& motion, const TransferredLoad& load, bool measured_angle);
 
  private:
     float moment_arm_kgm_{1.0F};   // m_s H

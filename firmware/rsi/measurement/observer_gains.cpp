@@ -1,4 +1,4 @@
-#include "rsi/observer/observer_gains.hpp"
+#include "rsi/measurement/observer_gains.hpp"
 
 namespace rsi {
 namespace {

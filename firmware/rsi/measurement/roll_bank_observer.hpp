@@ -6,7 +6,7 @@
 
 #include "rsi/model/roll_stiffness_curve.hpp"
 #include "rsi/numeric/filtered_derivative.hpp"
-#include "rsi/observer/observer_gains.hpp"
+#include "rsi/measurement/observer_gains.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -24,6 +24,9 @@ namespace rsi {
 class RollBankObserver {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // As init, but keeps the settled gains, which are found by iterating.
+    [[gnu::cold]] void init_again(const Parameters& parameters);
 
     // Forgets everything; the next update starts anew.
     void reset() { running_ = false; }
