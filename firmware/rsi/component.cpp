@@ -5,6 +5,10 @@
 #include "rsi/indicator/roll_stability_indicator.hpp"
 #include "rsi/model/roll_centre.hpp"
 
+#ifndef EIGEN_DONT_VECTORIZE
+#error "compile with -DEIGEN_DONT_VECTORIZE: vector units may fuse and reorder, which changes the last bit"
+#endif
+
 namespace rsi {
 namespace {
 

@@ -49,10 +49,12 @@ class RollBankObserver {
     // The inner wheels are up: the roll angle comes from the gyro alone, to some ten degrees.
     bool tipped() const { return tipped_ > 0U; }
 
-    float roll_angle_rad() const { return phi_; }   // relative to the road, within +-1.57
-    float bank_angle_rad() const { return bank_; }  // left side up is positive, within +-0.5
+    float roll_angle_rad() const { return state_(State::roll); }   // relative to the road, within +-1.57
+    float bank_angle_rad() const { return state_(State::bank); }  // left side up is positive, within +-0.5
 
  private:
+    using State = ObserverState;
+
     static constexpr float largest_roll_variance_rad2 = 0.0175F * 0.0175F;  // 1 deg
     static constexpr float largest_tipped_variance_rad2 = 0.175F * 0.175F;  // 10 deg
     static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
@@ -75,10 +77,7 @@ class RollBankObserver {
 
     bool running_{false};
     std::uint32_t tipped_{0U};  // samples for which it may still be
-    float phi_{0.0F};
-    float rate_{0.0F};
-    float bank_{0.0F};
-    float offset_{0.0F};
+    Vector4 state_{Vector4::Zero()};  // [phi, w, b, o]
     float stiffness_step_{0.0F};  // s: what an error of phi makes of the rate in one step
     float P11_{0.0F};             // variance of phi
     float P33_{0.0F};             // variance of the bank

@@ -141,7 +141,7 @@ class ReferenceConsiderKalman {
         for (const int other : {0, 1, 2}) {
             if (other == which) {
                 P_(which, which) -= (2.0 - weight) * gain * c(which);
-            } else if (which + other != 3) {  // k and d stay uncorrelated
+            } else {
                 P_(which, other) = P_(other, which) = P_(which, other) - gain * c(other);
             }
         }
