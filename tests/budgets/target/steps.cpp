@@ -59,7 +59,7 @@ rsi_component* choose(const budgets::Record& record) {
 
 class Counts {
  public:
-    explicit Counts(int repetitions) : repetitions_{repetitions} {}
+    explicit Counts(bool traced) : repetitions_{traced ? 0 : repetitions} {}
     void begin() {
         budgets::InstructionCounter::start();
         rsi_inputs inputs{};
@@ -164,6 +164,6 @@ int target::run(int argc, const char* const* argv) {
     }
     const bool stack = (strcmp(argv[3], "stack") == 0);
     const bool trace = (strcmp(argv[3], "trace") == 0);
-    const int failure = stack ? drive_all(Stack{}) : drive_all(Counts{trace ? 0 : repetitions});
+    const int failure = stack ? drive_all(Stack{}) : drive_all(Counts{trace});
     return ((failure == 0) && !answer.save(argv[2])) ? bad_answer : failure;
 }
