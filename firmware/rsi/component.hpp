@@ -26,8 +26,8 @@ class Component {
     [[gnu::cold]] Validation init(const Parameters& parameters);
 
     // All anew from `parameters`, which must be those that init has accepted, but for what init finds by
-    // iterating (the observer's settled gains, the critical roll angle). Costs no more than a step, so it fits
-    // into a cycle; init does not. Without an accepted init it does nothing.
+    // iterating (the observer's settled gains, the critical roll angle). Costs no more than a step, so it
+    // fits into a cycle; init does not. Without an accepted init it does nothing.
     [[gnu::cold]] void reset(const Parameters& parameters);
 
     // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".

@@ -1,5 +1,5 @@
-// Extended indicator, load transfer, prediction and the paper's other indices, through the component, against the
-// equations in double.
+// Extended indicator, load transfer, prediction and the paper's other indices, through the component, against
+// the equations in double.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -129,9 +129,8 @@ TEST(LoadTransfer, IsTheMeanThatTheWeightSays) {
         p.load_transfer_inertial_weight = static_cast<float>(weight);
         rsi::LoadTransfer transfer;
         transfer.init(p);
-        EXPECT_NEAR(
-            static_cast<double>(transfer.evaluate(motion).moment_nm),
-            (1.0 - weight) * by_suspension + weight * by_forces, 0.02);
+        EXPECT_NEAR(static_cast<double>(transfer.evaluate(motion).moment_nm),
+                    (1.0 - weight) * by_suspension + weight * by_forces, 0.02);
     }
 }
 

@@ -25,8 +25,8 @@ void EnergyMargin::init_again(const Parameters& parameters) {
     inertia_share_ = 0.5F * (parameters.roll_inertia_kgm2 + m_s * H * H) * E_crit_inverse;
 }
 
-// E is never negative, so W does not exceed 1. A share that is not a number passes the bounds, so that the ECU
-// sees a damaged constant.
+// E is never negative, so W does not exceed 1. A share that is not a number passes the bounds, so that the
+// ECU sees a damaged constant.
 float EnergyMargin::evaluate(const Measurement& measured) const {
     const float share = stiffness_share_ * square(measured.roll_angle_rad) +
                         inertia_share_ * square(measured.roll_rate_radps) -

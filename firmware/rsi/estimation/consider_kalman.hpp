@@ -25,8 +25,8 @@ class ConsiderKalman {
         speed_known_ = false;
     }
 
-    // One sample. `extended_rsi` is that of the cycle before. Near wheel lift and while the speed changes fast
-    // dh is held; a number that is not available holds nothing.
+    // One sample. `extended_rsi` is that of the cycle before. Near wheel lift and while the speed changes
+    // fast dh is held; a number that is not available holds nothing.
     RollCentreEstimate update(const Measurement& measured, float extended_rsi, float speed_mps);
 
     float movement_m() const { return state_(movement); }  // dh
@@ -66,7 +66,8 @@ class ConsiderKalman {
 
     bool speed_known_{false};
     float lagged_speed_mps_{0.0F};
-    Vector3 state_{Vector3::Zero()};  // dh (m), nothing, d (N m): the error of M(phi) is considered, not estimated
+    Vector3 state_{
+        Vector3::Zero()};  // dh (m), nothing, d (N m): the error of M(phi) is considered, not estimated
     Matrix3 covariance_{Matrix3::Identity()};
 };
 

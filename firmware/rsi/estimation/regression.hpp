@@ -10,8 +10,8 @@ namespace rsi {
 
 // Y = psi^T theta,  theta = [dh; dK; dc].
 struct Regression {
-    float output_nm;      // Y
-    Vector3 psi;   // [A' + N' tan phi_m  (N); phi_m (rad); phi_m' (rad/s)]
+    float output_nm;  // Y
+    Vector3 psi;      // [A' + N' tan phi_m  (N); phi_m (rad); phi_m' (rad/s)]
 };
 
 // `fixed` must have been evaluated at the same measurement.

@@ -43,8 +43,8 @@ void RobustLeastSquares::reset() {
     // Without excitation forgetting would let P grow without bound; above the limit nothing is forgotten.
     const bool forgets = !(covariance_.trace() > covariance_limit_);
     const float lambda = forgets ? forgetting_factor_ : 1.0F;
-    const float growth = forgets ? forgetting_growth_ : 1.0F;   // 1 / lambda
-    const float divisor_inverse = 1.0F / (lambda * n_s + s);    // of at least lambda
+    const float growth = forgets ? forgetting_growth_ : 1.0F;  // 1 / lambda
+    const float divisor_inverse = 1.0F / (lambda * n_s + s);   // of at least lambda
 
     const float innovation = output - psi.dot(theta_) - disturbance_;
     disturbance_ += disturbance_weight_ * innovation;

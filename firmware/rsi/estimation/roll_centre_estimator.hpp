@@ -16,13 +16,13 @@ class RollCentreEstimator {
     // For a gap in the measurements: what has been learnt stays.
     void restart() { consider_kalman_.restart(); }
 
-    // One sample. `fixed` must have been evaluated at the same measurement; `extended_rsi` is that of the cycle
-    // before; NaN where a number is not available.
+    // One sample. `fixed` must have been evaluated at the same measurement; `extended_rsi` is that of the
+    // cycle before; NaN where a number is not available.
     RollCentreEstimate update(const RollPlaneModel& model, const Measurement& measured,
                               const FixedModelRoll& fixed, float extended_rsi, float speed_mps);
 
-    // dh that the roll and bank observer may assume. Zero for the published estimator, whose estimate drifts to
-    // where it fits anything.
+    // dh that the roll and bank observer may assume. Zero for the published estimator, whose estimate drifts
+    // to where it fits anything.
     float movement_for_observer_m() const;
 
  private:

@@ -2,9 +2,9 @@
 // CG, with the observer's roll angle where the sensor has none.
 #pragma once
 
-#include "rsi/numeric/filtered_derivative.hpp"
 #include "rsi/measurement/roll_bank_observer.hpp"
 #include "rsi/measurement/roll_sensor_check.hpp"
+#include "rsi/numeric/filtered_derivative.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {

@@ -25,8 +25,8 @@ struct ObserverState {
 // a standstill, a slide and a stiffer spring change them; all other covariances are those of the steady
 // filter on a level road above 5 m/s.
 struct ObserverGains {
-    // Gyro. The gain of phi is (roll_rate_covariance - s P11) / (rate_variance + s^2 P11), with s = step k, and
-    // stands in `gyro` only where P11 has settled.
+    // Gyro. The gain of phi is (roll_rate_covariance - s P11) / (rate_variance + s^2 P11), with s = step k,
+    // and stands in `gyro` only where P11 has settled.
     Vector4 gyro{Vector4::Zero()};
     float roll_rate_covariance{0.0F};
     float rate_variance{1.0F};

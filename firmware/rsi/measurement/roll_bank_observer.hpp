@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
+#include "rsi/measurement/observer_gains.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
 #include "rsi/numeric/filtered_derivative.hpp"
-#include "rsi/measurement/observer_gains.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -49,7 +49,7 @@ class RollBankObserver {
     // The inner wheels are up: the roll angle comes from the gyro alone, to some ten degrees.
     bool tipped() const { return tipped_ > 0U; }
 
-    float roll_angle_rad() const { return state_(State::roll); }   // relative to the road, within +-1.57
+    float roll_angle_rad() const { return state_(State::roll); }  // relative to the road, within +-1.57
     float bank_angle_rad() const { return state_(State::bank); }  // left side up is positive, within +-0.5
 
  private:
@@ -76,11 +76,11 @@ class RollBankObserver {
     FilteredDerivative yaw_acceleration_{};
 
     bool running_{false};
-    std::uint32_t tipped_{0U};  // samples for which it may still be
+    std::uint32_t tipped_{0U};        // samples for which it may still be
     Vector4 state_{Vector4::Zero()};  // [phi, w, b, o]
-    float stiffness_step_{0.0F};  // s: what an error of phi makes of the rate in one step
-    float P11_{0.0F};             // variance of phi
-    float P33_{0.0F};             // variance of the bank
+    float stiffness_step_{0.0F};      // s: what an error of phi makes of the rate in one step
+    float P11_{0.0F};                 // variance of phi
+    float P33_{0.0F};                 // variance of the bank
 };
 
 }  // namespace rsi

@@ -41,9 +41,8 @@ RollPredictor::State RollPredictor::after_step(const State& from, float force_mp
         larger(load_transfer.suspension_stiffness_nmprad(x) - arm.gravity_nm * (1.0F + x * x), 0.0F);
     const float moment_nm = arm.force_kgm * force_mps2 + arm.gravity_nm * short_tangent(x) -
                             load_transfer.suspension_moment_nm(x, y);
-    const float change_radps =
-        T * (moment_nm - 0.5F * T * k * y) /
-        (roll_inertia_kgm2_ + 0.5F * T * roll_damping_nmsprad_ + 0.25F * T * T * k);
+    const float change_radps = T * (moment_nm - 0.5F * T * k * y) /
+                               (roll_inertia_kgm2_ + 0.5F * T * roll_damping_nmsprad_ + 0.25F * T * T * k);
     const float x_then = clamp_magnitude(x + T * (y + 0.5F * change_radps), largest_spring_angle_rad);
     return State{x_then, y + change_radps};
 }
@@ -58,12 +57,12 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLo
 
     const float correction_kgm = trusted_share * moment_arm_error * moment_arm_kgm_;
     const float arm_kgm = moment_arm_kgm_ - correction_kgm;
-    const State then = after_step(State{motion.roll_angle_rad, motion.roll_rate_radps}, A + 0.5F * change_mps2,
-                                  Arm{arm_kgm, arm_kgm * N}, load_transfer);
+    const State then = after_step(State{motion.roll_angle_rad, motion.roll_rate_radps},
+                                  A + 0.5F * change_mps2, Arm{arm_kgm, arm_kgm * N}, load_transfer);
     const float suspension_change_nm =
         load_transfer.suspension_moment_nm(then.angle_rad, then.rate_radps) - load.suspension_moment_nm;
-    const float then_nm =
-        load.moment_nm + (load_transfer.force_arm_kgm() + correction_kgm) * change_mps2 + suspension_change_nm;
+    const float then_nm = load.moment_nm + (load_transfer.force_arm_kgm() + correction_kgm) * change_mps2 +
+                          suspension_change_nm;
 
     const bool grows = absolute(then_nm) > absolute(load.moment_nm);
     const float worst_nm = grows ? then_nm : load.moment_nm;

@@ -1,5 +1,5 @@
-// Roll predictor: the load transfer and the extended indicator at the end of a short horizon. By default this is
-// what warns.
+// Roll predictor: the load transfer and the extended indicator at the end of a short horizon. By default this
+// is what warns.
 #pragma once
 
 #include "rsi/indicator/extended_indicator.hpp"
