@@ -57,6 +57,6 @@ static const rsi_parameters large_suv_parameters = {
     .advisory_hold_s = 0.5F,
     .warning_hold_s = 2.0F,
     .recovery_s = 0.1F,
-    .estimator = 1,         /* consider_kalman */
+    .estimator = 1, /* consider_kalman */
     .warning_indicator = 4, /* predicted_load_transfer */
 };

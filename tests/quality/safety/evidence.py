@@ -36,8 +36,8 @@ def tests_of(listing):
         if test["name"].endswith("_NOT_BUILT"):
             not_built.append(test["name"].removesuffix("_NOT_BUILT"))
         elif not properties.get("DISABLED"):
-            labels = properties.get("LABELS") or ["none"]
-            tests[plain_name(test["name"])] = next((label for label in labels if label in ON_REQUEST), labels[0])
+            rooms = (properties.get("LABELS") or ["none"])[0].split(":")[0].split("/")
+            tests[plain_name(test["name"])] = rooms[-1] if rooms[-1] in ON_REQUEST else rooms[0]
     if not_built:
         raise EvidenceError(f"not built: {', '.join(not_built)}; build first: cmake/environment/build release")
     return tests
