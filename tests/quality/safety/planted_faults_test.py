@@ -104,7 +104,7 @@ class PlantedFaults(unittest.TestCase):
         self.write("requirements.toml", REQUIREMENTS)
         self.write("failure_modes.toml", FAILURE_MODES)
         self.write("README.md", README)
-        self.tests = {"Ear.HearsLoudSounds": "unit", "Mouth.Speaks": "unit"}
+        self.tests = {"Ear.HearsLoudSounds": "rsi", "Mouth.Speaks": "rsi"}
         self.signals = dict(SIGNALS)
         self.codes = []
         self.judge(write=True)
@@ -113,7 +113,7 @@ class PlantedFaults(unittest.TestCase):
         (self.folder / name).write_text(text)
 
     def judge(self, write=False):
-        found = evidence.Evidence(self.project, self.tests, {"unit"}, self.signals, self.codes, {"Ear.HearsLoudSounds": "tests/ear_test.cpp"})
+        found = evidence.Evidence(self.project, self.tests, {"rsi"}, self.signals, self.codes, {"Ear.HearsLoudSounds": "tests/ear_test.cpp"})
         return tool.judge(self.folder, found, write)[0]
 
     def plant(self, name, before, after):
@@ -137,7 +137,7 @@ class PlantedFaults(unittest.TestCase):
         self.assertEqual(self.judge(), [])
 
     def test_tests_are_linked_to_their_file(self):
-        self.assertIn("unit: [Ear.Hears*](../../tests/ear_test.cpp)", (self.folder / "trace.md").read_text())
+        self.assertIn("rsi: [Ear.Hears*](../../tests/ear_test.cpp)", (self.folder / "trace.md").read_text())
 
     def test_the_state_counts_every_kind(self):
         page = (self.folder / "README.md").read_text()
@@ -227,7 +227,7 @@ class PlantedFaults(unittest.TestCase):
         self.expect("SR-2 serves no goal")
 
     def test_an_open_requirement_that_is_verified(self):
-        self.tests["Ear.HearsSoftSounds"] = "unit"
+        self.tests["Ear.HearsSoftSounds"] = "rsi"
         self.expect("SR-2 is open", "take `open` away")
 
     def test_an_identifier_that_is_there_twice(self):

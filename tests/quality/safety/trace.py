@@ -16,7 +16,7 @@ import checks
 import document
 import evidence as evidence_module
 
-PROJECT = pathlib.Path(__file__).resolve().parent.parent.parent
+PROJECT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = PROJECT / "docs/safety"
 
 

@@ -15,7 +15,7 @@ import instruction_trace
 import library_stack
 
 HERE = pathlib.Path(__file__).resolve().parent
-PROJECT = HERE.parent.parent
+PROJECT = HERE.parents[2]
 RECORDINGS = PROJECT / "build/budgets"
 LIBRARY_FUNCTIONS = {"memcpy", "memset", "memmove"}
 # Instructions in a tick of the counter, and the emulator's number of the processor.
