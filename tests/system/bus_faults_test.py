@@ -1,4 +1,4 @@
-"""Every fault on the interface is answered as docs/safety/faults_on_vcan.md says.
+"""Every fault on the interface is answered as docs/reports/safety/faults_on_vcan.md says.
 
 With --document PAGE writes that page instead: tests/system/faults_on_vcan."""
 
@@ -10,7 +10,7 @@ import bus_faults
 import bus_load_test
 import programs
 
-PAGE = programs.PROJECT / "docs/safety/faults_on_vcan.md"
+PAGE = programs.PROJECT / "docs/reports/safety/faults_on_vcan.md"
 TEXT = """<!-- Written by tests/system/faults_on_vcan; do not edit. -->
 # Faults on a CAN interface
 
