@@ -79,7 +79,7 @@ def section(folder, chosen):
     text = re.sub(r"^## ", "### ", text, flags=re.M).strip("\n")
     vehicles = ", ".join(group["name"] for group in report["vehicles"])
     return "\n\n".join([
-        f"{settings['runs']} runs, seed {settings['seed']}, vehicles {vehicles}; what is drawn and what counts: [drives and campaigns](../drives_and_campaigns.md#campaigns). Without the firmware's being told: sensor noise, biases, load, friction, "
+        f"{settings['runs']} runs, seed {settings['seed']}, vehicles {vehicles}; what is drawn and what counts: [drives and campaigns](../drives.md#campaigns). Without the firmware's being told: sensor noise, biases, load, friction, "
         "and errors of its CG height (5 %), roll stiffness (10 %) and mass (5 %).",
         _goal_table(report),
         "![Detection against false alarms](pictures/campaign_detection.png)\n![Lead times](pictures/campaign_leads.png)",

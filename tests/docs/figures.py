@@ -3,7 +3,7 @@
 Guarded: NUMBER<!--=NAME--> with a source of that NAME (sources.py). Free without a source:
 - whatever stands in code, in a link's target or in a comment;
 - numbers of equations, figures and list items, dates, hexadecimal numbers, and numbers within a name (Cortex-M7, profile 11);
-- 0 and 1;
+- 0, 1 and -1;
 - the figures of everyday.txt, which are compared with their own source;
 - a paragraph, list or table right below a line `<!-- figures: KIND -->`, KIND being one of KINDS; the same with
   `<!-- figures: KIND, whole section -->` up to the next heading.
@@ -13,7 +13,7 @@ A count in words needs a source when one of COUNTED follows it.
 import re
 
 import sources
-from page import COMMENT, blanked
+from page import COMMENT, Page, blanked
 
 KINDS = {
     "advice": "what the reader should do or choose, not what the project does",
@@ -41,8 +41,9 @@ HARMLESS = [
     re.compile(r"\b0x[0-9A-Fa-f]+\b"),
     re.compile(r"\b(?:19|20)\d\d(?:-\d\d-\d\d)?\b"),
     re.compile(r"[A-Za-z+][\w+]*(?:-\d[\w.]*)+"),  # CRC-32, x86-64
+    re.compile(r"(?<![\w.])\d+-bit\b"),
     NAMED,
-    re.compile(r"(?<![\w.,+-])[01](?![\w]|[.,]\d)"),
+    re.compile(r"(?<![\w.,])[+-]?[01](?![\w]|[.,]\d)"),
 ]
 
 
@@ -80,7 +81,7 @@ class Everyday:
 
 def sources_of(page, files):
     """By name; a list of what is wrong with them."""
-    found = SOURCES.search(page.text)
+    found = SOURCES.search(page.without_fences())
     by_name, problems = {}, []
     for line in found["lines"].splitlines() if found else []:
         if not line.strip():
@@ -110,7 +111,8 @@ def free_spans(page):
 
 def guarded_problems(page, by_name):
     problems, used = [], set()
-    for found in GUARDED.finditer(page.text):
+    text = page.without_fences()
+    for found in GUARDED.finditer(text):
         name, figure = found["name"], found["figure"]
         used.add(name)
         if name not in by_name:
@@ -123,8 +125,9 @@ def guarded_problems(page, by_name):
                                 f"{sources.shown(value, figure)} ({by_name[name].what}); check --refresh corrects it")
         except sources.SourceError as error:
             problems.append(f"{page.place(found.start())}: {figure}: {error}")
-    for mark in re.finditer(r"<!--=([\w.-]+)-->", page.text):
-        if not any(found.end("mark") == mark.end() for found in GUARDED.finditer(page.text)):
+    ends = {found.end("mark") for found in GUARDED.finditer(text)}
+    for mark in re.finditer(r"<!--=([\w.-]+)-->", text):
+        if mark.end() not in ends:
             problems.append(f"{page.place(mark.start())}: the mark {mark[1]} does not stand behind a figure")
     problems += [f"{page.path}: sources: {name} guards nothing" for name in by_name if name not in used]
     return problems
@@ -172,4 +175,7 @@ def refreshed(page, files):
             return found[0]
         return found[0] if sources.agree(found["figure"], value) else sources.shown(value, found["figure"]) + found["mark"]
 
-    return GUARDED.sub(now, text)
+    fences = Page(page.project, page.path, text).without_fences()
+    for found in reversed(list(GUARDED.finditer(fences))):
+        text = text[: found.start()] + now(found) + text[found.end():]
+    return text

@@ -16,10 +16,10 @@ def blanked(text):
 
 
 class Page:
-    def __init__(self, project, path):
+    def __init__(self, project, path, text=None):
         self.project = project
         self.path = path  # from the project's folder
-        self.text = (project / path).read_text(encoding="utf-8")
+        self.text = (project / path).read_text(encoding="utf-8") if text is None else text
         self.lines = self.text.splitlines()
         self.in_fence = []  # by line
         open_fence = False

@@ -15,7 +15,7 @@ import sources
 
 PAGE = """# Page
 The level is 0.92<!--=level--> after 20<!--=hold--> ms, over three<!--=cars--> vehicles and
-two<!--=rows--> frames; 99.72<!--=share--> % of them. Equation (23), Fig. 7, Cortex-M7, 0x120, 2009, from 0 to 1.
+two<!--=rows--> frames; 99.72<!--=share--> % of them, 1,234<!--=cell--> in all. Equation (23), Fig. 7, Cortex-M7, 0x120, 2009, from 0 to 1.
 See [below](#the-end), [firmware](../firmware/level.hpp) and `firmware/level.hpp`; `tests/run unit`, `level.hpp`.
 
 <!-- figures: advice -->
@@ -36,17 +36,21 @@ hold: firmware/level.hpp hold_s * 1000
 cars: cars/*.toml count
 rows: firmware/level.hpp count /^row/
 share: docs/reports/r.md /in all \\| ([\\d.]+)/
+cell: docs/reports/r.md row all files column 3
 -->
 """
 
 FILES = {
     "README.md": "# Project\nSee [page](docs/page.md#the-end).\n",
     "docs/page.md": PAGE,
-    "docs/reports/r.md": "# Report\n| in all | 99.718 |\n",
+    "docs/reports/r.md": "# Report\n| in all | 99.718 |\n| **all files** | 7 | 1,234 (at most) |\n",
     "firmware/level.hpp": "hold_s = 0.02F;\nrow 1\nrow 2\n",
     "firmware/rsi/rsi.h": "#define RSI_SAMPLE_TIME_S 0.01F\n",
     "cars/a.toml": "[warning]\non = 0.92\n",
     "cars/b.toml": "",
+    "docs/vehicle_file.md": "# Vehicle\n`[mass]`, `sprung_kg` and `name`.\n",
+    "sil/vehicles/large_suv.toml": 'name = "car"\n[mass]\nsprung_kg = 1.0\n',
+    "sil/run": "# docs/page.md says more\n",
     "cars/c.toml": "",
     "sil/apps/a.cpp": 'add_subcommand("replay"); "--output"',
     "tests/unit/CMakeLists.txt": "add_custom_target(known_target)",
@@ -88,7 +92,7 @@ class PlantedFaults(unittest.TestCase):
         self.assertEqual(self.check(), [])
 
     def test_a_stale_figure(self):
-        for before, after in (("0.92<", "0.93<"), ("20<", "21<"), ("three<", "four<"), ("99.72<", "99.73<")):
+        for before, after in (("0.92<", "0.93<"), ("20<", "21<"), ("three<", "four<"), ("99.72<", "99.73<"), ("1,234<", "1,235<")):
             with self.subTest(before):
                 self.plant(before, after)
                 self.expect("docs/page.md:", "stale figure", after.strip("<"))
@@ -130,7 +134,7 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_source_that_gives_nothing(self):
         for before, after in (("warning.on", "warning.off"), ("a.toml warning", "z.toml warning"), ("count /^row", "count /^raw"),
-                              ("cars/*.toml", "cars/*.json"), ("hold_s", "held_s"), ("in all", "in none")):
+                              ("cars/*.toml", "cars/*.json"), ("hold_s", "held_s"), ("/in all", "/in none"), ("column 3", "column 4"), ("row all", "row any")):
             with self.subTest(after):
                 self.plant(before, after)
                 self.assertEqual(len(self.check()), 1)
@@ -172,6 +176,14 @@ class PlantedFaults(unittest.TestCase):
                 self.plant(before, after)
                 self.expect(complaint)
                 self.plant(after, before)
+
+    def test_a_key_that_its_page_does_not_name(self):
+        self.plant("sprung_kg = 1.0", "sprung_kg = 1.0\nunsprung_kg = 1.0", "sil/vehicles/large_suv.toml")
+        self.expect("docs/vehicle_file.md", "unsprung_kg")
+
+    def test_a_source_that_names_a_page_which_does_not_exist(self):
+        self.plant("docs/page.md", "docs/pages.md", "sil/run")
+        self.expect("sil/run:1", "docs/pages.md")
 
     def test_a_line_that_is_too_long(self):
         self.plant("# Project\n", "# Project\n" + "word " * 25 + "\n", "README.md")

@@ -9,7 +9,7 @@ from page import Page
 # Folders that only a build or a run makes.
 MADE = ("build/", "output/", "/tmp/")
 TOKEN = re.compile(r"[\w.{}*+-]+(?:/[\w.{}*+-]+)+/?")
-SOURCE_NAME = re.compile(r"^[\w.-]+\.(?:hpp|cpp|py|cmake|gp)$")
+SOURCE_NAME = re.compile(r"^[\w.-]+\.(?:hpp|cpp|py|cmake)$")
 OPTION = re.compile(r"(?<![\w-])--[a-z][\w-]*")
 COMMAND_END = re.compile(r"[|;&#]|\s#")
 
@@ -116,6 +116,19 @@ class Commands:
             return []
         return [f"{name} knows no option {option}" for option in OPTION.findall(" ".join(rest))
                 if option != "--help" and option not in known and f'"{option[2:]}"' not in known]
+
+
+def pages_elsewhere(project, files):
+    """Pages that a source, a script or a message names."""
+    problems = []
+    for name in files:
+        if name.endswith((".md", ".png", ".svg", "planted_faults_test.py")) or "/corpus/" in name:
+            continue
+        text = (project / name).read_text(encoding="utf-8", errors="ignore")
+        for found in re.finditer(r"\bdocs/[\w/]+\.md\b", text):
+            if found[0] not in files:
+                problems.append(f"{name}:{text.count(chr(10), 0, found.start()) + 1}: there is no page {found[0]}")
+    return problems
 
 
 def problems(page, commands, pages):

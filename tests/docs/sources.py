@@ -6,6 +6,7 @@ A source is a line of the page's last comment, which begins with `<!-- sources`,
     NAME: FILE WORD                any other file: the first number after that word, on its line
     NAME: FILE /REGULAR EXPRESSION/      the first group of the first match; it may be a number or a word for one
     NAME: FILE count /REGULAR EXPRESSION/      how many lines match
+    NAME: FILE row FIRST CELL column N     the first number of that cell of the first table row that begins so
     NAME: PATTERN count            how many files there are of that pattern
 
 each with ` * FACTOR` behind it when the page has another unit.
@@ -66,6 +67,9 @@ class Source:
         text = (self.project / self.file).read_text(encoding="utf-8")
         if self.file.endswith(".toml") and not self.what.startswith(("/", "count /")):
             return self._key(tomllib.loads(text))
+        cell = re.fullmatch(r"row (.+) column (\d+)", self.what)
+        if cell:
+            return self._cell(text, cell[1], int(cell[2]))
         counted = re.fullmatch(r"count /(.*)/", self.what)
         if counted:
             found = sum(bool(re.search(counted[1], line)) for line in text.splitlines())
@@ -78,6 +82,16 @@ class Source:
         if not found or not found.groups():
             raise SourceError(f"{self.file} has no number for {self.what}")
         return number_of(found[1])
+
+    def _cell(self, text, name, column):
+        for line in text.splitlines():
+            cells = [cell.strip(" *`") for cell in line.strip().strip("|").split("|")]
+            if line.startswith("|") and cells[0] == name:
+                found = re.search(NUMBER, cells[column - 1]) if column <= len(cells) else None
+                if found:
+                    return number_of(found[0])
+                break
+        raise SourceError(f"{self.file} has no row {name} with a number in column {column}")
 
     def _key(self, value):
         for key in self.what.split("."):
