@@ -106,16 +106,21 @@ class Commands:
         return self._options(program, name, rest)
 
     def _options(self, program, name, rest):
+        options = [option for option in OPTION.findall(" ".join(rest)) if option != "--help"]
+        if not options:
+            return []
+        folder = program.rpartition("/")[0]
         if program in self.files and (self.project / program).read_bytes().startswith(b"#!"):
-            known = (self.project / program).read_text(encoding="utf-8") + self._text(program.rsplit("/", 1)[0] + "/*")
+            beside = [file for file in self.files if file.rpartition("/")[0] == folder]
+            known = "".join((self.project / file).read_text(encoding="utf-8", errors="ignore") for file in beside)
             if program == "sil/run":
                 known += self.programs
         elif name in ("rsi-sil", "rsi-ecu"):
             known = self.programs
         else:
             return []
-        return [f"{name} knows no option {option}" for option in OPTION.findall(" ".join(rest))
-                if option != "--help" and option not in known and f'"{option[2:]}"' not in known]
+        return [f"{name} knows no option {option}" for option in options
+                if option not in known and f'"{option[2:]}"' not in known]
 
 
 def pages_elsewhere(project, files):
