@@ -84,7 +84,9 @@ def tracked(project):
 
 
 def written_pages(project):
-    return sorted(str(page.relative_to(project)) for page in (project / "docs").glob("*.md")) + ["README.md"]
+    """What people write; CHANGELOG.md says what was, and is not held to what is."""
+    pages = [str(page.relative_to(project)) for page in (project / "docs").glob("*.md")]
+    return sorted(pages) + [name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md") if (project / name).is_file()]
 
 
 def all_pages(project):
