@@ -28,7 +28,7 @@ struct Contradiction {
 };
 
 // Every kind of fault that lets a value contradict others, of every signal that can have it. The limits are
-// the stated debounces of docs/safety/degradation.md as they come out in these scenes, rounded up to 50 ms.
+// the stated debounces of docs/safety.md as they come out in these scenes, rounded up to 50 ms.
 const std::vector<Contradiction>& contradictions();
 
 // That of the scene; of `over`, in which the fault begins between them, the longer one of `before_turn` and

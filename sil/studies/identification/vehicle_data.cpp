@@ -12,7 +12,7 @@
 namespace sil {
 namespace {
 
-// Rules of thumb for what a data sheet rarely says; docs/identification.md names them.
+// Rules of thumb for what a data sheet rarely says; docs/calibration.md names them.
 constexpr double usual_unsprung_share = 0.13;
 constexpr double usual_wheel_radius_m = 0.36;
 
@@ -57,10 +57,10 @@ toml::table parse_file(const std::filesystem::path& file) {
         return {};
     }
     if (!std::ifstream{file}.good()) {
-        throw VehicleDataError(fmt::format(
-            "{}: cannot be read. Give the path of the vehicle's data (docs/identification.md shows "
-            "such a file)",
-            file.string()));
+        throw VehicleDataError(
+            fmt::format("{}: cannot be read. Give the path of the vehicle's data (docs/calibration.md shows "
+                        "such a file)",
+                        file.string()));
     }
     try {
         return toml::parse_file(file.string());

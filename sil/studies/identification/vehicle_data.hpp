@@ -36,7 +36,7 @@ class VehicleDataError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The keys are those of docs/identification.md. `file` may be empty when `settings` ("KEY=VALUE") give all;
+// The keys are those of docs/calibration.md. `file` may be empty when `settings` ("KEY=VALUE") give all;
 // a setting replaces the file's value. Throws VehicleDataError.
 VehicleData load_vehicle_data(const std::filesystem::path& file,
                               const std::vector<std::string>& settings = {});
