@@ -40,7 +40,7 @@ ECU cannot be heard, "silent" says for how long, and the other figures count fro
 {live}
 
 - **bus-off, error-passive**: an error frame written onto `vcan0`, which has no controller; the restart takes the interface
-  down and up. `System.bus_off` (`tests/run environment`) covers a bus-off that a kernel driver reports, on a serial adapter
+  down and up. `System.bus_off` (`tests/run vcan`) covers a bus-off that a kernel driver reports, on a serial adapter
   played by the test. No wire and no silicon was involved.
 - **process stopped, 2000 ms**: beyond 500 ms the watchdog ends `rsi-ecu` after one more cycle, which says `unavailable`.
   The supervisor that started it must start it again.
@@ -53,10 +53,12 @@ ECU cannot be heard, "silent" says for how long, and the other figures count fro
 
 With filters no sensor frame and no frame of the ECU is lost. Without them the ECU reads 64 frames a cycle and the rest
 overflows the socket's buffer: each is received or counted as lost, and `ReceiveOverflow` reports it. A second ECU on an
-interface without flood shows what the machine does to a cycle of 10 ms anyway. The test (`System.bus_load`) requires that
-the ECU in the flood misses no more than 2 % of its cycles and twice what the second one misses, in one of four tries: the
-processor of this virtual machine is emulated, shared with the sender of the flood, and stops whenever its host is busy.
-**It does not show that no cycle is missed.** That needs a target with a CAN interface of its own.
+interface without flood shows what the machine does to a cycle of 10 ms anyway. `System.bus_load` requires what holds on
+every machine: each frame is received or counted, and no frame of the ECU is lost. `System.bus_load_pace`
+(`tests/run real_time`, for a machine that does nothing else) requires that the ECU in the flood misses no more than 2 % of
+its cycles and twice what the second one misses, in one of four tries: the processor of this virtual machine is emulated,
+shared with the sender of the flood, and stops whenever its host is busy. **It does not show that no cycle is missed.** That
+needs a target with a CAN interface of its own.
 """
 
 

@@ -110,10 +110,10 @@ class FloodedRun:
         )
 
 
-def flooded_run(*ecu_options, good=lambda run: True):
-    """The first run that is good, of ten; the last one, if none is. A machine that stands still ends an ECU and its run."""
+def flooded_run(*ecu_options, good=lambda run: True, most=10):
+    """The first run that is good, of so many; the last one, if none is. A machine that stands still ends an ECU and its run."""
     tries = []
-    for _ in range(10):
+    for _ in range(most):
         try:
             run = FloodedRun(*ecu_options)
         except EcuEnded as ended:

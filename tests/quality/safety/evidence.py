@@ -9,7 +9,7 @@ import subprocess
 ECU = "RolloverEcu"
 DIAGNOSTIC_CODE = "RolloverDiagnosis.Code"
 # Groups of tests/run that run on request only.
-ON_REQUEST = {"real_time", "benchmark"}
+ON_REQUEST = {"real_time", "benchmark", "bare_machine"}
 GOOGLE_TEST = re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\)", re.MULTILINE)
 
 

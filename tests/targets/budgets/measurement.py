@@ -130,7 +130,7 @@ class Measurement:
     # Counts.
 
     def _run(self, program, *arguments, trace=None):
-        option = ["--time-limit", "300"] + (["--trace", trace] if trace else [])
+        option = ["--time-limit", "1500"] + (["--trace", trace] if trace else [])
         command = [PROJECT / "tests/targets/run_on_target", *option, self.target, program, *arguments]
         result = subprocess.run(command, cwd=self._scratch, capture_output=True, text=True)
         if result.returncode:
