@@ -101,7 +101,7 @@ void InterfaceTest::open_or_fail(SocketCanBus& bus, SocketCanSettings settings) 
 }
 
 ReceiveResult InterfaceTest::receive_soon(SocketCanBus& bus, CanFrame& frame) {
-    bus.wait_for_frame(Time::from_milliseconds(1000));
+    bus.wait_for_frame(longest_wait);
     return bus.receive(frame);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <linux/can.h>
 
+#include <algorithm>
 #include <array>
 
 #include "tests/hal/make_frame.hpp"
@@ -102,12 +103,13 @@ TEST_F(SocketCanBusTest, RemoteFramesAreNotReceivedWithoutFiltersEither) {
 
 TEST_F(SocketCanBusTest, AnEmptyBusReturnsAtOnceAndLeavesTheFrameAlone) {
     frame = make_frame(0x7FFU, {9U});
-    const Time before = clock.now();
+    Time shortest = Time::from_milliseconds(1000);  // a busy machine may hold up single calls
     for (int i = 0; i < 100; ++i) {
-        ASSERT_EQ(first.receive(frame), ReceiveResult::empty);
+        const Time before = clock.now();
+        ASSERT_EQ(first.receive(frame), ReceiveResult::empty);  // a blocking call would never end
+        shortest = std::min(shortest, clock.now() - before);
     }
-    EXPECT_LT(clock.now() - before,
-              Time::from_milliseconds(1000));  // 100 calls; a blocking one would never end
+    EXPECT_LT(shortest, Time::from_milliseconds(10));
     EXPECT_EQ(frame.identifier, 0x7FFU);
     EXPECT_EQ(frame.data[0], 9U);
 }
@@ -130,13 +132,18 @@ TEST_F(SocketCanBusTest, ReceiveTimesLieBetweenSendingAndReceiving) {
 }
 
 TEST_F(SocketCanBusTest, ReceiveTimesTellWhenTheFrameCameNotWhenItWasRead) {
-    first.send(make_frame(1U));
-    ASSERT_TRUE(second.wait_for_frame(Time::from_milliseconds(1000)));
-    const Time arrived = clock.now();
-    clock.wait_until(arrived + Time::from_milliseconds(20));
-    ASSERT_EQ(second.receive(frame), ReceiveResult::frame);
-    // Reading the two clocks one after the other may cost some microseconds; 20 ms are to be seen, not those.
-    EXPECT_LT(frame.receive_time, arrived + Time::from_milliseconds(10));
+    Time least_late = Time::from_milliseconds(1000);
+    for (int i = 0; i < 10; ++i) {
+        first.send(make_frame(1U));
+        ASSERT_TRUE(second.wait_for_frame(longest_wait));
+        const Time arrived = clock.now();
+        clock.wait_until(arrived + Time::from_milliseconds(20));
+        ASSERT_EQ(second.receive(frame), ReceiveResult::frame);
+        least_late = std::min(least_late, frame.receive_time - arrived);
+    }
+    // Reading the two clocks one after the other may cost some microseconds, and a busy machine may hold the
+    // reader up between them; 20 ms are to be seen each time, not those.
+    EXPECT_LT(least_late, Time::from_milliseconds(10));
 }
 
 TEST_F(SocketCanBusTest, FlexibleDataRateFramesPass) {
