@@ -20,7 +20,7 @@ class Bus:
 
     FRAME = struct.Struct("=IB3x8s")
 
-    def __init__(self, timeout_s=60.0, only=()):
+    def __init__(self, timeout_s=programs.LONGEST_S, only=()):
         """Hears every identifier, or `only` some."""
         self.socket = socket.socket(socket.AF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
         if only:
