@@ -38,4 +38,8 @@ struct MessageType {
     using Type = Message;
 };
 
+// Stands for several message types, as in the generated MessagesFromNODE.
+template <typename... Messages>
+struct MessageList {};
+
 }  // namespace can_dbc
