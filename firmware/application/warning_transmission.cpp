@@ -93,7 +93,7 @@ template <typename... Messages>
 void WarningTransmission::Senders<can_dbc::MessageList<Messages...>>::send(hal::CanBus& bus,
                                                                            const rsi::Outputs& outputs,
                                                                            const Health& health) noexcept {
-    (send_protected(bus, message_of<Messages>(outputs, health), std::get<Sender<Messages>>(senders_)), ...);
+    (send_protected(bus, message_of<Messages>(outputs, health), std::get<SenderOf<Messages>>(senders_).sender), ...);
 }
 
 void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept {

@@ -36,8 +36,8 @@ class WarningTransmission {
 
  private:
     template <typename Message>
-    struct Sender : can_dbc::e2e::Profile11Sender {
-        constexpr Sender() : Profile11Sender{Message::e2e_data_id} {}
+    struct SenderOf {
+        can_dbc::e2e::Profile11Sender sender{Message::e2e_data_id};
     };
 
     template <typename List>
@@ -49,7 +49,7 @@ class WarningTransmission {
         void send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept;
 
      private:
-        std::tuple<Sender<Messages>...> senders_{};
+        std::tuple<SenderOf<Messages>...> senders_{};
     };
 
     Senders<can_dbc::MessagesFromRolloverEcu> senders_{};

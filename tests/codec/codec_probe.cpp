@@ -184,12 +184,12 @@ std::string answer_to(const std::string& line) {
     if (request == "crc16") {
         arguments >> hexadecimal;
         const auto bytes = bytes_of(hexadecimal);
-        return std::to_string(can_dbc::e2e::crc16_ccitt_false(bytes.data(), bytes.size()));
+        return std::to_string(can_dbc::e2e::Crc16CcittFalse::checksum(bytes.data(), bytes.size()));
     }
     if (request == "crc8") {
         arguments >> hexadecimal;
         const auto bytes = bytes_of(hexadecimal);
-        return std::to_string(can_dbc::e2e::crc8_sae_j1850(bytes.data(), bytes.size()));
+        return std::to_string(can_dbc::e2e::Crc8SaeJ1850::checksum(bytes.data(), bytes.size()));
     }
     fail("unknown request: " + line);
 }

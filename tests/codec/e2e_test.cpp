@@ -37,8 +37,8 @@ constexpr Payload protected_zeros() {
 
 TEST(Crc8SaeJ1850, GivesTheCatalogueCheckValue) {
     constexpr std::array<std::uint8_t, 9> digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-    static_assert(can_dbc::e2e::crc8_sae_j1850(digits.data(), digits.size()) == 0x4BU);
-    EXPECT_EQ(can_dbc::e2e::crc8_sae_j1850(digits.data(), digits.size()), 0x4BU);
+    static_assert(can_dbc::e2e::Crc8SaeJ1850::checksum(digits.data(), digits.size()) == 0x4BU);
+    EXPECT_EQ(can_dbc::e2e::Crc8SaeJ1850::checksum(digits.data(), digits.size()), 0x4BU);
 }
 
 TEST(Crc8SaeJ1850, HasATableThatIsTheDivisionBitByBit) {

@@ -62,8 +62,8 @@ TEST(Crc16CcittFalse, HasATableThatIsTheDivisionBitByBit) {
 
 TEST(Crc16CcittFalse, GivesTheCatalogueCheckValue) {
     constexpr std::array<std::uint8_t, 9> digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-    static_assert(can_dbc::e2e::crc16_ccitt_false(digits.data(), digits.size()) == 0x29B1U);
-    EXPECT_EQ(can_dbc::e2e::crc16_ccitt_false(digits.data(), digits.size()), 0x29B1U);
+    static_assert(can_dbc::e2e::Crc16CcittFalse::checksum(digits.data(), digits.size()) == 0x29B1U);
+    EXPECT_EQ(can_dbc::e2e::Crc16CcittFalse::checksum(digits.data(), digits.size()), 0x29B1U);
 }
 
 TEST(Profile05, GivesTheReferenceVectorsForZerosAndDataIdentifier1234) {
@@ -85,7 +85,7 @@ TEST(Profile05, LeavesTheSignalsAlone) {
 }
 
 TEST(Profile05Sender, CountsFromZeroTo255AndStartsAgain) {
-    Profile05Sender sender{data_id};
+    Profile05Sender<> sender{data_id};
     for (unsigned cycle = 0U; cycle < 600U; ++cycle) {
         std::array<std::uint8_t, 8> payload{};
         sender.protect(payload);
