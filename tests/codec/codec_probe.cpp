@@ -20,6 +20,7 @@
 #include "can_dbc/e2e/profile_05.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/lock_step/simulation.hpp"
 #include "tests/codec/byte_orders.hpp"
 #include "tests/codec/can_fd.hpp"
 
@@ -126,6 +127,7 @@ std::string answer_for_frame(const std::string& request, std::istream& arguments
         }
     };
     can_dbc::visit_messages(try_message);
+    simulation_dbc::visit_messages(try_message);
     byte_orders::visit_messages(try_message);
     can_fd::visit_messages(try_message);
     return answer.empty() ? (fail("unknown frame " + frame), answer) : answer;

@@ -44,7 +44,7 @@ TEST(Crc8SaeJ1850, GivesTheCatalogueCheckValue) {
 TEST(Crc8SaeJ1850, HasATableThatIsTheDivisionBitByBit) {
     for (const unsigned polynomial : {0x1DU, 0x2FU}) {
         const std::array<std::uint8_t, 256> table =
-            can_dbc::e2e::detail::make_crc8_table(static_cast<std::uint8_t>(polynomial));
+            can_dbc::e2e::detail::make_crc_table<std::uint8_t>(static_cast<std::uint8_t>(polynomial));
         for (unsigned byte = 0U; byte < 256U; ++byte) {
             unsigned remainder = byte << 8U;
             for (unsigned bit = 15U; bit >= 8U; --bit) {

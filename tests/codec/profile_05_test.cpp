@@ -49,7 +49,7 @@ constexpr std::array<std::uint8_t, size> protected_zeros(std::uint8_t counter) {
 TEST(Crc16CcittFalse, HasATableThatIsTheDivisionBitByBit) {
     for (const unsigned polynomial : {0x1021U, 0x8005U}) {
         const std::array<std::uint16_t, 256> table =
-            can_dbc::e2e::detail::make_crc16_table(static_cast<std::uint16_t>(polynomial));
+            can_dbc::e2e::detail::make_crc_table<std::uint16_t>(static_cast<std::uint16_t>(polynomial));
         for (unsigned byte = 0U; byte < 256U; ++byte) {
             unsigned remainder = byte << 16U;
             for (unsigned bit = 23U; bit >= 16U; --bit) {

@@ -16,7 +16,7 @@ using sil::WarningState;
 std::set<WarningState> states_of(const RecordedRun& run) {
     std::set<WarningState> states;
     for (const sil::EcuOutput& output : run.ecu_outputs) {
-        states.insert(output.state);
+        states.insert(output.state());
     }
     return states;
 }
@@ -76,10 +76,10 @@ TEST(ARun, MirroredHasTheSameStatesOnTheOtherSide) {
     for (std::size_t index = 0U; index < cycles; ++index) {
         const sil::EcuOutput& output = left.ecu_outputs[index];
         const sil::EcuOutput& mirrored = right.ecu_outputs[index];
-        const WarningSide expected = output.side == WarningSide::none    ? WarningSide::none
-                                     : output.side == WarningSide::right ? WarningSide::left
+        const WarningSide expected = output.side() == WarningSide::none    ? WarningSide::none
+                                     : output.side() == WarningSide::right ? WarningSide::left
                                                                          : WarningSide::right;
-        differing += output.state != mirrored.state || mirrored.side != expected ? 1U : 0U;
+        differing += output.state() != mirrored.state() || mirrored.side() != expected ? 1U : 0U;
     }
     // What the simulated vehicle's own rounding makes of left and right may move a change of state by a few
     // cycles: 2 % of them.
