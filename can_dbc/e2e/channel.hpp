@@ -12,11 +12,12 @@ namespace can_dbc::e2e {
 
 // A profile is a struct of static functions and constants:
 //   counter_range                                          the counter is 0 to counter_range - 1
-//   protect(payload, data_id, counter)                     writes counter and CRC into an array that holds its signals
-//   verify(payload, length, expected_length, data_id)      what is wrong with a payload, but for the sequence
-//   counter(payload)                                       of a payload that has been verified
+//   protect(payload, data_id, counter)                     writes counter and CRC into an array that holds
+//   its signals verify(payload, length, expected_length, data_id)      what is wrong with a payload, but for
+//   the sequence counter(payload)                                       of a payload that has been verified
 
-// Protects the frames of one sender and one data identifier, counting them. The caller owns it, one a message.
+// Protects the frames of one sender and one data identifier, counting them. The caller owns it, one a
+// message.
 template <typename Profile>
 class Sender {
  public:
@@ -33,14 +34,14 @@ class Sender {
     std::uint8_t counter_{0U};
 };
 
-// Checks the frames of one data identifier as they arrive. The caller owns it, one a message. A damaged frame leaves the
-// counter's reference alone; see CounterSequence. StateMachine, which watches several cycles, is fed with the results of
-// `check` and `no_frame`.
+// Checks the frames of one data identifier as they arrive. The caller owns it, one a message. A damaged frame
+// leaves the counter's reference alone; see CounterSequence. StateMachine, which watches several cycles, is
+// fed with the results of `check` and `no_frame`.
 template <typename Profile>
 class Receiver {
  public:
-    // `largest_counter_step` is how far the counter may advance between two frames, 1 to counter_range - 1: 1 tolerates
-    // no lost frame.
+    // `largest_counter_step` is how far the counter may advance between two frames, 1 to counter_range - 1: 1
+    // tolerates no lost frame.
     constexpr Receiver(std::uint16_t data_id, std::size_t length, std::uint8_t largest_counter_step)
         : length_{length}, data_id_{data_id}, sequence_{largest_counter_step} {}
 

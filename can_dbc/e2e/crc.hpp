@@ -32,8 +32,8 @@ inline constexpr std::array<Remainder, 256> crc_table = make_crc_table<Remainder
 
 }  // namespace detail
 
-// The width is that of `Remainder`. `start_value` and `final_xor` are the plain checksum's; a protection profile that
-// has its own goes by `update` alone.
+// The width is that of `Remainder`. `start_value` and `final_xor` are the plain checksum's; a protection
+// profile that has its own goes by `update` alone.
 template <typename Remainder, Remainder polynomial, Remainder start_value, Remainder final_xor>
 struct Crc {
     static_assert(sizeof(Remainder) <= 2U, "the arithmetic is in 32 bits");

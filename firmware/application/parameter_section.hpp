@@ -5,7 +5,8 @@
 //        0      4  magic, "RSIP"
 //        4      2  format version, 1
 //        6      2  number of values
-//        8      4  layout: CRC-32 of the names of all values in their order, each selection's with its first choices
+//        8      4  layout: CRC-32 of the names of all values in their order, each selection's with its first
+//        choices
 //       12      4  length of the whole section
 //       16     48  the calibration's name: text for people, filled up with zeros
 //       64   4 * n  the values in the order of rsi_parameters: floats (IEEE 754, binary32), then selections

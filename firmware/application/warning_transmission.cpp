@@ -13,8 +13,8 @@ std::uint8_t saturate(std::uint32_t count) {
 constexpr float degrees_per_radian = 57.295780F;
 constexpr float kmh_per_mps = 3.6F;
 
-// What a message carries besides the outputs; most carry nothing. The numbers of an enumeration are those of the DBC,
-// which tests/codec/enumerators_test.py compares.
+// What a message carries besides the outputs; most carry nothing. The numbers of an enumeration are those of
+// the DBC, which tests/codec/enumerators_test.py compares.
 template <typename Message>
 void fill(Message&, const Health&) {}
 
@@ -93,7 +93,9 @@ template <typename... Messages>
 void WarningTransmission::Senders<can_dbc::MessageList<Messages...>>::send(hal::CanBus& bus,
                                                                            const rsi::Outputs& outputs,
                                                                            const Health& health) noexcept {
-    (send_protected(bus, message_of<Messages>(outputs, health), std::get<SenderOf<Messages>>(senders_).sender), ...);
+    (send_protected(bus, message_of<Messages>(outputs, health),
+                    std::get<SenderOf<Messages>>(senders_).sender),
+     ...);
 }
 
 void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept {

@@ -30,8 +30,9 @@ struct Health {
 
 class WarningTransmission {
  public:
-    // Sends every frame that the DBC gives the ECU, in the file's order: the warning first, because it matters most,
-    // and the status last, so that who has seen the status has seen all of the cycle. A frame that the bus does not take is not repeated; the next cycle's is newer.
+    // Sends every frame that the DBC gives the ECU, in the file's order: the warning first, because it
+    // matters most, and the status last, so that who has seen the status has seen all of the cycle. A frame
+    // that the bus does not take is not repeated; the next cycle's is newer.
     void send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept;
 
  private:

@@ -34,7 +34,8 @@ struct NumberOutput {
     Risk risk;
 };
 
-// How an index drives the warning. Its name stands apart, in `indicator_choices`: a controller does not need it.
+// How an index drives the warning. Its name stands apart, in `indicator_choices`: a controller does not need
+// it.
 struct IndexOutput {
     rsi_indicator number;
     float Outputs::* member;
@@ -79,7 +80,8 @@ constexpr bool index_numbers_count_from_zero() {
 }
 static_assert(index_numbers_count_from_zero(), "an index stands in the place of its number");
 
-// The functions below are written out row by row: a loop over the tables would take their texts into a controller.
+// The functions below are written out row by row: a loop over the tables would take their texts into a
+// controller.
 
 // What a component says that has computed nothing.
 inline Outputs no_outputs() noexcept {
@@ -103,8 +105,8 @@ inline void reset_statement(Outputs& outputs) noexcept {
 #undef RSI_CODE
 }
 
-// Whether every code is one that there is, and every number that is always there is finite. Those of the estimate are
-// not looked at: they have a range, which monitoring/output_check.hpp knows.
+// Whether every code is one that there is, and every number that is always there is finite. Those of the
+// estimate are not looked at: they have a range, which monitoring/output_check.hpp knows.
 inline bool are_codes_known_and_numbers_finite(const Outputs& outputs) noexcept {
     bool sound = true;
 #define RSI_CODE(name, reset, largest, risk, meaning) \

@@ -23,7 +23,8 @@ struct SelectionField {
     std::int32_t Parameters::* member;
     const char* const* choices;
     std::int32_t choice_count;
-    std::int32_t choices_in_layout;  // how many there were when the layout of sections was fixed; later ones follow
+    std::int32_t
+        choices_in_layout;  // how many there were when the layout of sections was fixed; later ones follow
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.

@@ -18,8 +18,9 @@
  *     if (!answer.accepted) { report(answer.field, answer.reason); }
  *     every 10 ms: rsi_step(&component, &inputs, &outputs);
  *
- * No field has the type of an enumeration, so that a caller and a library that were compiled with other sizes of
- * enumerations (-fshort-enums) agree on every structure. What names the values of an int32_t is said beside it.
+ * No field has the type of an enumeration, so that a caller and a library that were compiled with other sizes
+ * of enumerations (-fshort-enums) agree on every structure. What names the values of an int32_t is said
+ * beside it.
  */
 #ifndef RSI_RSI_H
 #define RSI_RSI_H
@@ -158,7 +159,8 @@ typedef struct {
     float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
 } rsi_inputs;
 
-/* The answer to one sample: the rows of rsi_outputs.h, which says what each is, each a field of four bytes. */
+/* The answer to one sample: the rows of rsi_outputs.h, which says what each is, each a field of four bytes.
+ */
 #define RSI_CODE(name, ...) int32_t name;
 #define RSI_NUMBER(name, ...) float name;
 typedef struct {
@@ -167,9 +169,9 @@ typedef struct {
 #undef RSI_NUMBER
 #undef RSI_CODE
 
-/* What can drive the warning: RSI_INDICATOR_PUBLISHED and the other indices of rsi_outputs.h. Each has a level, 0
- * without risk, at which 1 means "warn", and a side of its own. All are available whenever the component is; one that
- * had no number would make the state "unavailable". */
+/* What can drive the warning: RSI_INDICATOR_PUBLISHED and the other indices of rsi_outputs.h. Each has a
+ * level, 0 without risk, at which 1 means "warn", and a side of its own. All are available whenever the
+ * component is; one that had no number would make the state "unavailable". */
 #define RSI_NOTHING(...)
 #define RSI_INDEX(name, unit, mirror, CHOICE, number, ...) RSI_INDICATOR_##CHOICE = (number),
 typedef enum { RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX) } rsi_indicator;

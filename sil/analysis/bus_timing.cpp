@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "can_dbc/generated/rollover_warning.hpp"
-#include "sil/lock_step/simulation.hpp"
 #include "sil/analysis/sensor_frame.hpp"
+#include "sil/lock_step/simulation.hpp"
 
 namespace sil {
 namespace {

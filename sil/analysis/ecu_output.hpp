@@ -9,7 +9,7 @@
 namespace sil {
 
 using WarningState = can_dbc::RolloverWarning::State;
-using WarningSide = can_dbc::RolloverWarning::Side;  // towards which the vehicle would fall
+using WarningSide = can_dbc::RolloverWarning::Side;    // towards which the vehicle would fall
 using RollSource = can_dbc::RollObserver::RollSource;  // of the roll angle in use
 
 // "unavailable", "ready", ... ; "none", "left", "right".

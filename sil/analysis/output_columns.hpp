@@ -8,7 +8,8 @@
 
 namespace sil {
 
-// Angles in degrees, because people read them (their names end in _deg); everything else as rsi_outputs.h says.
+// Angles in degrees, because people read them (their names end in _deg); everything else as rsi_outputs.h
+// says.
 struct OutputColumn {
     std::string name;
     float rsi::Outputs::* member;

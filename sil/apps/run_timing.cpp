@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/lock_step/lock_step_pace.hpp"
 #include "sil/simulation/in_process_ecu.hpp"
 #include "sil/simulation/in_process_pace.hpp"
-#include "sil/lock_step/lock_step_pace.hpp"
 #include "sil/simulation/real_time_pace.hpp"
 #include "sil/simulation/recorded_bus.hpp"
 

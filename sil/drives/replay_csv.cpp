@@ -86,7 +86,8 @@ std::string warnings_csv(const DriveReplay& replay) {
     std::string text = "time_s,state,side\n";
     const EcuOutput* previous = nullptr;
     for (const ReplayCycle& cycle : replay.cycles) {
-        if (previous == nullptr || previous->state() != cycle.ecu.state() || previous->side() != cycle.ecu.side()) {
+        if (previous == nullptr || previous->state() != cycle.ecu.state() ||
+            previous->side() != cycle.ecu.side()) {
             fmt::format_to(std::back_inserter(text), "{:.9g},{},{}\n", cycle.sample.time_s,
                            to_string(cycle.ecu.state()), to_string(cycle.ecu.side()));
         }

@@ -42,7 +42,6 @@ constexpr std::size_t first_code_bit = roll_sensor_disagrees_bit + 1U;
 using Diagnosis = can_dbc::RolloverDiagnosis;
 constexpr std::size_t last_bit = 63U;
 
-
 }  // namespace
 
 std::string diagnostic_name(std::size_t index) {

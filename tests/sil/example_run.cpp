@@ -68,8 +68,8 @@ sil::EcuOutput respond(const sil::Truth& truth) {
         std::min(std::fabs(truth.lateral_acceleration_mps2) / std::max(t * g_mps2, 0.05), 1.0);
     output.of<can_dbc::RollIndicesClassic>().rsi = output.warning().warning_level;
     output.warning().state = output.warning().warning_level >= 1.0   ? sil::WarningState::warning
-                   : output.warning().warning_level >= 0.8 ? sil::WarningState::advisory
-                                                            : sil::WarningState::ready;
+                             : output.warning().warning_level >= 0.8 ? sil::WarningState::advisory
+                                                                     : sil::WarningState::ready;
     if (output.warning().state == sil::WarningState::warning) {
         output.warning().side = side > 0.0 ? sil::WarningSide::right : sil::WarningSide::left;
     }

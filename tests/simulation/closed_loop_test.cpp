@@ -78,7 +78,7 @@ TEST(ARun, MirroredHasTheSameStatesOnTheOtherSide) {
         const sil::EcuOutput& mirrored = right.ecu_outputs[index];
         const WarningSide expected = output.side() == WarningSide::none    ? WarningSide::none
                                      : output.side() == WarningSide::right ? WarningSide::left
-                                                                         : WarningSide::right;
+                                                                           : WarningSide::right;
         differing += output.state() != mirrored.state() || mirrored.side() != expected ? 1U : 0U;
     }
     // What the simulated vehicle's own rounding makes of left and right may move a change of state by a few

@@ -1,6 +1,7 @@
-/* The layout of rsi.h's structures as a C compiler has it. Compiled twice, with enumerations as small as they can be
- * (-fshort-enums, the default of some bare-metal targets) and with those of an int: both must compile, and a test
- * compares what they say with C++. PROBE names the function. */
+/* The layout of rsi.h's structures as a C compiler has it. Compiled twice, with enumerations as small as they
+ * can be
+ * (-fshort-enums, the default of some bare-metal targets) and with those of an int: both must compile, and a
+ * test compares what they say with C++. PROBE names the function. */
 #include "tests/unit/enum_layout.h"
 
 #include <stddef.h>
@@ -10,11 +11,12 @@
 #define SAME(condition, name) typedef char name[(condition) ? 1 : -1]
 
 /* A field is four bytes and follows its neighbour, on every target. */
-#define ROW(name, ...) + 4U
+#define ROW(name, ...) +4U
 SAME(sizeof(rsi_outputs) == 0U RSI_OUTPUTS(ROW, ROW, ROW), outputs_have_no_gaps);
 SAME(sizeof(rsi_inputs) == 8U * 4U, inputs_have_no_gaps);
 SAME(sizeof(rsi_parameters) == offsetof(rsi_parameters, warning_indicator) + 4U, parameters_have_no_tail);
-SAME(offsetof(rsi_parameters, warning_indicator) == offsetof(rsi_parameters, estimator) + 4U, choices_are_words);
+SAME(offsetof(rsi_parameters, warning_indicator) == offsetof(rsi_parameters, estimator) + 4U,
+     choices_are_words);
 SAME(offsetof(rsi_validation, field) == sizeof(void*), the_answer_is_padded_to_a_pointer);
 SAME(sizeof(rsi_validation) == 3U * sizeof(void*), the_answer_has_no_tail);
 

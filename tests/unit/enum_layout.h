@@ -6,8 +6,8 @@
 extern "C" {
 #endif
 
-/* Writes the offset of each field of rsi_outputs, the sizes of all structures and, at the place that it returns, the
- * size of an enumeration; fewer than 100 numbers. */
+/* Writes the offset of each field of rsi_outputs, the sizes of all structures and, at the place that it
+ * returns, the size of an enumeration; fewer than 100 numbers. */
 unsigned layout_with_short_enums(unsigned* numbers);
 unsigned layout_without_short_enums(unsigned* numbers);
 

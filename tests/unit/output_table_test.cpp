@@ -21,7 +21,8 @@ TEST(OutputTable, ListsEveryFieldOfTheStructureOnce) {
     std::set<std::size_t> places;
     const rsi::Outputs outputs{};
     const auto place = [&outputs](const void* field) {
-        return static_cast<std::size_t>(static_cast<const char*>(field) - reinterpret_cast<const char*>(&outputs));
+        return static_cast<std::size_t>(static_cast<const char*>(field) -
+                                        reinterpret_cast<const char*>(&outputs));
     };
     for (const rsi::CodeOutput& code : rsi::code_outputs) {
         places.insert(place(&(outputs.*code.member)));
@@ -36,7 +37,7 @@ TEST(OutputTable, ListsEveryFieldOfTheStructureOnce) {
 
 TEST(OutputTable, NamesEndInTheirUnits) {
     const std::set<std::pair<std::string, std::string>> endings{
-        {"m/s^2", "mps2"}, {"rad", "rad"},         {"N m", "nm"},            {"m", "m"},
+        {"m/s^2", "mps2"}, {"rad", "rad"},        {"N m", "nm"},           {"m", "m"},
         {"s", "s"},        {"N m/rad", "nmprad"}, {"N m s/rad", "nmsprad"}};
     std::set<std::string> names;
     for (const rsi::NumberOutput& number : rsi::number_outputs) {
@@ -55,12 +56,18 @@ TEST(OutputTable, NamesEndInTheirUnits) {
 
 // These stand in calibrations that are flashed: a number that was once given stays.
 TEST(OutputTable, TheNumbersOfTheFirstIndicesStay) {
-    const std::array first{"published",     "bank_free",
-                           "extended",      "load_transfer",
-                           "predicted_load_transfer", "predicted_rsi",
-                           "static_stability_factor", "dynamic_stability",
-                           "dynamic_stability_late",  "energy",
-                           "rollover_index", "time_to_rollover"};
+    const std::array first{"published",
+                           "bank_free",
+                           "extended",
+                           "load_transfer",
+                           "predicted_load_transfer",
+                           "predicted_rsi",
+                           "static_stability_factor",
+                           "dynamic_stability",
+                           "dynamic_stability_late",
+                           "energy",
+                           "rollover_index",
+                           "time_to_rollover"};
     ASSERT_GE(rsi::indicator_choices.size(), first.size());
     for (std::size_t index = 0U; index < first.size(); ++index) {
         EXPECT_STREQ(rsi::indicator_choices[index], first[index]);
