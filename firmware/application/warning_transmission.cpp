@@ -93,9 +93,7 @@ template <typename... Messages>
 void WarningTransmission::Senders<can_dbc::MessageList<Messages...>>::send(hal::CanBus& bus,
                                                                            const rsi::Outputs& outputs,
                                                                            const Health& health) noexcept {
-    (send_protected(bus, message_of<Messages>(outputs, health),
-                    std::get<SenderOf<Messages>>(senders_).sender),
-     ...);
+    (send_protected(bus, message_of<Messages>(outputs, health), SenderOf<Messages>::sender), ...);
 }
 
 void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept {

@@ -1,8 +1,6 @@
 // Warning transmission: from the component's outputs to protected frames on the bus.
 #pragma once
 
-#include <tuple>
-
 #include "application/parameter_section.hpp"
 #include "application/sensor_reception.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
@@ -45,12 +43,9 @@ class WarningTransmission {
     class Senders;
 
     template <typename... Messages>
-    class Senders<can_dbc::MessageList<Messages...>> {
+    class Senders<can_dbc::MessageList<Messages...>> : private SenderOf<Messages>... {
      public:
         void send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept;
-
-     private:
-        std::tuple<SenderOf<Messages>...> senders_{};
     };
 
     Senders<can_dbc::MessagesFromRolloverEcu> senders_{};

@@ -97,28 +97,36 @@ inline Outputs no_outputs() noexcept {
 // Takes back what is said of the risk.
 inline void reset_statement(Outputs& outputs) noexcept {
 #define RSI_CODE(name, reset, largest, risk, meaning) \
-    outputs.name = (Risk::risk == Risk::statement) ? reset : outputs.name;
+    if constexpr (Risk::risk == Risk::statement) {    \
+        outputs.name = reset;                         \
+    }
 #define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) \
-    outputs.name = (Risk::risk == Risk::statement) ? not_available : outputs.name;
+    if constexpr (Risk::risk == Risk::statement) {              \
+        outputs.name = not_available;                           \
+    }
     RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_NOTHING)
 #undef RSI_NUMBER
 #undef RSI_CODE
 }
 
+constexpr bool is_known(std::int32_t code, std::int32_t largest) {
+    return (code >= 0) && (code <= largest);
+}
+
+constexpr bool is_sound(float number, Presence presence) {
+    return (presence != Presence::always) || is_finite(number);
+}
+
 // Whether every code is one that there is, and every number that is always there is finite. Those of the
 // estimate are not looked at: they have a range, which monitoring/output_check.hpp knows.
-inline bool are_codes_known_and_numbers_finite(const Outputs& outputs) noexcept {
-    bool sound = true;
-#define RSI_CODE(name, reset, largest, risk, meaning) \
-    sound = sound && (outputs.name >= 0) && (outputs.name <= static_cast<std::int32_t>(largest));
-#define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) \
-    sound = sound && ((Presence::presence != Presence::always) || is_finite(outputs.name));
-#define RSI_INDEX(name, ...) sound = sound && is_finite(outputs.name);
-    RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_INDEX)
+constexpr bool are_codes_known_and_numbers_finite(const Outputs& outputs) noexcept {
+#define RSI_CODE(name, reset, largest, risk, meaning) is_known(outputs.name, largest)&&
+#define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) is_sound(outputs.name, Presence::presence)&&
+#define RSI_INDEX(name, ...) is_finite(outputs.name)&&
+    return RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_INDEX) true;
 #undef RSI_INDEX
 #undef RSI_NUMBER
 #undef RSI_CODE
-    return sound;
 }
 
 #undef RSI_NOTHING
