@@ -92,7 +92,7 @@ TEST(ARunOnAStraightRoad, IsReadyAndNothingElseAfterTheRecoveryTime) {
     settings.noise = true;
     const RecordedRun run = run_and_record(sil::find_manoeuvre("straight"), settings);
     for (std::size_t index = 10U; index < run.ecu_outputs.size(); ++index) {
-        ASSERT_EQ(run.ecu_outputs[index].state, WarningState::ready) << index;
+        ASSERT_EQ(run.ecu_outputs[index].state(), WarningState::ready) << index;
     }
     EXPECT_FALSE(run.events.warning.has_value());
 }
@@ -105,8 +105,8 @@ TEST(EveryManoeuvreOfTheCatalogue, IsAnsweredInEachCycle) {
         const RecordedRun run = run_and_record(manoeuvre, settings);
         EXPECT_EQ(run.log.size(), 10U * run.ecu_outputs.size());
         EXPECT_EQ(run.frames_refused, 0U);
-        EXPECT_EQ(run.ecu_outputs.front().state, WarningState::unavailable);
-        EXPECT_EQ(run.ecu_outputs.at(20U).state, WarningState::ready);
+        EXPECT_EQ(run.ecu_outputs.front().state(), WarningState::unavailable);
+        EXPECT_EQ(run.ecu_outputs.at(20U).state(), WarningState::ready);
     }
 }
 
