@@ -14,7 +14,7 @@ constexpr float degrees_per_radian = 57.295780F;
 constexpr float kmh_per_mps = 3.6F;
 
 // What a message carries besides the outputs; most carry nothing. The numbers of an enumeration are those of
-// the DBC, which tests/codec/enumerators_test.py compares.
+// the DBC, which tests/can_dbc/enumerators_test.py compares.
 template <typename Message>
 void fill(Message&, const Health&) {}
 
@@ -63,11 +63,13 @@ void fill(can_dbc::RolloverStatus& message, const Health& health) {
     message.software_version = software_version;
 }
 
+// `frame` is one that all messages take in turn: each is as long as the others, and clearing its 64 bytes for
+// every one of them would cost more than filling them.
 template <typename Message>
-void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender) {
+void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender,
+                    hal::CanFrame& frame) {
     std::array<std::uint8_t, Message::length> payload = can_dbc::encode(message);
     sender.protect(payload);
-    hal::CanFrame frame{};
     frame.identifier = Message::identifier;
     frame.extended = Message::extended;
     frame.length = Message::length;
@@ -93,7 +95,8 @@ template <typename... Messages>
 void WarningTransmission::Senders<can_dbc::MessageList<Messages...>>::send(hal::CanBus& bus,
                                                                            const rsi::Outputs& outputs,
                                                                            const Health& health) noexcept {
-    (send_protected(bus, message_of<Messages>(outputs, health), SenderOf<Messages>::sender), ...);
+    hal::CanFrame frame{};
+    (send_protected(bus, message_of<Messages>(outputs, health), SenderOf<Messages>::sender, frame), ...);
 }
 
 void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept {

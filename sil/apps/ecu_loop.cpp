@@ -18,7 +18,7 @@
 #include "sil/apps/bus_state_report.hpp"
 #include "sil/lock_step/lock_step_receiver.hpp"
 #include "sil/lock_step/simulation.hpp"
-#include "sil/simulation/pace.hpp"
+#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "rsi/parameters.hpp"
-#include "sil/analysis/atomic_file.hpp"
-#include "sil/analysis/indices.hpp"
-#include "sil/analysis/output_columns.hpp"
-#include "sil/campaign/indices.hpp"
+#include "sil/files/atomic_file.hpp"
+#include "sil/results/indices.hpp"
+#include "sil/results/output_columns.hpp"
+#include "sil/studies/campaign/indices.hpp"
 
 namespace sil {
 namespace {

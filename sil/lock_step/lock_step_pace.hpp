@@ -6,8 +6,8 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/lock_step/simulation.hpp"
-#include "sil/simulation/pace.hpp"
-#include "sil/simulation/sensor_frames.hpp"
+#include "sil/world/simulation/pace.hpp"
+#include "sil/world/simulation/sensor_frames.hpp"
 
 namespace sil {
 

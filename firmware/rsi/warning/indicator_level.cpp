@@ -1,0 +1,68 @@
+#include "rsi/warning/indicator_level.hpp"
+
+#include "rsi/numeric/bounded.hpp"
+
+namespace rsi {
+namespace {
+
+float at_most_20(float level) {
+    return (level > 20.0F) ? 20.0F : level;  // a number that is not available stays so
+}
+
+}  // namespace
+
+void WarningIndicator::init(const Parameters& parameters) {
+    indicator_ = parameters.warning_indicator;
+    static_stability_inverse_ = 2.0F * parameters.sprung_cg_height_m / parameters.track_width_m;
+    time_to_rollover_limit_s_ = parameters.time_to_rollover_limit_s;
+}
+
+IndicatedRisk WarningIndicator::evaluate(const Outputs& outputs, float roll_angle_rad) const {
+    if ((indicator_ < 0) || (indicator_ >= static_cast<std::int32_t>(index_outputs.size()))) {
+        return {not_available, 0.0F};
+    }
+    const IndexOutput& index = index_outputs[static_cast<std::size_t>(indicator_)];
+    const float value = outputs.*index.member;
+    return {at_most_20(level(index.scale, value)), direction(index.side, value, outputs, roll_angle_rad)};
+}
+
+float WarningIndicator::level(LevelScale scale, float value) const {
+    switch (scale) {
+        case LevelScale::same:
+            return value;
+        case LevelScale::magnitude:
+            return absolute(value);
+        case LevelScale::per_ssf:
+            return absolute(value) * static_stability_inverse_;
+        case LevelScale::complement:
+            return 1.0F - value;
+        case LevelScale::limit_over:
+            // A value that is not available must not become the largest risk.
+            return is_finite(value) ? time_to_rollover_limit_s_ / larger(value, 0.01F) : not_available;
+    }
+    return not_available;
+}
+
+float WarningIndicator::direction(RiskSide side, float value, const Outputs& outputs, float roll_angle_rad) {
+    switch (side) {
+        case RiskSide::own:
+            return value;
+        case RiskSide::force:
+            return outputs.road_parallel_force_mps2;
+        case RiskSide::acceleration:
+            return outputs.lateral_acceleration_mps2;
+        case RiskSide::predicted:
+            return outputs.predicted_load_transfer_ratio;
+        case RiskSide::roll:
+            return roll_angle_rad;
+    }
+    return 0.0F;
+}
+
+float indicator_level(const Outputs& outputs, const Parameters& parameters) {
+    WarningIndicator indicator;
+    indicator.init(parameters);
+    return indicator.evaluate(outputs, 0.0F).level;
+}
+
+}  // namespace rsi

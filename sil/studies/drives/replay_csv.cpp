@@ -1,0 +1,99 @@
+#include "sil/studies/drives/replay_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "rsi/output_table.hpp"
+#include "sil/results/output_columns.hpp"
+#include "sil/units.hpp"
+
+namespace sil {
+namespace {
+
+using Cycle = ReplayCycle;
+
+struct NumberColumn {
+    const char* name;
+    double (*value)(const Cycle& cycle);
+};
+
+// clang-format off
+constexpr NumberColumn input_columns[] = {
+    {"time_s", [](const Cycle& c) { return c.sample.time_s; }},
+
+    {"sensor_lateral_acceleration_mps2", [](const Cycle& c) { return c.sample.lateral_specific_force_mps2; }},
+    {"sensor_vertical_acceleration_mps2", [](const Cycle& c) { return c.sample.vertical_specific_force_mps2; }},
+    {"sensor_roll_rate_degps", [](const Cycle& c) { return c.sample.roll_rate_radps * degrees_per_radian; }},
+    {"sensor_roll_angle_deg", [](const Cycle& c) { return c.sample.roll_angle_rad * degrees_per_radian; }},
+    {"sensor_bank_angle_deg", [](const Cycle& c) { return c.sample.bank_angle_rad * degrees_per_radian; }},
+    {"sensor_speed_mps", [](const Cycle& c) { return c.sample.speed_mps; }},
+    {"sensor_yaw_rate_degps", [](const Cycle& c) { return c.sample.yaw_rate_radps * degrees_per_radian; }},
+    {"sensor_steering_wheel_angle_deg", [](const Cycle& c) { return c.sample.steering_wheel_angle_rad * degrees_per_radian; }},
+    {"measured_load_transfer_ratio", [](const Cycle& c) { return c.load_transfer_ratio; }},
+};
+// clang-format on
+
+constexpr const char* word_columns[] = {"state", "side"};
+
+}  // namespace
+
+std::vector<std::string> indices_csv_columns() {
+    std::vector<std::string> names;
+    for (const NumberColumn& column : input_columns) {
+        names.emplace_back(column.name);
+    }
+    for (const OutputColumn& column : output_columns()) {
+        names.push_back(column.name);
+    }
+    for (const rsi::CodeOutput& code : rsi::code_outputs) {
+        names.push_back(std::string{code.name} + (code.largest > 1 ? "_number" : ""));
+    }
+    names.insert(names.end(), std::begin(word_columns), std::end(word_columns));
+    return names;
+}
+
+std::string indices_csv(const DriveReplay& replay) {
+    std::string text;
+    for (const std::string& name : indices_csv_columns()) {
+        text += text.empty() ? name : "," + name;
+    }
+    text += '\n';
+    const auto add = [&text](double value) {
+        if (std::isfinite(value)) {
+            fmt::format_to(std::back_inserter(text), "{:.9g}", value);
+        }
+        text += ',';
+    };
+    for (const ReplayCycle& cycle : replay.cycles) {
+        for (const NumberColumn& column : input_columns) {
+            add(column.value(cycle));
+        }
+        for (const OutputColumn& column : output_columns()) {
+            add(column.value(cycle.outputs));
+        }
+        for (const rsi::CodeOutput& code : rsi::code_outputs) {
+            add(static_cast<double>(cycle.outputs.*code.member));
+        }
+        fmt::format_to(std::back_inserter(text), "{},{}\n", to_string(cycle.ecu.state()),
+                       to_string(cycle.ecu.side()));
+    }
+    return text;
+}
+
+std::string warnings_csv(const DriveReplay& replay) {
+    std::string text = "time_s,state,side\n";
+    const EcuOutput* previous = nullptr;
+    for (const ReplayCycle& cycle : replay.cycles) {
+        if (previous == nullptr || previous->state() != cycle.ecu.state() ||
+            previous->side() != cycle.ecu.side()) {
+            fmt::format_to(std::back_inserter(text), "{:.9g},{},{}\n", cycle.sample.time_s,
+                           to_string(cycle.ecu.state()), to_string(cycle.ecu.side()));
+        }
+        previous = &cycle.ecu;
+    }
+    return text;
+}
+
+}  // namespace sil
