@@ -33,7 +33,7 @@ static void tell_the_driver(unsigned cycle, const rsi_outputs* outputs) {
 int main(void) {
     rsi_component component;
     const rsi_validation answer = rsi_init(&component, &large_suv_parameters);
-    rsi_state last = RSI_STATE_UNAVAILABLE;
+    int32_t last = RSI_STATE_UNAVAILABLE;
     unsigned cycle;
 
     if (!answer.accepted) {
