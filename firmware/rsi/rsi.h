@@ -23,6 +23,8 @@
 
 #include <stdint.h>
 
+#include "rsi/float_rules.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -2,7 +2,7 @@
 // (5).
 #pragma once
 
-#include <Eigen/Core>
+#include "rsi/numeric/eigen.hpp"
 
 #include "rsi/measurement/measurement.hpp"
 #include "rsi/model/roll_plane_model.hpp"

@@ -1,7 +1,7 @@
 // Recursive least squares with disturbance observer and normalisation (RLSDA), equations (8) to (11).
 #pragma once
 
-#include <Eigen/Core>
+#include "rsi/numeric/eigen.hpp"
 
 #include "rsi/estimation/regression.hpp"
 #include "rsi/estimation/roll_centre_estimate.hpp"
