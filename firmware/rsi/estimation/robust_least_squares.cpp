@@ -37,7 +37,7 @@ void RobustLeastSquares::reset() {
     const float output = regression.output_nm * output_scale_inverse_;
 
     const Eigen::Vector3f g = covariance_ * psi;
-    const float s = absolute(psi.dot(g));  // negative only by rounding
+    const float s = absolute(dot(psi, g));  // negative only by rounding
     const float n_s = 1.0F + s;
     // Without excitation forgetting would let P grow without bound; above the limit nothing is forgotten.
     const bool forgets = !(covariance_.trace() > covariance_limit_);
@@ -45,7 +45,7 @@ void RobustLeastSquares::reset() {
     const float growth = forgets ? forgetting_growth_ : 1.0F;  // 1 / lambda
     const float divisor = lambda * n_s + s;                    // at least lambda
 
-    const float innovation = output - psi.dot(theta_) - disturbance_;
+    const float innovation = output - dot(psi, theta_) - disturbance_;
     disturbance_ += disturbance_weight_ * innovation;
     theta_ += g * (innovation / divisor);
     update_covariance(g, divisor, growth);

@@ -21,3 +21,13 @@
 #endif
 
 #include <Eigen/Core>
+
+namespace rsi {
+
+// In place of Eigen's own dot(), whose order of addition depends on the processor's SIMD unit: on 64-bit Arm its last
+// bits were others. This is the order without such a unit.
+inline float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    return a.x() * b.x() + (a.y() * b.y() + a.z() * b.z());
+}
+
+}  // namespace rsi
