@@ -7,7 +7,7 @@ set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_ASM_COMPILER arm-none-eabi-gcc)
 
 set(CMAKE_C_FLAGS_INIT "${processor_flags}")
-# Debug information, stack use and call graph, which tests/budgets reads; none of them changes the code.
+# Debug information, stack use and call graph, which tests/targets/budgets reads; none of them changes the code.
 set(analysis_flags "-g -fstack-usage -fcallgraph-info=su")
 set(CMAKE_CXX_FLAGS_INIT "${processor_flags} ${analysis_flags} -fno-exceptions -fno-rtti -fno-threadsafe-statics")
 set(CMAKE_ASM_FLAGS_INIT "${processor_flags}")

@@ -1,2 +1,2 @@
-/* Made by tests/integration/renew; do not edit. */
+/* Made by tests/targets/integration/renew; do not edit. */
 #define RSI_SELFTEST_EXPECTED_DIGEST 0x8E69ECEAU

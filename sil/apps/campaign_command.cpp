@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
-#include "sil/campaign/campaign.hpp"
-#include "sil/campaign/report.hpp"
-#include "sil/campaign/settings.hpp"
+#include "sil/studies/campaign/campaign.hpp"
+#include "sil/studies/campaign/report.hpp"
+#include "sil/studies/campaign/settings.hpp"
 
 namespace sil {
 namespace {
@@ -90,8 +90,8 @@ void report(const CampaignRequest& request) {
     const std::uint64_t wanted = load_campaign(settings).runs;
     const CampaignReport report = make_report(load_rows(request.output / "runs.csv"), wanted);
     write_report(report, request.output);
-    fmt::print("{}\nAll of it is in {}; sil/campaign/draw {} makes the pictures.\n", report_markdown(report),
-               (request.output / "report.json").string(), request.output.string());
+    fmt::print("{}\nAll of it is in {}; sil/studies/campaign/draw {} makes the pictures.\n",
+               report_markdown(report), (request.output / "report.json").string(), request.output.string());
 }
 
 void run(const CampaignRequest& request) {
@@ -127,7 +127,7 @@ void add_campaign(CLI::App& app) {
         "campaign",
         "Monte Carlo: many drawn runs in this process, one row each, and a report on all indices");
     command->add_option("--settings", request->settings_file,
-                        "What to draw from (TOML; default: sil/campaign/default.toml, built in)");
+                        "What to draw from (TOML; default: sil/studies/campaign/default.toml, built in)");
     add_whole_number(*command, "--runs", request->runs, "How many runs (default: the settings')");
     add_whole_number(*command, "--seed", request->seed, "Seed of everything drawn (default: the settings')");
     command->add_option("--vehicle", request->vehicles,

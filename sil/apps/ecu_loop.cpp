@@ -16,8 +16,8 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/apps/bus_state_report.hpp"
-#include "sil/simulation/lock_step_receiver.hpp"
-#include "sil/simulation/pace.hpp"
+#include "sil/world/simulation/lock_step_receiver.hpp"
+#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

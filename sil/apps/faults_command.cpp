@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "sil/analysis/atomic_file.hpp"
 #include "sil/apps/command_line.hpp"
-#include "sil/calibration/calibration_file.hpp"
-#include "sil/faults/endurance.hpp"
-#include "sil/faults/fault_matrix.hpp"
-#include "sil/simulation/pace.hpp"
-#include "sil/vehicle/parameter_file.hpp"
+#include "sil/files/atomic_file.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/studies/faults/endurance.hpp"
+#include "sil/studies/faults/fault_matrix.hpp"
+#include "sil/world/simulation/pace.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {
 namespace {
@@ -79,14 +79,14 @@ void check_injections(const InjectionCount& count) {
     if (silenced > 0U) {
         throw std::runtime_error(
             fmt::format("{} injections turn a due warning into \"ready\" without a diagnostic code, and are "
-                        "not stated in sil/faults/unseen.cpp: see the lines with \"silent\" above",
+                        "not stated in sil/studies/faults/unseen.cpp: see the lines with \"silent\" above",
                         silenced));
     }
     const std::size_t otherwise = count.all - count.as_expected - count.unseen;
     if (otherwise > 0U) {
         throw std::runtime_error(
             fmt::format("{} injections are not answered as expected: see the lines above, "
-                        "sil/faults/expectation.cpp and sil/faults/contradiction.cpp",
+                        "sil/studies/faults/expectation.cpp and sil/studies/faults/contradiction.cpp",
                         otherwise));
     }
 }
@@ -109,9 +109,9 @@ void run_faults(const FaultsRequest& request) {
     if (!request.checked.empty()) {
         const std::string held = text_of(request.checked);
         if (held != document) {
-            throw std::runtime_error(
-                fmt::format("{} holds other figures than this run; sil/faults/run --document renews it.\n{}",
-                            request.checked.string(), first_difference(held, document)));
+            throw std::runtime_error(fmt::format(
+                "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
+                request.checked.string(), first_difference(held, document)));
         }
     }
 }
@@ -159,8 +159,9 @@ void run_hours(const EnduranceRequest& request) {
         throw std::runtime_error(fmt::format("not as it must be: {}", fmt::join(found, "; ")));
     }
     if (!request.checked.empty() && text_of(request.checked).find(rows) == std::string::npos) {
-        throw std::runtime_error(fmt::format(
-            "{} does not hold these rows; sil/faults/run --endurance renews it", request.checked.string()));
+        throw std::runtime_error(
+            fmt::format("{} does not hold these rows; sil/studies/faults/run --endurance renews it",
+                        request.checked.string()));
     }
 }
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "rsi/parameters.hpp"
-#include "sil/analysis/atomic_file.hpp"
-#include "sil/analysis/indices.hpp"
-#include "sil/campaign/indices.hpp"
+#include "sil/files/atomic_file.hpp"
+#include "sil/results/indices.hpp"
+#include "sil/studies/campaign/indices.hpp"
 #include "sil/units.hpp"
 
 namespace sil {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rsi/types.hpp"
-#include "sil/vehicle/truth.hpp"
+#include "sil/world/vehicle/truth.hpp"
 
 namespace sil {
 

@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
-#include "sil/analysis/atomic_file.hpp"
 #include "sil/apps/command_line.hpp"
-#include "sil/calibration/calibration_file.hpp"
-#include "sil/drives/drive_csv.hpp"
-#include "sil/identification/calibration_writer.hpp"
-#include "sil/identification/identification.hpp"
-#include "sil/identification/report.hpp"
-#include "sil/identification/simulated_drive.hpp"
-#include "sil/manoeuvres/catalogue.hpp"
-#include "sil/vehicle/parameter_file.hpp"
+#include "sil/files/atomic_file.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/studies/drives/drive_csv.hpp"
+#include "sil/studies/identification/calibration_writer.hpp"
+#include "sil/studies/identification/identification.hpp"
+#include "sil/studies/identification/report.hpp"
+#include "sil/studies/identification/simulated_drive.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
 
 extern char** environ;
 
@@ -100,7 +100,7 @@ void draw(const std::filesystem::path& output) {
     if (!drawn) {
         fmt::print(stderr,
                    "rsi-sil: no pictures were drawn; the calibration does not need them. Later: "
-                   "sil/identification/draw {}\n",
+                   "sil/studies/identification/draw {}\n",
                    output.string());
     }
 }

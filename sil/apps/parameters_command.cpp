@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "sil/analysis/atomic_file.hpp"
-#include "sil/calibration/calibration_file.hpp"
-#include "sil/calibration/parameter_section_file.hpp"
+#include "sil/files/atomic_file.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/files/parameter_section_file.hpp"
 
 namespace sil {
 namespace {

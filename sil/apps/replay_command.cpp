@@ -10,17 +10,17 @@
 #include <stdexcept>
 #include <string>
 
-#include "sil/analysis/atomic_file.hpp"
-#include "sil/analysis/event_marks.hpp"
-#include "sil/calibration/calibration_file.hpp"
-#include "sil/drives/drive_csv.hpp"
-#include "sil/drives/drive_names.hpp"
-#include "sil/drives/drive_replay.hpp"
-#include "sil/drives/replay_csv.hpp"
-#include "sil/drives/replay_summary.hpp"
-#include "sil/drives/replay_table.hpp"
-#include "sil/drives/whole_folder.hpp"
-#include "sil/simulation/replay.hpp"
+#include "sil/files/atomic_file.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/results/event_marks.hpp"
+#include "sil/studies/drives/drive_csv.hpp"
+#include "sil/studies/drives/drive_names.hpp"
+#include "sil/studies/drives/drive_replay.hpp"
+#include "sil/studies/drives/replay_csv.hpp"
+#include "sil/studies/drives/replay_summary.hpp"
+#include "sil/studies/drives/replay_table.hpp"
+#include "sil/studies/drives/whole_folder.hpp"
+#include "sil/world/simulation/replay.hpp"
 
 extern char** environ;
 

@@ -12,11 +12,11 @@
 #include <system_error>
 #include <vector>
 
-#include "sil/analysis/candump_log.hpp"
 #include "sil/apps/command_line.hpp"
 #include "sil/apps/ecu_loop.hpp"
-#include "sil/calibration/calibration_file.hpp"
-#include "sil/simulation/replay.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/files/candump_log.hpp"
+#include "sil/world/simulation/replay.hpp"
 
 namespace {
 

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "sil/analysis/bus_timing.hpp"
 #include "sil/apps/campaign_command.hpp"
 #include "sil/apps/command_line.hpp"
 #include "sil/apps/faults_command.hpp"
@@ -17,7 +16,8 @@
 #include "sil/apps/parameters_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
-#include "sil/manoeuvres/catalogue.hpp"
+#include "sil/results/bus_timing.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
 
 namespace {
 

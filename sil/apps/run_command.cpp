@@ -6,15 +6,15 @@
 #include <optional>
 #include <utility>
 
-#include "sil/analysis/event_marks.hpp"
-#include "sil/analysis/signal_csv.hpp"
-#include "sil/analysis/summary.hpp"
 #include "sil/apps/account.hpp"
 #include "sil/apps/firmware_csv.hpp"
 #include "sil/apps/run_timing.hpp"
-#include "sil/calibration/calibration_file.hpp"
-#include "sil/manoeuvres/catalogue.hpp"
-#include "sil/vehicle/parameter_file.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/results/event_marks.hpp"
+#include "sil/results/signal_csv.hpp"
+#include "sil/results/summary.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {
 namespace {

@@ -199,7 +199,7 @@ def open_bus():
 
 def recorded_cycles(first, count):
     """Sensor frames of so many cycles of a turn, as (identifier, payload)."""
-    log = programs.read_log(programs.PROJECT / "tests/regression/logs/rough-turn.sensors.log")
+    log = programs.read_log(programs.PROJECT / "tests/application/regression/logs/rough-turn.sensors.log")
     cycles = {}
     for stamp, identifier, data in log:
         if identifier in programs.SENSOR_IDENTIFIERS:

@@ -75,7 +75,7 @@ class FloodedRun:
         self.states = [programs.state_of(data) for _, name, data in self.frames if name == programs.WARNING_IDENTIFIER]
 
     def _run(self, folder):
-        recorded = (programs.PROJECT / "tests/regression/logs/double-lane-change-noise.sensors.log").read_text(encoding="ascii")
+        recorded = (programs.PROJECT / "tests/application/regression/logs/double-lane-change-noise.sensors.log").read_text(encoding="ascii")
         sensors = [line for line in recorded.splitlines() if line.split()[2][:3] in programs.SENSOR_IDENTIFIERS]
         (folder / "sensors.log").write_text("\n".join(sensors[: 3 * CYCLES]) + "\n", encoding="ascii")
         interface = f"{programs.INTERFACE}={sensors[0].split()[1]}"

@@ -50,7 +50,7 @@ class Sensors:
     """Recorded sensor frames, one cycle every 10 ms, over and over, while `on`."""
 
     def __init__(self, adapter):
-        log = programs.read_log(programs.PROJECT / "tests/regression/logs/straight-noise.sensors.log")
+        log = programs.read_log(programs.PROJECT / "tests/application/regression/logs/straight-noise.sensors.log")
         frames = [frame for frame in log if frame[1] in programs.SENSOR_IDENTIFIERS]
         self.on = True
         self._ended = False

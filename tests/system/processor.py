@@ -11,7 +11,7 @@ ECU_IDENTIFIERS = ("0D0", "230", "232", "233", "234", "235", programs.STATUS_IDE
 class Processor(programs.Ecu):
     """rsi-ecu-r5f instead of rsi-ecu, with the calibration that its image was built with."""
 
-    PROGRAM = programs.PROJECT / "sil/processor_in_the_loop/rsi-ecu-r5f"
+    PROGRAM = programs.PROJECT / "sil/apps/rsi-ecu-r5f"
     DEFAULTS = ()
 
 

@@ -11,8 +11,8 @@ UNAVAILABLE, READY = 0, 1
 PROVOCATION_IDENTIFIER = "7F0"
 OBSERVER_IDENTIFIER = "234"
 WARNING_DATA_IDENTIFIER = 0x61E
-IMAGE = programs.PROJECT / "build/cortex-r5f/tests/images/zynqmp_r5_faults/rsi-ecu-r5f-faults.elf"
-SENSOR_LOG = programs.PROJECT / "tests/regression/logs/straight-noise.sensors.log"
+IMAGE = programs.PROJECT / "build/cortex-r5f/tests/targets/images/zynqmp_r5_faults/rsi-ecu-r5f-faults.elf"
+SENSOR_LOG = programs.PROJECT / "tests/application/regression/logs/straight-noise.sensors.log"
 # Cycles of the log after which the counters of its end-to-end protection go on at its beginning without a jump.
 SENSOR_CYCLES = 300
 

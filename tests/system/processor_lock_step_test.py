@@ -7,7 +7,7 @@ import unittest
 import processor
 import programs
 
-LOGS = programs.PROJECT / "tests/regression/logs"
+LOGS = programs.PROJECT / "tests/application/regression/logs"
 # All take minutes where an emulator runs within an emulator; off-line, tests/targets has all of them.
 MANOEUVRES = ("j-turn-110-noise",)
 if os.environ.get("RSI_ALL_MANOEUVRES"):

@@ -2,7 +2,7 @@
 //
 // Only classic data frames with a standard identifier, as all of the firmware's are:
 //     (seconds.microseconds) interface ID#DATA
-// sil/analysis/candump_log.hpp is the full reader, on a host.
+// sil/files/candump_log.hpp is the full reader, on a host.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "sil/calibration/calibration_file.hpp"
+#include "sil/files/calibration_file.hpp"
 
 namespace {
 

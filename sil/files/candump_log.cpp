@@ -1,0 +1,295 @@
+// Candump logs: the format of a line in both directions, and whole files.
+#include "sil/files/candump_log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+
+namespace sil {
+namespace {
+
+constexpr std::int64_t nanoseconds_per_microsecond = 1'000;
+constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
+constexpr std::int64_t largest_seconds = 9'000'000'000;  // 2255; in nanoseconds it still fits 63 bits
+constexpr std::uint32_t largest_standard_identifier = 0x7FFU;
+constexpr std::uint32_t largest_extended_identifier = 0x1FFFFFFFU;
+constexpr std::size_t classic_bytes = 8U;
+constexpr std::size_t flexible_bytes = 64U;
+
+bool is_decimal(char character) {
+    return character >= '0' && character <= '9';
+}
+
+int hexadecimal_value(char character) {
+    if (is_decimal(character)) {
+        return character - '0';
+    }
+    if (character >= 'A' && character <= 'F') {
+        return character - 'A' + 10;
+    }
+    if (character >= 'a' && character <= 'f') {
+        return character - 'a' + 10;
+    }
+    return -1;
+}
+
+bool is_flexible_length(std::size_t bytes) {
+    constexpr std::size_t lengths[] = {12U, 16U, 20U, 24U, 32U, 48U, 64U};
+    return bytes <= classic_bytes ||
+           std::find(std::begin(lengths), std::end(lengths), bytes) != std::end(lengths);
+}
+
+// Goes through a line from left to right. The first thing that is wrong ends the parsing by an exception that
+// never leaves parse_candump_line.
+class LineParser {
+ public:
+    explicit LineParser(std::string_view line) : line_(line) {}
+
+    LoggedFrame parse() {
+        parse_time();
+        expect(' ', "a space after the time");
+        parse_interface();
+        expect(' ', "a space after the interface");
+        parse_identifier();
+        expect('#', "'#' after the identifier");
+        if (accept('#')) {
+            parse_flexible_payload();
+        } else {
+            parse_classic_payload();
+        }
+        parse_end();
+        return logged_;
+    }
+
+ private:
+    bool at_end() const { return position_ >= line_.size(); }
+    char current() const { return at_end() ? '\0' : line_[position_]; }
+
+    [[noreturn]] void fail(const std::string& message) const {
+        throw CandumpLineError{position_ + 1U, message};
+    }
+
+    bool accept(char character) {
+        if (at_end() || current() != character) {
+            return false;
+        }
+        ++position_;
+        return true;
+    }
+
+    void expect(char character, const char* what) {
+        if (!accept(character)) {
+            fail(fmt::format("expected {}", what));
+        }
+    }
+
+    void parse_time() {
+        expect('(', "'(' and the time, as in (0.010000) vcan0 123#AABB");
+        std::int64_t seconds = 0;
+        const std::size_t begin = position_;
+        for (; is_decimal(current()); ++position_) {
+            seconds = seconds * 10 + (current() - '0');
+            if (seconds > largest_seconds) {
+                fail(fmt::format("the time is beyond {} s", largest_seconds));
+            }
+        }
+        if (position_ == begin) {
+            fail("expected the seconds of the time");
+        }
+        expect('.', "'.' and six decimals of the time");
+        std::int64_t microseconds = 0;
+        constexpr int decimals = 6;
+        for (int digit = 0; digit < decimals; ++digit, ++position_) {
+            if (!is_decimal(current())) {
+                fail("the time needs six decimals");
+            }
+            microseconds = microseconds * 10 + (current() - '0');
+        }
+        expect(')', "')' after six decimals of the time");
+        logged_.frame.receive_time.nanoseconds =
+            seconds * nanoseconds_per_second + microseconds * nanoseconds_per_microsecond;
+    }
+
+    void parse_interface() {
+        const std::size_t begin = position_;
+        while (!at_end() && current() > ' ' && current() < '\x7F') {
+            ++position_;
+        }
+        if (position_ == begin) {
+            fail("expected the name of the interface");
+        }
+        logged_.interface.assign(line_.substr(begin, position_ - begin));
+    }
+
+    void parse_identifier() {
+        const std::size_t begin = position_;
+        std::uint32_t identifier = 0U;
+        constexpr std::size_t standard_digits = 3U;
+        constexpr std::size_t extended_digits = 8U;
+        for (; hexadecimal_value(current()) >= 0 && position_ - begin < extended_digits; ++position_) {
+            identifier = (identifier << 4U) | static_cast<std::uint32_t>(hexadecimal_value(current()));
+        }
+        const std::size_t digits = position_ - begin;
+        if (digits != standard_digits && digits != extended_digits) {
+            position_ = begin;
+            fail("the identifier needs 3 hexadecimal digits (standard) or 8 (extended)");
+        }
+        const bool extended = digits == extended_digits;
+        if (identifier > (extended ? largest_extended_identifier : largest_standard_identifier)) {
+            position_ = begin;
+            fail(extended ? "an extended identifier ends at 1FFFFFFF (an error frame is no data frame)"
+                          : "a standard identifier ends at 7FF");
+        }
+        logged_.frame.identifier = identifier;
+        logged_.frame.extended = extended;
+    }
+
+    void parse_classic_payload() {
+        if (current() == 'R' || current() == 'r') {
+            fail("this is a remote frame; only data frames can be read");
+        }
+        parse_bytes(classic_bytes);
+    }
+
+    void parse_flexible_payload() {
+        const int flags = hexadecimal_value(current());
+        if (flags < 0) {
+            fail("expected one hexadecimal digit of CAN FD flags after '##'");
+        }
+        ++position_;
+        logged_.frame.flexible_data_rate = true;
+        logged_.fd_flags = static_cast<std::uint8_t>(static_cast<unsigned>(flags) & canonical_fd_flags);
+        parse_bytes(flexible_bytes);
+        if (!is_flexible_length(logged_.frame.length)) {
+            fail(fmt::format("CAN FD has no frames of {} bytes", logged_.frame.length));
+        }
+    }
+
+    void parse_bytes(std::size_t limit) {
+        std::size_t length = 0U;
+        while (hexadecimal_value(current()) >= 0) {
+            if (length == limit) {
+                fail(fmt::format("more than {} data bytes", limit));
+            }
+            const int high = hexadecimal_value(current());
+            ++position_;
+            const int low = hexadecimal_value(current());
+            if (low < 0) {
+                fail("half a data byte: the number of hexadecimal digits is odd");
+            }
+            ++position_;
+            logged_.frame.data[length] = static_cast<std::uint8_t>(high * 16 + low);
+            ++length;
+        }
+        logged_.frame.length = static_cast<std::uint8_t>(length);
+    }
+
+    void parse_end() {
+        const std::string_view rest = line_.substr(position_);
+        if (rest == " R" || rest == " T") {
+            return;
+        }
+        if (!rest.empty()) {
+            fail("expected the end of the line or a hexadecimal digit");
+        }
+    }
+
+    std::string_view line_;
+    std::size_t position_{0U};
+    LoggedFrame logged_;
+};
+
+std::string reason_of_failure() {
+    return errno != 0 ? std::strerror(errno) : "unknown reason";
+}
+
+}  // namespace
+
+std::string format_candump_line(const LoggedFrame& logged) {
+    const hal::CanFrame& frame = logged.frame;
+    const std::int64_t time_us =
+        std::max<std::int64_t>(frame.receive_time.nanoseconds, 0) / nanoseconds_per_microsecond;
+    std::string line =
+        fmt::format("({}.{:06}) {} ", time_us / 1'000'000, time_us % 1'000'000, logged.interface);
+    auto out = std::back_inserter(line);
+    if (frame.extended) {
+        fmt::format_to(out, "{:08X}#", frame.identifier & largest_extended_identifier);
+    } else {
+        fmt::format_to(out, "{:03X}#", frame.identifier & largest_standard_identifier);
+    }
+    if (frame.flexible_data_rate) {
+        fmt::format_to(out, "#{:X}", logged.fd_flags & canonical_fd_flags);
+    }
+    const std::size_t limit = frame.flexible_data_rate ? flexible_bytes : classic_bytes;
+    const std::size_t length = std::min<std::size_t>(frame.length, limit);
+    for (std::size_t index = 0U; index < length; ++index) {
+        fmt::format_to(out, "{:02X}", frame.data[index]);
+    }
+    return line;
+}
+
+ParsedCandumpLine parse_candump_line(std::string_view line) {
+    if (!line.empty() && line.back() == '\r') {
+        line.remove_suffix(1U);
+    }
+    ParsedCandumpLine result;
+    try {
+        result.frame = LineParser(line).parse();
+    } catch (const CandumpLineError& error) {
+        result.error = error;
+    }
+    return result;
+}
+
+std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path) {
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file || std::filesystem::is_directory(path)) {
+        throw CandumpLogError(fmt::format("{}: cannot be read: {}", path.string(),
+                                          file ? "it is a folder" : reason_of_failure()));
+    }
+    std::vector<LoggedFrame> frames;
+    std::string line;
+    for (std::size_t number = 1U; std::getline(file, line); ++number) {
+        if (line.empty() || line == "\r") {
+            continue;
+        }
+        ParsedCandumpLine parsed = parse_candump_line(line);
+        if (!parsed.frame) {
+            throw CandumpLogError(fmt::format("{}:{}:{}: {}", path.string(), number, parsed.error.column,
+                                              parsed.error.message));
+        }
+        frames.push_back(std::move(*parsed.frame));
+        frames.back().line = number;
+    }
+    if (file.bad()) {
+        throw CandumpLogError(fmt::format("{}: reading failed: {}", path.string(), reason_of_failure()));
+    }
+    return frames;
+}
+
+CandumpLogWriter::CandumpLogWriter(const std::filesystem::path& path) : path_(path) {
+    errno = 0;
+    file_.open(path, std::ios::binary | std::ios::trunc);
+    if (!file_) {
+        throw std::runtime_error(
+            fmt::format("cannot write {}: {}; check that the folder exists and may be written", path.string(),
+                        reason_of_failure()));
+    }
+}
+
+void CandumpLogWriter::write(const LoggedFrame& logged) {
+    file_ << format_candump_line(logged) << '\n';
+}
+
+void CandumpLogWriter::close() {
+    file_.close();
+    if (!file_) {
+        throw std::runtime_error(fmt::format("cannot finish {}: is the disk full?", path_.string()));
+    }
+}
+
+}  // namespace sil

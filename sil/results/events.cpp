@@ -1,0 +1,95 @@
+// EventObserver: first lift-offs, first crossing of the SSF, first warning.
+#include "sil/results/events.hpp"
+
+#include "sil/results/indices.hpp"
+#include "sil/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sil {
+namespace {
+
+bool front_wheel_has_lifted(const Truth& truth) {
+    return has_lifted(truth, front_left) || has_lifted(truth, front_right);
+}
+
+bool rear_wheel_has_lifted(const Truth& truth) {
+    return has_lifted(truth, rear_left) || has_lifted(truth, rear_right);
+}
+
+void keep_first(std::optional<EventMoment>& event, bool happens, const EventMoment& moment) {
+    if (happens && !event) {
+        event = moment;
+    }
+}
+
+}  // namespace
+
+const char* to_string(WarningState state) {
+    switch (state) {
+        case WarningState::unavailable:
+            return "unavailable";
+        case WarningState::ready:
+            return "ready";
+        case WarningState::advisory:
+            return "advisory";
+        case WarningState::warning:
+            return "warning";
+    }
+    return "invalid";
+}
+
+const char* to_string(WarningSide side) {
+    switch (side) {
+        case WarningSide::none:
+            return "none";
+        case WarningSide::left:
+            return "left";
+        case WarningSide::right:
+            return "right";
+    }
+    return "invalid";
+}
+
+std::optional<double> RunEvents::lead_time_s() const {
+    if (!warning || !two_wheel_lift) {
+        return std::nullopt;
+    }
+    return two_wheel_lift->time_s - warning->time_s;
+}
+
+EventObserver::EventObserver(double static_stability_factor, double start_time_s)
+    : ssf_acceleration_mps2_(static_stability_factor * g_mps2), start_time_s_(start_time_s) {}
+
+void EventObserver::observe(const Truth& truth) {
+    latest_ = {truth.time_s, truth.lateral_acceleration_mps2, truth.roll_angle_rad};
+    const double magnitude_mps2 = std::fabs(truth.lateral_acceleration_mps2);
+    if (truth.time_s >= start_time_s_) {
+        const bool front_lifted = front_wheel_has_lifted(truth);
+        const bool rear_lifted = rear_wheel_has_lifted(truth);
+        keep_first(events_.one_wheel_lift, front_lifted || rear_lifted, latest_);
+        keep_first(events_.front_axle_lift, front_lifted, latest_);
+        keep_first(events_.rear_axle_lift, rear_lifted, latest_);
+        keep_first(events_.two_wheel_lift, two_wheels_have_lifted(truth), latest_);
+        keep_first(events_.ssf_crossing, magnitude_mps2 >= ssf_acceleration_mps2_, latest_);
+        events_.largest_lateral_acceleration_mps2 =
+            std::max(events_.largest_lateral_acceleration_mps2, magnitude_mps2);
+        // fmax ignores the ratio of a vehicle in the air, which is not a number.
+        events_.largest_load_transfer_ratio =
+            std::fmax(events_.largest_load_transfer_ratio, std::fabs(true_load_transfer_ratio(truth)));
+    }
+    events_.final_roll_angle_rad = truth.roll_angle_rad;
+    events_.end_time_s = truth.time_s;
+}
+
+void EventObserver::observe(const EcuOutput& output, double reception_time_s) {
+    if (output.state != WarningState::warning || events_.warning) {
+        return;
+    }
+    events_.warning =
+        EventMoment{reception_time_s, latest_.lateral_acceleration_mps2, latest_.roll_angle_rad};
+    events_.warning_side = output.side;
+}
+
+}  // namespace sil

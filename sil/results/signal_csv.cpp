@@ -1,0 +1,159 @@
+// SignalCsvWriter: the table of columns and their formatting.
+#include "sil/results/signal_csv.hpp"
+#include "sil/units.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <stdexcept>
+
+namespace sil {
+namespace {
+
+struct Row {
+    const Truth& truth;
+    const SensorSample& sample;
+    const EcuOutput& output;
+};
+
+struct NumberColumn {
+    const char* name;
+    double (*value)(const Row& row);
+};
+
+// clang-format off
+constexpr NumberColumn number_columns[] = {
+    {"time_s", [](const Row& row) { return row.truth.time_s; }},
+
+    {"true_steering_wheel_angle_deg", [](const Row& row) { return row.truth.steering_wheel_angle_rad * degrees_per_radian; }},
+    {"true_road_wheel_angle_deg", [](const Row& row) { return row.truth.road_wheel_angle_rad * degrees_per_radian; }},
+    {"true_position_x_m", [](const Row& row) { return row.truth.position_x_m; }},
+    {"true_position_y_m", [](const Row& row) { return row.truth.position_y_m; }},
+    {"true_position_z_m", [](const Row& row) { return row.truth.position_z_m; }},
+    {"true_yaw_angle_deg", [](const Row& row) { return row.truth.yaw_angle_rad * degrees_per_radian; }},
+    {"true_speed_mps", [](const Row& row) { return row.truth.speed_mps; }},
+    {"true_lateral_velocity_mps", [](const Row& row) { return row.truth.lateral_velocity_mps; }},
+    {"true_roll_angle_deg", [](const Row& row) { return row.truth.roll_angle_rad * degrees_per_radian; }},
+    {"true_roll_to_horizon_deg", [](const Row& row) { return row.truth.roll_to_horizon_rad * degrees_per_radian; }},
+    {"true_pitch_angle_deg", [](const Row& row) { return row.truth.pitch_angle_rad * degrees_per_radian; }},
+    {"true_bank_angle_deg", [](const Row& row) { return row.truth.bank_angle_rad * degrees_per_radian; }},
+    {"true_roll_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[0] * degrees_per_radian; }},
+    {"true_pitch_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[1] * degrees_per_radian; }},
+    {"true_yaw_rate_degps", [](const Row& row) { return row.truth.angular_velocity_radps[2] * degrees_per_radian; }},
+    {"true_longitudinal_specific_force_mps2", [](const Row& row) { return row.truth.specific_force_mps2[0]; }},
+    {"true_lateral_specific_force_mps2", [](const Row& row) { return row.truth.specific_force_mps2[1]; }},
+    {"true_vertical_specific_force_mps2", [](const Row& row) { return row.truth.specific_force_mps2[2]; }},
+    {"true_lateral_acceleration_mps2", [](const Row& row) { return row.truth.lateral_acceleration_mps2; }},
+    {"true_wheel_load_front_left_n", [](const Row& row) { return row.truth.wheel_load_n[front_left]; }},
+    {"true_wheel_load_front_right_n", [](const Row& row) { return row.truth.wheel_load_n[front_right]; }},
+    {"true_wheel_load_rear_left_n", [](const Row& row) { return row.truth.wheel_load_n[rear_left]; }},
+    {"true_wheel_load_rear_right_n", [](const Row& row) { return row.truth.wheel_load_n[rear_right]; }},
+    {"true_suspension_deflection_front_left_m", [](const Row& row) { return row.truth.suspension_deflection_m[front_left]; }},
+    {"true_suspension_deflection_front_right_m", [](const Row& row) { return row.truth.suspension_deflection_m[front_right]; }},
+    {"true_suspension_deflection_rear_left_m", [](const Row& row) { return row.truth.suspension_deflection_m[rear_left]; }},
+    {"true_suspension_deflection_rear_right_m", [](const Row& row) { return row.truth.suspension_deflection_m[rear_right]; }},
+    {"true_wheel_gap_front_left_m", [](const Row& row) { return row.truth.wheel_gap_m[front_left]; }},
+    {"true_wheel_gap_front_right_m", [](const Row& row) { return row.truth.wheel_gap_m[front_right]; }},
+    {"true_wheel_gap_rear_left_m", [](const Row& row) { return row.truth.wheel_gap_m[rear_left]; }},
+    {"true_wheel_gap_rear_right_m", [](const Row& row) { return row.truth.wheel_gap_m[rear_right]; }},
+    {"true_lateral_tyre_force_n", [](const Row& row) { return row.truth.lateral_tyre_force_n; }},
+    {"true_roll_centre_height_m", [](const Row& row) { return row.truth.roll_centre_height_m; }},
+    {"true_roll_centre_lateral_m", [](const Row& row) { return row.truth.roll_centre_lateral_m; }},
+
+    {"sensor_lateral_acceleration_mps2", [](const Row& row) { return row.sample.lateral_acceleration_mps2; }},
+    {"sensor_vertical_acceleration_mps2", [](const Row& row) { return row.sample.vertical_acceleration_mps2; }},
+    {"sensor_roll_rate_degps", [](const Row& row) { return row.sample.roll_rate_radps * degrees_per_radian; }},
+    {"sensor_roll_angle_deg", [](const Row& row) { return row.sample.roll_angle_rad * degrees_per_radian; }},
+    {"sensor_bank_angle_deg", [](const Row& row) { return row.sample.bank_angle_rad * degrees_per_radian; }},
+    {"sensor_speed_mps", [](const Row& row) { return row.sample.speed_mps; }},
+    {"sensor_yaw_rate_degps", [](const Row& row) { return row.sample.yaw_rate_radps * degrees_per_radian; }},
+    {"sensor_steering_wheel_angle_deg", [](const Row& row) { return row.sample.steering_wheel_angle_rad * degrees_per_radian; }},
+
+    {"ecu_state_number", [](const Row& row) { return static_cast<double>(row.output.state); }},
+    {"ecu_roll_stability_indicator", [](const Row& row) { return row.output.roll_stability_indicator; }},
+    {"ecu_lateral_acceleration_mps2", [](const Row& row) { return row.output.lateral_acceleration_mps2; }},
+    {"ecu_lateral_acceleration_threshold_mps2", [](const Row& row) { return row.output.lateral_acceleration_threshold_mps2; }},
+    {"ecu_roll_centre_vertical_movement_m", [](const Row& row) { return row.output.roll_centre_vertical_movement_m; }},
+    {"ecu_roll_centre_lateral_movement_m", [](const Row& row) { return row.output.roll_centre_lateral_movement_m; }},
+    {"ecu_roll_stiffness_deviation_nmprad", [](const Row& row) { return row.output.roll_stiffness_deviation_nmprad; }},
+    {"ecu_roll_damping_deviation_nmsprad", [](const Row& row) { return row.output.roll_damping_deviation_nmsprad; }},
+    {"ecu_roll_centre_deviation_m", [](const Row& row) { return row.output.roll_centre_deviation_m; }},
+    {"ecu_predicted_load_transfer_ratio", [](const Row& row) { return row.output.predicted_load_transfer_ratio; }},
+    {"ecu_predicted_rsi", [](const Row& row) { return row.output.predicted_rsi; }},
+    {"ecu_load_transfer_ratio", [](const Row& row) { return row.output.load_transfer_ratio; }},
+    {"ecu_extended_rsi", [](const Row& row) { return row.output.extended_rsi; }},
+    {"ecu_published_rsi", [](const Row& row) { return row.output.published_rsi; }},
+    {"ecu_bank_free_rsi", [](const Row& row) { return row.output.bank_free_rsi; }},
+    {"ecu_dynamic_stability_index", [](const Row& row) { return row.output.dynamic_stability_index; }},
+    {"ecu_energy_margin", [](const Row& row) { return row.output.energy_margin; }},
+    {"ecu_rollover_index", [](const Row& row) { return row.output.rollover_index; }},
+    {"ecu_time_to_rollover_s", [](const Row& row) { return row.output.time_to_rollover_s; }},
+    {"ecu_observed_roll_angle_deg", [](const Row& row) { return row.output.observed_roll_angle_rad * degrees_per_radian; }},
+    {"ecu_observed_bank_angle_deg", [](const Row& row) { return row.output.observed_bank_angle_rad * degrees_per_radian; }},
+    {"ecu_roll_source_number", [](const Row& row) { return static_cast<double>(row.output.roll_source); }},
+    {"ecu_roll_sensor_disagrees", [](const Row& row) { return row.output.roll_sensor_disagrees ? 1.0 : 0.0; }},
+    {"ecu_estimate_frozen", [](const Row& row) { return row.output.estimate_frozen ? 1.0 : 0.0; }},
+};
+// clang-format on
+
+// Words stand last, so that the numbers before them keep their places.
+constexpr const char* word_columns[] = {"ecu_state", "ecu_side"};
+
+}  // namespace
+
+std::vector<std::string> signal_csv_columns() {
+    std::vector<std::string> names;
+    for (const NumberColumn& column : number_columns) {
+        names.emplace_back(column.name);
+    }
+    names.insert(names.end(), std::begin(word_columns), std::end(word_columns));
+    return names;
+}
+
+std::string signal_csv_row(const Truth& truth, const SensorSample& sample, const EcuOutput& output) {
+    const Row row{truth, sample, output};
+    std::string line;
+    for (const NumberColumn& column : number_columns) {
+        const double value = column.value(row);
+        if (std::isfinite(value)) {
+            fmt::format_to(std::back_inserter(line), "{:.9g}", value);
+        }
+        line += ',';
+    }
+    line += to_string(output.state);
+    line += ',';
+    line += to_string(output.side);
+    return line;
+}
+
+SignalCsvWriter::SignalCsvWriter(const std::filesystem::path& path) : path_(path) {
+    errno = 0;
+    file_.open(path, std::ios::binary | std::ios::trunc);
+    if (!file_) {
+        throw std::runtime_error(
+            fmt::format("cannot write {}: {}; check that the folder exists and may be written", path.string(),
+                        std::strerror(errno)));
+    }
+    std::string header;
+    for (const std::string& name : signal_csv_columns()) {
+        header += header.empty() ? name : "," + name;
+    }
+    file_ << header << '\n';
+}
+
+void SignalCsvWriter::write(const Truth& truth, const SensorSample& sample, const EcuOutput& output) {
+    file_ << signal_csv_row(truth, sample, output) << '\n';
+}
+
+void SignalCsvWriter::close() {
+    file_.close();
+    if (!file_) {
+        throw std::runtime_error(fmt::format("cannot finish {}: is the disk full?", path_.string()));
+    }
+}
+
+}  // namespace sil

@@ -1,0 +1,135 @@
+// Campaign folder: campaign.toml says what its rows are of.
+#include "sil/studies/campaign/campaign_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "sil/files/atomic_file.hpp"
+#include "sil/results/versions.hpp"
+
+namespace sil {
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
+}
+
+constexpr const char* made_with = "[made_with]";
+
+// FNV-1a: tells whether a file has changed, not whether somebody meant to deceive.
+std::string fingerprint(const std::filesystem::path& path) {
+    std::uint64_t hash = 0xCBF29CE484222325U;
+    for (const char letter : text_of(path)) {
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3U;
+    }
+    return fmt::format("{:016x}", hash);
+}
+
+std::string described(const CampaignSettings& settings) {
+    const Versions versions = built_versions();
+    std::string text = "# The settings of the campaign whose rows are beside; `rsi-sil campaign` wrote it.\n";
+    text += to_toml(settings);
+    text += fmt::format("\n{}\ncomponent = \"{}\"\ngit_revision = \"{}\"\n", made_with, versions.component,
+                        versions.git_revision);
+    for (std::size_t i = 0U; i < settings.vehicles.size(); ++i) {
+        text += fmt::format("vehicle_{0}_parameters = \"{1}\"\nvehicle_{0}_calibration = \"{2}\"\n", i + 1U,
+                            fingerprint(settings.vehicles[i].parameters),
+                            fingerprint(settings.vehicles[i].calibration));
+    }
+    return text;
+}
+
+std::string line_or_nothing(std::istream& stream) {
+    std::string line;
+    return std::getline(stream, line) ? line : "nothing";
+}
+
+void refuse_difference(const std::filesystem::path& path, const std::string& stored,
+                       const std::string& wanted) {
+    std::istringstream stored_lines{stored};
+    std::istringstream wanted_lines{wanted};
+    std::string advice = fmt::format(", or the settings of this one: --settings {}", path.string());
+    while (stored_lines && wanted_lines) {
+        const std::string there = line_or_nothing(stored_lines);
+        const std::string here = line_or_nothing(wanted_lines);
+        if (there == made_with || here == made_with) {
+            advice = ", so that rows of different programs or vehicles do not get mixed";
+        }
+        if (there != here) {
+            throw CampaignError(fmt::format(
+                "{} is of another campaign: it has `{}` where now there is `{}`. Use another output folder{}",
+                path.string(), there, here, advice));
+        }
+    }
+}
+
+}  // namespace
+
+CampaignFolder::CampaignFolder(const std::filesystem::path& path, const CampaignSettings& settings)
+    : path_{path} {
+    std::error_code error;
+    std::filesystem::create_directories(path_, error);
+    if (error) {
+        throw CampaignError(fmt::format("{}: cannot be made: {}", path_.string(), error.message()));
+    }
+    lock();
+    try {
+        compare_or_store(settings);
+    } catch (...) {
+        ::close(lock_);
+        throw;
+    }
+}
+
+CampaignFolder::~CampaignFolder() {
+    ::close(lock_);
+}
+
+// The system releases the lock when the program ends, however it ends.
+void CampaignFolder::lock() {
+    const std::filesystem::path file = path_ / ".lock";
+    lock_ = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+    if (lock_ < 0) {
+        throw CampaignError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+    }
+    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+        ::close(lock_);
+        throw CampaignError(fmt::format(
+            "{}: another campaign is writing into this folder; wait for it or end it", path_.string()));
+    }
+}
+
+void CampaignFolder::compare_or_store(const CampaignSettings& settings) {
+    const std::filesystem::path file = path_ / "campaign.toml";
+    if (!std::filesystem::exists(file)) {
+        if (std::filesystem::exists(rows())) {
+            throw CampaignError(
+                fmt::format("{} has rows but no campaign.toml, so nobody knows what they are of; use another "
+                            "output folder",
+                            path_.string()));
+        }
+        write_file_atomically(file, described(settings));
+        return;
+    }
+    CampaignSettings stored_size = settings;
+    stored_size.runs = load_campaign(file).runs;
+    refuse_difference(file, text_of(file), described(stored_size));
+    if (settings.runs < stored_size.runs) {
+        throw CampaignError(fmt::format("{} has {} runs; their number can grow, not shrink to {}",
+                                        path_.string(), stored_size.runs, settings.runs));
+    }
+    if (settings.runs > stored_size.runs) {
+        write_file_atomically(file, described(settings));
+    }
+}
+
+}  // namespace sil

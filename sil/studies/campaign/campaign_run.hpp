@@ -1,0 +1,41 @@
+// Campaign run: from the number of a run to its row.
+#pragma once
+
+#include <vector>
+
+#include "rsi/types.hpp"
+#include "sil/studies/campaign/drawn_run.hpp"
+#include "sil/studies/campaign/row.hpp"
+#include "sil/studies/campaign/settings.hpp"
+#include "sil/world/manoeuvres/manoeuvre.hpp"
+#include "sil/world/vehicle/parameters.hpp"
+
+namespace sil {
+
+// The files that the settings name, read once. Throws what load_vehicle, load_calibration and find_manoeuvre
+// throw.
+class CampaignWorld {
+ public:
+    explicit CampaignWorld(const CampaignSettings& settings);
+
+    // Safe to call from several threads at once. Throws std::exception when the run fails.
+    CampaignRow run(std::uint64_t number) const;
+
+    // What run() drives.
+    DrawnRun prepare(std::uint64_t number) const;
+
+    const CampaignSettings& settings() const { return settings_; }
+
+ private:
+    struct KnownVehicle {
+        std::string name;
+        VehicleParameters parameters;
+        rsi::Parameters calibration;
+    };
+
+    CampaignSettings settings_;
+    std::vector<KnownVehicle> vehicles_;
+    std::vector<Manoeuvre> manoeuvres_;
+};
+
+}  // namespace sil

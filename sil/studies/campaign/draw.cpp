@@ -1,0 +1,97 @@
+// Draw: a counter-based random number a quantity, scaled to its interval.
+#include "sil/studies/campaign/draw.hpp"
+
+namespace sil {
+namespace {
+
+// The numbers are part of the reproducible result: never change one, only add.
+enum class Quantity : std::uint64_t {
+    vehicle = 1,
+    manoeuvre = 2,
+    direction = 3,
+    speed_factor = 4,
+    steering_factor = 5,
+    friction_factor = 6,
+    load_share = 7,
+    load_height_factor = 8,
+    cg_height_error = 9,
+    stiffness_error = 10,
+    mass_error = 11,
+    lateral_bias = 12,
+    vertical_bias = 13,
+    sensor_seed = 14,
+};
+
+// The finaliser of splitmix64 (Steele, Lea, Flood 2014): neighbouring inputs give unrelated outputs.
+std::uint64_t scramble(std::uint64_t value) {
+    value += 0x9E3779B97F4A7C15U;
+    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;
+    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBU;
+    return value ^ (value >> 31U);
+}
+
+class RandomNumbers {
+ public:
+    RandomNumbers(std::uint64_t seed, std::uint64_t run) : key_{scramble(scramble(seed) ^ run)} {}
+
+    std::uint64_t bits(Quantity quantity) const {
+        return scramble(key_ ^ scramble(static_cast<std::uint64_t>(quantity)));
+    }
+
+    // Uniform on [0, 1), a multiple of 2^-53.
+    double unit(Quantity quantity) const { return static_cast<double>(bits(quantity) >> 11U) * 0x1p-53; }
+
+    double within(Quantity quantity, const Interval& interval) const {
+        return interval.lowest + unit(quantity) * (interval.highest - interval.lowest);
+    }
+
+    double either_way(Quantity quantity, double largest) const {
+        return within(quantity, {-largest, largest});
+    }
+
+ private:
+    std::uint64_t key_;
+};
+
+std::size_t weighted_manoeuvre(const std::vector<CampaignManoeuvre>& manoeuvres, double unit) {
+    double sum = 0.0;
+    for (const CampaignManoeuvre& manoeuvre : manoeuvres) {
+        sum += manoeuvre.weight;
+    }
+    double left = unit * sum;
+    for (std::size_t i = 0U; i + 1U < manoeuvres.size(); ++i) {
+        left -= manoeuvres[i].weight;
+        if (left < 0.0) {
+            return i;
+        }
+    }
+    return manoeuvres.size() - 1U;
+}
+
+}  // namespace
+
+RunDraw draw_run(const CampaignSettings& settings, std::uint64_t number) {
+    const RandomNumbers random{settings.seed, number};
+    const CampaignSpread& spread = settings.spread;
+    RunDraw draw;
+    draw.number = number;
+    draw.vehicle = static_cast<std::size_t>(random.unit(Quantity::vehicle) *
+                                            static_cast<double>(settings.vehicles.size()));
+    draw.manoeuvre = weighted_manoeuvre(settings.manoeuvres, random.unit(Quantity::manoeuvre));
+    const CampaignManoeuvre& manoeuvre = settings.manoeuvres[draw.manoeuvre];
+    draw.mirrored = random.unit(Quantity::direction) < 0.5;
+    draw.speed_factor = random.within(Quantity::speed_factor, manoeuvre.speed_factor);
+    draw.steering_factor = random.within(Quantity::steering_factor, manoeuvre.steering_factor);
+    draw.friction_factor = random.within(Quantity::friction_factor, spread.friction_factor);
+    draw.load_share = random.within(Quantity::load_share, spread.load_share);
+    draw.load_height_factor = random.within(Quantity::load_height_factor, spread.load_height_factor);
+    draw.cg_height_error = random.either_way(Quantity::cg_height_error, spread.cg_height_error);
+    draw.stiffness_error = random.either_way(Quantity::stiffness_error, spread.stiffness_error);
+    draw.mass_error = random.either_way(Quantity::mass_error, spread.mass_error);
+    draw.lateral_bias_g = random.either_way(Quantity::lateral_bias, spread.accelerometer_bias_g);
+    draw.vertical_bias_g = random.either_way(Quantity::vertical_bias, spread.accelerometer_bias_g);
+    draw.sensor_seed = random.bits(Quantity::sensor_seed) >> 1U;
+    return draw;
+}
+
+}  // namespace sil

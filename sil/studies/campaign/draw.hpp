@@ -1,0 +1,34 @@
+// Draw: what one run of a campaign is, drawn from the settings by seed and run number alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "sil/studies/campaign/settings.hpp"
+
+namespace sil {
+
+// The errors are shares of the true value of that run: the firmware is told true * (1 + error).
+struct RunDraw {
+    std::uint64_t number{0U};
+    std::size_t vehicle{0U};    // index into the settings
+    std::size_t manoeuvre{0U};  // index into the settings
+    bool mirrored{false};
+    double speed_factor{1.0};
+    double steering_factor{1.0};
+    double friction_factor{1.0};
+    double load_share{0.0};          // of the sprung mass
+    double load_height_factor{1.0};  // of the height of the sprung CG
+    double cg_height_error{0.0};
+    double stiffness_error{0.0};
+    double mass_error{0.0};
+    double lateral_bias_g{0.0};
+    double vertical_bias_g{0.0};
+    std::uint64_t sensor_seed{1U};
+};
+
+// Every quantity has a random number of its own, so that none depends on how many others were drawn, on the
+// other runs, or on the thread. `settings` must have passed check_campaign.
+RunDraw draw_run(const CampaignSettings& settings, std::uint64_t number);
+
+}  // namespace sil

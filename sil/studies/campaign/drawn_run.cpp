@@ -1,0 +1,70 @@
+#include "sil/studies/campaign/drawn_run.hpp"
+
+#include "sil/units.hpp"
+#include "sil/world/sensors/sensor_sample.hpp"
+#include "sil/world/simulation/mounted_sensors.hpp"
+#include "sil/world/vehicle/load.hpp"
+
+namespace sil {
+namespace {
+
+float with_error(double truth, double error) {
+    return static_cast<float>(truth * (1.0 + error));
+}
+
+// Mass and CG height are wrong by the drawn shares of what they are in this run, load included: whatever the
+// load changes is a part of the error and not on top of it.
+rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& truth, const RunDraw& draw) {
+    calibration.sprung_mass_kg = with_error(truth.mass.sprung_kg, draw.mass_error);
+    calibration.sprung_cg_height_m = with_error(truth.geometry.cg_height_m, draw.cg_height_error);
+    // The whole curve of the roll stiffness by the same share.
+    for (float* coefficient : {&calibration.roll_stiffness_nmprad, &calibration.roll_stiffness_cubic_nmprad3,
+                               &calibration.roll_stiffness_quintic_nmprad5}) {
+        *coefficient = with_error(static_cast<double>(*coefficient), draw.stiffness_error);
+    }
+    return calibration;
+}
+
+SensorOptions drawn_sensors(const VehicleParameters& vehicle, const CampaignSpread& spread,
+                            const RunDraw& draw) {
+    SensorFlaws flaws;
+    flaws.noise = spread.sensor_noise;
+    flaws.seed = draw.sensor_seed;
+    SensorOptions sensors = mounted_sensors(vehicle, flaws);
+    sensors.imu.lateral_acceleration_mps2.bias = draw.lateral_bias_g * g_mps2;
+    sensors.imu.vertical_acceleration_mps2.bias = draw.vertical_bias_g * g_mps2;
+    if (!spread.steering_sensor) {
+        sensors.motion.steering_wheel_angle_rad.bias = SensorSample::not_available;
+    }
+    if (!spread.roll_sensor) {
+        sensors.roll.roll_angle_rad.bias = SensorSample::not_available;
+    }
+    return sensors;
+}
+
+}  // namespace
+
+DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const VehicleParameters& vehicle,
+                   const rsi::Parameters& calibration, const Manoeuvre& manoeuvre) {
+    DrawnRun run;
+    run.draw = draw;
+    run.manoeuvre = manoeuvre;
+    run.vehicle = vehicle;
+    // What the manoeuvre changes in the vehicle belongs to the truth that load and errors are counted from.
+    if (manoeuvre.adapt_vehicle) {
+        run.vehicle = manoeuvre.adapt_vehicle(run.vehicle);
+        run.manoeuvre.adapt_vehicle = {};
+    }
+    run.vehicle = with_load(run.vehicle, draw.load_share * run.vehicle.mass.sprung_kg,
+                            draw.load_height_factor * run.vehicle.geometry.cg_height_m);
+    run.vehicle = with_friction(run.vehicle, draw.friction_factor);
+    run.calibration = mistaken(calibration, run.vehicle, draw);
+    run.options.mirrored = draw.mirrored;
+    run.options.speed_factor = draw.speed_factor;
+    run.options.steering_factor = draw.steering_factor;
+    run.options.duration_s = settings.manoeuvres[draw.manoeuvre].duration_s;
+    run.sensors = drawn_sensors(run.vehicle, settings.spread, draw);
+    return run;
+}
+
+}  // namespace sil

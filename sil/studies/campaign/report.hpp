@@ -1,0 +1,53 @@
+// Report: what a campaign's rows say about the warning and every index, as JSON, Markdown, CSV and pictures'
+// data.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sil/studies/campaign/detection.hpp"
+
+namespace sil {
+
+// At which shares of false alarms the report looks up what an index could do.
+inline constexpr double false_alarm_limits[] = {0.001, 0.005, 0.01, 0.02, 0.05};
+
+// One index, or the firmware's warning, over some runs.
+struct Judgement {
+    std::string name{};
+    Detection detection{};                          // the warning itself, or the index at threshold 1
+    std::vector<std::optional<CurvePoint>> best{};  // at false_alarm_limits; empty for the warning
+};
+
+// Some runs: all, those of one vehicle, or those of one manoeuvre.
+struct RunGroup {
+    std::string name{};
+    std::size_t runs{0U};
+    std::size_t calm{0U};
+    std::size_t between{0U};
+    std::size_t lifted{0U};
+    std::size_t brief_lifts{0U};          // runs without a lasting two-wheel lift-off but with a brief one
+    std::vector<Judgement> judgements{};  // the warning first, then the indices
+};
+
+struct CampaignReport {
+    std::uint64_t runs_wanted{0U};  // more than all.runs: the campaign has not finished
+    RunGroup all{};
+    std::vector<RunGroup> vehicles{};
+    std::vector<RunGroup> manoeuvres{};
+    std::vector<std::vector<CurvePoint>> curves{};  // of the indices, over all runs
+};
+
+CampaignReport make_report(const RowTable& table, std::uint64_t runs_wanted);
+
+std::string report_json(const CampaignReport& report);
+std::string report_markdown(const CampaignReport& report);
+
+// Writes report.json, report.md, curves.csv, leads.csv and report.gp (what the pictures need besides) into
+// the folder. Throws std::runtime_error when the system refuses.
+void write_report(const CampaignReport& report, const std::filesystem::path& folder);
+
+}  // namespace sil

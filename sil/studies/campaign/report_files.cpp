@@ -1,0 +1,84 @@
+// Report files: curves and lead times as CSV, and what the pictures need to know besides.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "sil/files/atomic_file.hpp"
+#include "sil/studies/campaign/report.hpp"
+
+namespace sil {
+namespace {
+
+// Points that a picture cannot tell apart are written once; the first and the last always.
+std::string curve_lines(const std::string& name, const std::vector<CurvePoint>& curve) {
+    const auto place = [](const CurvePoint& point) {
+        constexpr double steps = 5000.0;
+        return std::make_tuple(std::lround(steps * point.false_alarms.value()),
+                               std::lround(steps * point.warned.value()),
+                               std::lround(steps * point.warned_100ms.value()));
+    };
+    std::string text;
+    for (std::size_t i = 0U; i < curve.size(); ++i) {
+        if (i == 0U || i + 1U == curve.size() || place(curve[i]) != place(curve[i - 1U])) {
+            const CurvePoint& point = curve[i];
+            text += fmt::format("{},{:.6g},{:.6f},{:.6f},{:.6f},{:.6f}\n", name, point.threshold,
+                                point.false_alarms.value(), point.alarms_between.value(),
+                                point.warned.value(), point.warned_100ms.value());
+        }
+    }
+    return text;
+}
+
+std::string curves_csv(const CampaignReport& report) {
+    std::string text =
+        "index,threshold,false_alarm_share,alarm_between_share,warned_share,warned_100ms_share\n";
+    for (std::size_t i = 0U; i < report.curves.size(); ++i) {
+        text += curve_lines(report.all.judgements[i + 1U].name, report.curves[i]);
+    }
+    return text;
+}
+
+// The share of two-wheel lift-offs with at least this lead.
+std::string leads_csv(const CampaignReport& report) {
+    std::string text = "index,lead_time_s,share_with_at_least\n";
+    for (const Judgement& judgement : report.all.judgements) {
+        std::vector<double> leads_s = judgement.detection.lead_times_s;
+        std::sort(leads_s.begin(), leads_s.end(), std::greater<>{});
+        for (std::size_t i = 0U; i < leads_s.size(); ++i) {
+            text += fmt::format("{},{:.3f},{:.6f}\n", judgement.name, leads_s[i],
+                                static_cast<double>(i + 1U) / static_cast<double>(report.all.lifted));
+        }
+    }
+    return text;
+}
+
+std::string picture_settings(const CampaignReport& report) {
+    std::string names;
+    for (std::size_t i = 1U; i < report.all.judgements.size(); ++i) {
+        names += (i == 1U ? "" : " ") + report.all.judgements[i].name;
+    }
+    const Detection& warning = report.all.judgements.front().detection;
+    const auto number = [](double value) {
+        return std::isfinite(value) ? fmt::format("{:.6f}", value) : "NaN";
+    };
+    return fmt::format(
+        "# What the pictures of a campaign need besides curves.csv and leads.csv.\n"
+        "index_names = \"{}\"\nwarning_false_alarm_share = {}\nwarning_warned_share = {}\n"
+        "warning_warned_100ms_share = {}\nruns = {}\nlifted_runs = {}\ncalm_runs = {}\n",
+        names, number(warning.false_alarms.value()), number(warning.warned.value()),
+        number(warning.warned_100ms.value()), report.all.runs, report.all.lifted, report.all.calm);
+}
+
+}  // namespace
+
+void write_report(const CampaignReport& report, const std::filesystem::path& folder) {
+    write_file_atomically(folder / "curves.csv", curves_csv(report));
+    write_file_atomically(folder / "leads.csv", leads_csv(report));
+    write_file_atomically(folder / "report.gp", picture_settings(report));
+    write_file_atomically(folder / "report.md", report_markdown(report));
+    write_file_atomically(folder / "report.json", report_json(report));
+}
+
+}  // namespace sil

@@ -1,0 +1,30 @@
+// Row: what a campaign keeps of one run, and its line in runs.csv.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sil/studies/campaign/draw.hpp"
+#include "sil/studies/campaign/outcome.hpp"
+#include "sil/studies/campaign/peaks.hpp"
+
+namespace sil {
+
+struct CampaignRow {
+    RunDraw draw{};
+    std::string vehicle{};  // its file's name without folder and ending
+    std::string manoeuvre{};
+    double speed_kmh{0.0};
+    Outcome outcome{};
+    std::optional<double> warning_time_s{};  // of the firmware's state machine
+    std::vector<IndexPeaks> indices{};       // in the order of campaign_indices()
+};
+
+// The columns of all rows, without the end of the line. docs/campaign.md says what they mean.
+std::string row_header();
+
+// The row as a line of the CSV, without its end; the same text for the same row.
+std::string row_line(const CampaignRow& row);
+
+}  // namespace sil

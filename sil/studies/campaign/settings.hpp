@@ -1,0 +1,78 @@
+// Campaign settings: which vehicles, manoeuvres and spreads the runs of a Monte Carlo campaign are drawn
+// from.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace sil {
+
+// What is wrong with the settings, with file, line and key where there is one, ready to be shown.
+class CampaignError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+// Both ends belong to it.
+struct Interval {
+    double lowest{0.0};
+    double highest{0.0};
+};
+
+// A simulated vehicle and the firmware's calibration for it; relative paths start from the current folder.
+struct CampaignVehicle {
+    std::string parameters;
+    std::string calibration;
+};
+
+// One manoeuvre of the catalogue and how it is varied.
+struct CampaignManoeuvre {
+    std::string name;
+    double weight{1.0};                  // its share of the runs, over the sum of all weights
+    Interval speed_factor{1.0, 1.0};     // times the manoeuvre's speed
+    Interval steering_factor{1.0, 1.0};  // times its handwheel angle
+    double duration_s{0.0};              // 0: its own
+};
+
+// How far the drawn quantities spread; docs/campaign.md says how they are distributed. Here: not at all.
+struct CampaignSpread {
+    Interval friction_factor{1.0, 1.0};     // of the tyres
+    Interval load_share{};                  // of the sprung mass, added as a point load
+    Interval load_height_factor{1.0, 1.0};  // height of the load over the height of the sprung CG
+    double cg_height_error{0.0};            // share by which the calibration's value may be wrong, either way
+    double stiffness_error{0.0};
+    double mass_error{0.0};
+    double accelerometer_bias_g{0.0};
+    bool sensor_noise{false};
+    bool steering_sensor{true};  // false: the steering wheel angle is never available
+    bool roll_sensor{true};      // false: neither is the roll angle
+};
+
+struct CampaignSettings {
+    std::uint64_t runs{1U};
+    std::uint64_t seed{1U};
+    std::vector<CampaignVehicle> vehicles{};
+    std::vector<CampaignManoeuvre> manoeuvres{};
+    CampaignSpread spread{};
+};
+
+// The settings that are built in, those of sil/studies/campaign/default.toml.
+CampaignSettings default_campaign();
+
+// Reads settings; what a file leaves out is as in default_campaign(). Throws CampaignError with file, line
+// and key for anything that cannot be read, is unknown or out of range.
+CampaignSettings load_campaign(const std::filesystem::path& path);
+
+// Refuses what load_campaign would, in settings that have been put together otherwise. Throws CampaignError.
+void check_campaign(const CampaignSettings& settings);
+
+// "FILE:CALIBRATION". Throws CampaignError.
+CampaignVehicle parse_campaign_vehicle(const std::string& text);
+
+// As TOML that load_campaign reads back, one key a line, the same text for the same settings.
+std::string to_toml(const CampaignSettings& settings);
+
+}  // namespace sil

@@ -1,0 +1,160 @@
+#include "sil/studies/drives/drive_replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/memory/frame_replay.hpp"
+#include "sil/studies/drives/frame_samples.hpp"
+#include "sil/studies/drives/resample.hpp"
+#include "sil/world/simulation/ecu_frames.hpp"
+#include "sil/world/simulation/in_process_ecu.hpp"
+#include "sil/world/simulation/pace.hpp"
+#include "sil/world/simulation/replay.hpp"
+#include "sil/world/simulation/sensor_frames.hpp"
+
+namespace sil {
+namespace {
+
+// What EventObserver wants to know; the wheels stay on the road, because lift-off is found elsewhere.
+Truth known_truth(const ReplayCycle& cycle) {
+    Truth truth;
+    truth.time_s = cycle.sample.time_s;
+    truth.lateral_acceleration_mps2 = static_cast<double>(cycle.outputs.lateral_acceleration_mps2);
+    truth.roll_angle_rad = cycle.sample.roll_angle_rad;
+    truth.wheel_load_n.fill(1.0);
+    return truth;
+}
+
+// Steps the firmware and keeps what it says.
+class Recorder {
+ public:
+    Recorder(const rsi::Parameters& parameters, const Interruption& interrupted)
+        : interrupted_{interrupted}, ecu_{parameters}, events_{static_stability_factor(parameters)} {}
+
+    InProcessEcu& ecu() { return ecu_; }
+
+    // After the cycle's frames have been sent.
+    void step(const DriveSample& sample, bool has_frames) {
+        if (interrupted_ && interrupted_()) {
+            throw ReplayInterrupted{};
+        }
+        ecu_.step();
+        bool has_answer = false;
+        hal::CanFrame frame;
+        while (ecu_.world_bus().receive(frame) == hal::ReceiveResult::frame) {
+            has_answer = frames_.take(frame) == EcuFrameKind::warning || has_answer;
+        }
+        ReplayCycle cycle;
+        cycle.sample = sample;
+        cycle.outputs = ecu_.ecu().outputs();
+        cycle.ecu = frames_.output();
+        cycle.load_transfer_ratio = load_transfer_ratio(sample);
+        cycle.warning_level = static_cast<double>(cycle.outputs.warning_level);
+        events_.observe(known_truth(cycle));
+        if (has_answer) {
+            events_.observe(cycle.ecu, sample.time_s);
+        }
+        result_.silent_cycles += has_frames ? 0U : 1U;
+        result_.cycles.push_back(cycle);
+    }
+
+    DriveReplay finish(const LiftOff& lift_off, std::uint64_t frames_sent) {
+        result_.events = events_.events();
+        result_.lift_off = lift_off;
+        result_.events.one_wheel_lift = moment(lift_off.one_wheel_s);
+        result_.events.two_wheel_lift = moment(lift_off.two_wheel_s);
+        result_.frames_sent = frames_sent;
+        result_.frames_received = frames_.frames_received();
+        find_largest();
+        return std::move(result_);
+    }
+
+ private:
+    // At `time_s`, with the values of the latest cycle until then.
+    std::optional<EventMoment> moment(const std::optional<double>& time_s) const {
+        if (!time_s) {
+            return std::nullopt;
+        }
+        EventMoment result{*time_s, EcuOutput::not_available, EcuOutput::not_available};
+        for (const ReplayCycle& cycle : result_.cycles) {
+            if (cycle.sample.time_s > *time_s + 0.5 * cycle_time_s) {
+                break;
+            }
+            result.lateral_acceleration_mps2 = static_cast<double>(cycle.outputs.lateral_acceleration_mps2);
+            result.roll_angle_rad = cycle.sample.roll_angle_rad;
+        }
+        return result;
+    }
+
+    void find_largest() {
+        const std::optional<double>& end_s = result_.lift_off.two_wheel_s;
+        for (const ReplayCycle& cycle : result_.cycles) {
+            if (end_s && cycle.sample.time_s >= *end_s) {
+                break;
+            }
+            // std::fmax takes the number beside a NaN.
+            result_.largest_load_transfer_ratio =
+                std::fmax(result_.largest_load_transfer_ratio, std::fabs(cycle.load_transfer_ratio));
+            result_.largest_warning_level = std::fmax(result_.largest_warning_level, cycle.warning_level);
+        }
+    }
+
+    const Interruption& interrupted_;
+    InProcessEcu ecu_;
+    EcuFrames frames_;
+    EventObserver events_;
+    DriveReplay result_;
+};
+
+double seconds(hal::Time time) {
+    return static_cast<double>(time.nanoseconds) * 1.0e-9;
+}
+
+}  // namespace
+
+DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
+                         const Interruption& interrupted) {
+    Recorder recorder{parameters, interrupted};
+    SensorFrames sensors;
+    hal::Time time{};
+    for (const DriveCycle& cycle : to_cycles(drive)) {
+        recorder.ecu().clock().set(time);
+        if (cycle.has_frames) {
+            sensors.send(recorder.ecu().world_bus(), sensor_sample(cycle.sample));
+        }
+        recorder.step(cycle.sample, cycle.has_frames);
+        time = time + cycle_time;
+    }
+    return recorder.finish(find_lift_off(drive), sensors.frames_sent());
+}
+
+DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters,
+                         const Interruption& interrupted) {
+    const std::vector<hal::CanFrame> frames = replayable_frames(log);
+    Recorder recorder{parameters, interrupted};
+    hal::FrameReplay player{frames.data(), frames.size(), recorder.ecu().clock(), recorder.ecu().world_bus()};
+    const hal::Time start = frames.front().receive_time;
+    std::size_t taken = 0U;
+    for (hal::Time time = start; !player.finished(); time = time + cycle_time) {
+        player.run_until(time);
+        DriveSample sample;
+        sample.time_s = seconds(time - start);
+        const std::size_t first = taken;
+        for (; taken < frames.size() && !(time < frames[taken].receive_time); ++taken) {
+            take_frame(frames[taken], sample);
+        }
+        recorder.step(sample, taken > first);
+    }
+    return recorder.finish({}, frames.size());
+}
+
+double static_stability_factor(const rsi::Parameters& parameters) {
+    const double m_s = static_cast<double>(parameters.sprung_mass_kg);
+    const double m_u = static_cast<double>(parameters.unsprung_mass_kg);
+    const double h = (m_s * static_cast<double>(parameters.sprung_cg_height_m) +
+                      m_u * static_cast<double>(parameters.unsprung_cg_height_m)) /
+                     (m_s + m_u);
+    return static_cast<double>(parameters.track_width_m) / (2.0 * h);
+}
+
+}  // namespace sil

@@ -1,0 +1,61 @@
+// Drive replay: a drive, or a log of sensor frames, through the firmware, cycle by cycle.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+#include "rsi/types.hpp"
+#include "sil/files/candump_log.hpp"
+#include "sil/results/ecu_output.hpp"
+#include "sil/results/events.hpp"
+#include "sil/studies/drives/drive.hpp"
+#include "sil/studies/drives/lift_off.hpp"
+
+namespace sil {
+
+// One cycle of 10 ms.
+struct ReplayCycle {
+    DriveSample sample;      // what was sent, before it became frames; of a log: what its frames say
+    rsi::Outputs outputs{};  // what the component computed
+    EcuOutput ecu;           // what the ECU's frames said
+    double load_transfer_ratio{EcuOutput::not_available};  // of the wheel loads
+    double warning_level{EcuOutput::not_available};  // of the indicator that drives the warning; 1: warn
+};
+
+struct DriveReplay {
+    std::vector<ReplayCycle> cycles;
+    // The lateral acceleration is the one that the component measured, the roll angle the sensor's.
+    RunEvents events;
+    LiftOff lift_off;
+    // Before two-wheel lift-off where there is one; NaN when there was no value.
+    double largest_load_transfer_ratio{EcuOutput::not_available};  // |LTR|
+    double largest_warning_level{EcuOutput::not_available};
+    std::size_t silent_cycles{0U};  // without any sensor frame
+    std::uint64_t frames_sent{0U};
+    std::uint64_t frames_received{0U};
+};
+
+// Asked at every cycle; true ends the replay by ReplayInterrupted.
+using Interruption = std::function<bool()>;
+class ReplayInterrupted : public std::runtime_error {
+ public:
+    ReplayInterrupted() : std::runtime_error{"interrupted"} {}
+};
+
+// The samples become the frames that the car's sensors send, every 10 ms (resample.hpp). Throws
+// std::invalid_argument when the parameters are refused, ReplayInterrupted.
+DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
+                         const Interruption& interrupted = {});
+
+// The log's own frames at their own times, stepped every 10 ms from the first; times count from it. Throws
+// ReplayError (sil/world/simulation/replay.hpp) too.
+DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters,
+                         const Interruption& interrupted = {});
+
+// c_w / (2 h), h the height of the whole vehicle's CG.
+double static_stability_factor(const rsi::Parameters& parameters);
+
+}  // namespace sil

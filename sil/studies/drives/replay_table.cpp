@@ -1,0 +1,100 @@
+#include "sil/studies/drives/replay_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "sil/studies/drives/verdict.hpp"
+
+namespace sil {
+namespace {
+
+std::string number(const std::optional<double>& value, int decimals, const char* otherwise) {
+    return value && std::isfinite(*value) ? fmt::format("{:.{}f}", *value, decimals) : otherwise;
+}
+
+// Names of files may hold anything.
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    std::string result = "\"";
+    for (const char character : text) {
+        result += std::string(character == '"' ? 2U : 1U, character);
+    }
+    return result + "\"";
+}
+
+std::optional<double> time_of(const std::optional<EventMoment>& event) {
+    return event ? std::optional<double>{event->time_s} : std::nullopt;
+}
+
+}  // namespace
+
+ReplayRow replay_row(const std::string& file, const std::string& drive, const DriveReplay& replay) {
+    const RunEvents& events = replay.events;
+    ReplayRow row;
+    row.file = file;
+    row.drive = drive;
+    row.warning_s = time_of(events.warning);
+    row.one_wheel_lift_s = time_of(events.one_wheel_lift);
+    row.two_wheel_lift_s = time_of(events.two_wheel_lift);
+    row.lead_s = events.lead_time_s();
+    row.largest_load_transfer_ratio = replay.largest_load_transfer_ratio;
+    row.largest_warning_level = replay.largest_warning_level;
+    row.verdict = to_string(verdict(replay));
+    return row;
+}
+
+ReplayRow failed_row(const std::string& file, const std::string& drive) {
+    ReplayRow row;
+    row.file = file;
+    row.drive = drive;
+    row.verdict = "failed";
+    return row;
+}
+
+std::string table_csv(const std::vector<ReplayRow>& rows) {
+    std::string text =
+        "file,drive,warning_time_s,one_wheel_lift_time_s,two_wheel_lift_time_s,lead_time_s,"
+        "largest_load_transfer_ratio,largest_warning_level,verdict\n";
+    for (const ReplayRow& row : rows) {
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", quoted(row.file),
+                       quoted(row.drive), number(row.warning_s, 3, ""), number(row.one_wheel_lift_s, 3, ""),
+                       number(row.two_wheel_lift_s, 3, ""), number(row.lead_s, 3, ""),
+                       number(row.largest_load_transfer_ratio, 4, ""),
+                       number(row.largest_warning_level, 4, ""), row.verdict);
+    }
+    return text;
+}
+
+std::string table_text(const std::vector<ReplayRow>& rows) {
+    std::size_t width = 5U;
+    std::map<std::string, int> counts;
+    for (const ReplayRow& row : rows) {
+        width = std::max(width, row.drive.size());
+        ++counts[row.verdict];
+    }
+    std::string text =
+        fmt::format("{:<{}}  {:>9}  {:>9}  {:>9}  {:>8}  {:>7}  {:>7}  {}\n", "drive", width, "warning s",
+                    "1 wheel s", "2 wheels s", "lead s", "|LTR|", "level", "verdict");
+    for (const ReplayRow& row : rows) {
+        fmt::format_to(std::back_inserter(text), "{:<{}}  {:>9}  {:>9}  {:>10}  {:>8}  {:>7}  {:>7}  {}\n",
+                       row.drive, width, number(row.warning_s, 2, "-"), number(row.one_wheel_lift_s, 2, "-"),
+                       number(row.two_wheel_lift_s, 2, "-"), number(row.lead_s, 2, "-"),
+                       number(row.largest_load_transfer_ratio, 3, "-"),
+                       number(row.largest_warning_level, 3, "-"), row.verdict);
+    }
+    text += fmt::format("{} drives:", rows.size());
+    const char* separator = " ";
+    for (const auto& [verdict, count] : counts) {
+        fmt::format_to(std::back_inserter(text), "{}{} {}", separator, count, verdict);
+        separator = ", ";
+    }
+    return text + "\n";
+}
+
+}  // namespace sil

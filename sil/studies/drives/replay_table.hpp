@@ -1,0 +1,34 @@
+// Replay table: many drives in one table, as CSV and for people.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sil/studies/drives/drive_replay.hpp"
+
+namespace sil {
+
+struct ReplayRow {
+    std::string file;
+    std::string drive;
+    std::optional<double> warning_s;
+    std::optional<double> one_wheel_lift_s;
+    std::optional<double> two_wheel_lift_s;
+    std::optional<double> lead_s;
+    double largest_load_transfer_ratio{EcuOutput::not_available};
+    double largest_warning_level{EcuOutput::not_available};
+    std::string verdict;  // see verdict.hpp; "failed" for a file that could not be replayed
+};
+
+ReplayRow replay_row(const std::string& file, const std::string& drive, const DriveReplay& replay);
+ReplayRow failed_row(const std::string& file, const std::string& drive);
+
+// file, drive, warning_time_s, one_wheel_lift_time_s, two_wheel_lift_time_s, lead_time_s,
+// largest_load_transfer_ratio, largest_warning_level, verdict. What is not known or did not happen is empty.
+std::string table_csv(const std::vector<ReplayRow>& rows);
+
+// The same in columns of even width, and a line that counts the verdicts.
+std::string table_text(const std::vector<ReplayRow>& rows);
+
+}  // namespace sil

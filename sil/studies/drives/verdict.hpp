@@ -1,0 +1,25 @@
+// Verdict: what a replayed drive says about the warning, in a word.
+#pragma once
+
+#include "sil/studies/drives/drive_replay.hpp"
+
+namespace sil {
+
+enum class Verdict : unsigned char {
+    ahead,            // two wheels lifted; the warning came before
+    late,             // two wheels lifted; the warning came with it or after
+    missed,           // two wheels lifted without a warning
+    one_wheel_alarm,  // a wheel lifted, but not two of a side; there was a warning
+    near_alarm,       // no wheel lifted, but the largest |LTR| reached 0.9; there was a warning
+    false_alarm,      // no wheel lifted; there was a warning, and |LTR| is below 0.9 or not known
+    quiet,            // no two wheels lifted and no warning
+    warning,          // there was a warning; whether wheels lifted is not known
+    no_warning        // there was none; whether wheels lifted is not known
+};
+
+Verdict verdict(const DriveReplay& replay);
+
+// "ahead", "late", "missed", "one-wheel alarm", ...
+const char* to_string(Verdict verdict);
+
+}  // namespace sil

@@ -1,0 +1,41 @@
+// Contradiction: a value that is wrong in a sound frame, where the other sensors show it, and how soon.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "sil/studies/faults/fault.hpp"
+#include "sil/studies/faults/scene.hpp"
+
+namespace sil {
+
+// It need not show there: nothing that the vehicle does tells it from the truth.
+inline constexpr int hidden = -1;
+
+// A lapse of any length: only the beginning shows.
+inline constexpr int any_time_ms = std::numeric_limits<int>::max();
+
+struct Contradiction {
+    FaultKind kind{};
+    FaultPlace place{};
+    // One for each kind of scene but `over`, from the least visible error to the reaction.
+    std::array<int, scene_count - 1U> limits_ms{};
+    const char* why{""};  // what the time is made of, or why nothing shows
+    int lapse_ms{0};      // after the first code and while the fault is there, no longer without one
+    int wrong_ms{100};    // where it is hidden, the longest time of a wrong statement
+    int sign{0};          // of the error of which it is stated; 0: of either
+};
+
+// Every kind of fault that lets a value contradict others, of every signal that can have it. The limits are
+// the stated debounces of docs/safety/degradation.md as they come out in these scenes, rounded up to 50 ms.
+const std::vector<Contradiction>& contradictions();
+
+// That of the scene; of `over`, in which the fault begins between them, the longer one of `before_turn` and
+// `steering`.
+int limit_of(const Contradiction& stated, SceneKind scene);
+
+// Throws std::logic_error when there is none.
+const Contradiction& contradiction_of(const Fault& fault);
+
+}  // namespace sil

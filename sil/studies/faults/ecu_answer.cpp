@@ -1,0 +1,142 @@
+#include "sil/studies/faults/ecu_answer.hpp"
+
+#include <array>
+
+#include "can_dbc/codec/message.hpp"
+#include "can_dbc/e2e/profile_11.hpp"
+
+namespace sil {
+namespace {
+
+using Status = can_dbc::RolloverStatus;
+
+struct Flag {
+    bool Status::* value;
+    const char* name;
+};
+constexpr std::array flags{
+    Flag{&Status::imu_timeout, "ImuTimeout"},
+    Flag{&Status::imu_checksum_error, "ImuChecksumError"},
+    Flag{&Status::imu_counter_error, "ImuCounterError"},
+    Flag{&Status::imu_signal_invalid, "ImuSignalInvalid"},
+    Flag{&Status::roll_angle_timeout, "RollAngleTimeout"},
+    Flag{&Status::roll_angle_checksum_error, "RollAngleChecksumError"},
+    Flag{&Status::roll_angle_counter_error, "RollAngleCounterError"},
+    Flag{&Status::roll_angle_signal_invalid, "RollAngleSignalInvalid"},
+    Flag{&Status::vehicle_motion_timeout, "VehicleMotionTimeout"},
+    Flag{&Status::vehicle_motion_checksum_error, "VehicleMotionChecksumError"},
+    Flag{&Status::vehicle_motion_counter_error, "VehicleMotionCounterError"},
+    Flag{&Status::vehicle_motion_signal_invalid, "VehicleMotionSignalInvalid"},
+    Flag{&Status::receive_overflow, "ReceiveOverflow"},
+    Flag{&Status::bus_error, "BusError"},
+    Flag{&Status::parameters_invalid, "ParametersInvalid"},
+    Flag{&Status::cycle_overrun, "CycleOverrun"},
+};
+constexpr std::size_t roll_sensor_disagrees_bit = flags.size();
+
+constexpr DiagnosticCodes bit(std::size_t index) {
+    return DiagnosticCodes{1U} << index;
+}
+
+constexpr std::size_t first_code_bit = roll_sensor_disagrees_bit + 1U;
+using Diagnosis = can_dbc::RolloverDiagnosis;
+constexpr std::size_t last_bit = 63U;
+
+constexpr std::size_t messages_of_ecu = 7U;
+
+}  // namespace
+
+std::string diagnostic_name(std::size_t index) {
+    if (index < flags.size()) {
+        return flags[index].name;
+    }
+    if (index == roll_sensor_disagrees_bit) {
+        return "RollSensorDisagrees";
+    }
+    return Diagnosis::name_of(static_cast<Diagnosis::Code>(index - first_code_bit));
+}
+
+std::vector<std::string> diagnostic_names(DiagnosticCodes codes) {
+    std::vector<std::string> names;
+    for (std::size_t index = 0U; index <= last_bit; ++index) {
+        if ((codes & bit(index)) != 0U) {
+            names.push_back(diagnostic_name(index));
+        }
+    }
+    return names;
+}
+
+// A code that the DBC file does not define is decoded as the start value or as "not available", so it does
+// not come back.
+template <typename Message>
+void EcuEar::hear(const hal::CanFrame& frame, EcuAnswer& answer) {
+    ++answer.frames;
+    if (can_dbc::e2e::verify_profile_11(frame.data.data(), frame.length, Message::length,
+                                        Message::e2e_data_id) != can_dbc::e2e::CheckError::none) {
+        answer.complete = false;
+        return;
+    }
+    const Message message = can_dbc::decode<Message>(frame.data).value;
+    const auto again = can_dbc::encode(message);
+    for (std::size_t index = can_dbc::e2e::profile_11_header_length; index < again.size(); ++index) {
+        answer.defined = answer.defined && again[index] == frame.data[index];
+    }
+    keep(message, answer);
+}
+
+void EcuEar::keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const {
+    answer.state = static_cast<WarningState>(message.state);
+    answer.side = static_cast<WarningSide>(message.side);
+}
+
+void EcuEar::keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const {
+    answer.roll_source = static_cast<RollSource>(message.roll_source);
+    answer.codes |= message.roll_sensor_disagrees ? bit(roll_sensor_disagrees_bit) : 0U;
+}
+
+void EcuEar::keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const {
+    for (std::size_t index = 0U; index < flags.size(); ++index) {
+        answer.codes |= message.*(flags[index].value) ? bit(index) : 0U;
+    }
+}
+
+void EcuEar::keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer) {
+    answer.degradation = message.degradation;
+    const DiagnosticCodes code = bit(first_code_bit + static_cast<std::size_t>(message.code));
+    if (message.code == Diagnosis::Code::none) {
+        confirmed_ = 0U;
+    } else if (message.code_status == Diagnosis::CodeStatus::confirmed) {
+        confirmed_ |= code;
+    } else {
+        confirmed_ &= ~code;
+    }
+}
+
+EcuAnswer EcuEar::listen(hal::CanBus& world) {
+    EcuAnswer answer;
+    answer.complete = true;
+    std::uint32_t seen = 0U;  // one bit a message
+    const auto take = [&](const hal::CanFrame& frame, auto type, std::uint32_t index) {
+        using Message = typename decltype(type)::Type;
+        if (frame.identifier == Message::identifier) {
+            answer.complete = answer.complete && (seen & (1U << index)) == 0U;
+            seen |= 1U << index;
+            hear<Message>(frame, answer);
+        }
+    };
+    hal::CanFrame frame;
+    while (world.receive(frame) == hal::ReceiveResult::frame) {
+        take(frame, can_dbc::MessageType<can_dbc::RolloverWarning>{}, 0U);
+        take(frame, can_dbc::MessageType<can_dbc::RollCentreEstimate>{}, 1U);
+        take(frame, can_dbc::MessageType<can_dbc::RollIndicesAhead>{}, 2U);
+        take(frame, can_dbc::MessageType<can_dbc::RollIndicesClassic>{}, 3U);
+        take(frame, can_dbc::MessageType<can_dbc::RollObserver>{}, 4U);
+        take(frame, can_dbc::MessageType<can_dbc::RolloverDiagnosis>{}, 5U);
+        take(frame, can_dbc::MessageType<can_dbc::RolloverStatus>{}, 6U);
+    }
+    answer.codes |= confirmed_;
+    answer.complete = answer.complete && seen == (1U << messages_of_ecu) - 1U;
+    return answer;
+}
+
+}  // namespace sil

@@ -1,0 +1,59 @@
+// ECU answer: what the ECU's frames of one cycle said, and whether all of them were there and sound.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "hal/interface/can_bus.hpp"
+#include "sil/results/ecu_output.hpp"
+
+namespace sil {
+
+// What the component can still do.
+using Degradation = can_dbc::RolloverDiagnosis::Degradation;
+
+// A set, one bit each: the flags of RolloverStatus, the observer's doubt of the roll sensor, and the codes of
+// RolloverDiagnosis that are confirmed.
+using DiagnosticCodes = std::uint64_t;
+
+// The name of a bit.
+std::string diagnostic_name(std::size_t bit);
+
+// The names of all in the set, the lowest first.
+std::vector<std::string> diagnostic_names(DiagnosticCodes codes);
+
+struct EcuAnswer {
+    bool complete{false};  // each frame of the ECU once, protected as it must be
+    bool defined{true};    // no code that the DBC file does not define
+    std::size_t frames{0U};
+    WarningState state{WarningState::unavailable};
+    WarningSide side{WarningSide::none};
+    RollSource roll_source{RollSource::none};
+    Degradation degradation{Degradation::unavailable};
+    DiagnosticCodes codes{0U};
+};
+
+// Hears the ECU's frames on the bus, cycle by cycle. Each tells of one diagnostic code only, so what it was
+// told before counts until it hears otherwise.
+class EcuEar {
+ public:
+    // Reads what waits on the world's end of the bus.
+    EcuAnswer listen(hal::CanBus& world);
+
+ private:
+    template <typename Message>
+    void hear(const hal::CanFrame& frame, EcuAnswer& answer);
+    void keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const;
+    void keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const;
+    void keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const;
+    void keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer);
+    template <typename Message>
+    void keep(const Message&, EcuAnswer&) const {}
+
+    DiagnosticCodes confirmed_{0U};
+};
+
+}  // namespace sil

@@ -1,0 +1,181 @@
+// The faults of the matrix: every kind at every place where it can happen.
+#include "sil/studies/faults/fault.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "sil/studies/faults/sensor_signal.hpp"
+
+namespace sil {
+namespace {
+
+constexpr std::array signal_kinds{FaultKind::frozen,        FaultKind::offset,      FaultKind::drift,
+                                  FaultKind::noise,         FaultKind::sign_flip,   FaultKind::saturated,
+                                  FaultKind::not_available, FaultKind::out_of_range};
+
+constexpr std::array sensor_frames{FaultPlace::imu_frame, FaultPlace::roll_angle_frame,
+                                   FaultPlace::vehicle_motion_frame};
+
+struct FrameFault {
+    FaultKind kind;
+    double magnitude;
+};
+constexpr std::array frame_faults{
+    FrameFault{FaultKind::lost, 0.0},           FrameFault{FaultKind::delayed, 20.0},
+    FrameFault{FaultKind::delayed, 100.0},      FrameFault{FaultKind::bad_crc, 0.0},
+    FrameFault{FaultKind::counter_stands, 0.0}, FrameFault{FaultKind::counter_jumps, 0.0},
+    FrameFault{FaultKind::swapped, 0.0},        FrameFault{FaultKind::doubled, 0.0},
+    FrameFault{FaultKind::wrong_length, 0.0}};
+
+constexpr std::array other_faults{Fault{FaultKind::lost, FaultPlace::all_sensor_frames, 0.0},
+                                  Fault{FaultKind::bad_crc, FaultPlace::all_sensor_frames, 0.0},
+                                  Fault{FaultKind::flood_foreign, FaultPlace::bus, 40.0},
+                                  Fault{FaultKind::flood_foreign, FaultPlace::bus, 100.0},
+                                  Fault{FaultKind::flood_own, FaultPlace::bus, 40.0},
+                                  Fault{FaultKind::flood_own, FaultPlace::bus, 100.0},
+                                  Fault{FaultKind::error_passive, FaultPlace::bus, 0.0},
+                                  Fault{FaultKind::bus_off, FaultPlace::bus, 0.0},
+                                  Fault{FaultKind::clock_jump, FaultPlace::processor, 1000.0},
+                                  Fault{FaultKind::clock_jump, FaultPlace::processor, -1000.0},
+                                  Fault{FaultKind::process_stop, FaultPlace::processor, 20.0},
+                                  Fault{FaultKind::process_stop, FaultPlace::processor, 200.0},
+                                  Fault{FaultKind::process_stop, FaultPlace::processor, 2000.0}};
+
+double magnitude_of(FaultKind kind, const SensorSignal& signal) {
+    switch (kind) {
+        case FaultKind::offset:
+            return signal.offset * signal.unit_si;
+        case FaultKind::drift:
+            return signal.drift_ps * signal.unit_si;
+        case FaultKind::noise:
+            return signal.noise * signal.unit_si;
+        case FaultKind::saturated:
+            return 1.0;
+        default:
+            return 0.0;
+    }
+}
+
+// A speed has no sign on the bus, and most vehicles have no bank sensor whose code could be missed.
+bool can_happen(FaultKind kind, FaultPlace place) {
+    return !(kind == FaultKind::sign_flip && place == FaultPlace::speed);
+}
+
+std::vector<Fault> make_all() {
+    std::vector<Fault> all;
+    for (const FaultKind kind : signal_kinds) {
+        for (const SensorSignal& signal : sensor_signals) {
+            if (can_happen(kind, signal.place)) {
+                all.push_back({kind, signal.place, magnitude_of(kind, signal)});
+            }
+        }
+    }
+    for (const FrameFault& fault : frame_faults) {
+        for (const FaultPlace frame : sensor_frames) {
+            all.push_back({fault.kind, frame, fault.magnitude});
+        }
+    }
+    all.insert(all.end(), other_faults.begin(), other_faults.end());
+    return all;
+}
+
+}  // namespace
+
+const std::vector<Fault>& all_faults() {
+    static const std::vector<Fault> all = make_all();
+    return all;
+}
+
+std::vector<Fault> in_each_sign(const Fault& fault) {
+    // A saturated speed has one end: the lower one is a vehicle at rest.
+    const bool has_sign = fault.kind == FaultKind::offset || fault.kind == FaultKind::drift ||
+                          (fault.kind == FaultKind::saturated && fault.place != FaultPlace::speed);
+    if (!has_sign) {
+        return {fault};
+    }
+    return {fault, {fault.kind, fault.place, -fault.magnitude}};
+}
+
+const char* to_string(FaultKind kind) {
+    constexpr std::array names{"none",
+                               "frozen",
+                               "offset",
+                               "drift",
+                               "noise burst",
+                               "sign flip",
+                               "saturated",
+                               "not available",
+                               "code out of range",
+                               "lost",
+                               "delayed",
+                               "bad CRC",
+                               "counter stands",
+                               "counter jumps",
+                               "identifier of the next frame",
+                               "doubled",
+                               "wrong DLC",
+                               "foreign frames",
+                               "damaged Imu frames",
+                               "bus-off",
+                               "error-passive",
+                               "clock jump",
+                               "process stopped"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+const char* to_string(FaultPlace place) {
+    constexpr std::array names{"lateral acceleration",
+                               "vertical acceleration",
+                               "roll rate",
+                               "roll angle",
+                               "bank angle",
+                               "speed",
+                               "yaw rate",
+                               "steering wheel angle",
+                               "Imu",
+                               "RollAngle",
+                               "VehicleMotion",
+                               "all sensor frames",
+                               "bus",
+                               "processor"};
+    return names[static_cast<std::size_t>(place)];
+}
+
+std::string describe(const Fault& fault) {
+    const std::string name = to_string(fault.kind);
+    const SensorSignal* const signal = find_signal(fault.place);
+    switch (fault.kind) {
+        case FaultKind::offset:
+            return fmt::format("{}, {:+.3g} {}", name, fault.magnitude / signal->unit_si, signal->unit);
+        case FaultKind::noise:
+            return fmt::format("{}, {:.3g} {} rms", name, fault.magnitude / signal->unit_si, signal->unit);
+        case FaultKind::drift:
+            return fmt::format("{}, {:+.3g} {} a second", name, fault.magnitude / signal->unit_si,
+                               signal->unit);
+        case FaultKind::saturated:
+            return name + (fault.magnitude < 0.0 ? ", lower end" : ", upper end");
+        case FaultKind::delayed:
+        case FaultKind::clock_jump:
+        case FaultKind::process_stop:
+            return fmt::format("{}, {:.0f} ms", name, fault.magnitude);
+        case FaultKind::flood_foreign:
+        case FaultKind::flood_own:
+            return fmt::format("{}, {:.0f} a cycle", name, fault.magnitude);
+        default:
+            return name;
+    }
+}
+
+std::string describe_each_sign(const Fault& fault) {
+    std::string text = describe(fault);
+    if (in_each_sign(fault).size() == 1U) {
+        return text;
+    }
+    if (fault.kind == FaultKind::saturated) {
+        return std::string{to_string(fault.kind)} + ", either end";
+    }
+    return text.replace(text.find('+'), 1U, "\u00B1");
+}
+
+}  // namespace sil

@@ -1,0 +1,183 @@
+#include "sil/studies/faults/faulty_bus.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/studies/faults/sensor_signal.hpp"
+#include "sil/world/simulation/pace.hpp"
+
+namespace sil {
+namespace {
+
+constexpr std::uint32_t foreign_identifier = 0x010U;  // of high priority
+constexpr std::uint8_t counter_jump = 5U;             // beyond the step of one that every frame makes
+
+struct SensorFrame {
+    FaultPlace place;
+    std::uint32_t identifier;
+    std::uint16_t data_id;
+};
+constexpr std::array<SensorFrame, 3> protected_frames{
+    {{FaultPlace::imu_frame, can_dbc::Imu::identifier, can_dbc::Imu::e2e_data_id},
+     {FaultPlace::roll_angle_frame, can_dbc::RollAngle::identifier, can_dbc::RollAngle::e2e_data_id},
+     {FaultPlace::vehicle_motion_frame, can_dbc::VehicleMotion::identifier,
+      can_dbc::VehicleMotion::e2e_data_id}}};
+
+const SensorFrame* find_frame(std::uint32_t identifier) {
+    for (const SensorFrame& frame : protected_frames) {
+        if (frame.identifier == identifier) {
+            return &frame;
+        }
+    }
+    return nullptr;
+}
+
+// The identifier that a frame has when those of `place` and of the frame after it are exchanged.
+std::uint32_t exchanged(std::uint32_t identifier, FaultPlace place) {
+    for (std::size_t i = 0U; i < protected_frames.size(); ++i) {
+        if (protected_frames[i].place == place) {
+            const std::uint32_t first = protected_frames[i].identifier;
+            const std::uint32_t second = protected_frames[(i + 1U) % protected_frames.size()].identifier;
+            return identifier == first ? second : (identifier == second ? first : identifier);
+        }
+    }
+    return identifier;
+}
+
+void protect_again(hal::CanFrame& frame, std::uint8_t counter) {
+    const SensorFrame* const known = find_frame(frame.identifier);
+    if (known == nullptr) {
+        return;
+    }
+    std::array<std::uint8_t, 8> payload{};
+    std::copy_n(frame.data.begin(), payload.size(), payload.begin());
+    can_dbc::e2e::protect_profile_11(payload, known->data_id, counter);
+    std::copy_n(payload.begin(), payload.size(), frame.data.begin());
+}
+
+std::uint8_t counter_of(const hal::CanFrame& frame) {
+    return can_dbc::e2e::profile_11_counter(frame.data.data());
+}
+
+// The signal's code replaced, and the frame protected as if its sender had sent that.
+void write_code(hal::CanFrame& frame, const SensorSignal& signal) {
+    const std::uint16_t code = signal.code_out_of_range;
+    const auto low = static_cast<std::uint8_t>(code & 0xFFU);
+    const auto high = static_cast<std::uint8_t>(code >> 8U);
+    frame.data[signal.first_byte] = signal.little_endian ? low : high;
+    frame.data[signal.first_byte + 1U] = signal.little_endian ? high : low;
+    protect_again(frame, counter_of(frame));
+}
+
+}  // namespace
+
+void FaultyBus::begin_cycle(bool active) {
+    if (active_ && !active) {  // what was held back arrives now
+        for (const hal::CanFrame& frame : held_) {
+            bus_.send(frame);
+        }
+        held_.clear();
+        counting_ = false;
+    }
+    active_ = active;
+    visible_ = false;
+    if (active) {
+        send_flood();
+    }
+}
+
+void FaultyBus::send_flood() {
+    if (fault_.kind != FaultKind::flood_foreign && fault_.kind != FaultKind::flood_own) {
+        return;
+    }
+    hal::CanFrame frame;
+    frame.identifier = fault_.kind == FaultKind::flood_own ? can_dbc::Imu::identifier : foreign_identifier;
+    frame.length = 8U;
+    frame.data.fill(0x55U);
+    for (int count = 0; count < static_cast<int>(fault_.magnitude); ++count) {
+        bus_.send(frame);
+    }
+    visible_ = true;
+}
+
+bool FaultyBus::is_concerned(const hal::CanFrame& frame) const {
+    if (fault_.place == FaultPlace::all_sensor_frames) {
+        return true;
+    }
+    if (fault_.kind == FaultKind::swapped) {
+        return exchanged(frame.identifier, fault_.place) != frame.identifier;
+    }
+    if (fault_.kind == FaultKind::out_of_range) {
+        const SensorSignal* const signal = find_signal(fault_.place);
+        return signal != nullptr && signal->identifier == frame.identifier;
+    }
+    const SensorFrame* const known = find_frame(frame.identifier);
+    return known != nullptr && known->place == fault_.place;
+}
+
+hal::SendResult FaultyBus::send(const hal::CanFrame& frame) noexcept {
+    if (!active_ || !is_concerned(frame)) {
+        return bus_.send(frame);
+    }
+    visible_ = true;
+    switch (fault_.kind) {
+        case FaultKind::lost:
+            return hal::SendResult::sent;
+        case FaultKind::delayed:
+            return send_delayed(frame);
+        case FaultKind::doubled:
+            bus_.send(frame);
+            return bus_.send(frame);
+        default:
+            return bus_.send(changed(frame));
+    }
+}
+
+hal::SendResult FaultyBus::send_delayed(const hal::CanFrame& frame) {
+    held_.push_back(frame);
+    const auto cycles = static_cast<std::size_t>(std::lround(fault_.magnitude * 1.0e-3 / cycle_time_s));
+    if (held_.size() <= cycles) {
+        return hal::SendResult::sent;
+    }
+    const hal::CanFrame oldest = held_.front();
+    held_.pop_front();
+    return bus_.send(oldest);
+}
+
+hal::CanFrame FaultyBus::changed(const hal::CanFrame& frame) {
+    hal::CanFrame faulty = frame;
+    switch (fault_.kind) {
+        case FaultKind::bad_crc:
+            faulty.data[0] ^= 0xFFU;
+            break;
+        case FaultKind::counter_stands:
+        case FaultKind::counter_jumps: {
+            if (!counting_) {
+                counter_ = counter_of(frame);
+                counting_ = true;
+            }
+            protect_again(faulty, counter_);
+            const unsigned step = fault_.kind == FaultKind::counter_jumps ? 1U + counter_jump : 0U;
+            counter_ = static_cast<std::uint8_t>((counter_ + step) %
+                                                 (can_dbc::e2e::profile_11_largest_counter + 1U));
+            break;
+        }
+        case FaultKind::swapped:
+            faulty.identifier = exchanged(frame.identifier, fault_.place);
+            break;
+        case FaultKind::wrong_length:
+            faulty.length = static_cast<std::uint8_t>(frame.length - 1U);
+            break;
+        case FaultKind::out_of_range:
+            write_code(faulty, *find_signal(fault_.place));
+            break;
+        default:
+            break;
+    }
+    return faulty;
+}
+
+}  // namespace sil

@@ -1,0 +1,45 @@
+// Faulty bus: stands between a sender of sensor frames and the bus, and does to the frames what the fault
+// says.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "hal/interface/can_bus.hpp"
+#include "sil/studies/faults/fault.hpp"
+
+namespace sil {
+
+// Knows nothing of who listens: in process, in lock-step and in real time alike.
+class FaultyBus final : public hal::CanBus {
+ public:
+    // `bus` must outlive it. A fault of another kind changes nothing.
+    FaultyBus(hal::CanBus& bus, const Fault& fault) : bus_{bus}, fault_{fault} {}
+
+    // Before the frames of a cycle. `active`: whether the fault is there in this cycle.
+    void begin_cycle(bool active);
+
+    hal::SendResult send(const hal::CanFrame& frame) noexcept override;
+    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override { return bus_.receive(frame); }
+    hal::BusState state() const noexcept override { return bus_.state(); }
+    hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
+
+    // Whether a frame of this cycle was changed, held back, or joined by others.
+    bool is_visible() const { return visible_; }
+
+ private:
+    bool is_concerned(const hal::CanFrame& frame) const;
+    void send_flood();
+    hal::SendResult send_delayed(const hal::CanFrame& frame);
+    hal::CanFrame changed(const hal::CanFrame& frame);
+
+    hal::CanBus& bus_;
+    Fault fault_;
+    bool active_{false};
+    bool visible_{false};
+    std::deque<hal::CanFrame> held_{};
+    std::uint8_t counter_{0U};
+    bool counting_{false};
+};
+
+}  // namespace sil

@@ -1,0 +1,49 @@
+#include "sil/studies/faults/faulty_run.hpp"
+
+#include "sil/studies/faults/faulty_bus.hpp"
+#include "sil/studies/faults/faulty_ecu.hpp"
+#include "sil/studies/faults/signal_fault.hpp"
+#include "sil/world/simulation/sensor_frames.hpp"
+
+namespace sil {
+
+SensorSample as_equipped(SensorSample sample, const Fault& fault) {
+    if (fault.place != FaultPlace::bank_angle) {
+        sample.bank_angle_rad = SensorSample::not_available;
+    }
+    return sample;
+}
+
+FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Parameters& calibration) {
+    FaultyEcu ecu{calibration};
+    ecu.inject(fault);
+    FaultyBus bus{ecu.world_bus(), fault};
+    SignalFault sensor{fault};
+    SensorFrames frames;
+    EcuEar ear;
+    FaultyRun run;
+    run.over = scene.fault_end;
+    int stepped = 0;
+    for (std::size_t cycle = 0U; cycle < scene.samples.size(); ++cycle) {
+        const bool active = cycle >= scene.fault_begin && cycle < scene.fault_end;
+        ecu.begin_cycle(cycle, active);
+        bus.begin_cycle(active);
+        frames.send(bus, sensor.apply(as_equipped(scene.samples[cycle], fault), active));
+        std::optional<EcuAnswer> answer;
+        if (ecu.step()) {
+            answer = ear.listen(ecu.world_bus());
+            ++stepped;
+        }
+        if (!run.visible && (bus.is_visible() || ecu.is_visible() || sensor.is_visible())) {
+            run.visible = cycle;
+        }
+        run.answers.push_back(answer);
+    }
+    if (fault.kind == FaultKind::clock_jump || fault.kind == FaultKind::process_stop) {
+        run.over = run.visible.value_or(scene.samples.size());  // over in that moment
+    }
+    run.watchdog_fed = ecu.watchdog_feeds() == stepped;
+    return run;
+}
+
+}  // namespace sil

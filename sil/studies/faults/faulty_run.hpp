@@ -1,0 +1,28 @@
+// Faulty run: one scene with one fault, and all that the ECU answered.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rsi/types.hpp"
+#include "sil/studies/faults/ecu_answer.hpp"
+#include "sil/studies/faults/fault.hpp"
+#include "sil/studies/faults/scene.hpp"
+
+namespace sil {
+
+struct FaultyRun {
+    std::vector<std::optional<EcuAnswer>> answers{};  // one a cycle; none while the ECU's processor stands
+    std::optional<std::size_t> visible{};             // first cycle in which the fault could be seen
+    std::size_t over{0U};                             // first cycle in which it is there no longer
+    bool watchdog_fed{true};                          // once in each cycle that was computed
+};
+
+// Without a fault (kind `none`): the scene as it is, with a bank sensor if the place is that. Throws
+// std::invalid_argument when the calibration is refused.
+FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Parameters& calibration);
+
+// Most vehicles have no bank sensor; only a fault of it needs one.
+SensorSample as_equipped(SensorSample sample, const Fault& fault);
+
+}  // namespace sil

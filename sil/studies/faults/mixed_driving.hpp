@@ -1,0 +1,14 @@
+// Mixed driving: a driver who goes straight, turns, changes lanes and weaves at changing speeds, by chance.
+#pragma once
+
+#include <cstdint>
+
+#include "sil/world/manoeuvres/manoeuvre.hpp"
+
+namespace sil {
+
+// For long runs. Level road, 30 to 110 km/h; most turns below 0.5 g, some at the limit or beyond, so that a
+// warning is due now and then and the vehicle may roll over. The same seed gives the same drive.
+Manoeuvre mixed_driving(std::uint64_t seed, double duration_s);
+
+}  // namespace sil

@@ -1,0 +1,50 @@
+// Scene: what the sensors report in a drive without faults, and when a fault begins and ends in it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sil/world/sensors/sensor_sample.hpp"
+#include "sil/world/vehicle/parameters.hpp"
+
+namespace sil {
+
+// In the order of the matrix.
+enum class SceneKind : std::uint8_t {
+    rest,
+    straight,
+    turn,
+    before_turn,     // that leads to a warning
+    steering,        // as it begins
+    before_warning,  //
+    warning,         // in the moment of it
+    over,            // just before it
+};
+inline constexpr std::size_t scene_count = 8U;
+
+// The ECU only warns, so no answer of its changes the drive: one recording serves every fault. Scenes of one
+// name stand in one column of the matrix.
+struct Scene {
+    SceneKind kind{};
+    std::string name{};
+    std::string description{};
+    std::vector<SensorSample> samples{};  // one a cycle
+    std::size_t fault_begin{0U};          // cycle
+    std::size_t fault_end{0U};  // cycle after the last one; samples.size() when the scene ends first
+    std::optional<std::size_t> two_wheel_lift{};  // cycle in which both wheels of a side have lifted
+};
+
+// At rest, straight ahead, in a turn, before a turn that leads to a warning. The sensors have noise.
+std::vector<Scene> record_scenes(const VehicleParameters& vehicle);
+
+// Of the drive of the scene `before_turn`, in which a warning is due in the cycle `due`: faults that begin at
+// several times before it and stay, and one that is over just before it.
+std::vector<Scene> scenes_at_warning(const Scene& before_turn, std::size_t due);
+
+// So long before the due warning the fault of the scene `over` ends.
+inline constexpr int over_before_warning_ms = 200;
+
+}  // namespace sil

@@ -1,0 +1,35 @@
+#include "sil/studies/faults/unseen.hpp"
+
+#include <algorithm>
+
+namespace sil {
+
+const std::vector<Unseen>& unseen_errors() {
+    static const std::vector<Unseen> all{
+        {FaultKind::offset, FaultPlace::lateral_acceleration, -1,
+         "to every other sensor 2 m/s^2 less is a road's bank of 12 deg; and once a turn has begun, yaw rate "
+         "and roll angle do not agree well enough to accuse a larger one in time"},
+        {FaultKind::offset, FaultPlace::vertical_acceleration, 1,
+         "found after 0.6 s: until then a body that its road pushes up"},
+        {FaultKind::drift, FaultPlace::lateral_acceleration, -1, "as its offset, and smaller"},
+        {FaultKind::delayed, FaultPlace::imu_frame, 0, "only the silence at its beginning shows"},
+        {FaultKind::delayed, FaultPlace::vehicle_motion_frame, 0, "only the silence at its beginning shows"},
+    };
+    return all;
+}
+
+bool is_unseen(const Fault& fault) {
+    const std::vector<Unseen>& all = unseen_errors();
+    return std::any_of(all.begin(), all.end(), [&fault](const Unseen& each) {
+        return each.kind == fault.kind && each.place == fault.place &&
+               (each.sign == 0 || each.sign * fault.magnitude > 0.0);
+    });
+}
+
+Fault in_turn_to_the_other_side(const Fault& fault) {
+    const bool has_side =
+        fault.place != FaultPlace::vertical_acceleration && fault.place != FaultPlace::speed;
+    return {fault.kind, fault.place, has_side ? -fault.magnitude : fault.magnitude};
+}
+
+}  // namespace sil

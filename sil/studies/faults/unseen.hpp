@@ -1,0 +1,26 @@
+// Unseen: errors that no check finds before the warning that they delay is due.
+#pragma once
+
+#include <vector>
+
+#include "sil/studies/faults/fault.hpp"
+
+namespace sil {
+
+struct Unseen {
+    FaultKind kind{};
+    FaultPlace place{};
+    int sign{0};  // of the error, in a left turn; 0: it has none
+    const char* why{""};
+};
+
+// The limit of the component: each makes some due warning late or silent, without a diagnostic code in time.
+const std::vector<Unseen>& unseen_errors();
+
+// `fault` of a left turn.
+bool is_unseen(const Fault& fault);
+
+// What the fault would be in the mirrored drive.
+Fault in_turn_to_the_other_side(const Fault& fault);
+
+}  // namespace sil

@@ -1,0 +1,14 @@
+// Calibration writer: a complete calibration file from what was identified.
+#pragma once
+
+#include <string>
+
+#include "sil/studies/identification/identification.hpp"
+
+namespace sil {
+
+// The text of firmware/calibrations/large_suv.toml with this vehicle's values, each with its origin as a
+// comment. All that does not depend on the vehicle, the warning above all, stays as it is there.
+std::string calibration_text(const Identification& result);
+
+}  // namespace sil

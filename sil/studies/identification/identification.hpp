@@ -1,0 +1,43 @@
+// Identification: from test drives and a data sheet to the parameters that the firmware needs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sil/studies/identification/load_fit.hpp"
+#include "sil/studies/identification/prepared_drive.hpp"
+#include "sil/studies/identification/roll_fit.hpp"
+#include "sil/studies/identification/steering_fit.hpp"
+#include "sil/studies/identification/vehicle_data.hpp"
+
+namespace sil {
+
+// One value of the calibration and where it comes from.
+struct IdentifiedValue {
+    std::string key;  // of rsi_parameters
+    double value;
+    std::string origin;
+};
+
+struct Identification {
+    VehicleData vehicle;  // its CG height may have been matched to the wheel loads
+    double given_cg_height_m{};
+    std::string cg_height_origin;
+    std::vector<PreparedDrive> ramps;
+    std::vector<PreparedDrive> dynamics;
+    RollFit roll;
+    std::optional<LoadFit> loads;
+    std::vector<DriveResidual> load_transfer;  // with the values of the calibration; drives with wheel loads
+    std::optional<SteeringFit> steering;
+    double roll_centre_height_m{};
+    std::string roll_centre_origin;
+    std::vector<IdentifiedValue> values;  // all that depend on the vehicle
+    std::vector<std::string> warnings;    // what the user should know, in plain words
+};
+
+// Throws IdentificationError when a drive is of no use, and says what to do.
+Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ramps,
+                        const std::vector<Drive>& dynamics, const PreparationOptions& options = {});
+
+}  // namespace sil

@@ -1,0 +1,54 @@
+// Roll fit: stiffness curve, damping and inertia of the body's roll from slow and dynamic drives.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sil/studies/identification/prepared_drive.hpp"
+
+namespace sil {
+
+struct Estimate {
+    double value{};
+    double deviation{};        // standard error
+    double prior_deviation{};  // what the rule of thumb alone would have left open; 0: none was used
+};
+
+// One drive's share in a fit.
+struct DriveResidual {
+    std::string name;
+    double rms{};
+    double r_squared{};
+    double offset{};  // constant part that the fit took up
+};
+
+// m_s H f = M(phi) + c phi' + Ixx phi'', M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5, with the H it was given.
+struct RollFit {
+    double arm_m{};  // H = h - h_rc
+    Estimate stiffness_nmprad;
+    Estimate stiffness_cubic_nmprad3;
+    Estimate stiffness_quintic_nmprad5;
+    Estimate damping_nmsprad;
+    Estimate inertia_kgm2;
+    Estimate dynamic_stiffness_difference_nmprad;  // by which the dynamic drives are stiffer than the ramps
+    double condition_number{};
+    std::vector<DriveResidual> drives;  // ramps first; in N m
+    bool curve_flattened{false};        // the curve had to be held back to rise up to rollover
+
+    double moment_nm(double roll_angle_rad) const;
+    double slope_nmprad(double roll_angle_rad) const;
+    // The same drives with another H: only the ratios to H are determined by them.
+    RollFit with_arm(double arm_m) const;
+};
+
+// `arm_m` is the H assumed. Neither list may be empty. Throws IdentificationError when nothing is excited.
+RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<PreparedDrive>& ramps,
+                 const std::vector<PreparedDrive>& dynamics);
+
+// The rule of thumb for Ixx of the sprung mass: radius of gyration 0.42 c_w.
+double usual_roll_inertia_kgm2(const VehicleData& vehicle);
+
+// Roll angle at which the body, on a linear suspension, has lost its inner wheels' load, (28).
+double rollover_angle_rad(const VehicleData& vehicle, double arm_m, double stiffness_nmprad);
+
+}  // namespace sil

@@ -1,0 +1,221 @@
+#include "sil/studies/identification/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sil/studies/identification/identification.hpp"
+#include "sil/units.hpp"
+
+namespace sil {
+namespace {
+
+constexpr double weak_share = 0.5;  // of what the rule of thumb leaves open
+// Of the rule of thumb; the fitted inertia of a body on its tyres is rather smaller than that of a rigid one.
+constexpr double least_inertia_share = 0.4;
+constexpr double largest_inertia_share = 1.3;
+
+class Warnings {
+ public:
+    explicit Warnings(const Identification& result) : result_{result} {}
+
+    std::vector<std::string> all() {
+        about_vehicle();
+        about_curve();
+        about_dynamics();
+        about_roll_centre();
+        about_steering();
+        about_offsets();
+        return std::move(warnings_);
+    }
+
+ private:
+    template <typename... Values>
+    void warn(fmt::format_string<Values...> text, Values&&... values) {
+        warnings_.push_back(fmt::format(text, std::forward<Values>(values)...));
+    }
+
+    void about_vehicle() {
+        for (const std::string& assumption : result_.vehicle.assumptions) {
+            warn("{}", assumption);
+        }
+    }
+
+    void about_curve() {
+        double reach_mps2 = 0.0, reach_rad = 0.0;
+        for (const PreparedDrive& ramp : result_.ramps) {
+            reach_mps2 = std::max(reach_mps2, ramp.largest_parallel_mps2);
+            reach_rad = std::max(reach_rad, ramp.largest_roll_angle_rad);
+        }
+        const double lift_g = result_.vehicle.track_width_m / (2.0 * result_.vehicle.sprung_cg_height_m);
+        if (reach_mps2 / g_mps2 < 0.6 * lift_g) {
+            warn(
+                "the ramp reaches only {:.2f} g and {:.1f} deg of roll: the stiffness beyond is "
+                "extrapolated, nearly "
+                "as a line; steer on to {:.2f} g for the whole curve",
+                reach_mps2 / g_mps2, reach_rad * degrees_per_radian, 0.8 * lift_g);
+        }
+        if (result_.roll.curve_flattened) {
+            warn(
+                "the stiffness curve that fits best would fall before the vehicle rolls over; it was held "
+                "back");
+        }
+        const DriveResidual& ramp = result_.roll.drives.front();
+        if (ramp.r_squared < 0.98) {
+            warn(
+                "{}: the model explains only {:.1f} % of the ramp: check the roll angle's and the "
+                "accelerometer's "
+                "signs and units, and that the road is level",
+                ramp.name, 100.0 * ramp.r_squared);
+        }
+        if (result_.roll.stiffness_nmprad.value <
+            1.2 * result_.vehicle.sprung_mass_kg * g_mps2 * result_.roll.arm_m) {
+            warn(
+                "the fitted stiffness does not hold the body up, and the component will refuse it: check "
+                "masses, CG "
+                "height and the sign of the roll angle");
+        }
+    }
+
+    void about_dynamics() {
+        const RollFit& roll = result_.roll;
+        if (!result_.vehicle.roll_inertia_kgm2 &&
+            roll.inertia_kgm2.deviation > weak_share * roll.inertia_kgm2.prior_deviation) {
+            warn(
+                "Ixx is weakly excited: the rule of thumb has a large part in it; a faster step steer would "
+                "show it");
+        }
+        about_inertia();
+        if (roll.damping_nmsprad.deviation > weak_share * roll.damping_nmsprad.prior_deviation) {
+            warn(
+                "the damping is weakly excited: the rule of thumb has a large part in it; a step steer shows "
+                "it");
+        }
+        const double share = roll.dynamic_stiffness_difference_nmprad.value / roll.stiffness_nmprad.value;
+        if (std::abs(share) > 0.05) {
+            warn(
+                "in the dynamic drive the body is {:.0f} % {} than in the ramp: the road's slope, another "
+                "load, or a "
+                "roll angle that lags behind",
+                100.0 * std::abs(share), share > 0.0 ? "stiffer" : "softer");
+        }
+        for (std::size_t i = result_.ramps.size(); i < roll.drives.size(); ++i) {
+            if (roll.drives[i].r_squared < 0.95) {
+                warn("{}: the model explains only {:.1f} % of this drive: look at its residuals",
+                     roll.drives[i].name, 100.0 * roll.drives[i].r_squared);
+            }
+        }
+    }
+
+    // A wrong sign of imu_z_m hides in Ixx: both act with the roll acceleration.
+    void about_inertia() {
+        const VehicleData& vehicle = result_.vehicle;
+        const double fitted = result_.roll.inertia_kgm2.value;
+        const double usual = vehicle.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle));
+        if (fitted > least_inertia_share * usual && fitted < largest_inertia_share * usual) {
+            return;
+        }
+        const double other_sign =
+            fitted - 2.0 * vehicle.sprung_mass_kg * result_.roll.arm_m * vehicle.imu_z_m;
+        warn(
+            "Ixx is {:.0f} kg m2, {:.0f} kg m2 would be usual for this mass and track width: check masses, CG "
+            "height and imu_z_m (negative when the IMU is below the sprung CG; with the other sign Ixx would be "
+            "about {:.0f} kg m2)",
+            fitted, usual, other_sign);
+    }
+
+    void about_roll_centre() {
+        const VehicleData& vehicle = result_.vehicle;
+        if (!result_.loads && !vehicle.roll_centre_height_m) {
+            warn(
+                "without wheel loads a test drive gives only K/H, c/H and Ixx/H with H = h - h_rc: h_rc = "
+                "{:.2f} m is "
+                "assumed, and K, c and Ixx belong to it. Give roll_centre_height_m if you know it (0 to 0.15 "
+                "m "
+                "with independent suspensions, 0.3 to 0.5 m with rigid axles)",
+                result_.roll_centre_height_m);
+        }
+        if (!result_.loads) {
+            return;
+        }
+        const LoadFit& loads = *result_.loads;
+        if (loads.contradicts_data) {
+            warn(
+                "wheel loads and CG height contradict each other: with a roll centre at {:.2f} m the loads "
+                "speak for a "
+                "sprung CG at {:.3f} m, the vehicle data say {:.3f} m, and nothing was fitted to the loads: "
+                "check "
+                "height, masses and track width",
+                loads.roll_centre_height_m, loads.cg_height_m, result_.given_cg_height_m);
+        } else if (loads.cg_height_m != result_.given_cg_height_m && !vehicle.roll_centre_height_m) {
+            warn(
+                "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
+                "that give "
+                "sideways do that. It is set to {:.2f} m, and the CG height to {:.3f} m in place of {:.3f} "
+                "m, which "
+                "together give the wheel loads",
+                loads.roll_centre_at_given_height_m, loads.roll_centre_height_m, loads.cg_height_m,
+                result_.given_cg_height_m);
+        }
+        if (vehicle.roll_centre_height_m &&
+            std::abs(loads.roll_centre_at_given_height_m - *vehicle.roll_centre_height_m) > 0.15) {
+            warn("the wheel loads speak for an effective roll centre at {:.2f} m; the given {:.2f} m is kept",
+                 loads.roll_centre_at_given_height_m, *vehicle.roll_centre_height_m);
+        }
+    }
+
+    void about_steering() {
+        if (!result_.steering) {
+            warn(
+                "no ramp has steering-wheel angle, yaw rate and speed between 0.1 and 0.4 g: steering ratio "
+                "and "
+                "understeer gradient are not from the drives");
+        } else if (result_.steering->r_squared < 0.9) {
+            warn(
+                "steering and yaw rate fit badly together (R2 {:.3f}): check the sign and the unit of both, "
+                "and the "
+                "steering ratio",
+                result_.steering->r_squared);
+        } else if (!result_.steering->gradient_fitted && !result_.vehicle.understeer_gradient_s2pm) {
+            warn(
+                "neither steering ratio nor understeer gradient is given, and the ramps are of one speed: "
+                "the ratio "
+                "{:.1f} belongs to an assumed gradient of {} s2/m",
+                result_.steering->ratio.value, usual_understeer_gradient_s2pm);
+        }
+    }
+
+    void about_offsets() {
+        for (const auto* drives : {&result_.ramps, &result_.dynamics}) {
+            for (const PreparedDrive& drive : *drives) {
+                const SensorOffsets& offsets = drive.offsets;
+                if (!offsets.known) {
+                    warn(
+                        "{}: does not start with a straight of 0.3 s: sensor offsets are guessed from the "
+                        "drive itself",
+                        drive.name);
+                } else if (std::abs(offsets.lateral_mps2) > 0.02 * g_mps2 ||
+                           std::abs(offsets.roll_angle_rad) * degrees_per_radian > 0.5) {
+                    warn(
+                        "{}: on the straight the sensors show {:+.3f} g and {:+.2f} deg of roll; that was "
+                        "taken off "
+                        "here, but the component does not do so: zero the sensors, or drive on a level road",
+                        drive.name, offsets.lateral_mps2 / g_mps2,
+                        offsets.roll_angle_rad * degrees_per_radian);
+                }
+            }
+        }
+    }
+
+    const Identification& result_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+std::vector<std::string> identification_warnings(const Identification& result) {
+    return Warnings{result}.all();
+}
+
+}  // namespace sil

@@ -1,0 +1,25 @@
+// Catalogue: all manoeuvres by name.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sil/world/manoeuvres/manoeuvre.hpp"
+
+namespace sil {
+
+// The message lists the manoeuvres that exist.
+class UnknownManoeuvre : public std::invalid_argument {
+ public:
+    using std::invalid_argument::invalid_argument;
+};
+
+// In the order in which a list should show them.
+std::vector<Manoeuvre> all_manoeuvres();
+
+// Throws UnknownManoeuvre.
+Manoeuvre find_manoeuvre(std::string_view name);
+
+}  // namespace sil

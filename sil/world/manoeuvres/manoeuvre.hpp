@@ -1,0 +1,68 @@
+// Manoeuvre: what the driver does, on which road, how fast and for how long.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "sil/world/vehicle/parameters.hpp"
+#include "sil/world/vehicle/road.hpp"
+#include "sil/world/vehicle/speed_control.hpp"
+#include "sil/world/vehicle/truth.hpp"
+
+namespace sil {
+
+struct DriverCommand {
+    double steering_wheel_angle_rad{0.0};  // > 0 turns left
+    SpeedPolicy speed_policy{SpeedPolicy::held};
+    double brake{0.0};        // 0 to 1; the throttle is released while braking
+    double speed_share{1.0};  // of the run's speed, for a driver who gathers speed first
+};
+
+// Sees the vehicle and acts; may keep state, such as a steering reversal that has begun. One object a run.
+class Driver {
+ public:
+    Driver() = default;
+    Driver(const Driver&) = delete;
+    Driver& operator=(const Driver&) = delete;
+    virtual ~Driver() = default;
+
+    // Called once a step with the truth of the step before.
+    virtual DriverCommand command(const Truth& truth) = 0;
+};
+
+// Manoeuvres are written for a first turn to the left; ManoeuvreRun mirrors them.
+struct Manoeuvre {
+    std::string name{};
+    std::string description{};  // one line
+    double duration_s{0.0};
+    double initial_speed_mps{0.0};
+    double start_speed_share{1.0};  // of that, with which the run begins
+    std::function<std::unique_ptr<Road>()> make_road{};
+    std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
+    // What the manoeuvre changes in the vehicle, such as a roof load; empty: nothing.
+    std::function<VehicleParameters(VehicleParameters)> adapt_vehicle{};
+};
+
+// A driver who acts by the clock alone: the command as a function of time in seconds.
+std::function<std::unique_ptr<Driver>(const VehicleParameters&)> open_loop(
+    std::function<DriverCommand(double)> command);
+
+// A level road.
+std::function<std::unique_ptr<Road>()> flat_road();
+
+constexpr double from_degrees(double degrees) {
+    return degrees * 3.14159265358979323846 / 180.0;
+}
+constexpr double from_kmh(double kilometres_per_hour) {
+    return kilometres_per_hour / 3.6;
+}
+
+constexpr double from_mph(double miles_per_hour) {
+    return miles_per_hour * 0.44704;
+}
+
+// Turns to `angle` at `rate` from `start` on, and holds.
+double ramp_and_hold(double time_s, double start_s, double rate_radps, double angle_rad);
+
+}  // namespace sil

@@ -1,0 +1,57 @@
+// Manoeuvre run: the driver sees a world in which the first turn is to the left, mirrored or not.
+#include "sil/world/manoeuvres/manoeuvre_run.hpp"
+
+#include <utility>
+
+#include "sil/world/vehicle/mirror.hpp"
+
+namespace sil {
+namespace {
+
+std::unique_ptr<const Road> make_road(const Manoeuvre& manoeuvre, bool mirrored) {
+    std::unique_ptr<const Road> road = manoeuvre.make_road();
+    if (mirrored) {
+        return std::make_unique<MirroredRoad>(std::move(road));
+    }
+    return road;
+}
+
+VehicleParameters adapted(const VehicleParameters& parameters, const Manoeuvre& manoeuvre) {
+    return manoeuvre.adapt_vehicle ? manoeuvre.adapt_vehicle(parameters) : parameters;
+}
+
+}  // namespace
+
+ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre& manoeuvre,
+                           RunOptions options)
+    : ManoeuvreRun{adapted(parameters, manoeuvre), manoeuvre, options, Adapted{}} {}
+
+ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre& manoeuvre,
+                           RunOptions options, Adapted)
+    : options_{options},
+      duration_s_{options.duration_s > 0.0 ? options.duration_s : manoeuvre.duration_s},
+      wanted_speed_mps_{manoeuvre.initial_speed_mps * options.speed_factor},
+      road_{make_road(manoeuvre, options.mirrored)},
+      driver_{manoeuvre.make_driver(parameters)},
+      speed_control_{parameters},
+      vehicle_{parameters, *road_} {
+    InitialState initial;
+    initial.speed_mps = wanted_speed_mps_ * manoeuvre.start_speed_share;
+    vehicle_.reset(initial);
+}
+
+void ManoeuvreRun::step() {
+    const Truth& truth = vehicle_.truth();
+    DriverCommand command = driver_->command(options_.mirrored ? mirrored(truth) : truth);
+    command.steering_wheel_angle_rad *=
+        options_.mirrored ? -options_.steering_factor : options_.steering_factor;
+    const SpeedPolicy policy = command.brake > 0.0 ? SpeedPolicy::off_throttle : command.speed_policy;
+    DriverInput input;
+    input.steering_wheel_angle_rad = command.steering_wheel_angle_rad;
+    input.drive_force_n = speed_control_.drive_force_n(policy, wanted_speed_mps_ * command.speed_share,
+                                                       truth.speed_mps, options_.step_s);
+    input.brake = command.brake;
+    vehicle_.step(input, options_.step_s);
+}
+
+}  // namespace sil

@@ -1,0 +1,46 @@
+// Manoeuvre run: a vehicle driven through a manoeuvre, step by step.
+#pragma once
+
+#include <memory>
+
+#include "sil/world/manoeuvres/manoeuvre.hpp"
+#include "sil/world/vehicle/vehicle.hpp"
+
+namespace sil {
+
+struct RunOptions {
+    bool mirrored{false};  // steering and road with left and right exchanged
+    double step_s{Vehicle::nominal_step_s};
+    double duration_s{0.0};       // 0: as the manoeuvre says
+    double speed_factor{1.0};     // times the manoeuvre's speed
+    double steering_factor{1.0};  // times the driver's handwheel angle
+};
+
+// Owns road, driver and vehicle; vehicle().parameters() are those that the manoeuvre has adapted. After the
+// last step the vehicle may be driven on; nothing stops it.
+class ManoeuvreRun {
+ public:
+    ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre& manoeuvre, RunOptions options = {});
+
+    // One step of the vehicle under the driver's command.
+    void step();
+
+    bool finished() const { return vehicle_.truth().time_s >= duration_s_ - 0.5 * options_.step_s; }
+    double duration_s() const { return duration_s_; }
+    const Truth& truth() const { return vehicle_.truth(); }
+    const Vehicle& vehicle() const { return vehicle_; }
+
+ private:
+    struct Adapted {};
+    ManoeuvreRun(const VehicleParameters& adapted, const Manoeuvre& manoeuvre, RunOptions options, Adapted);
+
+    RunOptions options_;
+    double duration_s_;
+    double wanted_speed_mps_;
+    std::unique_ptr<const Road> road_;
+    std::unique_ptr<Driver> driver_;
+    SpeedControl speed_control_;
+    Vehicle vehicle_;
+};
+
+}  // namespace sil

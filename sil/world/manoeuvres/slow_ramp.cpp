@@ -1,0 +1,74 @@
+// Slow ramp steer: quasi-static, to one side and then the other, up to where the inner wheels grow light;
+// what the roll stiffness and the roll-centre height are identified from.
+#include <algorithm>
+#include <cmath>
+
+#include "sil/world/manoeuvres/manoeuvre.hpp"
+
+namespace sil {
+namespace {
+
+constexpr double start_s = 1.0;
+constexpr double rate_radps = from_degrees(3.0);
+constexpr double largest_angle_rad = from_degrees(150.0);
+constexpr double light_from = 0.8;  // load transfer ratio at which the driver turns back
+constexpr double back_rate_radps = from_degrees(45.0);
+constexpr double straight_s = 2.0;
+constexpr double never_s = 1.0e9;
+
+double load_transfer_ratio(const Truth& truth) {
+    const auto& load = truth.wheel_load_n;
+    const double left = load[front_left] + load[rear_left];
+    const double right = load[front_right] + load[rear_right];
+    return (right - left) / std::max(1.0, left + right);
+}
+
+class SlowRampDriver final : public Driver {
+ public:
+    DriverCommand command(const Truth& truth) override {
+        const double step_s = truth.time_s - last_time_s_;
+        last_time_s_ = truth.time_s;
+        if (truth.time_s >= next_ramp_s_) {
+            advance(truth, step_s);
+        }
+        return {side_ * angle_rad_};
+    }
+
+ private:
+    void advance(const Truth& truth, double step_s) {
+        if (!turning_back_) {
+            angle_rad_ += rate_radps * step_s;
+            turning_back_ =
+                angle_rad_ >= largest_angle_rad || std::abs(load_transfer_ratio(truth)) >= light_from;
+            return;
+        }
+        angle_rad_ = std::max(0.0, angle_rad_ - back_rate_radps * step_s);
+        if (angle_rad_ <= 0.0) {
+            turning_back_ = false;
+            next_ramp_s_ = side_ > 0.0 ? truth.time_s + straight_s : never_s;
+            side_ = -1.0;
+        }
+    }
+
+    double last_time_s_{0.0};
+    double next_ramp_s_{start_s};
+    double angle_rad_{0.0};
+    double side_{1.0};
+    bool turning_back_{false};
+};
+
+}  // namespace
+
+Manoeuvre slow_ramp() {
+    Manoeuvre manoeuvre;
+    manoeuvre.name = "slow-ramp";
+    manoeuvre.description =
+        "slow ramp steer at 60 km/h, held: 3 degrees/s to either side until the load transfer ratio is 0.8";
+    manoeuvre.duration_s = 115.0;
+    manoeuvre.initial_speed_mps = from_kmh(60.0);
+    manoeuvre.make_road = flat_road();
+    manoeuvre.make_driver = [](const VehicleParameters&) { return std::make_unique<SlowRampDriver>(); };
+    return manoeuvre;
+}
+
+}  // namespace sil

@@ -1,0 +1,13 @@
+// Slowly increasing steer: how much handwheel this vehicle needs for a given lateral acceleration.
+#pragma once
+
+#include "sil/world/vehicle/parameters.hpp"
+
+namespace sil {
+
+// Handwheel angle that gives 0.3 g at 50 mph, from a run of the manoeuvre `slowly-increasing-steer` of this
+// vehicle to the left on a level road; after NHTSA the line fitted from 0.1 to 0.375 g, read at 0.3 g. Takes
+// some 5 simulated seconds. Throws std::runtime_error if the vehicle does not reach 0.375 g.
+double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters);
+
+}  // namespace sil

@@ -1,0 +1,61 @@
+// Closed loop: a vehicle with sensors and the ECU, joined by a CAN bus and nothing else, cycle by cycle.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/interface/can_bus.hpp"
+#include "sil/results/events.hpp"
+#include "sil/world/manoeuvres/manoeuvre_run.hpp"
+#include "sil/world/sensors/sensor_suite.hpp"
+#include "sil/world/simulation/ecu_frames.hpp"
+#include "sil/world/simulation/pace.hpp"
+#include "sil/world/simulation/sensor_frames.hpp"
+
+namespace sil {
+
+// Sees each cycle of a run, and each step of the vehicle if it wants to; this one looks away.
+class RunObserver {
+ public:
+    RunObserver() = default;
+    RunObserver(const RunObserver&) = delete;
+    RunObserver& operator=(const RunObserver&) = delete;
+    virtual ~RunObserver() = default;
+
+    virtual void cycle(const Truth& /*truth*/, const SensorSample& /*sample*/, const EcuFrames& /*ecu*/,
+                       const RunEvents& /*events*/) {}
+
+    // After every step of the vehicle, ten a cycle.
+    virtual void step(const Truth& /*truth*/) {}
+
+    // Asked after each cycle: whether what the run was for is known. True ends it.
+    virtual bool settled() const { return false; }
+};
+
+class ClosedLoop {
+ public:
+    // All must outlive the loop.
+    ClosedLoop(ManoeuvreRun& plant, SensorSuite& sensors, hal::CanBus& bus, Pace& pace);
+
+    // Runs until the manoeuvre is over, the vehicle lies on its side, or the observer has seen enough. Throws
+    // std::runtime_error when the bus or the ECU fails.
+    void run(RunObserver& observer);
+
+    const RunEvents& events() const { return events_.events(); }
+    const EcuFrames& ecu() const { return ecu_; }
+    std::uint64_t frames_sent() const { return sensor_frames_.frames_sent(); }
+
+ private:
+    void advance_vehicle(RunObserver& observer);
+    void exchange_frames(std::uint32_t number, const SensorSample& sample);
+    bool take(const hal::CanFrame& frame);
+
+    ManoeuvreRun& plant_;
+    SensorSuite& sensors_;
+    hal::CanBus& bus_;
+    Pace& pace_;
+    SensorFrames sensor_frames_{};
+    EcuFrames ecu_{};
+    EventObserver events_;
+};
+
+}  // namespace sil

@@ -1,0 +1,66 @@
+// In-process run: a vehicle in a manoeuvre, its sensors and the firmware, put together in one process and
+// driven in simulated time.
+#pragma once
+
+#include <optional>
+
+#include "sil/world/simulation/closed_loop.hpp"
+#include "sil/world/simulation/in_process_pace.hpp"
+#include "sil/world/simulation/recorded_bus.hpp"
+
+namespace sil {
+
+// For campaigns, tests and benchmarks. One object is one run; several may run at once in threads of their
+// own.
+class InProcessRun {
+ public:
+    // With `log`, which must outlive the run, every frame goes into it as one of the interface vcan0. Throws
+    // std::invalid_argument with the field's name when the calibration is refused.
+    InProcessRun(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre, const RunOptions& options,
+                 const SensorOptions& sensors, const rsi::Parameters& calibration,
+                 CandumpLogWriter* log = nullptr)
+        : plant_{vehicle, manoeuvre, options}, sensors_{sensors}, firmware_{calibration} {
+        if (log != nullptr) {
+            recorded_.emplace(firmware_.world_bus(), firmware_.clock(), *log, "vcan0");
+        }
+        loop_.emplace(plant_, sensors_, bus(), pace_);
+    }
+    InProcessRun(const InProcessRun&) = delete;
+    InProcessRun& operator=(const InProcessRun&) = delete;
+
+    // To be called once. Throws std::runtime_error when the bus or the log fails.
+    const RunEvents& run(RunObserver& observer) {
+        loop_->run(observer);
+        return events();
+    }
+    const RunEvents& run() {
+        RunObserver nobody;
+        return run(nobody);
+    }
+
+    const RunEvents& events() const { return loop_->events(); }
+    const Truth& truth() const { return plant_.truth(); }
+    const VehicleParameters& vehicle() const { return plant_.vehicle().parameters(); }
+
+    // What the firmware computed in the latest cycle, whether or not a frame carries it. The reference holds
+    // for the object's life.
+    const rsi::Outputs& outputs() const { return firmware_.ecu().outputs(); }
+
+    // What it computed them from; the same holds.
+    const rsi::Inputs& inputs() const { return firmware_.ecu().inputs(); }
+
+    // What its frames said.
+    const EcuFrames& frames() const { return loop_->ecu(); }
+
+ private:
+    hal::CanBus& bus() { return recorded_ ? static_cast<hal::CanBus&>(*recorded_) : firmware_.world_bus(); }
+
+    ManoeuvreRun plant_;
+    SensorSuite sensors_;
+    InProcessEcu firmware_;
+    InProcessPace pace_{firmware_};
+    std::optional<RecordedBus> recorded_;
+    std::optional<ClosedLoop> loop_;
+};
+
+}  // namespace sil

@@ -1,0 +1,48 @@
+// Lock-step pace: simulated time stands still until the ECU has answered.
+#pragma once
+
+#include <stdexcept>
+
+#include "hal/memory/virtual_clock.hpp"
+#include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/world/simulation/pace.hpp"
+#include "sil/world/simulation/sensor_frames.hpp"
+
+namespace sil {
+
+// Ends each cycle's sensor frames with SimulationSync; the ECU's status frame, the last of its answer, ends
+// the cycle.
+class LockStepPace final : public Pace {
+ public:
+    // `bus` is `socket` as the run sees it (recorded or not); `clock` gets simulated time. All must outlive
+    // the pace.
+    LockStepPace(hal::SocketCanBus& socket, hal::CanBus& bus, hal::VirtualClock& clock)
+        : socket_{socket}, bus_{bus}, clock_{clock} {}
+
+    void begin_cycle(std::uint32_t number) override {
+        clock_.set(hal::Time{number * cycle_time.nanoseconds});
+    }
+
+    void frames_sent(std::uint32_t number) override { SensorFrames::send_sync(bus_, number); }
+
+    bool wait_for_answer(std::uint32_t) override {
+        if (!socket_.wait_for_frame(longest_wait)) {
+            throw std::runtime_error(
+                "no answer from the ECU within 5 s. Is `rsi-ecu --lock-step` running on the same interface?");
+        }
+        return true;
+    }
+
+    double reception_time_s(const hal::CanFrame&) const override {
+        return static_cast<double>(clock_.now().nanoseconds) * 1.0e-9;
+    }
+
+ private:
+    static constexpr hal::Time longest_wait = hal::Time::from_milliseconds(5000);
+
+    hal::SocketCanBus& socket_;
+    hal::CanBus& bus_;
+    hal::VirtualClock& clock_;
+};
+
+}  // namespace sil

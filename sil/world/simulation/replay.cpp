@@ -1,0 +1,81 @@
+#include "sil/world/simulation/replay.hpp"
+
+#include <fmt/format.h>
+
+#include "application/sensor_reception.hpp"
+#include "hal/memory/frame_replay.hpp"
+#include "sil/files/sensor_frame.hpp"
+#include "sil/world/simulation/in_process_ecu.hpp"
+#include "sil/world/simulation/pace.hpp"
+
+namespace sil {
+namespace {
+
+// A longer silence is no drive, but two recordings on clocks of their own; stepping through it could take for
+// ever.
+constexpr hal::Time longest_gap = hal::Time::from_milliseconds(3'600'000);
+
+double seconds(hal::Time time) {
+    return static_cast<double>(time.nanoseconds) * 1.0e-9;
+}
+
+[[noreturn]] void refuse_without_sensor_frames() {
+    std::string expected;
+    for (const std::uint32_t identifier : application::received_identifiers) {
+        expected += fmt::format("{}0x{:03X}", expected.empty() ? "" : ", ", identifier);
+    }
+    throw ReplayError{0U, fmt::format("there is no sensor frame in this log; the firmware receives the "
+                                      "standard identifiers {}",
+                                      expected)};
+}
+
+}  // namespace
+
+std::vector<hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log) {
+    std::vector<hal::CanFrame> frames;
+    for (const LoggedFrame& logged : log) {
+        if (!is_sensor_frame(logged.frame)) {
+            continue;
+        }
+        const hal::Time time = logged.frame.receive_time;
+        if (!frames.empty() && time < frames.back().receive_time) {
+            throw ReplayError{
+                logged.line,
+                fmt::format("the time goes back from {:.6f} s to {:.6f} s; a replay needs one recording, in "
+                            "the order of time",
+                            seconds(frames.back().receive_time), seconds(time))};
+        }
+        if (!frames.empty() && longest_gap < time - frames.back().receive_time) {
+            throw ReplayError{
+                logged.line,
+                fmt::format(
+                    "a gap of {:.0f} s between two sensor frames; cut the recording in two before this line",
+                    seconds(time - frames.back().receive_time))};
+        }
+        frames.push_back(logged.frame);
+    }
+    if (frames.empty()) {
+        refuse_without_sensor_frames();
+    }
+    return frames;
+}
+
+std::vector<LoggedFrame> replay(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters) {
+    std::vector<LoggedFrame> answers;
+    const std::vector<hal::CanFrame> frames = replayable_frames(log);
+    InProcessEcu ecu{parameters};
+    hal::FrameReplay player{frames.data(), frames.size(), ecu.clock(), ecu.world_bus()};
+    hal::CanFrame frame;
+    for (hal::Time time = frames.front().receive_time;; time = time + cycle_time) {
+        player.run_until(time);
+        ecu.step();
+        while (ecu.world_bus().receive(frame) == hal::ReceiveResult::frame) {
+            answers.push_back(LoggedFrame{frame, log.front().interface});
+        }
+        if (player.finished()) {
+            return answers;
+        }
+    }
+}
+
+}  // namespace sil

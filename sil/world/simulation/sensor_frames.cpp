@@ -1,0 +1,64 @@
+#include "sil/world/simulation/sensor_frames.hpp"
+#include "sil/units.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace sil {
+namespace {
+
+constexpr double kmh_per_mps = 3.6;
+
+float to_degrees(double radians) {
+    return static_cast<float>(radians * degrees_per_radian);
+}
+
+void send_or_throw(hal::CanBus& bus, const hal::CanFrame& frame) {
+    const hal::SendResult result = bus.send(frame);
+    if (result != hal::SendResult::sent) {
+        throw std::runtime_error(
+            fmt::format("frame 0x{:03X} could not be sent: {}. Check that the interface is up and that its "
+                        "queue is not full "
+                        "(ip -details link show).",
+                        frame.identifier,
+                        result == hal::SendResult::full ? "the send queue is full" : "the bus has failed"));
+    }
+}
+
+}  // namespace
+
+template <typename Message>
+void SensorFrames::send_protected(hal::CanBus& bus, const Message& message,
+                                  can_dbc::e2e::Profile11Sender& sender) {
+    auto payload = can_dbc::encode(message);
+    sender.protect(payload);
+    send_or_throw(bus, to_frame<Message>(payload));
+    ++frames_sent_;
+}
+
+void SensorFrames::send(hal::CanBus& bus, const SensorSample& sample) {
+    can_dbc::Imu imu;
+    imu.lateral_acceleration_mps2 = static_cast<float>(sample.lateral_acceleration_mps2);
+    imu.vertical_acceleration_mps2 = static_cast<float>(sample.vertical_acceleration_mps2);
+    imu.roll_rate_deg_per_s = to_degrees(sample.roll_rate_radps);
+    send_protected(bus, imu, imu_);
+
+    can_dbc::RollAngle roll_angle;
+    roll_angle.roll_angle_deg = to_degrees(sample.roll_angle_rad);
+    roll_angle.bank_angle_deg = to_degrees(sample.bank_angle_rad);
+    send_protected(bus, roll_angle, roll_angle_);
+
+    can_dbc::VehicleMotion motion;
+    motion.speed_kmh = static_cast<float>(sample.speed_mps * kmh_per_mps);
+    motion.yaw_rate_deg_per_s = to_degrees(sample.yaw_rate_radps);
+    motion.steering_wheel_angle_deg = to_degrees(sample.steering_wheel_angle_rad);
+    send_protected(bus, motion, vehicle_motion_);
+}
+
+void SensorFrames::send_sync(hal::CanBus& bus, std::uint32_t cycle_number) {
+    send_or_throw(bus,
+                  to_frame<can_dbc::SimulationSync>(can_dbc::encode(can_dbc::SimulationSync{cycle_number})));
+}
+
+}  // namespace sil

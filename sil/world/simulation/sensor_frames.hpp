@@ -1,0 +1,46 @@
+// Sensor frames: what the car's sensors put on the bus, protected end to end.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "hal/interface/can_bus.hpp"
+#include "sil/world/sensors/sensor_sample.hpp"
+
+namespace sil {
+
+// A classic frame with this message's identifier and an encoded payload.
+template <typename Message>
+hal::CanFrame to_frame(const std::array<std::uint8_t, Message::length>& payload) {
+    hal::CanFrame frame;
+    frame.identifier = Message::identifier;
+    frame.extended = Message::extended;
+    frame.length = Message::length;
+    std::copy(payload.begin(), payload.end(), frame.data.begin());
+    return frame;
+}
+
+class SensorFrames {
+ public:
+    // Sends one sample as three frames. Throws std::runtime_error when the bus does not take one.
+    void send(hal::CanBus& bus, const SensorSample& sample);
+
+    // Lock-step only: lets the ECU compute cycle `cycle_number`.
+    static void send_sync(hal::CanBus& bus, std::uint32_t cycle_number);
+
+    std::uint64_t frames_sent() const { return frames_sent_; }
+
+ private:
+    template <typename Message>
+    void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender);
+
+    can_dbc::e2e::Profile11Sender imu_{can_dbc::Imu::e2e_data_id};
+    can_dbc::e2e::Profile11Sender roll_angle_{can_dbc::RollAngle::e2e_data_id};
+    can_dbc::e2e::Profile11Sender vehicle_motion_{can_dbc::VehicleMotion::e2e_data_id};
+    std::uint64_t frames_sent_{0U};
+};
+
+}  // namespace sil

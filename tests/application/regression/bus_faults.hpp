@@ -1,0 +1,20 @@
+// Bus faults planted into a recording, one kind after the other: what the firmware answers to them is
+// recorded too.
+#pragma once
+
+#include <vector>
+
+#include "sil/files/candump_log.hpp"
+
+namespace rsi_test {
+
+// Frames go missing, are damaged, or are sent again:
+//     1.00 s  Imu: one frame missing
+//     1.50 s  Imu: missing for 0.1 s
+//     2.00 s  RollAngle: one bit of each frame damaged for 0.1 s
+//     2.50 s  VehicleMotion: the same frame again and again for 0.1 s
+//     3.00 s  Imu and RollAngle: missing for 0.3 s
+//     4.00 s  RollAngle: missing from now on
+std::vector<sil::LoggedFrame> with_bus_faults(const std::vector<sil::LoggedFrame>& frames);
+
+}  // namespace rsi_test

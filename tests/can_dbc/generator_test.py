@@ -1,0 +1,241 @@
+"""The generator refuses what it cannot carry, naming the place; it notices drift; and the project's DBC file is complete."""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from libraries import give_up
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+GENERATOR = ROOT / "can_dbc/generator/generate.py"
+DBC = ROOT / "can_dbc/rollover_warning.dbc"
+CAN_FD = ROOT / "tests/can_dbc/can_fd.dbc"
+HEADER = ROOT / "can_dbc/generated/rollover_warning.hpp"
+GUIDE = ROOT / "docs/can.md"
+
+try:
+    import cantools
+except ModuleNotFoundError:
+    give_up("cantools")
+
+
+def generate(*arguments, options=()):
+    return subprocess.run([sys.executable, *options, str(GENERATOR), *map(str, arguments)], text=True,
+                          capture_output=True, check=False)
+
+
+class Refusing(unittest.TestCase):
+    dbc = DBC
+
+    def refuse(self, old, new, *expected):
+        text = self.dbc.read_text()
+        self.assertEqual(text.count(old), 1, f"'{old}' must stand once in the DBC file")
+        self.refuse_text(text.replace(old, new), *expected)
+
+    def refuse_text(self, text, *expected):
+        with tempfile.TemporaryDirectory() as folder:
+            changed, header = pathlib.Path(folder, "changed.dbc"), pathlib.Path(folder, "changed.hpp")
+            changed.write_text(text)
+            result = generate("--dbc", changed, "--output", header)
+            self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+            self.assertFalse(header.exists())
+        self.assertNotIn("Traceback", result.stderr)
+        for part in ("changed.dbc", *expected):
+            self.assertIn(part, result.stderr)
+
+
+class Refusals(Refusing):
+    """Each changes one thing in the project's DBC file."""
+
+    def test_multiplexed_signals(self):
+        self.refuse("SG_ State : 16", "SG_ State M : 16", "RolloverWarning", "State", "multiplexed")
+
+    def test_overlapping_signals(self):
+        self.refuse("Speed : 16|16", "Speed : 17|16", "VehicleMotion", "Speed", "overlapping")
+
+    def test_signals_beyond_the_frame(self):
+        self.refuse("SteeringWheelAngle : 48|16", "SteeringWheelAngle : 49|16", "SteeringWheelAngle")
+
+    def test_signals_longer_than_32_bits(self):
+        self.refuse("BO_ 2032 SimulationSync: 4 Simulator\n SG_ CycleNumber : 0|32",
+                    "BO_ 2032 SimulationSync: 8 Simulator\n SG_ CycleNumber : 0|33", "CycleNumber", "33 bits")
+
+    def test_a_range_that_the_bits_cannot_hold(self):
+        self.refuse("(0.01,0) [0|400]", "(0.01,0) [0|700]", "Speed", "70000", "65535")
+
+    def test_a_not_available_code_within_the_range(self):
+        self.refuse('VAL_ 290 Speed 65535 "not available"', 'VAL_ 290 Speed 40000 "not available"', "Speed",
+                    "within the physical range")
+
+    def test_a_start_value_out_of_range(self):
+        self.refuse('SG_ 290 Speed 65535;', 'SG_ 290 Speed 50000;', "Speed", "GenSigStartValue")
+
+    def test_a_missing_range(self):
+        self.refuse("(0.01,0) [0|400]", "(0.01,0) [0|0]", "Speed", "no range")
+
+    def test_a_missing_comment(self):
+        self.refuse("CM_ SG_ 290 Speed", "CM_ SG_ 290 SpeedOfOld", "Speed", "no comment")
+
+    def test_an_unknown_unit(self):
+        self.refuse('[0|400] "km/h"', '[0|400] "furlong"', "Speed", "furlong", "UNIT_ENDINGS")
+
+    def test_value_names_that_give_no_enumerators(self):
+        self.refuse('2 "advisory"', '2 "ready"', "State", "ready", "twice")
+        self.refuse('2 "advisory"', '2 "17"', "State", "17")
+
+    def test_scaled_signals_with_named_values(self):
+        self.refuse('Speed 65535 "not available"', 'Speed 65534 "error" 65535 "not available"', "Speed", "scaled")
+
+    def test_a_protected_message_without_data_identifier(self):
+        self.refuse('BA_ "E2EDataId" BO_ 290 1457;\n', "", "VehicleMotion", "E2EDataId")
+
+    def test_a_data_identifier_used_twice(self):
+        self.refuse('BO_ 290 1457;', 'BO_ 290 935;', "935", "twice")
+
+    def test_a_protected_message_with_its_counter_elsewhere(self):
+        text = DBC.read_text()
+        block = re.search(r"BO_ 290 .*?\n\n", text, re.DOTALL).group()
+        moved = block.replace("E2eCounter : 8|4", "E2eCounter : 12|4").replace("E2eDataIdNibble : 12|4",
+                                                                              "E2eDataIdNibble : 8|4")
+        self.refuse(block, moved, "VehicleMotion", "E2eCounter", "8|4")
+
+    def test_profile_11_in_a_can_fd_frame(self):
+        self.refuse('BA_ "VFrameFormat" BO_ 290 0;', 'BA_ "VFrameFormat" BO_ 290 14;', "VehicleMotion", "profile 11",
+                    "classic", "P05")
+
+    def test_an_unknown_profile(self):
+        self.refuse('ENUM "none","P11"', 'ENUM "none","P01"', "Imu", "P01", "P05 and P11")
+
+    def test_classic_frames_of_more_than_8_bytes(self):
+        self.refuse("BO_ 2032 SimulationSync: 4", "BO_ 2032 SimulationSync: 9", "SimulationSync", "9 bytes",
+                    "VFrameFormat")
+
+    def test_ieee_floating_point(self):
+        self.refuse('VAL_ 208 State', 'SIG_VALTYPE_ 2032 CycleNumber : 1;\nVAL_ 208 State', "SIG_VALTYPE_")
+
+    def test_text_that_is_no_dbc_file(self):
+        self.refuse("BU_: ImuSensor", "BU ImuSensor", "changed.dbc")
+
+    def test_a_file_that_is_not_there(self):
+        result = generate("--dbc", "no_such.dbc", "--output", "unused.hpp")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("no_such.dbc", result.stderr)
+        self.assertNotIn("Traceback", result.stderr)
+
+    def test_a_python_without_its_packages(self):
+        result = generate("--check", options=("-S",))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("pip install -r", result.stderr)
+
+
+class CanFdRefusals(Refusing):
+    """Each changes one thing in a DBC file with CAN FD frames and profile 5."""
+    dbc = CAN_FD
+
+    def test_profile_5_in_a_classic_frame(self):
+        text = self.dbc.read_text()
+        block = re.search(r"BO_ 769 .*?\n\n", text, re.DOTALL).group()
+        short = ('BO_ 769 BodyMotion: 8 Tester\n SG_ E2eCrc : 0|16@1+ (1,0) [0|65535] "-" Target\n'
+                 ' SG_ E2eCounter : 16|8@1+ (1,0) [0|255] "-" Target\n\n')
+        text = re.sub(r"(CM_|BA_|VAL_)[^\n]* 769 (YawRate|RollRate|Ready|RollAngle) [^\n]*\n", "", text)
+        text = text.replace(block, short).replace('BO_ 769 14;', 'BO_ 769 0;')
+        self.refuse_text(text, "BodyMotion", "profile 5", "CAN FD", "VFrameFormat")
+
+    def test_lengths_that_can_fd_does_not_have(self):
+        self.refuse("BO_ 769 BodyMotion: 24", "BO_ 769 BodyMotion: 25", "BodyMotion", "25 bytes", "20, 24, 32")
+
+    def test_a_crc_of_another_width(self):
+        self.refuse('E2eCrc : 64|16@1+ (1,0) [0|65535]', 'E2eCrc : 64|8@1+ (1,0) [0|255]', "BodyMotion", "E2eCrc",
+                    "64|16@1+")
+
+    def test_a_crc_within_a_byte(self):
+        self.refuse("SG_ E2eCrc : 64|16", "SG_ E2eCrc : 60|16", "BodyMotion", "E2eCrc", "0|16@1+")
+
+    def test_a_big_endian_crc(self):
+        self.refuse("SG_ E2eCrc : 64|16@1+", "SG_ E2eCrc : 71|16@0+", "BodyMotion", "E2eCrc")
+
+    def test_a_counter_elsewhere(self):
+        self.refuse("E2eCounter : 80|8", "E2eCounter : 88|8", "BodyMotion", "E2eCounter", "80|8@1+")
+
+    def test_a_missing_counter(self):
+        self.refuse(' SG_ E2eCounter : 80|8@1+', ' SG_ Counter : 80|8@1+', "BodyMotion", "E2eCounter")
+
+    def test_a_data_identifier_beyond_16_bits(self):
+        self.refuse('BA_ "E2EDataId" BO_ 769 65535;', 'BA_ "E2EDataId" BO_ 769 65536;', "BodyMotion", "E2EDataId")
+
+    def test_a_missing_data_identifier(self):
+        self.refuse('BA_ "E2EDataId" BO_ 769 65535;\n', "", "BodyMotion", "E2EDataId", "65535")
+
+    def test_a_data_identifier_used_twice(self):
+        self.refuse('BO_ 769 65535;', 'BO_ 769 4660;', "4660", "twice")
+
+
+class Drift(unittest.TestCase):
+    def test_a_header_that_matches_is_accepted(self):
+        result = generate("--check")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_a_header_that_differs_is_shown_and_left_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            header = pathlib.Path(folder, "edited.hpp")
+            edited = HEADER.read_text().replace("0x120U", "0x123U")
+            header.write_text(edited)
+            result = generate("--check", "--output", header)
+            self.assertEqual(result.returncode, 1)
+            self.assertRegex(result.stdout, r"(?m)^-.*0x123U")
+            self.assertRegex(result.stdout, r"(?m)^\+.*0x120U")
+            self.assertIn("generate.py", result.stderr)
+            self.assertEqual(header.read_text(), edited)
+
+    def test_a_missing_header_is_a_difference(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(generate("--check", "--output", pathlib.Path(folder, "none.hpp")).returncode, 1)
+
+
+class Completeness(unittest.TestCase):
+    """What readers of the project's DBC file rely on."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.text = DBC.read_text()
+        cls.database = cantools.database.load_file(DBC)
+
+    def test_the_header_is_vectors(self):
+        keywords = "NS_DESC_ CM_ BA_DEF_ BA_ VAL_ CAT_DEF_ CAT_ FILTER BA_DEF_DEF_ EV_DATA_ ENVVAR_DATA_ SGTYPE_ " \
+                   "SGTYPE_VAL_ BA_DEF_SGTYPE_ BA_SGTYPE_ SIG_TYPE_REF_ VAL_TABLE_ SIG_GROUP_ SIG_VALTYPE_ " \
+                   "SIGTYPE_VALTYPE_ BO_TX_BU_ BA_DEF_REL_ BA_REL_ BA_DEF_DEF_REL_ BU_SG_REL_ BU_EV_REL_ BU_BO_REL_ " \
+                   "SG_MUL_VAL_"
+        self.assertTrue(self.text.startswith('VERSION ""\n\nNS_ :\n\t' + "\n\t".join(keywords.split()) + "\n\nBS_:\n"))
+
+    def test_every_message_is_described(self):
+        for message in self.database.messages:
+            with self.subTest(message.name):
+                self.assertTrue(message.comment)
+                self.assertEqual(len(message.senders), 1)
+                self.assertTrue(message.receivers)
+                for attribute in ("GenMsgCycleTime", "VFrameFormat", "E2EProfile"):
+                    self.assertIn(f'BA_ "{attribute}" BO_ {message.frame_id} ', self.text)
+
+    def test_the_guide_lists_every_message_with_its_identifiers(self):
+        guide = GUIDE.read_text()
+        for message in self.database.messages:
+            data_id = message.dbc.attributes.get("E2EDataId")
+            row = f"| {message.name} | 0x{message.frame_id:03X} | " + (f"0x{data_id.value:03X}" if data_id else "none")
+            self.assertIn(row, guide)
+
+    def test_every_signal_is_described(self):
+        for message in self.database.messages:
+            for signal in message.signals:
+                with self.subTest(f"{message.name}.{signal.name}"):
+                    self.assertTrue(signal.comment)
+                    self.assertTrue(signal.unit)
+                    self.assertIsNotNone(signal.minimum)
+                    self.assertIsNotNone(signal.maximum)
+                    self.assertTrue(signal.receivers)
+                    self.assertIn(f'BA_ "GenSigStartValue" SG_ {message.frame_id} {signal.name} ', self.text)
+
+
+if __name__ == "__main__":
+    unittest.main()

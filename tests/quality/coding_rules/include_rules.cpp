@@ -1,0 +1,216 @@
+#include "tests/quality/coding_rules/include_rules.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+namespace rsi_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One folder's rule. The first rule whose folder is a prefix of the file's path counts.
+struct Rule {
+    std::string folder;
+    std::vector<std::string> project;  // folders of the project that it may include
+    enum class Others { listed, standard, any } others;
+    std::vector<std::string> listed;  // further headers, or prefixes that end in a slash
+};
+
+// What exists without an operating system, and what the component uses of it.
+const std::vector<std::string> freestanding{"array",    "cfloat",   "climits",     "cstddef",    "cstdint",
+                                            "limits",   "new",      "type_traits", "float.h",    "limits.h",
+                                            "stddef.h", "stdint.h", "stdbool.h",   "stdalign.h", "iso646.h"};
+
+std::vector<std::string> freestanding_and(const std::vector<std::string>& further) {
+    std::vector<std::string> headers = freestanding;
+    headers.insert(headers.end(), further.begin(), further.end());
+    return headers;
+}
+
+const std::vector<Rule>& rules() {
+    static const std::vector<Rule> all{
+        {"firmware/rsi/numeric/eigen.hpp", {}, Rule::Others::listed, {"Eigen/"}},
+        {"firmware/rsi/", {"rsi/"}, Rule::Others::listed, freestanding},
+        {"firmware/selftest/",
+         {"rsi/"},
+         Rule::Others::listed,
+         freestanding_and({"math.h", "string.h", "calibrations/", "selftest/"})},
+        {"firmware/monitoring/", {"rsi/", "monitoring/"}, Rule::Others::standard, {}},
+        {"firmware/application/",
+         {"rsi/", "monitoring/", "can_dbc/", "hal/interface/", "application/"},
+         Rule::Others::standard,
+         {}},
+        {"can_dbc/", {"can_dbc/"}, Rule::Others::standard, {}},
+        {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
+        {"hal/", {"hal/"}, Rule::Others::any, {}},
+        {"firmware/images/",
+         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/"},
+         Rule::Others::any,
+         {}},
+        {"sil/",
+         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/", "sil/"},
+         Rule::Others::any,
+         {}},
+        {"tests/",
+         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/", "sil/", "tests/"},
+         Rule::Others::any,
+         {}},
+    };
+    return all;
+}
+
+// The rooms that a room's CMake files may not name a path of; the top level and cmake/ put all of them
+// together.
+struct CMakeRule {
+    std::string folder;
+    std::vector<std::string> forbidden;
+};
+
+const std::vector<CMakeRule>& cmake_rules() {
+    static const std::vector<CMakeRule> all{
+        {"can_dbc/", {"firmware", "hal", "sil", "tests"}},
+        {"hal/", {"firmware", "can_dbc", "sil", "tests"}},
+        {"firmware/", {"sil", "tests"}},
+        {"sil/", {"tests"}},
+    };
+    return all;
+}
+
+bool starts_with(const std::string& text, const std::string& beginning) {
+    return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+// The project's folder that a header is in, as it is written in an include; empty for all others.
+std::string project_folder(const std::string& header) {
+    static const std::vector<std::string> folders{
+        "rsi/", "monitoring/", "application/", "firmware/", "can_dbc/", "hal/", "images/", "sil/", "tests/"};
+    for (const std::string& folder : folders) {
+        if (starts_with(header, folder)) {
+            return folder;
+        }
+    }
+    return {};
+}
+
+// Standard headers of C++ have neither a folder nor an ending; those of C end in .h and are named here.
+bool is_standard(const std::string& header) {
+    static const std::vector<std::string> of_c{"assert.h", "errno.h",  "inttypes.h", "math.h",
+                                               "stdio.h",  "stdlib.h", "string.h",   "time.h"};
+    return (header.find_first_of("/.") == std::string::npos) ||
+           (std::find(of_c.begin(), of_c.end(), header) != of_c.end()) ||
+           (std::find(freestanding.begin(), freestanding.end(), header) != freestanding.end());
+}
+
+bool is_listed(const Rule& rule, const std::string& header) {
+    return std::any_of(rule.listed.begin(), rule.listed.end(), [&header](const std::string& entry) {
+        return (entry.back() == '/') ? starts_with(header, entry) : (header == entry);
+    });
+}
+
+bool may_include_other(const Rule& rule, const std::string& header) {
+    switch (rule.others) {
+        case Rule::Others::listed:
+            return is_listed(rule, header);
+        case Rule::Others::standard:
+            return is_standard(header);
+        case Rule::Others::any:
+            return true;
+    }
+    return false;
+}
+
+bool is_source(const fs::path& path) {
+    static const std::vector<std::string> endings{".c", ".cc", ".cpp", ".h", ".hpp", ".inc", ".ipp"};
+    return std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end();
+}
+
+bool is_cmake(const fs::path& path) {
+    return path.filename() == "CMakeLists.txt" || path.extension() == ".cmake";
+}
+
+// The header that a line includes; empty when it includes none.
+std::string included_by(const std::string& line) {
+    const std::string blanks = " \t";
+    std::size_t at = line.find_first_not_of(blanks);
+    if ((at == std::string::npos) || (line[at] != '#')) {
+        return {};
+    }
+    at = line.find_first_not_of(blanks, at + 1);
+    if ((at == std::string::npos) || (line.compare(at, 7, "include") != 0)) {
+        return {};
+    }
+    const std::size_t begin = line.find_first_of("<\"", at);
+    const std::size_t end = (begin == std::string::npos) ? begin : line.find_first_of(">\"", begin + 1);
+    return (end == std::string::npos) ? std::string{} : line.substr(begin + 1, end - begin - 1);
+}
+
+void check_file(const fs::path& file, const std::string& path, std::vector<std::string>& found) {
+    std::ifstream lines(file);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        const std::string header = is_cmake(file) ? std::string{} : included_by(line);
+        const std::string why = is_cmake(file)   ? cmake_objection(path, line)
+                                : header.empty() ? std::string{}
+                                                 : objection(path, header);
+        if (!why.empty()) {
+            found.push_back(path + ":" + std::to_string(number) + ": " + why);
+        }
+    }
+}
+
+}  // namespace
+
+std::string objection(const std::string& path, const std::string& header) {
+    const auto rule = std::find_if(rules().begin(), rules().end(), [&path](const Rule& candidate) {
+        return starts_with(path, candidate.folder);
+    });
+    if (rule == rules().end()) {
+        return "the folder has no rule: add one to tests/quality/coding_rules/include_rules.cpp";
+    }
+    if (header.find("../") != std::string::npos) {
+        return "include \"" + header + "\" by its path from the project, without ..";
+    }
+    const bool allowed =
+        project_folder(header).empty()
+            ? may_include_other(*rule, header)
+            : std::any_of(rule->project.begin(), rule->project.end(),
+                          [&header](const std::string& folder) { return starts_with(header, folder); });
+    return allowed ? std::string{} : rule->folder + " may not include " + header;
+}
+
+std::string cmake_objection(const std::string& path, const std::string& line) {
+    const std::string code = line.substr(0, line.find('#'));
+    for (const CMakeRule& rule : cmake_rules()) {
+        if (!starts_with(path, rule.folder)) {
+            continue;
+        }
+        for (const std::string& room : rule.forbidden) {
+            // "room/..." or ".../room", but neither "room_library" nor the plain word.
+            const std::regex names_it("(^|[^A-Za-z0-9_-])" + room + "/|/" + room + "($|[^A-Za-z0-9_.-])");
+            if (std::regex_search(code, names_it)) {
+                return "a CMake file of " + rule.folder + " may not name a path of " + room + "/";
+            }
+        }
+    }
+    return {};
+}
+
+std::vector<std::string> forbidden_includes(const std::string& root) {
+    std::vector<std::string> found;
+    for (const std::string top : {"can_dbc", "firmware", "hal", "images", "sil", "tests"}) {
+        if (!fs::exists(fs::path(root) / top)) {
+            continue;
+        }
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(root) / top)) {
+            if (entry.is_regular_file() && (is_source(entry.path()) || is_cmake(entry.path()))) {
+                check_file(entry.path(), fs::relative(entry.path(), root).generic_string(), found);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+}  // namespace rsi_test

@@ -1,0 +1,13 @@
+// A header that is not on the list.
+// Caught by: header
+#include "tests/quality/coding_rules/planted/planted.hpp"
+
+#include <utility>
+
+namespace planted {
+
+std::uint32_t violation(std::uint32_t value) {
+    return value;
+}
+
+}  // namespace planted

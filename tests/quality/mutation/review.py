@@ -1,0 +1,41 @@
+"""The reviewed list of survivors, with the reason of each."""
+
+import tomllib
+
+FIELDS = {"file", "why", "mutants"}
+
+
+class Review:
+    def __init__(self, text):
+        self.groups = tomllib.loads(text).get("survivors", [])
+        self._reasons = {}
+        for group in self.groups:
+            if set(group) != FIELDS or not group["why"].strip() or not group["mutants"]:
+                raise SystemExit(f"mutation: survivors.toml: a group has {', '.join(sorted(FIELDS))} and no more, none of them "
+                                 f"empty; this one is not so: {group}")
+            for name in group["mutants"]:
+                if (group["file"], name) in self._reasons:
+                    raise SystemExit(f"mutation: survivors.toml names twice: {group['file']}: {name}")
+                self._reasons[group["file"], name] = group["why"]
+
+    def reason(self, mutant):
+        return self._reasons.get(mutant.key())
+
+    def unexplained(self, mutants, results):
+        return [f"{mutant} survives; write a test, or explain it in tests/quality/mutation/survivors.toml"
+                for mutant in mutants if results.get(mutant.id) == "survived" and not self.reason(mutant)]
+
+    def outdated(self, mutants, results):
+        """Explanations of what is killed or gone; of what was not tried only the latter can be said."""
+        of_key = {}
+        for mutant in mutants:
+            of_key.setdefault(mutant.key(), []).append(mutant)
+        problems = []
+        for key in self._reasons:
+            there = of_key.get(key, [])
+            tried = [results[mutant.id] for mutant in there if mutant.id in results]
+            if not there:
+                problems.append(f"survivors.toml explains what is no longer there; take it out: {': '.join(key)}")
+            elif len(tried) == len(there) and "survived" not in tried:
+                problems.append(f"survivors.toml explains what is killed; take it out: {': '.join(key)}")
+        return problems

@@ -1,0 +1,145 @@
+// The slow share by which the calibrated roll equation disagrees with the vehicle, and the load transfer that
+// is a mean of what the suspension and what the forces say.
+#include "rsi/indicator/moment_arm_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rsi/indicator/load_transfer.hpp"
+#include "tests/rsi/support/nominal.hpp"
+
+namespace moment_arm_error_test {
+namespace {
+
+constexpr double g = 9.80665;
+
+// A steady turn of a vehicle whose moment arm is (1 - e) times the calibrated one.
+struct SteadyTurn {
+    rsi::RollMotion motion{};
+    float suspension_nm{0.0F};
+};
+
+SteadyTurn steady_turn(const rsi_parameters& p, double force_mps2, double e) {
+    const double arm = static_cast<double>(p.sprung_mass_kg) *
+                       static_cast<double>(p.sprung_cg_height_m - p.fixed_roll_centre_height_m);
+    rsi::LoadTransfer transfer;
+    transfer.init(p);
+    double phi = 0.0;
+    for (int step = 0; step < 200; ++step) {
+        const double wanted = arm * (1.0 - e) * (force_mps2 + g * phi * (1.0 + phi * phi / 3.0));
+        const double held = static_cast<double>(transfer.suspension_moment_nm(static_cast<float>(phi), 0.0F));
+        phi += 0.5 * (wanted - held) / static_cast<double>(p.roll_stiffness_nmprad);
+    }
+    SteadyTurn turn;
+    turn.motion.road_parallel_force_mps2 = static_cast<float>(force_mps2);
+    turn.motion.road_normal_force_mps2 = static_cast<float>(g);
+    turn.motion.roll_angle_rad = static_cast<float>(phi);
+    turn.suspension_nm = transfer.suspension_moment_nm(turn.motion.roll_angle_rad, 0.0F);
+    return turn;
+}
+
+float after(const rsi_parameters& p, const SteadyTurn& turn, int samples, float load_transfer_ratio = 0.5F,
+            bool measured = true) {
+    rsi::MomentArmError error;
+    error.init(p);
+    float e = 0.0F;
+    for (int k = 0; k < samples; ++k) {
+        e = error.update(turn.motion, turn.suspension_nm, load_transfer_ratio, measured);
+    }
+    return e;
+}
+
+TEST(MomentArmError, IsZeroForTheCalibratedVehicle) {
+    const rsi_parameters p = rsi_test::large_suv();
+    EXPECT_NEAR(after(p, steady_turn(p, 4.0, 0.0), 150), 0.0F, 1.0e-4F);
+}
+
+// The prior pulls it towards zero, so it stays short of the truth, on either side and in either direction.
+TEST(MomentArmError, GoesMostOfTheWayToWhatAnotherVehicleShows) {
+    const rsi_parameters p = rsi_test::large_suv();
+    for (const double force : {-5.0, 5.0}) {
+        for (const double e : {-0.1, 0.1}) {
+            const float found = after(p, steady_turn(p, force, e), 100);
+            EXPECT_GT(found / static_cast<float>(e), 0.5F) << force << " " << e;
+            EXPECT_LT(found / static_cast<float>(e), 1.02F) << force << " " << e;
+        }
+    }
+}
+
+TEST(MomentArmError, IsSlowerThanATurn) {
+    const rsi_parameters p = rsi_test::large_suv();
+    const SteadyTurn turn = steady_turn(p, 5.0, 0.1);
+    EXPECT_LT(after(p, turn, 1), 0.7F * after(p, turn, 100));
+}
+
+TEST(MomentArmError, LearnsNothingWithTheWheelsUpOrWithoutATurn) {
+    const rsi_parameters p = rsi_test::large_suv();
+    EXPECT_EQ(after(p, steady_turn(p, 5.0, 0.1), 100, 1.0F), 0.0F);
+    EXPECT_EQ(after(p, steady_turn(p, 0.5, 0.1), 100), 0.0F);
+}
+
+TEST(MomentArmError, LearnsNothingFromTheObserversAngle) {
+    const rsi_parameters p = rsi_test::large_suv();
+    EXPECT_EQ(after(p, steady_turn(p, 5.0, 0.1), 100, 0.5F, false), 0.0F);
+}
+
+TEST(MomentArmError, ReturnsToZeroWhereNothingIsLearnt) {
+    const rsi_parameters p = rsi_test::large_suv();
+    const SteadyTurn turn = steady_turn(p, 5.0, 0.1);
+    const SteadyTurn straight = steady_turn(p, 0.0, 0.0);
+    rsi::MomentArmError error;
+    error.init(p);
+    float e = 0.0F;
+    for (int k = 0; k < 100; ++k) {
+        e = error.update(turn.motion, turn.suspension_nm, 0.5F, true);
+    }
+    const float learnt = e;
+    for (int k = 0; k < 500; ++k) {
+        e = error.update(straight.motion, straight.suspension_nm, 0.0F, true);
+    }
+    ASSERT_GT(learnt, 0.05F);
+    EXPECT_LT(e, 0.01F * learnt);
+}
+
+TEST(LoadTransfer, IsTheMeanThatTheWeightSays) {
+    rsi_parameters p = rsi_test::large_suv();
+    rsi::RollMotion motion;
+    motion.road_parallel_force_mps2 = 5.0F;
+    motion.road_normal_force_mps2 = 9.5F;
+    motion.roll_angle_rad = 0.07F;
+    motion.roll_acceleration_radps2 = 2.0F;
+    const double m_s = static_cast<double>(p.sprung_mass_kg);
+    const double h = static_cast<double>(p.sprung_cg_height_m);
+    const double h_rc = static_cast<double>(p.fixed_roll_centre_height_m);
+    const double unsprung =
+        static_cast<double>(p.unsprung_mass_kg) * static_cast<double>(p.unsprung_cg_height_m);
+    const double suspension_nm = 7000.0;
+    const double by_suspension = (m_s * h_rc + unsprung) * 5.0 + suspension_nm;
+    const double by_forces = (m_s * h + unsprung) * 5.0 +
+                             m_s * (h - h_rc) * 9.5 * (0.07 + 0.07 * 0.07 * 0.07 / 3.0) -
+                             static_cast<double>(p.roll_inertia_kgm2) * 2.0;
+    for (const double weight : {0.0, 0.3, 1.0}) {
+        p.load_transfer_inertial_weight = static_cast<float>(weight);
+        rsi::LoadTransfer transfer;
+        transfer.init(p);
+        EXPECT_NEAR(
+            static_cast<double>(transfer.present_moment_nm(motion, static_cast<float>(suspension_nm))),
+            (1.0 - weight) * by_suspension + weight * by_forces, 0.02);
+    }
+}
+
+TEST(MomentArmError, EndsAtItsLimitOnEitherSide) {
+    const rsi_parameters p = rsi_test::large_suv();
+    EXPECT_EQ(after(p, steady_turn(p, 8.0, 0.7), 200), 0.35F);
+    EXPECT_EQ(after(p, steady_turn(p, 4.0, -0.7), 200), -0.35F);
+}
+
+TEST(MomentArmError, KnowsNothingAtTheStartSoItsFirstStepIsLarge) {
+    const rsi_parameters p = rsi_test::large_suv();
+    const SteadyTurn turn = steady_turn(p, 5.0, 0.1);
+    EXPECT_GT(after(p, turn, 1), 0.1F * after(p, turn, 100));
+}
+
+}  // namespace
+}  // namespace moment_arm_error_test

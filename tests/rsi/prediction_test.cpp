@@ -1,0 +1,209 @@
+// The prediction: a short look ahead at the roll motion.
+#include "rsi/indicator/prediction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/rsi/support/index_reference.hpp"
+#include "tests/rsi/support/nominal.hpp"
+
+namespace prediction_test {
+namespace {
+
+using rsi_test::gravity_mps2;
+
+constexpr float horizon_s = 0.11F;  // of the calibrations
+using rsi_test::ReferenceForce;
+using rsi_test::ReferenceVehicle;
+
+class Look {
+ public:
+    explicit Look(const rsi_parameters& parameters) {
+        predictor_.init(parameters);
+        load_transfer_.init(parameters);
+        extended_.init(parameters);
+    }
+    rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {}) const {
+        return predictor_.evaluate(
+            motion, demand, load_transfer_, extended_,
+            load_transfer_.suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps), 0.0F);
+    }
+
+ private:
+    rsi::RollPredictor predictor_{};
+    rsi::LoadTransfer load_transfer_{};
+    rsi::ExtendedIndicator extended_{};
+};
+
+rsi::RollMotion motion_with(double A, double phi, double rate, double force_rate = 0.0) {
+    rsi::RollMotion motion;
+    motion.road_parallel_force_mps2 = static_cast<float>(A);
+    motion.road_normal_force_mps2 = static_cast<float>(gravity_mps2);
+    motion.roll_angle_rad = static_cast<float>(phi);
+    motion.roll_rate_radps = static_cast<float>(rate);
+    motion.road_parallel_force_rate_mps3 = static_cast<float>(force_rate);
+    return motion;
+}
+
+double load_transfer_ahead(const Look& look, const rsi::RollMotion& motion,
+                           const rsi::DemandedForce& demand = {}) {
+    return static_cast<double>(look.ahead(motion, demand).worst.load_transfer_ratio);
+}
+
+TEST(Prediction, UnderAConstantForceItIsTheRollEquationsMotion) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.prediction_horizon_s = horizon_s;
+    const ReferenceVehicle vehicle{parameters};
+    const Look look{parameters};
+    double largest_gain = 0.0;
+    for (const double A : {-7.0, -3.0, 0.5, 4.0, 8.0}) {
+        for (const double phi : {-0.05, 0.0, 0.03, 0.08}) {
+            for (const double rate : {-0.4, 0.0, 0.2, 0.5}) {
+                const double expected = rsi_test::predicted_load_transfer(
+                    vehicle, ReferenceForce{A, 0.0}, gravity_mps2, phi, rate, static_cast<double>(horizon_s));
+                const rsi::RollMotion motion = motion_with(A, phi, rate);
+                EXPECT_NEAR(std::fabs(load_transfer_ahead(look, motion)), std::fabs(expected),
+                            rsi_test::prediction_tolerance(expected))
+                    << A << ' ' << phi << ' ' << rate;
+                largest_gain = std::max(largest_gain, std::fabs(expected) - std::fabs(vehicle.load_transfer(
+                                                                                A, gravity_mps2, phi, rate)));
+            }
+        }
+    }
+    EXPECT_GT(largest_gain, 0.3);  // otherwise the comparison says nothing
+}
+
+TEST(Prediction, WithoutAHorizonItIsThePresent) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.prediction_horizon_s = 0.0F;
+    const rsi::Prediction prediction = Look{parameters}.ahead(motion_with(5.0, 0.04, 0.3, 30.0));
+    EXPECT_EQ(prediction.worst.load_transfer_ratio, prediction.present.load_transfer_ratio);
+}
+
+TEST(Prediction, TheForceGrowsNoFurtherThanTheSteeringAsks) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.prediction_horizon_s = horizon_s;
+    const ReferenceVehicle vehicle{parameters};
+    const Look look{parameters};
+    const rsi::RollMotion motion = motion_with(4.0, 0.05, 0.1, 40.0);
+    const double free = load_transfer_ahead(look, motion);
+    const double asked_more = load_transfer_ahead(look, motion, {0.0F, 10.8F});
+    const double asked_for_5 = load_transfer_ahead(look, motion, {0.0F, 5.0F});
+    const double asked_less = load_transfer_ahead(look, motion, {0.0F, 2.0F});
+    const double straight = load_transfer_ahead(look, motion, {0.0F, 0.0F});
+    EXPECT_EQ(free, asked_more);  // 4 + 40 0.15 (1 - exp(-0.11 / 0.15)) = 7.1 stays below 10.8
+    EXPECT_LT(asked_for_5, free - 0.1);
+    const ReferenceForce force{4.0, 40.0, 0.15, true, 5.0};
+    EXPECT_NEAR(asked_for_5,
+                rsi_test::predicted_load_transfer(vehicle, force, gravity_mps2, 0.05, 0.1,
+                                                  static_cast<double>(horizon_s)),
+                0.035);  // the force meets its bound early in the step, which takes it for a straight rise
+    EXPECT_LT(asked_less, asked_for_5);
+    EXPECT_EQ(asked_less, straight);  // below where it is, the present force is the bound
+    EXPECT_EQ(load_transfer_ahead(look, motion, {-9.0F, 0.0F}), straight);
+}
+
+TEST(Prediction, AFallingForceIsNotCarriedPastZeroUnlessTheSteeringAsksForTheOtherSide) {
+    const Look look{rsi_test::large_suv()};
+    const rsi::RollMotion motion = motion_with(1.0, 0.0, -0.3, -60.0);
+    const double no_more = load_transfer_ahead(look, motion, {0.0F, 1.0F});
+    const double other_side = load_transfer_ahead(look, motion, {-9.0F, 0.0F});
+    EXPECT_LT(other_side, no_more - 0.2);
+}
+
+// A body that still stands in a left turn while the force swings over is about to fall to the left.
+TEST(Prediction, ItsSideIsThatOfTheTransferToCome) {
+    const rsi::Prediction prediction = Look{rsi_test::large_suv()}.ahead(motion_with(0.5, 0.01, -0.5, -60.0));
+    EXPECT_GT(prediction.present.load_transfer_ratio, -0.3F);
+    EXPECT_LT(prediction.worst.load_transfer_ratio, -0.5F);
+}
+
+TEST(Prediction, TheExtendedIndicatorReachesOneWhereTheLoadTransferDoes) {
+    const Look look{rsi_test::large_suv()};
+    for (int k = 0; k < 200; ++k) {
+        // The roll acceleration is large, so that the present extended indicator stays small.
+        rsi::RollMotion motion = motion_with(4.0 + 0.03 * k, 0.06, 0.3, 20.0);
+        motion.roll_acceleration_radps2 = 20.0F;
+        const rsi::Prediction prediction = look.ahead(motion);
+        const float L = prediction.worst.load_transfer_ratio;
+        if (std::fabs(L - 1.0F) > 1.0e-4F) {
+            EXPECT_EQ(prediction.worst.rsi_extended > 1.0F, L > 1.0F) << L;
+        }
+    }
+}
+
+TEST(Prediction, EndsAtTwentyOnEitherSide) {
+    const Look look{rsi_test::large_suv()};
+    for (const double side : {1.0, -1.0}) {
+        rsi::RollMotion motion = motion_with(side * 60.0, 0.0, 0.0, side * 1000.0);
+        motion.road_normal_force_mps2 = 1.0F;
+        const rsi::Prediction prediction = look.ahead(motion);
+        EXPECT_EQ(static_cast<double>(prediction.present.load_transfer_ratio), side * 20.0);
+        EXPECT_EQ(static_cast<double>(prediction.worst.load_transfer_ratio), side * 20.0);
+    }
+}
+
+class DemandOf {
+ public:
+    explicit DemandOf(const rsi_parameters& parameters) { stage_.init(parameters); }
+    rsi::DemandedForce operator()(float speed_mps, float angle_rad, float bank_share_mps2 = 0.0F) const {
+        rsi_inputs inputs{};
+        inputs.speed_mps = speed_mps;
+        inputs.steering_wheel_angle_rad = angle_rad;
+        rsi::Measurement measured;
+        measured.road_parallel_force_mps2 = 3.0F + bank_share_mps2;
+        measured.lateral_acceleration_mps2 = 3.0F;
+        return stage_.evaluate(inputs, measured);
+    }
+
+ private:
+    rsi::SteeringDemand stage_{};
+};
+
+TEST(SteeringDemand, IsTheSteadyTurnsAcceleration) {
+    const DemandOf demand{rsi_test::large_suv()};
+    // 20^2 (1/20) / (2.95 + 0.003 20^2) = 4.8193
+    EXPECT_NEAR(static_cast<double>(demand(20.0F, 1.0F).most_mps2), 4.8193, 1e-3);
+    EXPECT_NEAR(static_cast<double>(demand(20.0F, -1.0F).least_mps2), -4.8193, 1e-3);
+    EXPECT_NEAR(static_cast<double>(demand(20.0F, 1.0F, 0.8F).most_mps2), 5.6193, 1e-3);
+    EXPECT_EQ(demand(20.0F, 1.0F).least_mps2, 0.0F);
+    EXPECT_EQ(demand(20.0F, -1.0F).most_mps2, 0.0F);
+}
+
+TEST(SteeringDemand, IsBoundedByTheTyresAndByNothingElse) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    EXPECT_EQ(DemandOf{parameters}(40.0F, 8.0F).most_mps2, 10.8F);
+    parameters.understeer_gradient_s2pm = -0.01F;  // critical speed 17 m/s
+    EXPECT_EQ(DemandOf{parameters}(30.0F, 3.0F).most_mps2, 10.8F);
+    EXPECT_EQ(DemandOf{parameters}(30.0F, -3.0F).least_mps2, -10.8F);
+}
+
+bool unbounded(const rsi::DemandedForce& demand) {
+    return (demand.least_mps2 <= -60.0F) && (demand.most_mps2 >= 60.0F);
+}
+
+TEST(SteeringDemand, IsUnknownWithoutSpeedOrSteering) {
+    const DemandOf demand{rsi_test::large_suv()};
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(unbounded(demand(nan, 1.0F)));
+    EXPECT_TRUE(unbounded(demand(20.0F, nan)));
+    EXPECT_TRUE(unbounded(demand(20.0F, 31.0F)));
+    EXPECT_TRUE(unbounded(demand(200.0F, 1.0F)));
+    for (const float sign : {1.0F, -1.0F}) {
+        EXPECT_FALSE(unbounded(demand(sign * 150.0F, 0.01F)));
+        EXPECT_TRUE(unbounded(demand(sign * 150.1F, 0.01F)));
+        EXPECT_FALSE(unbounded(demand(20.0F, sign * 30.0F)));
+        EXPECT_TRUE(unbounded(demand(20.0F, sign * 30.1F)));
+    }
+}
+
+TEST(SteeringDemand, PastTheCriticalSpeedATenthOfTheWheelbaseRemains) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.understeer_gradient_s2pm = -0.01F;
+    // 30^2 0.05 / (0.1 20 2.95) = 7.6271
+    EXPECT_NEAR(static_cast<double>(DemandOf{parameters}(30.0F, 0.05F).most_mps2), 7.6271, 1e-3);
+}
+
+}  // namespace
+}  // namespace prediction_test

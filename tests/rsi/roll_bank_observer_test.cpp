@@ -1,0 +1,485 @@
+// The observer of roll angle and bank, against vehicles that obey its equations exactly.
+#include "rsi/observer/roll_bank_observer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "rsi/observer/roll_sensor_check.hpp"
+#include "rsi/parameters.hpp"
+#include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/recorded_like_signals.hpp"
+
+namespace roll_bank_observer_test {
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / rsi_test::pi;
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+struct Drive {
+    double speed_mps{25.0};
+    double largest_acceleration_mps2{0.0};  // of the turn, a sine of 0.4 Hz
+    double bank_rad{0.0};                   // reached between 2 and 5 s
+    double gyro_bias_radps{0.0};
+};
+
+// Roll by Ixx w' = m_s H f_yb / cos phi - M(phi) - c phi', phi' = w - b', in double with steps of 0.1 ms; no
+// sideslip, so the turn's kinematics hold exactly.
+class RollingVehicle {
+ public:
+    RollingVehicle(const rsi_parameters& parameters, const Drive& drive)
+        : parameters_{parameters}, drive_{drive} {}
+
+    void advance_10_ms() {
+        constexpr double step_s = 1.0e-4;
+        for (int k = 0; k < 100; ++k) {
+            const double bank_rate_radps = (bank(time_s_ + step_s) - bank(time_s_)) / step_s;
+            const double z = phi_ * phi_;
+            const double moment_nm = phi_ * (value(parameters_.roll_stiffness_nmprad) +
+                                             z * (value(parameters_.roll_stiffness_cubic_nmprad3) +
+                                                  z * value(parameters_.roll_stiffness_quintic_nmprad5)));
+            const double arm_m =
+                value(parameters_.sprung_cg_height_m) - value(parameters_.fixed_roll_centre_height_m);
+            const double roll_rate_radps = w_ - bank_rate_radps;
+            w_ += step_s *
+                  (value(parameters_.sprung_mass_kg) * arm_m * force() / std::cos(phi_) - moment_nm -
+                   value(parameters_.roll_damping_nmsprad) * roll_rate_radps) /
+                  value(parameters_.roll_inertia_kgm2);
+            phi_ += step_s * (w_ - bank_rate_radps);
+            time_s_ += step_s;
+        }
+    }
+
+    void show(rsi::RollBankObserver& observer) {
+        turn_is_due_ = !turn_is_due_;
+        observer.update(static_cast<float>(force()), static_cast<float>(w_ + drive_.gyro_bias_radps),
+                        static_cast<float>(acceleration() / drive_.speed_mps),
+                        static_cast<float>(drive_.speed_mps), turn_is_due_);
+    }
+
+    double roll_angle_rad() const { return phi_; }
+    double bank_angle_rad() const { return bank(time_s_); }
+
+ private:
+    static double value(float number) { return static_cast<double>(number); }
+    double bank(double time_s) const {
+        const double share = std::fmin(std::fmax((time_s - 2.0) / 3.0, 0.0), 1.0);
+        return drive_.bank_rad * 0.5 * (1.0 - std::cos(rsi_test::pi * share));
+    }
+    double acceleration() const {
+        return drive_.largest_acceleration_mps2 * std::sin(2.0 * rsi_test::pi * 0.4 * time_s_);
+    }
+    double force() const { return acceleration() + rsi_test::gravity_mps2 * std::sin(phi_ + bank(time_s_)); }
+
+    rsi_parameters parameters_;
+    Drive drive_;
+    double time_s_{0.0};
+    double phi_{0.0};
+    double w_{0.0};
+    bool turn_is_due_{false};
+};
+
+struct Errors {
+    double roll_deg{0.0};  // largest
+    double bank_deg{0.0};
+};
+
+Errors largest_errors(const Drive& drive, double from_s, double to_s) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    RollingVehicle vehicle{parameters, drive};
+    rsi::RollBankObserver observer;
+    observer.init(parameters);
+    Errors errors;
+    for (int k = 1; k <= std::lround(100.0 * to_s); ++k) {
+        vehicle.advance_10_ms();
+        vehicle.show(observer);
+        if (0.01 * k < from_s) {
+            continue;
+        }
+        EXPECT_TRUE(observer.roll_known()) << 0.01 * k;
+        EXPECT_TRUE(observer.bank_known()) << 0.01 * k;
+        errors.roll_deg = std::fmax(
+            errors.roll_deg, degrees_per_radian * std::fabs(static_cast<double>(observer.roll_angle_rad()) -
+                                                            vehicle.roll_angle_rad()));
+        errors.bank_deg = std::fmax(
+            errors.bank_deg, degrees_per_radian * std::fabs(static_cast<double>(observer.bank_angle_rad()) -
+                                                            vehicle.bank_angle_rad()));
+    }
+    return errors;
+}
+
+TEST(RollBankObserver, FollowsTheRollOfASlalomOnALevelRoad) {
+    Drive drive;
+    drive.largest_acceleration_mps2 = 5.0;  // rolls to more than five degrees
+    const Errors errors = largest_errors(drive, 1.0, 20.0);
+    EXPECT_LT(errors.roll_deg, 0.15);
+    EXPECT_LT(errors.bank_deg, 0.5);
+}
+
+TEST(RollBankObserver, FindsABankAndTakesItForNoRoll) {
+    for (const double direction : {1.0, -1.0}) {
+        Drive drive;
+        drive.bank_rad = direction * 6.0 / degrees_per_radian;
+        const Errors settled = largest_errors(drive, 12.0, 20.0);
+        EXPECT_LT(settled.roll_deg, 0.05);
+        EXPECT_LT(settled.bank_deg, 0.2);
+        EXPECT_LT(largest_errors(drive, 1.0, 20.0).roll_deg, 0.9);  // while the bank rises by 3 deg/s
+    }
+}
+
+TEST(RollBankObserver, AGyroBiasOfAFifthOfADegreePerSecondCostsLittleRoll) {
+    Drive drive;
+    drive.gyro_bias_radps = 0.2 / degrees_per_radian;
+    const Errors errors = largest_errors(drive, 5.0, 20.0);
+    EXPECT_LT(errors.roll_deg, 0.2);
+    EXPECT_LT(errors.bank_deg, 1.0);
+}
+
+TEST(RollBankObserver, KnowsNothingAtTheStartAndTheRollWithinAFifthOfASecond) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    RollingVehicle vehicle{parameters, Drive{}};
+    rsi::RollBankObserver observer;
+    observer.init(parameters);
+    EXPECT_FALSE(observer.roll_known());
+    vehicle.show(observer);
+    EXPECT_FALSE(observer.roll_known());
+    EXPECT_FALSE(observer.bank_known());
+    for (int k = 0; k < 20; ++k) {
+        vehicle.show(observer);
+    }
+    EXPECT_TRUE(observer.roll_known());
+    observer.reset();
+    EXPECT_FALSE(observer.roll_known());
+}
+
+TEST(RollBankObserver, BelowFiveMetresASecondTheRollStaysKnownAndTheBankIsForgottenInTheEnd) {
+    rsi::RollBankObserver observer;
+    observer.init(rsi_test::large_suv());
+    const auto bank_force = static_cast<float>(rsi_test::gravity_mps2 * std::sin(0.05));
+    for (int k = 0; k < 1000; ++k) {
+        observer.update(bank_force, 0.0F, 0.0F, 20.0F, (k % 2) == 0);
+    }
+    const float bank = observer.bank_angle_rad();
+    ASSERT_GT(bank, 0.03F);
+    ASSERT_TRUE(observer.bank_known());
+    for (int k = 0; k < 100; ++k) {
+        observer.update(bank_force, 0.0F, 0.0F, 4.0F, (k % 2) == 0);
+    }
+    EXPECT_TRUE(observer.bank_known());
+    EXPECT_NEAR(observer.bank_angle_rad(), bank, 0.005F);
+    for (int k = 0; k < 6000; ++k) {
+        observer.update(bank_force, 0.0F, 0.0F, 0.0F, (k % 2) == 0);
+    }
+    EXPECT_TRUE(observer.roll_known());
+    EXPECT_FALSE(observer.bank_known());
+}
+
+TEST(RollBankObserver, FollowsTheGyroWhileTheVehicleTipsOver) {
+    rsi::RollBankObserver observer;
+    observer.init(rsi_test::large_suv());
+    for (int k = 0; k < 100; ++k) {
+        observer.update(0.0F, 0.0F, 0.0F, 25.0F, (k % 2) == 0);
+    }
+    EXPECT_FALSE(observer.tipped());
+    for (int k = 0; k < 150; ++k) {  // 1 rad at a steady rate, more force than the standing vehicle bears
+        observer.update(9.0F, 1.0F / 1.5F, 0.3F, 25.0F, (k % 2) == 0);
+    }
+    EXPECT_TRUE(observer.tipped());
+    EXPECT_TRUE(observer.roll_known());
+    EXPECT_NEAR(observer.roll_angle_rad(), 1.0F, 0.1F);
+    for (int k = 0; k < 150; ++k) {  // and back
+        observer.update(5.0F, -1.0F / 1.5F, 0.3F, 25.0F, (k % 2) == 0);
+    }
+    for (int k = 0; k < 100; ++k) {
+        observer.update(0.0F, 0.0F, 0.0F, 25.0F, (k % 2) == 0);
+    }
+    EXPECT_FALSE(observer.tipped());
+    EXPECT_NEAR(observer.roll_angle_rad(), 0.0F, 0.005F);
+}
+
+TEST(RollBankObserver, MirroredSignalsGiveTheMirroredAnglesBitForBit) {
+    rsi::RollBankObserver left;
+    rsi::RollBankObserver right;
+    left.init(rsi_test::large_suv());
+    right.init(rsi_test::large_suv());
+    rsi_test::Noise noise(5U);
+    for (int k = 0; k < 3000; ++k) {
+        const auto force = static_cast<float>(noise(6.0));
+        const auto p = static_cast<float>(noise(0.3));
+        const auto r = static_cast<float>(noise(0.3));
+        left.update(force, p, r, 20.0F, (k % 2) == 0);
+        right.update(-force, -p, -r, 20.0F, (k % 2) == 0);
+        ASSERT_EQ(left.roll_angle_rad(), -right.roll_angle_rad()) << k;
+        ASSERT_EQ(left.bank_angle_rad(), -right.bank_angle_rad()) << k;
+    }
+}
+
+TEST(RollBankObserver, StaysFiniteAndBoundedUnderAnyInputsWithAnyAdmittedCalibration) {
+    rsi_test::Noise noise(11U);
+    int tried = 0;
+    while (tried < 200) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        for (const rsi::ParameterField& field : rsi::parameter_fields) {
+            if (noise.unit() < 0.3) {
+                const auto share = static_cast<float>(noise.unit() * noise.unit() * noise.unit());
+                parameters.*field.member = field.minimum + share * (field.maximum - field.minimum);
+            }
+        }
+        if (rsi::validate(parameters).accepted == 0) {
+            parameters = rsi_test::large_suv();
+        }
+        ++tried;
+        rsi::RollBankObserver observer;
+        observer.init(parameters);
+        for (int k = 0; k < 500; ++k) {
+            observer.update(static_cast<float>(noise(30.0)), static_cast<float>(noise(5.0)),
+                            static_cast<float>(noise(5.0)), static_cast<float>(noise(80.0)), (k % 2) == 0);
+            ASSERT_LE(std::fabs(observer.roll_angle_rad()), 1.58F) << tried << ", " << k;
+            ASSERT_LE(std::fabs(observer.bank_angle_rad()), 0.51F) << tried << ", " << k;
+        }
+    }
+}
+
+TEST(RollBankObserver, ANumberThatIsNotFiniteStartsItAnewAndLeavesNoTrace) {
+    for (const float bad : {nan, infinity, -infinity}) {
+        for (int which = 0; which < 4; ++which) {
+            rsi::RollBankObserver observer;
+            observer.init(rsi_test::large_suv());
+            for (int k = 0; k < 100; ++k) {
+                observer.update(2.0F, 0.1F, 0.1F, 20.0F, (k % 2) == 0);
+            }
+            ASSERT_TRUE(observer.roll_known());
+            float signals[4] = {2.0F, 0.1F, 0.1F, 20.0F};
+            signals[which] = bad;
+            observer.update(signals[0], signals[1], signals[2], signals[3], true);
+            EXPECT_TRUE(std::isfinite(observer.roll_angle_rad()) || !observer.roll_known());
+            for (int k = 0; k < 1000; ++k) {
+                observer.update(0.0F, 0.0F, 0.0F, 20.0F, (k % 2) == 0);
+            }
+            EXPECT_TRUE(observer.roll_known()) << which;
+            EXPECT_NEAR(observer.roll_angle_rad(), 0.0F, 1.0e-3F) << which;
+        }
+    }
+}
+
+TEST(RollSensorCheck, NeedsTheWholeTimeToSpeakAndToFallSilent) {
+    rsi::RollSensorCheck check;
+    check.init(rsi_test::large_suv());  // 0.05 rad for 0.3 s, 15 times 20 ms
+    const auto repeat = [&check](int samples, float difference_rad) {
+        for (int k = 0; k < samples; ++k) {
+            check.update(difference_rad);
+        }
+        return check.disagrees();
+    };
+    EXPECT_FALSE(repeat(1000, 0.049F));
+    EXPECT_FALSE(repeat(15, -0.051F));
+    EXPECT_FALSE(repeat(1, 0.0F));  // interrupted
+    EXPECT_FALSE(repeat(15, 0.051F));
+    EXPECT_TRUE(repeat(1, 0.051F));
+    EXPECT_TRUE(repeat(1000, 0.026F));  // closer, but not by half
+    EXPECT_TRUE(repeat(15, 0.024F));
+    EXPECT_FALSE(repeat(1, 0.024F));
+}
+
+TEST(RollSensorCheck, SpeaksAfterTheSameTimeOnEitherSideAndFromTheStart) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollSensorCheck check;
+        check.init(rsi_test::large_suv());
+        for (int after_reset = 0; after_reset < 2; ++after_reset) {
+            for (int k = 0; k < 15; ++k) {
+                check.update(side * 0.051F);
+                EXPECT_FALSE(check.disagrees()) << side << ' ' << k;
+            }
+            check.update(side * 0.051F);
+            EXPECT_TRUE(check.disagrees()) << side;
+            for (int k = 0; k < 100; ++k) {
+                check.update(side * 0.026F);  // closer, but not by half
+            }
+            EXPECT_TRUE(check.disagrees()) << side;
+            check.reset();
+            EXPECT_FALSE(check.disagrees());
+        }
+    }
+}
+
+TEST(RollSensorCheck, CountsAnewAfterEachChange) {
+    rsi::RollSensorCheck check;
+    check.init(rsi_test::large_suv());
+    for (int change = 0; change < 4; ++change) {
+        const bool before = (change % 2) != 0;
+        const float difference_rad = before ? 0.024F : 0.051F;
+        for (int k = 0; k < 15; ++k) {
+            check.update(difference_rad);
+            EXPECT_EQ(check.disagrees(), before) << change << ' ' << k;
+        }
+        check.update(difference_rad);
+        EXPECT_EQ(check.disagrees(), !before) << change;
+    }
+}
+
+TEST(RollBankObserver, KeepsItsAngleWithinAQuarterTurnWhileItTips) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        float largest = 0.0F;
+        for (int k = 0; k < 300; ++k) {
+            const float rate_radps = (k < 100) ? 0.0F : 3.0F;
+            observer.update(side * ((k < 100) ? 0.0F : 12.0F), side * rate_radps, 0.0F, 20.0F, (k % 2) == 0);
+            largest = std::fmax(largest, side * observer.roll_angle_rad());
+            ASSERT_LE(std::fabs(observer.roll_angle_rad()), 1.57F);
+        }
+        EXPECT_EQ(largest, 1.57F);
+    }
+}
+
+// Tipping ends where the suspension would hold the body at its angle, and no sooner.
+TEST(RollBankObserver, AVehicleTipsUntilItsBodyIsBackWhereTheSuspensionHoldsIt) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        const auto drive = [&observer, side](int samples, float force_mps2) {
+            for (int k = 0; k < samples; ++k) {
+                observer.update(side * force_mps2, 0.0F, side * force_mps2 / 20.0F, 20.0F, (k % 2) == 0);
+            }
+        };
+        drive(200, 3.0F);
+        ASSERT_NEAR(side * observer.roll_angle_rad(), 0.05F, 0.02F);
+        ASSERT_FALSE(observer.tipped());
+        drive(2, 8.5F);
+        EXPECT_TRUE(observer.tipped());
+        drive(20, 2.7F);
+        EXPECT_TRUE(observer.tipped());  // a little less force than holds it there
+        drive(2, 3.6F);
+        EXPECT_FALSE(observer.tipped());
+    }
+}
+
+// Tipped by a force that was none, for example: a body on two wheels falls back without one.
+TEST(RollBankObserver, AVehicleWithoutHalfTheForceForASecondHasNotTipped) {
+    for (const float side : {1.0F, -1.0F}) {
+        for (const float force_mps2 : {-3.5F, 0.0F, 3.5F, -4.5F, 4.5F}) {  // 8.1 tip it
+            rsi::RollBankObserver observer;
+            observer.init(rsi_test::large_suv());
+            const auto drive = [&observer, side](int samples, float force, float rate_radps) {
+                for (int k = 0; k < samples; ++k) {
+                    observer.update(side * force, side * rate_radps, 0.0F, 0.0F, (k % 2) == 0);
+                }
+            };
+            drive(200, 0.0F, 0.0F);
+            drive(60, 9.0F, 1.0F);
+            ASSERT_TRUE(observer.tipped());
+            drive(99, force_mps2, 0.0F);
+            EXPECT_TRUE(observer.tipped());
+            drive(1, force_mps2, 0.0F);
+            EXPECT_EQ(observer.tipped(), std::fabs(force_mps2) > 4.0F) << force_mps2;
+            if (!observer.tipped()) {
+                drive(200, 0.0F, 0.0F);
+                EXPECT_NEAR(observer.roll_angle_rad(), 0.0F, 0.01F);
+            }
+        }
+    }
+}
+
+TEST(RollBankObserver, TheForceMustBeMissingForTheWholeSecond) {
+    for (const float now_and_then_mps2 : {4.5F, 9.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        for (int k = 0; k < 260; ++k) {
+            observer.update((k < 200) ? 0.0F : 9.0F, (k < 200) ? 0.0F : 1.0F, 0.0F, 0.0F, (k % 2) == 0);
+        }
+        for (int k = 0; k < 1000; ++k) {
+            observer.update((k % 90 == 89) ? now_and_then_mps2 : 0.0F, 0.0F, 0.0F, 0.0F, (k % 2) == 0);
+            ASSERT_TRUE(observer.tipped()) << k;
+        }
+    }
+}
+
+TEST(RollBankObserver, KeepsItsBankWithinHalfARadian) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        for (int k = 0; k < 60000; ++k) {
+            observer.update(side * 7.0F, 0.0F, 0.0F, 20.0F, (k % 2) == 0);
+            ASSERT_LE(std::fabs(observer.bank_angle_rad()), 0.5F);
+        }
+        EXPECT_EQ(observer.bank_angle_rad(), side * 0.5F);
+    }
+}
+
+// A body that has just begun to lean says little: the filter must know its angle before wheels can lift.
+TEST(RollBankObserver, DoesNotTipBeforeItKnowsItsAngle) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        int samples = 0;
+        while (!observer.roll_known() && samples < 100) {
+            observer.update(side * 9.0F, 0.0F, side * 0.45F, 20.0F, (samples % 2) == 0);
+            ++samples;
+            EXPECT_FALSE(observer.tipped()) << samples;
+        }
+        EXPECT_GE(samples, 2);
+        observer.update(side * 9.0F, 0.0F, side * 0.45F, 20.0F, false);
+        EXPECT_TRUE(observer.tipped());
+    }
+}
+
+TEST(RollBankObserver, StartsInBalanceWithinAFifthOfARadian) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollBankObserver observer;
+        observer.init(rsi_test::large_suv());
+        observer.update(side * 20.0F, 0.0F, 0.0F, 20.0F, true);
+        EXPECT_EQ(observer.roll_angle_rad(), side * 0.2F);
+        observer.reset();
+        observer.update(side * 3.0F, 0.0F, 0.0F, 20.0F, true);
+        EXPECT_NEAR(observer.roll_angle_rad(), side * 0.05F, 0.02F);
+    }
+}
+
+TEST(RollBankObserver, KnowsNothingOfATippedVehicleAfterAReset) {
+    rsi::RollBankObserver observer;
+    observer.init(rsi_test::large_suv());
+    for (int k = 0; k < 100; ++k) {
+        observer.update((k < 90) ? 0.0F : 9.0F, 0.0F, 0.0F, 20.0F, (k % 2) == 0);
+    }
+    ASSERT_TRUE(observer.tipped());
+    observer.reset();
+    observer.update(9.0F, 0.0F, 0.0F, 20.0F, true);
+    EXPECT_FALSE(observer.tipped());
+    EXPECT_FALSE(observer.roll_known());
+}
+
+TEST(RollSensorCheck, WantsTheWholeTimeAfterAReset) {
+    rsi::RollSensorCheck check;
+    check.init(rsi_test::large_suv());
+    for (int k = 0; k < 15; ++k) {
+        check.update(0.051F);
+    }
+    check.reset();
+    for (int k = 0; k < 15; ++k) {
+        check.update(0.051F);
+        EXPECT_FALSE(check.disagrees()) << k;
+    }
+    check.update(0.051F);
+    EXPECT_TRUE(check.disagrees());
+}
+
+// To the nearest of 20 ms.
+TEST(RollSensorCheck, ItsTimeIsRoundedToSamples) {
+    for (const float time_s : {0.2907F, 0.3093F}) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.observer_disagreement_s = time_s;
+        rsi::RollSensorCheck check;
+        check.init(parameters);
+        for (int k = 0; k < 15; ++k) {
+            check.update(0.051F);
+        }
+        EXPECT_FALSE(check.disagrees()) << time_s;
+        check.update(0.051F);
+        EXPECT_TRUE(check.disagrees()) << time_s;
+    }
+}
+
+}  // namespace
+}  // namespace roll_bank_observer_test

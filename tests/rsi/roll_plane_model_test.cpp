@@ -1,0 +1,170 @@
+// The fixed-roll-centre model against (1) solved in double: rest position, step response, stability.
+#include "rsi/model/roll_plane_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "rsi/parameters.hpp"
+#include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/roll_plane_vehicle.hpp"
+
+namespace roll_plane_model_test {
+namespace {
+
+using rsi_test::RollPlaneVehicle;
+
+rsi::Measurement forces(double parallel_mps2, double normal_mps2) {
+    rsi::Measurement measurement;
+    measurement.road_parallel_force_mps2 = static_cast<float>(parallel_mps2);
+    measurement.road_normal_force_mps2 = static_cast<float>(normal_mps2);
+    return measurement;
+}
+
+// Model and state together, stepped as the component steps them.
+struct FixedModel {
+    explicit FixedModel(const rsi_parameters& parameters) {
+        model.init(parameters);
+        roll.reset(0.0F);
+    }
+    void step(const rsi::Measurement& measurement) {
+        roll.evaluate(model, measurement);
+        roll.advance(model);
+    }
+    rsi::RollPlaneModel model;
+    rsi::FixedModelRoll roll;
+};
+
+TEST(RollPlaneModel, SettlesWhereTheMomentsBalance) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    const RollPlaneVehicle truth(parameters, {});
+    for (const double parallel : {-8.0, -3.0, 0.0, 1.0, 6.0, 9.0}) {
+        for (const double normal : {7.0, rsi_test::gravity_mps2, 12.0}) {
+            FixedModel fixed(parameters);
+            for (int k = 0; k < 1000; ++k) {
+                fixed.step(forces(parallel, normal));
+            }
+            EXPECT_NEAR(static_cast<double>(fixed.roll.angle_rad()), truth.steady_angle_rad(parallel, normal),
+                        1.0e-6)
+                << "A " << parallel << ", N " << normal;
+        }
+    }
+}
+
+// Time constant 0.1 s at 10 ms: the trapezoidal rule errs by (T/tau)^2 / 12 * (t/tau) exp(-t/tau), at
+// most 3.1e-4 of the final angle; as much again is left to the linearised tangent.
+TEST(RollPlaneModel, FollowsTheStepResponseOfTheDifferentialEquation) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    for (const double parallel : {-6.0, 2.0, 8.0}) {
+        RollPlaneVehicle truth(parameters, {});
+        const double final_angle = std::fabs(truth.steady_angle_rad(parallel, rsi_test::gravity_mps2));
+        FixedModel fixed(parameters);
+        for (int k = 0; k < 200; ++k) {
+            fixed.step(forces(parallel, rsi_test::gravity_mps2));
+            truth.advance(parallel, rsi_test::gravity_mps2, 0.01);
+            ASSERT_NEAR(static_cast<double>(fixed.roll.angle_rad()), truth.angle_rad(), 6.2e-4 * final_angle)
+                << "A " << parallel << ", step " << k;
+        }
+    }
+}
+
+TEST(RollPlaneModel, GivesTheRateOfEquationOne) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    const RollPlaneVehicle truth(parameters, {});
+    FixedModel fixed(parameters);
+    for (const float angle : {-0.3F, 0.0F, 0.05F, 0.4F}) {
+        fixed.roll.reset(angle);
+        fixed.roll.evaluate(fixed.model, forces(4.0, 9.0));
+        // Moments near 2e4 N m over 8e3 N m s: float rounding stays below 1e-5 rad/s.
+        EXPECT_NEAR(static_cast<double>(fixed.roll.rate_radps()),
+                    truth.rate_radps(4.0, 9.0, static_cast<double>(angle)), 1.0e-5);
+    }
+}
+
+// Every corner of the vehicle's ranges that validation admits, with the least damping and stiffness it admits
+// too.
+template <typename Check>
+void for_each_extreme_vehicle(Check check) {
+    for (const float mass : {100.0F, 60000.0F}) {
+        for (const float height : {0.2F, 4.0F}) {
+            for (const float arm : {0.0101F, 0.5F, 2.0F}) {
+                for (const float stiffness_ratio : {1.2001F, 50.0F}) {
+                    for (const float time_constant_s : {0.005001F, 0.1F, 10.0F}) {
+                        rsi_parameters parameters = rsi_test::large_suv();
+                        parameters.sprung_mass_kg = mass;
+                        parameters.sprung_cg_height_m = height;
+                        parameters.track_width_m = std::fmin(parameters.track_width_m, 5.9F * height);
+                        parameters.fixed_roll_centre_height_m = height - arm;
+                        parameters.roll_stiffness_nmprad =
+                            std::fmax(stiffness_ratio * mass * 9.80665F * arm, 1.0e3F);
+                        parameters.roll_damping_nmsprad =
+                            std::fmax(time_constant_s * parameters.roll_stiffness_nmprad, 1.0e2F);
+                        if (rsi::validate(parameters).accepted != 0) {
+                            check(parameters);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(RollPlaneModel, ExtremeAdmittedVehiclesComeToRest) {
+    int vehicles = 0;
+    for_each_extreme_vehicle([&vehicles](const rsi_parameters& parameters) {
+        ++vehicles;
+        const RollPlaneVehicle truth(parameters, {});
+        const double stiffness = static_cast<double>(parameters.roll_stiffness_nmprad);
+        const double damping = static_cast<double>(parameters.roll_damping_nmsprad);
+        FixedModel fixed(parameters);
+        fixed.roll.reset(0.3F);
+        // At least 20 time constants of the softest admitted vehicle, K - m_s g H = K / 6.
+        const int steps = static_cast<int>(20.0 * 6.0 * damping / stiffness / 0.01) + 100;
+        for (int k = 0; k < steps; ++k) {
+            fixed.step(forces(0.3, rsi_test::gravity_mps2));
+        }
+        EXPECT_NEAR(static_cast<double>(fixed.roll.angle_rad()),
+                    truth.steady_angle_rad(0.3, rsi_test::gravity_mps2), 2.0e-4)
+            << "m_s " << parameters.sprung_mass_kg << ", h " << parameters.sprung_cg_height_m << ", K_f "
+            << stiffness << ", c_f " << damping;
+    });
+    EXPECT_GT(vehicles, 10);
+}
+
+TEST(RollPlaneModel, ExtremeForcesOnExtremeVehiclesNeverLeaveTheModelsRange) {
+    std::mt19937 random(7U);
+    std::uniform_real_distribution<float> parallel(-100.0F, 100.0F);
+    std::uniform_real_distribution<float> normal(0.98F, 85.0F);
+    std::uniform_real_distribution<float> moment(-1.0e6F, 1.0e6F);
+    for_each_extreme_vehicle([&](const rsi_parameters& parameters) {
+        FixedModel fixed(parameters);
+        rsi::CompensatedModelRoll compensated;
+        compensated.reset(0.0F);
+        for (int k = 0; k < 2000; ++k) {
+            rsi::Measurement measurement;
+            measurement.road_parallel_force_mps2 = parallel(random);
+            measurement.road_normal_force_mps2 = normal(random);
+            fixed.step(measurement);
+            compensated.advance(fixed.model, measurement, fixed.roll, moment(random));
+            // The negated comparison catches NaN too.
+            ASSERT_FALSE(!(std::fabs(fixed.roll.angle_rad()) <= 0.5F));
+            ASSERT_FALSE(!(std::fabs(compensated.angle_rad()) <= 0.5F));
+        }
+    });
+}
+
+TEST(RollPlaneModel, TheStepGoesTheWayOfTheRateAndNoFurtherThanItInOneSample) {
+    rsi::RollPlaneModel model;
+    model.init(rsi_test::large_suv());
+    for (const float rate : {-0.5F, 0.5F}) {
+        const float with_gravity = model.next_upright_angle_rad(0.0F, rate) / rate;
+        const float without = model.next_spring_angle_rad(0.0F, rate) / rate;
+        EXPECT_GT(without, 0.0F);
+        EXPECT_LT(without, with_gravity);  // the spring alone is stiffer
+        EXPECT_LT(with_gravity, rsi::sample_time_s);
+    }
+}
+
+}  // namespace
+}  // namespace roll_plane_model_test

@@ -1,0 +1,57 @@
+#include "tests/sil/acceptance/closed_run.hpp"
+
+#include <algorithm>
+
+#include "sil/files/calibration_file.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/simulation/in_process_run.hpp"
+#include "sil/world/simulation/mounted_sensors.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
+
+namespace rsi_test {
+namespace {
+
+class Collector final : public sil::RunObserver {
+ public:
+    explicit Collector(RunResult& result) : result_{result} {}
+
+    void cycle(const sil::Truth& truth, const sil::SensorSample&, const sil::EcuFrames& ecu,
+               const sil::RunEvents&) override {
+        result_.states.push_back(ecu.output().state);
+        result_.truths.push_back(truth);
+        if (ecu.output().roll_stability_indicator > result_.largest_rsi) {
+            result_.largest_rsi = ecu.output().roll_stability_indicator;
+        }
+    }
+
+ private:
+    RunResult& result_;
+};
+
+}  // namespace
+
+bool RunResult::reached(sil::WarningState state) const {
+    return std::find(states.begin(), states.end(), state) != states.end();
+}
+
+RunResult drive(const RunSettings& settings) {
+    const std::string source{RSI_SOURCE_DIR};
+    const sil::VehicleParameters vehicle =
+        sil::load_vehicle(source + "/sil/vehicles/" + settings.vehicle + ".toml");
+    sil::RunOptions options;
+    options.mirrored = settings.mirrored;
+    options.duration_s = settings.duration_s;
+    const sil::Manoeuvre manoeuvre = sil::find_manoeuvre(settings.manoeuvre);
+    const sil::VehicleParameters adapted =
+        manoeuvre.adapt_vehicle ? manoeuvre.adapt_vehicle(vehicle) : vehicle;
+    sil::InProcessRun run{
+        vehicle, manoeuvre, options, sil::mounted_sensors(adapted, {settings.noise, settings.seed}),
+        sil::load_calibration(source + "/firmware/calibrations/" + settings.vehicle + ".toml",
+                              settings.changes)};
+    RunResult result;
+    Collector collector{result};
+    result.events = run.run(collector);
+    return result;
+}
+
+}  // namespace rsi_test

@@ -1,0 +1,38 @@
+// Closed run: one manoeuvre of a vehicle with the firmware in the same process, and what came of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sil/results/events.hpp"
+#include "sil/world/simulation/closed_loop.hpp"
+
+namespace rsi_test {
+
+struct RunSettings {
+    std::string manoeuvre;
+    std::string vehicle{"large_suv"};
+    bool mirrored{false};
+    bool noise{false};
+    std::uint64_t seed{1U};
+    double duration_s{0.0};              // 0: the manoeuvre's own
+    std::vector<std::string> changes{};  // of the calibration, "key=value"
+};
+
+// The paper's estimator and indicator, warning at its threshold.
+inline const std::vector<std::string> as_published{"estimator=published", "warning_indicator=published",
+                                                   "warning_on=1.0",      "warning_off=0.9",
+                                                   "advisory_on=0.9",     "advisory_off=0.8"};
+
+struct RunResult {
+    sil::RunEvents events;
+    std::vector<sil::WarningState> states;  // one a cycle
+    std::vector<sil::Truth> truths;         // one a cycle
+    double largest_rsi{0.0};
+
+    bool reached(sil::WarningState state) const;
+};
+
+RunResult drive(const RunSettings& settings);
+
+}  // namespace rsi_test

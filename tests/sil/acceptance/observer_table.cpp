@@ -1,0 +1,70 @@
+// Prints how well the component knows roll and bank without a roll sensor, over every manoeuvre, as a table
+// of docs/validation.md.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sil/units.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "tests/sil/acceptance/roll_centre_accuracy.hpp"
+
+namespace {
+
+using rsi_test::Cycle;
+using rsi_test::RecordedDrive;
+
+constexpr double bias_g = 0.005;
+
+struct Accuracy {
+    double roll_rms_deg{0.0};
+    double bank_rms_deg{0.0};
+};
+
+// Before the first wheel lifts.
+Accuracy accuracy(const RecordedDrive& drive, double stiffness_factor) {
+    rsi::Parameters parameters = rsi_test::calibration_of(drive, RSI_ESTIMATOR_CONSIDER_KALMAN);
+    for (float* stiffness : {&parameters.roll_stiffness_nmprad, &parameters.roll_stiffness_cubic_nmprad3,
+                             &parameters.roll_stiffness_quintic_nmprad5}) {
+        *stiffness *= static_cast<float>(stiffness_factor);
+    }
+    double roll_square = 0.0;
+    double bank_square = 0.0;
+    int samples = 0;
+    for (const Cycle& cycle : rsi_test::evaluate(drive, {true, bias_g, bias_g, 7U}, parameters)) {
+        const auto& load = cycle.truth->wheel_load_n;
+        if (std::any_of(load.begin(), load.end(), [](double load_n) { return load_n <= 0.0; })) {
+            break;
+        }
+        const double roll_error =
+            static_cast<double>(cycle.outputs.observed_roll_angle_rad) - cycle.truth->roll_angle_rad;
+        const double bank_error =
+            static_cast<double>(cycle.outputs.observed_bank_angle_rad) - cycle.truth->bank_angle_rad;
+        if (std::isfinite(roll_error) && std::isfinite(bank_error)) {
+            roll_square += roll_error * roll_error;
+            bank_square += bank_error * bank_error;
+            ++samples;
+        }
+    }
+    const double mean = 1.0 / std::max(samples, 1);
+    return {sil::degrees_per_radian * std::sqrt(roll_square * mean),
+            sil::degrees_per_radian * std::sqrt(bank_square * mean)};
+}
+
+void print(const RecordedDrive& drive) {
+    const Accuracy nominal = accuracy(drive, 1.0);
+    fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} / {:.2f} |\n", drive.manoeuvre, nominal.roll_rms_deg,
+               nominal.bank_rms_deg, accuracy(drive, 0.9).roll_rms_deg, accuracy(drive, 1.1).roll_rms_deg);
+}
+
+}  // namespace
+
+int main() {
+    for (const char* vehicle : {"large_suv", "ordinary_suv"}) {
+        fmt::print("\n{}\n\n| manoeuvre | roll | bank | roll with K 10 % low / high |\n|---|---|---|---|\n",
+                   vehicle);
+        for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+            print(rsi_test::record(manoeuvre.name, vehicle));
+        }
+    }
+}

@@ -1,0 +1,128 @@
+// Draw: what a run is depends on seed and number alone, and is spread as the settings say.
+#include "sil/studies/campaign/draw.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "tests/sil/campaign/small_campaign.hpp"
+
+namespace {
+
+using testing_campaign::small_campaign;
+using Take = std::function<double(const sil::RunDraw&)>;
+
+constexpr std::uint64_t many = 20000U;
+
+// Largest distance of the sample's distribution from the uniform one (Kolmogorov and Smirnov).
+double distance_from_uniform(std::vector<double> values, const sil::Interval& interval) {
+    std::sort(values.begin(), values.end());
+    double largest = 0.0;
+    for (std::size_t i = 0U; i < values.size(); ++i) {
+        const double expected = (values[i] - interval.lowest) / (interval.highest - interval.lowest);
+        const double count = static_cast<double>(values.size());
+        largest = std::max({largest, std::abs(static_cast<double>(i) / count - expected),
+                            std::abs(static_cast<double>(i + 1U) / count - expected)});
+    }
+    return largest;
+}
+
+void expect_uniform(const char* name, const sil::Interval& interval, const Take& take) {
+    const sil::CampaignSettings settings = small_campaign(many);
+    std::vector<double> values;
+    for (std::uint64_t run = 0U; run < many; ++run) {
+        const sil::RunDraw draw = sil::draw_run(settings, run);
+        if (draw.manoeuvre == 0U) {
+            values.push_back(take(draw));
+        }
+    }
+    EXPECT_GE(*std::min_element(values.begin(), values.end()), interval.lowest) << name;
+    EXPECT_LE(*std::max_element(values.begin(), values.end()), interval.highest) << name;
+    // A uniform sample exceeds 1.95 / sqrt(n) once in a thousand.
+    EXPECT_LT(distance_from_uniform(values, interval), 1.95 / std::sqrt(static_cast<double>(values.size())))
+        << name;
+}
+
+TEST(Draw, EveryQuantityIsUniformWithinItsBounds) {
+    const sil::CampaignSettings settings = small_campaign(many);
+    const sil::CampaignSpread& spread = settings.spread;
+    expect_uniform("speed", settings.manoeuvres[0].speed_factor,
+                   [](const auto& d) { return d.speed_factor; });
+    expect_uniform("steering", settings.manoeuvres[0].steering_factor,
+                   [](const auto& d) { return d.steering_factor; });
+    expect_uniform("friction", spread.friction_factor, [](const auto& d) { return d.friction_factor; });
+    expect_uniform("load", spread.load_share, [](const auto& d) { return d.load_share; });
+    expect_uniform("load height", spread.load_height_factor,
+                   [](const auto& d) { return d.load_height_factor; });
+    expect_uniform("CG", {-0.05, 0.05}, [](const auto& d) { return d.cg_height_error; });
+    expect_uniform("K", {-0.10, 0.10}, [](const auto& d) { return d.stiffness_error; });
+    expect_uniform("mass", {-0.05, 0.05}, [](const auto& d) { return d.mass_error; });
+    expect_uniform("lateral bias", {-0.005, 0.005}, [](const auto& d) { return d.lateral_bias_g; });
+    expect_uniform("vertical bias", {-0.005, 0.005}, [](const auto& d) { return d.vertical_bias_g; });
+}
+
+TEST(Draw, ManoeuvresComeByTheirWeightsAndVehiclesAndDirectionsAlike) {
+    const sil::CampaignSettings settings = small_campaign(many);
+    double first_manoeuvre = 0.0;
+    double first_vehicle = 0.0;
+    double mirrored = 0.0;
+    for (std::uint64_t run = 0U; run < many; ++run) {
+        const sil::RunDraw draw = sil::draw_run(settings, run);
+        first_manoeuvre += draw.manoeuvre == 0U ? 1.0 : 0.0;
+        first_vehicle += draw.vehicle == 0U ? 1.0 : 0.0;
+        mirrored += draw.mirrored ? 1.0 : 0.0;
+    }
+    // Four standard deviations of a binomial share.
+    EXPECT_NEAR(first_manoeuvre / many, 2.0 / 3.0, 4.0 * std::sqrt(2.0 / 9.0 / many));
+    EXPECT_NEAR(first_vehicle / many, 0.5, 4.0 * std::sqrt(0.25 / many));
+    EXPECT_NEAR(mirrored / many, 0.5, 4.0 * std::sqrt(0.25 / many));
+}
+
+double correlation(const Take& one, const Take& other) {
+    const sil::CampaignSettings settings = small_campaign(many);
+    double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
+    for (std::uint64_t run = 0U; run < many; ++run) {
+        const sil::RunDraw draw = sil::draw_run(settings, run);
+        const double a = one(draw);
+        const double b = other(draw);
+        x += a, y += b, xx += a * a, yy += b * b, xy += a * b;
+    }
+    const double n = static_cast<double>(many);
+    return (n * xy - x * y) / std::sqrt((n * xx - x * x) * (n * yy - y * y));
+}
+
+TEST(Draw, QuantitiesAreIndependent) {
+    const Take cg = [](const auto& d) { return d.cg_height_error; };
+    const double limit = 4.0 / std::sqrt(static_cast<double>(many));
+    EXPECT_LT(std::abs(correlation(cg, [](const auto& d) { return d.stiffness_error; })), limit);
+    EXPECT_LT(std::abs(correlation(cg, [](const auto& d) { return d.mass_error; })), limit);
+    EXPECT_LT(std::abs(correlation(cg, [](const auto& d) { return d.load_share; })), limit);
+    EXPECT_LT(std::abs(correlation(cg, [](const auto& d) { return static_cast<double>(d.number); })), limit);
+}
+
+TEST(Draw, ASeedAndANumberGiveTheSameRunAgainAndOthersAnother) {
+    sil::CampaignSettings settings = small_campaign(10U);
+    const sil::RunDraw draw = sil::draw_run(settings, 5U);
+    EXPECT_EQ(draw.cg_height_error, sil::draw_run(settings, 5U).cg_height_error);
+    EXPECT_EQ(draw.sensor_seed, sil::draw_run(settings, 5U).sensor_seed);
+    EXPECT_NE(draw.cg_height_error, sil::draw_run(settings, 6U).cg_height_error);
+    settings.runs = 1'000'000U;
+    EXPECT_EQ(draw.cg_height_error, sil::draw_run(settings, 5U).cg_height_error);
+    settings.seed += 1U;
+    EXPECT_NE(draw.cg_height_error, sil::draw_run(settings, 5U).cg_height_error);
+}
+
+TEST(Draw, NoTwoRunsShareASensorSeed) {
+    const sil::CampaignSettings settings = small_campaign(many);
+    std::set<std::uint64_t> seeds;
+    for (std::uint64_t run = 0U; run < many; ++run) {
+        seeds.insert(sil::draw_run(settings, run).sensor_seed);
+    }
+    EXPECT_EQ(seeds.size(), many);
+}
+
+}  // namespace

@@ -1,0 +1,93 @@
+// Drawn run: the firmware's values are wrong by what was drawn, counted from the loaded vehicle.
+#include "sil/studies/campaign/drawn_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "sil/files/calibration_file.hpp"
+#include "sil/studies/campaign/campaign_run.hpp"
+#include "sil/world/sensors/sensor_suite.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
+#include "tests/sil/campaign/small_campaign.hpp"
+
+namespace {
+
+using testing_campaign::project_file;
+using testing_campaign::small_campaign;
+
+constexpr double float_rounding = 1.0e-6;
+
+TEST(DrawnRun, TheFirmwareIsToldTheTruthTimesOnePlusTheError) {
+    const sil::CampaignWorld world{small_campaign(50U)};
+    const rsi::Parameters calibrations[] = {
+        sil::load_calibration(project_file("firmware/calibrations/large_suv.toml")),
+        sil::load_calibration(project_file("firmware/calibrations/ordinary_suv.toml"))};
+    for (std::uint64_t number = 0U; number < 50U; ++number) {
+        const sil::DrawnRun run = world.prepare(number);
+        const rsi::Parameters& nominal = calibrations[run.draw.vehicle];
+        EXPECT_NEAR(static_cast<double>(run.calibration.sprung_mass_kg) / run.vehicle.mass.sprung_kg,
+                    1.0 + run.draw.mass_error, float_rounding);
+        EXPECT_NEAR(
+            static_cast<double>(run.calibration.sprung_cg_height_m) / run.vehicle.geometry.cg_height_m,
+            1.0 + run.draw.cg_height_error, float_rounding);
+        EXPECT_NEAR(static_cast<double>(run.calibration.roll_stiffness_nmprad) /
+                        static_cast<double>(nominal.roll_stiffness_nmprad),
+                    1.0 + run.draw.stiffness_error, float_rounding);
+        EXPECT_NEAR(static_cast<double>(run.calibration.roll_stiffness_quintic_nmprad5) /
+                        static_cast<double>(nominal.roll_stiffness_quintic_nmprad5),
+                    1.0 + run.draw.stiffness_error, float_rounding);
+        EXPECT_EQ(run.calibration.track_width_m, nominal.track_width_m);
+        EXPECT_EQ(run.calibration.imu_z_m, nominal.imu_z_m);
+    }
+}
+
+TEST(DrawnRun, ASensorThatIsNotThereSaysNotAvailable) {
+    sil::CampaignSettings settings = small_campaign(1U);
+    const sil::DrawnRun whole = sil::CampaignWorld{settings}.prepare(0U);
+    settings.spread.steering_sensor = false;
+    settings.spread.roll_sensor = false;
+    const sil::DrawnRun without = sil::CampaignWorld{settings}.prepare(0U);
+    const sil::Truth truth;
+    for (const auto& [run, available] : {std::pair{&whole, true}, std::pair{&without, false}}) {
+        sil::SensorSuite sensors{run->sensors};
+        sensors.observe(truth);
+        const sil::SensorSample sample = sensors.report(truth);
+        EXPECT_EQ(std::isfinite(sample.steering_wheel_angle_rad), available);
+        EXPECT_EQ(std::isfinite(sample.roll_angle_rad), available);
+        EXPECT_TRUE(std::isfinite(sample.roll_rate_radps));
+    }
+}
+
+TEST(DrawnRun, ALoadChangesTheTrueVehicle) {
+    const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
+    sil::CampaignSettings settings = small_campaign(1U);
+    sil::RunDraw draw;
+    draw.load_share = 0.05;
+    draw.load_height_factor = 1.9;
+    draw.friction_factor = 0.8;
+    const sil::DrawnRun run = sil::drawn_run(settings, draw, built, {}, sil::Manoeuvre{});
+    EXPECT_NEAR(run.vehicle.mass.sprung_kg, 1.05 * built.mass.sprung_kg, 1.0e-9);
+    // (1 * h + 0.05 * 1.9 h) / 1.05
+    EXPECT_NEAR(run.vehicle.geometry.cg_height_m, built.geometry.cg_height_m * 1.095 / 1.05, 1.0e-9);
+    EXPECT_NEAR(run.vehicle.tyre.friction, 0.8 * built.tyre.friction, 1.0e-9);
+}
+
+TEST(DrawnRun, AManoeuvresOwnChangeOfTheVehicleIsMadeOnceAndBeforeTheLoad) {
+    const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
+    sil::Manoeuvre manoeuvre;
+    manoeuvre.adapt_vehicle = [](sil::VehicleParameters vehicle) {
+        vehicle.geometry.cg_height_m += 0.2;
+        return vehicle;
+    };
+    sil::RunDraw draw;
+    draw.cg_height_error = 0.04;
+    const sil::DrawnRun run = sil::drawn_run(small_campaign(1U), draw, built, {}, manoeuvre);
+    EXPECT_NEAR(run.vehicle.geometry.cg_height_m, built.geometry.cg_height_m + 0.2, 1.0e-9);
+    EXPECT_NEAR(static_cast<double>(run.calibration.sprung_cg_height_m),
+                1.04 * (built.geometry.cg_height_m + 0.2), float_rounding);
+    EXPECT_FALSE(run.manoeuvre.adapt_vehicle);
+}
+
+}  // namespace

@@ -1,0 +1,121 @@
+// False codes: drives whose sensors are good, noise and offsets of good sensors included, must not set any
+// diagnostic code. Every manoeuvre with every vehicle, then drawn runs of the built-in campaign and the van.
+//   false_codes FIRST COUNT     the drawn runs; exit status 1 when a code was set
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "sil/files/calibration_file.hpp"
+#include "sil/studies/campaign/campaign_run.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/simulation/in_process_run.hpp"
+#include "sil/world/simulation/mounted_sensors.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
+#include "tests/sil/campaign/small_campaign.hpp"
+
+namespace {
+
+using can_dbc::RolloverDiagnosis;
+
+struct Told {
+    int runs{0};
+    std::string where{};
+};
+
+class CodeListener final : public sil::RunObserver {
+ public:
+    void cycle(const sil::Truth& truth, const sil::SensorSample&, const sil::EcuFrames& ecu,
+               const sil::RunEvents&) override {
+        const RolloverDiagnosis& diagnosis = ecu.diagnosis();
+        if (diagnosis.code_status == RolloverDiagnosis::CodeStatus::confirmed) {
+            codes.emplace(static_cast<int>(diagnosis.code), truth.time_s);
+        }
+    }
+
+    std::map<int, double> codes{};  // with the time at which each was first told
+};
+
+class Search {
+ public:
+    void drive(const std::string& name, sil::InProcessRun& run) {
+        CodeListener listener;
+        run.run(listener);
+        ++runs_;
+        for (const auto& [code, time_s] : listener.codes) {
+            Told& told = told_[code];
+            ++told.runs;
+            if (told.runs <= 5) {
+                told.where += fmt::format("\n    {} at {:.2f} s", name, time_s);
+            }
+        }
+    }
+
+    int report() const {
+        for (const auto& [code, told] : told_) {
+            fmt::print("code {} in {} runs:{}\n", code, told.runs, told.where);
+        }
+        fmt::print("{} runs, {} codes\n", runs_, told_.size());
+        return told_.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
+
+ private:
+    int runs_{0};
+    std::map<int, Told> told_{};
+};
+
+void drive_catalogue(Search& search, const sil::CampaignSettings& settings) {
+    for (const sil::CampaignVehicle& built : settings.vehicles) {
+        const sil::VehicleParameters vehicle = sil::load_vehicle(built.parameters);
+        const rsi::Parameters calibration = sil::load_calibration(built.calibration);
+        for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+            for (const bool noise : {false, true}) {
+                sil::SensorFlaws flaws;
+                flaws.noise = noise;
+                flaws.bank_sensor = noise;
+                sil::RunOptions options;
+                options.mirrored = noise;
+                sil::InProcessRun run{vehicle, manoeuvre, options, sil::mounted_sensors(vehicle, flaws),
+                                      calibration};
+                search.drive(fmt::format("{} {} {}", std::filesystem::path{built.parameters}.stem().string(),
+                                         manoeuvre.name, noise ? "with noise" : "ideal"),
+                             run);
+            }
+        }
+    }
+}
+
+void drive_campaign(Search& search, const sil::CampaignSettings& settings, std::uint64_t first,
+                    std::uint64_t count) {
+    const sil::CampaignWorld world{settings};
+    for (std::uint64_t number = first; number < first + count; ++number) {
+        const sil::DrawnRun drawn = world.prepare(number);
+        sil::InProcessRun run{drawn.vehicle, drawn.manoeuvre, drawn.options, drawn.sensors,
+                              drawn.calibration};
+        search.drive(fmt::format("run {} {} {}", number, drawn.draw.vehicle, drawn.manoeuvre.name), run);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        fmt::print(stderr, "Use: false_codes FIRST COUNT, the numbers of the drawn runs\n");
+        return 2;
+    }
+    const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
+    const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
+    sil::CampaignSettings settings = testing_campaign::small_campaign(first + count);
+    const sil::CampaignSettings all = sil::default_campaign();
+    settings.manoeuvres = all.manoeuvres;
+    settings.vehicles.push_back({testing_campaign::project_file("sil/vehicles/van.toml"),
+                                 testing_campaign::project_file("firmware/calibrations/van.toml")});
+    settings.seed = all.seed;
+    Search search;
+    drive_catalogue(search, settings);
+    drive_campaign(search, settings, first, count);
+    return search.report();
+}

@@ -1,0 +1,56 @@
+// Pictures: the drawing script on rows made by hand, and what it says when there is nothing to draw.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "sil/studies/campaign/report.hpp"
+#include "tests/sil/campaign/small_campaign.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace {
+
+using test_support::ScratchFolder;
+using test_support::text_of;
+using testing_campaign::HandMadeRun;
+using testing_campaign::recorded;
+
+int draw(const std::filesystem::path& folder) {
+    const std::string command = testing_campaign::project_file("sil/studies/campaign/draw") + " '" +
+                                folder.string() + "' > '" + (folder / "messages").string() + "' 2>&1";
+    return std::system(command.c_str());
+}
+
+sil::RowTable table() {
+    const HandMadeRun lifted{3.0, 1.0, 2.5, 1.4, 1.1, 2.4};
+    const HandMadeRun calm{{}, 0.5, {}, 0.4, 0.4, {}};
+    return {{"a_level"}, {recorded(lifted), recorded(calm)}};
+}
+
+TEST(CampaignPicture, DetectionAndLeadsAreDrawn) {
+    const ScratchFolder folder;
+    sil::write_report(sil::make_report(table(), 2U), folder.path());
+    ASSERT_EQ(draw(folder.path()), 0) << text_of(folder.path() / "messages");
+    EXPECT_EQ(text_of(folder.path() / "messages"), "");
+    for (const std::string picture : {"detection", "leads"}) {
+        EXPECT_EQ(text_of(folder.path() / (picture + ".png")).substr(0, 8), "\x89PNG\r\n\x1a\n");
+        EXPECT_THAT(text_of(folder.path() / (picture + ".svg")), testing::HasSubstr("a_level"));
+    }
+}
+
+TEST(CampaignPicture, WithoutLiftOffThereIsNothingToDraw) {
+    const ScratchFolder folder;
+    sil::RowTable calm = table();
+    calm.runs.erase(calm.runs.begin());
+    sil::write_report(sil::make_report(calm, 1U), folder.path());
+    EXPECT_NE(draw(folder.path()), 0);
+    EXPECT_THAT(text_of(folder.path() / "messages"), testing::HasSubstr("nothing to compare"));
+}
+
+TEST(CampaignPicture, AMissingReportIsNamed) {
+    const ScratchFolder folder;
+    EXPECT_NE(draw(folder.path()), 0);
+    EXPECT_THAT(text_of(folder.path() / "messages"), testing::HasSubstr("curves.csv is missing"));
+}
+
+}  // namespace

@@ -1,0 +1,100 @@
+// Settings: the built-in ones, files, and what is refused.
+#include "sil/studies/campaign/settings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sil/campaign/small_campaign.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace settings_test {
+namespace {
+
+using testing::HasSubstr;
+
+sil::CampaignSettings load(const std::string& text) {
+    const test_support::ScratchFolder folder;
+    test_support::write_text(folder.path() / "mine.toml", text);
+    return sil::load_campaign(folder.path() / "mine.toml");
+}
+
+void expect_refused(const std::string& text, const std::string& why) {
+    try {
+        load(text);
+        FAIL() << "was accepted: " << text;
+    } catch (const sil::CampaignError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(why));
+    }
+}
+
+TEST(CampaignSettings, TheBuiltInOnesAreThoseOfTheFile) {
+    EXPECT_EQ(sil::to_toml(sil::default_campaign()),
+              sil::to_toml(
+                  sil::load_campaign(testing_campaign::project_file("sil/studies/campaign/default.toml"))));
+}
+
+TEST(CampaignSettings, TheBuiltInSpreadIsWhatWasAskedFor) {
+    const sil::CampaignSpread spread = sil::default_campaign().spread;
+    EXPECT_EQ(spread.cg_height_error, 0.05);
+    EXPECT_EQ(spread.stiffness_error, 0.10);
+    EXPECT_EQ(spread.mass_error, 0.05);
+    EXPECT_EQ(spread.accelerometer_bias_g, 0.005);
+    EXPECT_TRUE(spread.sensor_noise);
+    EXPECT_TRUE(spread.steering_sensor);
+    EXPECT_TRUE(spread.roll_sensor);
+    EXPECT_GE(sil::default_campaign().vehicles.size(), 2U);
+}
+
+TEST(CampaignSettings, TheirTextIsReadBackAsTheSame) {
+    sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
+    settings.vehicles[0].parameters = "a \"strange\" \\ path";
+    settings.spread.mass_error = 1.0 / 3.0;
+    EXPECT_EQ(sil::to_toml(load(sil::to_toml(settings))), sil::to_toml(settings));
+}
+
+TEST(CampaignSettings, WhatAFileLeavesOutIsBuiltIn) {
+    const sil::CampaignSettings settings = load("seed = 9\n[spread]\nmass_error = 0.02\n");
+    EXPECT_EQ(settings.seed, 9U);
+    EXPECT_EQ(settings.spread.mass_error, 0.02);
+    EXPECT_EQ(settings.spread.stiffness_error, 0.10);
+    EXPECT_EQ(settings.manoeuvres.size(), sil::default_campaign().manoeuvres.size());
+}
+
+TEST(CampaignSettings, WhatIsWrongIsNamedWithLineAndKey) {
+    expect_refused("runs = 5\nsede = 1\n", "mine.toml:2: \"sede\" is not known");
+    expect_refused("runs = 5\n\"a\\u0000b\" = 1\n", "mine.toml:2: \"a?b\" is not known here; remove it");
+    expect_refused("runs = 1.5\n", "mine.toml:1: \"runs\" must be a whole number");
+    expect_refused("runs = -1\n", "\"runs\" must be a whole number");
+    expect_refused("runs = 0\n", "\"runs\" must be from 1");
+    expect_refused("[spread]\nmass_error = nan\n", "mine.toml:2: \"mass_error\" must be a number");
+    expect_refused("[spread]\nmass_error = 0.9\n", "\"mass_error\" must be a share from 0 to 0.5");
+    expect_refused("[spread]\nfriction_factor = 1.0\n", "\"friction_factor\" must be two numbers");
+    expect_refused("[spread]\nfriction_factor = [1.2, 0.8]\n", "the lower one first");
+    expect_refused("[spread]\nsensor_noise = 1\n", "must be true or false");
+    expect_refused("[[vehicle]]\nparameters = \"a\"\n", "\"calibration\" is missing");
+    expect_refused("[vehicle]\nparameters = \"a\"\n", "must be written as [[vehicle]]");
+    expect_refused("[[manoeuvre]]\nname = \"pirouette\"\n", "There is no manoeuvre 'pirouette'");
+    expect_refused("[[manoeuvre]]\nname = \"straight\"\nweight = 0\n", "weight");
+    expect_refused("runs = \n", "mine.toml:1: cannot be read as TOML");
+}
+
+TEST(CampaignSettings, AFileThatIsNotThereIsNamed) {
+    try {
+        sil::load_campaign("/nowhere/mine.toml");
+        FAIL() << "was accepted";
+    } catch (const sil::CampaignError& error) {
+        EXPECT_STREQ(error.what(), "/nowhere/mine.toml: there is no such file");
+    }
+}
+
+TEST(CampaignSettings, AVehicleOnTheCommandLineIsTwoPaths) {
+    const sil::CampaignVehicle vehicle = sil::parse_campaign_vehicle("a/b.toml:c.toml");
+    EXPECT_EQ(vehicle.parameters, "a/b.toml");
+    EXPECT_EQ(vehicle.calibration, "c.toml");
+    for (const char* wrong : {"a.toml", ":c.toml", "a.toml:", ""}) {
+        EXPECT_THROW(sil::parse_campaign_vehicle(wrong), sil::CampaignError) << wrong;
+    }
+}
+
+}  // namespace
+}  // namespace settings_test

@@ -1,0 +1,165 @@
+// Replay results: indices, warnings, summary, verdict and table of an invented replay.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "sil/results/summary.hpp"
+#include "sil/studies/drives/replay_csv.hpp"
+#include "sil/studies/drives/replay_summary.hpp"
+#include "sil/studies/drives/replay_table.hpp"
+#include "sil/studies/drives/verdict.hpp"
+#include "tests/sil/drives/recorded_drive.hpp"
+
+namespace {
+
+using sil::Verdict;
+using sil::WarningSide;
+using sil::WarningState;
+
+sil::ReplayCycle cycle(double time_s, WarningState state, WarningSide side) {
+    sil::ReplayCycle result;
+    result.sample.time_s = time_s;
+    result.sample.roll_angle_rad = 0.1;
+    result.ecu.state = state;
+    result.ecu.side = side;
+    result.outputs.rsi = 0.75F;
+    result.outputs.lateral_acceleration_mps2 = std::numeric_limits<float>::quiet_NaN();
+    return result;
+}
+
+sil::DriveReplay three_cycles() {
+    sil::DriveReplay replay;
+    replay.cycles = {cycle(0.0, WarningState::ready, WarningSide::none),
+                     cycle(0.01, WarningState::ready, WarningSide::none),
+                     cycle(0.02, WarningState::warning, WarningSide::right)};
+    replay.events.warning = sil::EventMoment{0.02, 6.0, 0.1};
+    replay.events.warning_side = WarningSide::right;
+    replay.events.end_time_s = 0.02;
+    return replay;
+}
+
+std::vector<std::vector<std::string>> cells(const std::string& csv) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines{csv};
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields{line + ","};
+        rows.emplace_back();
+        for (std::string field; std::getline(fields, field, ',');) {
+            rows.back().push_back(field);
+        }
+    }
+    return rows;
+}
+
+TEST(WarningsCsv, HasOneRowForEveryChange) {
+    EXPECT_EQ(sil::warnings_csv(three_cycles()), "time_s,state,side\n0,ready,none\n0.02,warning,right\n");
+}
+
+TEST(IndicesCsv, HasAFieldForEveryColumnInEveryCycle) {
+    const auto rows = cells(sil::indices_csv(three_cycles()));
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[0], sil::indices_csv_columns());
+    for (const auto& row : rows) {
+        EXPECT_EQ(row.size(), rows[0].size());
+    }
+    const auto value = [&](const char* name) {
+        const auto column = std::find(rows[0].begin(), rows[0].end(), name);
+        return column == rows[0].end() ? "no column"
+                                       : rows[3][static_cast<std::size_t>(column - rows[0].begin())];
+    };
+    EXPECT_EQ(value("time_s"), "0.02");
+    EXPECT_EQ(value("rsi"), "0.75");
+    EXPECT_EQ(value("sensor_roll_angle_deg"), "5.72957795");
+    EXPECT_EQ(value("lateral_acceleration_mps2"), "");  // NaN: not available
+    EXPECT_EQ(value("sensor_bank_angle_deg"), "");
+    EXPECT_EQ(value("state"), "warning");
+    EXPECT_EQ(value("state_number"), "3");
+    EXPECT_EQ(value("side"), "right");
+}
+
+TEST(ReplaySummary, HasTheKeysOfARunInTheirOrderAndThenItsOwn) {
+    const std::string text =
+        sil::replay_summary_json({"slalom", "a/slalom.csv", "csv", "large_suv", {"gear"}}, three_cycles(),
+                                 testing_drives::large_suv_calibration());
+    const auto json = nlohmann::ordered_json::parse(text);
+    const auto of_a_run = nlohmann::ordered_json::parse(sil::summary_json({}));
+    auto own = json.begin();
+    for (auto key = of_a_run.begin(); key != of_a_run.end(); ++key, ++own) {
+        EXPECT_EQ(own.key(), key.key());
+    }
+    EXPECT_EQ(json["manoeuvre"], "slalom");
+    EXPECT_EQ(json["vehicle"], "large_suv");
+    EXPECT_TRUE(json["seed"].is_null());
+    EXPECT_EQ(json["warning_time_s"], 0.02);
+    EXPECT_EQ(json["warning_side"], "right");
+    EXPECT_TRUE(json["two_wheel_lift_time_s"].is_null());
+    EXPECT_EQ(json["file"], "a/slalom.csv");
+    EXPECT_EQ(json["verdict"], "warning");
+    EXPECT_EQ(json["lift_off_source"], "unknown");
+    EXPECT_TRUE(json["largest_load_transfer_ratio"].is_null());
+    EXPECT_EQ(json["cycles"], 3);
+    EXPECT_EQ(json["ignored_columns"].dump(), "[\"gear\"]");
+}
+
+sil::DriveReplay outcome(std::optional<double> warning_s, std::optional<double> one_s,
+                         std::optional<double> two_s, double largest_ratio = 0.5) {
+    sil::DriveReplay replay;
+    const auto moment = [](const std::optional<double>& time_s) {
+        return time_s ? std::optional<sil::EventMoment>{sil::EventMoment{*time_s, 0.0, 0.0}} : std::nullopt;
+    };
+    replay.events.warning = moment(warning_s);
+    replay.events.one_wheel_lift = moment(one_s);
+    replay.events.two_wheel_lift = moment(two_s);
+    replay.lift_off.source = sil::LiftOffSource::given;
+    replay.largest_load_transfer_ratio = largest_ratio;
+    return replay;
+}
+
+TEST(Verdict, TellsWhatTheWarningWasWorth) {
+    EXPECT_EQ(sil::verdict(outcome(1.0, 1.1, 1.2)), Verdict::ahead);
+    EXPECT_EQ(sil::verdict(outcome(1.2, 1.1, 1.2)), Verdict::late);
+    EXPECT_EQ(sil::verdict(outcome(1.5, 1.1, 1.2)), Verdict::late);
+    EXPECT_EQ(sil::verdict(outcome({}, 1.1, 1.2)), Verdict::missed);
+    EXPECT_EQ(sil::verdict(outcome(1.0, 1.1, {})), Verdict::one_wheel_alarm);
+    EXPECT_EQ(sil::verdict(outcome(1.0, {}, {}, 0.95)), Verdict::near_alarm);
+    EXPECT_EQ(sil::verdict(outcome(1.0, {}, {}, 0.85)), Verdict::false_alarm);
+    EXPECT_EQ(sil::verdict(outcome(1.0, {}, {}, sil::EcuOutput::not_available)), Verdict::false_alarm);
+    EXPECT_EQ(sil::verdict(outcome({}, {}, {})), Verdict::quiet);
+    EXPECT_EQ(sil::verdict(outcome({}, 1.1, {})), Verdict::quiet);
+}
+
+TEST(Verdict, SaysNothingOfLiftOffThatIsNotKnown) {
+    sil::DriveReplay replay = outcome(1.0, {}, {});
+    replay.lift_off.source = sil::LiftOffSource::unknown;
+    EXPECT_EQ(sil::verdict(replay), Verdict::warning);
+    replay.events.warning.reset();
+    EXPECT_EQ(sil::verdict(replay), Verdict::no_warning);
+}
+
+TEST(ReplayTable, HasARowForEveryFileAlsoForFailedOnes) {
+    const std::vector<sil::ReplayRow> rows{sil::replay_row("a,b/x.csv", "x", outcome(1.0, 1.25, 1.5, 0.99)),
+                                           sil::failed_row("y.csv", "y")};
+    const std::string csv = sil::table_csv(rows);
+    EXPECT_EQ(csv,
+              "file,drive,warning_time_s,one_wheel_lift_time_s,two_wheel_lift_time_s,lead_time_s,"
+              "largest_load_transfer_ratio,largest_warning_level,verdict\n"
+              "\"a,b/x.csv\",x,1.000,1.250,1.500,0.500,0.9900,,ahead\n"
+              "y.csv,y,,,,,,,failed\n");
+    EXPECT_THAT(sil::table_text(rows), testing::HasSubstr("2 drives: 1 ahead, 1 failed"));
+}
+
+TEST(ReplayTable, ItsColumnsStandBelowTheirNames) {
+    std::istringstream lines{
+        sil::table_text({sil::replay_row("x.csv", "a-longer-name", outcome(1.0, 1.25, 1.5))})};
+    std::string header;
+    std::string row;
+    std::getline(lines, header);
+    std::getline(lines, row);
+    EXPECT_EQ(header.find("verdict"), row.find("ahead"));
+    EXPECT_EQ(header.find("lead s") + 6U, row.find("0.50") + 4U);
+}
+
+}  // namespace

@@ -1,0 +1,160 @@
+// Drives that are of no use are refused with what is wrong and what to do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sil/studies/identification/identification.hpp"
+#include "tests/sil/identification/known_body.hpp"
+
+namespace {
+
+using identification_test::KnownBody;
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string refusal(const sil::Drive& ramp, const sil::Drive& dynamic) {
+    try {
+        sil::identify(identification_test::data_sheet_of(KnownBody{}), {ramp}, {dynamic});
+    } catch (const sil::IdentificationError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+sil::Drive good_ramp() {
+    return identification_test::ramp_of(KnownBody{}, 5.5);
+}
+sil::Drive good_steps() {
+    return identification_test::steps_of(KnownBody{});
+}
+
+TEST(UselessDrive, WithoutRollAngleIsRefused) {
+    sil::Drive ramp = good_ramp();
+    for (sil::DriveSample& sample : ramp.samples) {
+        sample.roll_angle_rad = sil::DriveSample::not_available;
+    }
+    EXPECT_THAT(refusal(ramp, good_steps()),
+                AllOf(HasSubstr("known_body"), HasSubstr("no roll angle"), HasSubstr("add a column")));
+}
+
+TEST(UselessDrive, ARampThatHardlyTurnsIsRefused) {
+    EXPECT_THAT(refusal(identification_test::ramp_of(KnownBody{}, 0.5), good_steps()),
+                AllOf(HasSubstr("the ramp reaches only 0.05 g"), HasSubstr("Steer slowly on")));
+}
+
+TEST(UselessDrive, ADynamicDriveThatIsSlowIsRefused) {
+    EXPECT_THAT(refusal(good_ramp(), good_ramp()),
+                AllOf(HasSubstr("the body rolls with"), HasSubstr("Drive a step steer")));
+}
+
+TEST(UselessDrive, OneThatIsOverBeforeItBeginsIsRefused) {
+    sil::Drive ramp = good_ramp();
+    ramp.one_wheel_lift_s = 0.2;
+    EXPECT_THAT(refusal(ramp, good_steps()),
+                AllOf(HasSubstr("only 0.20 s can be used"), HasSubstr("a wheel lifts")));
+}
+
+TEST(UselessDrive, NoDriveAtAllIsRefused) {
+    const sil::VehicleData data = identification_test::data_sheet_of(KnownBody{});
+    EXPECT_THROW(sil::identify(data, {}, {good_steps()}), sil::IdentificationError);
+    EXPECT_THROW(sil::identify(data, {good_ramp()}, {}), sil::IdentificationError);
+}
+
+TEST(UselessDrive, ABodyThatLeansIntoTheTurnIsRefused) {
+    sil::Drive ramp = good_ramp();
+    for (sil::DriveSample& sample : ramp.samples) {
+        sample.roll_angle_rad = -sample.roll_angle_rad;
+        sample.roll_rate_radps = -sample.roll_rate_radps;
+    }
+    EXPECT_THAT(refusal(ramp, good_steps()), HasSubstr("leans into the turn. Check the signs"));
+}
+
+TEST(UselessDrive, ARollRateInTheWrongUnitOrSignIsRefused) {
+    for (const double factor : {-1.0, 57.3}) {
+        sil::Drive steps = good_steps();
+        for (sil::DriveSample& sample : steps.samples) {
+            sample.roll_rate_radps *= factor;
+        }
+        EXPECT_THAT(refusal(good_ramp(), steps), HasSubstr("Check sign and unit")) << factor;
+    }
+}
+
+// One column of one drive times `factor`.
+sil::Drive scaled(sil::Drive drive, double sil::DriveSample::* column, double factor) {
+    for (sil::DriveSample& sample : drive.samples) {
+        sample.*column *= factor;
+    }
+    return drive;
+}
+
+TEST(UselessDrive, AYawRateOfTheOtherSignIsRefusedForThat) {
+    const sil::Drive flipped = scaled(good_ramp(), &sil::DriveSample::yaw_rate_radps, -1.0);
+    EXPECT_THAT(refusal(flipped, good_steps()),
+                AllOf(HasSubstr("lateral acceleration and yaw rate have opposite signs"),
+                      HasSubstr("turn the sign")));
+    EXPECT_THAT(refusal(good_ramp(), scaled(good_steps(), &sil::DriveSample::yaw_rate_radps, -1.0)),
+                HasSubstr("lateral acceleration and yaw rate have opposite signs"));
+}
+
+TEST(UselessDrive, ASteeringAngleOfTheOtherSignIsRefusedForThat) {
+    const sil::Drive flipped = scaled(good_ramp(), &sil::DriveSample::steering_wheel_angle_rad, -1.0);
+    EXPECT_THAT(refusal(flipped, good_steps()),
+                AllOf(HasSubstr("steering-wheel angle and yaw rate have opposite signs"),
+                      HasSubstr("turn the sign of the steering-wheel angle")));
+}
+
+TEST(UselessDrive, AnAccelerationInAnotherUnitIsRefusedForThat) {
+    for (const double factor : {9.80665, 1.0 / 9.80665}) {
+        const sil::Drive wrong =
+            scaled(good_ramp(), &sil::DriveSample::lateral_specific_force_mps2, factor);
+        EXPECT_THAT(refusal(wrong, good_steps()),
+                    AllOf(HasSubstr("times yaw rate times speed"), HasSubstr("m/s^2 in a column named _g")))
+            << factor;
+    }
+}
+
+TEST(UselessDrive, AYawRateInDegreesIsRefusedForThat) {
+    EXPECT_THAT(refusal(scaled(good_ramp(), &sil::DriveSample::yaw_rate_radps, 57.3), good_steps()),
+                HasSubstr("0.02 times yaw rate times speed"));
+}
+
+TEST(UselessDrive, BlowsAfterAWheelHasLiftedAreNoWrongUnit) {
+    sil::Drive ramp = good_ramp();
+    const std::size_t lift = 3U * ramp.samples.size() / 4U;
+    ramp.one_wheel_lift_s = ramp.samples[lift].time_s;
+    for (std::size_t k = lift + 1U; k < ramp.samples.size(); ++k) {
+        ramp.samples[k].lateral_specific_force_mps2 = -400.0;
+    }
+    EXPECT_EQ(refusal(ramp, good_steps()), "accepted");
+}
+
+std::vector<std::string> doubts(double imu_z_m, double inertia_kgm2) {
+    KnownBody body;
+    body.inertia_kgm2 = inertia_kgm2;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.imu_z_m = imu_z_m;
+    return sil::identify(data, {identification_test::ramp_of(body, 5.5)}, {identification_test::steps_of(body)})
+        .warnings;
+}
+
+TEST(DoubtfulDrive, AWrongSignOfTheImusHeightIsDoubtedByTheInertiaThatItMakes) {
+    const KnownBody body;
+    EXPECT_THAT(doubts(-body.imu_z_m, body.inertia_kgm2),
+                testing::Contains(AllOf(HasSubstr("Ixx is "), HasSubstr("imu_z_m"))));
+    for (const double usual_kgm2 : {600.0, body.inertia_kgm2, 900.0}) {
+        EXPECT_THAT(doubts(body.imu_z_m, usual_kgm2), testing::Not(testing::Contains(HasSubstr("Ixx is "))))
+            << usual_kgm2;
+    }
+}
+
+TEST(DoubtfulDrive, WithoutSteeringTheGradientIsAssumedAndSaidSo) {
+    identification_test::Recording recording;
+    recording.steering = false;
+    const KnownBody body;
+    const sil::Identification result = sil::identify(identification_test::data_sheet_of(body),
+                                                     {identification_test::ramp_of(body, 5.5, recording)},
+                                                     {identification_test::steps_of(body, recording)});
+    EXPECT_FALSE(result.steering);
+    EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("no ramp has steering-wheel angle")));
+}
+
+}  // namespace

@@ -1,0 +1,183 @@
+// A body that obeys the roll equation gives its parameters back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sil/studies/identification/identification.hpp"
+#include "tests/sil/identification/known_body.hpp"
+
+namespace {
+
+using identification_test::KnownBody;
+using identification_test::Recording;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+sil::Identification identified(const KnownBody& body, const sil::VehicleData& data,
+                               const Recording& recording = {}) {
+    return sil::identify(data, {identification_test::ramp_of(body, 5.5, recording)},
+                         {identification_test::steps_of(body, recording)});
+}
+
+void expect_body(const KnownBody& body, const sil::Identification& result, double share) {
+    for (const double phi : {0.01, 0.03, 0.05, 0.07}) {
+        EXPECT_NEAR(result.roll.moment_nm(phi), body.moment_nm(phi), share * body.moment_nm(phi)) << phi;
+    }
+    EXPECT_NEAR(result.roll.damping_nmsprad.value, body.damping_nmsprad, share * body.damping_nmsprad);
+    EXPECT_NEAR(result.roll.inertia_kgm2.value, body.inertia_kgm2, share * body.inertia_kgm2);
+}
+
+TEST(KnownBodyTest, GivesItsParametersBackWithinOnePerCent) {
+    const KnownBody body;
+    const sil::Identification result = identified(body, identification_test::data_sheet_of(body));
+    expect_body(body, result, 0.01);
+    EXPECT_NEAR(result.roll_centre_height_m, body.roll_centre_height_m, 0.005);
+    ASSERT_TRUE(result.steering);
+    EXPECT_NEAR(result.steering->understeer_gradient_s2pm.value, body.understeer_gradient_s2pm,
+                0.01 * body.understeer_gradient_s2pm);
+}
+
+TEST(KnownBodyTest, GivesThemBackWhereverTheImuSits) {
+    KnownBody body;
+    body.imu_x_m = -1.0;
+    body.imu_y_m = -0.4;
+    body.imu_z_m = 0.5;
+    expect_body(body, identified(body, identification_test::data_sheet_of(body)), 0.01);
+}
+
+// 0.03 g, 1 deg and 0.5 deg/s are what cheap sensors have before they are zeroed.
+TEST(KnownBodyTest, GivesThemBackInSpiteOfSensorOffsets) {
+    const KnownBody body;
+    Recording recording;
+    recording.lateral_offset_mps2 = 0.3;
+    recording.roll_offset_rad = 0.017;
+    recording.roll_rate_offset_radps = 0.009;
+    const sil::Identification result = identified(body, identification_test::data_sheet_of(body), recording);
+    expect_body(body, result, 0.015);
+    EXPECT_NEAR(result.ramps.front().offsets.lateral_mps2, 0.3, 0.005);
+    EXPECT_NEAR(result.ramps.front().offsets.roll_angle_rad, 0.017, 0.0005);
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("zero the sensors")));
+}
+
+TEST(KnownBodyTest, WithoutWheelLoadsGivesTheRatiosToTheArmAndSaysSo) {
+    const KnownBody body;
+    Recording recording;
+    recording.wheel_loads = false;
+    const sil::Identification result = identified(body, identification_test::data_sheet_of(body), recording);
+    const double true_arm_m = body.sprung_cg_height_m - body.roll_centre_height_m;
+    EXPECT_NEAR(result.roll.stiffness_nmprad.value / result.roll.arm_m, body.stiffness_nmprad / true_arm_m,
+                0.01 * body.stiffness_nmprad / true_arm_m);
+    EXPECT_NEAR(result.roll.inertia_kgm2.value / result.roll.arm_m, body.inertia_kgm2 / true_arm_m,
+                0.01 * body.inertia_kgm2 / true_arm_m);
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("gives only K/H, c/H and Ixx/H")));
+}
+
+TEST(KnownBodyTest, WithoutWheelLoadsTakesTheRollCentreThatIsGiven) {
+    const KnownBody body;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.roll_centre_height_m = body.roll_centre_height_m;
+    Recording recording;
+    recording.wheel_loads = false;
+    const sil::Identification result = identified(body, data, recording);
+    expect_body(body, result, 0.01);
+    EXPECT_THAT(result.warnings, Not(Contains(HasSubstr("gives only K/H"))));
+}
+
+TEST(KnownBodyTest, WithoutWheelLoadsUsesNothingAbove85PerCentOfTheStaticStability) {
+    const KnownBody body;
+    Recording recording;
+    recording.wheel_loads = false;
+    const sil::VehicleData data = identification_test::data_sheet_of(body);
+    const sil::PreparedDrive drive = sil::prepare_drive(identification_test::ramp_of(body, 9.5, recording),
+                                                        data, sil::PreparationOptions{});
+    const double limit_mps2 = 0.85 * 9.80665 * body.track_width_m / (2.0 * body.sprung_cg_height_m);
+    EXPECT_LT(drive.largest_parallel_mps2, limit_mps2);
+    EXPECT_GT(drive.largest_parallel_mps2, 0.97 * limit_mps2);
+}
+
+TEST(KnownBodyTest, UsesNothingAfterAWheelHasLifted) {
+    const KnownBody body;
+    sil::Drive ramp = identification_test::ramp_of(body, 5.5);
+    for (sil::DriveSample& sample : ramp.samples) {
+        if (sample.time_s >= 12.0) {
+            sample.wheel_load_n[sil::rear_left] = 0.0;
+        }
+    }
+    const sil::PreparedDrive drive = sil::prepare_drive(ramp, identification_test::data_sheet_of(body), {});
+    EXPECT_LT(drive.samples.back().time_s, 12.0);
+    EXPECT_GT(drive.samples.back().time_s, 11.9);
+}
+
+TEST(KnownBodyTest, FitsTheSteeringRatioWhenTheUndersteerGradientIsGiven) {
+    const KnownBody body;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.steering_ratio.reset();
+    data.understeer_gradient_s2pm = body.understeer_gradient_s2pm;
+    const sil::Identification result = identified(body, data);
+    ASSERT_TRUE(result.steering);
+    EXPECT_NEAR(result.steering->ratio.value, body.steering_ratio, 0.01 * body.steering_ratio);
+}
+
+TEST(KnownBodyTest, FitsRatioAndGradientFromRampsAtTwoSpeeds) {
+    KnownBody slow, fast;
+    slow.speed_mps = 14.0;
+    fast.speed_mps = 25.0;
+    sil::VehicleData data = identification_test::data_sheet_of(slow);
+    data.steering_ratio.reset();
+    const sil::Identification result = sil::identify(
+        data, {identification_test::ramp_of(slow, 5.5), identification_test::ramp_of(fast, 5.5)},
+        {identification_test::steps_of(slow)});
+    ASSERT_TRUE(result.steering);
+    EXPECT_NEAR(result.steering->ratio.value, slow.steering_ratio, 0.02 * slow.steering_ratio);
+    EXPECT_NEAR(result.steering->understeer_gradient_s2pm.value, slow.understeer_gradient_s2pm,
+                0.03 * slow.understeer_gradient_s2pm);
+}
+
+TEST(KnownBodyTest, AShortRampGivesALineAndAWarning) {
+    KnownBody body;
+    body.stiffness_cubic_nmprad3 = 0.0;
+    const sil::Identification result =
+        sil::identify(identification_test::data_sheet_of(body), {identification_test::ramp_of(body, 2.5)},
+                      {identification_test::steps_of(body)});
+    EXPECT_NEAR(result.roll.moment_nm(0.12), body.moment_nm(0.12), 0.1 * body.moment_nm(0.12));
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("the ramp reaches only 0.25 g")));
+}
+
+// A curve that bends down would let the body fall over on its springs.
+TEST(KnownBodyTest, TheFittedCurveRisesUpToRollover) {
+    KnownBody body;
+    body.stiffness_nmprad = 120.0e3;
+    body.stiffness_cubic_nmprad3 = -7.0e6;
+    const sil::Identification result = identified(body, identification_test::data_sheet_of(body));
+    const double limit_rad =
+        sil::rollover_angle_rad(result.vehicle, result.roll.arm_m, result.roll.stiffness_nmprad.value);
+    for (double phi = 0.0; phi < limit_rad; phi += 0.002) {
+        EXPECT_GT(result.roll.slope_nmprad(phi), 0.0) << phi;
+    }
+}
+
+// Tyres that give way sideways move the CG out with the force, as a higher CG would.
+TEST(KnownBodyTest, MatchesTheCgHeightWhenTheWheelLoadsAskForAnImpossibleRollCentre) {
+    const KnownBody body;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.sprung_cg_height_m = 0.96 * body.sprung_cg_height_m;
+    const sil::Identification result = identified(body, data);
+    EXPECT_GT(result.vehicle.sprung_cg_height_m, data.sprung_cg_height_m);
+    EXPECT_GE(result.roll_centre_height_m, 0.0);
+    for (const sil::DriveResidual& drive : result.load_transfer) {
+        EXPECT_LT(drive.rms, 0.02) << drive.name;
+    }
+}
+
+TEST(KnownBodyTest, SaysThatCgHeightAndWheelLoadsContradictEachOther) {
+    const KnownBody body;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.sprung_cg_height_m = 0.8 * body.sprung_cg_height_m;
+    const sil::Identification result = identified(body, data);
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("contradict each other")));
+    EXPECT_DOUBLE_EQ(result.vehicle.sprung_cg_height_m, data.sprung_cg_height_m);
+}
+
+}  // namespace

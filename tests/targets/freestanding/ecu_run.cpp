@@ -1,0 +1,163 @@
+// The whole ECU without any library: sensor frames in, warning frames out, on a platform of a few lines.
+//
+// What component_run.cpp proves of the component, this proves of the application, the generated codec and the
+// end-to-end protection. The platform below is also the least that a port has to write.
+#include "application/rollover_ecu.hpp"
+#include "can_dbc/codec/message.hpp"
+#include "can_dbc/e2e/profile_11.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "tests/support/large_suv.h"
+#include "tests/targets/freestanding/start.hpp"
+
+namespace {
+
+constexpr unsigned sensor_frames = 3U;
+constexpr unsigned ecu_frames = 7U;
+
+// The frames of one cycle; the test refills and reads them between two cycles.
+class Bus final : public hal::CanBus {
+ public:
+    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
+        if (taken_ == sensor_frames) {
+            return hal::ReceiveResult::empty;
+        }
+        frame = to_ecu[taken_++];
+        return hal::ReceiveResult::frame;
+    }
+    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+        if (sent_ == ecu_frames) {
+            return hal::SendResult::full;
+        }
+        from_ecu[sent_++] = frame;
+        return hal::SendResult::sent;
+    }
+    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
+    hal::BusStatistics statistics() const noexcept override { return {}; }
+
+    void begin_cycle() {
+        taken_ = 0U;
+        sent_ = 0U;
+    }
+    unsigned sent() const { return sent_; }
+
+    hal::CanFrame to_ecu[sensor_frames]{};
+    hal::CanFrame from_ecu[ecu_frames]{};
+
+ private:
+    unsigned taken_{0U};
+    unsigned sent_{0U};
+};
+
+class Clock final : public hal::Clock {
+ public:
+    hal::Time now() const noexcept override { return time; }
+    hal::Time time{};
+};
+
+class Watchdog final : public hal::Watchdog {
+ public:
+    void feed() noexcept override { ++feeds; }
+    int feeds{0};
+};
+
+template <typename Message>
+class SensorLine {
+ public:
+    void put(const Message& message, hal::Time time, hal::CanFrame& frame) {
+        auto payload = can_dbc::encode(message);
+        sender_.protect(payload);
+        frame.identifier = Message::identifier;
+        frame.length = Message::length;
+        frame.receive_time = time;
+        for (unsigned index = 0U; index < Message::length; ++index) {
+            frame.data[index] = payload[index];
+        }
+    }
+
+ private:
+    can_dbc::e2e::Profile11Sender sender_{Message::e2e_data_id};
+};
+
+// A frame's values, if it is this message and undamaged; its counter must follow the one before.
+template <typename Message>
+class Ear {
+ public:
+    bool hear(const hal::CanFrame& frame) {
+        const bool good = (frame.identifier == Message::identifier) &&
+                          (receiver_.check(frame.data, frame.length).status == can_dbc::e2e::CheckStatus::ok);
+        if (good) {
+            latest = can_dbc::decode<Message>(frame.data);
+        }
+        return good;
+    }
+    can_dbc::Decoded<Message> latest{};
+
+ private:
+    can_dbc::e2e::Profile11Receiver receiver_{Message::e2e_data_id, Message::length, 1U};
+};
+
+struct World {
+    Bus bus{};
+    Clock clock{};
+    Watchdog watchdog{};
+    application::RolloverEcu ecu{bus, clock, watchdog};
+    SensorLine<can_dbc::Imu> imu{};
+    SensorLine<can_dbc::RollAngle> roll_angle{};
+    SensorLine<can_dbc::VehicleMotion> vehicle_motion{};
+    Ear<can_dbc::RolloverWarning> warning{};
+    Ear<can_dbc::RollCentreEstimate> estimate{};
+    Ear<can_dbc::RollIndicesAhead> indices_ahead{};
+    Ear<can_dbc::RollIndicesClassic> indices_classic{};
+    Ear<can_dbc::RollObserver> observer{};
+    Ear<can_dbc::RolloverDiagnosis> diagnosis{};
+    Ear<can_dbc::RolloverStatus> status{};
+
+    // One cycle; whether the ECU sent its frames as it should.
+    bool cycle(float lateral_acceleration_mps2, float roll_angle_deg) {
+        clock.time = clock.time + hal::Time::from_milliseconds(10);
+        bus.begin_cycle();
+        imu.put({lateral_acceleration_mps2, 9.80665F, 0.0F}, clock.time, bus.to_ecu[0]);
+        roll_angle.put({roll_angle_deg, can_dbc::not_available}, clock.time, bus.to_ecu[1]);
+        vehicle_motion.put({80.0F, 0.0F, 0.0F}, clock.time, bus.to_ecu[2]);
+        ecu.step(0U);
+        return (bus.sent() == ecu_frames) && warning.hear(bus.from_ecu[0]) &&
+               estimate.hear(bus.from_ecu[1]) && indices_ahead.hear(bus.from_ecu[2]) &&
+               indices_classic.hear(bus.from_ecu[3]) && observer.hear(bus.from_ecu[4]) &&
+               diagnosis.hear(bus.from_ecu[5]) && status.hear(bus.from_ecu[6]);
+    }
+
+    bool drive(int cycles, float lateral_acceleration_mps2, float roll_angle_deg) {
+        bool good = true;
+        for (int k = 0; k < cycles; ++k) {
+            good = cycle(lateral_acceleration_mps2, roll_angle_deg) && good;
+        }
+        return good;
+    }
+};
+
+}  // namespace
+
+extern "C" long run() {
+    using can_dbc::RolloverWarning;
+    World world;
+    if (world.ecu.init(rsi_test_large_suv()).accepted == 0) {
+        return 1;
+    }
+    if (!world.drive(100, 2.0F, 1.1F)) {
+        return 2;
+    }
+    if (world.warning.latest.value.state != RolloverWarning::State::ready) {
+        return 3;
+    }
+    if (!world.drive(100, 9.0F, 6.3F)) {
+        return 4;
+    }
+    if ((world.warning.latest.value.state != RolloverWarning::State::warning) ||
+        (world.warning.latest.value.side != RolloverWarning::Side::right)) {
+        return 5;
+    }
+    if (world.status.latest.value.imu_timeout || (world.watchdog.feeds != 200)) {
+        return 6;
+    }
+    return 0;
+}
