@@ -33,6 +33,7 @@ const std::vector<Rule>& rules() {
     static const std::vector<Rule> all{
         {"firmware/rsi/numeric/eigen.hpp", {}, Rule::Others::listed, {"Eigen/"}},
         {"firmware/rsi/", {"rsi/"}, Rule::Others::listed, freestanding},
+        {"firmware/calibrations/", {"rsi/"}, Rule::Others::listed, {}},
         {"firmware/selftest/",
          {"rsi/"},
          Rule::Others::listed,

@@ -40,6 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Include{"firmware/rsi/model/a.cpp", "sil/world/vehicle/truth.hpp"},
                       Include{"firmware/rsi/model/a.cpp", "cmath"},
                       Include{"firmware/rsi/component.cpp", "Eigen/Core"},
+                      Include{"firmware/calibrations/generated/a.h", "math.h"},
                       Include{"firmware/selftest/selftest.c", "stdio.h"},
                       Include{"firmware/selftest/selftest.c", "application/rollover_ecu.hpp"},
                       Include{"firmware/rsi/model/a.cpp", "vector"}, Include{"firmware/rsi/rsi.h", "math.h"},
