@@ -31,7 +31,7 @@ std::vector<std::string> freestanding_and(const std::vector<std::string>& furthe
 
 const std::vector<Rule>& rules() {
     static const std::vector<Rule> all{
-        {"firmware/rsi/numeric/eigen.hpp", {}, Rule::Others::listed, {"Eigen/"}},
+        {"firmware/rsi/numeric/matrix.hpp", {}, Rule::Others::listed, {"Eigen/"}},
         {"firmware/rsi/", {"rsi/"}, Rule::Others::listed, freestanding},
         {"firmware/calibrations/", {"rsi/"}, Rule::Others::listed, {}},
         {"firmware/selftest/",

@@ -73,7 +73,7 @@ TEST_P(Allowed, IsAccepted) {
 
 INSTANTIATE_TEST_SUITE_P(IncludeRules, Allowed,
                          ::testing::Values(Include{"firmware/rsi/component.cpp", "rsi/rsi.h"},
-                                           Include{"firmware/rsi/numeric/eigen.hpp", "Eigen/Core"},
+                                           Include{"firmware/rsi/numeric/matrix.hpp", "Eigen/Core"},
                                            Include{"firmware/selftest/selftest.c", "math.h"},
                                            Include{"firmware/rsi/component.cpp", "limits"},
                                            Include{"firmware/rsi/rsi.h", "stdint.h"},
