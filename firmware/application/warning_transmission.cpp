@@ -5,9 +5,8 @@
 namespace application {
 namespace {
 
-// One digit of four bits each; the patch number is left out, since a receiver notices nothing of a patch.
-static_assert(RSI_VERSION_MAJOR <= 15 && RSI_VERSION_MINOR <= 15);
-constexpr std::uint8_t software_version = (RSI_VERSION_MAJOR * 16U) + RSI_VERSION_MINOR;
+// Without the patch number: of a patch a receiver notices nothing.
+constexpr std::uint8_t software_version = RSI_VERSION_BYTE;
 
 std::uint8_t saturate(std::uint32_t count) {
     return (count < 255U) ? static_cast<std::uint8_t>(count) : std::uint8_t{255U};
