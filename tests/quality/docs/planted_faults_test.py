@@ -53,6 +53,7 @@ FILES = {
     "sil/run": "# docs/page.md says more\n",
     "cars/c.toml": "",
     "sil/apps/a.cpp": 'add_subcommand("replay"); "--output"',
+    "CMakePresets.json": '{"configurePresets": [{"name": "release"}]}',
     "tests/unit/CMakeLists.txt": "add_custom_target(known_target)",
     "tests/run": "#!/bin/sh\n# --quick\necho '  unit   what it is'\n",
 }
@@ -171,6 +172,7 @@ class PlantedFaults(unittest.TestCase):
             ("tests/run unit   ", "tests/run units   ", "no group units"), ("tests/run unit   ", "tests/walk unit   ", "no such path"),
             ("--quick", "--slow", "no option --slow"), ("rsi-sil replay", "rsi-sil repeat", "no command repeat"),
             ("--output DIR", "--outputs DIR", "no option --outputs"), ("known_target", "unknown_target", "target unknown_target"),
+            ("--preset release", "--preset debug", "no preset debug"),
         ):
             with self.subTest(after):
                 self.plant(before, after)
