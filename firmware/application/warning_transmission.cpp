@@ -243,11 +243,13 @@ can_dbc::RolloverStatus status_message(const Health& health) {
     return message;
 }
 
+// `frame` is one that all messages take in turn: each is as long as the others, and clearing its 64 bytes for
+// every one of them would cost more than filling them.
 template <typename Message>
-void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender) {
+void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender,
+                    hal::CanFrame& frame) {
     std::array<std::uint8_t, Message::length> payload = can_dbc::encode(message);
     sender.protect(payload);
-    hal::CanFrame frame{};
     frame.identifier = Message::identifier;
     frame.extended = Message::extended;
     frame.length = Message::length;
@@ -260,13 +262,14 @@ void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Prof
 }  // namespace
 
 void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept {
-    send_protected(bus, warning_message(outputs, health.parameters_refusal), warning_);
-    send_protected(bus, estimate_message(outputs), estimate_);
-    send_protected(bus, indices_ahead_message(outputs), indices_ahead_);
-    send_protected(bus, indices_classic_message(outputs), indices_classic_);
-    send_protected(bus, observer_message(outputs, health.reset_reason), observer_);
-    send_protected(bus, diagnosis_message(health), diagnosis_);
-    send_protected(bus, status_message(health), status_);
+    hal::CanFrame frame{};
+    send_protected(bus, warning_message(outputs, health.parameters_refusal), warning_, frame);
+    send_protected(bus, estimate_message(outputs), estimate_, frame);
+    send_protected(bus, indices_ahead_message(outputs), indices_ahead_, frame);
+    send_protected(bus, indices_classic_message(outputs), indices_classic_, frame);
+    send_protected(bus, observer_message(outputs, health.reset_reason), observer_, frame);
+    send_protected(bus, diagnosis_message(health), diagnosis_, frame);
+    send_protected(bus, status_message(health), status_, frame);
 }
 
 }  // namespace application

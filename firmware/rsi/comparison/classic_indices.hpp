@@ -1,8 +1,8 @@
 // Classic indices: what the paper compares its indicator with, as far as a vehicle can compute it.
 #pragma once
 
-#include "rsi/indicator/energy_margin.hpp"
-#include "rsi/indicator/roll_motion.hpp"
+#include "rsi/comparison/energy_margin.hpp"
+#include "rsi/measurement/roll_motion.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -20,6 +20,9 @@ struct ClassicIndexValues {
 class ClassicIndices {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // As init, but keeps what is found by iterating.
+    [[gnu::cold]] void init_again(const Parameters& parameters);
 
     // The indices without a derivative take the measurement as it is, those with phi'' take the motion, whose
     // signals all have the same delay.

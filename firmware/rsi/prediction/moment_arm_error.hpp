@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rsi/indicator/load_transfer.hpp"
-#include "rsi/indicator/roll_motion.hpp"
+#include "rsi/measurement/roll_motion.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -18,13 +18,9 @@ class MomentArmError {
     [[gnu::cold]] void init(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void reset();
 
-    // Every second sample, slow_sample_time_s apart; `suspension_moment_nm` is M(phi) + c_f phi' of the same
-    // motion, `load_transfer_ratio` that of the sample before. Learns only from a `measured_angle`: the
-    // observer's comes from the calibrated equation itself. Returns e, -0.35 to 0.35.
-    float update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio,
-                 bool measured_angle);
-
-    float value() const { return error_; }
+    // One sample; `load` is that of `motion`. Learns only from a `measured_angle`: the observer's comes from
+    // the calibrated equation itself. Returns e, -0.35 to 0.35.
+    float update(const RollMotion& motion, const TransferredLoad& load, bool measured_angle);
 
  private:
     float moment_arm_kgm_{1.0F};   // m_s H

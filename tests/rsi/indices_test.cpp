@@ -1,16 +1,18 @@
-// The further indicators, through the component, against the equations in double.
+// Extended indicator, load transfer, prediction and the paper's other indices, through the component, against
+// the equations in double.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "rsi/component.hpp"
+#include "rsi/model/critical_roll_angle.hpp"
 #include "tests/rsi/support/body_kinematics.hpp"
 #include "tests/rsi/support/index_reference.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/random_manoeuvre.hpp"
 
-namespace further_indicators_test {
+namespace indices_test {
 namespace {
 
 using rsi_test::gravity_mps2;
@@ -107,17 +109,7 @@ void expect_classic_indices(const rsi_parameters& p, const rsi_inputs& in, const
     EXPECT_NEAR(wide(out.time_to_rollover_s), std::min(time, 10.0), 1e-4 + 2e-3 * std::min(time, 10.0));
 }
 
-// Those of the sample before.
-void expect_held_indices(const rsi_outputs& out, const rsi_outputs& before) {
-    EXPECT_EQ(out.static_stability_level, before.static_stability_level);
-    EXPECT_EQ(out.dynamic_stability_index, before.dynamic_stability_index);
-    EXPECT_EQ(out.dynamic_stability_index_late, before.dynamic_stability_index_late);
-    EXPECT_EQ(out.energy_margin, before.energy_margin);
-    EXPECT_EQ(out.rollover_index, before.rollover_index);
-    EXPECT_EQ(out.time_to_rollover_s, before.time_to_rollover_s);
-}
-
-TEST(FurtherIndicators, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
+TEST(Indices, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.prediction_horizon_s = 0.11F;
     rsi::Component component;
@@ -128,29 +120,17 @@ TEST(FurtherIndicators, FollowTheEquationsOverALivelyDriveWithNoiseAndBank) {
     rsi_test::ReferenceMomentArmError moment_arm_error;
     int ahead = 0;
     int with_demand = 0;
-    rsi_outputs before{};
-    rsi_test::ReferenceForce demanded;  // of the last sample in which it was due
     for (int k = 0; k < 20000 && !HasFailure(); ++k) {
         const rsi_inputs inputs = drive.next();
         rsi_outputs out;
         component.step(inputs, out);
         motion.next(inputs, out);
         expect_state_indices(parameters, out, motion);
-        if (k % 2 == 0) {
-            expect_classic_indices(parameters, inputs, out, motion);
-        } else {
-            expect_held_indices(out, before);
-        }
-        before = out;
+        expect_classic_indices(parameters, inputs, out, motion);
         vehicle.e = moment_arm_error.next(vehicle, motion.A.value(), motion.N.value(), motion.phi.value(),
                                           motion.p.value(), motion.roll_acceleration,
                                           wide(parameters.excitation_threshold_mps2));
-        rsi_test::ReferenceForce force = force_ahead(parameters, inputs, out, motion);
-        if ((k % 2 == 0) && (k > 0)) {
-            demanded = force;
-        }
-        force.bounded = demanded.bounded;
-        force.demand = demanded.demand;
+        const rsi_test::ReferenceForce force = force_ahead(parameters, inputs, out, motion);
         const double L =
             rsi_test::predicted_load_transfer(vehicle, force, motion.N.value(), motion.phi.value(),
                                               motion.p.value(), wide(parameters.prediction_horizon_s), 5);
@@ -174,7 +154,7 @@ rsi_inputs turning(double a_y, double phi) {
 // (27) in ISO 8855: a body that speeds up its roll outwards leaves the inner wheels with more load for the
 // moment, so the physical index (minus) comes later at the onset than with the late sign's plus, and the
 // other way round when the roll is being stopped, just before the peak. There the early index warns.
-TEST(FurtherIndicators, OfTheTwoDynamicStabilityIndicesTheEarlyOneLeadsWhereTheRollIsStopped) {
+TEST(Indices, OfTheTwoDynamicStabilityIndicesTheEarlyOneLeadsWhereTheRollIsStopped) {
     for (const double side : {1.0, -1.0}) {
         rsi::Component component;
         ASSERT_EQ(component.init(rsi_test::large_suv()).accepted, 1);
@@ -210,7 +190,7 @@ rsi_outputs one_step(const rsi_parameters& parameters, const rsi_inputs& inputs)
     return out;
 }
 
-TEST(FurtherIndicators, TheEnergyMarginIsOneAtRestAndZeroAtTheCriticalAngle) {
+TEST(Indices, TheEnergyMarginIsOneAtRestAndZeroAtTheCriticalAngle) {
     const rsi_parameters parameters = rsi_test::large_suv();
     const double critical = ReferenceVehicle{parameters}.critical_angle();
     EXPECT_EQ(one_step(parameters, rsi_test::at_rest()).energy_margin, 1.0F);
@@ -222,7 +202,7 @@ TEST(FurtherIndicators, TheEnergyMarginIsOneAtRestAndZeroAtTheCriticalAngle) {
     }
 }
 
-TEST(FurtherIndicators, TheTimeToRolloverCountsOnlyWhileRollingOutwards) {
+TEST(Indices, TheTimeToRolloverCountsOnlyWhileRollingOutwards) {
     const rsi_parameters parameters = rsi_test::large_suv();
     const double critical = ReferenceVehicle{parameters}.critical_angle();
     rsi_inputs inputs = turning(5.0, 0.05);
@@ -245,7 +225,7 @@ TEST(FurtherIndicators, TheTimeToRolloverCountsOnlyWhileRollingOutwards) {
 }
 
 // The gate with k_1 = -5 1/s: shut while the body swings back faster than 5 times its angle a second.
-TEST(FurtherIndicators, TheRolloverIndexIsZeroBehindItsGate) {
+TEST(Indices, TheRolloverIndexIsZeroBehindItsGate) {
     const rsi_parameters parameters = rsi_test::large_suv();
     for (const float side : {1.0F, -1.0F}) {
         rsi_inputs inputs = turning(wide(side) * 5.0, wide(side) * 0.05);
@@ -259,7 +239,7 @@ TEST(FurtherIndicators, TheRolloverIndexIsZeroBehindItsGate) {
 
 // Held at the angle and force at which a steady turn lifts the inner wheels of the extended model: both the
 // extended indicator and the load transfer say 1, because springs, links and weight balance there.
-TEST(FurtherIndicators, InASteadyTurnTheExtendedIndicatorAndTheLoadTransferReachOneTogether) {
+TEST(Indices, InASteadyTurnTheExtendedIndicatorAndTheLoadTransferReachOneTogether) {
     const rsi_parameters parameters = rsi_test::large_suv();
     const ReferenceVehicle v{parameters};
     double low = 0.0;
@@ -282,29 +262,7 @@ TEST(FurtherIndicators, InASteadyTurnTheExtendedIndicatorAndTheLoadTransferReach
     EXPECT_NEAR(wide(out.predicted_rsi), 1.0, 1e-3);
 }
 
-// An index that drives the warning is never held.
-TEST(FurtherIndicators, AClassicIndexThatDrivesTheWarningIsNewInEverySample) {
-    for (const rsi_indicator indicator :
-         {RSI_INDICATOR_STATIC_STABILITY_FACTOR, RSI_INDICATOR_DYNAMIC_STABILITY,
-          RSI_INDICATOR_DYNAMIC_STABILITY_LATE, RSI_INDICATOR_ENERGY, RSI_INDICATOR_ROLLOVER_INDEX,
-          RSI_INDICATOR_TIME_TO_ROLLOVER}) {
-        rsi_parameters parameters = rsi_test::large_suv();
-        parameters.warning_indicator = indicator;
-        rsi::Component component;
-        ASSERT_EQ(component.init(parameters).accepted, 1);
-        rsi_test::RandomManoeuvre drive(parameters, 29U, false);
-        ReferenceMotion motion{wide(parameters.prediction_filter_lag_s)};
-        for (int k = 0; k < 200; ++k) {
-            const rsi_inputs inputs = drive.next();
-            rsi_outputs out;
-            component.step(inputs, out);
-            motion.next(inputs, out);
-            expect_classic_indices(parameters, inputs, out, motion);
-        }
-    }
-}
-
-TEST(FurtherIndicators, AGapIsNoMovement) {
+TEST(Indices, AGapIsNoMovement) {
     rsi_parameters parameters = rsi_test::large_suv();
     rsi::Component component;
     ASSERT_EQ(component.init(parameters).accepted, 1);
@@ -323,36 +281,31 @@ TEST(FurtherIndicators, AGapIsNoMovement) {
     EXPECT_EQ(out.dynamic_stability_index, fresh.dynamic_stability_index);
 }
 
-// Nor has the steering asked for anything: the force grows over a gap's first samples as far as it likes.
-TEST(FurtherIndicators, AGapForgetsWhatTheSteeringAskedFor) {
-    rsi_parameters parameters = rsi_test::large_suv();
-    const auto measured_at = [](int sample) {
-        rsi::Measurement measured;
-        measured.road_parallel_force_mps2 = 3.0F + 0.3F * static_cast<float>(sample);
-        measured.road_normal_force_mps2 = static_cast<float>(gravity_mps2);
-        measured.lateral_acceleration_mps2 = measured.road_parallel_force_mps2;  // a level road
-        measured.roll_angle_rad = 0.05F;
-        measured.roll_rate_radps = 0.3F;
-        measured.odd_sample = (sample % 2 != 0);
-        return measured;
+// Nor is anything left of what was predicted from.
+TEST(Indices, AGapForgetsTheMotionAndWhatWasLearntOfIt) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    const auto inputs_at = [](int sample) {
+        rsi_inputs inputs = turning(3.0 + 0.3 * sample, 0.05);
+        inputs.roll_rate_radps = 0.3F;
+        inputs.speed_mps = 20.0F;  // and the steering wheel in the middle: a demand of none
+        inputs.steering_wheel_angle_rad = 0.0F;
+        return inputs;
     };
-    rsi_inputs straight = rsi_test::at_rest();
-    straight.speed_mps = 20.0F;  // and the steering wheel in the middle: a demand of none
-    rsi::FurtherIndicators driven;
-    driven.init(parameters);
-    driven.reset(measured_at(0));
-    rsi_outputs of_driven{};
-    for (int sample = 0; sample < 50; ++sample) {
-        driven.update(straight, measured_at(sample), sample == 0, of_driven);
+    rsi::Component driven;
+    ASSERT_EQ(driven.init(parameters).accepted, 1);
+    rsi_outputs of_driven;
+    for (int sample = 0; sample < 20; ++sample) {
+        driven.step(inputs_at(sample), of_driven);
     }
-    rsi::FurtherIndicators fresh;
-    fresh.init(parameters);
-    rsi_outputs of_fresh{};
-    driven.reset(measured_at(1));
-    fresh.reset(measured_at(1));
-    for (int sample = 1; sample < 3; ++sample) {
-        driven.update(straight, measured_at(sample), sample == 1, of_driven);
-        fresh.update(straight, measured_at(sample), sample == 1, of_fresh);
+    rsi_inputs missing = inputs_at(0);
+    missing.roll_rate_radps = nan;
+    driven.step(missing, of_driven);
+    rsi::Component fresh;
+    ASSERT_EQ(fresh.init(parameters).accepted, 1);
+    rsi_outputs of_fresh;
+    for (int sample = 0; sample < 10; ++sample) {
+        driven.step(inputs_at(sample), of_driven);
+        fresh.step(inputs_at(sample), of_fresh);
         EXPECT_EQ(of_driven.predicted_load_transfer_ratio, of_fresh.predicted_load_transfer_ratio) << sample;
         EXPECT_EQ(of_driven.predicted_rsi, of_fresh.predicted_rsi) << sample;
     }
@@ -396,7 +349,7 @@ TEST(ClassicIndices, NoTimeIsLeftAtTheStaticStabilityFactorItself) {
 }
 
 // k phi - T_0 - q tan phi is zero at the wanted angle by the choice of the track.
-TEST(EnergyMargin, ItsCriticalAngleIsFoundUpToOneRadianAndNotBeyond) {
+TEST(CriticalRollAngle, IsFoundUpToOneRadianAndNotBeyond) {
     rsi_parameters parameters = rsi_test::large_suv();
     const ReferenceVehicle v{parameters};
     for (const double angle_rad : {0.05, 0.5, 0.99, 1.02, 1.2}) {
@@ -419,12 +372,14 @@ TEST(ExtendedIndicator, EndsShortOfTwenty) {
     for (const double N : {1.0, 5.0}) {
         for (const double side : {1.0, -1.0}) {
             const double expected = (60.0 / N) / (0.001 + 0.05 * 60.0 / N);
-            EXPECT_NEAR(wide(extended.level(static_cast<float>(side * 60.0), static_cast<float>(N),
-                                            static_cast<float>(side * 3.0), 0.0F)),
-                        expected, 1.0e-4 * expected);
+            rsi::RollMotion motion;
+            motion.road_parallel_force_mps2 = static_cast<float>(side * 60.0);
+            motion.road_normal_force_mps2 = static_cast<float>(N);
+            motion.roll_angle_rad = static_cast<float>(side * 1.66);  // a tangent above 3
+            EXPECT_NEAR(wide(extended.level(motion)), expected, 1.0e-4 * expected);
         }
     }
 }
 
 }  // namespace
-}  // namespace further_indicators_test
+}  // namespace indices_test

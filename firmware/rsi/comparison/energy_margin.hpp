@@ -6,16 +6,14 @@
 
 namespace rsi {
 
-// phi_c of (28): where the linear spring moment K_f phi equals m_s H g [T(phi) + tan phi],
-// T(phi) = (c_w/2 - H tan phi)/h, so that the inner wheels lift in a steady turn. NaN where there is no such
-// angle below 1 rad: the springs are then too soft for it, or the track too wide.
-[[gnu::cold]] float critical_roll_angle_rad(const Parameters& parameters);
-
 // W = (E_crit - E)/E_crit,  E = K_f phi^2/2 - m_s g H (1 - cos phi) + (Ixx + m_s H^2) phi'^2/2,
 // E_crit = E(phi_c, 0). As published: linear springs, and blind to the lateral force.
 class EnergyMargin {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // As init, but keeps the critical angle, which is found by iterating.
+    [[gnu::cold]] void init_again(const Parameters& parameters);
 
     // 1 at rest, 0 at the critical energy, not below -20.
     float evaluate(const Measurement& measured) const;

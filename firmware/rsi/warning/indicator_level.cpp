@@ -1,4 +1,4 @@
-#include "rsi/indicator/indicator_level.hpp"
+#include "rsi/warning/indicator_level.hpp"
 
 #include "rsi/numeric/bounded.hpp"
 

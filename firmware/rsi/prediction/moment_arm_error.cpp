@@ -1,4 +1,4 @@
-#include "rsi/indicator/moment_arm_error.hpp"
+#include "rsi/prediction/moment_arm_error.hpp"
 
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/square.hpp"
@@ -10,14 +10,14 @@ namespace {
 constexpr float prior_deviation = 0.06F;
 constexpr float largest_error = 0.35F;
 // e returns to zero in 2 s, so that a load that has left is forgotten.
-constexpr float error_reversion = 0.6F * slow_sample_time_s;
+constexpr float error_reversion = 0.6F * sample_time_s;
 // Noise of one sample, as a share of m_s g H, and what the calibration's other terms may be wrong by.
 constexpr float sample_noise_share = 0.06F;
 constexpr float stiffness_share = 0.07F;
 constexpr float damping_share = 0.25F;
 constexpr float inertia_share = 0.3F;
 // Neighbouring samples are alike, because all signals are lagged.
-constexpr float noise_correlation = 1.5F;
+constexpr float noise_correlation = 3.0F;
 
 }  // namespace
 
@@ -37,8 +37,7 @@ void MomentArmError::reset() {
     variance_ = square(prior_deviation);
 }
 
-float MomentArmError::update(const RollMotion& motion, float suspension_moment_nm, float load_transfer_ratio,
-                             bool measured_angle) {
+float MomentArmError::update(const RollMotion& motion, const TransferredLoad& load, bool measured_angle) {
     error_ -= error_reversion * error_;
     variance_ += 2.0F * error_reversion * (square(prior_deviation) - variance_);
     const float arm_nm =
@@ -46,7 +45,7 @@ float MomentArmError::update(const RollMotion& motion, float suspension_moment_n
                            motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad));
     // With the inner wheels up the roll equation does not hold.
     const bool learns =
-        measured_angle && (absolute(arm_nm) > excitation_nm_) && (absolute(load_transfer_ratio) < 1.0F);
+        measured_angle && (absolute(arm_nm) > excitation_nm_) && (absolute(load.ratio) < 1.0F);
     if (learns) {
         const float inertia_nm = inertia_kgm2_ * motion.roll_acceleration_radps2;
         const float noise = noise_nm2_ + stiffness_noise_ * square(motion.roll_angle_rad) +
@@ -55,7 +54,7 @@ float MomentArmError::update(const RollMotion& motion, float suspension_moment_n
         // Divided by at least the noise, which is positive.
         const float covariance = arm_nm * variance_;
         const float weight = 1.0F / (arm_nm * covariance + noise);
-        error_ += weight * covariance * (arm_nm - suspension_moment_nm - inertia_nm - arm_nm * error_);
+        error_ += weight * covariance * (arm_nm - load.suspension_moment_nm - inertia_nm - arm_nm * error_);
         variance_ *= weight * noise;
     }
     error_ = clamp_magnitude(error_, largest_error);

@@ -15,7 +15,7 @@ class RollSensorCheck {
     [[gnu::cold]] void init(const Parameters& parameters) {
         limit_rad_ = parameters.observer_disagreement_rad;
         confirmation_samples_ =
-            static_cast<std::int32_t>(parameters.observer_disagreement_s / slow_sample_time_s + 0.5F);
+            static_cast<std::int32_t>(parameters.observer_disagreement_s / sample_time_s + 0.5F);
         reset();
     }
 
@@ -24,7 +24,7 @@ class RollSensorCheck {
         samples_ = 0;
     }
 
-    // Every second sample, slow_sample_time_s apart. `difference_rad`: sensor minus observer.
+    // One sample. `difference_rad`: sensor minus observer.
     void update(float difference_rad) {
         const float distance_rad = absolute(difference_rad);
         const bool contradicts =

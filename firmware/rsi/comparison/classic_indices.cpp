@@ -1,4 +1,4 @@
-#include "rsi/indicator/classic_indices.hpp"
+#include "rsi/comparison/classic_indices.hpp"
 
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/square.hpp"
@@ -16,6 +16,11 @@ constexpr float smallest_product = 1.0e-20F;
 
 void ClassicIndices::init(const Parameters& parameters) {
     energy_.init(parameters);
+    init_again(parameters);
+}
+
+void ClassicIndices::init_again(const Parameters& parameters) {
+    energy_.init_again(parameters);
     static_stability_factor_ = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
     static_stability_gain_ = 1.0F / (gravity_mps2 * static_stability_factor_);
     inertia_share_s2prad_ = parameters.roll_inertia_kgm2 /

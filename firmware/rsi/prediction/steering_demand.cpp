@@ -1,4 +1,4 @@
-#include "rsi/indicator/steering_demand.hpp"
+#include "rsi/prediction/steering_demand.hpp"
 
 #include "rsi/numeric/bounded.hpp"
 

@@ -1,6 +1,7 @@
 // Gains of the roll and bank observer: the steady Kalman filter of its four states, computed once.
 #pragma once
 
+#include "rsi/numeric/matrix.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -12,23 +13,28 @@ struct UprightRoll {
     float damping_step{0.0F};
 };
 
+// Places in the observer's state and its covariance.
+struct ObserverState {
+    static constexpr Eigen::Index roll = 0;    // phi, relative to the road
+    static constexpr Eigen::Index rate = 1;    // w, against the horizon
+    static constexpr Eigen::Index bank = 2;    // b
+    static constexpr Eigen::Index offset = 3;  // o, what of w is not phi'
+};
+
 // What the steady filter leaves for each step. The variances of roll and bank stay alive, because the start,
 // a standstill, a slide and a stiffer spring change them; all other covariances are those of the steady
 // filter on a level road above 5 m/s.
 struct ObserverGains {
-    // Gyro: the gain of phi is (roll_rate_covariance - s P11) / (rate_variance + s^2 P11), with s = step k.
+    // Gyro. The gain of phi is (roll_rate_covariance - s P11) / (rate_variance + s^2 P11), with s = step k,
+    // and stands in `gyro` only where P11 has settled.
+    Vector4 gyro{Vector4::Zero()};
     float roll_rate_covariance{0.0F};
     float rate_variance{1.0F};
-    float rate{1.0F};
-    float bank{0.0F};
-    float offset{0.0F};
     float roll_growth_rad2{0.0F};  // of P11 in one step
 
-    // Turn, in every second step: covariances with g (phi + b); to the bank's belongs g P33.
-    float turn_roll{0.0F};
-    float turn_bank{0.0F};
-    float turn_offset{0.0F};
-    float bank_growth_rad2{0.0F};  // of P33 in two steps
+    // Turn: covariances of the state with g (phi + b); to the bank's belongs g P33, which is not in it.
+    Vector4 turn{Vector4::Zero()};
+    float bank_growth_rad2{0.0F};  // of P33 in one step
 };
 
 // Variances of the noise in one step, and of the measurements.
@@ -42,8 +48,7 @@ struct ObserverNoise {
     float turn_mps2_2;
 };
 
-// Iterates the filter's covariance from its start for a bounded number of steps (20 s of driving straight),
-// the turn in every second one.
+// Iterates the filter's covariance from its start for a bounded number of steps (20 s of driving straight).
 [[gnu::cold]] ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise& noise);
 
 }  // namespace rsi

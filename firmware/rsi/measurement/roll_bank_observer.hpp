@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
+#include "rsi/measurement/observer_gains.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
 #include "rsi/numeric/filtered_derivative.hpp"
-#include "rsi/observer/observer_gains.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -25,17 +25,18 @@ class RollBankObserver {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
 
+    // As init, but keeps the settled gains, which are found by iterating.
+    [[gnu::cold]] void init_again(const Parameters& parameters);
+
     // Forgets everything; the next update starts anew.
     void reset() { running_ = false; }
 
     // One sample. All values finite; `lateral_force_mps2` is f_yb, the specific force at the sprung CG along
-    // the body's y axis. A state that is not finite starts anew at the next sample. `turn_is_due` in every
-    // second sample: the turn is compared there. Returns roll_known().
-    bool update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps,
-                bool turn_is_due);
+    // the body's y axis. A state that is not finite starts anew at the next sample. Returns roll_known().
+    bool update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps);
 
     // dh from now on, 0 where no sound estimate is. Only its first 0.05 m count: dh has been learnt from the
-    // roll sensor, and a sensor that lies must not teach the observer to lie with it.
+    // roll sensor, and an implausible sensor must not move the observer with it.
     void assume_movement(float vertical_movement_m);
 
     // Whether the angle's standard deviation is small enough to be relied on. False after a start for as long
@@ -48,10 +49,12 @@ class RollBankObserver {
     // The inner wheels are up: the roll angle comes from the gyro alone, to some ten degrees.
     bool tipped() const { return tipped_ > 0U; }
 
-    float roll_angle_rad() const { return phi_; }   // relative to the road, within +-1.57
-    float bank_angle_rad() const { return bank_; }  // left side up is positive, within +-0.5
+    float roll_angle_rad() const { return state_(State::roll); }  // relative to the road, within +-1.57
+    float bank_angle_rad() const { return state_(State::bank); }  // left side up is positive, within +-0.5
 
  private:
+    using State = ObserverState;
+
     static constexpr float largest_roll_variance_rad2 = 0.0175F * 0.0175F;  // 1 deg
     static constexpr float largest_tipped_variance_rad2 = 0.175F * 0.175F;  // 10 deg
     static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
@@ -60,7 +63,6 @@ class RollBankObserver {
     void predict(float lateral_force_mps2);
     std::uint32_t tipped_for(float lateral_force_mps2, float roll_acceleration_radps2) const;
     void correct_by_roll_rate(float roll_rate_radps);
-    void renew_roll_gain();
     void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
     void keep_in_bounds();
 
@@ -74,15 +76,11 @@ class RollBankObserver {
     FilteredDerivative yaw_acceleration_{};
 
     bool running_{false};
-    std::uint32_t tipped_{0U};  // samples for which it may still be
-    float phi_{0.0F};
-    float rate_{0.0F};
-    float bank_{0.0F};
-    float offset_{0.0F};
-    float stiffness_step_{0.0F};  // s: what an error of phi makes of the rate in one step
-    float P11_{0.0F};             // variance of phi
-    float roll_gain_{0.0F};       // of phi, for what the gyro says
-    float P33_{0.0F};             // variance of the bank
+    std::uint32_t tipped_{0U};        // samples for which it may still be
+    Vector4 state_{Vector4::Zero()};  // [phi, w, b, o]
+    float stiffness_step_{0.0F};      // s: what an error of phi makes of the rate in one step
+    float P11_{0.0F};                 // variance of phi
+    float P33_{0.0F};                 // variance of the bank
 };
 
 }  // namespace rsi

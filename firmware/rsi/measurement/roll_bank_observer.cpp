@@ -1,4 +1,4 @@
-#include "rsi/observer/roll_bank_observer.hpp"
+#include "rsi/measurement/roll_bank_observer.hpp"
 #include "rsi/numeric/square.hpp"
 
 namespace rsi {
@@ -21,8 +21,8 @@ constexpr float smallest_speed_mps = 5.0F;
 constexpr float yaw_acceleration_lag_s = 0.1F;
 
 // v_y' is no white noise: it lasts for many samples, so it counts as more than it is.
-constexpr float turn_deviation_mps2 = 4.25F;
-constexpr float turn_deviation_per_yaw_acceleration_m = 5.0F;
+constexpr float turn_deviation_mps2 = 6.0F;
+constexpr float turn_deviation_per_yaw_acceleration_m = 7.0F;
 // A larger one comes from a vehicle that slides, not from a road that has suddenly tilted.
 constexpr float plausible_innovation_mps2 = 2.0F;
 
@@ -53,14 +53,23 @@ float short_sine(float x) {
     return x * (1.0F + z * (-1.0F / 6.0F + z * (1.0F / 120.0F)));
 }
 
-// 1 / cos x to within 2e-3 up to 0.5 rad; finite beyond. `z` is the square of x.
-float short_secant(float z) {
+// 1 / cos x to within 2e-3 up to 0.5 rad; finite beyond.
+float short_secant(float x) {
+    const float z = x * x;
     return 1.0F + z * (0.5F + z * (5.0F / 24.0F));
 }
 
 }  // namespace
 
 void RollBankObserver::init(const Parameters& parameters) {
+    init_again(parameters);
+    const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
+    const float c = damping_over_inertia_ + 0.5F * T * k;
+    const float step = T / (1.0F + 0.5F * T * c);
+    gains_ = steady_observer_gains(UprightRoll{step * k, step * c}, noise_of(parameters));
+}
+
+void RollBankObserver::init_again(const Parameters& parameters) {
     const float H = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
     const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
     stiffness_over_inertia_.init(parameters, inverse_inertia);
@@ -68,11 +77,7 @@ void RollBankObserver::init(const Parameters& parameters) {
     force_to_acceleration_ = movement_to_acceleration_ * H;
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia;
     tipping_force_mps2_ = 0.5F * gravity_mps2 * parameters.track_width_m / parameters.sprung_cg_height_m;
-    yaw_acceleration_.init(yaw_acceleration_lag_s, slow_sample_time_s);
-    const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
-    const float c = damping_over_inertia_ + 0.5F * T * k;
-    const float step = T / (1.0F + 0.5F * T * c);
-    gains_ = steady_observer_gains(UprightRoll{step * k, step * c}, noise_of(parameters));
+    yaw_acceleration_.init(yaw_acceleration_lag_s);
     assume_movement(0.0F);
     reset();
 }
@@ -84,22 +89,18 @@ void RollBankObserver::assume_movement(float vertical_movement_m) {
 }
 
 bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps,
-                              float speed_mps, bool turn_is_due) {
+                              float speed_mps) {
     if (!running_) {
         start(lateral_force_mps2, roll_rate_radps);
         return false;
     }
     predict(lateral_force_mps2);
     correct_by_roll_rate(roll_rate_radps);
-    if (!turn_is_due) {
-        renew_roll_gain();
-    } else {
-        const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
-        // P33 tends to that of the steady filter from above.
-        P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
-        if ((tipped_ == 0U) && (speed_mps > smallest_speed_mps)) {
-            correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
-        }
+    const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
+    // P33 tends to that of the steady filter from above.
+    P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
+    if ((tipped_ == 0U) && (speed_mps > smallest_speed_mps)) {
+        correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
     }
     keep_in_bounds();
     return roll_known();
@@ -109,13 +110,9 @@ bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, f
 void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
     const float linear_angle_rad =
         force_to_acceleration_ * lateral_force_mps2 / stiffness_over_inertia_.slope_nmprad(0.0F);
-    phi_ = clamp_magnitude(linear_angle_rad, 0.2F);
-    rate_ = roll_rate_radps;
-    bank_ = 0.0F;
-    offset_ = 0.0F;
+    state_ << clamp_magnitude(linear_angle_rad, 0.2F), roll_rate_radps, 0.0F, 0.0F;
     stiffness_step_ = 0.0F;
     P11_ = initial_roll_variance_rad2;
-    roll_gain_ = 0.0F;
     P33_ = initial_bank_variance_rad2;
     yaw_acceleration_.reset();
     tipped_ = 0U;
@@ -130,7 +127,7 @@ std::uint32_t RollBankObserver::tipped_for(float lateral_force_mps2, float roll_
     if ((force > tipping_force_mps2_) && (P11_ < largest_roll_variance_rad2)) {
         return longest_fall;
     }
-    if ((tipped_ == 0U) || (phi_ * roll_acceleration_radps2 >= 0.0F)) {
+    if ((tipped_ == 0U) || (state_(State::roll) * roll_acceleration_radps2 >= 0.0F)) {
         return 0U;
     }
     return (force < 0.5F * tipping_force_mps2_) ? tipped_ - 1U : longest_fall;
@@ -140,39 +137,29 @@ std::uint32_t RollBankObserver::tipped_for(float lateral_force_mps2, float roll_
 //   phi+ = phi + T (w - o) + T/2 d,  w+ = w + d,  b+ = b + T o,  o+ = decay o,
 //   d = T [m_s H f_yb / cos phi - M - (c + T/2 k) (w - o)] / Ixx / (1 + T/2 c + T^2/4 k)
 void RollBankObserver::predict(float lateral_force_mps2) {
-    const float force = moved_force_to_acceleration_ * lateral_force_mps2 * short_secant(phi_ * phi_);
-    const float spring = stiffness_over_inertia_.moment_nm(phi_);
+    const float phi = state_(State::roll);
+    const float offset = state_(State::offset);
+    const float force = moved_force_to_acceleration_ * lateral_force_mps2 * short_secant(phi);
+    const float spring = stiffness_over_inertia_.moment_nm(phi);
     tipped_ = tipped_for(lateral_force_mps2, force - spring);
-    const float k = larger(stiffness_over_inertia_.slope_nmprad(phi_) - force * phi_, 0.0F);
+    const float k = larger(stiffness_over_inertia_.slope_nmprad(phi) - force * phi, 0.0F);
     const float c = damping_over_inertia_ + 0.5F * T * k;
     const float step = (tipped_ > 0U) ? 0.0F : T / (1.0F + 0.5F * T * c);
 
-    const float roll_rate = rate_ - offset_;
+    const float roll_rate = state_(State::rate) - offset;
     const float d = step * (force - spring - c * roll_rate);
-    phi_ += T * (roll_rate + 0.5F * d);
-    rate_ += d;
-    bank_ += T * offset_;
-    offset_ *= offset_decay;
+    state_ += Vector4{T * (roll_rate + 0.5F * d), d, T * offset, (offset_decay - 1.0F) * offset};
     stiffness_step_ = step * k;
 }
 
 // p = w
 void RollBankObserver::correct_by_roll_rate(float roll_rate_radps) {
-    const float innovation = roll_rate_radps - rate_;
-    phi_ += roll_gain_ * innovation;
-    rate_ += gains_.rate * innovation;
-    bank_ += gains_.bank * innovation;
-    offset_ += gains_.offset * innovation;
-}
-
-// For two samples at once: the first takes the share -s gain off the variance, the second that of what is
-// left.
-void RollBankObserver::renew_roll_gain() {
     const float s = stiffness_step_;
-    const float s_P11 = s * P11_;
-    const float covariance = gains_.roll_rate_covariance - s_P11;
-    roll_gain_ = covariance / (gains_.rate_variance + s * s_P11);
-    P11_ += 2.0F * gains_.roll_growth_rad2 - (2.0F + s * roll_gain_) * (roll_gain_ * covariance);
+    const float covariance = gains_.roll_rate_covariance - s * P11_;
+    Vector4 gain = gains_.gyro;
+    gain(State::roll) = covariance / (gains_.rate_variance + s * s * P11_);
+    state_ += gain * (roll_rate_radps - state_(State::rate));
+    P11_ += gains_.roll_growth_rad2 - gain(State::roll) * covariance;
     P11_ = larger(P11_, smallest_roll_variance_rad2);
 }
 
@@ -180,25 +167,26 @@ void RollBankObserver::renew_roll_gain() {
 void RollBankObserver::correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2) {
     const float deviation =
         turn_deviation_mps2 + turn_deviation_per_yaw_acceleration_m * absolute(yaw_acceleration_radps2);
-    const float innovation = gravity_part_mps2 - gravity_mps2 * short_sine(phi_ + bank_);
-    const float surprise = square(innovation * (1.0F / plausible_innovation_mps2));
+    const float innovation =
+        gravity_part_mps2 - gravity_mps2 * short_sine(state_(State::roll) + state_(State::bank));
+    const float surprise = square(innovation / plausible_innovation_mps2);
     const float variance = square(deviation) * (1.0F + square(surprise));
-    const float covariance = gains_.turn_bank + gravity_mps2 * P33_;
-    const float weight = 1.0F / (gravity_mps2 * (gains_.turn_roll + covariance) + variance);
-    const float weighted = weight * innovation;
-    phi_ += gains_.turn_roll * weighted;
-    bank_ += covariance * weighted;
-    offset_ += gains_.turn_offset * weighted;
-    P33_ -= covariance * covariance * weight;
+    Vector4 covariance = gains_.turn;
+    covariance(State::bank) += gravity_mps2 * P33_;
+    const float weight =
+        1.0F / (gravity_mps2 * (covariance(State::roll) + covariance(State::bank)) + variance);
+    state_ += covariance * (weight * innovation);
+    P33_ -= square(covariance(State::bank)) * weight;
 }
 
 // Every signal moves phi, so a number that is not finite shows there.
 void RollBankObserver::keep_in_bounds() {
-    if (!is_within_magnitude(phi_, largest_roll_rad)) {
-        running_ = is_finite(phi_);
-        phi_ = clamp_magnitude(phi_, largest_roll_rad);
+    float& phi = state_(State::roll);
+    if (!is_within_magnitude(phi, largest_roll_rad)) {
+        running_ = is_finite(phi);
+        phi = clamp_magnitude(phi, largest_roll_rad);
     }
-    bank_ = clamp_magnitude(bank_, largest_bank_rad);
+    state_(State::bank) = clamp_magnitude(state_(State::bank), largest_bank_rad);
 }
 
 }  // namespace rsi

@@ -1,4 +1,4 @@
-#include "rsi/indicator/roll_motion.hpp"
+#include "rsi/measurement/roll_motion.hpp"
 
 namespace rsi {
 
