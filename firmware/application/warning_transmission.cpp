@@ -1,10 +1,13 @@
 #include "application/warning_transmission.hpp"
 
+#include "rsi/version.h"
+
 namespace application {
 namespace {
 
-// Raised with every change of behaviour that a receiver could notice.
-constexpr std::uint8_t software_version = 2U;
+// One digit of four bits each; the patch number is left out, since a receiver notices nothing of a patch.
+static_assert(RSI_VERSION_MAJOR <= 15 && RSI_VERSION_MINOR <= 15);
+constexpr std::uint8_t software_version = (RSI_VERSION_MAJOR * 16U) + RSI_VERSION_MINOR;
 
 std::uint8_t saturate(std::uint32_t count) {
     return (count < 255U) ? static_cast<std::uint8_t>(count) : std::uint8_t{255U};

@@ -23,6 +23,8 @@
 
 #include <stdint.h>
 
+#include "rsi/version.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
