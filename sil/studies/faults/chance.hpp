@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <random>
 
+#include "sil/random.hpp"
+
 namespace sil {
 
 class Chance {
@@ -11,8 +13,7 @@ class Chance {
     explicit Chance(std::uint64_t seed) : generator_{seed} {}
 
     double between(double low, double high) {
-        constexpr double unit = 1.0 / 9007199254740992.0;  // 2^-53
-        return low + (high - low) * unit * static_cast<double>(generator_() >> 11U);
+        return low + (high - low) * unit_interval(generator_());
     }
 
     // 0 to count - 1, for small counts.
