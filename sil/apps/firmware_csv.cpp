@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "rsi/parameters.hpp"
-#include "sil/files/atomic_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/results/indices.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/units.hpp"

@@ -4,12 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <iterator>
-#include <stdexcept>
 
 namespace sil {
 namespace {
@@ -103,6 +99,14 @@ constexpr NumberColumn number_columns[] = {
 // Words stand last, so that the numbers before them keep their places.
 constexpr const char* word_columns[] = {"ecu_state", "ecu_side"};
 
+std::string header() {
+    CsvRow row;
+    for (const std::string& name : signal_csv_columns()) {
+        row.text(name);
+    }
+    return row.line();
+}
+
 }  // namespace
 
 std::vector<std::string> signal_csv_columns() {
@@ -130,30 +134,10 @@ std::string signal_csv_row(const Truth& truth, const SensorSample& sample, const
     return line;
 }
 
-SignalCsvWriter::SignalCsvWriter(const std::filesystem::path& path) : path_(path) {
-    errno = 0;
-    file_.open(path, std::ios::binary | std::ios::trunc);
-    if (!file_) {
-        throw std::runtime_error(
-            fmt::format("cannot write {}: {}; check that the folder exists and may be written", path.string(),
-                        std::strerror(errno)));
-    }
-    std::string header;
-    for (const std::string& name : signal_csv_columns()) {
-        header += header.empty() ? name : "," + name;
-    }
-    file_ << header << '\n';
-}
+SignalCsvWriter::SignalCsvWriter(const std::filesystem::path& path) : file_{path, header()} {}
 
 void SignalCsvWriter::write(const Truth& truth, const SensorSample& sample, const EcuOutput& output) {
-    file_ << signal_csv_row(truth, sample, output) << '\n';
-}
-
-void SignalCsvWriter::close() {
-    file_.close();
-    if (!file_) {
-        throw std::runtime_error(fmt::format("cannot finish {}: is the disk full?", path_.string()));
-    }
+    file_.write(signal_csv_row(truth, sample, output));
 }
 
 }  // namespace sil

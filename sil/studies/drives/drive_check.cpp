@@ -13,8 +13,6 @@ namespace {
 // 50 Hz to 1 kHz, with room for clocks that are not quite right.
 constexpr double shortest_step_s = 0.00095;
 constexpr double longest_step_s = 0.021;
-// So long at the beginning a vehicle still stands or drives on its wheels.
-constexpr double upright_time_s = 1.0;
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2U);
