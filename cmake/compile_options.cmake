@@ -6,6 +6,7 @@
 # -fno-math-errno lets sqrt become one instruction; sqrt is correctly rounded on every target.
 
 option(RSI_WARNINGS_AS_ERRORS "Treat every compiler warning as an error" OFF)
+option(RSI_UNITY_BUILDS "Compile the sources of a target together: quick from scratch, slow after one changed line" ON)
 set(RSI_SANITIZERS "" CACHE STRING "Sanitizers for all targets, for example address,undefined")
 
 add_library(rsi_options_host INTERFACE)

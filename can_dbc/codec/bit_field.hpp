@@ -64,7 +64,7 @@ constexpr std::int64_t read_bits(const BitField& field, const std::uint8_t* payl
 
 // Writes the lowest `length` bits of `raw` and leaves every other bit of the payload as it is.
 constexpr void write_bits(const BitField& field, std::int64_t raw, std::uint8_t* payload) {
-    const auto bits = static_cast<std::uint64_t>(raw);
+    const auto bits = static_cast<std::uint32_t>(raw);  // at most 32 of them are a field's
     detail::for_each_part(field, [bits, payload](const detail::BytePart& part) {
         const unsigned mask = (1U << part.count) - 1U;
         const unsigned kept = payload[part.byte] & ~(mask << part.shift);

@@ -560,7 +560,7 @@ struct RolloverStatus {
     std::uint8_t frames_rejected{0U};
     // Frames that the counters show as lost since the start; stays at 255. 0 to 255.
     std::uint8_t frames_lost{0U};
-    // Version number of the software. 0 to 255.
+    // Version of the software: 16 times the major number plus the minor number. 0 to 255.
     std::uint8_t software_version{0U};
 
     struct Status {

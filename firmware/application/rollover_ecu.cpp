@@ -86,7 +86,7 @@ bool RolloverEcu::check_itself() noexcept {
     memory_.report(DiagnosticCode::estimate_out_of_range, !estimate_good);
     memory_.report(DiagnosticCode::output_not_finite, !outputs_good);
     if (!estimate_good || !outputs_good) {
-        static_cast<void>(component_.init(parameters_));  // all anew, from the parameters that are watched
+        component_.reset(parameters_);  // all anew, from the parameters that are watched
     }
     if (internal_fault()) {
         monitoring::withdraw(outputs_);

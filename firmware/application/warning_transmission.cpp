@@ -1,10 +1,13 @@
 #include "application/warning_transmission.hpp"
 
+#include "rsi/version.h"
+
 namespace application {
 namespace {
 
-// Raised with every change of behaviour that a receiver could notice.
-constexpr std::uint8_t software_version = 2U;
+// One digit of four bits each; the patch number is left out, since a receiver notices nothing of a patch.
+static_assert(RSI_VERSION_MAJOR <= 15 && RSI_VERSION_MINOR <= 15);
+constexpr std::uint8_t software_version = (RSI_VERSION_MAJOR * 16U) + RSI_VERSION_MINOR;
 
 std::uint8_t saturate(std::uint32_t count) {
     return (count < 255U) ? static_cast<std::uint8_t>(count) : std::uint8_t{255U};
@@ -243,11 +246,13 @@ can_dbc::RolloverStatus status_message(const Health& health) {
     return message;
 }
 
+// `frame` is one that all messages take in turn: each is as long as the others, and clearing its 64 bytes for
+// every one of them would cost more than filling them.
 template <typename Message>
-void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender) {
+void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender,
+                    hal::CanFrame& frame) {
     std::array<std::uint8_t, Message::length> payload = can_dbc::encode(message);
     sender.protect(payload);
-    hal::CanFrame frame{};
     frame.identifier = Message::identifier;
     frame.extended = Message::extended;
     frame.length = Message::length;
@@ -260,13 +265,14 @@ void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Prof
 }  // namespace
 
 void WarningTransmission::send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept {
-    send_protected(bus, warning_message(outputs, health.parameters_refusal), warning_);
-    send_protected(bus, estimate_message(outputs), estimate_);
-    send_protected(bus, indices_ahead_message(outputs), indices_ahead_);
-    send_protected(bus, indices_classic_message(outputs), indices_classic_);
-    send_protected(bus, observer_message(outputs, health.reset_reason), observer_);
-    send_protected(bus, diagnosis_message(health), diagnosis_);
-    send_protected(bus, status_message(health), status_);
+    hal::CanFrame frame{};
+    send_protected(bus, warning_message(outputs, health.parameters_refusal), warning_, frame);
+    send_protected(bus, estimate_message(outputs), estimate_, frame);
+    send_protected(bus, indices_ahead_message(outputs), indices_ahead_, frame);
+    send_protected(bus, indices_classic_message(outputs), indices_classic_, frame);
+    send_protected(bus, observer_message(outputs, health.reset_reason), observer_, frame);
+    send_protected(bus, diagnosis_message(health), diagnosis_, frame);
+    send_protected(bus, status_message(health), status_, frame);
 }
 
 }  // namespace application

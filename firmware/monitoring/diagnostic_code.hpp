@@ -6,7 +6,7 @@
 
 namespace monitoring {
 
-// docs/safety/degradation.md has the table of them: condition, threshold, debounce, healing, reaction.
+// docs/safety.md has the table of them: condition, threshold, reaction.
 enum class DiagnosticCode : std::uint8_t {
     none,
 

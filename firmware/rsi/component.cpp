@@ -2,7 +2,12 @@
 
 #include <new>
 
+#include "rsi/indicator/roll_stability_indicator.hpp"
 #include "rsi/model/roll_centre.hpp"
+
+#ifndef EIGEN_DONT_VECTORIZE
+#error "compile with -DEIGEN_DONT_VECTORIZE: vector units may fuse and reorder, which changes the last bit"
+#endif
 
 namespace rsi {
 namespace {
@@ -62,6 +67,15 @@ void write_estimate(const RollCentreEstimate& estimate, Outputs& outputs) {
     outputs.estimate_frozen = estimate.frozen ? 1 : 0;
 }
 
+void write_comparison(const ClassicIndexValues& values, Outputs& outputs) {
+    outputs.static_stability_level = values.static_stability_level;
+    outputs.dynamic_stability_index = values.dynamic_stability_index;
+    outputs.dynamic_stability_index_late = values.dynamic_stability_index_late;
+    outputs.energy_margin = values.energy_margin;
+    outputs.rollover_index = values.rollover_index;
+    outputs.time_to_rollover_s = values.time_to_rollover_s;
+}
+
 }  // namespace
 
 Validation Component::init(const Parameters& parameters) {
@@ -69,63 +83,105 @@ Validation Component::init(const Parameters& parameters) {
     ::new (static_cast<void*>(this)) Component{};  // in place: a copy would need its size again on the stack
     initialised_ = (answer.accepted != 0);
     if (initialised_) {
-        static_stability_factor_ = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
-        observer_weight_ = 1.0F + parameters.observer_margin;
         measurement_.init(parameters);
-        model_.init(parameters);
-        estimator_.init(parameters);
-        threshold_.init(parameters);
-        further_.init(parameters);
-        warning_indicator_.init(parameters);
-        warning_.init(parameters);
+        comparison_.init(parameters);
+        start(parameters);
     }
     return answer;
 }
 
-// The paper's Fig. 3 from left to right. Flattened: the library is compiled as one unit, and a third of the
-// cost of the small functions below would be calling them.
+void Component::reset(const Parameters& parameters) {
+    if (initialised_) {
+        running_ = false;
+        overturned_ = false;
+        measurement_.init_again(parameters);
+        comparison_.init_again(parameters);
+        start(parameters);
+    }
+}
+
+void Component::start(const Parameters& parameters) {
+    static_stability_factor_ = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
+    observer_weight_ = 1.0F + parameters.observer_margin;
+    motion_filter_.init(parameters);
+    model_.init(parameters);
+    estimator_.init(parameters);
+    threshold_.init(parameters);
+    load_transfer_.init(parameters);
+    extended_.init(parameters);
+    steering_demand_.init(parameters);
+    moment_arm_error_.init(parameters);
+    predictor_.init(parameters);
+    warning_indicator_.init(parameters);
+    warning_.init(parameters);
+}
+
+// The algorithm from the sensors to the warning. Flattened: the library is compiled as one unit, and a third
+// of the cost of the small functions below would be calling them.
 [[gnu::flatten]] void Component::step(const Inputs& inputs, Outputs& outputs) {
+    // Measure, and observe roll and bank.
     Measurement measured;
     if (!initialised_ || !measurement_.update(inputs, measured)) {
         step_unavailable(outputs);
         return;
     }
-    bool fresh = false;
     if (!running_) {
         resume(measured);
-        fresh = true;
     }
-    fixed_.evaluate(model_, measured);
-    if (estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps,
-                          measured.odd_sample || fresh)) {
-        measurement_.assume_movement(estimator_.estimate().vertical_movement_m);
-    }
-    const RollCentreEstimate& estimate = estimator_.estimate();
-    const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
-    const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
-    const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
-
+    const RollMotion motion = motion_filter_.update(measured);
     write_measurement(measured, outputs);
-    write_estimate(estimate, outputs);
-    outputs.rsi = normalised_indicator(measured, threshold);
-    outputs.rsi_bank_free = bank_free_indicator(measured, threshold);
-    outputs.lateral_acceleration_threshold_mps2 = threshold.lateral_acceleration_mps2;
-    outputs.roll_centre_lateral_m = c_rc;
-    outputs.additional_roll_moment_nm = M_add;
+
+    // Model: how a vehicle with a fixed roll centre would roll, (1).
+    fixed_.evaluate(model_, measured);
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
     outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
-    // To the next sample at once: kept until the end, what this needs would crowd the registers.
+    // Estimate the roll centre's vertical movement.
+    const RollCentreEstimate estimate =
+        estimator_.update(model_, measured, fixed_, extended_rsi_, inputs.speed_mps);
+    measurement_.assume_movement(estimator_.movement_for_observer_m());
+    write_estimate(estimate, outputs);
+
+    // Roll centre, (6), and the moment that its movement adds, (7).
+    const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
+    const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
+    outputs.roll_centre_lateral_m = c_rc;
+    outputs.additional_roll_moment_nm = M_add;
+
+    // Threshold, (23), and RSI, (25).
+    const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
+    outputs.lateral_acceleration_threshold_mps2 = threshold.lateral_acceleration_mps2;
+    outputs.rsi = normalised_indicator(measured, threshold);
+    outputs.rsi_bank_free = bank_free_indicator(measured, threshold);
+
+    // Load transfer, (26), and the extended RSI.
+    const TransferredLoad load = load_transfer_.evaluate(motion);
+    outputs.load_transfer_ratio = load.ratio;
+    outputs.rsi_extended = extended_.level(motion);
+
+    // Predict both.
+    const DemandedForce demand = steering_demand_.evaluate(inputs, measured);
+    const float moment_arm_error =
+        moment_arm_error_.update(motion, load, measured.roll_source == RSI_ROLL_SENSOR);
+    const Prediction predicted =
+        predictor_.evaluate(motion, load, demand, moment_arm_error, load_transfer_, extended_);
+    outputs.predicted_load_transfer_ratio = predicted.load_transfer_ratio;
+    outputs.predicted_rsi = larger(outputs.rsi_extended, predicted.rsi_extended);
+
+    // For comparison: the paper's other indices.
+    write_comparison(comparison_.evaluate(measured, motion), outputs);
+
+    // Warn.
+    warn(measured, outputs);
+
+    // To the next sample.
+    extended_rsi_ = outputs.rsi_extended;
     compensated_.advance(model_, measured, fixed_, M_add);
     fixed_.advance(model_);
-
-    further_.update(inputs, measured, fresh, outputs);
-    warn(measured, outputs);
-    extended_rsi_ = outputs.rsi_extended;
 }
 
 // An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.
-// What lies on its side teaches nothing either: all starts anew with every sample until it stands again.
+// While it lies on its side nothing is learnt: all starts anew with every sample until it stands again.
 void Component::warn(const Measurement& measured, Outputs& outputs) {
     const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
     outputs.warning_level = indicated.level;
@@ -157,7 +213,8 @@ void Component::resume(const Measurement& measured) {
     }
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
-    further_.reset(measured);
+    motion_filter_.reset(measured);
+    moment_arm_error_.reset();
     estimator_.restart();
     extended_rsi_ = not_available;
     running_ = true;

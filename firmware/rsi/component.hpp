@@ -1,14 +1,19 @@
 // Rollover-warning component: the C++ face. rsi.h documents parameters, inputs and outputs.
 #pragma once
 
+#include "rsi/comparison/classic_indices.hpp"
 #include "rsi/estimation/roll_centre_estimator.hpp"
-#include "rsi/indicator/further_indicators.hpp"
-#include "rsi/indicator/indicator_level.hpp"
-#include "rsi/indicator/roll_stability_indicator.hpp"
+#include "rsi/indicator/extended_indicator.hpp"
+#include "rsi/indicator/load_transfer.hpp"
 #include "rsi/indicator/stability_threshold.hpp"
 #include "rsi/measurement/measurement.hpp"
+#include "rsi/measurement/roll_motion.hpp"
 #include "rsi/model/roll_plane_model.hpp"
 #include "rsi/parameters.hpp"
+#include "rsi/prediction/moment_arm_error.hpp"
+#include "rsi/prediction/roll_predictor.hpp"
+#include "rsi/prediction/steering_demand.hpp"
+#include "rsi/warning/indicator_level.hpp"
 #include "rsi/warning/warning_state_machine.hpp"
 
 namespace rsi {
@@ -20,11 +25,16 @@ class Component {
     // every step says "unavailable" until an init succeeds.
     [[gnu::cold]] Validation init(const Parameters& parameters);
 
-    // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable". What
-    // moves slowly is computed in every second sample and held in between: rsi_outputs says which.
+    // All anew from `parameters`, which must be those that init has accepted, but for what init finds by
+    // iterating (the observer's settled gains, the critical roll angle). Costs no more than a step, so it
+    // fits into a cycle; init does not. Without an accepted init it does nothing.
+    [[gnu::cold]] void reset(const Parameters& parameters);
+
+    // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
     void step(const Inputs& inputs, Outputs& outputs);
 
  private:
+    void start(const Parameters& parameters);
     // Rare, so not to be made part of step() as all the rest is.
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
@@ -37,12 +47,18 @@ class Component {
     float static_stability_factor_{1.0F};
     float observer_weight_{1.0F};  // of the level, while the observer stands in for the roll sensor
     MeasurementStage measurement_{};
+    RollMotionFilter motion_filter_{};
     RollPlaneModel model_{};
     FixedModelRoll fixed_{};
     CompensatedModelRoll compensated_{};
     RollCentreEstimator estimator_{};
     StabilityThresholdStage threshold_{};
-    FurtherIndicators further_{};
+    LoadTransfer load_transfer_{};
+    ExtendedIndicator extended_{};
+    SteeringDemand steering_demand_{};
+    MomentArmError moment_arm_error_{};
+    RollPredictor predictor_{};
+    ClassicIndices comparison_{};
     WarningIndicator warning_indicator_{};
     WarningStateMachine warning_{};
 };

@@ -1,6 +1,6 @@
 #include "rsi/parameters.hpp"
 
-#include "rsi/indicator/energy_margin.hpp"
+#include "rsi/model/critical_roll_angle.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {

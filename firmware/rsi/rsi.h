@@ -23,6 +23,8 @@
 
 #include <stdint.h>
 
+#include "rsi/version.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -171,10 +173,7 @@ typedef struct {
     float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
 } rsi_inputs;
 
-/* The answer to one sample. A number that could not be computed is NaN. Every number is of this sample, but
- * for those that are computed in every second one and held in between, so at most 10 ms older:
- * roll_sensor_disagrees, the estimate (dh to its deviation, estimate_frozen) of the consider-Kalman filter,
- * and, unless one of them drives the warning, all from static_stability_level on. */
+/* The answer to one sample. Every number is of this sample; one that could not be computed is NaN. */
 typedef struct {
     rsi_state state;
     rsi_side side; /* none while unavailable or ready */

@@ -1,8 +1,10 @@
-// Frame ring: a first-in, first-out queue of frames with a fixed capacity.
+// Frame ring: a first-in, first-out queue of frames with a fixed capacity. As a controller does, it carries
+// the bytes that a frame has and no others.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 
 #include "hal/interface/can_bus.hpp"
 
@@ -18,7 +20,7 @@ class FrameRing {
         if (size_ == capacity) {
             return false;
         }
-        frames_[(first_ + size_) % capacity] = frame;
+        copy(frame, frames_[(first_ + size_) % capacity]);
         ++size_;
         return true;
     }
@@ -28,7 +30,7 @@ class FrameRing {
         if (size_ == 0U) {
             return false;
         }
-        frame = frames_[first_];
+        copy(frames_[first_], frame);
         first_ = (first_ + 1U) % capacity;
         --size_;
         return true;
@@ -37,6 +39,16 @@ class FrameRing {
     std::size_t size() const noexcept { return size_; }
 
  private:
+    // `length` is at most 64: a bus takes well-formed frames only.
+    static void copy(const CanFrame& from, CanFrame& to) noexcept {
+        to.identifier = from.identifier;
+        to.extended = from.extended;
+        to.flexible_data_rate = from.flexible_data_rate;
+        to.length = from.length;
+        to.receive_time = from.receive_time;
+        std::memcpy(to.data.data(), from.data.data(), from.length);
+    }
+
     std::array<CanFrame, capacity> frames_{};
     std::size_t first_{0U};
     std::size_t size_{0U};

@@ -1,4 +1,4 @@
-/* Memory map of the image, for the linker script, assembly and C++ alike. docs/flashing.md describes it.
+/* Memory map of the image, for the linker script, assembly and C++ alike. docs/targets.md describes it.
  *
  * Each part is a region of the memory protection unit (startup/memory_protection.cpp): its size is a power of
  * two and its start a multiple of that. */

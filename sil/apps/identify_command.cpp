@@ -62,12 +62,12 @@ void refuse_unclear(const IdentifyRequest& request) {
     if (request.simulated_vehicle.empty() && (request.ramps.empty() || request.dynamics.empty())) {
         throw std::runtime_error(
             "a slow ramp and a dynamic drive are both needed: give --ramp FILE and --dynamic FILE "
-            "(docs/identification.md "
+            "(docs/calibration.md "
             "says how to drive them), or --simulate VEHICLE.toml");
     }
     if (request.vehicle_data.empty() && request.settings.empty()) {
         throw std::runtime_error(
-            "nothing is said of the vehicle: give --vehicle-data FILE (docs/identification.md)");
+            "nothing is said of the vehicle: give --vehicle-data FILE (docs/calibration.md)");
     }
 }
 
@@ -149,7 +149,7 @@ void add_identify_command(CLI::App& app) {
     CLI::App* identify =
         app.add_subcommand("identify", "Fit a vehicle's parameters to test drives and write its calibration");
     identify->add_option("--vehicle-data", request->vehicle_data,
-                         "What the data sheet says (TOML; docs/identification.md names the keys)");
+                         "What the data sheet says (TOML; docs/calibration.md names the keys)");
     identify->add_option("--set", request->settings,
                          "KEY=VALUE in place of, or besides, the vehicle-data file");
     identify->add_option("--ramp", request->ramps,

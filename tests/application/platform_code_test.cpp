@@ -1,5 +1,5 @@
 // The diagnostic codes of what the ECU notices of its own platform: cycles, bus, clock, parameters; each from
-// the very amount at which docs/safety/degradation.md says that it is a fault.
+// the very amount at which docs/safety.md says that it is a fault.
 #include <gtest/gtest.h>
 
 #include <cstddef>

@@ -12,6 +12,7 @@
 #include "monitoring/clock_check.hpp"
 #include "monitoring/output_check.hpp"
 #include "monitoring/parameter_guard.hpp"
+#include "rsi/model/critical_roll_angle.hpp"
 #include "tests/application/bench.hpp"
 #include "tests/application/roll_plane_vehicle.hpp"
 
@@ -151,6 +152,19 @@ TEST_F(ADamagedComponent, WhoseEstimateLeavesItsRangeStartsAnewFromTheParameters
 TEST_F(ADamagedComponent, WhoseAnswerIsNoNumberStartsAnewFromTheParameters) {
     damage(parameters().roll_damping_nmsprad, std::numeric_limits<float>::quiet_NaN());
     expect_reset_and_recovery(Code::output_not_finite);
+}
+
+// A reset keeps what init finds by iterating. Where that is damaged, only a start from new helps.
+TEST_F(ADamagedComponent, WhichAResetCannotHealStarvesTheWatchdog) {
+    constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+    damage(rsi::critical_roll_angle_rad(parameters()), no_number);
+    damage(parameters().roll_damping_nmsprad, no_number);
+    bench.run_cycles(4);
+    const int feeds = bench.watchdog_feeds();
+    bench.run_for(2.0);
+    EXPECT_EQ(bench.watchdog_feeds(), feeds);
+    EXPECT_EQ(bench.state(), State::unavailable);
+    EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::internal_fault);
 }
 
 TEST(TheOutputCheck, NoticesEveryNumberThatIsNone) {

@@ -99,8 +99,16 @@ TEST(EachCycle, LeavesWhatItHasSentToBeRead) {
 TEST(EachSentStatus, BearsTheSoftwaresVersion) {
     for (const Cycle& cycle : eventful_run()) {
         ASSERT_TRUE(cycle.status.status.all_valid());
-        ASSERT_GT(cycle.status.value.software_version, 0U);
+        ASSERT_EQ(cycle.status.value.software_version >> 4U, RSI_EXPECTED_MAJOR);
+        ASSERT_EQ(cycle.status.value.software_version & 15U, RSI_EXPECTED_MINOR);
     }
+}
+
+TEST(TheHeader, BearsTheProjectsVersion) {
+    EXPECT_STREQ(RSI_VERSION, RSI_EXPECTED_VERSION);
+    EXPECT_EQ(RSI_VERSION_MAJOR, RSI_EXPECTED_MAJOR);
+    EXPECT_EQ(RSI_VERSION_MINOR, RSI_EXPECTED_MINOR);
+    EXPECT_EQ(RSI_VERSION_PATCH, RSI_EXPECTED_PATCH);
 }
 
 // In the cycle in which the component says so; in the next the monitoring takes the sensor out.

@@ -1,5 +1,6 @@
-#!/bin/sh
+#!/bin/bash
 # Fails when an object file needs more than the memory functions that every compiler may call.
+source "$(dirname "${BASH_SOURCE[0]}")/../../cmake/environment/help"
 for object in "$@"; do
     symbols=$(nm --undefined-only --format=just-symbols "$object") || exit 1
     needed=$(echo "$symbols" | grep -vxE 'memcpy|memset|memmove|memcmp|_GLOBAL_OFFSET_TABLE_|')

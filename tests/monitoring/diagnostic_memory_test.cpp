@@ -1,6 +1,6 @@
 // The diagnostic memory: how long each code looks before it says so, how long it takes to heal, what it keeps
 // of its first occurrence, and in which order the codes are told. The table is that of
-// docs/safety/degradation.md.
+// docs/safety.md.
 #include "monitoring/diagnostic_memory.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Each signal by itself, at the limits that docs/safety/degradation.md states: range, jump, noise, and the
+// Each signal by itself, at the limits that docs/safety.md states: range, jump, noise, and the
 // witnesses against which it counts as stuck; what is used in its place meanwhile; what a failing signal is
 // not asked about.
 #include "monitoring/signal_check.hpp"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "tests/rsi/support/body_kinematics.hpp"
@@ -417,6 +418,56 @@ TEST(Component, WhatTheFilterSeemedToLearnOfAnOverturnedVehicleIsForgottenToo) {
     scenario.run(0.1, on_its_side);
     scenario.run(0.02, in_steady_turn(0.0));
     EXPECT_EQ(scenario.outputs.roll_centre_vertical_m, 0.0F);
+}
+
+// Whatever it has been through, and with either estimator.
+TEST(Component, AResetLeavesNothingOfBefore) {
+    for (const rsi_estimator estimator : {RSI_ESTIMATOR_PUBLISHED, RSI_ESTIMATOR_CONSIDER_KALMAN}) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.estimator = estimator;
+        rsi::Component driven;
+        ASSERT_EQ(driven.init(parameters).accepted, 1);
+        rsi_test::RandomManoeuvre before(parameters, 51U, true);
+        rsi_outputs of_driven;
+        for (int k = 0; k < 3000; ++k) {
+            driven.step(before.next(), of_driven);
+        }
+        driven.reset(parameters);
+        rsi::Component fresh;
+        ASSERT_EQ(fresh.init(parameters).accepted, 1);
+        rsi_outputs of_fresh;
+        rsi_test::RandomManoeuvre drive(parameters, 52U, true);
+        for (int k = 0; k < 3000; ++k) {
+            const rsi_inputs inputs = drive.next();
+            driven.step(inputs, of_driven);
+            fresh.step(inputs, of_fresh);
+            ASSERT_EQ(std::memcmp(&of_driven, &of_fresh, sizeof of_fresh), 0) << k;
+        }
+    }
+}
+
+TEST(Component, AResetForgetsThatItHasOverturned) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    Scenario scenario(parameters);
+    scenario.run(2.0, in_steady_turn(5.0));
+    rsi_inputs on_its_side = rsi_test::at_rest();
+    on_its_side.roll_angle_rad = 1.4F;
+    scenario.run(0.1, on_its_side);
+    ASSERT_EQ(scenario.outputs.state, RSI_STATE_WARNING);
+    scenario.component.reset(parameters);
+    scenario.run(0.01, in_steady_turn(0.0));
+    EXPECT_EQ(scenario.outputs.state, RSI_STATE_UNAVAILABLE);
+}
+
+TEST(Component, AResetDoesNotStartWhatWasRefused) {
+    rsi_parameters refused = rsi_test::large_suv();
+    refused.track_width_m = 0.0F;
+    rsi::Component component;
+    ASSERT_EQ(component.init(refused).accepted, 0);
+    component.reset(rsi_test::large_suv());
+    rsi_outputs outputs;
+    component.step(in_steady_turn(0.0), outputs);
+    EXPECT_EQ(outputs.roll_source, RSI_ROLL_NONE);
 }
 
 }  // namespace

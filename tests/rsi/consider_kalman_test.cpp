@@ -39,19 +39,7 @@ class Drive {
     }
 
     RollCentreEstimate step(double parallel_mps2, float extended_rsi = 0.0F, float speed = speed_mps) {
-        // Every second sample is the filter's.
-        const rsi::Measurement measured = measure(parallel_mps2);
-        is_due_ = !is_due_;
-        if (is_due_) {
-            estimate_ = estimator_.update(measured, extended_rsi, speed);
-        }
-        return estimate_;
-    }
-
-    // One of the two is the filter's.
-    RollCentreEstimate two_steps(double parallel_mps2, float speed = speed_mps) {
-        step(parallel_mps2, 0.0F, speed);
-        return step(parallel_mps2, 0.0F, speed);
+        return estimator_.update(measure(parallel_mps2), extended_rsi, speed);
     }
 
     RollCentreEstimate turn_until(double time_s) {
@@ -80,8 +68,6 @@ class Drive {
     rsi::ConsiderKalman estimator_{};
     rsi_test::Noise noise_{5U};
     bool noisy_;
-    bool is_due_{false};
-    RollCentreEstimate estimate_{};
     double time_s_{0.0};
 };
 
@@ -180,9 +166,7 @@ TEST(ConsiderKalman, HoldsItsEstimateNearWheelLift) {
     EXPECT_TRUE(held.frozen);
     EXPECT_EQ(held.vertical_movement_m, before.vertical_movement_m);
     EXPECT_GT(held.deviation_m, before.deviation_m);
-    drive.step(9.0, 0.99F * parameters.freeze_level);
     EXPECT_FALSE(drive.step(9.0, 0.99F * parameters.freeze_level).frozen);
-    drive.step(9.0, no_number);
     EXPECT_FALSE(drive.step(9.0, no_number).frozen);
 }
 
@@ -197,7 +181,6 @@ TEST(ConsiderKalman, HoldsItsEstimateInHardBraking) {
     }
     EXPECT_TRUE(held.frozen);
     EXPECT_NEAR(wide(held.vertical_movement_m), wide(before.vertical_movement_m), 1.0e-3);
-    drive.step(6.0, 0.0F, no_number);
     EXPECT_FALSE(drive.step(6.0, 0.0F, no_number).frozen);  // an unknown speed holds nothing
 }
 
@@ -215,15 +198,15 @@ TEST(ConsiderKalman, HoldsItsEstimateWhileTheObserverStandsInForTheRollSensor) {
         ASSERT_TRUE(held.frozen);
     }
     EXPECT_EQ(held.vertical_movement_m, before.vertical_movement_m);
-    EXPECT_FALSE(drive.two_steps(6.0).frozen);
+    EXPECT_FALSE(drive.step(6.0).frozen);
 }
 
 TEST(ConsiderKalman, TakesASpeedThatNoVehicleHasForUnknown) {
     Drive drive({-0.05});
     drive.turn_until(5.0);
     for (const float speed : {-1.0F, 151.0F}) {
-        EXPECT_FALSE(drive.two_steps(6.0, speed).frozen) << speed;
-        EXPECT_FALSE(drive.two_steps(6.0).frozen);  // not compared with the one before
+        EXPECT_FALSE(drive.step(6.0, 0.0F, speed).frozen) << speed;
+        EXPECT_FALSE(drive.step(6.0).frozen);  // not compared with the one before
     }
 }
 
@@ -323,13 +306,13 @@ TEST(ConsiderKalman, RunsForAnHourWithoutLosingItsCovariance) {
 TEST(ConsiderKalman, TakesTheFirstSpeedAfterAGapAsItIs) {
     Drive drive({-0.05});
     drive.turn_until(5.0);
-    EXPECT_FALSE(drive.two_steps(6.0, no_number).frozen);
-    EXPECT_FALSE(drive.two_steps(6.0, 12.0F).frozen);
+    EXPECT_FALSE(drive.step(6.0, 0.0F, no_number).frozen);
+    EXPECT_FALSE(drive.step(6.0, 0.0F, 12.0F).frozen);
     drive.estimator().restart();
     for (int k = 0; k < 50; ++k) {
         drive.step(6.0, 0.0F, 30.0F);  // until the lags have settled
     }
-    EXPECT_FALSE(drive.two_steps(6.0, 30.0F).frozen);
+    EXPECT_FALSE(drive.step(6.0, 0.0F, 30.0F).frozen);
 }
 
 // Without lags nothing else hides the speed of before.
@@ -338,11 +321,11 @@ TEST(ConsiderKalman, ForgetsTheSpeedOverAGap) {
     parameters.estimator_filter_lag_s = 0.0F;
     Drive drive({-0.05}, false, parameters);
     drive.turn_until(5.0);
-    ASSERT_FALSE(drive.two_steps(6.0, 20.0F).frozen);
+    ASSERT_FALSE(drive.step(6.0, 0.0F, 20.0F).frozen);
     drive.estimator().restart();
-    drive.two_steps(6.0, 40.0F);
-    drive.two_steps(6.0, 40.0F);
-    EXPECT_FALSE(drive.two_steps(6.0, 40.0F).frozen);
+    drive.step(6.0, 0.0F, 40.0F);
+    drive.step(6.0, 0.0F, 40.0F);
+    EXPECT_FALSE(drive.step(6.0, 0.0F, 40.0F).frozen);
 }
 
 TEST(ConsiderKalman, TakesEverySpeedOfAVehicleUpToItsEndsForKnown) {
@@ -353,8 +336,8 @@ TEST(ConsiderKalman, TakesEverySpeedOfAVehicleUpToItsEndsForKnown) {
         for (int k = 0; k < 100; ++k) {
             drive.step(6.0, 0.0F, change[0]);
         }
-        EXPECT_FALSE(drive.two_steps(6.0, change[0]).frozen);
-        EXPECT_TRUE(drive.two_steps(6.0, change[1]).frozen) << change[1];
+        EXPECT_FALSE(drive.step(6.0, 0.0F, change[0]).frozen);
+        EXPECT_TRUE(drive.step(6.0, 0.0F, change[1]).frozen) << change[1];
     }
 }
 

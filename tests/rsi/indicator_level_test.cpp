@@ -1,5 +1,5 @@
 // Which indicator drives the warning, at which level, and towards which side.
-#include "rsi/indicator/indicator_level.hpp"
+#include "rsi/warning/indicator_level.hpp"
 
 #include <gtest/gtest.h>
 

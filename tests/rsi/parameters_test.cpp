@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "rsi/indicator/energy_margin.hpp"
+#include "rsi/model/critical_roll_angle.hpp"
 #include "tests/rsi/support/nominal.hpp"
 
 namespace parameters_test {

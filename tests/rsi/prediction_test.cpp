@@ -1,5 +1,5 @@
 // The prediction: a short look ahead at the roll motion.
-#include "rsi/indicator/prediction.hpp"
+#include "rsi/prediction/roll_predictor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,10 +25,10 @@ class Look {
         extended_.init(parameters);
     }
     rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {}) const {
-        return predictor_.evaluate(
-            motion, demand, load_transfer_, extended_,
-            load_transfer_.suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps), 0.0F);
+        return predictor_.evaluate(motion, load_transfer_.evaluate(motion), demand, 0.0F, load_transfer_,
+                                   extended_);
     }
+    float present(const rsi::RollMotion& motion) const { return load_transfer_.evaluate(motion).ratio; }
 
  private:
     rsi::RollPredictor predictor_{};
@@ -48,7 +48,7 @@ rsi::RollMotion motion_with(double A, double phi, double rate, double force_rate
 
 double load_transfer_ahead(const Look& look, const rsi::RollMotion& motion,
                            const rsi::DemandedForce& demand = {}) {
-    return static_cast<double>(look.ahead(motion, demand).worst.load_transfer_ratio);
+    return static_cast<double>(look.ahead(motion, demand).load_transfer_ratio);
 }
 
 TEST(Prediction, UnderAConstantForceItIsTheRollEquationsMotion) {
@@ -77,8 +77,9 @@ TEST(Prediction, UnderAConstantForceItIsTheRollEquationsMotion) {
 TEST(Prediction, WithoutAHorizonItIsThePresent) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.prediction_horizon_s = 0.0F;
-    const rsi::Prediction prediction = Look{parameters}.ahead(motion_with(5.0, 0.04, 0.3, 30.0));
-    EXPECT_EQ(prediction.worst.load_transfer_ratio, prediction.present.load_transfer_ratio);
+    const Look look{parameters};
+    const rsi::RollMotion motion = motion_with(5.0, 0.04, 0.3, 30.0);
+    EXPECT_EQ(look.ahead(motion).load_transfer_ratio, look.present(motion));
 }
 
 TEST(Prediction, TheForceGrowsNoFurtherThanTheSteeringAsks) {
@@ -114,21 +115,21 @@ TEST(Prediction, AFallingForceIsNotCarriedPastZeroUnlessTheSteeringAsksForTheOth
 
 // A body that still stands in a left turn while the force swings over is about to fall to the left.
 TEST(Prediction, ItsSideIsThatOfTheTransferToCome) {
-    const rsi::Prediction prediction = Look{rsi_test::large_suv()}.ahead(motion_with(0.5, 0.01, -0.5, -60.0));
-    EXPECT_GT(prediction.present.load_transfer_ratio, -0.3F);
-    EXPECT_LT(prediction.worst.load_transfer_ratio, -0.5F);
+    const Look look{rsi_test::large_suv()};
+    const rsi::RollMotion motion = motion_with(0.5, 0.01, -0.5, -60.0);
+    EXPECT_GT(look.present(motion), -0.3F);
+    EXPECT_LT(look.ahead(motion).load_transfer_ratio, -0.5F);
 }
 
 TEST(Prediction, TheExtendedIndicatorReachesOneWhereTheLoadTransferDoes) {
     const Look look{rsi_test::large_suv()};
     for (int k = 0; k < 200; ++k) {
-        // The roll acceleration is large, so that the present extended indicator stays small.
         rsi::RollMotion motion = motion_with(4.0 + 0.03 * k, 0.06, 0.3, 20.0);
         motion.roll_acceleration_radps2 = 20.0F;
         const rsi::Prediction prediction = look.ahead(motion);
-        const float L = prediction.worst.load_transfer_ratio;
+        const float L = prediction.load_transfer_ratio;
         if (std::fabs(L - 1.0F) > 1.0e-4F) {
-            EXPECT_EQ(prediction.worst.rsi_extended > 1.0F, L > 1.0F) << L;
+            EXPECT_EQ(prediction.rsi_extended > 1.0F, L > 1.0F) << L;
         }
     }
 }
@@ -138,9 +139,8 @@ TEST(Prediction, EndsAtTwentyOnEitherSide) {
     for (const double side : {1.0, -1.0}) {
         rsi::RollMotion motion = motion_with(side * 60.0, 0.0, 0.0, side * 1000.0);
         motion.road_normal_force_mps2 = 1.0F;
-        const rsi::Prediction prediction = look.ahead(motion);
-        EXPECT_EQ(static_cast<double>(prediction.present.load_transfer_ratio), side * 20.0);
-        EXPECT_EQ(static_cast<double>(prediction.worst.load_transfer_ratio), side * 20.0);
+        EXPECT_EQ(static_cast<double>(look.present(motion)), side * 20.0);
+        EXPECT_EQ(static_cast<double>(look.ahead(motion).load_transfer_ratio), side * 20.0);
     }
 }
 

@@ -109,15 +109,15 @@ TEST(RobustLeastSquares, TheCovarianceAgreesWithTheDoubleReference) {
         reference.update(wide(regression.output_nm), regression.psi.cast<double>());
     }
     const Eigen::Vector3d unit = Eigen::Vector3d(0.1, 1.0e4, 1.0e3) / 450.0;
-    const rsi::Covariance& P = estimator.covariance();
+    const rsi::Matrix3& P = estimator.covariance();
     const Eigen::Matrix3d expected = reference.covariance().cwiseQuotient(unit * unit.transpose());
     const double tolerance = 1.0e-4 * expected.trace();
-    EXPECT_NEAR(wide(P.p00), expected(0, 0), tolerance);
-    EXPECT_NEAR(wide(P.p01), expected(0, 1), tolerance);
-    EXPECT_NEAR(wide(P.p02), expected(0, 2), tolerance);
-    EXPECT_NEAR(wide(P.p11), expected(1, 1), tolerance);
-    EXPECT_NEAR(wide(P.p12), expected(1, 2), tolerance);
-    EXPECT_NEAR(wide(P.p22), expected(2, 2), tolerance);
+    EXPECT_NEAR(wide(P(0, 0)), expected(0, 0), tolerance);
+    EXPECT_NEAR(wide(P(0, 1)), expected(0, 1), tolerance);
+    EXPECT_NEAR(wide(P(0, 2)), expected(0, 2), tolerance);
+    EXPECT_NEAR(wide(P(1, 1)), expected(1, 1), tolerance);
+    EXPECT_NEAR(wide(P(1, 2)), expected(1, 2), tolerance);
+    EXPECT_NEAR(wide(P(2, 2)), expected(2, 2), tolerance);
 }
 
 // Regressors that excite all three parameters independently, each about as strongly as P(0) expects.
@@ -211,7 +211,7 @@ TEST(RobustLeastSquares, ASampleThatCannotBeRepresentedResetsTheEstimator) {
     regression.output_nm = std::numeric_limits<float>::quiet_NaN();
     estimator.update(regression);
     EXPECT_EQ(estimator.estimate().vertical_movement_m, 0.0F);
-    EXPECT_EQ(estimator.covariance().p00, 1.0F);
+    EXPECT_EQ(estimator.covariance()(0, 0), 1.0F);
 }
 
 // What is not excited forgets nothing once the trace is above its limit, whichever element it is.
@@ -231,8 +231,8 @@ TEST(RobustLeastSquares, AResetForgetsParametersCovarianceAndDisturbance) {
     EXPECT_EQ(estimate.stiffness_deviation_nmprad, 0.0F);
     EXPECT_EQ(estimate.damping_deviation_nmsprad, 0.0F);
     EXPECT_EQ(estimate.disturbance_nm, 0.0F);
-    EXPECT_EQ(estimator.covariance().p00, 1.0F);
-    EXPECT_EQ(estimator.covariance().p01, 0.0F);
+    EXPECT_EQ(estimator.covariance()(0, 0), 1.0F);
+    EXPECT_EQ(estimator.covariance()(0, 1), 0.0F);
 }
 
 TEST(RobustLeastSquares, EachElementOfTheCovarianceCountsInItsLimit) {
@@ -250,8 +250,8 @@ TEST(RobustLeastSquares, EachElementOfTheCovarianceCountsInItsLimit) {
         double trace = 0.0;
         for (int k = 0; k < 500; ++k) {
             estimator.update(regression);
-            const rsi::Covariance& P = estimator.covariance();
-            trace = wide(P.p00) + wide(P.p11) + wide(P.p22);
+            const rsi::Matrix3& P = estimator.covariance();
+            trace = wide(P(0, 0)) + wide(P(1, 1)) + wide(P(2, 2));
             ASSERT_LE(trace, 5.0 / 0.95 + 1.0e-4) << excited << ' ' << k;
         }
         EXPECT_GT(trace, 4.5) << excited;
@@ -268,19 +268,19 @@ TEST(RobustLeastSquares, AboveItsLimitWhatIsNotExcitedStaysAsItIs) {
     while (estimator.covariance().trace() <= parameters.covariance_limit) {
         estimator.update(regression);
     }
-    const float before = estimator.covariance().p11;
+    const float before = estimator.covariance()(1, 1);
     estimator.update(regression);
-    EXPECT_EQ(estimator.covariance().p11, before);
+    EXPECT_EQ(estimator.covariance()(1, 1), before);
 }
 
 TEST(RobustLeastSquares, StartsWithTheUnitMatrix) {
-    const rsi::Covariance P = estimator_of(rsi_test::large_suv()).covariance();
-    EXPECT_EQ(P.p00, 1.0F);
-    EXPECT_EQ(P.p11, 1.0F);
-    EXPECT_EQ(P.p22, 1.0F);
-    EXPECT_EQ(P.p01, 0.0F);
-    EXPECT_EQ(P.p02, 0.0F);
-    EXPECT_EQ(P.p12, 0.0F);
+    const rsi::Matrix3 P = estimator_of(rsi_test::large_suv()).covariance();
+    EXPECT_EQ(P(0, 0), 1.0F);
+    EXPECT_EQ(P(1, 1), 1.0F);
+    EXPECT_EQ(P(2, 2), 1.0F);
+    EXPECT_EQ(P(0, 1), 0.0F);
+    EXPECT_EQ(P(0, 2), 0.0F);
+    EXPECT_EQ(P(1, 2), 0.0F);
 }
 
 // (10) with lambda = 1, in the one direction that is excited.
@@ -294,9 +294,9 @@ TEST(RobustLeastSquares, AboveItsLimitWhatIsExcitedIsLearntWithoutForgetting) {
     while (estimator.covariance().trace() <= parameters.covariance_limit) {
         estimator.update(regression);
     }
-    const double before = wide(estimator.covariance().p00);
+    const double before = wide(estimator.covariance()(0, 0));
     estimator.update(regression);
-    EXPECT_NEAR(wide(estimator.covariance().p00), before - before * before / (1.0 + 2.0 * before),
+    EXPECT_NEAR(wide(estimator.covariance()(0, 0)), before - before * before / (1.0 + 2.0 * before),
                 1.0e-5 * before);
 }
 

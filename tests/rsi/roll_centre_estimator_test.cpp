@@ -1,4 +1,4 @@
-// The estimator's seat: which estimator runs when, and which may move the observer.
+// The choice of the estimator: which of them may move the observer.
 #include "rsi/estimation/roll_centre_estimator.hpp"
 
 #include <gtest/gtest.h>
@@ -8,49 +8,55 @@
 namespace roll_centre_estimator_test {
 namespace {
 
-class AnEstimatorsSeat : public ::testing::Test {
+class TheEstimatorInUse : public ::testing::Test {
  protected:
     void start(rsi_estimator estimator) {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.estimator = estimator;
-        seat.init(parameters);
+        estimator_in_use.init(parameters);
         model.init(parameters);
         fixed.reset(0.05F);
     }
 
-    // A steady turn that leans more than the fixed roll centre explains.
-    bool update(bool odd_sample) {
+    // Straight, or a steady turn that leans more than the fixed roll centre explains.
+    float update(float force_mps2 = 5.0F) {
         rsi::Measurement measured;
-        measured.road_parallel_force_mps2 = 5.0F;
+        measured.road_parallel_force_mps2 = force_mps2;
         measured.road_normal_force_mps2 = 9.8F;
-        measured.roll_angle_rad = 0.08F;
-        measured.tan_roll_angle = 0.0802F;
+        measured.roll_angle_rad = 0.016F * force_mps2;
+        measured.tan_roll_angle = 0.01604F * force_mps2;
         fixed.evaluate(model, measured);
-        return seat.update(model, measured, fixed, 0.4F, 20.0F, odd_sample);
+        return estimator_in_use.update(model, measured, fixed, 0.4F, 20.0F).vertical_movement_m;
     }
 
-    rsi::RollCentreEstimator seat;
+    rsi::RollCentreEstimator estimator_in_use;
     rsi::RollPlaneModel model;
     rsi::FixedModelRoll fixed;
 };
 
 // It drifts to where it fits anything.
-TEST_F(AnEstimatorsSeat, LeavesTheObserverAloneWhileThePublishedEstimatorSitsThere) {
+TEST_F(TheEstimatorInUse, LeavesTheObserverAloneWhenItIsThePublishedOne) {
     start(RSI_ESTIMATOR_PUBLISHED);
     float before_m = 0.0F;
     for (int sample = 0; sample < 20; ++sample) {
-        EXPECT_FALSE(update(sample % 2 != 0));
-        EXPECT_NE(seat.estimate().vertical_movement_m, before_m) << sample;  // it runs in every sample
-        before_m = seat.estimate().vertical_movement_m;
+        const float movement_m = update();
+        EXPECT_NE(movement_m, before_m) << sample;
+        EXPECT_EQ(estimator_in_use.movement_for_observer_m(), 0.0F) << sample;
+        before_m = movement_m;
     }
 }
 
-TEST_F(AnEstimatorsSeat, MayMoveTheObserverInEvenSamplesWhileTheConsiderKalmanFilterSitsThere) {
+TEST_F(TheEstimatorInUse, TellsTheObserverItsNewestMovementWhenItIsTheConsiderKalmanFilter) {
     start(RSI_ESTIMATOR_CONSIDER_KALMAN);
-    for (int sample = 0; sample < 20; ++sample) {
-        const bool odd = (sample % 2 != 0);
-        EXPECT_EQ(update(odd), !odd) << sample;
+    int moved = 0;
+    float before_m = 0.0F;
+    for (int sample = 0; sample < 300; ++sample) {
+        const float movement_m = update(sample < 200 ? 0.0F : 5.0F);
+        EXPECT_EQ(estimator_in_use.movement_for_observer_m(), movement_m) << sample;
+        moved += (movement_m != before_m) ? 1 : 0;
+        before_m = movement_m;
     }
+    EXPECT_GT(moved, 50);  // in every sample that teaches it something
 }
 
 }  // namespace

@@ -22,17 +22,6 @@ double lively_mps2(double time_s) {
     return 4.0 * std::sin(1.3 * time_s) + 1.5 * std::sin(4.1 * time_s) + 0.5 * std::sin(9.4 * time_s);
 }
 
-// The filter sees every second sample.
-rsi::Measurement drive_20_ms(InertialRollVehicle& vehicle, double time_s) {
-    vehicle.drive(lively_mps2(time_s - 0.01));
-    return vehicle.drive(lively_mps2(time_s));
-}
-
-rsi::Measurement at_rest_for_20_ms(InertialRollVehicle& vehicle) {
-    vehicle.drive(0.0);
-    return vehicle.drive(0.0);
-}
-
 // What is left is the force times the movement, whatever the manoeuvre.
 TEST(RollEquation, LeavesTheForceTimesTheMovement) {
     for (const double movement_m : {0.0, -0.05, 0.08}) {
@@ -40,8 +29,8 @@ TEST(RollEquation, LeavesTheForceTimesTheMovement) {
         filtered.init(rsi_test::large_suv());
         InertialRollVehicle vehicle(rsi_test::large_suv(), {movement_m});
         double largest_nm = 0.0;
-        for (int k = 0; k < 1500; ++k) {
-            const rsi::RollEquation equation = filtered.update(drive_20_ms(vehicle, 0.02 * k));
+        for (int k = 0; k < 3000; ++k) {
+            const rsi::RollEquation equation = filtered.update(vehicle.drive(lively_mps2(0.01 * k)));
             if (equation.settled) {
                 // Sampling moves the mean of two samples against the integral by (T omega)^2 / 12: 1e-3 of 4
                 // kN m.
@@ -59,10 +48,10 @@ TEST(RollEquation, TakesTheRollAccelerationFromTheFilteredRate) {
     rsi::FilteredRollEquation filtered;
     filtered.init(parameters);
     InertialRollVehicle vehicle(parameters, {});
-    const double keep = std::exp(-0.02 / wide(parameters.estimator_filter_lag_s));
+    const double keep = std::exp(-0.01 / wide(parameters.estimator_filter_lag_s));
     double first = 0.0, second = 0.0, before = 0.0;
-    for (int k = 0; k < 500; ++k) {
-        const rsi::RollEquation equation = filtered.update(drive_20_ms(vehicle, 0.02 * k));
+    for (int k = 0; k < 1000; ++k) {
+        const rsi::RollEquation equation = filtered.update(vehicle.drive(lively_mps2(0.01 * k)));
         const double now = vehicle.acceleration_radps2();
         first = keep * first + (1.0 - keep) * 0.5 * (now + before);  // the mean over the sample
         second = keep * second + (1.0 - keep) * first;
@@ -79,12 +68,12 @@ TEST(RollEquation, IsSettledOnceItsLagsHaveForgottenTheirStart) {
     filtered.init(parameters);
     InertialRollVehicle vehicle(parameters, {});
     int samples = 0;
-    while (!filtered.update(at_rest_for_20_ms(vehicle)).settled) {
+    while (!filtered.update(vehicle.drive(0.0)).settled) {
         ASSERT_LT(++samples, 100);
     }
-    EXPECT_GE(0.02 * samples, 8.0 * wide(parameters.estimator_filter_lag_s));
+    EXPECT_GE(0.01 * samples, 8.0 * wide(parameters.estimator_filter_lag_s));
     filtered.restart();
-    EXPECT_FALSE(filtered.update(at_rest_for_20_ms(vehicle)).settled);
+    EXPECT_FALSE(filtered.update(vehicle.drive(0.0)).settled);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 """Faults on a real CAN interface, injected between recorded sensor frames and rsi-ecu; what the ECU answers, and how fast.
 
 Faults of frames in lock-step, where the answer is the same each time; faults of the bus and of the process in real time. The
-names of the faults and of what is demanded are those of docs/safety/fault_matrix.md."""
+names of the faults and of what is demanded are those of docs/reports/safety/fault_matrix.md."""
 
 import contextlib
 import dataclasses

@@ -1,4 +1,4 @@
-"""Every fault on the interface is answered as docs/safety/faults_on_vcan.md says.
+"""Every fault on the interface is answered as docs/reports/safety/faults_on_vcan.md says.
 
 With --document PAGE writes that page instead: tests/system/faults_on_vcan."""
 
@@ -10,37 +10,40 @@ import bus_faults
 import bus_load_test
 import programs
 
-PAGE = programs.PROJECT / "docs/safety/faults_on_vcan.md"
+PAGE = programs.PROJECT / "docs/reports/safety/faults_on_vcan.md"
 TEXT = """<!-- Written by tests/system/faults_on_vcan; do not edit. -->
 # Faults on a CAN interface
 
-What [fault_matrix.md](fault_matrix.md) shows in one process, here between processes: `rsi-ecu` and recorded sensor frames (a rough turn of 0.3 g) on `vcan0`, with
-the faults that only an interface and a kernel have. `tests/run vcan` injects them all again; `tests/system/faults_on_vcan` renews this page. All times are in
-milliseconds. "ImuTimeout 30": that flag of `RolloverStatus` 30 ms after the first frame that was missing or wrong. "back": from the fault's end to the first state
-that is not `unavailable`.
+[The fault matrix](fault_matrix.md) is measured in one process. This page is measured between processes: `rsi-ecu` and
+recorded sensor frames (a rough turn of 0.3 g) on `vcan0`, with the faults that only an interface and a kernel have.
+`tests/run vcan` injects them all again. All times are in milliseconds. "ImuTimeout 30": that flag of `RolloverStatus`,
+30 ms after the first frame that was missing or wrong. "back": from the end of the fault to the first state that is not
+`unavailable`.
 
 ## Frames, in lock-step
-Simulated time, so the answer is the same each time, and the test holds this table to it.
+Simulated time, so the answer is the same each time, and the test compares this table.
 
 | fault | of | expected | measured |
 |---|---|---|---|
 {frames}
 
-A constant delay of 20 ms leaves counter and receive time in order, and nothing but a clock in the frame would show it; the code comes when the delay ends and
-frames overtake each other.
+A constant delay of 20 ms leaves counter and receive time in order. Only a clock in the frame would show it. The code comes
+when the delay ends and frames overtake each other.
 
 ## Bus and process, in real time
-By the stamps of candump's log, which are the kernel's, in the small virtual machine; one run, others differ by some. The test judges in the ECU's own cycles, because
-the machine may hold them up, and asks only that the ECU is back. Where the ECU cannot be heard, "silent" is for how long, and the other figures count
-from its first frame thereafter.
+Times are the kernel's stamps in candump's log, in the small virtual machine. This is one run; others differ slightly. The
+test judges in the ECU's own cycles, because the machine may delay them, and only requires that the ECU returns. Where the
+ECU cannot be heard, "silent" says for how long, and the other figures count from its first frame after that.
 
 | fault | of | expected | measured |
 |---|---|---|---|
 {live}
 
-- **bus-off, error-passive**: an error frame written onto `vcan0`, which has no controller; the restart takes the interface down and up. A bus-off that a driver of the
-  kernel reports: `System.bus_off` (`tests/run environment`), on a serial adapter played by the test. No wire and no silicon was there.
-- **process stopped, 2000 ms**: beyond 500 ms the watchdog ends `rsi-ecu` after one more cycle, which says `unavailable`; whatever started it must start it again.
+- **bus-off, error-passive**: an error frame written onto `vcan0`, which has no controller; the restart takes the interface
+  down and up. `System.bus_off` (`tests/run environment`) covers a bus-off that a kernel driver reports, on a serial adapter
+  played by the test. No wire and no silicon was involved.
+- **process stopped, 2000 ms**: beyond 500 ms the watchdog ends `rsi-ecu` after one more cycle, which says `unavailable`.
+  The supervisor that started it must start it again.
 
 ## 10,000 foreign frames a second
 | filters | result |
@@ -48,10 +51,12 @@ from its first frame thereafter.
 | in the kernel, as always | {filtered} |
 | none (`--receive-everything`) | {unfiltered} |
 
-With filters no frame of a sensor and none of the ECU is lost. Without them the ECU reads 64 frames a cycle, the rest overflows the socket's buffer: each is received or counted as
-lost, and `ReceiveOverflow` says so. A second ECU on an interface without flood shows what the machine does to a cycle of 10 ms anyway. The test (`System.bus_load`)
-asks that the ECU in the flood misses no more than 2 % of its cycles and twice what the second one misses, in one of four tries: the processor of this virtual machine is emulated, shared with the flood's
-sender, and stops whenever its host has other things to do. **It does not show that no cycle is missed**; that wants a target with a CAN interface of its own.
+With filters no sensor frame and no frame of the ECU is lost. Without them the ECU reads 64 frames a cycle and the rest
+overflows the socket's buffer: each is received or counted as lost, and `ReceiveOverflow` reports it. A second ECU on an
+interface without flood shows what the machine does to a cycle of 10 ms anyway. The test (`System.bus_load`) requires that
+the ECU in the flood misses no more than 2 % of its cycles and twice what the second one misses, in one of four tries: the
+processor of this virtual machine is emulated, shared with the sender of the flood, and stops whenever its host is busy.
+**It does not show that no cycle is missed.** That needs a target with a CAN interface of its own.
 """
 
 

@@ -4,6 +4,7 @@
 
 #include "rsi/estimation/roll_centre_estimate.hpp"
 #include "rsi/estimation/roll_equation.hpp"
+#include "rsi/numeric/matrix.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -24,27 +25,31 @@ class ConsiderKalman {
         speed_known_ = false;
     }
 
-    // Every second sample, slow_sample_time_s apart. `extended_rsi` is that of the cycle before. Near wheel
-    // lift, in hard braking and while speed is gathered fast dh is held; a number that is not available holds
-    // nothing.
+    // One sample. `extended_rsi` is that of the cycle before. Near wheel lift and while the speed changes
+    // fast dh is held; a number that is not available holds nothing.
     RollCentreEstimate update(const Measurement& measured, float extended_rsi, float speed_mps);
 
+    float movement_m() const { return state_(movement); }  // dh
+
  private:
-    // z against what was expected, and its covariances with what is unknown.
+    // Places in the state and its covariance.
+    static constexpr Eigen::Index movement = 0;   // dh
+    static constexpr Eigen::Index stiffness = 1;  // relative error of M(phi)
+    static constexpr Eigen::Index offset = 2;     // d
+
+    // z against what was expected.
     struct Innovation {
         float value_nm;
         float variance_nm2;
-        float with_movement;   // dh, m N m
-        float with_stiffness;  // relative error of M(phi), N m
-        float with_offset;     // d, (N m)^2
-        float weight;          // 1, less for an outlier
+        float weight;        // 1, less for an outlier
+        Vector3 covariance;  // with the state
     };
 
     void pass_time(const RollEquation& equation, bool excited, bool held);
     bool changes_speed(float speed_mps);
     Innovation innovation(const RollEquation& equation) const;
-    void learn_movement(const RollEquation& equation);
-    void learn_offset(const RollEquation& equation);
+    void learn(Eigen::Index which, const Innovation& innovation);
+    void keep_in_bounds();
     bool all_finite(const RollEquation& equation) const;
 
     FilteredRollEquation equation_{};
@@ -61,12 +66,9 @@ class ConsiderKalman {
 
     bool speed_known_{false};
     float lagged_speed_mps_{0.0F};
-    float movement_m_{0.0F};              // dh
-    float variance_m2_{0.0F};             // of dh
-    float stiffness_covariance_m_{0.0F};  // of dh with the relative error of M(phi)
-    float offset_covariance_nm2_{0.0F};   // of dh with d, m N m
-    float offset_nm_{0.0F};               // d
-    float offset_variance_nm2_{0.0F};     // of d
+    Vector3 state_{
+        Vector3::Zero()};  // dh (m), nothing, d (N m): the error of M(phi) is considered, not estimated
+    Matrix3 covariance_{Matrix3::Identity()};
 };
 
 }  // namespace rsi

@@ -2,17 +2,16 @@
 // (5).
 #pragma once
 
-#include <Eigen/Core>
-
 #include "rsi/measurement/measurement.hpp"
 #include "rsi/model/roll_plane_model.hpp"
+#include "rsi/numeric/matrix.hpp"
 
 namespace rsi {
 
 // Y = psi^T theta,  theta = [dh; dK; dc].
 struct Regression {
-    float output_nm;      // Y
-    Eigen::Vector3f psi;  // [A' + N' tan phi_m  (N); phi_m (rad); phi_m' (rad/s)]
+    float output_nm;  // Y
+    Vector3 psi;      // [A' + N' tan phi_m  (N); phi_m (rad); phi_m' (rad/s)]
 };
 
 // `fixed` must have been evaluated at the same measurement.

@@ -25,30 +25,31 @@ void RobustLeastSquares::init(const Parameters& parameters) {
 
 void RobustLeastSquares::reset() {
     theta_.setZero();
-    covariance_ = Covariance{};
+    covariance_.setIdentity();
     disturbance_ = 0.0F;
 }
 
 // With g = P(k-1) psi and s = psi^T g, (10) gives P(k) psi / n_s = g / (lambda n_s + s) exactly, so the gain
 // of (9) needs no second product. Normalisation divides Y and psi by sqrt(n_s); only n_s itself remains in
-// (9) and (10).
+// (9) and (10). What is taken off P is symmetric to the last bit, and so P stays: an unsymmetric part of its
+// rounding error would never be damped and grow as lambda^-k.
 [[gnu::flatten, gnu::noinline]] void RobustLeastSquares::update(const Regression& regression) {
-    const Eigen::Vector3f psi = regression.psi.cwiseProduct(input_scale_);
+    const Vector3 psi = regression.psi.cwiseProduct(input_scale_);
     const float output = regression.output_nm * output_scale_inverse_;
 
-    const Eigen::Vector3f g = covariance_ * psi;
+    const Vector3 g = covariance_ * psi;
     const float s = absolute(psi.dot(g));  // negative only by rounding
     const float n_s = 1.0F + s;
     // Without excitation forgetting would let P grow without bound; above the limit nothing is forgotten.
     const bool forgets = !(covariance_.trace() > covariance_limit_);
     const float lambda = forgets ? forgetting_factor_ : 1.0F;
     const float growth = forgets ? forgetting_growth_ : 1.0F;  // 1 / lambda
-    const float divisor = lambda * n_s + s;                    // at least lambda
+    const float divisor_inverse = 1.0F / (lambda * n_s + s);   // of at least lambda
 
     const float innovation = output - psi.dot(theta_) - disturbance_;
     disturbance_ += disturbance_weight_ * innovation;
-    theta_ += g * (innovation / divisor);
-    update_covariance(g, divisor, growth);
+    theta_ += g * (innovation * divisor_inverse);
+    covariance_ = (covariance_ - (g * g.transpose()) * divisor_inverse) * growth;
 
     // No element of P is larger than the largest on its diagonal.
     if (!is_finite(theta_.sum() + covariance_.trace() + disturbance_)) {
@@ -56,19 +57,8 @@ void RobustLeastSquares::reset() {
     }
 }
 
-// (10), in six elements.
-void RobustLeastSquares::update_covariance(const Eigen::Vector3f& g, float divisor, float growth) {
-    const Eigen::Vector3f u = g / divisor;
-    covariance_.p00 = (covariance_.p00 - u.x() * g.x()) * growth;
-    covariance_.p01 = (covariance_.p01 - u.x() * g.y()) * growth;
-    covariance_.p02 = (covariance_.p02 - u.x() * g.z()) * growth;
-    covariance_.p11 = (covariance_.p11 - u.y() * g.y()) * growth;
-    covariance_.p12 = (covariance_.p12 - u.y() * g.z()) * growth;
-    covariance_.p22 = (covariance_.p22 - u.z() * g.z()) * growth;
-}
-
 RollCentreEstimate RobustLeastSquares::estimate() const {
-    const Eigen::Vector3f theta = theta_.cwiseProduct(parameter_scale_);
+    const Vector3 theta = theta_.cwiseProduct(parameter_scale_);
     RollCentreEstimate estimate;
     estimate.vertical_movement_m = theta.x();
     estimate.stiffness_deviation_nmprad = theta.y();

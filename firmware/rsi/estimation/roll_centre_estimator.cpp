@@ -11,22 +11,20 @@ void RollCentreEstimator::init(const Parameters& parameters) {
 void RollCentreEstimator::reset() {
     published_.reset();
     consider_kalman_.reset();
-    estimate_ = RollCentreEstimate{};
 }
 
-bool RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
-                                 const FixedModelRoll& fixed, float extended_rsi, float speed_mps,
-                                 bool odd_sample) {
+RollCentreEstimate RollCentreEstimator::update(const RollPlaneModel& model, const Measurement& measured,
+                                               const FixedModelRoll& fixed, float extended_rsi,
+                                               float speed_mps) {
     if (in_use_ == RSI_ESTIMATOR_PUBLISHED) {
         published_.update(regress(model, measured, fixed));
-        estimate_ = published_.estimate();
-        return false;
+        return published_.estimate();
     }
-    if (odd_sample) {
-        return false;
-    }
-    estimate_ = consider_kalman_.update(measured, extended_rsi, speed_mps);
-    return true;
+    return consider_kalman_.update(measured, extended_rsi, speed_mps);
+}
+
+float RollCentreEstimator::movement_for_observer_m() const {
+    return (in_use_ == RSI_ESTIMATOR_CONSIDER_KALMAN) ? consider_kalman_.movement_m() : 0.0F;
 }
 
 }  // namespace rsi

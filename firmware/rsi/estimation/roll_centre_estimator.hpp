@@ -1,4 +1,4 @@
-// The estimator's seat: one interface for every estimator, the one in use chosen by a parameter.
+// Selects the estimator in use, which a parameter chooses; one interface for every estimator.
 #pragma once
 
 #include "rsi/estimation/consider_kalman.hpp"
@@ -16,21 +16,19 @@ class RollCentreEstimator {
     // For a gap in the measurements: what has been learnt stays.
     void restart() { consider_kalman_.restart(); }
 
-    // `fixed` must have been evaluated at the same measurement; `extended_rsi` is that of the cycle before;
-    // NaN where a number is not available. The published estimator runs in every sample, the consider-Kalman
-    // filter in the even ones; its estimate holds in between. True where the estimate may move the observer
-    // and has changed: the published one drifts to where it fits anything.
-    bool update(const RollPlaneModel& model, const Measurement& measured, const FixedModelRoll& fixed,
-                float extended_rsi, float speed_mps, bool odd_sample);
+    // One sample. `fixed` must have been evaluated at the same measurement; `extended_rsi` is that of the
+    // cycle before; NaN where a number is not available.
+    RollCentreEstimate update(const RollPlaneModel& model, const Measurement& measured,
+                              const FixedModelRoll& fixed, float extended_rsi, float speed_mps);
 
-    // The last one.
-    const RollCentreEstimate& estimate() const { return estimate_; }
+    // dh that the roll and bank observer may assume. Zero for the published estimator, whose estimate drifts
+    // to where it fits anything.
+    float movement_for_observer_m() const;
 
  private:
     rsi_estimator in_use_{RSI_ESTIMATOR_PUBLISHED};
     RobustLeastSquares published_{};
     ConsiderKalman consider_kalman_{};
-    RollCentreEstimate estimate_{};
 };
 
 }  // namespace rsi

@@ -9,9 +9,9 @@ void FilteredRollEquation::init(const Parameters& parameters) {
     damping_nmsprad_ = parameters.roll_damping_nmsprad;
     inertia_kgm2_ = parameters.roll_inertia_kgm2;
     const float lag_s = parameters.estimator_filter_lag_s;
-    weight_ = lag_weight(lag_s, slow_sample_time_s);
+    weight_ = lag_weight(lag_s);
     // After eight time constants two equal lags still hold 0.3 % of what they were started with.
-    settling_samples_ = 2 + static_cast<int>(8.0F * lag_s / slow_sample_time_s);
+    settling_samples_ = 2 + static_cast<int>(8.0F * lag_s / sample_time_s);
     restart();
 }
 
@@ -32,7 +32,7 @@ RollEquation FilteredRollEquation::update(const Measurement& measured) {
     const float force_change = force_.update(force_n, weight_);
     const float moment_change = moment_.update(moment_nm, weight_);
     equation.roll_rate_radps = rate_.value() - 0.5F * rate_change;
-    equation.roll_acceleration_radps2 = rate_change * (1.0F / slow_sample_time_s);
+    equation.roll_acceleration_radps2 = rate_change * (1.0F / sample_time_s);
     equation.lateral_force_n = force_.value() - 0.5F * force_change;
     equation.inertia_moment_nm = inertia_kgm2_ * equation.roll_acceleration_radps2;
     equation.residual_nm = moment_.value() - 0.5F * moment_change - equation.inertia_moment_nm;

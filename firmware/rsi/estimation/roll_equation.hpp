@@ -30,7 +30,6 @@ class FilteredRollEquation {
     // The next measurement starts the lags anew.
     void restart() { samples_ = 0; }
 
-    // Every second sample, slow_sample_time_s apart.
     RollEquation update(const Measurement& measured);
 
  private:

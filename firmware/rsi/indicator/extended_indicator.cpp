@@ -25,13 +25,13 @@ float ExtendedIndicator::level_of(float force_moment_nm, float righting_nm, floa
            larger(righting_nm, 0.05F * force_moment_nm + least_moment_kgm_ * normal_force_mps2);
 }
 
-float ExtendedIndicator::level(float parallel_force_mps2, float normal_force_mps2, float tan_roll_angle,
-                               float roll_acceleration_radps2) const {
-    const float to_the_left_nm = roll_inertia_kgm2_ * roll_acceleration_radps2 -
-                                 shift_moment_kgm_ * (normal_force_mps2 * tan_roll_angle);
-    const float inward_nm = (parallel_force_mps2 < 0.0F) ? -to_the_left_nm : to_the_left_nm;
-    return level_of(absolute(parallel_force_mps2) * height_moment_kgm_,
-                    half_track_moment_kgm_ * normal_force_mps2 + inward_nm, normal_force_mps2);
+float ExtendedIndicator::level(const RollMotion& motion) const {
+    const float A = motion.road_parallel_force_mps2;
+    const float N = motion.road_normal_force_mps2;
+    const float to_the_left_nm = roll_inertia_kgm2_ * motion.roll_acceleration_radps2 -
+                                 shift_moment_kgm_ * (N * short_tangent(motion.roll_angle_rad));
+    const float inward_nm = (A < 0.0F) ? -to_the_left_nm : to_the_left_nm;
+    return level_of(absolute(A) * height_moment_kgm_, half_track_moment_kgm_ * N + inward_nm, N);
 }
 
 float ExtendedIndicator::level_under_load(float parallel_force_mps2, float normal_force_mps2,

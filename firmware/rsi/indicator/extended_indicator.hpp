@@ -1,6 +1,7 @@
 // Extended indicator: |A/N| over the half-track ratio with unsprung mass and roll inertia.
 #pragma once
 
+#include "rsi/measurement/roll_motion.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -15,11 +16,10 @@ class ExtendedIndicator {
     [[gnu::cold]] void init(const Parameters& parameters);
 
     // 0 to 20; T_dyn is taken to be at least 0.001 + 0.05 |A/N|.
-    float level(float parallel_force_mps2, float normal_force_mps2, float tan_roll_angle,
-                float roll_acceleration_radps2) const;
+    float level(const RollMotion& motion) const;
 
     // The same for a motion that obeys the roll equation, in which phi'' and the angle follow from the moment
-    // that the wheels hold against (LoadTransfer::moment_nm): T_dyn is then
+    // that the wheels hold against (TransferredLoad::moment_nm): T_dyn is then
     // |A/N| + [(m_s + m_u) c_w/2 - s moment/N] / (m_s h + m_u h_u), so the level is 1 where the load transfer
     // is.
     float level_under_load(float parallel_force_mps2, float normal_force_mps2, float moment_nm) const;

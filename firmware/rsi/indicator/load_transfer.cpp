@@ -1,6 +1,13 @@
 #include "rsi/indicator/load_transfer.hpp"
 
+#include "rsi/numeric/bounded.hpp"
+
 namespace rsi {
+namespace {
+
+constexpr float largest_ratio = 20.0F;
+
+}  // namespace
 
 void LoadTransfer::init(const Parameters& parameters) {
     const float m_s = parameters.sprung_mass_kg;
@@ -12,21 +19,23 @@ void LoadTransfer::init(const Parameters& parameters) {
     roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
     force_arm_kgm_ = m_s * parameters.fixed_roll_centre_height_m + m_u * parameters.unsprung_cg_height_m;
     roll_damping_nmsprad_ = parameters.roll_damping_nmsprad;
-    half_weight_arm_inverse_ = 1.0F / (0.5F * (m_s + m_u) * parameters.track_width_m);
+    half_weight_arm_kgm_ = 0.5F * (m_s + m_u) * parameters.track_width_m;
 }
 
-float LoadTransfer::present_moment_nm(const RollMotion& motion, float suspension_moment_nm) const {
+TransferredLoad LoadTransfer::evaluate(const RollMotion& motion) const {
     const float A = motion.road_parallel_force_mps2;
-    const float suspension = force_arm_kgm_ * A + suspension_moment_nm;
-    const float inertial =
-        height_moment_kgm_ * A +
-        shift_moment_kgm_ * (motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad)) -
-        roll_inertia_kgm2_ * motion.roll_acceleration_radps2;
-    return suspension + inertial_weight_ * (inertial - suspension);
+    const float N = motion.road_normal_force_mps2;
+    const float suspension_nm = suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps);
+    const float by_suspension_nm = force_arm_kgm_ * A + suspension_nm;
+    const float by_forces_nm = height_moment_kgm_ * A +
+                               shift_moment_kgm_ * (N * short_tangent(motion.roll_angle_rad)) -
+                               roll_inertia_kgm2_ * motion.roll_acceleration_radps2;
+    const float moment_nm = by_suspension_nm + inertial_weight_ * (by_forces_nm - by_suspension_nm);
+    return TransferredLoad{suspension_nm, moment_nm, ratio(moment_nm, N)};
 }
 
-float LoadTransfer::ratio(float moment_nm, float normal_inverse) const {
-    return moment_nm * (normal_inverse * half_weight_arm_inverse_);
+float LoadTransfer::ratio(float moment_nm, float normal_force_mps2) const {
+    return clamp_magnitude(moment_nm / (normal_force_mps2 * half_weight_arm_kgm_), largest_ratio);
 }
 
 }  // namespace rsi

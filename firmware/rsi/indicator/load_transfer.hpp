@@ -1,11 +1,18 @@
 // Load transfer from the roll state: (26) without wheel loads.
 #pragma once
 
-#include "rsi/indicator/roll_motion.hpp"
+#include "rsi/measurement/roll_motion.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
+
+// What the wheels of the two sides hold against each other.
+struct TransferredLoad {
+    float suspension_moment_nm{0.0F};  // M(phi) + c_f phi'
+    float moment_nm{0.0F};             // the weighted mean of both forms below
+    float ratio{0.0F};                 // LTR, -20 to 20
+};
 
 // LTR = 2 / (m N c_w) moment,  m = m_s + m_u, > 0 in a left turn. The moment that the wheels hold against is
 // both
@@ -28,14 +35,14 @@ class LoadTransfer {
         return curve_.slope_nmprad(roll_angle_rad);
     }
 
-    // The weighted mean of both at present.
-    float present_moment_nm(const RollMotion& motion, float suspension_moment_nm) const;
+    // At present.
+    TransferredLoad evaluate(const RollMotion& motion) const;
 
     // alpha: how much the moment grows for each m/s^2 of A while the suspension's moment stays.
     float force_arm_kgm() const { return force_arm_kgm_; }
 
-    // The ratio for such a moment. `normal_inverse` is 1/N.
-    float ratio(float moment_nm, float normal_inverse) const;
+    // The ratio for such a moment, -20 to 20.
+    float ratio(float moment_nm, float normal_force_mps2) const;
 
  private:
     RollStiffnessCurve curve_{};
@@ -45,7 +52,7 @@ class LoadTransfer {
     float shift_moment_kgm_{0.0F};   // m_s (h - h_frc)
     float roll_inertia_kgm2_{0.0F};
     float roll_damping_nmsprad_{0.0F};
-    float half_weight_arm_inverse_{1.0F};  // 2 / (m c_w)
+    float half_weight_arm_kgm_{1.0F};  // m c_w / 2
 };
 
 }  // namespace rsi

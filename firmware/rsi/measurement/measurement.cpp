@@ -62,12 +62,17 @@ RoadForces assume_no_heave(float lateral, float sine, float cosine, const Bank& 
 }  // namespace
 
 void MeasurementStage::init(const Parameters& parameters) {
+    observer_.init(parameters);
+    init_again(parameters);
+}
+
+void MeasurementStage::init_again(const Parameters& parameters) {
     imu_x_m_ = parameters.imu_x_m;
     imu_y_m_ = parameters.imu_y_m;
     imu_z_m_ = parameters.imu_z_m;
     roll_acceleration_.init(parameters.angular_acceleration_lag_s);
     yaw_acceleration_.init(parameters.angular_acceleration_lag_s);
-    observer_.init(parameters);
+    observer_.init_again(parameters);
     check_.init(parameters);
 }
 
@@ -107,7 +112,7 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
     bool roll_known = false;
     if (yaw_known && within(inputs.speed_mps, largest_speed_mps)) {
         roll_known = observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
-                                      inputs.speed_mps, measurement.odd_sample);
+                                      inputs.speed_mps);
     } else {
         observer_.reset();
     }
@@ -123,7 +128,7 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
     }
     if (!sensor_available || !roll_known) {
         check_.reset();
-    } else if (measurement.odd_sample && !observer_.tipped()) {
+    } else if (!observer_.tipped()) {
         check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
     } else {
         // The observer's model ends where the vehicle tips: the check keeps what it has.
@@ -136,8 +141,6 @@ bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
         reset();
         return false;
     }
-    odd_sample_ = !odd_sample_;
-    measurement.odd_sample = odd_sample_;
     const bool yaw_known = within(inputs.yaw_rate_radps, largest_rate_radps);
     const BodyForces at_cg = carry_to_cg(inputs, yaw_known);
     observe(inputs, yaw_known, at_cg, measurement);

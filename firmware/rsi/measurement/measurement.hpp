@@ -2,9 +2,9 @@
 // CG, with the observer's roll angle where the sensor has none.
 #pragma once
 
+#include "rsi/measurement/roll_bank_observer.hpp"
+#include "rsi/measurement/roll_sensor_check.hpp"
 #include "rsi/numeric/filtered_derivative.hpp"
-#include "rsi/observer/roll_bank_observer.hpp"
-#include "rsi/observer/roll_sensor_check.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -27,7 +27,6 @@ struct Measurement {
     float versine_roll_angle{0.0F};  // 1 - cos phi_m
     float tan_bank_angle{0.0F};      // of b, 0 where it is not known
     rsi_roll_source roll_source{RSI_ROLL_NONE};
-    bool odd_sample{false};  // true, false, true, ...: what is due in every second sample takes turns by it
     RollObservation observed{};
 };
 
@@ -40,6 +39,10 @@ struct BodyForces {
 class MeasurementStage {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // As init, but keeps the observer's settled gains.
+    [[gnu::cold]] void init_again(const Parameters& parameters);
+
     void reset();
 
     // True and a measurement when lateral force and roll rate are available and in range, and the roll angle
@@ -61,7 +64,6 @@ class MeasurementStage {
     FilteredDerivative yaw_acceleration_{};
     RollBankObserver observer_{};
     RollSensorCheck check_{};
-    bool odd_sample_{false};
 };
 
 }  // namespace rsi

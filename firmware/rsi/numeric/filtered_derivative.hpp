@@ -10,10 +10,10 @@ namespace rsi {
 // lag.
 class FilteredDerivative {
  public:
-    // `lag_s` >= 0; 0 gives the plain difference quotient. `period_s`: from one value to the next.
-    void init(float lag_s, float period_s = sample_time_s) {
-        weight_ = lag_weight(lag_s, period_s);
-        gain_per_s_ = weight_ / period_s;
+    // `lag_s` >= 0; 0 gives the plain difference quotient.
+    void init(float lag_s) {
+        weight_ = lag_weight(lag_s);
+        gain_per_s_ = weight_ / sample_time_s;
         reset();
     }
 

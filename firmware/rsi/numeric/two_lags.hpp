@@ -7,8 +7,8 @@
 namespace rsi {
 
 // The share of a new value in a first-order lag's next output. `lag_s` >= 0; 0 passes the value through.
-constexpr float lag_weight(float lag_s, float period_s = sample_time_s) {
-    return (lag_s > 0.0F) ? 1.0F - decaying_exponential(period_s / lag_s) : 1.0F;
+constexpr float lag_weight(float lag_s) {
+    return (lag_s > 0.0F) ? 1.0F - decaying_exponential(sample_time_s / lag_s) : 1.0F;
 }
 
 class TwoLags {

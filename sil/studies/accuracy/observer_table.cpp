@@ -1,5 +1,5 @@
 // Prints how well the component knows roll and bank without a roll sensor, over every manoeuvre, as a table
-// of docs/validation.md.
+// of docs/reports/validation.md.
 #include <fmt/format.h>
 
 #include <algorithm>

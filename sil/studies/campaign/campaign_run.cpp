@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "sil/files/calibration_file.hpp"
-#include "sil/studies/campaign/index_component.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/studies/campaign/peaks.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -19,13 +18,13 @@ namespace {
 // Keeps every level of every cycle: which of them count is known only when two-wheel lift-off is.
 class LevelRecorder final : public RunObserver {
  public:
-    LevelRecorder(const rsi::Inputs& inputs, const rsi::Parameters& parameters)
-        : inputs_{inputs}, parameters_{parameters}, component_{parameters} {
+    LevelRecorder(const rsi::Outputs& outputs, const rsi::Parameters& parameters)
+        : outputs_{outputs}, parameters_{parameters} {
         levels_.resize(campaign_indices().size());
     }
 
     void cycle(const Truth& truth, const SensorSample&, const EcuFrames&, const RunEvents&) override {
-        const IndexSample sample{component_.step(inputs_), truth, parameters_};
+        const IndexSample sample{outputs_, truth, parameters_};
         times_s_.push_back(truth.time_s);
         for (std::size_t i = 0U; i < levels_.size(); ++i) {
             levels_[i].push_back(campaign_indices()[i].level(sample));
@@ -53,9 +52,8 @@ class LevelRecorder final : public RunObserver {
     }
 
  private:
-    const rsi::Inputs& inputs_;
+    const rsi::Outputs& outputs_;
     const rsi::Parameters& parameters_;
-    IndexComponent component_;
     OutcomeObserver outcome_{};
     std::vector<double> times_s_{};
     std::vector<std::vector<double>> levels_{};
@@ -76,7 +74,7 @@ CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{setti
 CampaignRow CampaignWorld::run(std::uint64_t number) const {
     const DrawnRun drawn = prepare(number);
     InProcessRun run{drawn.vehicle, drawn.manoeuvre, drawn.options, drawn.sensors, drawn.calibration};
-    LevelRecorder recorder{run.inputs(), drawn.calibration};
+    LevelRecorder recorder{run.outputs(), drawn.calibration};
     run.run(recorder);
 
     CampaignRow row;

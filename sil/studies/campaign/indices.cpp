@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "rsi/indicator/indicator_level.hpp"
 #include "rsi/parameters.hpp"
+#include "rsi/warning/indicator_level.hpp"
 #include "sil/results/indices.hpp"
 
 namespace sil {

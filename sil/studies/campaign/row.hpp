@@ -21,7 +21,7 @@ struct CampaignRow {
     std::vector<IndexPeaks> indices{};       // in the order of campaign_indices()
 };
 
-// The columns of all rows, without the end of the line. docs/campaign.md says what they mean.
+// The columns of all rows, without the end of the line. docs/drives.md says what they mean.
 std::string row_header();
 
 // The row as a line of the CSV, without its end; the same text for the same row.

@@ -32,7 +32,7 @@ struct CampaignManoeuvre {
     double duration_s{0.0};              // 0: its own
 };
 
-// How far the drawn quantities spread; docs/campaign.md says how they are distributed. Here: not at all.
+// How far the drawn quantities spread; docs/drives.md says how they are distributed. Here: not at all.
 struct CampaignSpread {
     Interval friction_factor{1.0, 1.0};     // of the tyres
     Interval load_share{};                  // of the sprung mass, added as a point load

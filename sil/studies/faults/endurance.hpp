@@ -56,7 +56,7 @@ EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Param
 // What was not as it must be, each in a few words; empty when all is well.
 std::vector<std::string> shortfalls(const EnduranceResult& result);
 
-// One row of the table in docs/safety/endurance.md, and the page with these rows.
+// One row of the table in docs/reports/safety/endurance.md, and the page with these rows.
 std::string endurance_document(const std::string& rows);
 std::string endurance_row(const EnduranceSettings& settings, const EnduranceResult& result);
 

@@ -48,7 +48,7 @@ struct InjectionCount {
 };
 InjectionCount count_injections(const FaultMatrix& matrix);
 
-// docs/safety/fault_matrix.md.
+// docs/reports/safety/fault_matrix.md.
 std::string fault_matrix_document(const FaultMatrix& matrix);
 
 }  // namespace sil

@@ -5,8 +5,10 @@
 #include <functional>
 #include <optional>
 
+#include "page_templates.hpp"
 #include "sil/studies/faults/contradiction.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
+#include "sil/studies/faults/page_template.hpp"
 #include "sil/studies/faults/unseen.hpp"
 
 namespace sil {
@@ -24,7 +26,7 @@ std::string describe_cell(const FaultCell& cell) {
     }
     std::string text = describe(reactions);
     if (unseen > 0U) {
-        text += fmt::format(", {} of {} [unseen](#what-no-check-sees-in-time)", unseen, cell.size());
+        text += fmt::format(", {} of {} [known](#known-undetected-faults)", unseen, cell.size());
     }
     if (!shortfalls.empty()) {
         text += fmt::format(" **NOT: {}**", fmt::join(shortfalls, "; "));
@@ -207,15 +209,11 @@ std::string unseen_table(const FaultMatrix& matrix) {
 std::string headline(const InjectionCount& count) {
     const std::size_t silenced = count.silenced - count.silenced_unseen;
     return fmt::format(
-        "**Of {} injections {} are answered as expected; of these {} were never visible (no value was wrong "
-        "by "
-        "as much as matters), so that {} show something. {} are [errors that no check\nsees in "
-        "time](#what-no-check-sees-in-time) and make the warning late; {} fall short otherwise. A warning is "
-        "due in {}: {} of them turn it into `ready` without a diagnostic code,\nall {} by those "
-        "errors{}**. Errors of other sizes can do more than those of the matrix: [the same "
-        "section](#what-no-check-sees-in-time). What falls short otherwise fails the run, and says here "
-        "after **NOT** what is "
-        "missing.\n\n",
+        "**Of {} injections {} are answered as expected; {} of these were never visible (no value was wrong "
+        "by the least visible\nerror), so {} show a reaction. {} are "
+        "[known undetected faults](#known-undetected-faults) and make the warning late; {} fall\nshort "
+        "otherwise. A warning is due in {}: {} of them turn it into `ready` without a diagnostic code, {} by "
+        "known undetected\nfaults{}.**",
         count.all, count.as_expected, count.invisible, count.as_expected - count.invisible, count.unseen,
         count.all - count.as_expected - count.unseen, count.with_due_warning, count.silenced,
         count.silenced_unseen, silenced == 0U ? "" : fmt::format(", and {} by others", silenced));
@@ -224,70 +222,15 @@ std::string headline(const InjectionCount& count) {
 }  // namespace
 
 std::string fault_matrix_document(const FaultMatrix& matrix) {
-    const InjectionCount count = count_injections(matrix);
-    return fmt::format(
-        "# Fault matrix\n\n"
-        "Written by `sil/studies/faults/run --document`; `tests/run faults` runs it again and fails when a "
-        "figure "
-        "differs. Each fault is injected into each scene, in\nprocess and in simulated time (the large SUV, "
-        "sensors with noise), and the ECU's frames are compared with those of the same drive without it.\n\n"
-        "{}"
-        "## Scenes\n{}\n"
-        "All J-turns are to the left; an error of either sign in them is the same error in turns to both "
-        "sides.\n\n"
-        "## How to read a cell\n"
-        "A cell is the worst of both signs of the error and of all the scene's beginnings; \"(3 of 4)\" says "
-        "in "
-        "how many of them. All times are in milliseconds, in steps of a cycle. A\nreaction counts from the "
-        "cycle in which the fault became visible: a frame is missing or wrong, or a value is wrong by the "
-        "least visible error. It is negative when it came before.\n\"back\" counts from the end of the fault "
-        "to the cycle from which on state, degradation and roll source stay those of the drive without it, "
-        "\"codes gone\" to that from which on no further code\nis told (until two wheels lift: with them in "
-        "the air the vehicle is no longer what the checks know). \"warning -80 to +20\": the due warning "
-        "came "
-        "80 ms earlier to 20 ms later.\n\"not visible\": no value was wrong by as much.\n\n"
-        "In every cell: every computed cycle sends every frame, once and protected; no code that the DBC "
-        "file does not define; the watchdog is fed once a cycle; a due warning is\nnever `ready` without "
-        "any diagnostic code (but for what no check sees in time, below); a warning without reason lasts at "
-        "most the reaction time and the 2000 ms for "
-        "which every warning is held, and there is none where the\nfault need not show; the last code is "
-        "gone 1.65 s after the fault at the latest.\n\n"
-        "What is expected: \"code, ...\": a diagnostic code within so many milliseconds, and the reaction "
-        "that is named within the same time; where the state must stay usable, the due\nwarning comes at "
-        "most "
-        "100 ms late, or as late as the limit is, **and always {} ms before two wheels lift** (without a "
-        "fault: "
-        "{} ms before): a driver who has less cannot act. \"all the time\": from then on\nthere is a code in "
-        "every cycle until the fault ends. Seven limits are those of the three scenes, the two beginnings "
-        "before the turn and the two before the warning; \"-\", and \"right\": nothing\nthat the vehicle "
-        "does "
-        "there tells the value from the truth, so that no code is needed as long as the statement is that of "
-        "the drive without the fault: never `unavailable`, another state\nfor at most 100 ms (or as stated "
-        "below), the due warning at most 100 ms late. Of a fault that is over before the warning only what "
-        "follows is judged: the warning at most 100 ms late where\n\"back\" is not above 200 ms, and else by "
-        "no more than \"back\" takes.\n\n"
-        "{}\n"
-        "## What no check sees in time\n"
-        "Errors that take away from the level, and are too small for a check or found too late. Every offset "
-        "and "
-        "drift of the matrix was injected in eight sizes, a quarter to three times the matrix's, "
-        "with\neither "
-        "sign, in the four J-turns in which it is there when the warning is due; here is each size that "
-        "makes the "
-        "warning more than {} ms later, or `ready` without a code for a\nwhile, and the worst of those turns "
-        "in "
-        "which the ECU is not `unavailable` in time. Without an error the warning comes {} ms before two "
-        "wheels "
-        "lift; negative: after that.\n\n"
-        "{}\n"
-        "## Limits of values that contradict others\n"
-        "Rest / straight / turn / 0.5 s before the driver steers / as he steers / 0.3 s before the warning / "
-        "0.1 "
-        "s before it, from the least visible error on: the debounce of\n[degradation.md](degradation.md) and "
-        "the time until something moves, as measured here and rounded up to 50 ms. A slower ECU fails.\n\n"
-        "{}",
-        headline(count), scene_list(matrix), least_lead_ms, matrix.lead_ms, table(matrix),
-        longest_lead_loss_ms, matrix.lead_ms, unseen_table(matrix), contradiction_table());
+    return fill_template(fault_matrix_template,
+                         {{"headline", headline(count_injections(matrix))},
+                          {"scenes", scene_list(matrix)},
+                          {"least_lead_ms", fmt::format("{}", least_lead_ms)},
+                          {"lead_ms", fmt::format("{}", matrix.lead_ms)},
+                          {"longest_lead_loss_ms", fmt::format("{}", longest_lead_loss_ms)},
+                          {"table", table(matrix)},
+                          {"unseen", unseen_table(matrix)},
+                          {"limits", contradiction_table()}});
 }
 
 }  // namespace sil

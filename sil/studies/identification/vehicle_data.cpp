@@ -12,7 +12,7 @@
 namespace sil {
 namespace {
 
-// Rules of thumb for what a data sheet rarely says; docs/identification.md names them.
+// Rules of thumb for what a data sheet rarely says; docs/calibration.md names them.
 constexpr double usual_unsprung_share = 0.13;
 constexpr double usual_wheel_radius_m = 0.36;
 
@@ -50,7 +50,7 @@ const Key& key_of(std::string_view name) {
 
 TomlTable known_table(const std::filesystem::path& file) {
     TomlTable table = file.empty() ? TomlTable::parse("", "vehicle data")
-                                   : TomlTable::load(file, "name one such as docs/identification.md shows");
+                                   : TomlTable::load(file, "name one such as docs/calibration.md shows");
     table.allow("name");
     for (const Key& key : keys) {
         table.allow(key.name);

@@ -31,7 +31,7 @@ struct VehicleData {
     std::vector<std::string> assumptions{};     // what was not given and what was taken for it, in words
 };
 
-// The keys are those of docs/identification.md. `file` may be empty when `settings` ("KEY=VALUE") give all;
+// The keys are those of docs/calibration.md. `file` may be empty when `settings` ("KEY=VALUE") give all;
 // a setting replaces the file's value. Throws InputError.
 VehicleData load_vehicle_data(const std::filesystem::path& file,
                               const std::vector<std::string>& settings = {});

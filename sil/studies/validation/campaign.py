@@ -1,4 +1,4 @@
-"""The part of docs/validation.md about a campaign, from its folder."""
+"""The part of docs/reports/validation.md about a campaign, from its folder."""
 
 import json
 import re
@@ -66,7 +66,7 @@ def _ceiling(report):
         return ""
     return (
         f"For comparison, the true |LTR| of the four wheel loads, which no vehicle has, at its best threshold with at most 1 % of alarms in calm runs ({point['threshold']:.3f}): "
-        f"{_percent(point['warned'])} warned, {_percent(point['warned_100ms_before'])} 0.1 s before. What a perfect measure of the present cannot see in time, only a look ahead can."
+        f"{_percent(point['warned'])} warned, {_percent(point['warned_100ms_before'])} 0.1 s before. Only a prediction sees more in time."
     )
 
 
@@ -79,10 +79,10 @@ def section(folder, chosen):
     text = re.sub(r"^## ", "### ", text, flags=re.M).strip("\n")
     vehicles = ", ".join(group["name"] for group in report["vehicles"])
     return "\n\n".join([
-        f"{settings['runs']} runs, seed {settings['seed']}, vehicles {vehicles}; what is drawn and what counts: [campaign.md](campaign.md). Without the firmware's being told: sensor noise, biases, load, friction, "
-        "and errors of its CG height (5 %), roll stiffness (10 %) and mass (5 %).",
+        f"{settings['runs']} runs, seed {settings['seed']}, vehicles {vehicles}; what is drawn and what counts: [drives and campaigns](../drives.md#campaigns). The firmware does not know sensor noise, biases, load, friction, "
+        "nor the errors of its CG height (5 %), roll stiffness (10 %) and mass (5 %).",
         _goal_table(report),
-        "![Detection against false alarms](pictures/validation/campaign_detection.png)\n![Lead times](pictures/validation/campaign_leads.png)",
+        "![Detection against false alarms](pictures/campaign_detection.png)\n![Lead times](pictures/campaign_leads.png)",
         _curves(report, chosen),
         _ceiling(report),
         text,

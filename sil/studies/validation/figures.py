@@ -1,4 +1,4 @@
-"""Measures on the runs what docs/validation.md says of them: a dictionary of texts, and the claims they must bear."""
+"""Measures on the runs what docs/reports/validation.md says of them: a dictionary of texts, and the claims they must bear."""
 
 import csv
 import math

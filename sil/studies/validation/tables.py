@@ -1,4 +1,4 @@
-"""The parts of docs/validation.md about estimators and observer, from what roll_centre_table and observer_table print."""
+"""The parts of docs/reports/validation.md about estimators and observer, from what roll_centre_table and observer_table print."""
 
 LIMIT_ROLL_DEG = 0.3
 LIMIT_BANK_DEG = 1.0

@@ -62,13 +62,19 @@ FUNCTIONS = {
         "strcpy strcat strcmp strlen strncpy memcmp isdigit isalpha toupper qsort bsearch",
     ),
 }
+# Eigen's types of a size that is known at run time only, and where its class templates may be named: whoever needs
+# another fixed size gives it a name there.
+DYNAMIC_MATRIX = re.compile(r"(Matrix|Vector|RowVector|Array)[234]?X\w*|Dynamic|DynamicIndex")
+MATRIX_TEMPLATES = {"Matrix", "Array", "Map", "Ref", "Tensor", "SparseMatrix"}
+MATRIX_HEADER = "firmware/rsi/numeric/matrix.hpp"
+
 # What is written in comments. Joined from halves, so that a search for marks does not find this line.
 MARKS = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
 SUPPRESSIONS = re.compile(r"\b(NOLINT\w*|cppcheck-suppress|IWYU pragma)\b")
 
 # Everything that `rules()` may answer; planted_test and document_test hold the document to it.
 RULES = sorted(
-    {*NAMES, *FUNCTIONS, "placement-new", "header", "pragma", "unbounded-loop", "static-local", "enum-type",
+    {*NAMES, *FUNCTIONS, "placement-new", "dynamic-matrix", "header", "pragma", "unbounded-loop", "static-local", "enum-type",
      "unscoped-enum", "bit-field", "octal", "else-if-without-else", "mark", "include-guard", "function-macro"}
 )
 _BY_NAME = {name: (rule, what) for rule, (what, names) in NAMES.items() for name in names.split()}
@@ -175,7 +181,9 @@ def _check_name(source, index, token):
     text = token.text
     if re.fullmatch(r"\s*#\s*include", source.text_at(index - 2)):
         return
-    if text == "new":
+    if DYNAMIC_MATRIX.fullmatch(text) or _is_matrix_template(source, index, text):
+        source.found(token, "dynamic-matrix", f"{text}: use a type of rsi/numeric/matrix.hpp, of fixed size")
+    elif text == "new":
         _check_new(source, index, token)
     elif text in _BY_NAME and not _is_from_elsewhere(source, index):
         rule, what = _BY_NAME[text]
@@ -200,6 +208,11 @@ def _check_name(source, index, token):
         _check_enum(source, index, token)
     elif text == "else" and source.text_at(index + 1) == "if":
         _check_else_if(source, index, token)
+
+
+def _is_matrix_template(source, index, text):
+    from_eigen = source.text_at(index - 1) == "::" and source.text_at(index - 2) == "Eigen"
+    return text in MATRIX_TEMPLATES and from_eigen and source.path != MATRIX_HEADER
 
 
 def _check_new(source, index, token):

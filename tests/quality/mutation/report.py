@@ -1,4 +1,4 @@
-"""Scores, and the section of the page that shows them."""
+"""Scores, and the page that shows them."""
 
 import collections
 import hashlib
@@ -63,7 +63,7 @@ def page(mutants, wanted, results, reviewed):
     rows += _table("operator", mutants, results, lambda mutant: mutant.operator)
     rows += [f"Not mutated, or not tried: {compiled} mutants of constants that only the compiler evaluates; "
              + "; ".join(f"{why}: {count}" for why, count in mutants.skipped.most_common()) + ".", ""]
-    rows += ["### The survivors", ""]
+    rows += ["## The survivors", ""]
     for group in sorted(reviewed.groups, key=lambda group: group["file"]):
         names = [f"`{name}`" for name in group["mutants"]]
         rows += [f"**`{group['file']}`** {group['why']}", ""] + [f"- {name}" for name in names] + [""]

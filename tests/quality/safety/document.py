@@ -4,13 +4,10 @@ import evidence as evidence_module
 from argument import integrity_level
 
 NOTE = "<!-- Written by tests/quality/safety/trace --document from {source}; do not edit. -->\n"
-STATE_BEGIN = "<!-- state: written by tests/quality/safety/trace --document -->\n"
-STATE_END = "<!-- end of state -->\n"
-MATRIX = "docs/safety/fault_matrix.md"
+REQUIREMENTS = "docs/safety/requirements.toml"
+FAILURE_MODES = "docs/safety/failure_modes.toml"
+MATRIX = "docs/reports/safety/fault_matrix.md"
 
-
-class DocumentError(Exception):
-    """A hand-written page lacks the place for what is generated."""
 
 
 def table(head, rows):
@@ -40,26 +37,11 @@ def open_table(argument):
     )
 
 
-def with_state(page, argument):
-    before, begin, rest = page.partition(STATE_BEGIN)
-    _, end, after = rest.partition(STATE_END)
-    if not begin or not end:
-        raise DocumentError(f"docs/safety/README.md has no lines {STATE_BEGIN.strip()} and {STATE_END.strip()}")
-    text = f"**{state(argument)}.**\n"
-    if argument.open():
-        by_theme = {}
-        for identifier, requirement in argument.open().items():
-            by_theme.setdefault(requirement["theme"], []).append(identifier)
-        numbers = "; ".join(f"{theme}: {', '.join(identifiers)}" for theme, identifiers in by_theme.items())
-        text += f"The open ones are not met, or not shown to be met, at this commit ([why](trace.md#open)): {numbers}.\n"
-    return before + begin + text + end + after
-
-
 def linked(test, evidence):
     """The test as a link to the first file that holds such a test, where one is known."""
     for name in evidence.matching(test):
         if name in evidence.sources:
-            return f"[{test}](../../{evidence.sources[name]})"
+            return f"[{test}](../../../{evidence.sources[name]})"
     return test
 
 
@@ -77,15 +59,16 @@ def verified_by(requirement, evidence):
 
 
 def links(paths):
-    return ", ".join(f"[{path.rsplit('/', 1)[-1]}](../../{path})" for path in paths) or "–"
+    return ", ".join(f"[{path.rsplit('/', 1)[-1]}](../../../{path})" for path in paths) or "–"
 
 
 def trace(argument, evidence):
-    text = NOTE.format(source="requirements.toml")
+    text = NOTE.format(source=REQUIREMENTS)
     text += "# From goal to test\n\n"
-    text += f"**{state(argument)}.** `tests/run safety` fails when a requirement has no test, a test, file or signal does not exist, or\n"
-    text += "this page is not what [requirements.toml](requirements.toml) says. Tests are named as ctest names them, with the group of\n"
-    text += "`tests/run` that runs them; `*` stands for any ending. That they pass is what those groups show.\n"
+    text += f"**{state(argument)}.**\n\n"
+    text += "`tests/run safety` fails when a requirement has no test, when a test, file or signal does not exist, or when this page is\n"
+    text += "not what [requirements.toml](../../safety/requirements.toml) says. Tests have the names that ctest uses, with the group of\n"
+    text += "`tests/run` that runs them; `*` stands for any ending. Those groups show that the tests pass.\n"
     if argument.open():
         text += "\n## Open\n" + open_table(argument)
     text += "\n## Verified within a limit\n"
@@ -123,10 +106,10 @@ def reason(hazard):
 
 
 def hazards(argument):
-    text = NOTE.format(source="requirements.toml")
+    text = NOTE.format(source=REQUIREMENTS)
     text += "# Hazards, goals, assumptions\n\n"
-    text += "The classes are assumed, because the vehicle is not known: S severity, E exposure, C controllability; they give the level in the\n"
-    text += "last column. Who builds the item into a vehicle makes the analysis of that vehicle and compares.\n\n## Hazards\n"
+    text += "The vehicle is not known, so the classes are assumptions: S severity, E exposure, C controllability. They give the level in\n"
+    text += "the last column. An integrator analyses the actual vehicle and compares. The argument: [safety](../../safety.md).\n\n## Hazards\n"
     rows = [
         [i, h["malfunction"], h["situation"], f"{h['severity']} {h['exposure']} {h['controllability']}", reason(h), integrity_level(h)]
         for i, h in argument.hazards.items()
@@ -157,13 +140,13 @@ def hazards(argument):
 
 
 def failure_modes(argument, evidence):
-    text = NOTE.format(source="failure_modes.toml")
+    text = NOTE.format(source=FAILURE_MODES)
     text += "# Failure modes of every input and output\n\n"
-    text += "Every signal that the ECU sends or receives is here (a test compares with the `.dbc`). Requirements marked * are open: there the\n"
-    text += "reaction is the one that is required, not one that is shown. Diagnostic codes are in italics"
+    text += "Every signal that the ECU sends or receives; a test compares the list with the `.dbc`. Requirements marked * are open: the\n"
+    text += "reaction stated there is required but not shown. Diagnostic codes are in italics"
     text += ".\n" if evidence.codes else "; no frame carries them yet.\n"
     if evidence.has_file(MATRIX):
-        text += "What the failures of inputs do to the sent frames, measured: [fault_matrix.md](fault_matrix.md).\n"
+        text += "The measured effect of each input failure on the sent frames: [fault_matrix.md](fault_matrix.md).\n"
     sections = {"received": [], "sent": [], "platform": []}
     for identifier, mode in argument.failure_modes.items():
         answered = [r + ("*" if argument.requirements[r].get("open") else "") for r in mode["requirements"]]

@@ -80,9 +80,7 @@ hazards = ["HZ-1"]
 requirements = ["SR-2"]
 """
 
-README = """# Page
-<!-- state: written by tests/quality/safety/trace --document -->
-<!-- end of state -->
+PAGE = """# Page
 See SR-1.
 """
 
@@ -99,33 +97,34 @@ class PlantedFaults(unittest.TestCase):
         run = self.project / "tests/run"
         run.touch()
         run.chmod(run.stat().st_mode | stat.S_IXUSR)
-        self.folder = self.project / "safety"
-        self.folder.mkdir()
-        self.write("requirements.toml", REQUIREMENTS)
-        self.write("failure_modes.toml", FAILURE_MODES)
-        self.write("README.md", README)
+        self.docs = self.project / "docs"
+        for folder in ("safety", "reports/safety"):
+            (self.docs / folder).mkdir(parents=True)
+        self.write("safety/requirements.toml", REQUIREMENTS)
+        self.write("safety/failure_modes.toml", FAILURE_MODES)
+        self.write("safety.md", PAGE)
         self.tests = {"Ear.HearsLoudSounds": "rsi", "Mouth.Speaks": "rsi"}
         self.signals = dict(SIGNALS)
         self.codes = []
         self.judge(write=True)
 
     def write(self, name, text):
-        (self.folder / name).write_text(text)
+        (self.docs / name).write_text(text)
 
     def judge(self, write=False):
         found = evidence.Evidence(self.project, self.tests, {"rsi"}, self.signals, self.codes, {"Ear.HearsLoudSounds": "tests/ear_test.cpp"})
-        return tool.judge(self.folder, found, write)[0]
+        return tool.judge(self.docs, found, write)[0]
 
     def plant(self, name, before, after):
-        text = (self.folder / name).read_text()
+        text = (self.docs / name).read_text()
         self.assertIn(before, text)
         self.write(name, text.replace(before, after))
 
     def plant_requirement(self, before, after):
-        self.plant("requirements.toml", before, after)
+        self.plant("safety/requirements.toml", before, after)
 
     def plant_failure_mode(self, before, after):
-        self.plant("failure_modes.toml", before, after)
+        self.plant("safety/failure_modes.toml", before, after)
 
     def expect(self, *parts):
         problems = self.judge()
@@ -137,10 +136,10 @@ class PlantedFaults(unittest.TestCase):
         self.assertEqual(self.judge(), [])
 
     def test_tests_are_linked_to_their_file(self):
-        self.assertIn("rsi: [Ear.Hears*](../../tests/ear_test.cpp)", (self.folder / "trace.md").read_text())
+        self.assertIn("rsi: [Ear.Hears*](../../../tests/ear_test.cpp)", (self.docs / "reports/safety/trace.md").read_text())
 
     def test_the_state_counts_every_kind(self):
-        page = (self.folder / "README.md").read_text()
+        page = (self.docs / "reports/safety/trace.md").read_text()
         self.assertIn("2 safety requirements: 0 verified, 1 verified within a stated limit, 1 open", page)
 
     def test_a_requirement_without_a_test(self):
@@ -194,7 +193,7 @@ class PlantedFaults(unittest.TestCase):
 
     def test_an_awaited_signal_may_be_missing_until_it_comes(self):
         last = FAILURE_MODES.split("[[failure_mode]]")[-1].replace("FM-2", "FM-3").replace("Answer.Word", "Answer.Tone")
-        self.write("failure_modes.toml", f'{FAILURE_MODES}[[failure_mode]]{last}awaited = "soon"\n')
+        self.write("safety/failure_modes.toml", f'{FAILURE_MODES}[[failure_mode]]{last}awaited = "soon"\n')
         self.judge(write=True)
         self.assertEqual(self.judge(), [])
         self.signals["Answer.Tone"] = "sent"
@@ -206,10 +205,10 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_part_of_the_platform_is_no_signal(self):
         last = FAILURE_MODES.split("[[failure_mode]]")[-1].replace("FM-2", "FM-3").replace("Answer.Word", "clock")
-        self.write("failure_modes.toml", f"{FAILURE_MODES}[[failure_mode]]{last.replace('sent', 'platform')}")
+        self.write("safety/failure_modes.toml", f"{FAILURE_MODES}[[failure_mode]]{last.replace('sent', 'platform')}")
         self.judge(write=True)
         self.assertEqual(self.judge(), [])
-        self.assertIn("| FM-3 | clock |", (self.folder / "failure_modes.md").read_text())
+        self.assertIn("| FM-3 | clock |", (self.docs / "reports/safety/failure_modes.md").read_text())
 
     def test_a_diagnostic_code_without_failure_mode(self):
         self.codes = ["deaf"]
@@ -262,21 +261,21 @@ class PlantedFaults(unittest.TestCase):
     def test_a_generated_page_that_is_out_of_date(self):
         for name in ("trace.md", "hazards.md", "failure_modes.md"):
             with self.subTest(name):
-                self.plant(name, "# ", "# Old ")
+                self.plant(f"reports/safety/{name}", "# ", "# Old ")
                 self.expect(name, "--document")
                 self.judge(write=True)
 
     def test_a_page_that_is_missing(self):
-        (self.folder / "trace.md").unlink()
+        (self.docs / "reports/safety/trace.md").unlink()
         self.expect("trace.md", "--document")
 
     def test_a_state_that_is_out_of_date(self):
-        self.plant("README.md", "1 open", "0 open")
-        self.expect("README.md", "--document")
+        self.plant("reports/safety/trace.md", "1 open", "0 open")
+        self.expect("trace.md", "--document")
 
     def test_a_page_that_names_what_does_not_exist(self):
-        self.plant("README.md", "See SR-1", "See SR-77")
-        self.expect("README.md names SR-77")
+        self.plant("safety.md", "See SR-1", "See SR-77")
+        self.expect("safety.md names SR-77")
 
     def test_a_class_that_does_not_exist(self):
         self.plant_requirement('"S3"', '"S9"')

@@ -1,9 +1,9 @@
-"""Checks the safety argument of docs/safety against the project, and writes its generated pages.
+"""Checks the safety argument of docs/safety against the project, and writes its reports.
 
 Use: tests/quality/safety/trace [--document] [--build FOLDER]
 
 Reads requirements.toml and failure_modes.toml; asks ctest which tests there are in FOLDER (default build/release), which
-must be built. --document: writes the generated pages and the state at the top of README.md instead of comparing them.
+must be built. --document: writes docs/reports/safety instead of comparing it.
 The exit status is 1 when something is wrong, 2 for a wrong use.
 """
 
@@ -17,26 +17,25 @@ import document
 import evidence as evidence_module
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
-FOLDER = PROJECT / "docs/safety"
+DOCS = PROJECT / "docs"
 
 
-def judge(folder, evidence, write):
-    """What is wrong with the argument in `folder`; with `write` its generated pages are written."""
+def judge(docs, evidence, write):
+    """What is wrong with the argument in `docs`/safety; with `write` its reports are written."""
     argument = argument_module.Argument(
-        *((folder / name).read_text() for name in ("requirements.toml", "failure_modes.toml"))
+        *((docs / "safety" / name).read_text() for name in ("requirements.toml", "failure_modes.toml"))
     )
     problems = checks.all_problems(argument, evidence)
     if problems:
         return problems, argument
     pages = document.pages(argument, evidence)
-    pages["README.md"] = document.with_state((folder / "README.md").read_text(), argument)
     for name, text in pages.items():
-        page = folder / name
+        page = docs / "reports/safety" / name
         if write:
             page.write_text(text)
         elif not page.is_file() or page.read_text() != text:
-            problems.append(f"docs/safety/{name} is not what the argument says now; run: tests/quality/safety/trace --document")
-    texts = {page.name: page.read_text() for page in sorted(folder.glob("*.md"))}
+            problems.append(f"docs/reports/safety/{name} is not what the argument says now; run: tests/quality/safety/trace --document")
+    texts = {str(page.relative_to(docs)): page.read_text() for page in sorted(docs.rglob("*.md"))}
     return problems + checks.pages_name_what_exists(argument, texts), argument
 
 
@@ -45,7 +44,7 @@ def main():
     parser.add_argument("--document", action="store_true")
     parser.add_argument("--build", type=pathlib.Path, default=PROJECT / "build/release")
     options = parser.parse_args()
-    problems, argument = judge(FOLDER, evidence_module.collect(PROJECT, options.build), options.document)
+    problems, argument = judge(DOCS, evidence_module.collect(PROJECT, options.build), options.document)
     print(document.state(argument))
     for identifier, requirement in argument.open().items():
         print(f"  open: {identifier} {requirement['text']}")
@@ -57,5 +56,5 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except (argument_module.ArgumentError, evidence_module.EvidenceError, document.DocumentError) as error:
+    except (argument_module.ArgumentError, evidence_module.EvidenceError) as error:
         sys.exit(f"safety: {error}")

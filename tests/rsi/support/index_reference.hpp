@@ -77,22 +77,16 @@ class ReferenceMomentArmError {
  public:
     double next(const ReferenceVehicle& v, double A, double N, double x, double y, double roll_acceleration,
                 double excitation_mps2) {
-        const double lifted = lifted_;
-        lifted_ = std::fabs(v.load_transfer(A, N, x, y));
-        due_ = !due_;
-        if (!due_ || fresh_) {
-            fresh_ = false;
-            return e_;
-        }
-        e_ *= 1.0 - 0.012;
-        P_ += 0.024 * (0.0036 - P_);
+        e_ *= 1.0 - 0.006;
+        P_ += 0.012 * (0.0036 - P_);
         const double arm = v.m_s * (v.h - v.h_rc) * (A + N * std::tan(x));
-        if (std::fabs(arm) > v.m_s * (v.h - v.h_rc) * excitation_mps2 && lifted < 1.0) {
+        if (std::fabs(arm) > v.m_s * (v.h - v.h_rc) * excitation_mps2 &&
+            std::fabs(v.load_transfer(A, N, x, y)) < 1.0) {
             const double inertia = v.Ixx * roll_acceleration;
             const double noise = std::pow(0.06 * gravity_mps2 * v.m_s * (v.h - v.h_rc), 2) +
                                  std::pow(0.07 * v.K * x, 2) + std::pow(0.25 * v.c * y, 2) +
                                  std::pow(0.3 * inertia, 2);
-            const double gain = P_ * arm / (arm * arm * P_ + 1.5 * noise);
+            const double gain = P_ * arm / (arm * arm * P_ + 3.0 * noise);
             e_ += gain * (arm - v.roll_moment(x) - v.c * y - inertia - arm * e_);
             P_ -= gain * arm * P_;
         }
@@ -104,9 +98,6 @@ class ReferenceMomentArmError {
  private:
     double e_{0.0};
     double P_{0.0036};
-    double lifted_{1.0};
-    bool due_{false};
-    bool fresh_{true};
 };
 
 // How A goes on from an instant: towards A + A' tau_j, bounded where the steering's demand is known.

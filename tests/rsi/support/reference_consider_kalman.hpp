@@ -1,5 +1,5 @@
 // The consider-Kalman filter on the roll centre once more, in double and with the whole covariance of
-// [dh, relative error of M(phi), d] as a matrix; at 50 Hz.
+// [dh, relative error of M(phi), d] as a matrix.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace rsi_test {
 // A signal through two first-order lags: its mean over the last sample, and its change in it.
 class ReferenceTwoLags {
  public:
-    explicit ReferenceTwoLags(double lag_s) : weight_{1.0 - std::exp(-0.02 / lag_s)} {}
+    explicit ReferenceTwoLags(double lag_s) : weight_{1.0 - std::exp(-0.01 / lag_s)} {}
 
     void next(double value) {
         if (!started_) {
@@ -61,8 +61,8 @@ class ReferenceConsiderKalman {
         force_.next(f);
         rate_.next(wide(measured.roll_rate_radps));
         moment_.next(arm() / wide(p_.sprung_mass_kg) * f - M - c_f * wide(measured.roll_rate_radps));
-        const double inertia = wide(p_.roll_inertia_kgm2) * rate_.change / 0.02;
-        const bool settled = samples_++ >= 2 + std::lround(8.0 * lag_s() / 0.02);
+        const double inertia = wide(p_.roll_inertia_kgm2) * rate_.change / 0.01;
+        const bool settled = samples_++ >= 2 + std::lround(8.0 * lag_s() / 0.01);
 
         const bool speed_changes = changes_speed(speed_mps);
         const bool held = speed_changes || extended_rsi > wide(p_.freeze_level);
@@ -74,11 +74,11 @@ class ReferenceConsiderKalman {
         // z = G dh + M(phi) k + d, as innovation against dh and d.
         const Eigen::Vector3d h{force_.mean, M, 1.0};
         const double noise =
-            1.5 * (std::pow(400.0, 2) + std::pow(0.25 * c_f * rate_.mean, 2) + std::pow(0.3 * inertia, 2));
+            3.0 * (std::pow(400.0, 2) + std::pow(0.25 * c_f * rate_.mean, 2) + std::pow(0.3 * inertia, 2));
         const Eigen::Vector3d c = P_ * h;
         const double S = h.dot(c) + noise;
         const double e = moment_.mean - inertia - force_.mean * dh_ - d_;
-        const double weight = std::min(1.0, 0.5 * S / (e * e));
+        const double weight = std::min(1.0, 0.25 * S / (e * e));
         if (learns) {
             correct(dh_, 0, c, weight, S, e);
             dh_ = std::clamp(dh_, -wide(p_.roll_centre_limit_m), wide(p_.roll_centre_limit_m));
@@ -105,7 +105,7 @@ class ReferenceConsiderKalman {
     double arm() const {
         return wide(p_.sprung_mass_kg) * (wide(p_.sprung_cg_height_m) - wide(p_.fixed_roll_centre_height_m));
     }
-    double drift() const { return std::pow(0.0005 * gravity_mps2 * arm(), 2) * 0.02; }
+    double drift() const { return std::pow(0.0005 * gravity_mps2 * arm(), 2) * 0.01; }
 
     bool changes_speed(double speed_mps) {
         if (!(speed_mps >= 0.0 && speed_mps <= 150.0)) {
@@ -117,14 +117,14 @@ class ReferenceConsiderKalman {
             speed_known_ = true;
         }
         const double behind = lagged_speed_mps_ - speed_mps;
-        lagged_speed_mps_ -= 0.2 * behind;
+        lagged_speed_mps_ -= 0.1 * behind;
         return std::fabs(behind) > 0.25;
     }
 
     void pass_time(bool excited, bool held) {
-        const double reversion = 1.0 - std::exp(-0.02 / wide(p_.roll_centre_reversion_s));
+        const double reversion = 1.0 - std::exp(-0.01 / wide(p_.roll_centre_reversion_s));
         const double kept =
-            1.0 - std::min(0.5, (excited ? 0.1 : 1.0) * reversion + std::fabs(rate_.mean) * 0.02 / 0.05);
+            1.0 - std::min(0.5, (excited ? 0.1 : 1.0) * reversion + std::fabs(rate_.mean) * 0.01 / 0.05);
         P_(0, 0) = prior() + kept * kept * (P_(0, 0) - prior());
         P_(2, 2) = std::min(P_(2, 2) + drift(), offset_prior_);
         if (!held) {
@@ -141,7 +141,7 @@ class ReferenceConsiderKalman {
         for (const int other : {0, 1, 2}) {
             if (other == which) {
                 P_(which, which) -= (2.0 - weight) * gain * c(which);
-            } else if (which + other != 3) {  // k and d stay uncorrelated
+            } else {
                 P_(which, other) = P_(other, which) = P_(which, other) - gain * c(other);
             }
         }

@@ -180,9 +180,7 @@ TEST_P(Observer, KnowsRollAndBankInEveryManoeuvreBeforeLiftOff) {
 
         SCOPED_TRACE(manoeuvre.name);
         EXPECT_GT(nominal.samples, 80);
-        // sine-with-dwell of the ordinary SUV: 0.343 since the observer renews its bank in every second
-        // sample
-        EXPECT_LE(nominal.roll_rms_deg, roll_limit_deg(manoeuvre.name) + 0.05);
+        EXPECT_LE(nominal.roll_rms_deg, roll_limit_deg(manoeuvre.name) + 0.03);
         EXPECT_LE(nominal.bank_rms_deg, 1.0);
         EXPECT_LE(damped.roll_rms_deg, roll_limit_deg(manoeuvre.name) + 0.03);
         EXPECT_LE(damped.bank_rms_deg, 1.0);

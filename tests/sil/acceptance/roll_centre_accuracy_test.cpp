@@ -27,7 +27,7 @@ constexpr double raw_g = 0.03;
 
 // Where the nominal height is right to a centimetre already, no estimate from these sensors can be better:
 // 0.2 deg of roll noise alone are 0.3 kN m of a side force's moment of 14 kN times one metre.
-constexpr double sensor_floor_m = 0.0105;
+constexpr double sensor_floor_m = 0.01;
 
 RollCentreAccuracy accuracy(const RecordedDrive& drive, const rsi::Parameters& parameters,
                             const SensorQuality& quality) {
@@ -60,8 +60,7 @@ TEST(RollCentreHeight, OfTheLargeSuvInTheJTurnHasAtMostHalfTheErrorOfTheConstant
     }
 }
 
-// Its nominal height is right to 9 mm in the J-turn, so half of that is below the noise. It was 0.75 of the
-// constant while the estimator ran in every sample; at half the rate it is up to 0.95.
+// Its nominal height is right to 9 mm in the J-turn, so half of that is below the noise.
 TEST(RollCentreHeight, OfTheOrdinarySuvInTheJTurnIsBetterThanTheConstant) {
     const RecordedDrive drive = record("j-turn-45", "ordinary_suv");
     for (std::uint64_t seed = 1U; seed <= 5U; ++seed) {
@@ -69,7 +68,7 @@ TEST(RollCentreHeight, OfTheOrdinarySuvInTheJTurnIsBetterThanTheConstant) {
             accuracy(drive, calibration_of(drive, RSI_ESTIMATOR_CONSIDER_KALMAN),
                      {true, after_zeroing_g, after_zeroing_g, seed});
         ASSERT_GT(result.cycles, 500);
-        EXPECT_LE(result.estimate_rms_m, 0.97 * result.constant_rms_m) << "seed " << seed;
+        EXPECT_LE(result.estimate_rms_m, 0.75 * result.constant_rms_m) << "seed " << seed;
     }
 }
 
@@ -87,7 +86,7 @@ TEST_P(EveryManoeuvre, LeavesTheHeightNoWorseThanTheConstantWithARawBias) {
             mean_square_m2 += result.estimate_rms_m * result.estimate_rms_m / 3.0;
             constant_m = result.constant_rms_m;
         }
-        EXPECT_LE(std::sqrt(mean_square_m2), std::max(1.17 * constant_m, sensor_floor_m))
+        EXPECT_LE(std::sqrt(mean_square_m2), std::max(1.1 * constant_m, sensor_floor_m))
             << "bias " << sign * raw_g << " g, constant " << constant_m;
     }
 }

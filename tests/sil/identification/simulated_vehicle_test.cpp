@@ -115,7 +115,7 @@ TEST(VanCalibration, ComesFromIdentificationAlone) {
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
         const float expected = fresh.*field.member;
         EXPECT_NEAR(committed.*field.member, expected, 1e-3F * std::abs(expected) + 1e-9F)
-            << field.name << ": renew the file as docs/identification.md says";
+            << field.name << ": renew the file as docs/calibration.md says";
     }
 }
 

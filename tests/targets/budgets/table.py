@@ -93,6 +93,12 @@ def _instructions(table, measurements, operations):
         {target: [figures[3] / figures[1]] for target, figures in default.items()},
         "step_most_over_mean",
     )
+    table.row("Component::reset(), in place of init within a cycle", {m.target: [m.reset] for m in measurements})
+    table.row(
+        "the reset over the dearest step",
+        {m.target: [m.reset / default[m.target][3]] for m in measurements},
+        "reset_over_step",
+    )
     _stages(table, measurements, DEFAULT)
     floats = {m.target: _of_steps(m, DEFAULT, lambda steps: [c.operations for c in steps.calls]) for m in measurements}
     table.row("floating-point operations in a step", floats)

@@ -18,7 +18,7 @@ import instruction_trace
 import library_stack
 import limits
 import measurement
-import page_section
+import report_page
 import table
 
 
@@ -263,16 +263,19 @@ class Contradictions(unittest.TestCase):
 
 
 class Document(unittest.TestCase):
-    def test_the_table_is_put_between_its_marks_and_a_difference_seen(self):
+    def test_a_report_is_written_whole_and_a_difference_seen(self):
         with tempfile.TemporaryDirectory() as folder:
-            page = pathlib.Path(folder, "page.md")
-            section = page_section.PageSection("budgets", "tests/targets/budgets/measure --document")
-            page.write_text("before\n" + section.begin + section.end + "after\n")
-            self.assertFalse(section.holds(page, "| 1 |\n"))
-            section.put(page, "| 1 |\n")
-            self.assertTrue(section.holds(page, "| 1 |\n"))
-            self.assertFalse(section.holds(page, "| 2 |\n"))
-            self.assertTrue(page.read_text().startswith("before\n") and page.read_text().endswith("after\n"))
+            project = pathlib.Path(folder)
+            report = report_page.Report("page.md", "Title", "tests/targets/budgets/measure --document", "What it is.")
+            self.assertFalse(report.holds(project, "| 1 |\n"))
+            report.put(project, "| 1 |\n")
+            self.assertTrue(report.holds(project, "| 1 |\n"))
+            self.assertFalse(report.holds(project, "| 2 |\n"))
+            page = project / "page.md"
+            self.assertIn("tests/targets/budgets/measure --document", page.read_text().splitlines()[0])
+            page.write_text(page.read_text().replace("What it is.", "What it was."))
+            self.assertFalse(report.holds(project, "| 1 |\n"))
+            self.assertIn("page.md", report.out_of_date())
 
 
 PLANTED = """

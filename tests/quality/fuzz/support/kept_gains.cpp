@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-#include "rsi/observer/observer_gains.hpp"
+#include "rsi/measurement/observer_gains.hpp"
 
 rsi::ObserverGains real_gains(const rsi::UprightRoll&, const rsi::ObserverNoise&) asm(
     "__real__ZN3rsi21steady_observer_gainsERKNS_11UprightRollERKNS_13ObserverNoiseE");

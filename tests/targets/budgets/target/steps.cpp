@@ -3,8 +3,7 @@
 //                                    digest of the outputs
 //   steps RECORDING ANSWER trace     the same, for a trace of the emulator: every step is made once only
 //   steps RECORDING ANSWER stack     words: bytes of stack that rsi_init and rsi_step used at most, over all;
-//   size
-//                                    of the component
+//                                    size of the component; ticks of an empty call and, at most, of a reset
 #include <string.h>
 
 #include "rsi/component.hpp"
@@ -24,6 +23,10 @@ budgets::AnswerWriter answer;
 rsi_component component;
 rsi_component copy;
 rsi_component rehearsal;
+rsi::Component to_reset;
+
+// QEMU's counter has been seen to count a few instructions twice when the machine is busy: the least counts.
+constexpr int repetitions = 3;
 
 using Step = void (*)(rsi_component*, const rsi_inputs*, rsi_outputs*);
 
@@ -39,6 +42,13 @@ using Step = void (*)(rsi_component*, const rsi_inputs*, rsi_outputs*);
     return budgets::InstructionCounter::between(before, after);
 }
 
+[[gnu::noipa]] uint32_t ticks_of_reset(const rsi_parameters& parameters) {
+    const uint32_t before = budgets::InstructionCounter::now();
+    to_reset.reset(parameters);
+    const uint32_t after = budgets::InstructionCounter::now();
+    return budgets::InstructionCounter::between(before, after);
+}
+
 rsi_component* choose(const budgets::Record& record) {
     if (record.on_copy == 0U) {
         return &component;
@@ -49,7 +59,7 @@ rsi_component* choose(const budgets::Record& record) {
 
 class Counts {
  public:
-    explicit Counts(int repetitions) : repetitions_{repetitions} {}
+    explicit Counts(bool traced) : repetitions_{traced ? 0 : repetitions} {}
     void begin() {
         budgets::InstructionCounter::start();
         rsi_inputs inputs{};
@@ -64,7 +74,6 @@ class Counts {
         rsi_outputs outputs;
         rsi_component* const on = choose(record);
         uint32_t least = UINT32_MAX;
-        // QEMU's counter has been seen to count a few instructions twice when the machine is busy.
         for (int i = 0; i < repetitions_; ++i) {
             memcpy(&rehearsal, on, sizeof(rehearsal));
             const uint32_t ticks = ticks_of(rsi_step, &rehearsal, record.inputs, outputs);
@@ -86,8 +95,20 @@ class Counts {
 
 class Stack {
  public:
-    void begin() {}
+    void begin() {
+        budgets::InstructionCounter::start();
+        rsi_inputs inputs{};
+        rsi_outputs outputs{};
+        empty_call_ = ticks_of(empty_step, &component, inputs, outputs);
+    }
     bool begin_drive(const rsi_parameters& parameters) {
+        to_reset.init(parameters);
+        uint32_t least = UINT32_MAX;
+        for (int i = 0; i < repetitions; ++i) {
+            const uint32_t ticks = ticks_of_reset(parameters);
+            least = (ticks < least) ? ticks : least;
+        }
+        note(reset_, least);
         rsi_validation validation{};
         note(in_init_, budgets::stack_used([&] { validation = rsi_init(&component, &parameters); }));
         return validation.accepted != 0;
@@ -102,12 +123,16 @@ class Stack {
         answer.add(in_init_);
         answer.add(in_step_);
         answer.add(sizeof(rsi::Component));
+        answer.add(empty_call_);
+        answer.add(reset_);
     }
 
  private:
     static void note(uint32_t& most, uint32_t used) { most = (used > most) ? used : most; }
     uint32_t in_init_{0U};
     uint32_t in_step_{0U};
+    uint32_t empty_call_{0U};
+    uint32_t reset_{0U};
 };
 
 template <typename Measure>
@@ -137,9 +162,8 @@ int target::run(int argc, const char* const* argv) {
     if (!recording.load(argv[1], budgets::recording_magic)) {
         return bad_recording;
     }
-    constexpr int repetitions = 3;
     const bool stack = (strcmp(argv[3], "stack") == 0);
     const bool trace = (strcmp(argv[3], "trace") == 0);
-    const int failure = stack ? drive_all(Stack{}) : drive_all(Counts{trace ? 0 : repetitions});
+    const int failure = stack ? drive_all(Stack{}) : drive_all(Counts{trace});
     return ((failure == 0) && !answer.save(argv[2])) ? bad_answer : failure;
 }

@@ -1,0 +1,75 @@
+// The indices of a campaign: what it compares is what the firmware would warn by.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "rsi/warning/indicator_level.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/studies/campaign/drawn_run.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/sensors/sensor_options.hpp"
+#include "sil/world/simulation/in_process_run.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
+#include "tests/sil/campaign/small_campaign.hpp"
+
+namespace {
+
+// Levels of a run, sample by sample.
+struct Levels {
+    std::vector<float> driving{};  // of the indicator that drives the warning
+    std::vector<float> shown{};    // of the watched one
+};
+
+class Recorder final : public sil::RunObserver {
+ public:
+    Recorder(const sil::InProcessRun& run, const rsi::Parameters& watched) : run_{run}, watched_{watched} {}
+
+    void cycle(const sil::Truth&, const sil::SensorSample&, const sil::EcuFrames&,
+               const sil::RunEvents&) override {
+        levels.driving.push_back(run_.outputs().warning_level);
+        levels.shown.push_back(rsi::indicator_level(run_.outputs(), watched_));
+    }
+
+    Levels levels{};
+
+ private:
+    const sil::InProcessRun& run_;
+    const rsi::Parameters& watched_;
+};
+
+// Of a hard turn with noise: `driver` drives the warning, and `indicator` is watched.
+Levels drive(std::int32_t driver, std::int32_t indicator) {
+    const sil::CampaignVehicle vehicle = testing_campaign::small_campaign(1U).vehicles.front();
+    rsi::Parameters calibration = sil::load_calibration(vehicle.calibration);
+    calibration.warning_indicator = driver;
+    sil::InProcessRun run{sil::load_vehicle(vehicle.parameters), sil::find_manoeuvre("j-turn-110"),
+                          sil::RunOptions{}, sil::noisy_sensors(3U), calibration};
+    rsi::Parameters watched = calibration;
+    watched.warning_indicator = indicator;
+    Recorder recorder{run, watched};
+    run.run(recorder);
+    return recorder.levels;
+}
+
+// Whichever indicator drives the run's own firmware.
+TEST(CampaignIndex, IsThatOfTheFirmwareThatWarnsByIt) {
+    for (std::int32_t indicator = 0; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER; ++indicator) {
+        const std::vector<float> expected = drive(indicator, indicator).driving;
+        ASSERT_GT(expected.size(), 100U);
+        EXPECT_EQ(drive(RSI_INDICATOR_PUBLISHED, indicator).shown, expected) << indicator;
+        EXPECT_EQ(drive(RSI_INDICATOR_ENERGY, indicator).shown, expected) << indicator;
+    }
+}
+
+// A held peak would count twice and pass the confirmation of a warning alone.
+TEST(CampaignIndex, IsNewInEverySample) {
+    const std::vector<float> shown = drive(RSI_INDICATOR_PUBLISHED, RSI_INDICATOR_ENERGY).shown;
+    std::size_t repeated = 0U;
+    for (std::size_t k = 1U; k < shown.size(); ++k) {
+        repeated += (shown[k] == shown[k - 1U]) ? 1U : 0U;
+    }
+    EXPECT_LT(repeated, shown.size() / 5U);
+}
+
+}  // namespace
