@@ -20,6 +20,14 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+double median_step_s(const Drive& drive) {
+    std::vector<double> steps_s;
+    for (std::size_t index = 1U; index < drive.samples.size(); ++index) {
+        steps_s.push_back(drive.samples[index].time_s - drive.samples[index - 1U].time_s);
+    }
+    return median(std::move(steps_s));
+}
+
 bool has_values(const DriveHeader& header, const char* quantity) {
     const DriveHeader::Column* column = header.find(quantity);
     return column != nullptr && column->available;
@@ -75,14 +83,6 @@ void check_lift_off(const Drive& drive, const DriveHeader& header, const CsvPlac
 }
 
 }  // namespace
-
-double median_step_s(const Drive& drive) {
-    std::vector<double> steps_s;
-    for (std::size_t index = 1U; index < drive.samples.size(); ++index) {
-        steps_s.push_back(drive.samples[index].time_s - drive.samples[index - 1U].time_s);
-    }
-    return median(std::move(steps_s));
-}
 
 void check_drive(const Drive& drive, const DriveHeader& header, const CsvPlace& place) {
     if (drive.samples.size() < 2U) {

@@ -12,7 +12,4 @@ namespace sil {
 // the drive. Throws InputError at the header's line (a lift-off's own).
 void check_drive(const Drive& drive, const DriveHeader& header, const CsvPlace& place);
 
-// The median distance of two samples. At least two samples.
-double median_step_s(const Drive& drive);
-
 }  // namespace sil

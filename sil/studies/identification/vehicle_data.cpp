@@ -143,7 +143,7 @@ void read_heights(Values& values, VehicleData& data) {
                                    data.unsprung_mass_kg * data.unsprung_cg_height_m) /
                                   data.sprung_mass_kg;
     }
-    const double ratio = data.track_width_m / (2.0 * data.sprung_cg_height_m);
+    const double ratio = static_stability_factor(data);
     if (ratio < 0.25 || ratio > 3.0) {
         throw InputError(
             fmt::format("{}: half the track width over the centre of gravity's height is {:.2f}; vehicles "

@@ -31,6 +31,11 @@ struct VehicleData {
     std::vector<std::string> assumptions{};     // what was not given and what was taken for it, in words
 };
 
+// c_w / (2 h) of the sprung mass.
+inline double static_stability_factor(const VehicleData& vehicle) {
+    return vehicle.track_width_m / (2.0 * vehicle.sprung_cg_height_m);
+}
+
 // The keys are those of docs/calibration.md. `file` may be empty when `settings` ("KEY=VALUE") give all;
 // a setting replaces the file's value. Throws InputError.
 VehicleData load_vehicle_data(const std::filesystem::path& file,
