@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
-#include "sil/files/whole_file.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/studies/faults/endurance.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
 #include "sil/world/simulation/pace.hpp"

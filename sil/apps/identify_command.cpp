@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
-#include "sil/files/whole_file.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/identification/calibration_writer.hpp"
 #include "sil/studies/identification/identification.hpp"

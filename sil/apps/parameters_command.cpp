@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "sil/files/whole_file.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/parameter_section_file.hpp"
+#include "sil/files/whole_file.hpp"
 
 namespace sil {
 namespace {

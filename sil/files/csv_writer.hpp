@@ -10,8 +10,8 @@
 
 namespace sil {
 
-// A column of numbers: its name, which ends with the unit, and its value in a row's data. A table of them is the one
-// place that orders the columns.
+// A column of numbers: its name, which ends with the unit, and its value in a row's data. A table of them is
+// the one place that orders the columns.
 template <typename Row>
 struct CsvColumn {
     const char* name;

@@ -184,10 +184,10 @@ double TomlTable::number(std::string_view key, Range range, std::string_view mea
     if (!std::isfinite(value) || value < range.lowest || value > range.highest) {
         const std::string found =
             std::isfinite(value) ? fmt::format("{:g}, which is out of range", value) : "not a finite number";
-        state_->fail(node, key,
-                     fmt::format("is {}{}; give a number from {:g} to {:g}, in SI units", found,
-                                 meaning.empty() ? "" : fmt::format(" ({})", meaning), range.lowest,
-                                 range.highest));
+        state_->fail(
+            node, key,
+            fmt::format("is {}{}; give a number from {:g} to {:g}, in SI units", found,
+                        meaning.empty() ? "" : fmt::format(" ({})", meaning), range.lowest, range.highest));
     }
     return value;
 }
@@ -248,7 +248,8 @@ TomlTable TomlTable::table(std::string_view key) {
     state_->find(key, "a table");
     toml::node& node = *state_->table->get(key);
     if (!node.is_table()) {
-        state_->fail(node, key, fmt::format("must be a table; write [{}] and its keys below", state_->full_name(key)));
+        state_->fail(node, key,
+                     fmt::format("must be a table; write [{}] and its keys below", state_->full_name(key)));
     }
     return state_->inner(*node.as_table(), key);
 }

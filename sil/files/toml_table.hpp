@@ -17,19 +17,20 @@ struct Range {
     double highest;
 };
 
-// One table of a file; its keys are known once they have been named here. Copies are of the same table. What throws,
-// throws InputError: "FILE:LINE: "TABLE.KEY" what is wrong; what to do", or the change's own text in place of
-// FILE:LINE where change() gave the value.
+// One table of a file; its keys are known once they have been named here. Copies are of the same table. What
+// throws, throws InputError: "FILE:LINE: "TABLE.KEY" what is wrong; what to do", or the change's own text in
+// place of FILE:LINE where change() gave the value.
 class TomlTable {
  public:
-    // `example` ends the message for a file that cannot be read, such as "name a file like x.toml"; may be empty.
+    // `example` ends the message for a file that cannot be read, such as "name a file like x.toml"; may be
+    // empty.
     static TomlTable load(const std::filesystem::path& path, std::string_view example = {});
 
     // `name` stands for the file in messages.
     static TomlTable parse(std::string_view text, const std::string& name);
 
-    // "KEY=VALUE" in place of what the file says, VALUE as in the file; a word needs no quotes. Throws unless KEY is
-    // known. `example` is one such text, for the message.
+    // "KEY=VALUE" in place of what the file says, VALUE as in the file; a word needs no quotes. Throws unless
+    // KEY is known. `example` is one such text, for the message.
     void change(const std::string& text, std::string_view example);
 
     // Counts the key as known.

@@ -1,5 +1,5 @@
-// Sine, versine, tangent and exponential on the bounded arguments that occur here, with the same bits on every
-// target.
+// Sine, versine, tangent and exponential on the bounded arguments that occur here, with the same bits on
+// every target.
 //
 // The C library's functions differ in the last bit from one platform to the next; these use only +, * and /,
 // which IEEE 754 fixes. Polynomials end where their error is about one float rounding.

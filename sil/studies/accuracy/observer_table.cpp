@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 // the table of docs/theory.md.
 #include <fmt/format.h>
 
-#include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/studies/accuracy/roll_centre_accuracy.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
 
 namespace {
 
@@ -15,7 +15,8 @@ constexpr double biases_g[] = {0.0, 0.005, 0.03};
 
 RollCentreAccuracy accuracy(const RecordedDrive& drive, const rsi::Parameters& parameters, double bias_g) {
     const SensorQuality quality{true, bias_g, bias_g, 1U};
-    return sil::accuracy::roll_centre_accuracy(sil::accuracy::evaluate(drive, quality, parameters), parameters);
+    return sil::accuracy::roll_centre_accuracy(sil::accuracy::evaluate(drive, quality, parameters),
+                                               parameters);
 }
 
 struct Row {

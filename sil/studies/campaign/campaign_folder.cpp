@@ -118,7 +118,7 @@ void CampaignFolder::compare_or_store(const CampaignSettings& settings) {
     refuse_difference(file, read_whole_file(file), described(stored_size));
     if (settings.runs < stored_size.runs) {
         throw InputError(fmt::format("{} has {} runs; their number can grow, not shrink to {}",
-                                        path_.string(), stored_size.runs, settings.runs));
+                                     path_.string(), stored_size.runs, settings.runs));
     }
     if (settings.runs > stored_size.runs) {
         write_file_atomically(file, described(settings));

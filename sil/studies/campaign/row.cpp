@@ -14,13 +14,9 @@ class Cells {
     explicit Cells(bool names) : names_{names} {}
 
     void text(const std::string& name, const std::string& value) { row_.text(names_ ? name : value); }
-    void count(const std::string& name, std::uint64_t value) {
-        names_ ? row_.text(name) : row_.count(value);
-    }
+    void count(const std::string& name, std::uint64_t value) { names_ ? row_.text(name) : row_.count(value); }
     // As many digits as a float has.
-    void number(const std::string& name, double value) {
-        names_ ? row_.text(name) : row_.number(value, 9);
-    }
+    void number(const std::string& name, double value) { names_ ? row_.text(name) : row_.number(value, 9); }
     void time(const std::string& name, const std::optional<double>& value) {
         names_ ? row_.text(name) : row_.fixed(value, 3);
     }

@@ -52,7 +52,8 @@ std::map<std::uint64_t, std::string_view> rows_of(const std::filesystem::path& p
         const std::optional<std::uint64_t> number = run_number(cells.front().text);
         if (!number || cells.size() != columns) {
             CsvPlace{path.string()}.fail(
-                line.number, 1U, fmt::format("is not a row of {} cells that begins with a run number", columns),
+                line.number, 1U,
+                fmt::format("is not a row of {} cells that begins with a run number", columns),
                 "remove the line, and the run will be done again");
         }
         rows.emplace(*number, line.text);
@@ -89,9 +90,8 @@ void RowFile::take_up(const std::string& header) {
     const std::string text = read_whole_file(path_);
     const std::vector<CsvLine> lines = whole_lines(text);
     if (!lines.empty() && lines.front().text != header) {
-        CsvPlace{path_.string()}.fail(
-            1U, 1U, "has other columns than this program writes",
-            "use another output folder, or the program that made it");
+        CsvPlace{path_.string()}.fail(1U, 1U, "has other columns than this program writes",
+                                      "use another output folder, or the program that made it");
     }
     const std::map<std::uint64_t, std::string_view> rows = rows_of(path_, lines);
     for (const auto& [number, line] : rows) {

@@ -10,8 +10,8 @@
 
 namespace sil {
 
-// The columns, units and rules are those of docs/drives.md; signals.csv of a run is such a file. Throws InputError:
-// "FILE:LINE:COLUMN: what is wrong; what to do", lines and columns (characters) from 1.
+// The columns, units and rules are those of docs/drives.md; signals.csv of a run is such a file. Throws
+// InputError: "FILE:LINE:COLUMN: what is wrong; what to do", lines and columns (characters) from 1.
 Drive read_drive_csv(const std::filesystem::path& path);
 
 // The same for text at hand; `file` is what errors call it and what the drive's name is made of.

@@ -76,8 +76,8 @@ std::string table_text(const std::vector<ReplayRow>& rows) {
         fmt::format_to(std::back_inserter(text), "{:<{}}  {:>9}  {:>9}  {:>10}  {:>8}  {:>7}  {:>7}  {}\n",
                        row.drive, width, number(row.warning_s, 2), number(row.one_wheel_lift_s, 2),
                        number(row.two_wheel_lift_s, 2), number(row.lead_s, 2),
-                       number(row.largest_load_transfer_ratio, 3),
-                       number(row.largest_warning_level, 3), row.verdict);
+                       number(row.largest_load_transfer_ratio, 3), number(row.largest_warning_level, 3),
+                       row.verdict);
     }
     text += fmt::format("{} drives:", rows.size());
     const char* separator = " ";

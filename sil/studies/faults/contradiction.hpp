@@ -22,10 +22,10 @@ struct Contradiction {
     FaultPlace place{};
     // One for each kind of scene but `over`, from the least visible error to the reaction.
     std::array<int, scene_count - 1U> limits_ms{};
-    std::string why{};    // what the time is made of, or why nothing shows
-    int lapse_ms{0};      // after the first code and while the fault is there, no longer without one
-    int wrong_ms{100};    // where it is hidden, the longest time of a wrong statement
-    int sign{0};          // of the error of which it is stated; 0: of either
+    std::string why{};  // what the time is made of, or why nothing shows
+    int lapse_ms{0};    // after the first code and while the fault is there, no longer without one
+    int wrong_ms{100};  // where it is hidden, the longest time of a wrong statement
+    int sign{0};        // of the error of which it is stated; 0: of either
 };
 
 // Every kind of fault that lets a value contradict others, of every signal that can have it: those of

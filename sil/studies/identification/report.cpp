@@ -120,7 +120,8 @@ std::string identification_report(const Identification& result) {
 
 std::string fit_csv(const Identification& result) {
     std::string text =
-        "running_time_s,drive,dynamic,time_s,roll_angle_deg,road_parallel_force_mps2,moment_nm,fitted_moment_nm,"
+        "running_time_s,drive,dynamic,time_s,roll_angle_deg,road_parallel_force_mps2,moment_nm,fitted_moment_"
+        "nm,"
         "residual_nm,static_moment_nm,load_moment_nm,fitted_load_moment_nm,yaw_acceleration_mps2,"
         "steering_acceleration_mps2\n";
     double start_s = 0.0;

@@ -118,10 +118,11 @@ void read_masses(Values& values, VehicleData& data) {
                                 *sprung + *unsprung, data.total_mass_kg));
     }
     if (data.unsprung_mass_kg < 0.0 || data.unsprung_mass_kg > 0.5 * data.total_mass_kg) {
-        values.fail(sprung ? "sprung_mass_kg" : "unsprung_mass_kg",
-                    fmt::format("leaves {:.0f} kg for axles and wheels of a vehicle of {:.0f} kg; 5 to 30 % are "
-                                "usual. Correct the masses",
-                                data.unsprung_mass_kg, data.total_mass_kg));
+        values.fail(
+            sprung ? "sprung_mass_kg" : "unsprung_mass_kg",
+            fmt::format("leaves {:.0f} kg for axles and wheels of a vehicle of {:.0f} kg; 5 to 30 % are "
+                        "usual. Correct the masses",
+                        data.unsprung_mass_kg, data.total_mass_kg));
     }
 }
 

@@ -31,7 +31,8 @@ constexpr double sensor_floor_m = 0.01;
 
 RollCentreAccuracy accuracy(const RecordedDrive& drive, const rsi::Parameters& parameters,
                             const SensorQuality& quality) {
-    return sil::accuracy::roll_centre_accuracy(sil::accuracy::evaluate(drive, quality, parameters), parameters);
+    return sil::accuracy::roll_centre_accuracy(sil::accuracy::evaluate(drive, quality, parameters),
+                                               parameters);
 }
 
 std::vector<std::string> names_of_all_manoeuvres() {

@@ -103,7 +103,8 @@ TEST_F(ParameterFile, NotANumberIsRefused) {
 }
 
 TEST_F(ParameterFile, InfinityIsRefused) {
-    expect_error(replaced("ratio = 20.0", "ratio = inf"), "ratio = inf", "steering.ratio", "not a finite number");
+    expect_error(replaced("ratio = 20.0", "ratio = inf"), "ratio = inf", "steering.ratio",
+                 "not a finite number");
 }
 
 TEST_F(ParameterFile, AValueOutOfRangeIsRefusedWithTheRange) {
