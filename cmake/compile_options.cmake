@@ -13,7 +13,7 @@ add_library(rsi_options_host INTERFACE)
 target_compile_features(rsi_options_host INTERFACE cxx_std_17)
 target_compile_options(rsi_options_host INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wcast-align
-    -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual
+    $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual>
     $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>  # clang means double{x} too, where it is wanted
     $<$<BOOL:${RSI_WARNINGS_AS_ERRORS}>:-Werror>
     -ffp-contract=off -fno-math-errno)
@@ -26,7 +26,7 @@ endif()
 add_library(rsi_options_firmware INTERFACE)
 target_link_libraries(rsi_options_firmware INTERFACE rsi_options_host)
 target_compile_options(rsi_options_firmware INTERFACE
-    -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections)
+    -fno-exceptions $<$<COMPILE_LANGUAGE:CXX>:-fno-rtti -fno-threadsafe-statics> -ffunction-sections -fdata-sections)
 
 # Warnings that make no sense for C sources (the C99 test of the C interface compiles with a subset of its own).
 set(RSI_C_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow

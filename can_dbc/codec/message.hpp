@@ -38,4 +38,16 @@ struct MessageType {
     using Type = Message;
 };
 
+// Stands for several message types, as in the generated MessagesFromNODE.
+template <typename... Messages>
+struct MessageList {
+    static constexpr std::size_t size{sizeof...(Messages)};
+
+    // Calls visitor(MessageType<Message>{}) for each, in their order.
+    template <typename Visitor>
+    static constexpr void visit(Visitor&& visitor) {
+        (visitor(MessageType<Messages>{}), ...);
+    }
+};
+
 }  // namespace can_dbc

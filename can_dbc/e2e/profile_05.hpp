@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "can_dbc/e2e/channel.hpp"
 #include "can_dbc/e2e/check_status.hpp"
-#include "can_dbc/e2e/counter_sequence.hpp"
-#include "can_dbc/e2e/crc16_ccitt_false.hpp"
+#include "can_dbc/e2e/crc.hpp"
 
 namespace can_dbc::e2e {
 
@@ -27,9 +27,9 @@ constexpr std::uint16_t profile_05_crc(const std::uint8_t* payload, std::size_t 
     const std::array<std::uint8_t, 2> suffix{static_cast<std::uint8_t>(data_id & 0xFFU),
                                              static_cast<std::uint8_t>(data_id >> 8U)};
     const std::size_t behind = offset + profile_05_crc_length;
-    std::uint16_t crc = crc16_ccitt_false_update(crc16_ccitt_false_start, payload, offset);
-    crc = crc16_ccitt_false_update(crc, payload + behind, length - behind);
-    return crc16_ccitt_false_update(crc, suffix.data(), suffix.size());
+    std::uint16_t crc = Crc16CcittFalse::update(Crc16CcittFalse::start, payload, offset);
+    crc = Crc16CcittFalse::update(crc, payload + behind, length - behind);
+    return Crc16CcittFalse::update(crc, suffix.data(), suffix.size());
 }
 
 }  // namespace detail
@@ -57,54 +57,28 @@ constexpr CheckError verify_profile_05(const std::uint8_t* payload, std::size_t 
                                                                                 : CheckError::crc;
 }
 
-// Protects the frames of one sender and one data identifier, counting them. The caller owns it, one a
-// message. `offset` is Message::e2e_offset.
-template <std::size_t offset = 0U>
-class Profile05Sender {
- public:
-    constexpr explicit Profile05Sender(std::uint16_t data_id) : data_id_{data_id} {}
+// `offset` is Message::e2e_offset.
+template <std::size_t offset>
+struct Profile05 {
+    static constexpr unsigned counter_range = profile_05_counter_range;
 
     template <std::size_t size>
-    constexpr void protect(std::array<std::uint8_t, size>& payload) {
-        protect_profile_05<offset>(payload, data_id_, counter_);
-        counter_ = static_cast<std::uint8_t>((counter_ + 1U) % profile_05_counter_range);
+    static constexpr void protect(std::array<std::uint8_t, size>& payload, std::uint16_t data_id,
+                                  std::uint8_t counter) {
+        protect_profile_05<offset>(payload, data_id, counter);
     }
-
- private:
-    std::uint16_t data_id_;
-    std::uint8_t counter_{0U};
+    static constexpr CheckError verify(const std::uint8_t* payload, std::size_t length,
+                                       std::size_t expected_length, std::uint16_t data_id) {
+        return verify_profile_05(payload, length, expected_length, offset, data_id);
+    }
+    static constexpr std::uint8_t counter(const std::uint8_t* payload) {
+        return payload[offset + profile_05_crc_length];
+    }
 };
 
-// Checks the frames of one data identifier as they arrive. The caller owns it, one a message. A damaged frame
-// leaves the counter's reference alone; see CounterSequence.
 template <std::size_t offset = 0U>
-class Profile05Receiver {
- public:
-    // `largest_counter_step` is how far the counter may advance between two frames, 1 to 255: 1 tolerates no
-    // lost frame.
-    constexpr Profile05Receiver(std::uint16_t data_id, std::size_t length, std::uint8_t largest_counter_step)
-        : length_{length}, data_id_{data_id}, sequence_{largest_counter_step} {}
-
-    // Judges one received frame: `length` is the frame's, which may be smaller than the array.
-    template <std::size_t size>
-    constexpr CheckResult check(const std::array<std::uint8_t, size>& payload, std::size_t length) {
-        return length > size ? CheckResult{CheckStatus::error, CheckError::length}
-                             : check(payload.data(), length);
-    }
-
-    // The outcome of a cycle without a frame.
-    constexpr CheckResult no_frame() const { return CheckResult{}; }
-
- private:
-    constexpr CheckResult check(const std::uint8_t* payload, std::size_t length) {
-        const CheckError error = verify_profile_05(payload, length, length_, offset, data_id_);
-        return error == CheckError::none ? sequence_.follow(payload[offset + profile_05_crc_length])
-                                         : CheckResult{CheckStatus::error, error};
-    }
-
-    std::size_t length_;
-    std::uint16_t data_id_;
-    CounterSequence<profile_05_counter_range> sequence_;
-};
+using Profile05Sender = Sender<Profile05<offset>>;
+template <std::size_t offset = 0U>
+using Profile05Receiver = Receiver<Profile05<offset>>;
 
 }  // namespace can_dbc::e2e

@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "can_dbc/e2e/channel.hpp"
 #include "can_dbc/e2e/check_status.hpp"
-#include "can_dbc/e2e/counter_sequence.hpp"
-#include "can_dbc/e2e/crc8_sae_j1850.hpp"
+#include "can_dbc/e2e/crc.hpp"
 
 namespace can_dbc::e2e {
 
@@ -25,8 +25,8 @@ namespace detail {
 constexpr std::uint8_t profile_11_crc(const std::uint8_t* payload, std::size_t length,
                                       std::uint16_t data_id) {
     const std::array<std::uint8_t, 2> prefix{static_cast<std::uint8_t>(data_id & 0xFFU), 0U};
-    const std::uint8_t start = crc8_sae_j1850_update(0U, prefix.data(), prefix.size());
-    return crc8_sae_j1850_update(start, payload + 1, length - 1U);
+    const std::uint8_t start = Crc8SaeJ1850::update(0U, prefix.data(), prefix.size());
+    return Crc8SaeJ1850::update(start, payload + 1, length - 1U);
 }
 
 constexpr std::uint8_t profile_11_nibble(std::uint16_t data_id) {
@@ -66,56 +66,22 @@ constexpr CheckError verify_profile_11(const std::uint8_t* payload, std::size_t 
     return profile_11_counter(payload) > profile_11_largest_counter ? CheckError::counter : CheckError::none;
 }
 
-// Protects the frames of one sender and one data identifier, counting them. The caller owns it, one a
-// message.
-class Profile11Sender {
- public:
-    constexpr explicit Profile11Sender(std::uint16_t data_id) : data_id_{data_id} {}
+struct Profile11 {
+    static constexpr unsigned counter_range = profile_11_largest_counter + 1U;
 
     template <std::size_t size>
-    constexpr void protect(std::array<std::uint8_t, size>& payload) {
-        protect_profile_11(payload, data_id_, counter_);
-        counter_ = counter_ == profile_11_largest_counter ? std::uint8_t{0U}
-                                                          : static_cast<std::uint8_t>(counter_ + 1U);
+    static constexpr void protect(std::array<std::uint8_t, size>& payload, std::uint16_t data_id,
+                                  std::uint8_t counter) {
+        protect_profile_11(payload, data_id, counter);
     }
-
- private:
-    std::uint16_t data_id_;
-    std::uint8_t counter_{0U};
+    static constexpr CheckError verify(const std::uint8_t* payload, std::size_t length,
+                                       std::size_t expected_length, std::uint16_t data_id) {
+        return verify_profile_11(payload, length, expected_length, data_id);
+    }
+    static constexpr std::uint8_t counter(const std::uint8_t* payload) { return profile_11_counter(payload); }
 };
 
-// Checks the frames of one data identifier as they arrive. The caller owns it, one a message. A damaged frame
-// leaves the counter's reference alone; see CounterSequence. StateMachine, which watches several cycles, is
-// fed with the results of `check` and `no_frame`.
-class Profile11Receiver {
- public:
-    // `largest_counter_step` is how far the counter may advance between two frames, 1 to 14: 1 tolerates no
-    // lost frame.
-    constexpr Profile11Receiver(std::uint16_t data_id, std::size_t length, std::uint8_t largest_counter_step)
-        : length_{length}, data_id_{data_id}, sequence_{largest_counter_step} {}
-
-    // Judges one received frame: `length` is the frame's, which may be smaller than the array.
-    template <std::size_t size>
-    constexpr CheckResult check(const std::array<std::uint8_t, size>& payload, std::size_t length) {
-        return length > size ? CheckResult{CheckStatus::error, CheckError::length}
-                             : check(payload.data(), length);
-    }
-
-    // The outcome of a cycle without a frame.
-    constexpr CheckResult no_frame() const { return CheckResult{}; }
-
- private:
-    constexpr CheckResult check(const std::uint8_t* payload, std::size_t length) {
-        const CheckError error = verify_profile_11(payload, length, length_, data_id_);
-        if (error != CheckError::none) {
-            return CheckResult{CheckStatus::error, error};
-        }
-        return sequence_.follow(profile_11_counter(payload));
-    }
-
-    std::size_t length_;
-    std::uint16_t data_id_;
-    CounterSequence<profile_11_largest_counter + 1U> sequence_;
-};
+using Profile11Sender = Sender<Profile11>;
+using Profile11Receiver = Receiver<Profile11>;
 
 }  // namespace can_dbc::e2e

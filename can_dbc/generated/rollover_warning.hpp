@@ -13,7 +13,7 @@
 namespace can_dbc {
 
 // Inertial measurement unit: body-fixed specific force and roll rate, axes of ISO 8855.
-// From ImuSensor to RolloverEcu, Simulator, every 10 ms.
+// From ImuSensor to RolloverEcu, every 10 ms.
 struct Imu {
     static constexpr const char* name{"Imu"};
     static constexpr std::uint32_t identifier{0x120U};
@@ -23,6 +23,7 @@ struct Imu {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x3A7U};
 
     // Specific force along the body's y axis, positive to the left. m/s^2, -60 to 60.
@@ -85,7 +86,7 @@ constexpr Decoded<Imu> Imu::decode(const std::uint8_t* payload) {
 }
 
 // Roll angle of the body relative to the road and bank angle of the road.
-// From RollAngleSensor to RolloverEcu, Simulator, every 10 ms.
+// From RollAngleSensor to RolloverEcu, every 10 ms.
 struct RollAngle {
     static constexpr const char* name{"RollAngle"};
     static constexpr std::uint32_t identifier{0x121U};
@@ -95,6 +96,7 @@ struct RollAngle {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x45CU};
 
     // Roll angle of the body relative to the road, positive with the right side down. deg, -120 to 120.
@@ -147,7 +149,7 @@ constexpr Decoded<RollAngle> RollAngle::decode(const std::uint8_t* payload) {
 }
 
 // Motion of the vehicle as other control units know it.
-// From VehicleGateway to RolloverEcu, Simulator, every 10 ms.
+// From VehicleGateway to RolloverEcu, every 10 ms.
 struct VehicleMotion {
     static constexpr const char* name{"VehicleMotion"};
     static constexpr std::uint32_t identifier{0x122U};
@@ -157,6 +159,7 @@ struct VehicleMotion {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x5B1U};
 
     // Speed over ground along the vehicle's x axis. km/h, 0 to 400.
@@ -219,7 +222,7 @@ constexpr Decoded<VehicleMotion> VehicleMotion::decode(const std::uint8_t* paylo
 }
 
 // Rollover warning and the quantities it was decided by.
-// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+// From RolloverEcu to VehicleGateway, every 10 ms.
 struct RolloverWarning {
     // Warning state.
     enum class State : std::uint8_t {
@@ -255,6 +258,7 @@ struct RolloverWarning {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{true};
     static constexpr std::uint16_t e2e_data_id{0x61EU};
 
     // Warning state.
@@ -263,8 +267,8 @@ struct RolloverWarning {
     Side side{Side::none};
     // Why the vehicle parameters were refused.
     ParametersRefusal parameters_refusal{ParametersRefusal::none};
-    // Level of the indicator that drives the warning: 0 without risk, 1 at the rollover threshold. Dimensionless, 0 to 2.
-    float roll_stability_indicator{not_available};
+    // Level of the index that drives the warning: 0 without risk, 1 at the rollover threshold. Dimensionless, 0 to 2.
+    float warning_level{not_available};
     // Lateral acceleration that was compared with the threshold, positive to the left. m/s^2, -40 to 40.
     float lateral_acceleration_mps2{not_available};
     // Lateral acceleration at which the vehicle would roll over, with the sign of the turn's side. m/s^2, -40 to 40.
@@ -274,7 +278,7 @@ struct RolloverWarning {
         SignalStatus state{SignalStatus::not_available};
         SignalStatus side{SignalStatus::not_available};
         SignalStatus parameters_refusal{SignalStatus::not_available};
-        SignalStatus roll_stability_indicator{SignalStatus::not_available};
+        SignalStatus warning_level{SignalStatus::not_available};
         SignalStatus lateral_acceleration_mps2{SignalStatus::not_available};
         SignalStatus lateral_acceleration_threshold_mps2{SignalStatus::not_available};
 
@@ -282,7 +286,7 @@ struct RolloverWarning {
             return state == SignalStatus::valid &&
                    side == SignalStatus::valid &&
                    parameters_refusal == SignalStatus::valid &&
-                   roll_stability_indicator == SignalStatus::valid &&
+                   warning_level == SignalStatus::valid &&
                    lateral_acceleration_mps2 == SignalStatus::valid &&
                    lateral_acceleration_threshold_mps2 == SignalStatus::valid;
         }
@@ -295,7 +299,7 @@ struct RolloverWarning {
             {ByteOrder::little_endian, 19U, 2U, false}, 0, false, 0};
         static constexpr EnumerationSignal parameters_refusal{
             {ByteOrder::little_endian, 21U, 3U, false}, 0, false, 0};
-        static constexpr PhysicalSignal<std::int32_t> roll_stability_indicator{
+        static constexpr PhysicalSignal<std::int32_t> warning_level{
             {ByteOrder::little_endian, 24U, 12U, false}, 1.0F, 0.0F, 2000.0F, 0.0F, 2.0F,
             0, 4000, 4095, true};
         static constexpr PhysicalSignal<std::int32_t> lateral_acceleration_mps2{
@@ -396,7 +400,7 @@ struct RolloverWarning {
         write_enumeration(Signals::state, &RolloverWarning::is_known, state, payload.data());
         write_enumeration(Signals::side, &RolloverWarning::is_known, side, payload.data());
         write_enumeration(Signals::parameters_refusal, &RolloverWarning::is_known, parameters_refusal, payload.data());
-        write_signal(Signals::roll_stability_indicator, roll_stability_indicator, payload.data());
+        write_signal(Signals::warning_level, warning_level, payload.data());
         write_signal(Signals::lateral_acceleration_mps2, lateral_acceleration_mps2, payload.data());
         write_signal(Signals::lateral_acceleration_threshold_mps2, lateral_acceleration_threshold_mps2, payload.data());
         return payload;
@@ -404,13 +408,33 @@ struct RolloverWarning {
 
     static constexpr Decoded<RolloverWarning> decode(const std::uint8_t* payload);
 
+    // Takes from a structure of the sender what the attribute Source names.
+    template <typename Source>
+    constexpr void take(const Source& source) {
+        state = static_cast<State>(source.state);
+        side = static_cast<Side>(source.side);
+        warning_level = source.warning_level;
+        lateral_acceleration_mps2 = source.lateral_acceleration_mps2;
+        lateral_acceleration_threshold_mps2 = source.lateral_acceleration_threshold_mps2;
+    }
+
+    // Calls visitor(field's name, source's name, member) for each of these signals.
+    template <typename Visitor>
+    static constexpr void visit_sources(Visitor&& visitor) {
+        visitor("state", "state", &RolloverWarning::state);
+        visitor("side", "side", &RolloverWarning::side);
+        visitor("warning_level", "warning_level", &RolloverWarning::warning_level);
+        visitor("lateral_acceleration_mps2", "lateral_acceleration_mps2", &RolloverWarning::lateral_acceleration_mps2);
+        visitor("lateral_acceleration_threshold_mps2", "lateral_acceleration_threshold_mps2", &RolloverWarning::lateral_acceleration_threshold_mps2);
+    }
+
     // Calls visitor(name, unit, member, status member) for each signal.
     template <typename Visitor>
     static constexpr void visit_signals(Visitor&& visitor) {
         visitor("State", "-", &RolloverWarning::state, &Status::state);
         visitor("Side", "-", &RolloverWarning::side, &Status::side);
         visitor("ParametersRefusal", "-", &RolloverWarning::parameters_refusal, &Status::parameters_refusal);
-        visitor("RollStabilityIndicator", "-", &RolloverWarning::roll_stability_indicator, &Status::roll_stability_indicator);
+        visitor("WarningLevel", "-", &RolloverWarning::warning_level, &Status::warning_level);
         visitor("LateralAcceleration", "m/s^2", &RolloverWarning::lateral_acceleration_mps2, &Status::lateral_acceleration_mps2);
         visitor("LateralAccelerationThreshold", "m/s^2", &RolloverWarning::lateral_acceleration_threshold_mps2, &Status::lateral_acceleration_threshold_mps2);
     }
@@ -421,14 +445,14 @@ constexpr Decoded<RolloverWarning> RolloverWarning::decode(const std::uint8_t* p
     read_enumeration(Signals::state, &RolloverWarning::is_known, payload, decoded.value.state, decoded.status.state);
     read_enumeration(Signals::side, &RolloverWarning::is_known, payload, decoded.value.side, decoded.status.side);
     read_enumeration(Signals::parameters_refusal, &RolloverWarning::is_known, payload, decoded.value.parameters_refusal, decoded.status.parameters_refusal);
-    read_signal(Signals::roll_stability_indicator, payload, decoded.value.roll_stability_indicator, decoded.status.roll_stability_indicator);
+    read_signal(Signals::warning_level, payload, decoded.value.warning_level, decoded.status.warning_level);
     read_signal(Signals::lateral_acceleration_mps2, payload, decoded.value.lateral_acceleration_mps2, decoded.status.lateral_acceleration_mps2);
     read_signal(Signals::lateral_acceleration_threshold_mps2, payload, decoded.value.lateral_acceleration_threshold_mps2, decoded.status.lateral_acceleration_threshold_mps2);
     return decoded;
 }
 
 // What the estimator has learnt about the suspension.
-// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+// From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollCentreEstimate {
     static constexpr const char* name{"RollCentreEstimate"};
     static constexpr std::uint32_t identifier{0x230U};
@@ -438,42 +462,43 @@ struct RollCentreEstimate {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{true};
     static constexpr std::uint16_t e2e_data_id{0x7D4U};
 
     // Vertical movement of the roll centre from its nominal place, positive upwards. m, -1 to 1.
-    float vertical_movement_m{not_available};
+    float roll_centre_vertical_m{not_available};
     // Lateral movement of the roll centre from its nominal place, positive to the left. m, -1 to 1.
-    float lateral_movement_m{not_available};
+    float roll_centre_lateral_m{not_available};
     // Deviation of the roll stiffness from its nominal value. N m/rad, -100000 to 100000.
-    float roll_stiffness_deviation_n_m_per_rad{not_available};
+    float roll_stiffness_deviation_nmprad{not_available};
     // Deviation of the roll damping from its nominal value. N m s/rad, -20000 to 20000.
-    float roll_damping_deviation_n_m_s_per_rad{not_available};
+    float roll_damping_deviation_nmsprad{not_available};
 
     struct Status {
-        SignalStatus vertical_movement_m{SignalStatus::not_available};
-        SignalStatus lateral_movement_m{SignalStatus::not_available};
-        SignalStatus roll_stiffness_deviation_n_m_per_rad{SignalStatus::not_available};
-        SignalStatus roll_damping_deviation_n_m_s_per_rad{SignalStatus::not_available};
+        SignalStatus roll_centre_vertical_m{SignalStatus::not_available};
+        SignalStatus roll_centre_lateral_m{SignalStatus::not_available};
+        SignalStatus roll_stiffness_deviation_nmprad{SignalStatus::not_available};
+        SignalStatus roll_damping_deviation_nmsprad{SignalStatus::not_available};
 
         constexpr bool all_valid() const {
-            return vertical_movement_m == SignalStatus::valid &&
-                   lateral_movement_m == SignalStatus::valid &&
-                   roll_stiffness_deviation_n_m_per_rad == SignalStatus::valid &&
-                   roll_damping_deviation_n_m_s_per_rad == SignalStatus::valid;
+            return roll_centre_vertical_m == SignalStatus::valid &&
+                   roll_centre_lateral_m == SignalStatus::valid &&
+                   roll_stiffness_deviation_nmprad == SignalStatus::valid &&
+                   roll_damping_deviation_nmsprad == SignalStatus::valid;
         }
     };
 
     struct Signals {
-        static constexpr PhysicalSignal<std::int32_t> vertical_movement_m{
+        static constexpr PhysicalSignal<std::int32_t> roll_centre_vertical_m{
             {ByteOrder::little_endian, 16U, 12U, true}, 1.0F, 0.0F, 2000.0F, -1.0F, 1.0F,
             -2000, 2000, -2048, true};
-        static constexpr PhysicalSignal<std::int32_t> lateral_movement_m{
+        static constexpr PhysicalSignal<std::int32_t> roll_centre_lateral_m{
             {ByteOrder::little_endian, 28U, 12U, true}, 1.0F, 0.0F, 2000.0F, -1.0F, 1.0F,
             -2000, 2000, -2048, true};
-        static constexpr PhysicalSignal<std::int32_t> roll_stiffness_deviation_n_m_per_rad{
+        static constexpr PhysicalSignal<std::int32_t> roll_stiffness_deviation_nmprad{
             {ByteOrder::little_endian, 40U, 12U, true}, 50.0F, 0.0F, 1.0F, -100000.0F, 100000.0F,
             -2000, 2000, -2048, true};
-        static constexpr PhysicalSignal<std::int32_t> roll_damping_deviation_n_m_s_per_rad{
+        static constexpr PhysicalSignal<std::int32_t> roll_damping_deviation_nmsprad{
             {ByteOrder::little_endian, 52U, 12U, true}, 10.0F, 0.0F, 1.0F, -20000.0F, 20000.0F,
             -2000, 2000, -2048, true};
     };
@@ -481,258 +506,54 @@ struct RollCentreEstimate {
     // See can_dbc::encode and can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
-        write_signal(Signals::vertical_movement_m, vertical_movement_m, payload.data());
-        write_signal(Signals::lateral_movement_m, lateral_movement_m, payload.data());
-        write_signal(Signals::roll_stiffness_deviation_n_m_per_rad, roll_stiffness_deviation_n_m_per_rad, payload.data());
-        write_signal(Signals::roll_damping_deviation_n_m_s_per_rad, roll_damping_deviation_n_m_s_per_rad, payload.data());
+        write_signal(Signals::roll_centre_vertical_m, roll_centre_vertical_m, payload.data());
+        write_signal(Signals::roll_centre_lateral_m, roll_centre_lateral_m, payload.data());
+        write_signal(Signals::roll_stiffness_deviation_nmprad, roll_stiffness_deviation_nmprad, payload.data());
+        write_signal(Signals::roll_damping_deviation_nmsprad, roll_damping_deviation_nmsprad, payload.data());
         return payload;
     }
 
     static constexpr Decoded<RollCentreEstimate> decode(const std::uint8_t* payload);
 
+    // Takes from a structure of the sender what the attribute Source names.
+    template <typename Source>
+    constexpr void take(const Source& source) {
+        roll_centre_vertical_m = source.roll_centre_vertical_m;
+        roll_centre_lateral_m = source.roll_centre_lateral_m;
+        roll_stiffness_deviation_nmprad = source.roll_stiffness_deviation_nmprad;
+        roll_damping_deviation_nmsprad = source.roll_damping_deviation_nmsprad;
+    }
+
+    // Calls visitor(field's name, source's name, member) for each of these signals.
+    template <typename Visitor>
+    static constexpr void visit_sources(Visitor&& visitor) {
+        visitor("roll_centre_vertical_m", "roll_centre_vertical_m", &RollCentreEstimate::roll_centre_vertical_m);
+        visitor("roll_centre_lateral_m", "roll_centre_lateral_m", &RollCentreEstimate::roll_centre_lateral_m);
+        visitor("roll_stiffness_deviation_nmprad", "roll_stiffness_deviation_nmprad", &RollCentreEstimate::roll_stiffness_deviation_nmprad);
+        visitor("roll_damping_deviation_nmsprad", "roll_damping_deviation_nmsprad", &RollCentreEstimate::roll_damping_deviation_nmsprad);
+    }
+
     // Calls visitor(name, unit, member, status member) for each signal.
     template <typename Visitor>
     static constexpr void visit_signals(Visitor&& visitor) {
-        visitor("VerticalMovement", "m", &RollCentreEstimate::vertical_movement_m, &Status::vertical_movement_m);
-        visitor("LateralMovement", "m", &RollCentreEstimate::lateral_movement_m, &Status::lateral_movement_m);
-        visitor("RollStiffnessDeviation", "N m/rad", &RollCentreEstimate::roll_stiffness_deviation_n_m_per_rad, &Status::roll_stiffness_deviation_n_m_per_rad);
-        visitor("RollDampingDeviation", "N m s/rad", &RollCentreEstimate::roll_damping_deviation_n_m_s_per_rad, &Status::roll_damping_deviation_n_m_s_per_rad);
+        visitor("RollCentreVertical", "m", &RollCentreEstimate::roll_centre_vertical_m, &Status::roll_centre_vertical_m);
+        visitor("RollCentreLateral", "m", &RollCentreEstimate::roll_centre_lateral_m, &Status::roll_centre_lateral_m);
+        visitor("RollStiffnessDeviation", "N m/rad", &RollCentreEstimate::roll_stiffness_deviation_nmprad, &Status::roll_stiffness_deviation_nmprad);
+        visitor("RollDampingDeviation", "N m s/rad", &RollCentreEstimate::roll_damping_deviation_nmsprad, &Status::roll_damping_deviation_nmsprad);
     }
 };
 
 constexpr Decoded<RollCentreEstimate> RollCentreEstimate::decode(const std::uint8_t* payload) {
     Decoded<RollCentreEstimate> decoded{};
-    read_signal(Signals::vertical_movement_m, payload, decoded.value.vertical_movement_m, decoded.status.vertical_movement_m);
-    read_signal(Signals::lateral_movement_m, payload, decoded.value.lateral_movement_m, decoded.status.lateral_movement_m);
-    read_signal(Signals::roll_stiffness_deviation_n_m_per_rad, payload, decoded.value.roll_stiffness_deviation_n_m_per_rad, decoded.status.roll_stiffness_deviation_n_m_per_rad);
-    read_signal(Signals::roll_damping_deviation_n_m_s_per_rad, payload, decoded.value.roll_damping_deviation_n_m_s_per_rad, decoded.status.roll_damping_deviation_n_m_s_per_rad);
-    return decoded;
-}
-
-// Health of the rollover-warning component.
-// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
-struct RolloverStatus {
-    static constexpr const char* name{"RolloverStatus"};
-    static constexpr std::uint32_t identifier{0x231U};
-    static constexpr bool extended{false};
-    static constexpr bool flexible_data_rate{false};
-    static constexpr std::uint8_t length{8U};
-    static constexpr std::uint16_t cycle_time_ms{10U};
-    static constexpr bool e2e_protected{true};
-    static constexpr std::uint8_t e2e_profile{11U};
-    static constexpr std::uint16_t e2e_data_id{0x88BU};
-
-    // No usable Imu frame within the time limit.
-    bool imu_timeout{false};
-    // An Imu frame failed its checksum, data identifier or length.
-    bool imu_checksum_error{false};
-    // The counter of Imu repeated or jumped.
-    bool imu_counter_error{false};
-    // A signal of Imu was not available or out of range.
-    bool imu_signal_invalid{false};
-    // No usable RollAngle frame within the time limit.
-    bool roll_angle_timeout{false};
-    // A RollAngle frame failed its checksum, data identifier or length.
-    bool roll_angle_checksum_error{false};
-    // The counter of RollAngle repeated or jumped.
-    bool roll_angle_counter_error{false};
-    // A signal of RollAngle was not available or out of range.
-    bool roll_angle_signal_invalid{false};
-    // No usable VehicleMotion frame within the time limit.
-    bool vehicle_motion_timeout{false};
-    // A VehicleMotion frame failed its checksum, data identifier or length.
-    bool vehicle_motion_checksum_error{false};
-    // The counter of VehicleMotion repeated or jumped.
-    bool vehicle_motion_counter_error{false};
-    // A signal of VehicleMotion was not available or out of range.
-    bool vehicle_motion_signal_invalid{false};
-    // Received frames were lost for want of room.
-    bool receive_overflow{false};
-    // The bus is not error-active, or it did not take a frame.
-    bool bus_error{false};
-    // The vehicle parameters were refused.
-    bool parameters_invalid{false};
-    // A cycle began late.
-    bool cycle_overrun{false};
-    // Cycles that began late since the start; stays at 255. 0 to 255.
-    std::uint8_t cycle_overruns{0U};
-    // Frames that the end-to-end check refused since the start; stays at 255. 0 to 255.
-    std::uint8_t frames_rejected{0U};
-    // Frames that the counters show as lost since the start; stays at 255. 0 to 255.
-    std::uint8_t frames_lost{0U};
-    // Version of the software: 16 times the major number plus the minor number. 0 to 255.
-    std::uint8_t software_version{0U};
-
-    struct Status {
-        SignalStatus imu_timeout{SignalStatus::not_available};
-        SignalStatus imu_checksum_error{SignalStatus::not_available};
-        SignalStatus imu_counter_error{SignalStatus::not_available};
-        SignalStatus imu_signal_invalid{SignalStatus::not_available};
-        SignalStatus roll_angle_timeout{SignalStatus::not_available};
-        SignalStatus roll_angle_checksum_error{SignalStatus::not_available};
-        SignalStatus roll_angle_counter_error{SignalStatus::not_available};
-        SignalStatus roll_angle_signal_invalid{SignalStatus::not_available};
-        SignalStatus vehicle_motion_timeout{SignalStatus::not_available};
-        SignalStatus vehicle_motion_checksum_error{SignalStatus::not_available};
-        SignalStatus vehicle_motion_counter_error{SignalStatus::not_available};
-        SignalStatus vehicle_motion_signal_invalid{SignalStatus::not_available};
-        SignalStatus receive_overflow{SignalStatus::not_available};
-        SignalStatus bus_error{SignalStatus::not_available};
-        SignalStatus parameters_invalid{SignalStatus::not_available};
-        SignalStatus cycle_overrun{SignalStatus::not_available};
-        SignalStatus cycle_overruns{SignalStatus::not_available};
-        SignalStatus frames_rejected{SignalStatus::not_available};
-        SignalStatus frames_lost{SignalStatus::not_available};
-        SignalStatus software_version{SignalStatus::not_available};
-
-        constexpr bool all_valid() const {
-            return imu_timeout == SignalStatus::valid &&
-                   imu_checksum_error == SignalStatus::valid &&
-                   imu_counter_error == SignalStatus::valid &&
-                   imu_signal_invalid == SignalStatus::valid &&
-                   roll_angle_timeout == SignalStatus::valid &&
-                   roll_angle_checksum_error == SignalStatus::valid &&
-                   roll_angle_counter_error == SignalStatus::valid &&
-                   roll_angle_signal_invalid == SignalStatus::valid &&
-                   vehicle_motion_timeout == SignalStatus::valid &&
-                   vehicle_motion_checksum_error == SignalStatus::valid &&
-                   vehicle_motion_counter_error == SignalStatus::valid &&
-                   vehicle_motion_signal_invalid == SignalStatus::valid &&
-                   receive_overflow == SignalStatus::valid &&
-                   bus_error == SignalStatus::valid &&
-                   parameters_invalid == SignalStatus::valid &&
-                   cycle_overrun == SignalStatus::valid &&
-                   cycle_overruns == SignalStatus::valid &&
-                   frames_rejected == SignalStatus::valid &&
-                   frames_lost == SignalStatus::valid &&
-                   software_version == SignalStatus::valid;
-        }
-    };
-
-    struct Signals {
-        static constexpr IntegerSignal imu_timeout{
-            {ByteOrder::little_endian, 16U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal imu_checksum_error{
-            {ByteOrder::little_endian, 17U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal imu_counter_error{
-            {ByteOrder::little_endian, 18U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal imu_signal_invalid{
-            {ByteOrder::little_endian, 19U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal roll_angle_timeout{
-            {ByteOrder::little_endian, 20U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal roll_angle_checksum_error{
-            {ByteOrder::little_endian, 21U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal roll_angle_counter_error{
-            {ByteOrder::little_endian, 22U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal roll_angle_signal_invalid{
-            {ByteOrder::little_endian, 23U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal vehicle_motion_timeout{
-            {ByteOrder::little_endian, 24U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal vehicle_motion_checksum_error{
-            {ByteOrder::little_endian, 25U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal vehicle_motion_counter_error{
-            {ByteOrder::little_endian, 26U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal vehicle_motion_signal_invalid{
-            {ByteOrder::little_endian, 27U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal receive_overflow{
-            {ByteOrder::little_endian, 28U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal bus_error{
-            {ByteOrder::little_endian, 29U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal parameters_invalid{
-            {ByteOrder::little_endian, 30U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal cycle_overrun{
-            {ByteOrder::little_endian, 31U, 1U, false}, 0, 1, 0};
-        static constexpr IntegerSignal cycle_overruns{
-            {ByteOrder::little_endian, 32U, 8U, false}, 0, 255, 0};
-        static constexpr IntegerSignal frames_rejected{
-            {ByteOrder::little_endian, 40U, 8U, false}, 0, 255, 0};
-        static constexpr IntegerSignal frames_lost{
-            {ByteOrder::little_endian, 48U, 8U, false}, 0, 255, 0};
-        static constexpr IntegerSignal software_version{
-            {ByteOrder::little_endian, 56U, 8U, false}, 0, 255, 0};
-    };
-
-    // See can_dbc::encode and can_dbc::decode.
-    constexpr std::array<std::uint8_t, length> encode() const {
-        std::array<std::uint8_t, length> payload{};
-        write_signal(Signals::imu_timeout, imu_timeout, payload.data());
-        write_signal(Signals::imu_checksum_error, imu_checksum_error, payload.data());
-        write_signal(Signals::imu_counter_error, imu_counter_error, payload.data());
-        write_signal(Signals::imu_signal_invalid, imu_signal_invalid, payload.data());
-        write_signal(Signals::roll_angle_timeout, roll_angle_timeout, payload.data());
-        write_signal(Signals::roll_angle_checksum_error, roll_angle_checksum_error, payload.data());
-        write_signal(Signals::roll_angle_counter_error, roll_angle_counter_error, payload.data());
-        write_signal(Signals::roll_angle_signal_invalid, roll_angle_signal_invalid, payload.data());
-        write_signal(Signals::vehicle_motion_timeout, vehicle_motion_timeout, payload.data());
-        write_signal(Signals::vehicle_motion_checksum_error, vehicle_motion_checksum_error, payload.data());
-        write_signal(Signals::vehicle_motion_counter_error, vehicle_motion_counter_error, payload.data());
-        write_signal(Signals::vehicle_motion_signal_invalid, vehicle_motion_signal_invalid, payload.data());
-        write_signal(Signals::receive_overflow, receive_overflow, payload.data());
-        write_signal(Signals::bus_error, bus_error, payload.data());
-        write_signal(Signals::parameters_invalid, parameters_invalid, payload.data());
-        write_signal(Signals::cycle_overrun, cycle_overrun, payload.data());
-        write_signal(Signals::cycle_overruns, cycle_overruns, payload.data());
-        write_signal(Signals::frames_rejected, frames_rejected, payload.data());
-        write_signal(Signals::frames_lost, frames_lost, payload.data());
-        write_signal(Signals::software_version, software_version, payload.data());
-        return payload;
-    }
-
-    static constexpr Decoded<RolloverStatus> decode(const std::uint8_t* payload);
-
-    // Calls visitor(name, unit, member, status member) for each signal.
-    template <typename Visitor>
-    static constexpr void visit_signals(Visitor&& visitor) {
-        visitor("ImuTimeout", "-", &RolloverStatus::imu_timeout, &Status::imu_timeout);
-        visitor("ImuChecksumError", "-", &RolloverStatus::imu_checksum_error, &Status::imu_checksum_error);
-        visitor("ImuCounterError", "-", &RolloverStatus::imu_counter_error, &Status::imu_counter_error);
-        visitor("ImuSignalInvalid", "-", &RolloverStatus::imu_signal_invalid, &Status::imu_signal_invalid);
-        visitor("RollAngleTimeout", "-", &RolloverStatus::roll_angle_timeout, &Status::roll_angle_timeout);
-        visitor("RollAngleChecksumError", "-", &RolloverStatus::roll_angle_checksum_error, &Status::roll_angle_checksum_error);
-        visitor("RollAngleCounterError", "-", &RolloverStatus::roll_angle_counter_error, &Status::roll_angle_counter_error);
-        visitor("RollAngleSignalInvalid", "-", &RolloverStatus::roll_angle_signal_invalid, &Status::roll_angle_signal_invalid);
-        visitor("VehicleMotionTimeout", "-", &RolloverStatus::vehicle_motion_timeout, &Status::vehicle_motion_timeout);
-        visitor("VehicleMotionChecksumError", "-", &RolloverStatus::vehicle_motion_checksum_error, &Status::vehicle_motion_checksum_error);
-        visitor("VehicleMotionCounterError", "-", &RolloverStatus::vehicle_motion_counter_error, &Status::vehicle_motion_counter_error);
-        visitor("VehicleMotionSignalInvalid", "-", &RolloverStatus::vehicle_motion_signal_invalid, &Status::vehicle_motion_signal_invalid);
-        visitor("ReceiveOverflow", "-", &RolloverStatus::receive_overflow, &Status::receive_overflow);
-        visitor("BusError", "-", &RolloverStatus::bus_error, &Status::bus_error);
-        visitor("ParametersInvalid", "-", &RolloverStatus::parameters_invalid, &Status::parameters_invalid);
-        visitor("CycleOverrun", "-", &RolloverStatus::cycle_overrun, &Status::cycle_overrun);
-        visitor("CycleOverruns", "-", &RolloverStatus::cycle_overruns, &Status::cycle_overruns);
-        visitor("FramesRejected", "-", &RolloverStatus::frames_rejected, &Status::frames_rejected);
-        visitor("FramesLost", "-", &RolloverStatus::frames_lost, &Status::frames_lost);
-        visitor("SoftwareVersion", "-", &RolloverStatus::software_version, &Status::software_version);
-    }
-};
-
-constexpr Decoded<RolloverStatus> RolloverStatus::decode(const std::uint8_t* payload) {
-    Decoded<RolloverStatus> decoded{};
-    read_signal(Signals::imu_timeout, payload, decoded.value.imu_timeout, decoded.status.imu_timeout);
-    read_signal(Signals::imu_checksum_error, payload, decoded.value.imu_checksum_error, decoded.status.imu_checksum_error);
-    read_signal(Signals::imu_counter_error, payload, decoded.value.imu_counter_error, decoded.status.imu_counter_error);
-    read_signal(Signals::imu_signal_invalid, payload, decoded.value.imu_signal_invalid, decoded.status.imu_signal_invalid);
-    read_signal(Signals::roll_angle_timeout, payload, decoded.value.roll_angle_timeout, decoded.status.roll_angle_timeout);
-    read_signal(Signals::roll_angle_checksum_error, payload, decoded.value.roll_angle_checksum_error, decoded.status.roll_angle_checksum_error);
-    read_signal(Signals::roll_angle_counter_error, payload, decoded.value.roll_angle_counter_error, decoded.status.roll_angle_counter_error);
-    read_signal(Signals::roll_angle_signal_invalid, payload, decoded.value.roll_angle_signal_invalid, decoded.status.roll_angle_signal_invalid);
-    read_signal(Signals::vehicle_motion_timeout, payload, decoded.value.vehicle_motion_timeout, decoded.status.vehicle_motion_timeout);
-    read_signal(Signals::vehicle_motion_checksum_error, payload, decoded.value.vehicle_motion_checksum_error, decoded.status.vehicle_motion_checksum_error);
-    read_signal(Signals::vehicle_motion_counter_error, payload, decoded.value.vehicle_motion_counter_error, decoded.status.vehicle_motion_counter_error);
-    read_signal(Signals::vehicle_motion_signal_invalid, payload, decoded.value.vehicle_motion_signal_invalid, decoded.status.vehicle_motion_signal_invalid);
-    read_signal(Signals::receive_overflow, payload, decoded.value.receive_overflow, decoded.status.receive_overflow);
-    read_signal(Signals::bus_error, payload, decoded.value.bus_error, decoded.status.bus_error);
-    read_signal(Signals::parameters_invalid, payload, decoded.value.parameters_invalid, decoded.status.parameters_invalid);
-    read_signal(Signals::cycle_overrun, payload, decoded.value.cycle_overrun, decoded.status.cycle_overrun);
-    read_signal(Signals::cycle_overruns, payload, decoded.value.cycle_overruns, decoded.status.cycle_overruns);
-    read_signal(Signals::frames_rejected, payload, decoded.value.frames_rejected, decoded.status.frames_rejected);
-    read_signal(Signals::frames_lost, payload, decoded.value.frames_lost, decoded.status.frames_lost);
-    read_signal(Signals::software_version, payload, decoded.value.software_version, decoded.status.software_version);
+    read_signal(Signals::roll_centre_vertical_m, payload, decoded.value.roll_centre_vertical_m, decoded.status.roll_centre_vertical_m);
+    read_signal(Signals::roll_centre_lateral_m, payload, decoded.value.roll_centre_lateral_m, decoded.status.roll_centre_lateral_m);
+    read_signal(Signals::roll_stiffness_deviation_nmprad, payload, decoded.value.roll_stiffness_deviation_nmprad, decoded.status.roll_stiffness_deviation_nmprad);
+    read_signal(Signals::roll_damping_deviation_nmsprad, payload, decoded.value.roll_damping_deviation_nmsprad, decoded.status.roll_damping_deviation_nmsprad);
     return decoded;
 }
 
 // Indices that look ahead, and the present ones that they come from.
-// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+// From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollIndicesAhead {
     static constexpr const char* name{"RollIndicesAhead"};
     static constexpr std::uint32_t identifier{0x232U};
@@ -742,6 +563,7 @@ struct RollIndicesAhead {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{true};
     static constexpr std::uint16_t e2e_data_id{0x9A6U};
 
     // Load-transfer ratio that the roll state, the trend of the lateral acceleration and the steering lead to within the prediction horizon; largest magnitude, positive in a left turn. Dimensionless, -2 to 2.
@@ -794,6 +616,24 @@ struct RollIndicesAhead {
 
     static constexpr Decoded<RollIndicesAhead> decode(const std::uint8_t* payload);
 
+    // Takes from a structure of the sender what the attribute Source names.
+    template <typename Source>
+    constexpr void take(const Source& source) {
+        predicted_load_transfer_ratio = source.predicted_load_transfer_ratio;
+        predicted_rsi = source.predicted_rsi;
+        load_transfer_ratio = source.load_transfer_ratio;
+        extended_rsi = source.rsi_extended;
+    }
+
+    // Calls visitor(field's name, source's name, member) for each of these signals.
+    template <typename Visitor>
+    static constexpr void visit_sources(Visitor&& visitor) {
+        visitor("predicted_load_transfer_ratio", "predicted_load_transfer_ratio", &RollIndicesAhead::predicted_load_transfer_ratio);
+        visitor("predicted_rsi", "predicted_rsi", &RollIndicesAhead::predicted_rsi);
+        visitor("load_transfer_ratio", "load_transfer_ratio", &RollIndicesAhead::load_transfer_ratio);
+        visitor("extended_rsi", "rsi_extended", &RollIndicesAhead::extended_rsi);
+    }
+
     // Calls visitor(name, unit, member, status member) for each signal.
     template <typename Visitor>
     static constexpr void visit_signals(Visitor&& visitor) {
@@ -814,7 +654,7 @@ constexpr Decoded<RollIndicesAhead> RollIndicesAhead::decode(const std::uint8_t*
 }
 
 // The paper's indices.
-// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+// From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollIndicesClassic {
     static constexpr const char* name{"RollIndicesClassic"};
     static constexpr std::uint32_t identifier{0x233U};
@@ -824,10 +664,11 @@ struct RollIndicesClassic {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{true};
     static constexpr std::uint16_t e2e_data_id{0xAC3U};
 
-    // Roll stability indicator as published. Dimensionless, 0 to 1.2.
-    float published_rsi{not_available};
+    // Roll stability indicator (RSI) as published. Dimensionless, 0 to 1.2.
+    float rsi{not_available};
     // Roll stability indicator without bank angle. Dimensionless, 0 to 2.
     float bank_free_rsi{not_available};
     // Dynamic stability index with the physical sign, in g, positive in a left turn. Dimensionless, -2 to 2.
@@ -840,7 +681,7 @@ struct RollIndicesClassic {
     float time_to_rollover_s{not_available};
 
     struct Status {
-        SignalStatus published_rsi{SignalStatus::not_available};
+        SignalStatus rsi{SignalStatus::not_available};
         SignalStatus bank_free_rsi{SignalStatus::not_available};
         SignalStatus dynamic_stability_index{SignalStatus::not_available};
         SignalStatus energy_margin{SignalStatus::not_available};
@@ -848,7 +689,7 @@ struct RollIndicesClassic {
         SignalStatus time_to_rollover_s{SignalStatus::not_available};
 
         constexpr bool all_valid() const {
-            return published_rsi == SignalStatus::valid &&
+            return rsi == SignalStatus::valid &&
                    bank_free_rsi == SignalStatus::valid &&
                    dynamic_stability_index == SignalStatus::valid &&
                    energy_margin == SignalStatus::valid &&
@@ -858,7 +699,7 @@ struct RollIndicesClassic {
     };
 
     struct Signals {
-        static constexpr PhysicalSignal<std::int32_t> published_rsi{
+        static constexpr PhysicalSignal<std::int32_t> rsi{
             {ByteOrder::little_endian, 16U, 8U, false}, 1.0F, 0.0F, 200.0F, 0.0F, 1.2F,
             0, 240, 255, true};
         static constexpr PhysicalSignal<std::int32_t> bank_free_rsi{
@@ -881,7 +722,7 @@ struct RollIndicesClassic {
     // See can_dbc::encode and can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
-        write_signal(Signals::published_rsi, published_rsi, payload.data());
+        write_signal(Signals::rsi, rsi, payload.data());
         write_signal(Signals::bank_free_rsi, bank_free_rsi, payload.data());
         write_signal(Signals::dynamic_stability_index, dynamic_stability_index, payload.data());
         write_signal(Signals::energy_margin, energy_margin, payload.data());
@@ -892,10 +733,32 @@ struct RollIndicesClassic {
 
     static constexpr Decoded<RollIndicesClassic> decode(const std::uint8_t* payload);
 
+    // Takes from a structure of the sender what the attribute Source names.
+    template <typename Source>
+    constexpr void take(const Source& source) {
+        rsi = source.rsi;
+        bank_free_rsi = source.rsi_bank_free;
+        dynamic_stability_index = source.dynamic_stability_index;
+        energy_margin = source.energy_margin;
+        rollover_index = source.rollover_index;
+        time_to_rollover_s = source.time_to_rollover_s;
+    }
+
+    // Calls visitor(field's name, source's name, member) for each of these signals.
+    template <typename Visitor>
+    static constexpr void visit_sources(Visitor&& visitor) {
+        visitor("rsi", "rsi", &RollIndicesClassic::rsi);
+        visitor("bank_free_rsi", "rsi_bank_free", &RollIndicesClassic::bank_free_rsi);
+        visitor("dynamic_stability_index", "dynamic_stability_index", &RollIndicesClassic::dynamic_stability_index);
+        visitor("energy_margin", "energy_margin", &RollIndicesClassic::energy_margin);
+        visitor("rollover_index", "rollover_index", &RollIndicesClassic::rollover_index);
+        visitor("time_to_rollover_s", "time_to_rollover_s", &RollIndicesClassic::time_to_rollover_s);
+    }
+
     // Calls visitor(name, unit, member, status member) for each signal.
     template <typename Visitor>
     static constexpr void visit_signals(Visitor&& visitor) {
-        visitor("PublishedRsi", "-", &RollIndicesClassic::published_rsi, &Status::published_rsi);
+        visitor("Rsi", "-", &RollIndicesClassic::rsi, &Status::rsi);
         visitor("BankFreeRsi", "-", &RollIndicesClassic::bank_free_rsi, &Status::bank_free_rsi);
         visitor("DynamicStabilityIndex", "-", &RollIndicesClassic::dynamic_stability_index, &Status::dynamic_stability_index);
         visitor("EnergyMargin", "-", &RollIndicesClassic::energy_margin, &Status::energy_margin);
@@ -906,7 +769,7 @@ struct RollIndicesClassic {
 
 constexpr Decoded<RollIndicesClassic> RollIndicesClassic::decode(const std::uint8_t* payload) {
     Decoded<RollIndicesClassic> decoded{};
-    read_signal(Signals::published_rsi, payload, decoded.value.published_rsi, decoded.status.published_rsi);
+    read_signal(Signals::rsi, payload, decoded.value.rsi, decoded.status.rsi);
     read_signal(Signals::bank_free_rsi, payload, decoded.value.bank_free_rsi, decoded.status.bank_free_rsi);
     read_signal(Signals::dynamic_stability_index, payload, decoded.value.dynamic_stability_index, decoded.status.dynamic_stability_index);
     read_signal(Signals::energy_margin, payload, decoded.value.energy_margin, decoded.status.energy_margin);
@@ -916,7 +779,7 @@ constexpr Decoded<RollIndicesClassic> RollIndicesClassic::decode(const std::uint
 }
 
 // Observer of roll angle and bank, how good the estimate of the roll centre is, and why the control unit last started.
-// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+// From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollObserver {
     // Where the roll angle in use comes from.
     enum class RollSource : std::uint8_t {
@@ -946,6 +809,7 @@ struct RollObserver {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{true};
     static constexpr std::uint16_t e2e_data_id{0xBE8U};
 
     // Roll angle relative to the road as the observer has it without the roll sensor. deg, -60 to 60.
@@ -1082,6 +946,28 @@ struct RollObserver {
 
     static constexpr Decoded<RollObserver> decode(const std::uint8_t* payload);
 
+    // Takes from a structure of the sender what the attribute Source names.
+    template <typename Source>
+    constexpr void take(const Source& source) {
+        observed_roll_angle_deg = source.observed_roll_angle_rad * 57.295780F;
+        observed_bank_angle_deg = source.observed_bank_angle_rad * 57.295780F;
+        roll_centre_deviation_m = source.roll_centre_deviation_m;
+        roll_source = static_cast<RollSource>(source.roll_source);
+        roll_sensor_disagrees = (source.roll_sensor_disagrees != 0);
+        estimate_frozen = (source.estimate_frozen != 0);
+    }
+
+    // Calls visitor(field's name, source's name, member) for each of these signals.
+    template <typename Visitor>
+    static constexpr void visit_sources(Visitor&& visitor) {
+        visitor("observed_roll_angle_deg", "observed_roll_angle_rad", &RollObserver::observed_roll_angle_deg);
+        visitor("observed_bank_angle_deg", "observed_bank_angle_rad", &RollObserver::observed_bank_angle_deg);
+        visitor("roll_centre_deviation_m", "roll_centre_deviation_m", &RollObserver::roll_centre_deviation_m);
+        visitor("roll_source", "roll_source", &RollObserver::roll_source);
+        visitor("roll_sensor_disagrees", "roll_sensor_disagrees", &RollObserver::roll_sensor_disagrees);
+        visitor("estimate_frozen", "estimate_frozen", &RollObserver::estimate_frozen);
+    }
+
     // Calls visitor(name, unit, member, status member) for each signal.
     template <typename Visitor>
     static constexpr void visit_signals(Visitor&& visitor) {
@@ -1108,7 +994,7 @@ constexpr Decoded<RollObserver> RollObserver::decode(const std::uint8_t* payload
 }
 
 // What the component can still do, and its diagnostic memory, one code a cycle.
-// From RolloverEcu to Simulator, VehicleGateway, every 10 ms.
+// From RolloverEcu to VehicleGateway, every 10 ms.
 struct RolloverDiagnosis {
     // What the component can still do with the inputs that it has.
     enum class Degradation : std::uint8_t {
@@ -1183,6 +1069,7 @@ struct RolloverDiagnosis {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0xCD3U};
 
     // What the component can still do with the inputs that it has.
@@ -1491,54 +1378,226 @@ constexpr Decoded<RolloverDiagnosis> RolloverDiagnosis::decode(const std::uint8_
     return decoded;
 }
 
-// Lock-step simulation only: tells the control unit to step at simulated time CycleNumber * 10 ms.
-// From Simulator to RolloverEcu, every 10 ms.
-struct SimulationSync {
-    static constexpr const char* name{"SimulationSync"};
-    static constexpr std::uint32_t identifier{0x7F0U};
+// Health of the rollover-warning component.
+// From RolloverEcu to VehicleGateway, every 10 ms.
+struct RolloverStatus {
+    static constexpr const char* name{"RolloverStatus"};
+    static constexpr std::uint32_t identifier{0x231U};
     static constexpr bool extended{false};
     static constexpr bool flexible_data_rate{false};
-    static constexpr std::uint8_t length{4U};
+    static constexpr std::uint8_t length{8U};
     static constexpr std::uint16_t cycle_time_ms{10U};
-    static constexpr bool e2e_protected{false};
-    static constexpr std::uint8_t e2e_profile{0U};  // none
-    static constexpr std::uint16_t e2e_data_id{0x000U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{false};
+    static constexpr std::uint16_t e2e_data_id{0x88BU};
 
-    // Number of the cycle to compute. 0 to 4294967295.
-    std::uint32_t cycle_number{0U};
+    // No usable Imu frame within the time limit.
+    bool imu_timeout{false};
+    // An Imu frame failed its checksum, data identifier or length.
+    bool imu_checksum_error{false};
+    // The counter of Imu repeated or jumped.
+    bool imu_counter_error{false};
+    // A signal of Imu was not available or out of range.
+    bool imu_signal_invalid{false};
+    // No usable RollAngle frame within the time limit.
+    bool roll_angle_timeout{false};
+    // A RollAngle frame failed its checksum, data identifier or length.
+    bool roll_angle_checksum_error{false};
+    // The counter of RollAngle repeated or jumped.
+    bool roll_angle_counter_error{false};
+    // A signal of RollAngle was not available or out of range.
+    bool roll_angle_signal_invalid{false};
+    // No usable VehicleMotion frame within the time limit.
+    bool vehicle_motion_timeout{false};
+    // A VehicleMotion frame failed its checksum, data identifier or length.
+    bool vehicle_motion_checksum_error{false};
+    // The counter of VehicleMotion repeated or jumped.
+    bool vehicle_motion_counter_error{false};
+    // A signal of VehicleMotion was not available or out of range.
+    bool vehicle_motion_signal_invalid{false};
+    // Received frames were lost for want of room.
+    bool receive_overflow{false};
+    // The bus is not error-active, or it did not take a frame.
+    bool bus_error{false};
+    // The vehicle parameters were refused.
+    bool parameters_invalid{false};
+    // A cycle began late.
+    bool cycle_overrun{false};
+    // Cycles that began late since the start; stays at 255. 0 to 255.
+    std::uint8_t cycle_overruns{0U};
+    // Frames that the end-to-end check refused since the start; stays at 255. 0 to 255.
+    std::uint8_t frames_rejected{0U};
+    // Frames that the counters show as lost since the start; stays at 255. 0 to 255.
+    std::uint8_t frames_lost{0U};
+    // Version of the software: 16 times the major number plus the minor number. 0 to 255.
+    std::uint8_t software_version{0U};
 
     struct Status {
-        SignalStatus cycle_number{SignalStatus::not_available};
+        SignalStatus imu_timeout{SignalStatus::not_available};
+        SignalStatus imu_checksum_error{SignalStatus::not_available};
+        SignalStatus imu_counter_error{SignalStatus::not_available};
+        SignalStatus imu_signal_invalid{SignalStatus::not_available};
+        SignalStatus roll_angle_timeout{SignalStatus::not_available};
+        SignalStatus roll_angle_checksum_error{SignalStatus::not_available};
+        SignalStatus roll_angle_counter_error{SignalStatus::not_available};
+        SignalStatus roll_angle_signal_invalid{SignalStatus::not_available};
+        SignalStatus vehicle_motion_timeout{SignalStatus::not_available};
+        SignalStatus vehicle_motion_checksum_error{SignalStatus::not_available};
+        SignalStatus vehicle_motion_counter_error{SignalStatus::not_available};
+        SignalStatus vehicle_motion_signal_invalid{SignalStatus::not_available};
+        SignalStatus receive_overflow{SignalStatus::not_available};
+        SignalStatus bus_error{SignalStatus::not_available};
+        SignalStatus parameters_invalid{SignalStatus::not_available};
+        SignalStatus cycle_overrun{SignalStatus::not_available};
+        SignalStatus cycle_overruns{SignalStatus::not_available};
+        SignalStatus frames_rejected{SignalStatus::not_available};
+        SignalStatus frames_lost{SignalStatus::not_available};
+        SignalStatus software_version{SignalStatus::not_available};
 
         constexpr bool all_valid() const {
-            return cycle_number == SignalStatus::valid;
+            return imu_timeout == SignalStatus::valid &&
+                   imu_checksum_error == SignalStatus::valid &&
+                   imu_counter_error == SignalStatus::valid &&
+                   imu_signal_invalid == SignalStatus::valid &&
+                   roll_angle_timeout == SignalStatus::valid &&
+                   roll_angle_checksum_error == SignalStatus::valid &&
+                   roll_angle_counter_error == SignalStatus::valid &&
+                   roll_angle_signal_invalid == SignalStatus::valid &&
+                   vehicle_motion_timeout == SignalStatus::valid &&
+                   vehicle_motion_checksum_error == SignalStatus::valid &&
+                   vehicle_motion_counter_error == SignalStatus::valid &&
+                   vehicle_motion_signal_invalid == SignalStatus::valid &&
+                   receive_overflow == SignalStatus::valid &&
+                   bus_error == SignalStatus::valid &&
+                   parameters_invalid == SignalStatus::valid &&
+                   cycle_overrun == SignalStatus::valid &&
+                   cycle_overruns == SignalStatus::valid &&
+                   frames_rejected == SignalStatus::valid &&
+                   frames_lost == SignalStatus::valid &&
+                   software_version == SignalStatus::valid;
         }
     };
 
     struct Signals {
-        static constexpr IntegerSignal cycle_number{
-            {ByteOrder::little_endian, 0U, 32U, false}, 0, 4294967295LL, 0};
+        static constexpr IntegerSignal imu_timeout{
+            {ByteOrder::little_endian, 16U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal imu_checksum_error{
+            {ByteOrder::little_endian, 17U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal imu_counter_error{
+            {ByteOrder::little_endian, 18U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal imu_signal_invalid{
+            {ByteOrder::little_endian, 19U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal roll_angle_timeout{
+            {ByteOrder::little_endian, 20U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal roll_angle_checksum_error{
+            {ByteOrder::little_endian, 21U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal roll_angle_counter_error{
+            {ByteOrder::little_endian, 22U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal roll_angle_signal_invalid{
+            {ByteOrder::little_endian, 23U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal vehicle_motion_timeout{
+            {ByteOrder::little_endian, 24U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal vehicle_motion_checksum_error{
+            {ByteOrder::little_endian, 25U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal vehicle_motion_counter_error{
+            {ByteOrder::little_endian, 26U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal vehicle_motion_signal_invalid{
+            {ByteOrder::little_endian, 27U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal receive_overflow{
+            {ByteOrder::little_endian, 28U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal bus_error{
+            {ByteOrder::little_endian, 29U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal parameters_invalid{
+            {ByteOrder::little_endian, 30U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal cycle_overrun{
+            {ByteOrder::little_endian, 31U, 1U, false}, 0, 1, 0};
+        static constexpr IntegerSignal cycle_overruns{
+            {ByteOrder::little_endian, 32U, 8U, false}, 0, 255, 0};
+        static constexpr IntegerSignal frames_rejected{
+            {ByteOrder::little_endian, 40U, 8U, false}, 0, 255, 0};
+        static constexpr IntegerSignal frames_lost{
+            {ByteOrder::little_endian, 48U, 8U, false}, 0, 255, 0};
+        static constexpr IntegerSignal software_version{
+            {ByteOrder::little_endian, 56U, 8U, false}, 0, 255, 0};
     };
 
     // See can_dbc::encode and can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
-        write_signal(Signals::cycle_number, cycle_number, payload.data());
+        write_signal(Signals::imu_timeout, imu_timeout, payload.data());
+        write_signal(Signals::imu_checksum_error, imu_checksum_error, payload.data());
+        write_signal(Signals::imu_counter_error, imu_counter_error, payload.data());
+        write_signal(Signals::imu_signal_invalid, imu_signal_invalid, payload.data());
+        write_signal(Signals::roll_angle_timeout, roll_angle_timeout, payload.data());
+        write_signal(Signals::roll_angle_checksum_error, roll_angle_checksum_error, payload.data());
+        write_signal(Signals::roll_angle_counter_error, roll_angle_counter_error, payload.data());
+        write_signal(Signals::roll_angle_signal_invalid, roll_angle_signal_invalid, payload.data());
+        write_signal(Signals::vehicle_motion_timeout, vehicle_motion_timeout, payload.data());
+        write_signal(Signals::vehicle_motion_checksum_error, vehicle_motion_checksum_error, payload.data());
+        write_signal(Signals::vehicle_motion_counter_error, vehicle_motion_counter_error, payload.data());
+        write_signal(Signals::vehicle_motion_signal_invalid, vehicle_motion_signal_invalid, payload.data());
+        write_signal(Signals::receive_overflow, receive_overflow, payload.data());
+        write_signal(Signals::bus_error, bus_error, payload.data());
+        write_signal(Signals::parameters_invalid, parameters_invalid, payload.data());
+        write_signal(Signals::cycle_overrun, cycle_overrun, payload.data());
+        write_signal(Signals::cycle_overruns, cycle_overruns, payload.data());
+        write_signal(Signals::frames_rejected, frames_rejected, payload.data());
+        write_signal(Signals::frames_lost, frames_lost, payload.data());
+        write_signal(Signals::software_version, software_version, payload.data());
         return payload;
     }
 
-    static constexpr Decoded<SimulationSync> decode(const std::uint8_t* payload);
+    static constexpr Decoded<RolloverStatus> decode(const std::uint8_t* payload);
 
     // Calls visitor(name, unit, member, status member) for each signal.
     template <typename Visitor>
     static constexpr void visit_signals(Visitor&& visitor) {
-        visitor("CycleNumber", "-", &SimulationSync::cycle_number, &Status::cycle_number);
+        visitor("ImuTimeout", "-", &RolloverStatus::imu_timeout, &Status::imu_timeout);
+        visitor("ImuChecksumError", "-", &RolloverStatus::imu_checksum_error, &Status::imu_checksum_error);
+        visitor("ImuCounterError", "-", &RolloverStatus::imu_counter_error, &Status::imu_counter_error);
+        visitor("ImuSignalInvalid", "-", &RolloverStatus::imu_signal_invalid, &Status::imu_signal_invalid);
+        visitor("RollAngleTimeout", "-", &RolloverStatus::roll_angle_timeout, &Status::roll_angle_timeout);
+        visitor("RollAngleChecksumError", "-", &RolloverStatus::roll_angle_checksum_error, &Status::roll_angle_checksum_error);
+        visitor("RollAngleCounterError", "-", &RolloverStatus::roll_angle_counter_error, &Status::roll_angle_counter_error);
+        visitor("RollAngleSignalInvalid", "-", &RolloverStatus::roll_angle_signal_invalid, &Status::roll_angle_signal_invalid);
+        visitor("VehicleMotionTimeout", "-", &RolloverStatus::vehicle_motion_timeout, &Status::vehicle_motion_timeout);
+        visitor("VehicleMotionChecksumError", "-", &RolloverStatus::vehicle_motion_checksum_error, &Status::vehicle_motion_checksum_error);
+        visitor("VehicleMotionCounterError", "-", &RolloverStatus::vehicle_motion_counter_error, &Status::vehicle_motion_counter_error);
+        visitor("VehicleMotionSignalInvalid", "-", &RolloverStatus::vehicle_motion_signal_invalid, &Status::vehicle_motion_signal_invalid);
+        visitor("ReceiveOverflow", "-", &RolloverStatus::receive_overflow, &Status::receive_overflow);
+        visitor("BusError", "-", &RolloverStatus::bus_error, &Status::bus_error);
+        visitor("ParametersInvalid", "-", &RolloverStatus::parameters_invalid, &Status::parameters_invalid);
+        visitor("CycleOverrun", "-", &RolloverStatus::cycle_overrun, &Status::cycle_overrun);
+        visitor("CycleOverruns", "-", &RolloverStatus::cycle_overruns, &Status::cycle_overruns);
+        visitor("FramesRejected", "-", &RolloverStatus::frames_rejected, &Status::frames_rejected);
+        visitor("FramesLost", "-", &RolloverStatus::frames_lost, &Status::frames_lost);
+        visitor("SoftwareVersion", "-", &RolloverStatus::software_version, &Status::software_version);
     }
 };
 
-constexpr Decoded<SimulationSync> SimulationSync::decode(const std::uint8_t* payload) {
-    Decoded<SimulationSync> decoded{};
-    read_signal(Signals::cycle_number, payload, decoded.value.cycle_number, decoded.status.cycle_number);
+constexpr Decoded<RolloverStatus> RolloverStatus::decode(const std::uint8_t* payload) {
+    Decoded<RolloverStatus> decoded{};
+    read_signal(Signals::imu_timeout, payload, decoded.value.imu_timeout, decoded.status.imu_timeout);
+    read_signal(Signals::imu_checksum_error, payload, decoded.value.imu_checksum_error, decoded.status.imu_checksum_error);
+    read_signal(Signals::imu_counter_error, payload, decoded.value.imu_counter_error, decoded.status.imu_counter_error);
+    read_signal(Signals::imu_signal_invalid, payload, decoded.value.imu_signal_invalid, decoded.status.imu_signal_invalid);
+    read_signal(Signals::roll_angle_timeout, payload, decoded.value.roll_angle_timeout, decoded.status.roll_angle_timeout);
+    read_signal(Signals::roll_angle_checksum_error, payload, decoded.value.roll_angle_checksum_error, decoded.status.roll_angle_checksum_error);
+    read_signal(Signals::roll_angle_counter_error, payload, decoded.value.roll_angle_counter_error, decoded.status.roll_angle_counter_error);
+    read_signal(Signals::roll_angle_signal_invalid, payload, decoded.value.roll_angle_signal_invalid, decoded.status.roll_angle_signal_invalid);
+    read_signal(Signals::vehicle_motion_timeout, payload, decoded.value.vehicle_motion_timeout, decoded.status.vehicle_motion_timeout);
+    read_signal(Signals::vehicle_motion_checksum_error, payload, decoded.value.vehicle_motion_checksum_error, decoded.status.vehicle_motion_checksum_error);
+    read_signal(Signals::vehicle_motion_counter_error, payload, decoded.value.vehicle_motion_counter_error, decoded.status.vehicle_motion_counter_error);
+    read_signal(Signals::vehicle_motion_signal_invalid, payload, decoded.value.vehicle_motion_signal_invalid, decoded.status.vehicle_motion_signal_invalid);
+    read_signal(Signals::receive_overflow, payload, decoded.value.receive_overflow, decoded.status.receive_overflow);
+    read_signal(Signals::bus_error, payload, decoded.value.bus_error, decoded.status.bus_error);
+    read_signal(Signals::parameters_invalid, payload, decoded.value.parameters_invalid, decoded.status.parameters_invalid);
+    read_signal(Signals::cycle_overrun, payload, decoded.value.cycle_overrun, decoded.status.cycle_overrun);
+    read_signal(Signals::cycle_overruns, payload, decoded.value.cycle_overruns, decoded.status.cycle_overruns);
+    read_signal(Signals::frames_rejected, payload, decoded.value.frames_rejected, decoded.status.frames_rejected);
+    read_signal(Signals::frames_lost, payload, decoded.value.frames_lost, decoded.status.frames_lost);
+    read_signal(Signals::software_version, payload, decoded.value.software_version, decoded.status.software_version);
     return decoded;
 }
 
@@ -1550,12 +1609,23 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<VehicleMotion>{});
     visitor(MessageType<RolloverWarning>{});
     visitor(MessageType<RollCentreEstimate>{});
-    visitor(MessageType<RolloverStatus>{});
     visitor(MessageType<RollIndicesAhead>{});
     visitor(MessageType<RollIndicesClassic>{});
     visitor(MessageType<RollObserver>{});
     visitor(MessageType<RolloverDiagnosis>{});
-    visitor(MessageType<SimulationSync>{});
+    visitor(MessageType<RolloverStatus>{});
 }
+
+// What ImuSensor sends, in the file's order.
+using MessagesFromImuSensor = MessageList<Imu>;
+
+// What RollAngleSensor sends, in the file's order.
+using MessagesFromRollAngleSensor = MessageList<RollAngle>;
+
+// What VehicleGateway sends, in the file's order.
+using MessagesFromVehicleGateway = MessageList<VehicleMotion>;
+
+// What RolloverEcu sends, in the file's order.
+using MessagesFromRolloverEcu = MessageList<RolloverWarning, RollCentreEstimate, RollIndicesAhead, RollIndicesClassic, RollObserver, RolloverDiagnosis, RolloverStatus>;
 
 }  // namespace can_dbc

@@ -16,7 +16,7 @@ HEADER = FOLDER.parent / "generated" / "rollover_warning.hpp"
 try:
     import jinja2
 
-    from model import DbcError, load
+    from model import DbcError, load, senders
 except ModuleNotFoundError as missing:
     sys.exit(f"generate.py: Python package '{missing.name}' is missing for {sys.executable}.\n"
              f"Install the generator's packages: {sys.executable} -m pip install -r {FOLDER / 'requirements.txt'}")
@@ -26,8 +26,9 @@ def render(dbc, namespace):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER / "templates"), autoescape=False,
                                      trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
                                      undefined=jinja2.StrictUndefined)
+    messages = load(dbc)
     return environment.get_template("codec.hpp.j2").render(
-        dbc_name=dbc.name, namespace=namespace, messages=load(dbc))
+        dbc_name=dbc.name, namespace=namespace, messages=messages, senders=senders(messages))
 
 
 def difference(header, text):

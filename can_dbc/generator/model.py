@@ -9,7 +9,7 @@ from math import ceil, floor, lcm
 
 import cantools
 
-from names import RESERVED, TAKEN, TAKEN_TYPES, UNIT_ENDINGS, camel_case, is_usable, snake_case
+from names import CONVERSIONS, RESERVED, TAKEN, TAKEN_TYPES, UNIT_ENDINGS, camel_case, is_usable, snake_case
 
 NOT_AVAILABLE = "not available"
 LONGEST_SIGNAL = 32
@@ -49,6 +49,8 @@ class Signal:
     start_value: int
     default: str
     not_available: int | None
+    source: str = ""  # the member of the sender's structure that the signal carries
+    source_factor: str = ""
     raw_type: str = ""
     scale: dict = field(default_factory=dict)
     enumerators: list = field(default_factory=list)
@@ -79,6 +81,10 @@ class Message:
     protection: Protection
     signals: list
 
+    @property
+    def has_sources(self):
+        return any(signal.source for signal in self.signals)
+
 
 def load(path):
     """The messages of a DBC file, in the file's order."""
@@ -97,6 +103,14 @@ def load(path):
     _refuse_duplicates("the E2EDataId attributes",
                        [message.protection.data_id for message in messages if message.protection.profile])
     return messages
+
+
+def senders(messages):
+    """The nodes that send, each with the names of its messages, all in the file's order."""
+    names = {}
+    for message in messages:
+        names.setdefault(message.sender, []).append(message.name)
+    return list(names.items())
 
 
 def _message(message):
@@ -204,7 +218,27 @@ def _signal(message, signal):
         not_available=not_available)
     _add_range(where, signal, result, factor, offset)
     _add_type(where, result, factor, offset, choices)
+    _add_source(where, signal, result)
     return result
+
+
+def _add_source(where, signal, result):
+    attribute = signal.dbc.attributes.get("Source") if signal.dbc else None
+    if attribute is None or not attribute.value:
+        return
+    result.source = attribute.value
+    if not is_usable(result.source):
+        raise DbcError(f"{where}: Source '{result.source}' cannot be a member's name in C++")
+    if result.kind != "physical":
+        return
+    endings = set(UNIT_ENDINGS.values()) | {unit for unit, _ in CONVERSIONS}
+    last_word = result.source.rsplit("_", 1)[-1]
+    given, wanted = last_word if last_word in endings else "", UNIT_ENDINGS[result.unit]
+    if given != wanted:
+        result.source_factor = CONVERSIONS.get((given, wanted), "")
+        if not result.source_factor:
+            raise DbcError(f"{where}: Source '{result.source}' has another unit than '{result.unit}', and "
+                           "CONVERSIONS in can_dbc/generator/names.py knows no factor")
 
 
 def _kind(where, signal, factor, offset, choices, not_available):

@@ -18,13 +18,20 @@ UNIT_ENDINGS = {
     "rad": "rad",
     "rad/s": "radps",
     "N": "n",
-    "N m": "n_m",
-    "N m/rad": "n_m_per_rad",
-    "N m s/rad": "n_m_s_per_rad",
+    "N m": "nm",
+    "N m/rad": "nmprad",
+    "N m s/rad": "nmsprad",
     "kg": "kg",
     "V": "v",
     "%": "percent",
     "degC": "deg_c",
+}
+
+# From the unit that the name of a source ends in to the unit of the signal that carries it: a factor.
+CONVERSIONS = {
+    ("rad", "deg"): "57.295780F",
+    ("radps", "deg_per_s"): "57.295780F",
+    ("mps", "kmh"): "3.6F",
 }
 
 RESERVED = set("""
@@ -38,7 +45,8 @@ typeid typename union unsigned using virtual void volatile wchar_t while xor xor
 
 # Names that every generated message struct uses itself.
 TAKEN = {"identifier", "extended", "flexible_data_rate", "length", "cycle_time_ms", "e2e_protected", "e2e_profile",
-         "e2e_offset", "e2e_data_id", "name", "encode", "decode", "is_known", "name_of", "all_valid", "visit_signals", "not_available"}
+         "e2e_offset", "e2e_data_id", "name", "encode", "decode", "is_known", "name_of", "all_valid", "visit_signals", "take",
+         "visit_sources", "has_sources", "source", "visitor", "not_available"}
 TAKEN_TYPES = {"Status", "Signals"}
 
 

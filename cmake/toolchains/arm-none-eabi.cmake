@@ -9,8 +9,7 @@ set(CMAKE_ASM_COMPILER arm-none-eabi-gcc)
 set(CMAKE_C_FLAGS_INIT "${processor_flags}")
 # Debug information, stack use and call graph, which tests/targets/budgets reads; none of them changes the code.
 set(analysis_flags "-g -fstack-usage -fcallgraph-info=su")
-# A second look at the registers saves copies from one to another.
-set(CMAKE_CXX_FLAGS_INIT "${processor_flags} ${analysis_flags} -frename-registers -fno-exceptions -fno-rtti -fno-threadsafe-statics")
+set(CMAKE_CXX_FLAGS_INIT "${processor_flags} ${analysis_flags} -fno-exceptions -fno-rtti -fno-threadsafe-statics")
 set(CMAKE_ASM_FLAGS_INIT "${processor_flags}")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "--specs=nano.specs -nostartfiles -Wl,--gc-sections")
 

@@ -5,7 +5,8 @@
 //        0      4  magic, "RSIP"
 //        4      2  format version, 1
 //        6      2  number of values
-//        8      4  layout: CRC-32 of the names and choices of all values in their order
+//        8      4  layout: CRC-32 of the names of all values in their order, each selection's with its first
+//        choices
 //       12      4  length of the whole section
 //       16     48  the calibration's name: text for people, filled up with zeros
 //       64   4 * n  the values in the order of rsi_parameters: floats (IEEE 754, binary32), then selections
@@ -65,6 +66,7 @@ constexpr std::uint32_t add_word(std::uint32_t remainder, const char* text, char
     return crc32_update(remainder, static_cast<std::uint8_t>(end));
 }
 
+// A choice that is added later is no part of it: sections that were flashed before stay good.
 constexpr std::uint32_t layout_of_values() {
     std::uint32_t remainder = crc32_start;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
@@ -72,7 +74,7 @@ constexpr std::uint32_t layout_of_values() {
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
         remainder = add_word(remainder, field.name, ':');
-        for (std::int32_t choice = 0; choice < field.choice_count; ++choice) {
+        for (std::int32_t choice = 0; choice < field.choices_in_layout; ++choice) {
             remainder = add_word(remainder, field.choices[choice], ',');
         }
     }

@@ -28,18 +28,27 @@ struct Health {
 
 class WarningTransmission {
  public:
-    // Sends the warning first, because it matters most, and the status last: who has seen the status has seen
-    // all of the cycle. A frame that the bus does not take is not repeated; the next cycle's is newer.
+    // Sends every frame that the DBC gives the ECU, in the file's order: the warning first, because it
+    // matters most, and the status last, so that who has seen the status has seen all of the cycle. A frame
+    // that the bus does not take is not repeated; the next cycle's is newer.
     void send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept;
 
  private:
-    can_dbc::e2e::Profile11Sender warning_{can_dbc::RolloverWarning::e2e_data_id};
-    can_dbc::e2e::Profile11Sender estimate_{can_dbc::RollCentreEstimate::e2e_data_id};
-    can_dbc::e2e::Profile11Sender indices_ahead_{can_dbc::RollIndicesAhead::e2e_data_id};
-    can_dbc::e2e::Profile11Sender indices_classic_{can_dbc::RollIndicesClassic::e2e_data_id};
-    can_dbc::e2e::Profile11Sender observer_{can_dbc::RollObserver::e2e_data_id};
-    can_dbc::e2e::Profile11Sender diagnosis_{can_dbc::RolloverDiagnosis::e2e_data_id};
-    can_dbc::e2e::Profile11Sender status_{can_dbc::RolloverStatus::e2e_data_id};
+    template <typename Message>
+    struct SenderOf {
+        can_dbc::e2e::Profile11Sender sender{Message::e2e_data_id};
+    };
+
+    template <typename List>
+    class Senders;
+
+    template <typename... Messages>
+    class Senders<can_dbc::MessageList<Messages...>> : private SenderOf<Messages>... {
+     public:
+        void send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept;
+    };
+
+    Senders<can_dbc::MessagesFromRolloverEcu> senders_{};
 };
 
 }  // namespace application

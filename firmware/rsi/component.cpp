@@ -5,6 +5,7 @@
 #include "rsi/indicator/roll_stability_indicator.hpp"
 #include "rsi/model/roll_centre.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
+#include "rsi/output_table.hpp"
 
 #ifndef EIGEN_DONT_VECTORIZE
 #error "compile with -DEIGEN_DONT_VECTORIZE: vector units may fuse and reorder, which changes the last bit"
@@ -12,42 +13,6 @@
 
 namespace rsi {
 namespace {
-
-Outputs no_outputs() {
-    Outputs outputs{};
-    outputs.state = RSI_STATE_UNAVAILABLE;
-    outputs.side = RSI_SIDE_NONE;
-    outputs.roll_source = RSI_ROLL_NONE;
-    outputs.warning_level = not_available;
-    outputs.rsi = not_available;
-    outputs.rsi_bank_free = not_available;
-    outputs.lateral_acceleration_mps2 = not_available;
-    outputs.lateral_acceleration_threshold_mps2 = not_available;
-    outputs.road_parallel_force_mps2 = not_available;
-    outputs.road_normal_force_mps2 = not_available;
-    outputs.fixed_model_roll_angle_rad = not_available;
-    outputs.compensated_roll_angle_rad = not_available;
-    outputs.additional_roll_moment_nm = not_available;
-    outputs.roll_centre_vertical_m = not_available;
-    outputs.roll_centre_lateral_m = not_available;
-    outputs.roll_stiffness_deviation_nmprad = not_available;
-    outputs.roll_damping_deviation_nmsprad = not_available;
-    outputs.disturbance_nm = not_available;
-    outputs.roll_centre_deviation_m = not_available;
-    outputs.observed_roll_angle_rad = not_available;
-    outputs.observed_bank_angle_rad = not_available;
-    outputs.rsi_extended = not_available;
-    outputs.load_transfer_ratio = not_available;
-    outputs.predicted_load_transfer_ratio = not_available;
-    outputs.predicted_rsi = not_available;
-    outputs.static_stability_level = not_available;
-    outputs.dynamic_stability_index = not_available;
-    outputs.dynamic_stability_index_late = not_available;
-    outputs.energy_margin = not_available;
-    outputs.rollover_index = not_available;
-    outputs.time_to_rollover_s = not_available;
-    return outputs;
-}
 
 void write_measurement(const Measurement& measured, Outputs& outputs) {
     outputs.lateral_acceleration_mps2 = measured.lateral_acceleration_mps2;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "rsi/output_table.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -22,6 +23,8 @@ struct SelectionField {
     std::int32_t Parameters::* member;
     const char* const* choices;
     std::int32_t choice_count;
+    std::int32_t
+        choices_in_layout;  // how many there were when the layout of sections was fixed; later ones follow
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.
@@ -84,16 +87,12 @@ inline constexpr std::array<ParameterField, 55> parameter_fields{{
 }};
 
 inline constexpr std::array<const char*, 2> estimator_choices{{"published", "consider_kalman"}};
-inline constexpr std::array<const char*, 12> indicator_choices{
-    {"published", "bank_free", "extended", "load_transfer", "predicted_load_transfer", "predicted_rsi",
-     "static_stability_factor", "dynamic_stability", "dynamic_stability_late", "energy", "rollover_index",
-     "time_to_rollover"}};
 
 inline constexpr std::array<SelectionField, 2> selection_fields{{
     {"estimator", &Parameters::estimator, estimator_choices.data(),
-     static_cast<std::int32_t>(estimator_choices.size())},
+     static_cast<std::int32_t>(estimator_choices.size()), 2},
     {"warning_indicator", &Parameters::warning_indicator, indicator_choices.data(),
-     static_cast<std::int32_t>(indicator_choices.size())},
+     static_cast<std::int32_t>(indicator_choices.size()), 12},
 }};
 
 // Accepts, or names the first field that is refused and why.

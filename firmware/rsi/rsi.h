@@ -17,12 +17,22 @@
  *     rsi_validation answer = rsi_init(&component, &parameters);
  *     if (!answer.accepted) { report(answer.field, answer.reason); }
  *     every 10 ms: rsi_step(&component, &inputs, &outputs);
+ * Rate: always 100 Hz. Sensors at 50 Hz: step at 100 Hz with the held value. A missed cycle is not made up for
+ * by calling twice; after more than two, step once with every input NaN. With an RTOS one task steps one
+ * component, and no writer of its inputs may preempt the step.
+ * selftest/selftest.c shows whether compiler, flags and FPU of a build are right.
+ *
+ * No field has the type of an enumeration, so that a caller and a library that were compiled with other sizes
+ * of enumerations (-fshort-enums) agree on every structure. What names the values of an int32_t is said
+ * beside it.
  */
 #ifndef RSI_RSI_H
 #define RSI_RSI_H
 
 #include <stdint.h>
 
+#include "rsi/float_rules.h"
+#include "rsi/rsi_outputs.h"
 #include "rsi/version.h"
 
 #ifdef __cplusplus
@@ -38,24 +48,6 @@ typedef enum {
     RSI_ESTIMATOR_CONSIDER_KALMAN =
         1 /* one unknown, with the roll stiffness as a curve and the roll inertia */
 } rsi_estimator;
-
-/* Which indicator drives the warning. Each has a level, 0 without risk, at which 1 means "warn", and a side
- * of its own. All are available whenever the component is; one that had no number would make the state
- * "unavailable". */
-typedef enum {
-    RSI_INDICATOR_PUBLISHED = 0,               /* (25): lateral acceleration over its threshold (23) */
-    RSI_INDICATOR_BANK_FREE = 1,               /* |A/N| over the modified half-track ratio */
-    RSI_INDICATOR_EXTENDED = 2,                /* the same with unsprung mass and roll inertia */
-    RSI_INDICATOR_LOAD_TRANSFER = 3,           /* (26) from the roll state instead of wheel loads */
-    RSI_INDICATOR_PREDICTED_LOAD_TRANSFER = 4, /* its largest value within the prediction horizon */
-    RSI_INDICATOR_PREDICTED_RSI = 5,           /* the extended RSI's largest value within the horizon */
-    RSI_INDICATOR_STATIC_STABILITY_FACTOR = 6, /* |a_y| / g over c_w / (2 h) */
-    RSI_INDICATOR_DYNAMIC_STABILITY = 7,       /* (27) with minus, the physical sign, over c_w / (2 h) */
-    RSI_INDICATOR_DYNAMIC_STABILITY_LATE = 8,  /* (27) with plus, as printed, over c_w / (2 h) */
-    RSI_INDICATOR_ENERGY = 9,                  /* 1 - W, (28) */
-    RSI_INDICATOR_ROLLOVER_INDEX = 10,         /* (29) */
-    RSI_INDICATOR_TIME_TO_ROLLOVER = 11        /* the limit over the time to rollover */
-} rsi_indicator;
 
 /* Where the roll angle in use comes from. */
 typedef enum { RSI_ROLL_NONE = 0, RSI_ROLL_SENSOR = 1, RSI_ROLL_OBSERVER = 2 } rsi_roll_source;
@@ -173,48 +165,24 @@ typedef struct {
     float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
 } rsi_inputs;
 
-/* The answer to one sample. Every number is of this sample; one that could not be computed is NaN. */
+/* The answer to one sample: the rows of rsi_outputs.h, which says what each is, each a field of four bytes.
+ */
+#define RSI_CODE(name, ...) int32_t name;
+#define RSI_NUMBER(name, ...) float name;
 typedef struct {
-    rsi_state state;
-    rsi_side side; /* none while unavailable or ready */
-    rsi_roll_source roll_source;
-    int32_t roll_sensor_disagrees; /* 1: the roll sensor and the observer contradict each other */
-    int32_t estimate_frozen;       /* 1: the estimator in use learns nothing at present */
-
-    float warning_level; /* of the indicator that drives the warning, 0 to 20; without observer_margin */
-
-    float rsi;                                 /* (25), 0 to 1 */
-    float rsi_bank_free;                       /* |A/N| / T, 0 to 20 */
-    float lateral_acceleration_mps2;           /* a_y: horizontal, of the sprung CG */
-    float lateral_acceleration_threshold_mps2; /* a_y*, (23), signed like the side it is for */
-
-    float road_parallel_force_mps2; /* A: specific force along the road, left */
-    float road_normal_force_mps2;   /* N: specific force normal to the road, up */
-
-    float fixed_model_roll_angle_rad;      /* phi_f, (1) */
-    float compensated_roll_angle_rad;      /* (1) with the additional roll moment (7) */
-    float additional_roll_moment_nm;       /* M_add, (7) */
-    float roll_centre_vertical_m;          /* dh */
-    float roll_centre_lateral_m;           /* c_rc, (6) */
-    float roll_stiffness_deviation_nmprad; /* dK */
-    float roll_damping_deviation_nmsprad;  /* dc */
-    float disturbance_nm;                  /* d of (11), in units of Y */
-    float roll_centre_deviation_m;         /* standard deviation of dh */
-
-    float observed_roll_angle_rad; /* relative to the road, without the roll sensor */
-    float observed_bank_angle_rad;
-
-    float rsi_extended;                  /* |A/N| / T_dyn, 0 to 20 */
-    float load_transfer_ratio;           /* (26) from the roll state, > 0 in a left turn, -20 to 20 */
-    float predicted_load_transfer_ratio; /* the same, of largest magnitude within the horizon */
-    float predicted_rsi;                 /* rsi_extended at that load transfer, or now if larger */
-    float static_stability_level;        /* |a_y| / (g SSF) */
-    float dynamic_stability_index;       /* (27) with minus, in g, > 0 in a left turn */
-    float dynamic_stability_index_late;  /* (27) with plus */
-    float energy_margin;                 /* W of (28): 1 at rest, 0 at the critical energy */
-    float rollover_index;                /* (29) */
-    float time_to_rollover_s;            /* 0 to 10; 10 while it does not roll outwards */
+    RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_NUMBER)
 } rsi_outputs;
+#undef RSI_NUMBER
+#undef RSI_CODE
+
+/* What can drive the warning: RSI_INDICATOR_PUBLISHED and the other indices of rsi_outputs.h. Each has a
+ * level, 0 without risk, at which 1 means "warn", and a side of its own. All are available whenever the
+ * component is; one that had no number would make the state "unavailable". */
+#define RSI_NOTHING(...)
+#define RSI_INDEX(name, unit, mirror, CHOICE, number, ...) RSI_INDICATOR_##CHOICE = (number),
+typedef enum { RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX) } rsi_indicator;
+#undef RSI_INDEX
+#undef RSI_NOTHING
 
 /* Answer of rsi_init. `field` and `reason` point to constant text; both are empty when accepted. */
 typedef struct {

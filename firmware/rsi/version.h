@@ -7,4 +7,7 @@
 #define RSI_VERSION_MINOR 2
 #define RSI_VERSION_PATCH 0
 
+/* Major and minor number in one byte, four bits each. */
+#define RSI_VERSION_BYTE 2
+
 #endif

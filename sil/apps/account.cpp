@@ -77,7 +77,8 @@ void Account::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& e
                         truth.time_s, 100.0 * truth.time_s / duration_s, truth.speed_mps * 3.6,
                         truth.steering_wheel_angle_rad * degrees_per_radian,
                         truth.lateral_acceleration_mps2 / g_mps2, truth.roll_angle_rad * degrees_per_radian,
-                        optional_number(output.roll_stability_indicator, "{:.3f}"), to_string(output.state)));
+                        optional_number(static_cast<double>(output.warning().warning_level), "{:.3f}"),
+                        to_string(output.state())));
     }
     report_state(truth, ecu.output());
     report_events(events);
@@ -85,13 +86,13 @@ void Account::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& e
 }
 
 void Account::report_state(const Truth& truth, const EcuOutput& output) {
-    if (output.state == state_) {
+    if (output.state() == state_) {
         return;
     }
-    state_ = output.state;
+    state_ = output.state();
     const std::string side =
-        output.side == WarningSide::none ? "" : fmt::format(", {} side", to_string(output.side));
-    print_event(truth.time_s, fmt::format("ECU: {}{}", to_string(output.state), side));
+        output.side() == WarningSide::none ? "" : fmt::format(", {} side", to_string(output.side()));
+    print_event(truth.time_s, fmt::format("ECU: {}{}", to_string(output.state()), side));
 }
 
 void Account::report_events(const RunEvents& events) {

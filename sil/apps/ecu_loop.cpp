@@ -16,7 +16,8 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/apps/bus_state_report.hpp"
-#include "sil/world/simulation/lock_step_receiver.hpp"
+#include "sil/lock_step/lock_step_receiver.hpp"
+#include "sil/lock_step/simulation.hpp"
 #include "sil/world/simulation/pace.hpp"
 
 namespace sil {
@@ -28,7 +29,7 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     std::array<hal::CanIdentifier, application::received_identifiers.size() + 1U> identifiers{};
     std::transform(application::received_identifiers.begin(), application::received_identifiers.end(),
                    identifiers.begin(), [](std::uint32_t value) { return hal::CanIdentifier{value, false}; });
-    identifiers.back().value = can_dbc::SimulationSync::identifier;
+    identifiers.back().value = simulation_dbc::SimulationSync::identifier;
 
     hal::SocketCanSettings settings;
     settings.interface_name = request.interface.c_str();

@@ -9,41 +9,26 @@
 #include "rsi/parameters.hpp"
 #include "sil/files/whole_file.hpp"
 #include "sil/results/indices.hpp"
+#include "sil/results/output_columns.hpp"
 #include "sil/studies/campaign/indices.hpp"
-#include "sil/units.hpp"
 
 namespace sil {
 namespace {
 
-struct Column {
+struct TruthColumn {
     const char* name;
-    double (*value)(const Truth& truth, const rsi::Outputs& outputs);
+    double (*value)(const Truth& truth);
 };
 
-double number(float value) {
-    return static_cast<double>(value);
-}
-
-double degrees(float radians) {
-    return number(radians) * degrees_per_radian;
-}
-
-// clang-format off
-constexpr Column columns[] = {
-    {"true_load_transfer_ratio", [](const Truth& truth, const rsi::Outputs&) { return true_load_transfer_ratio(truth); }},
-    {"true_front_load_transfer_ratio", [](const Truth& truth, const rsi::Outputs&) { return true_load_transfer_ratio(truth, Axle::front); }},
-    {"true_rear_load_transfer_ratio", [](const Truth& truth, const rsi::Outputs&) { return true_load_transfer_ratio(truth, Axle::rear); }},
-    {"true_kinematic_roll_centre_height_m", [](const Truth& truth, const rsi::Outputs&) { return truth.roll_centre_kinematic_height_m; }},
-    {"fixed_model_roll_angle_deg", [](const Truth&, const rsi::Outputs& outputs) { return degrees(outputs.fixed_model_roll_angle_rad); }},
-    {"compensated_roll_angle_deg", [](const Truth&, const rsi::Outputs& outputs) { return degrees(outputs.compensated_roll_angle_rad); }},
-    {"roll_centre_vertical_m", [](const Truth&, const rsi::Outputs& outputs) { return number(outputs.roll_centre_vertical_m); }},
-    {"roll_centre_lateral_m", [](const Truth&, const rsi::Outputs& outputs) { return number(outputs.roll_centre_lateral_m); }},
-    {"roll_centre_deviation_m", [](const Truth&, const rsi::Outputs& outputs) { return number(outputs.roll_centre_deviation_m); }},
-    {"roll_stiffness_deviation_nmprad", [](const Truth&, const rsi::Outputs& outputs) { return number(outputs.roll_stiffness_deviation_nmprad); }},
-    {"roll_damping_deviation_nmsprad", [](const Truth&, const rsi::Outputs& outputs) { return number(outputs.roll_damping_deviation_nmsprad); }},
-    {"disturbance_nm", [](const Truth&, const rsi::Outputs& outputs) { return number(outputs.disturbance_nm); }},
+constexpr TruthColumn truth_columns[] = {
+    {"true_load_transfer_ratio", [](const Truth& truth) { return true_load_transfer_ratio(truth); }},
+    {"true_front_load_transfer_ratio",
+     [](const Truth& truth) { return true_load_transfer_ratio(truth, Axle::front); }},
+    {"true_rear_load_transfer_ratio",
+     [](const Truth& truth) { return true_load_transfer_ratio(truth, Axle::rear); }},
+    {"true_kinematic_roll_centre_height_m",
+     [](const Truth& truth) { return truth.roll_centre_kinematic_height_m; }},
 };
-// clang-format on
 
 constexpr const char* lift_names[] = {"front_left", "front_right", "rear_left",
                                       "rear_right", "left_side",   "right_side"};
@@ -64,8 +49,11 @@ FirmwareCsvWriter::FirmwareCsvWriter(const std::filesystem::path& path, const rs
     for (const Index& index : campaign_indices()) {
         header += ",level_" + index.name;
     }
-    for (const Column& column : columns) {
+    for (const TruthColumn& column : truth_columns) {
         header += std::string{","} + column.name;
+    }
+    for (const OutputColumn& column : output_columns()) {
+        header += "," + column.name;
     }
     file_ << header << '\n';
     for (const char* name : rsi::indicator_choices) {
@@ -89,8 +77,11 @@ void FirmwareCsvWriter::write(const Truth& truth) {
             index_times_s_[i].second = truth.time_s;
         }
     }
-    for (const Column& column : columns) {
-        add(column.value(truth, outputs_));
+    for (const TruthColumn& column : truth_columns) {
+        add(column.value(truth));
+    }
+    for (const OutputColumn& column : output_columns()) {
+        add(column.value(outputs_));
     }
     file_ << line << '\n';
 }

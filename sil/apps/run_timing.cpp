@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/lock_step/lock_step_pace.hpp"
 #include "sil/world/simulation/in_process_ecu.hpp"
 #include "sil/world/simulation/in_process_pace.hpp"
-#include "sil/world/simulation/lock_step_pace.hpp"
 #include "sil/world/simulation/real_time_pace.hpp"
 #include "sil/world/simulation/recorded_bus.hpp"
 
@@ -109,7 +109,7 @@ class LoggedPace final : public Pace {
         : pace_{ecu}, log_only_{nobody_, ecu.clock(), log, interface} {}
 
     void begin_cycle(std::uint32_t number) override { pace_.begin_cycle(number); }
-    void frames_sent(std::uint32_t number) override { SensorFrames::send_sync(log_only_, number); }
+    void frames_sent(std::uint32_t number) override { send_sync(log_only_, number); }
     bool wait_for_answer(std::uint32_t number) override { return pace_.wait_for_answer(number); }
     double reception_time_s(const hal::CanFrame& frame) const override {
         return pace_.reception_time_s(frame);

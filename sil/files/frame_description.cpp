@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/lock_step/simulation.hpp"
 
 namespace sil {
 namespace {
@@ -44,13 +45,15 @@ std::string describe_message(const hal::CanFrame& frame) {
 
 std::string describe_frame(const hal::CanFrame& frame) {
     std::string text;
-    can_dbc::visit_messages([&](auto type) {
+    const auto describe_if_it_is = [&](auto type) {
         using Message = typename decltype(type)::Type;
         if (frame.identifier == Message::identifier && frame.extended == Message::extended &&
             frame.length == Message::length) {
             text = describe_message<Message>(frame);
         }
-    });
+    };
+    can_dbc::visit_messages(describe_if_it_is);
+    simulation_dbc::visit_messages(describe_if_it_is);
     return text;
 }
 

@@ -8,7 +8,8 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
 #include "images/zynqmp_r5/warning_witness.hpp"
-#include "sil/world/simulation/lock_step_receiver.hpp"
+#include "sil/lock_step/lock_step_receiver.hpp"
+#include "sil/lock_step/simulation.hpp"
 
 namespace {
 
@@ -25,7 +26,7 @@ class LockStepImage {
  public:
     [[noreturn]] void run() noexcept {
         static_cast<void>(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
-        static_cast<void>(controller_.open(image::can_settings(can_dbc::SimulationSync::identifier)));
+        static_cast<void>(controller_.open(image::can_settings(simulation_dbc::SimulationSync::identifier)));
         // One cycle unasked, so that whoever starts the emulator knows that the firmware runs.
         begin();
         ecu_->step(0U);

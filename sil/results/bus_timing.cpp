@@ -8,6 +8,7 @@
 
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "sil/files/sensor_frame.hpp"
+#include "sil/lock_step/simulation.hpp"
 
 namespace sil {
 namespace {
@@ -52,7 +53,7 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
     std::optional<hal::Time> last_sensor;
     for (const LoggedFrame& logged : log) {
         const hal::Time time = logged.frame.receive_time;
-        if (logged.frame.identifier == can_dbc::SimulationSync::identifier) {
+        if (logged.frame.identifier == simulation_dbc::SimulationSync::identifier) {
             throw NoTiming{
                 "this is the log of a run in lock-step (it has SimulationSync frames), so it has no real "
                 "times; "

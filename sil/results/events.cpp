@@ -26,32 +26,6 @@ void keep_first(std::optional<EventMoment>& event, bool happens, const EventMome
 
 }  // namespace
 
-const char* to_string(WarningState state) {
-    switch (state) {
-        case WarningState::unavailable:
-            return "unavailable";
-        case WarningState::ready:
-            return "ready";
-        case WarningState::advisory:
-            return "advisory";
-        case WarningState::warning:
-            return "warning";
-    }
-    return "invalid";
-}
-
-const char* to_string(WarningSide side) {
-    switch (side) {
-        case WarningSide::none:
-            return "none";
-        case WarningSide::left:
-            return "left";
-        case WarningSide::right:
-            return "right";
-    }
-    return "invalid";
-}
-
 std::optional<double> RunEvents::lead_time_s() const {
     if (!warning || !two_wheel_lift) {
         return std::nullopt;
@@ -84,12 +58,12 @@ void EventObserver::observe(const Truth& truth) {
 }
 
 void EventObserver::observe(const EcuOutput& output, double reception_time_s) {
-    if (output.state != WarningState::warning || events_.warning) {
+    if (output.state() != WarningState::warning || events_.warning) {
         return;
     }
     events_.warning =
         EventMoment{reception_time_s, latest_.lateral_acceleration_mps2, latest_.roll_angle_rad};
-    events_.warning_side = output.side;
+    events_.warning_side = output.side();
 }
 
 }  // namespace sil

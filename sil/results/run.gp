@@ -109,9 +109,9 @@ set y2tics ("unavailable" 0, "ready" 1, "advisory" 2, "warning" 3)
 unset y2label
 plot data using "time_s":"ecu_state_number" axes x1y2 with steps linewidth 2 linecolor rgb orange \
          title "state (right axis)", \
-     data using "time_s":"ecu_roll_stability_indicator" with lines linewidth 2 linecolor rgb blue \
+     data using "time_s":"ecu_warning_level" with lines linewidth 2 linecolor rgb blue \
          title "warning level", \
-     data using "time_s":"ecu_published_rsi" with lines linewidth 1 linecolor rgb vermilion \
+     data using "time_s":"ecu_rsi" with lines linewidth 1 linecolor rgb vermilion \
          title "RSI as published", \
      1 with lines linewidth 1.5 dashtype "-" linecolor rgb grey title "level 1"
 unset y2tics

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <type_traits>
 
 namespace sil {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 struct Row {
     const Truth& truth;
     const SensorSample& sample;
-    const EcuOutput& output;
 };
 
 struct NumberColumn {
@@ -68,31 +68,6 @@ constexpr NumberColumn number_columns[] = {
     {"sensor_speed_mps", [](const Row& row) { return row.sample.speed_mps; }},
     {"sensor_yaw_rate_degps", [](const Row& row) { return row.sample.yaw_rate_radps * degrees_per_radian; }},
     {"sensor_steering_wheel_angle_deg", [](const Row& row) { return row.sample.steering_wheel_angle_rad * degrees_per_radian; }},
-
-    {"ecu_state_number", [](const Row& row) { return static_cast<double>(row.output.state); }},
-    {"ecu_roll_stability_indicator", [](const Row& row) { return row.output.roll_stability_indicator; }},
-    {"ecu_lateral_acceleration_mps2", [](const Row& row) { return row.output.lateral_acceleration_mps2; }},
-    {"ecu_lateral_acceleration_threshold_mps2", [](const Row& row) { return row.output.lateral_acceleration_threshold_mps2; }},
-    {"ecu_roll_centre_vertical_movement_m", [](const Row& row) { return row.output.roll_centre_vertical_movement_m; }},
-    {"ecu_roll_centre_lateral_movement_m", [](const Row& row) { return row.output.roll_centre_lateral_movement_m; }},
-    {"ecu_roll_stiffness_deviation_nmprad", [](const Row& row) { return row.output.roll_stiffness_deviation_nmprad; }},
-    {"ecu_roll_damping_deviation_nmsprad", [](const Row& row) { return row.output.roll_damping_deviation_nmsprad; }},
-    {"ecu_roll_centre_deviation_m", [](const Row& row) { return row.output.roll_centre_deviation_m; }},
-    {"ecu_predicted_load_transfer_ratio", [](const Row& row) { return row.output.predicted_load_transfer_ratio; }},
-    {"ecu_predicted_rsi", [](const Row& row) { return row.output.predicted_rsi; }},
-    {"ecu_load_transfer_ratio", [](const Row& row) { return row.output.load_transfer_ratio; }},
-    {"ecu_extended_rsi", [](const Row& row) { return row.output.extended_rsi; }},
-    {"ecu_published_rsi", [](const Row& row) { return row.output.published_rsi; }},
-    {"ecu_bank_free_rsi", [](const Row& row) { return row.output.bank_free_rsi; }},
-    {"ecu_dynamic_stability_index", [](const Row& row) { return row.output.dynamic_stability_index; }},
-    {"ecu_energy_margin", [](const Row& row) { return row.output.energy_margin; }},
-    {"ecu_rollover_index", [](const Row& row) { return row.output.rollover_index; }},
-    {"ecu_time_to_rollover_s", [](const Row& row) { return row.output.time_to_rollover_s; }},
-    {"ecu_observed_roll_angle_deg", [](const Row& row) { return row.output.observed_roll_angle_rad * degrees_per_radian; }},
-    {"ecu_observed_bank_angle_deg", [](const Row& row) { return row.output.observed_bank_angle_rad * degrees_per_radian; }},
-    {"ecu_roll_source_number", [](const Row& row) { return static_cast<double>(row.output.roll_source); }},
-    {"ecu_roll_sensor_disagrees", [](const Row& row) { return row.output.roll_sensor_disagrees ? 1.0 : 0.0; }},
-    {"ecu_estimate_frozen", [](const Row& row) { return row.output.estimate_frozen ? 1.0 : 0.0; }},
 };
 // clang-format on
 
@@ -107,6 +82,21 @@ std::string header() {
     return row.line();
 }
 
+// Calls visitor(name of the column, value) for each signal of the ECU that carries an output of the firmware.
+template <typename Visitor>
+void visit_ecu_columns(const EcuOutput& output, Visitor&& visitor) {
+    can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+        using Message = typename decltype(type)::Type;
+        if constexpr (Message::has_sources) {
+            Message::visit_sources([&](const char* field, const char*, auto member) {
+                const auto value = output.of<Message>().*member;
+                const char* ending = std::is_enum_v<decltype(value)> ? "_number" : "";
+                visitor(std::string{"ecu_"} + field + ending, static_cast<double>(value));
+            });
+        }
+    });
+}
+
 }  // namespace
 
 std::vector<std::string> signal_csv_columns() {
@@ -114,23 +104,27 @@ std::vector<std::string> signal_csv_columns() {
     for (const NumberColumn& column : number_columns) {
         names.emplace_back(column.name);
     }
+    visit_ecu_columns(EcuOutput{}, [&names](const std::string& name, double) { names.push_back(name); });
     names.insert(names.end(), std::begin(word_columns), std::end(word_columns));
     return names;
 }
 
 std::string signal_csv_row(const Truth& truth, const SensorSample& sample, const EcuOutput& output) {
-    const Row row{truth, sample, output};
+    const Row row{truth, sample};
     std::string line;
-    for (const NumberColumn& column : number_columns) {
-        const double value = column.value(row);
+    const auto add = [&line](double value) {
         if (std::isfinite(value)) {
             fmt::format_to(std::back_inserter(line), "{:.9g}", value);
         }
         line += ',';
+    };
+    for (const NumberColumn& column : number_columns) {
+        add(column.value(row));
     }
-    line += to_string(output.state);
+    visit_ecu_columns(output, [&add](const std::string&, double value) { add(value); });
+    line += to_string(output.state());
     line += ',';
-    line += to_string(output.side);
+    line += to_string(output.side());
     return line;
 }
 

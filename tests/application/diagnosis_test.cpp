@@ -23,7 +23,7 @@ TEST(RefusedParameters, AreAnsweredByNameAndLeaveTheEcuUnavailableWithItsFlagInE
         ASSERT_EQ(cycle.frames.size(), frames_per_cycle);
         ASSERT_EQ(cycle.state(), State::unavailable);
         ASSERT_TRUE(cycle.status.value.parameters_invalid);
-        ASSERT_EQ(cycle.warning.status.roll_stability_indicator, can_dbc::SignalStatus::not_available);
+        ASSERT_EQ(cycle.warning.status.warning_level, can_dbc::SignalStatus::not_available);
     }
 }
 
@@ -58,9 +58,9 @@ TEST(TheSentIndicator, IsTheOneThatTheParametersChoose) {
         bench->drive(motion);
         bench->run_cycles(1);
     }
-    EXPECT_NEAR(static_cast<double>(bank_free.last().warning.value.roll_stability_indicator),
-                2.0 * static_cast<double>(published.last().warning.value.roll_stability_indicator), 0.01);
-    EXPECT_GT(published.last().warning.value.roll_stability_indicator, 0.2F);
+    EXPECT_NEAR(static_cast<double>(bank_free.last().warning.value.warning_level),
+                2.0 * static_cast<double>(published.last().warning.value.warning_level), 0.01);
+    EXPECT_GT(published.last().warning.value.warning_level, 0.2F);
 }
 
 TEST(MissedCycles, AreFlaggedInTheirCycleAndCountedForEver) {

@@ -61,7 +61,7 @@ TEST(GoodFrames, OfAStraightRoadNeverGiveMoreThanReady) {
     for (std::size_t index = from; index < bench.cycles().size(); ++index) {
         ASSERT_EQ(bench.cycles()[index].state(), State::ready) << "cycle " << index;
     }
-    EXPECT_NEAR(static_cast<double>(bench.last().warning.value.roll_stability_indicator), 0.0, 1.0e-3);
+    EXPECT_NEAR(static_cast<double>(bench.last().warning.value.warning_level), 0.0, 1.0e-3);
     EXPECT_EQ(bench.status().frames_rejected, 0U);
     EXPECT_EQ(bench.status().frames_lost, 0U);
 }

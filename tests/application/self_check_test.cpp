@@ -60,7 +60,7 @@ TEST_P(ADamagedParameter, IsAnInternalFaultWithin70MillisecondsAndStarvesTheWatc
     EXPECT_TRUE(told(bench, from, Code::parameters_damaged, CodeStatus::confirmed));
     EXPECT_EQ(bench.state(), State::unavailable);
     EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::internal_fault);
-    EXPECT_EQ(bench.last().warning.status.roll_stability_indicator, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(bench.last().warning.status.warning_level, can_dbc::SignalStatus::not_available);
 
     const int feeds = bench.watchdog_feeds();
     bench.run_for(2.0);

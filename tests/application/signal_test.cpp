@@ -260,12 +260,12 @@ TEST(ANecessarySignal, ThatIsNotAvailableHidesEveryComputedNumber) {
     bench.drive(motion);
     bench.run_cycles(1);
     const auto& warning = bench.last().warning.status;
-    EXPECT_EQ(warning.roll_stability_indicator, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(warning.warning_level, can_dbc::SignalStatus::not_available);
     EXPECT_EQ(warning.lateral_acceleration_mps2, can_dbc::SignalStatus::not_available);
     EXPECT_EQ(warning.lateral_acceleration_threshold_mps2, can_dbc::SignalStatus::not_available);
     const auto& estimate = bench.last().estimate.status;
-    EXPECT_EQ(estimate.vertical_movement_m, can_dbc::SignalStatus::not_available);
-    EXPECT_EQ(estimate.lateral_movement_m, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(estimate.roll_centre_vertical_m, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(estimate.roll_centre_lateral_m, can_dbc::SignalStatus::not_available);
 }
 
 TEST(Signal, ReachesTheComponentInSiUnits) {

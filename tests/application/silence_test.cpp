@@ -42,8 +42,7 @@ class Silence : public ::testing::TestWithParam<int> {
         for (std::size_t index = first; index < cycles.size(); ++index) {
             ASSERT_EQ(cycles[index].state(), State::unavailable) << "cycle " << index;
             ASSERT_EQ(cycles[index].warning.value.side, can_dbc::RolloverWarning::Side::none);
-            ASSERT_EQ(cycles[index].warning.status.roll_stability_indicator,
-                      can_dbc::SignalStatus::not_available);
+            ASSERT_EQ(cycles[index].warning.status.warning_level, can_dbc::SignalStatus::not_available);
         }
     }
 

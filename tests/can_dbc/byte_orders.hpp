@@ -25,6 +25,7 @@ struct IntelScaledShort {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 21 bits, unsigned, raw * 0.1 + -40. Dimensionless, -39.9 to 209675.
@@ -284,6 +285,7 @@ struct IntelScaledLong {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 32 bits, signed, raw * 0.0174532925 + 0. Dimensionless, -37480660.23 to 37480660.212.
@@ -425,6 +427,7 @@ struct IntelPlainShort {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 18 bits, unsigned, raw * 1 + 0. 0 to 262143.
@@ -665,6 +668,7 @@ struct IntelPlainLong {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 26 bits, unsigned, raw * 1 + 0. 0 to 67108863.
@@ -797,6 +801,7 @@ struct MotorolaScaledShort {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 8 bits, unsigned, raw * 50 + 0. Dimensionless, 0 to 12300.
@@ -1056,6 +1061,7 @@ struct MotorolaScaledLong {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 31 bits, signed, raw * 0.1 + -40. Dimensionless, -107374222.3 to 107374142.2.
@@ -1197,6 +1203,7 @@ struct MotorolaPlainShort {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 8 bits, signed, raw * 1 + 0. -128 to 127.
@@ -1437,6 +1444,7 @@ struct MotorolaPlainLong {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 24 bits, signed, raw * 1 + 0. -8388608 to 8388607.
@@ -1577,6 +1585,7 @@ struct MixedOrders {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // Intel, crosses a byte. deg, -500 to 500.
@@ -1702,6 +1711,7 @@ struct Unaligned32 {
     static constexpr std::uint16_t cycle_time_ms{20U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // 32 bits over five bytes, Motorola. -2147483648 to 2147483647.
@@ -1766,5 +1776,8 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<MixedOrders>{});
     visitor(MessageType<Unaligned32>{});
 }
+
+// What Tester sends, in the file's order.
+using MessagesFromTester = MessageList<IntelScaledShort, IntelScaledLong, IntelPlainShort, IntelPlainLong, MotorolaScaledShort, MotorolaScaledLong, MotorolaPlainShort, MotorolaPlainLong, MixedOrders, Unaligned32>;
 
 }  // namespace byte_orders

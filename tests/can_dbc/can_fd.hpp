@@ -26,6 +26,7 @@ struct CornerForces {
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{5U};
     static constexpr std::uint8_t e2e_offset{0U};  // bytes before the CRC
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x1234U};
 
     // Test signal of 16 bits. N, 0 to 131000.
@@ -118,6 +119,7 @@ struct BodyMotion {
     static constexpr bool e2e_protected{true};
     static constexpr std::uint8_t e2e_profile{5U};
     static constexpr std::uint8_t e2e_offset{8U};  // bytes before the CRC
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0xFFFFU};
 
     // Test signal of 16 bits. deg/s, -300 to 300.
@@ -199,6 +201,7 @@ struct PlainFd {
     static constexpr std::uint16_t cycle_time_ms{10U};
     static constexpr bool e2e_protected{false};
     static constexpr std::uint8_t e2e_profile{0U};  // none
+    static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // Test signal of 8 bits. degC, -40 to 120.
@@ -247,5 +250,8 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<BodyMotion>{});
     visitor(MessageType<PlainFd>{});
 }
+
+// What Tester sends, in the file's order.
+using MessagesFromTester = MessageList<CornerForces, BodyMotion, PlainFd>;
 
 }  // namespace can_fd

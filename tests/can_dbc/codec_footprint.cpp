@@ -14,10 +14,10 @@ constexpr can_dbc::e2e::StateMachineSettings channel_settings{4U, {1U, 1U}, {1U,
 
 // The same protection as of a CAN FD frame, and the state machine behind it.
 void profile_05_footprint(std::array<std::uint8_t, 8>& payload, std::uint8_t length) {
-    can_dbc::e2e::Profile05Receiver receiver{0x1234U, payload.size(), 2U};
+    can_dbc::e2e::Profile05Receiver<> receiver{0x1234U, payload.size(), 2U};
     can_dbc::e2e::StateMachine<channel_settings> channel;
     channel.update(receiver.check(payload, length).status);
-    can_dbc::e2e::Profile05Sender sender{channel.is_valid() ? std::uint16_t{1U} : std::uint16_t{2U}};
+    can_dbc::e2e::Profile05Sender<> sender{channel.is_valid() ? std::uint16_t{1U} : std::uint16_t{2U}};
     sender.protect(payload);
 }
 

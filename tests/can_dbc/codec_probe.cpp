@@ -20,6 +20,7 @@
 #include "can_dbc/e2e/profile_05.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/lock_step/simulation.hpp"
 #include "tests/can_dbc/byte_orders.hpp"
 #include "tests/can_dbc/can_fd.hpp"
 
@@ -126,6 +127,7 @@ std::string answer_for_frame(const std::string& request, std::istream& arguments
         }
     };
     can_dbc::visit_messages(try_message);
+    simulation_dbc::visit_messages(try_message);
     byte_orders::visit_messages(try_message);
     can_fd::visit_messages(try_message);
     return answer.empty() ? (fail("unknown frame " + frame), answer) : answer;
@@ -184,12 +186,12 @@ std::string answer_to(const std::string& line) {
     if (request == "crc16") {
         arguments >> hexadecimal;
         const auto bytes = bytes_of(hexadecimal);
-        return std::to_string(can_dbc::e2e::crc16_ccitt_false(bytes.data(), bytes.size()));
+        return std::to_string(can_dbc::e2e::Crc16CcittFalse::checksum(bytes.data(), bytes.size()));
     }
     if (request == "crc8") {
         arguments >> hexadecimal;
         const auto bytes = bytes_of(hexadecimal);
-        return std::to_string(can_dbc::e2e::crc8_sae_j1850(bytes.data(), bytes.size()));
+        return std::to_string(can_dbc::e2e::Crc8SaeJ1850::checksum(bytes.data(), bytes.size()));
     }
     fail("unknown request: " + line);
 }

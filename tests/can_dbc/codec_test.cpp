@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/lock_step/simulation.hpp"
 
 namespace codec_test {
 namespace {
@@ -24,8 +26,8 @@ using can_dbc::RollCentreEstimate;
 using can_dbc::RolloverStatus;
 using can_dbc::RolloverWarning;
 using can_dbc::SignalStatus;
-using can_dbc::SimulationSync;
 using can_dbc::VehicleMotion;
+using simulation_dbc::SimulationSync;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
@@ -52,7 +54,7 @@ constexpr RolloverWarning some_warning() {
     RolloverWarning warning;
     warning.state = RolloverWarning::State::warning;
     warning.side = RolloverWarning::Side::right;
-    warning.roll_stability_indicator = 1.5F;
+    warning.warning_level = 1.5F;
     warning.lateral_acceleration_mps2 = -8.0F;
     warning.lateral_acceleration_threshold_mps2 = -7.5F;
     return warning;
@@ -96,7 +98,7 @@ TEST(Codec, RoundsToTheNearestCodeAndHalvesAwayFromZero) {
     RollCentreEstimate estimate;  // 50 N m/rad a code: halves are exact in float
     for (const auto& [value, raw] :
          {std::pair{25.0F, 1}, {24.999F, 0}, {75.0F, 2}, {-25.0F, -1}, {-24.999F, 0}, {-75.0F, -2}}) {
-        estimate.roll_stiffness_deviation_n_m_per_rad = value;
+        estimate.roll_stiffness_deviation_nmprad = value;
         const auto payload = encode(estimate);
         EXPECT_EQ((payload[5] | (payload[6] << 8U)) & 0xFFF, raw & 0xFFF) << value;
     }
@@ -178,6 +180,37 @@ TEST(Codec, CarriesEveryBitOfTheCycleNumber) {
     }
 }
 
+TEST(Codec, TakesTheSignalsOfAMessageFromTheirSources) {
+    struct {
+        float observed_roll_angle_rad{0.5F};
+        float observed_bank_angle_rad{-0.25F};
+        float roll_centre_deviation_m{0.125F};
+        std::int32_t roll_source{2};
+        std::int32_t roll_sensor_disagrees{1};
+        std::int32_t estimate_frozen{0};
+    } source;
+    can_dbc::RollObserver message;
+    message.reset_reason = can_dbc::RollObserver::ResetReason::interrupt;
+    message.take(source);
+    EXPECT_FLOAT_EQ(message.observed_roll_angle_deg, 28.64789F);
+    EXPECT_FLOAT_EQ(message.observed_bank_angle_deg, -14.323945F);
+    EXPECT_EQ(message.roll_centre_deviation_m, 0.125F);
+    EXPECT_EQ(message.roll_source, can_dbc::RollObserver::RollSource::observer);
+    EXPECT_TRUE(message.roll_sensor_disagrees);
+    EXPECT_FALSE(message.estimate_frozen);
+    EXPECT_EQ(message.reset_reason, can_dbc::RollObserver::ResetReason::interrupt);  // has no source
+}
+
+TEST(Codec, ListsWhatANodeSendsInTheFilesOrder) {
+    std::vector<std::string> names;
+    can_dbc::MessagesFromRolloverEcu::visit(
+        [&names](auto type) { names.emplace_back(decltype(type)::Type::name); });
+    EXPECT_EQ(names.size(), can_dbc::MessagesFromRolloverEcu::size);
+    EXPECT_EQ(names.front(), "RolloverWarning");  // it matters most
+    EXPECT_EQ(names.back(), "RolloverStatus");    // with it the cycle is complete
+    EXPECT_EQ(std::count(names.begin(), names.end(), "Imu"), 0);
+}
+
 TEST(Codec, DecodesFromALargerBuffer) {
     std::array<std::uint8_t, 64> data{};
     const auto payload = encode(imu_with_lateral_acceleration(3.0F));
@@ -197,14 +230,15 @@ TEST(Codec, KeepsDistinctIdentifiersAndDataIdentifiers) {
         using Message = typename decltype(message)::Type;
         EXPECT_EQ(std::count(identifiers.begin(), identifiers.end(), Message::identifier), 0);
         identifiers.push_back(Message::identifier);
-        EXPECT_EQ(Message::e2e_protected, Message::identifier != SimulationSync::identifier);
+        EXPECT_TRUE(Message::e2e_protected);
+        EXPECT_NE(Message::identifier, SimulationSync::identifier);
         if (Message::e2e_protected) {
             const std::uint16_t low_byte = Message::e2e_data_id & 0xFFU;
             EXPECT_EQ(std::count(low_bytes_of_data_ids.begin(), low_bytes_of_data_ids.end(), low_byte), 0);
             low_bytes_of_data_ids.push_back(low_byte);
         }
     });
-    EXPECT_EQ(identifiers.size(), 11U);
+    EXPECT_EQ(identifiers.size(), 10U);
 }
 
 }  // namespace

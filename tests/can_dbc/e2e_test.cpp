@@ -37,14 +37,14 @@ constexpr Payload protected_zeros() {
 
 TEST(Crc8SaeJ1850, GivesTheCatalogueCheckValue) {
     constexpr std::array<std::uint8_t, 9> digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-    static_assert(can_dbc::e2e::crc8_sae_j1850(digits.data(), digits.size()) == 0x4BU);
-    EXPECT_EQ(can_dbc::e2e::crc8_sae_j1850(digits.data(), digits.size()), 0x4BU);
+    static_assert(can_dbc::e2e::Crc8SaeJ1850::checksum(digits.data(), digits.size()) == 0x4BU);
+    EXPECT_EQ(can_dbc::e2e::Crc8SaeJ1850::checksum(digits.data(), digits.size()), 0x4BU);
 }
 
 TEST(Crc8SaeJ1850, HasATableThatIsTheDivisionBitByBit) {
     for (const unsigned polynomial : {0x1DU, 0x2FU}) {
         const std::array<std::uint8_t, 256> table =
-            can_dbc::e2e::detail::make_crc8_table(static_cast<std::uint8_t>(polynomial));
+            can_dbc::e2e::detail::make_crc_table<std::uint8_t>(static_cast<std::uint8_t>(polynomial));
         for (unsigned byte = 0U; byte < 256U; ++byte) {
             unsigned remainder = byte << 8U;
             for (unsigned bit = 15U; bit >= 8U; --bit) {

@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/lock_step/simulation.hpp"
 #include "tests/can_dbc/byte_orders.hpp"
 
 namespace every_message_test {
@@ -22,11 +23,12 @@ namespace {
 using can_dbc::Decoded;
 using can_dbc::SignalStatus;
 
-// Calls `check` with an instance of each message of both databases.
+// Calls `check` with an instance of each message of these databases.
 template <typename Check>
 void for_every_message(Check check) {
     const auto of_type = [&check](auto type) { check(typename decltype(type)::Type{}); };
     can_dbc::visit_messages(of_type);
+    simulation_dbc::visit_messages(of_type);
     byte_orders::visit_messages(of_type);
 }
 

@@ -11,6 +11,7 @@ from libraries import give_up
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GENERATOR = ROOT / "can_dbc/generator/generate.py"
 DBC = ROOT / "can_dbc/rollover_warning.dbc"
+SIMULATION = ROOT / "sil/lock_step/simulation.dbc"
 CAN_FD = ROOT / "tests/can_dbc/can_fd.dbc"
 HEADER = ROOT / "can_dbc/generated/rollover_warning.hpp"
 GUIDE = ROOT / "docs/can.md"
@@ -58,10 +59,6 @@ class Refusals(Refusing):
     def test_signals_beyond_the_frame(self):
         self.refuse("SteeringWheelAngle : 48|16", "SteeringWheelAngle : 49|16", "SteeringWheelAngle")
 
-    def test_signals_longer_than_32_bits(self):
-        self.refuse("BO_ 2032 SimulationSync: 4 Simulator\n SG_ CycleNumber : 0|32",
-                    "BO_ 2032 SimulationSync: 8 Simulator\n SG_ CycleNumber : 0|33", "CycleNumber", "33 bits")
-
     def test_a_range_that_the_bits_cannot_hold(self):
         self.refuse("(0.01,0) [0|400]", "(0.01,0) [0|700]", "Speed", "70000", "65535")
 
@@ -108,12 +105,8 @@ class Refusals(Refusing):
     def test_an_unknown_profile(self):
         self.refuse('ENUM "none","P11"', 'ENUM "none","P01"', "Imu", "P01", "P05 and P11")
 
-    def test_classic_frames_of_more_than_8_bytes(self):
-        self.refuse("BO_ 2032 SimulationSync: 4", "BO_ 2032 SimulationSync: 9", "SimulationSync", "9 bytes",
-                    "VFrameFormat")
-
     def test_ieee_floating_point(self):
-        self.refuse('VAL_ 208 State', 'SIG_VALTYPE_ 2032 CycleNumber : 1;\nVAL_ 208 State', "SIG_VALTYPE_")
+        self.refuse('VAL_ 208 State', 'SIG_VALTYPE_ 290 Speed : 1;\nVAL_ 208 State', "SIG_VALTYPE_")
 
     def test_text_that_is_no_dbc_file(self):
         self.refuse("BU_: ImuSensor", "BU ImuSensor", "changed.dbc")
@@ -128,6 +121,27 @@ class Refusals(Refusing):
         result = generate("--check", options=("-S",))
         self.assertEqual(result.returncode, 1)
         self.assertIn("pip install -r", result.stderr)
+
+
+    def test_a_source_that_is_no_name(self):
+        self.refuse('SG_ 563 Rsi "rsi"', 'SG_ 563 Rsi "outputs.rsi"', "RollIndicesClassic", "Rsi", "outputs.rsi", "name")
+
+    def test_a_source_in_a_unit_without_a_factor(self):
+        self.refuse('"time_to_rollover_s"', '"time_to_rollover_rad"', "TimeToRollover", "time_to_rollover_rad", "unit",
+                    "CONVERSIONS")
+
+
+class SimulationRefusals(Refusing):
+    """Each changes one thing in the simulation's DBC file, whose frame is not protected."""
+    dbc = SIMULATION
+
+    def test_signals_longer_than_32_bits(self):
+        self.refuse("BO_ 2032 SimulationSync: 4 Simulator\n SG_ CycleNumber : 0|32",
+                    "BO_ 2032 SimulationSync: 8 Simulator\n SG_ CycleNumber : 0|33", "CycleNumber", "33 bits")
+
+    def test_classic_frames_of_more_than_8_bytes(self):
+        self.refuse("BO_ 2032 SimulationSync: 4", "BO_ 2032 SimulationSync: 9", "SimulationSync", "9 bytes",
+                    "VFrameFormat")
 
 
 class CanFdRefusals(Refusing):
@@ -196,11 +210,12 @@ class Drift(unittest.TestCase):
 
 class Completeness(unittest.TestCase):
     """What readers of the project's DBC file rely on."""
+    dbc = DBC
 
     @classmethod
     def setUpClass(cls):
-        cls.text = DBC.read_text()
-        cls.database = cantools.database.load_file(DBC)
+        cls.text = cls.dbc.read_text()
+        cls.database = cantools.database.load_file(cls.dbc)
 
     def test_the_header_is_vectors(self):
         keywords = "NS_DESC_ CM_ BA_DEF_ BA_ VAL_ CAT_DEF_ CAT_ FILTER BA_DEF_DEF_ EV_DATA_ ENVVAR_DATA_ SGTYPE_ " \
@@ -235,6 +250,26 @@ class Completeness(unittest.TestCase):
                     self.assertIsNotNone(signal.maximum)
                     self.assertTrue(signal.receivers)
                     self.assertIn(f'BA_ "GenSigStartValue" SG_ {message.frame_id} {signal.name} ', self.text)
+
+
+class SimulationCompleteness(Completeness):
+    dbc = SIMULATION
+
+
+class Simulation(unittest.TestCase):
+    def test_nothing_of_it_is_in_the_vehicles_file(self):
+        vehicle, simulation = (cantools.database.load_file(dbc) for dbc in (DBC, SIMULATION))
+        self.assertNotIn("Simulator", {node.name for node in vehicle.nodes})
+        self.assertFalse({message.name for message in simulation.messages} & {message.name for message in vehicle.messages})
+        self.assertFalse({message.frame_id for message in simulation.messages} &
+                         {message.frame_id for message in vehicle.messages})
+
+    def test_nothing_of_it_is_in_what_is_flashed(self):
+        for room in ("firmware", "hal", "can_dbc"):
+            for path in sorted((ROOT / room).rglob("*")):
+                if path.suffix in (".hpp", ".h", ".cpp", ".c", ".S", ".txt", ".dbc"):
+                    with self.subTest(str(path)):
+                        self.assertNotRegex(path.read_text(), r'SimulationSync|simulation_dbc|lock_step|#include "sil/|0x7F0\b')
 
 
 if __name__ == "__main__":

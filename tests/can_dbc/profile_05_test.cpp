@@ -49,7 +49,7 @@ constexpr std::array<std::uint8_t, size> protected_zeros(std::uint8_t counter) {
 TEST(Crc16CcittFalse, HasATableThatIsTheDivisionBitByBit) {
     for (const unsigned polynomial : {0x1021U, 0x8005U}) {
         const std::array<std::uint16_t, 256> table =
-            can_dbc::e2e::detail::make_crc16_table(static_cast<std::uint16_t>(polynomial));
+            can_dbc::e2e::detail::make_crc_table<std::uint16_t>(static_cast<std::uint16_t>(polynomial));
         for (unsigned byte = 0U; byte < 256U; ++byte) {
             unsigned remainder = byte << 16U;
             for (unsigned bit = 23U; bit >= 16U; --bit) {
@@ -62,8 +62,8 @@ TEST(Crc16CcittFalse, HasATableThatIsTheDivisionBitByBit) {
 
 TEST(Crc16CcittFalse, GivesTheCatalogueCheckValue) {
     constexpr std::array<std::uint8_t, 9> digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-    static_assert(can_dbc::e2e::crc16_ccitt_false(digits.data(), digits.size()) == 0x29B1U);
-    EXPECT_EQ(can_dbc::e2e::crc16_ccitt_false(digits.data(), digits.size()), 0x29B1U);
+    static_assert(can_dbc::e2e::Crc16CcittFalse::checksum(digits.data(), digits.size()) == 0x29B1U);
+    EXPECT_EQ(can_dbc::e2e::Crc16CcittFalse::checksum(digits.data(), digits.size()), 0x29B1U);
 }
 
 TEST(Profile05, GivesTheReferenceVectorsForZerosAndDataIdentifier1234) {
@@ -85,7 +85,7 @@ TEST(Profile05, LeavesTheSignalsAlone) {
 }
 
 TEST(Profile05Sender, CountsFromZeroTo255AndStartsAgain) {
-    Profile05Sender sender{data_id};
+    Profile05Sender<> sender{data_id};
     for (unsigned cycle = 0U; cycle < 600U; ++cycle) {
         std::array<std::uint8_t, 8> payload{};
         sender.protect(payload);

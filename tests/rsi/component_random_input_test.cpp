@@ -93,7 +93,7 @@ Outcome survive(const rsi_parameters& parameters, std::uint64_t seed, int steps)
             ((outputs.state == RSI_STATE_UNAVAILABLE) ? (numbers_good || rsi_test::all_not_available(outputs))
                                                       : numbers_good);
         if (!good) {
-            for (const rsi_test::OutputField& field : rsi_test::output_fields) {
+            for (const rsi::NumberOutput& field : rsi::number_outputs) {
                 ADD_FAILURE() << "step " << k << ", state " << outputs.state << ", " << field.name << " = "
                               << outputs.*field.member;
             }

@@ -348,16 +348,17 @@ TEST(Component, AMirroredManoeuvreGivesExactlyMirroredOutputs) {
             }
             rsi_outputs expected = scenario.step(inputs);
             warnings += (expected.state == RSI_STATE_WARNING) ? 1 : 0;
-            for (const rsi_test::OutputField& field : rsi_test::output_fields) {
+            for (const rsi::NumberOutput& field : rsi::number_outputs) {
                 float& value = expected.*field.member;
                 // Adding zero makes -0 and +0 the same; not a number keeps its bits when it is not turned.
-                value = (field.turns_with_the_mirror && !std::isnan(value)) ? -value + 0.0F : value + 0.0F;
+                const bool turns = (field.mirror == rsi::Mirror::turns);
+                value = (turns && !std::isnan(value)) ? -value + 0.0F : value + 0.0F;
             }
             expected.side = (expected.side == RSI_SIDE_NONE)
                                 ? RSI_SIDE_NONE
                                 : ((expected.side == RSI_SIDE_LEFT) ? RSI_SIDE_RIGHT : RSI_SIDE_LEFT);
             rsi_outputs actual = mirror.step(other);
-            for (const rsi_test::OutputField& field : rsi_test::output_fields) {
+            for (const rsi::NumberOutput& field : rsi::number_outputs) {
                 actual.*field.member += 0.0F;
             }
             ASSERT_TRUE(rsi_test::identical(expected, actual)) << "step " << k;

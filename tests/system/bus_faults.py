@@ -25,19 +25,6 @@ SIOCGIFFLAGS, SIOCSIFFLAGS, IFF_UP = 0x8913, 0x8914, 1
 ERROR_FRAME, CONTROLLER_PROBLEM, BUS_OFF = 0x20000000, 0x4, 0x40
 RECEIVE_PASSIVE, ERROR_ACTIVE = 0x10, 0x40
 
-# Bits 16 to 31 of RolloverStatus.
-FLAGS = (
-    "ImuTimeout ImuChecksumError ImuCounterError ImuSignalInvalid RollAngleTimeout RollAngleChecksumError "
-    "RollAngleCounterError RollAngleSignalInvalid VehicleMotionTimeout VehicleMotionChecksumError "
-    "VehicleMotionCounterError VehicleMotionSignalInvalid ReceiveOverflow BusError ParametersInvalid CycleOverrun"
-).split()
-
-
-def flags_of(data):
-    bits = int(data[4:6], 16) | int(data[6:8], 16) << 8
-    return {name for number, name in enumerate(FLAGS) if bits >> number & 1}
-
-
 def checksum(data_identifier, payload):
     """CRC-8 of profile 11 over the low byte of the data identifier, a zero byte and the payload from byte 1 on."""
     crc = 0
@@ -220,14 +207,14 @@ def take_answer(bus):
         if f"{identifier:03X}" == programs.WARNING_IDENTIFIER:
             state = programs.state_of(text)
         elif f"{identifier:03X}" == programs.STATUS_IDENTIFIER:
-            return state, flags_of(text)
+            return state, programs.flags_of(text)
 
 
 def inject_into_frames(fault):
     """In lock-step: each cycle's frames, the frame that lets the ECU compute, its answer."""
     answers, late = [], []
     with programs.Ecu("--lock-step"), open_bus() as bus:
-        bus.settimeout(10)
+        bus.settimeout(programs.LONGEST_S)
         for number, frames in enumerate(recorded_cycles(0, GOOD + FAULTY + AFTER)):
             faulty = GOOD <= number < GOOD + FAULTY
             cycle = fault.frames(number, frames) if faulty else [(0, *frame) for frame in frames]
@@ -245,7 +232,7 @@ def inject_into_frames(fault):
     back = max([GOOD + FAULTY, *(number + 1 for number in wrong)])
     reactions = [number for number in (flagged, unavailable) if number is not None]
     return Answer(
-        flag=None if flagged is None else min(flags[flagged], key=FLAGS.index),
+        flag=None if flagged is None else min(flags[flagged], key=programs.FLAGS.index),
         flag_ms=None if flagged is None else CYCLE_MS * (flagged - GOOD),
         unavailable_ms=None if unavailable is None else CYCLE_MS * (unavailable - GOOD),
         back_ms=None if back >= len(answers) else CYCLE_MS * (back - GOOD - FAULTY),
@@ -285,7 +272,10 @@ class EcuEnded(Exception):
 
 def inject_live(fault):
     """In real time: the fault happens for its time; the answer by candump's stamps, which are the kernel's."""
-    with tempfile.NamedTemporaryFile() as log, programs.Candump(log.name, "", "-D") as candump, programs.Ecu() as ecu:
+    with contextlib.ExitStack() as stack:
+        log = stack.enter_context(tempfile.NamedTemporaryFile())
+        candump = stack.enter_context(programs.Candump(log.name, programs.ALL_AND_ERRORS, "-D"))
+        ecu = stack.enter_context(programs.Ecu())
         sensors = Sensors()
         time.sleep(GOOD * programs.CYCLE_S)
         start = time.time()
@@ -302,7 +292,9 @@ def inject_live(fault):
 
 def live_answer(fault, frames, start, end):
     warnings = [(stamp, programs.state_of(data)) for stamp, name, data in frames if name == programs.WARNING_IDENTIFIER]
-    statuses = [(stamp, flags_of(data)) for stamp, name, data in frames if name == programs.STATUS_IDENTIFIER]
+    statuses = [(stamp, programs.flags_of(data)) for stamp, name, data in frames if name == programs.STATUS_IDENTIFIER]
+    errors = [stamp for stamp, name, _ in frames if len(name) == 8 and int(name, 16) & ERROR_FRAME]
+    start = max([start] + errors[:1])  # this program may have been held up before it sent the error frame
     silent_ms = None
     if fault.silences_ecu:
         pauses = [
@@ -374,15 +366,15 @@ def shortfalls_of_live(fault, got):
 
 
 def run(fault):
-    """The answer, and what is wrong with it; in real time a busy machine gets three tries."""
+    """The answer, and what is wrong with it; in real time a busy machine gets ten tries."""
     if isinstance(fault, FrameFault):
         got = inject_into_frames(fault)
         return got, shortfalls_of_frames(fault, got)
-    for attempt in range(3):
+    for attempt in range(10):
         try:
             got = inject_live(fault)
         except EcuEnded:
-            if attempt == 2:
+            if attempt == 9:
                 raise
             continue
         wrong = shortfalls_of_live(fault, got)

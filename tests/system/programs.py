@@ -18,17 +18,19 @@ WARNING_IDENTIFIER = "0D0"
 STATUS_IDENTIFIER = "231"
 SYNC_IDENTIFIER = "7F0"
 CYCLE_S = 0.01
+ALL_AND_ERRORS = ",0:0,#FFFFFFFF"  # filters for candump: every frame and every error frame
 MOST_OVERRUNS = 255  # where CycleOverruns ends
+LONGEST_S = 300  # what takes so long hangs, however busy the machine is
 
 
-def run(program, *arguments, timeout=120):
+def run(program, *arguments, timeout=LONGEST_S):
     """Runs rsi-ecu or rsi-sil to its end; output and errors as text."""
     return subprocess.run(
         [PROGRAMS / program, *map(str, arguments)], capture_output=True, text=True, timeout=timeout
     )
 
 
-def run_manoeuvre(name, output, *options, timeout=120):
+def run_manoeuvre(name, output, *options, timeout=LONGEST_S):
     return run(
         "rsi-sil", "run", name, "--interface", INTERFACE, "--vehicle", VEHICLE, "--output", output, *options,
         timeout=timeout,
@@ -52,7 +54,7 @@ class Ecu:
     def stop(self, with_signal=signal.SIGTERM):
         """Ends it; its exit status."""
         self.process.send_signal(with_signal)
-        self.output += self.process.communicate(timeout=10)[0]
+        self.output += self.process.communicate(timeout=LONGEST_S)[0]
         return self.process.returncode
 
     def __enter__(self):
@@ -63,7 +65,7 @@ class Ecu:
         if self.process.poll() is None:
             self.process.terminate()
             try:
-                self.process.wait(timeout=10)
+                self.process.wait(timeout=LONGEST_S)
             except subprocess.TimeoutExpired:
                 self.process.kill()
         self.process.communicate()
@@ -78,7 +80,7 @@ class Candump:
         listeners = self._listeners()
         command = ["candump", "-L", "-r", "8388608", *options, INTERFACE + filters]
         self.process = subprocess.Popen(command, stdout=self.file, stderr=subprocess.PIPE)
-        deadline = time.monotonic() + 10
+        deadline = time.monotonic() + LONGEST_S
         while self._listeners() <= listeners:
             if time.monotonic() > deadline or self.process.poll() is not None:
                 raise RuntimeError("candump does not listen")
@@ -94,7 +96,7 @@ class Candump:
         """Ends it after it has read what waits; the frames as (time, identifier, data)."""
         time.sleep(0.5)
         self.process.send_signal(signal.SIGTERM)
-        self.process.communicate(timeout=10)
+        self.process.communicate(timeout=LONGEST_S)
         self.file.close()
         return read_log(self.path)
 
@@ -123,25 +125,52 @@ def state_of(data):
     return int(data[4:6], 16) & 0x7
 
 
+# Bits 16 to 31 of RolloverStatus.
+FLAGS = (
+    "ImuTimeout ImuChecksumError ImuCounterError ImuSignalInvalid RollAngleTimeout RollAngleChecksumError "
+    "RollAngleCounterError RollAngleSignalInvalid VehicleMotionTimeout VehicleMotionChecksumError "
+    "VehicleMotionCounterError VehicleMotionSignalInvalid ReceiveOverflow BusError ParametersInvalid CycleOverrun"
+).split()
+
+
+def flags_of(data):
+    bits = int(data[4:6], 16) | int(data[6:8], 16) << 8
+    return {name for number, name in enumerate(FLAGS) if bits >> number & 1}
+
+
 def cycle_overruns_of(data):
     """CycleOverruns in a RolloverStatus's payload."""
     return int(data[8:10], 16)
 
 
-class Cycles:
-    """From the first RolloverStatus of a log to its last: how many cycles there were, and how many the ECU says it missed.
+def drift(observed):
+    """By how many cycles an ECU's account and the clock go apart. `observed`: (seconds, cycles kept, cycles counted as missed).
 
-    A busy machine holds up the ECU; but each cycle is kept or counted, so that both together go with the clock.
+    A busy machine holds up the ECU; but each cycle is kept or counted, so that both together go with the clock. What is
+    observed may be late, by what the machine held up anybody, but never early: so of either half the earliest counts.
     """
+    lateness = [seconds / CYCLE_S - kept - missed for seconds, kept, missed in observed]
+    half = len(lateness) // 2
+    return min(lateness[half:]) - min(lateness[:half])
+
+
+class Cycles:
+    """From the first RolloverStatus of a log to its last, or to where the count of missed cycles ends: how many cycles there
+    were, and how many the ECU says it missed."""
+
+    LEAST = 20  # frames; of fewer there may be none in time
 
     def __init__(self, frames):
-        statuses = [(time, data) for time, identifier, data in frames if identifier == STATUS_IDENTIFIER]
-        (begin, first), (end, last) = statuses[0], statuses[-1]
-        if cycle_overruns_of(last) >= MOST_OVERRUNS:
-            raise RuntimeError("this machine is too busy for real time: so many cycles were missed that the count has ended")
-        self.kept = len(statuses) - 1
-        self.missed = cycle_overruns_of(last) - cycle_overruns_of(first)
-        self.periods = (end - begin) / CYCLE_S
+        everything = [(time, cycle_overruns_of(data)) for time, identifier, data in frames if identifier == STATUS_IDENTIFIER]
+        observed = [(time, kept, missed) for kept, (time, missed) in enumerate(everything) if missed < MOST_OVERRUNS]
+        self.enough = len(observed) >= self.LEAST
+        self.kept = self.missed = self.periods = self.drift = 0
+        if self.enough:
+            self.kept = len(observed) - 1
+            self.missed = observed[-1][2] - observed[0][2]
+            self.periods = (observed[-1][0] - observed[0][0]) / CYCLE_S
+            self.drift = drift(observed)
 
     def __str__(self):
-        return f"{self.kept} cycles kept, {self.missed} counted as missed, in {self.periods:.1f} periods"
+        return (f"{self.kept} cycles kept, {self.missed} counted as missed, in {self.periods:.1f} periods; "
+                f"{self.drift:+.2f} from one half to the other")

@@ -4,8 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "large_suv.h"
+#include "calibrations/generated/large_suv.h"
 #include "rsi/rsi.h"
+#include "selftest/selftest.h"
 
 /* A left turn that is too hard: straight on at 108 km/h for a second, then 9 m/s^2 within three quarters of
  * one. */
@@ -32,10 +33,15 @@ static void tell_the_driver(unsigned cycle, const rsi_outputs* outputs) {
 
 int main(void) {
     rsi_component component;
+    const int selftest = rsi_selftest(&component);
     const rsi_validation answer = rsi_init(&component, &large_suv_parameters);
-    rsi_state last = RSI_STATE_UNAVAILABLE;
+    int32_t last = RSI_STATE_UNAVAILABLE;
     unsigned cycle;
 
+    if (selftest != RSI_SELFTEST_PASSED) {
+        fprintf(stderr, "this build does not compute as it should: %d, see selftest/selftest.h\n", selftest);
+        return 1;
+    }
     if (!answer.accepted) {
         fprintf(stderr, "the component refuses %s: it %s\n", answer.field, answer.reason);
         return 1;

@@ -17,7 +17,7 @@ hal::CanFrame unavailable() {
     RolloverWarning message{};
     message.state = RolloverWarning::State::unavailable;
     message.side = RolloverWarning::Side::none;
-    message.roll_stability_indicator = can_dbc::not_available;
+    message.warning_level = can_dbc::not_available;
     message.lateral_acceleration_mps2 = can_dbc::not_available;
     message.lateral_acceleration_threshold_mps2 = can_dbc::not_available;
     auto payload = can_dbc::encode(message);

@@ -3,9 +3,7 @@
 
 #include <limits>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ > 0))
-#error "compile without -ffast-math and -ffinite-math-only: NaN means \"not available\" here"
-#endif
+#include "rsi/float_rules.h"
 
 namespace rsi {
 

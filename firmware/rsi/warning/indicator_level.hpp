@@ -1,6 +1,9 @@
 // Indicator level: every indicator on one scale, 0 without risk and 1 where it says "warn".
 #pragma once
 
+#include <cstdint>
+
+#include "rsi/output_table.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -16,13 +19,14 @@ class WarningIndicator {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
 
-    // From outputs that have been computed. An indicator with a sign has its own; a predicted one that of the
-    // predicted load transfer, not of the present force; one of roll angle and rate alone that of
-    // `roll_angle_rad`.
+    // From outputs that have been computed, as the table of outputs says for the chosen index.
     IndicatedRisk evaluate(const Outputs& outputs, float roll_angle_rad) const;
 
  private:
-    rsi_indicator indicator_{RSI_INDICATOR_PUBLISHED};
+    float level(LevelScale scale, float value) const;
+    static float direction(RiskSide side, float value, const Outputs& outputs, float roll_angle_rad);
+
+    std::int32_t indicator_{RSI_INDICATOR_PUBLISHED};
     float static_stability_inverse_{1.0F};  // 1 / SSF
     float time_to_rollover_limit_s_{1.0F};
 };

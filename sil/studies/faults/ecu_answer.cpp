@@ -42,8 +42,6 @@ constexpr std::size_t first_code_bit = roll_sensor_disagrees_bit + 1U;
 using Diagnosis = can_dbc::RolloverDiagnosis;
 constexpr std::size_t last_bit = 63U;
 
-constexpr std::size_t messages_of_ecu = 7U;
-
 }  // namespace
 
 std::string diagnostic_name(std::size_t index) {
@@ -85,12 +83,12 @@ void EcuEar::hear(const hal::CanFrame& frame, EcuAnswer& answer) {
 }
 
 void EcuEar::keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const {
-    answer.state = static_cast<WarningState>(message.state);
-    answer.side = static_cast<WarningSide>(message.side);
+    answer.state = message.state;
+    answer.side = message.side;
 }
 
 void EcuEar::keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const {
-    answer.roll_source = static_cast<RollSource>(message.roll_source);
+    answer.roll_source = message.roll_source;
     answer.codes |= message.roll_sensor_disagrees ? bit(roll_sensor_disagrees_bit) : 0U;
 }
 
@@ -116,26 +114,21 @@ EcuAnswer EcuEar::listen(hal::CanBus& world) {
     EcuAnswer answer;
     answer.complete = true;
     std::uint32_t seen = 0U;  // one bit a message
-    const auto take = [&](const hal::CanFrame& frame, auto type, std::uint32_t index) {
-        using Message = typename decltype(type)::Type;
-        if (frame.identifier == Message::identifier) {
-            answer.complete = answer.complete && (seen & (1U << index)) == 0U;
-            seen |= 1U << index;
-            hear<Message>(frame, answer);
-        }
-    };
     hal::CanFrame frame;
     while (world.receive(frame) == hal::ReceiveResult::frame) {
-        take(frame, can_dbc::MessageType<can_dbc::RolloverWarning>{}, 0U);
-        take(frame, can_dbc::MessageType<can_dbc::RollCentreEstimate>{}, 1U);
-        take(frame, can_dbc::MessageType<can_dbc::RollIndicesAhead>{}, 2U);
-        take(frame, can_dbc::MessageType<can_dbc::RollIndicesClassic>{}, 3U);
-        take(frame, can_dbc::MessageType<can_dbc::RollObserver>{}, 4U);
-        take(frame, can_dbc::MessageType<can_dbc::RolloverDiagnosis>{}, 5U);
-        take(frame, can_dbc::MessageType<can_dbc::RolloverStatus>{}, 6U);
+        std::uint32_t message_bit = 1U;
+        can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+            using Message = typename decltype(type)::Type;
+            if (frame.identifier == Message::identifier) {
+                answer.complete = answer.complete && (seen & message_bit) == 0U;
+                seen |= message_bit;
+                hear<Message>(frame, answer);
+            }
+            message_bit <<= 1U;
+        });
     }
     answer.codes |= confirmed_;
-    answer.complete = answer.complete && seen == (1U << messages_of_ecu) - 1U;
+    answer.complete = answer.complete && seen == (1U << can_dbc::MessagesFromRolloverEcu::size) - 1U;
     return answer;
 }
 

@@ -18,6 +18,12 @@ constexpr double straight_steering_rad = 0.6 / degrees_per_radian;  // at the st
 constexpr double straight_yaw_rate_radps = 0.008;
 constexpr double shortest_straight_s = 0.3;
 constexpr std::size_t shortest_segment = 50U;
+// Signs and units: how the yaw rate at this speed, and the steering, must agree with the lateral acceleration.
+constexpr double slowest_turn_mps = 5.0;
+constexpr double clear_turn_mps2 = 0.1 * g_mps2;
+constexpr double largest_unit_error = 3.0;  // beyond any slip, slope or drift; a wrong unit makes 9.8 or 57
+constexpr double clear_correlation = 0.5;
+constexpr double tipping_roll_rad = 0.35;    // what comes later are blows
 constexpr std::size_t edge = 5U;  // samples at both ends where filter and derivative do not commute
 
 using Signal = std::vector<double>;
@@ -48,6 +54,32 @@ double load_moment_nm(const DriveSample& sample, double track_width_m) {
 bool usable(const DriveCycle& cycle) {
     return cycle.has_frames && std::isfinite(cycle.sample.lateral_specific_force_mps2) &&
            std::isfinite(cycle.sample.roll_rate_radps) && std::isfinite(cycle.sample.roll_angle_rad);
+}
+
+struct Agreement {
+    double slope{};  // of y over x
+    double correlation{};
+    std::size_t count{};
+};
+
+// Of the pairs that `use` takes; nothing is taken off, because a turn is large beside any offset.
+template <typename Use>
+Agreement agreement(const Signal& x, const Signal& y, const Use& use) {
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+    Agreement result;
+    for (std::size_t k = 0U; k < std::min(x.size(), y.size()); ++k) {
+        if (use(k)) {
+            xx += x[k] * x[k];
+            xy += x[k] * y[k];
+            yy += y[k] * y[k];
+            ++result.count;
+        }
+    }
+    if (xx > 0.0 && yy > 0.0) {
+        result.slope = xy / xx;
+        result.correlation = xy / std::sqrt(xx * yy);
+    }
+    return result;
 }
 
 // The longest part without a gap.
@@ -89,6 +121,7 @@ class Preparation {
         refuse_without_roll_angle();
         cycles_ = longest_whole_part(to_cycles(drive_));
         refuse_too_short("");
+        refuse_wrong_signs_and_units();
         PreparedDrive prepared;
         prepared.name = drive_.name;
         prepared.offsets = offsets();
@@ -128,6 +161,64 @@ class Preparation {
                             "rate and roll angle all present before a wheel lifts",
                             drive_.name, sample_time_s * static_cast<double>(cycles_.size()),
                             reason.empty() ? "" : ": ", reason));
+        }
+    }
+
+    // Before anything is cut: a wrong unit would cut the drive and blame the driver.
+    void refuse_wrong_signs_and_units() const {
+        const Signal lateral = smooth(&DriveSample::lateral_specific_force_mps2);
+        const Signal yaw_rate = smooth(&DriveSample::yaw_rate_radps);
+        const Signal speed = smooth(&DriveSample::speed_mps);
+        if (complete(yaw_rate) && complete(speed)) {
+            Signal turn;
+            for (std::size_t k = 0U; k < speed.size() && !tips(cycles_[k].sample); ++k) {
+                turn.push_back(yaw_rate[k] * speed[k]);
+            }
+            refuse_wrong_turn(agreement(turn, lateral, [&](std::size_t k) {
+                return speed[k] > slowest_turn_mps &&
+                       std::max(std::abs(turn[k]), std::abs(lateral[k])) > clear_turn_mps2;
+            }));
+            refuse_wrong_steering(turn, speed);
+        }
+    }
+
+    bool tips(const DriveSample& sample) const {
+        return std::abs(sample.roll_angle_rad) > tipping_roll_rad ||
+               (drive_.one_wheel_lift_s && sample.time_s > *drive_.one_wheel_lift_s);
+    }
+
+    void refuse_wrong_turn(const Agreement& turn) const {
+        if (turn.count < shortest_segment || std::abs(turn.correlation) < clear_correlation) {
+            return;
+        }
+        if (turn.slope < 0.0) {
+            throw IdentificationError(fmt::format(
+                "{}: lateral acceleration and yaw rate have opposite signs. In a left turn both are positive, "
+                "and so are roll angle and steering-wheel angle: turn the sign of the column that is not",
+                drive_.name));
+        }
+        if (turn.slope > largest_unit_error || turn.slope < 1.0 / largest_unit_error) {
+            throw IdentificationError(fmt::format(
+                "{}: the lateral acceleration is {:.2g} times yaw rate times speed, and both should be the "
+                "same. Check the units that the columns' names say: 9.8 comes from m/s^2 in a column named "
+                "_g, 57 from deg in one named _rad, 3.6 from km/h",
+                drive_.name, turn.slope));
+        }
+    }
+
+    void refuse_wrong_steering(const Signal& turn, const Signal& speed) const {
+        const Signal steering = smooth(&DriveSample::steering_wheel_angle_rad);
+        if (!complete(steering)) {
+            return;
+        }
+        const Agreement steered = agreement(steering, turn, [&](std::size_t k) {
+            return speed[k] > slowest_turn_mps && std::abs(turn[k]) > clear_turn_mps2;
+        });
+        if (steered.count >= shortest_segment && steered.correlation < -clear_correlation) {
+            throw IdentificationError(fmt::format(
+                "{}: steering-wheel angle and yaw rate have opposite signs. In a left turn both are positive: "
+                "turn the sign of the steering-wheel angle",
+                drive_.name));
         }
     }
 

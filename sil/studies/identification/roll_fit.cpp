@@ -253,7 +253,7 @@ void refuse_without_excitation(const std::vector<PreparedDrive>& ramps,
             throw IdentificationError(
                 fmt::format("{}: the body rolls with {:.1f} deg/s at most; damping and inertia do not show "
                             "below 2 deg/s. Drive a "
-                            "step steer or a lane change that reaches 0.3 g",
+                            "step steer or a lane change that reaches 0.3 g; if it was one, check the units",
                             drive.name, largest_rate * degrees_per_radian));
         }
         refuse_wrong_roll_sign(drive);

@@ -12,6 +12,9 @@ namespace sil {
 namespace {
 
 constexpr double weak_share = 0.5;  // of what the rule of thumb leaves open
+// Of the rule of thumb; the fitted inertia of a body on its tyres is rather smaller than that of a rigid one.
+constexpr double least_inertia_share = 0.4;
+constexpr double largest_inertia_share = 1.3;
 
 class Warnings {
  public:
@@ -83,6 +86,7 @@ class Warnings {
                 "Ixx is weakly excited: the rule of thumb has a large part in it; a faster step steer would "
                 "show it");
         }
+        about_inertia();
         if (roll.damping_nmsprad.deviation > weak_share * roll.damping_nmsprad.prior_deviation) {
             warn(
                 "the damping is weakly excited: the rule of thumb has a large part in it; a step steer shows "
@@ -102,6 +106,23 @@ class Warnings {
                      roll.drives[i].name, 100.0 * roll.drives[i].r_squared);
             }
         }
+    }
+
+    // A wrong sign of imu_z_m hides in Ixx: both act with the roll acceleration.
+    void about_inertia() {
+        const VehicleData& vehicle = result_.vehicle;
+        const double fitted = result_.roll.inertia_kgm2.value;
+        const double usual = vehicle.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle));
+        if (fitted > least_inertia_share * usual && fitted < largest_inertia_share * usual) {
+            return;
+        }
+        const double other_sign =
+            fitted - 2.0 * vehicle.sprung_mass_kg * result_.roll.arm_m * vehicle.imu_z_m;
+        warn(
+            "Ixx is {:.0f} kg m2, {:.0f} kg m2 would be usual for this mass and track width: check masses, CG "
+            "height and imu_z_m (negative when the IMU is below the sprung CG; with the other sign Ixx would be "
+            "about {:.0f} kg m2)",
+            fitted, usual, other_sign);
     }
 
     void about_roll_centre() {

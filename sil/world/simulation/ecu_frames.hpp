@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
@@ -28,41 +29,30 @@ class EcuFrames {
     EcuFrameKind take(const hal::CanFrame& frame);
 
     const EcuOutput& output() const { return output_; }
-    const can_dbc::RolloverDiagnosis& diagnosis() const { return diagnosis_; }
-    const can_dbc::RolloverStatus& status() const { return status_; }
+    const can_dbc::RolloverDiagnosis& diagnosis() const { return output_.of<can_dbc::RolloverDiagnosis>(); }
+    const can_dbc::RolloverStatus& status() const { return output_.of<can_dbc::RolloverStatus>(); }
     std::uint64_t frames_received() const { return frames_received_; }
     std::uint64_t frames_refused() const { return frames_refused_; }
 
  private:
-    // One frame of this message; `kind` when its end-to-end check accepts it.
     template <typename Message>
-    EcuFrameKind take_as(EcuFrameKind kind, const hal::CanFrame& frame,
-                         can_dbc::e2e::Profile11Receiver& receiver);
-    void keep(const can_dbc::RolloverWarning& message);
-    void keep(const can_dbc::RollCentreEstimate& message);
-    void keep(const can_dbc::RollIndicesAhead& message);
-    void keep(const can_dbc::RollIndicesClassic& message);
-    void keep(const can_dbc::RollObserver& message);
-    void keep(const can_dbc::RolloverDiagnosis& message) { diagnosis_ = message; }
-    void keep(const can_dbc::RolloverStatus& message) { status_ = message; }
+    struct ReceiverOf {
+        can_dbc::e2e::Profile11Receiver receiver{Message::e2e_data_id, Message::length, 14U};
+    };
 
-    can_dbc::e2e::Profile11Receiver warning_receiver_{can_dbc::RolloverWarning::e2e_data_id,
-                                                      can_dbc::RolloverWarning::length, 14U};
-    can_dbc::e2e::Profile11Receiver estimate_receiver_{can_dbc::RollCentreEstimate::e2e_data_id,
-                                                       can_dbc::RollCentreEstimate::length, 14U};
-    can_dbc::e2e::Profile11Receiver indices_ahead_receiver_{can_dbc::RollIndicesAhead::e2e_data_id,
-                                                            can_dbc::RollIndicesAhead::length, 14U};
-    can_dbc::e2e::Profile11Receiver indices_classic_receiver_{can_dbc::RollIndicesClassic::e2e_data_id,
-                                                              can_dbc::RollIndicesClassic::length, 14U};
-    can_dbc::e2e::Profile11Receiver observer_receiver_{can_dbc::RollObserver::e2e_data_id,
-                                                       can_dbc::RollObserver::length, 14U};
-    can_dbc::e2e::Profile11Receiver diagnosis_receiver_{can_dbc::RolloverDiagnosis::e2e_data_id,
-                                                        can_dbc::RolloverDiagnosis::length, 14U};
-    can_dbc::e2e::Profile11Receiver status_receiver_{can_dbc::RolloverStatus::e2e_data_id,
-                                                     can_dbc::RolloverStatus::length, 14U};
+    template <typename List>
+    struct ReceiversOf;
+    template <typename... Messages>
+    struct ReceiversOf<can_dbc::MessageList<Messages...>> {
+        std::tuple<ReceiverOf<Messages>...> all{};
+    };
+
+    // One frame of this message, which its end-to-end check accepts or not.
+    template <typename Message>
+    EcuFrameKind take_as(const hal::CanFrame& frame);
+
+    ReceiversOf<can_dbc::MessagesFromRolloverEcu> receivers_{};
     EcuOutput output_{};
-    can_dbc::RolloverDiagnosis diagnosis_{};
-    can_dbc::RolloverStatus status_{};
     std::uint64_t frames_received_{0U};
     std::uint64_t frames_refused_{0U};
 };

@@ -14,6 +14,8 @@ float to_degrees(double radians) {
     return static_cast<float>(radians * degrees_per_radian);
 }
 
+}  // namespace
+
 void send_or_throw(hal::CanBus& bus, const hal::CanFrame& frame) {
     const hal::SendResult result = bus.send(frame);
     if (result != hal::SendResult::sent) {
@@ -25,8 +27,6 @@ void send_or_throw(hal::CanBus& bus, const hal::CanFrame& frame) {
                         result == hal::SendResult::full ? "the send queue is full" : "the bus has failed"));
     }
 }
-
-}  // namespace
 
 template <typename Message>
 void SensorFrames::send_protected(hal::CanBus& bus, const Message& message,
@@ -54,11 +54,6 @@ void SensorFrames::send(hal::CanBus& bus, const SensorSample& sample) {
     motion.yaw_rate_deg_per_s = to_degrees(sample.yaw_rate_radps);
     motion.steering_wheel_angle_deg = to_degrees(sample.steering_wheel_angle_rad);
     send_protected(bus, motion, vehicle_motion_);
-}
-
-void SensorFrames::send_sync(hal::CanBus& bus, std::uint32_t cycle_number) {
-    send_or_throw(bus,
-                  to_frame<can_dbc::SimulationSync>(can_dbc::encode(can_dbc::SimulationSync{cycle_number})));
 }
 
 }  // namespace sil

@@ -23,13 +23,13 @@ hal::CanFrame to_frame(const std::array<std::uint8_t, Message::length>& payload)
     return frame;
 }
 
+// Throws std::runtime_error when the bus does not take the frame.
+void send_or_throw(hal::CanBus& bus, const hal::CanFrame& frame);
+
 class SensorFrames {
  public:
     // Sends one sample as three frames. Throws std::runtime_error when the bus does not take one.
     void send(hal::CanBus& bus, const SensorSample& sample);
-
-    // Lock-step only: lets the ECU compute cycle `cycle_number`.
-    static void send_sync(hal::CanBus& bus, std::uint32_t cycle_number);
 
     std::uint64_t frames_sent() const { return frames_sent_; }
 

@@ -139,18 +139,6 @@ ImuMountParameters read_imu_mount(TomlTable table) {
     return p;
 }
 
-NominalRollModelParameters read_nominal_roll_model(TomlTable table) {
-    NominalRollModelParameters p;
-    p.roll_centre_height_m = table.number("roll_centre_height_m", {0.0, 2.0});
-    p.stiffness_nmprad = table.number("stiffness_nmprad", {1.0e3, 1.0e7});
-    p.damping_nmsprad = table.number("damping_nmsprad", {10.0, 1.0e6});
-    p.stiffness_0_nmprad = table.number("stiffness_0_nmprad", {1.0e3, 1.0e7});
-    p.stiffness_2_nmprad3 = table.number("stiffness_2_nmprad3", {-1.0e9, 1.0e9});
-    p.stiffness_4_nmprad5 = table.number("stiffness_4_nmprad5", {-1.0e11, 1.0e11});
-    table.refuse_unknown_keys();
-    return p;
-}
-
 }  // namespace
 
 VehicleParameters load_vehicle(const std::filesystem::path& path) {
@@ -168,7 +156,6 @@ VehicleParameters load_vehicle(const std::filesystem::path& path) {
     p.aerodynamics = read_aerodynamics(top.table("aerodynamics"));
     p.hull = read_hull(top.table("hull"));
     p.imu_mount = read_imu_mount(top.table("imu_mount"));
-    p.nominal_roll_model = read_nominal_roll_model(top.table("nominal_roll_model"));
     top.refuse_unknown_keys();
     return p;
 }

@@ -115,18 +115,6 @@ struct ImuMountParameters {
     double z_m{};
 };
 
-// What a firmware calibration for this vehicle starts from: the paper's roll-plane model with a fixed roll
-// centre. K(phi) = stiffness_0 + stiffness_2 phi^2 + stiffness_4 phi^4 (the moment is K phi) is the measured
-// curve.
-struct NominalRollModelParameters {
-    double roll_centre_height_m{};  // h_frc
-    double stiffness_nmprad{};      // K_f
-    double damping_nmsprad{};       // c_f
-    double stiffness_0_nmprad{};
-    double stiffness_2_nmprad3{};
-    double stiffness_4_nmprad5{};
-};
-
 struct VehicleParameters {
     std::string name{};
     MassParameters mass{};
@@ -140,7 +128,6 @@ struct VehicleParameters {
     AerodynamicParameters aerodynamics{};
     HullParameters hull{};
     ImuMountParameters imu_mount{};
-    NominalRollModelParameters nominal_roll_model{};
 };
 
 // Half the track width over the height of the sprung CG, as the paper counts it.

@@ -12,8 +12,7 @@ from findings import PROJECT, Finding
 
 HERE = pathlib.Path(__file__).resolve().parent
 WARNINGS = tomllib.loads((HERE / "warnings.toml").read_text(encoding="utf-8"))
-_EIGEN = ["-isystem", "/usr/include/eigen3", "-DEIGEN_MPL2_ONLY", "-DEIGEN_NO_DEBUG", "-DEIGEN_NO_MALLOC",
-          "-DEIGEN_NO_IO", "-DEIGEN_DONT_PARALLELIZE", "-DEIGEN_DONT_VECTORIZE"]
+_EIGEN = ["-isystem", "/usr/include/eigen3", "-DEIGEN_DONT_VECTORIZE"]
 _COMMON = ["-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-ffp-contract=off",
            "-fno-math-errno", f"-I{PROJECT}", f"-I{PROJECT}/firmware", *_EIGEN]
 

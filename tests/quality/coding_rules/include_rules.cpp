@@ -23,15 +23,21 @@ const std::vector<std::string> freestanding{"array",    "cfloat",   "climits",  
                                             "limits",   "new",      "type_traits", "float.h",    "limits.h",
                                             "stddef.h", "stdint.h", "stdbool.h",   "stdalign.h", "iso646.h"};
 
-std::vector<std::string> with_eigen() {
+std::vector<std::string> freestanding_and(const std::vector<std::string>& further) {
     std::vector<std::string> headers = freestanding;
-    headers.emplace_back("Eigen/");
+    headers.insert(headers.end(), further.begin(), further.end());
     return headers;
 }
 
 const std::vector<Rule>& rules() {
     static const std::vector<Rule> all{
-        {"firmware/rsi/", {"rsi/"}, Rule::Others::listed, with_eigen()},
+        {"firmware/rsi/numeric/matrix.hpp", {}, Rule::Others::listed, {"Eigen/"}},
+        {"firmware/rsi/", {"rsi/"}, Rule::Others::listed, freestanding},
+        {"firmware/calibrations/", {"rsi/"}, Rule::Others::listed, {}},
+        {"firmware/selftest/",
+         {"rsi/"},
+         Rule::Others::listed,
+         freestanding_and({"math.h", "string.h", "calibrations/", "selftest/"})},
         {"firmware/monitoring/", {"rsi/", "monitoring/"}, Rule::Others::standard, {}},
         {"firmware/application/",
          {"rsi/", "monitoring/", "can_dbc/", "hal/interface/", "application/"},

@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 
-import figures
+import documentation
 import sources
 
 PAGE = """# Page
@@ -53,6 +53,7 @@ FILES = {
     "sil/run": "# docs/page.md says more\n",
     "cars/c.toml": "",
     "sil/apps/a.cpp": 'add_subcommand("replay"); "--output"',
+    "CMakePresets.json": '{"configurePresets": [{"name": "release"}]}',
     "tests/unit/CMakeLists.txt": "add_custom_target(known_target)",
     "tests/run": "#!/bin/sh\n# --quick\necho '  unit   what it is'\n",
 }
@@ -69,12 +70,9 @@ class PlantedFaults(unittest.TestCase):
             file.write_text(text)
         (self.project / "tests/run").chmod(0o755)
 
-    def check(self, *options):
-        done = subprocess.run([HERE / "check", "--project", self.project, *options], capture_output=True, text=True)
+    def check(self):
         # The everyday figures are those of the real project.
-        found = [line for line in done.stderr.splitlines() if "everyday.txt" not in line]
-        self.assertEqual(done.returncode, 1 if done.stderr else 0, done.stderr)
-        return found
+        return [problem for problem in documentation.check(self.project)[0] if "everyday.txt" not in problem]
 
     def plant(self, before, after, name="docs/page.md"):
         file = self.project / name
@@ -90,6 +88,12 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_sound_page_raises_none(self):
         self.assertEqual(self.check(), [])
+
+    def test_the_command_tells_and_fails(self):
+        self.plant("0.92<", "0.93<")
+        done = subprocess.run([HERE / "check", "--project", self.project], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("docs: docs/page.md:2: stale figure: 0.93", done.stderr)
 
     def test_a_stale_figure(self):
         for before, after in (("0.92<", "0.93<"), ("20<", "21<"), ("three<", "four<"), ("99.72<", "99.73<"), ("1,234<", "1,235<")):
@@ -171,6 +175,7 @@ class PlantedFaults(unittest.TestCase):
             ("tests/run unit   ", "tests/run units   ", "no group units"), ("tests/run unit   ", "tests/walk unit   ", "no such path"),
             ("--quick", "--slow", "no option --slow"), ("rsi-sil replay", "rsi-sil repeat", "no command repeat"),
             ("--output DIR", "--outputs DIR", "no option --outputs"), ("known_target", "unknown_target", "target unknown_target"),
+            ("--preset release", "--preset debug", "no preset debug"),
         ):
             with self.subTest(after):
                 self.plant(before, after)
@@ -203,7 +208,8 @@ class PlantedFaults(unittest.TestCase):
         (self.project / "cars/c.toml").unlink()
         (self.project / "firmware/rsi/level.hpp").write_text(FILES["firmware/level.hpp"].replace("0.02F", "0.04F"))
         (self.project / "firmware/level.hpp").unlink()
-        found = self.check("--refresh")
+        documentation.refresh(self.project)
+        found = self.check()
         text = (self.project / "docs/page.md").read_text()
         for part in ("0.85<!--=level-->", "40<!--=hold-->", "two<!--=cars-->", "1234.50<!--=share-->", "hold: firmware/rsi/level.hpp"):
             self.assertIn(part, text)

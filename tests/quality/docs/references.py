@@ -43,6 +43,7 @@ class Commands:
         self.cmake = self._text("*CMakeLists.txt") + self._text("*.cmake")
         self.programs = self._text("sil/apps/*")
         self.groups = self._groups()
+        self.presets = set(re.findall(r'"name": "([\w-]+)"', self._text("CMakePresets.json")))
 
     def _text(self, pattern):
         return "\n".join((self.project / name).read_text(encoding="utf-8", errors="replace")
@@ -90,6 +91,12 @@ class Commands:
         return problems
 
     def _one(self, words):
+        _, *rest = words
+        presets = [after for word, after in zip(words, rest) if word == "--preset" or word.endswith("environment/build")]
+        return [f"CMakePresets.json has no preset {preset}" for preset in presets
+                if re.fullmatch(r"[a-z][\w-]*", preset) and preset not in self.presets] + self._understood(words)
+
+    def _understood(self, words):
         program, *rest = words
         name = program.rsplit("/", 1)[-1]
         if program == "tests/run":

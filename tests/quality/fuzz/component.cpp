@@ -139,7 +139,7 @@ class Judge {
     }
 
     static void judge_optional(const rsi_outputs& outputs) {
-        for (const rsi_test::OutputField& field : rsi_test::output_fields) {
+        for (const rsi::NumberOutput& field : rsi::number_outputs) {
             require(!std::isinf(outputs.*field.member), "no number is infinite");
         }
     }
@@ -209,7 +209,7 @@ class StorageTwin {
                     outputs.roll_source == expected.roll_source &&
                     outputs.roll_sensor_disagrees == expected.roll_sensor_disagrees &&
                     outputs.estimate_frozen == expected.estimate_frozen;
-        for (const rsi_test::OutputField& field : rsi_test::output_fields) {
+        for (const rsi::NumberOutput& field : rsi::number_outputs) {
             same =
                 same && rsi_test::bits_of(outputs.*field.member) == rsi_test::bits_of(expected.*field.member);
         }
@@ -241,7 +241,7 @@ class MirrorTwin {
         if (undecided_) {
             return;
         }
-        for (const rsi_test::OutputField& field : rsi_test::output_fields) {
+        for (const rsi::NumberOutput& field : rsi::number_outputs) {
             const float a = std::fabs(outputs.*field.member);
             const float b = std::fabs(expected.*field.member);
             if (a != b && !(std::isnan(a) && std::isnan(b))) {

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
               vehicle.geometry.track_width_m, vehicle.geometry.cg_height_m, vehicle.geometry.wheel_radius_m,
               vehicle.front_suspension.spring_damper.spring_npm,
               vehicle.rear_suspension.spring_damper.spring_npm, vehicle.tyre.vertical_stiffness_npm,
-              vehicle.tyre.friction, vehicle.steering.ratio, vehicle.nominal_roll_model.stiffness_nmprad}) {
+              vehicle.tyre.friction, vehicle.steering.ratio}) {
             fuzz::require(positive > 0.0 && std::isfinite(positive),
                           "what a vehicle divides by is above zero");
         }

@@ -79,13 +79,13 @@ def is_command(test):
     return "/" in test.split()[0]
 
 
-def signals_and_codes(dbc):
+def signals_and_codes(*files):
     """Frame.Signal of all that the ECU sends or receives, with the direction; and the names of the diagnostic codes."""
     import cantools
 
     signals = {}
     codes = []
-    for message in cantools.database.load_file(dbc).messages:
+    for message in (message for file in files for message in cantools.database.load_file(file).messages):
         for signal in message.signals:
             name = f"{message.name}.{signal.name}"
             if ECU in message.senders:
@@ -117,5 +117,7 @@ def collect(project, build):
         raise EvidenceError(f"{build} is not built; build first: cmake/environment/build release")
     tests = tests_of(output("/usr/bin/ctest", "--test-dir", str(build), "--show-only=json-v1"))
     groups = {folder.parent.name for folder in (project / "tests").rglob("CMakeLists.txt")} | ON_REQUEST | {"sanitize", "vcan"}
-    signals, codes = signals_and_codes(project / "can_dbc/rollover_warning.dbc")
+    signals, codes = signals_and_codes(
+        project / "can_dbc/rollover_warning.dbc", project / "sil/lock_step/simulation.dbc"
+    )
     return Evidence(project, tests, groups, signals, codes, sources_of(project))

@@ -17,10 +17,10 @@ class Collector final : public sil::RunObserver {
 
     void cycle(const sil::Truth& truth, const sil::SensorSample&, const sil::EcuFrames& ecu,
                const sil::RunEvents&) override {
-        result_.states.push_back(ecu.output().state);
+        result_.states.push_back(ecu.output().state());
         result_.truths.push_back(truth);
-        if (ecu.output().roll_stability_indicator > result_.largest_rsi) {
-            result_.largest_rsi = ecu.output().roll_stability_indicator;
+        if (static_cast<double>(ecu.output().warning().warning_level) > result_.largest_rsi) {
+            result_.largest_rsi = static_cast<double>(ecu.output().warning().warning_level);
         }
     }
 

@@ -151,8 +151,8 @@ TEST_F(HardTurn, AGapIsSilenceForTheFirmware) {
     const sil::DriveReplay replay = sil::replay_drive(gap, large_suv_calibration());
     EXPECT_EQ(replay.silent_cycles, 15U);
     EXPECT_EQ(replay.cycles.size(), run->ecu_outputs.size());
-    EXPECT_EQ(replay.cycles[29].ecu.state, sil::WarningState::ready);
-    EXPECT_EQ(replay.cycles[44].ecu.state, sil::WarningState::unavailable);
+    EXPECT_EQ(replay.cycles[29].ecu.state(), sil::WarningState::ready);
+    EXPECT_EQ(replay.cycles[44].ecu.state(), sil::WarningState::unavailable);
 }
 
 // Without noise, which a denser drive would average.

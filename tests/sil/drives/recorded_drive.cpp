@@ -69,7 +69,7 @@ std::vector<std::string> changes(const std::vector<sil::EcuOutput>& outputs) {
     std::string previous;
     for (std::size_t index = 0U; index < outputs.size(); ++index) {
         const std::string words =
-            std::string{sil::to_string(outputs[index].state)} + " " + sil::to_string(outputs[index].side);
+            std::string{sil::to_string(outputs[index].state())} + " " + sil::to_string(outputs[index].side());
         if (words != previous) {
             result.push_back(std::to_string(index) + " " + words);
         }

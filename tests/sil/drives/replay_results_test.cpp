@@ -23,8 +23,10 @@ sil::ReplayCycle cycle(double time_s, WarningState state, WarningSide side) {
     sil::ReplayCycle result;
     result.sample.time_s = time_s;
     result.sample.roll_angle_rad = 0.1;
-    result.ecu.state = state;
-    result.ecu.side = side;
+    result.ecu.warning().state = state;
+    result.ecu.warning().side = side;
+    result.outputs.state = static_cast<std::int32_t>(state);
+    result.outputs.side = static_cast<std::int32_t>(side);
     result.outputs.rsi = 0.75F;
     result.outputs.lateral_acceleration_mps2 = std::numeric_limits<float>::quiet_NaN();
     return result;

@@ -78,6 +78,74 @@ TEST(UselessDrive, ARollRateInTheWrongUnitOrSignIsRefused) {
     }
 }
 
+// One column of one drive times `factor`.
+sil::Drive scaled(sil::Drive drive, double sil::DriveSample::* column, double factor) {
+    for (sil::DriveSample& sample : drive.samples) {
+        sample.*column *= factor;
+    }
+    return drive;
+}
+
+TEST(UselessDrive, AYawRateOfTheOtherSignIsRefusedForThat) {
+    const sil::Drive flipped = scaled(good_ramp(), &sil::DriveSample::yaw_rate_radps, -1.0);
+    EXPECT_THAT(refusal(flipped, good_steps()),
+                AllOf(HasSubstr("lateral acceleration and yaw rate have opposite signs"),
+                      HasSubstr("turn the sign")));
+    EXPECT_THAT(refusal(good_ramp(), scaled(good_steps(), &sil::DriveSample::yaw_rate_radps, -1.0)),
+                HasSubstr("lateral acceleration and yaw rate have opposite signs"));
+}
+
+TEST(UselessDrive, ASteeringAngleOfTheOtherSignIsRefusedForThat) {
+    const sil::Drive flipped = scaled(good_ramp(), &sil::DriveSample::steering_wheel_angle_rad, -1.0);
+    EXPECT_THAT(refusal(flipped, good_steps()),
+                AllOf(HasSubstr("steering-wheel angle and yaw rate have opposite signs"),
+                      HasSubstr("turn the sign of the steering-wheel angle")));
+}
+
+TEST(UselessDrive, AnAccelerationInAnotherUnitIsRefusedForThat) {
+    for (const double factor : {9.80665, 1.0 / 9.80665}) {
+        const sil::Drive wrong =
+            scaled(good_ramp(), &sil::DriveSample::lateral_specific_force_mps2, factor);
+        EXPECT_THAT(refusal(wrong, good_steps()),
+                    AllOf(HasSubstr("times yaw rate times speed"), HasSubstr("m/s^2 in a column named _g")))
+            << factor;
+    }
+}
+
+TEST(UselessDrive, AYawRateInDegreesIsRefusedForThat) {
+    EXPECT_THAT(refusal(scaled(good_ramp(), &sil::DriveSample::yaw_rate_radps, 57.3), good_steps()),
+                HasSubstr("0.02 times yaw rate times speed"));
+}
+
+TEST(UselessDrive, BlowsAfterAWheelHasLiftedAreNoWrongUnit) {
+    sil::Drive ramp = good_ramp();
+    const std::size_t lift = 3U * ramp.samples.size() / 4U;
+    ramp.one_wheel_lift_s = ramp.samples[lift].time_s;
+    for (std::size_t k = lift + 1U; k < ramp.samples.size(); ++k) {
+        ramp.samples[k].lateral_specific_force_mps2 = -400.0;
+    }
+    EXPECT_EQ(refusal(ramp, good_steps()), "accepted");
+}
+
+std::vector<std::string> doubts(double imu_z_m, double inertia_kgm2) {
+    KnownBody body;
+    body.inertia_kgm2 = inertia_kgm2;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.imu_z_m = imu_z_m;
+    return sil::identify(data, {identification_test::ramp_of(body, 5.5)}, {identification_test::steps_of(body)})
+        .warnings;
+}
+
+TEST(DoubtfulDrive, AWrongSignOfTheImusHeightIsDoubtedByTheInertiaThatItMakes) {
+    const KnownBody body;
+    EXPECT_THAT(doubts(-body.imu_z_m, body.inertia_kgm2),
+                testing::Contains(AllOf(HasSubstr("Ixx is "), HasSubstr("imu_z_m"))));
+    for (const double usual_kgm2 : {600.0, body.inertia_kgm2, 900.0}) {
+        EXPECT_THAT(doubts(body.imu_z_m, usual_kgm2), testing::Not(testing::Contains(HasSubstr("Ixx is "))))
+            << usual_kgm2;
+    }
+}
+
 TEST(DoubtfulDrive, WithoutSteeringTheGradientIsAssumedAndSaidSo) {
     identification_test::Recording recording;
     recording.steering = false;

@@ -13,6 +13,7 @@
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/nominal_roll_model.hpp"
 
 namespace {
 
@@ -57,7 +58,7 @@ TEST_P(SimulatedVehicle, DataFileAgreesWithTheVehicle) {
 TEST_P(SimulatedVehicle, StiffnessCurveIsTheNominalOne) {
     const sil::Identification result = identified(GetParam());
     const sil::VehicleParameters vehicle = vehicle_of(GetParam().vehicle);
-    const sil::NominalRollModelParameters& nominal = vehicle.nominal_roll_model;
+    const rsi_test::NominalRollModel nominal = rsi_test::nominal_roll_model(vehicle.name);
     const double arm_m = vehicle.geometry.cg_height_m - nominal.roll_centre_height_m;
     for (const double phi : {0.02, 0.04, 0.06, 0.08, 0.095}) {
         const double square = phi * phi;

@@ -28,8 +28,8 @@ sil::Truth truth_with_loads(double time_s, const std::array<double, 4>& loads_n)
 
 sil::EcuOutput output_of(sil::WarningState state, sil::WarningSide side = sil::WarningSide::none) {
     sil::EcuOutput output;
-    output.state = state;
-    output.side = side;
+    output.warning().state = state;
+    output.warning().side = side;
     return output;
 }
 

@@ -62,16 +62,18 @@ sil::EcuOutput respond(const sil::Truth& truth) {
     sil::EcuOutput output;
     const double side = truth.lateral_acceleration_mps2 >= 0.0 ? 1.0 : -1.0;
     const double t = (track_width_m / 2.0 - side * roll_arm_m * std::tan(truth.roll_angle_rad)) / height_m;
-    output.lateral_acceleration_mps2 = truth.lateral_acceleration_mps2;
-    output.lateral_acceleration_threshold_mps2 = side * t * g_mps2;
-    output.roll_stability_indicator =
+    const double level =
         std::min(std::fabs(truth.lateral_acceleration_mps2) / std::max(t * g_mps2, 0.05), 1.0);
-    output.published_rsi = output.roll_stability_indicator;
-    output.state = output.roll_stability_indicator >= 1.0   ? sil::WarningState::warning
-                   : output.roll_stability_indicator >= 0.8 ? sil::WarningState::advisory
-                                                            : sil::WarningState::ready;
-    if (output.state == sil::WarningState::warning) {
-        output.side = side > 0.0 ? sil::WarningSide::right : sil::WarningSide::left;
+    can_dbc::RolloverWarning& warning = output.warning();
+    warning.lateral_acceleration_mps2 = static_cast<float>(truth.lateral_acceleration_mps2);
+    warning.lateral_acceleration_threshold_mps2 = static_cast<float>(side * t * g_mps2);
+    warning.warning_level = static_cast<float>(level);
+    output.of<can_dbc::RollIndicesClassic>().rsi = static_cast<float>(level);
+    warning.state = level >= 1.0   ? sil::WarningState::warning
+                    : level >= 0.8 ? sil::WarningState::advisory
+                                   : sil::WarningState::ready;
+    if (output.warning().state == sil::WarningState::warning) {
+        output.warning().side = side > 0.0 ? sil::WarningSide::right : sil::WarningSide::left;
     }
     return output;
 }

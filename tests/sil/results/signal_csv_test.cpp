@@ -43,17 +43,18 @@ std::string field(const std::string& row, const std::string& column) {
 TEST(SignalCsv, EveryColumnHasANameOfItsOwnAndAUnitOrNeedsNone) {
     const std::set<std::string> units{"s", "m", "mps", "mps2", "deg", "degps", "n", "nmprad", "nmsprad"};
     const std::set<std::string> without_unit{"ecu_state_number",
-                                             "ecu_roll_stability_indicator",
+                                             "ecu_warning_level",
                                              "ecu_predicted_load_transfer_ratio",
                                              "ecu_predicted_rsi",
                                              "ecu_load_transfer_ratio",
                                              "ecu_extended_rsi",
-                                             "ecu_published_rsi",
+                                             "ecu_rsi",
                                              "ecu_bank_free_rsi",
                                              "ecu_dynamic_stability_index",
                                              "ecu_energy_margin",
                                              "ecu_rollover_index",
                                              "ecu_roll_source_number",
+                                             "ecu_side_number",
                                              "ecu_roll_sensor_disagrees",
                                              "ecu_estimate_frozen",
                                              "ecu_state",
@@ -74,7 +75,7 @@ TEST(SignalCsv, ARowHasAFieldForEveryColumn) {
 TEST(SignalCsv, WhatIsNotAvailableIsAnEmptyField) {
     const std::string row = sil::signal_csv_row({}, {}, {});
     EXPECT_EQ(field(row, "sensor_lateral_acceleration_mps2"), "");
-    EXPECT_EQ(field(row, "ecu_roll_stability_indicator"), "");
+    EXPECT_EQ(field(row, "ecu_warning_level"), "");
     EXPECT_EQ(field(row, "ecu_state"), "unavailable");
     EXPECT_EQ(field(row, "ecu_side"), "none");
     EXPECT_EQ(row.find("nan"), std::string::npos);
@@ -106,11 +107,11 @@ TEST(SignalCsv, EveryValueStandsInItsOwnColumn) {
     sample.roll_angle_rad = 6.0 / deg_per_rad;
     sample.speed_mps = 7.0;
     sil::EcuOutput output;
-    output.state = sil::WarningState::warning;
-    output.side = sil::WarningSide::right;
-    output.roll_stability_indicator = 0.75;
-    output.lateral_acceleration_threshold_mps2 = 8.0;
-    output.roll_centre_vertical_movement_m = -0.0625;
+    output.warning().state = sil::WarningState::warning;
+    output.warning().side = sil::WarningSide::right;
+    output.warning().warning_level = 0.75F;
+    output.warning().lateral_acceleration_threshold_mps2 = 8.0F;
+    output.of<can_dbc::RollCentreEstimate>().roll_centre_vertical_m = -0.0625F;
     const std::string row = sil::signal_csv_row(truth, sample, output);
     const auto number = [&row](const char* column) {
         return std::strtod(field(row, column).c_str(), nullptr);
@@ -127,9 +128,9 @@ TEST(SignalCsv, EveryValueStandsInItsOwnColumn) {
     EXPECT_DOUBLE_EQ(number("sensor_roll_angle_deg"), 6.0);
     EXPECT_EQ(number("sensor_speed_mps"), 7.0);
     EXPECT_EQ(number("ecu_state_number"), 3.0);
-    EXPECT_EQ(number("ecu_roll_stability_indicator"), 0.75);
+    EXPECT_EQ(number("ecu_warning_level"), 0.75);
     EXPECT_EQ(number("ecu_lateral_acceleration_threshold_mps2"), 8.0);
-    EXPECT_EQ(number("ecu_roll_centre_vertical_movement_m"), -0.0625);
+    EXPECT_EQ(number("ecu_roll_centre_vertical_m"), -0.0625);
     EXPECT_EQ(field(row, "ecu_state"), "warning");
     EXPECT_EQ(field(row, "ecu_side"), "right");
 }

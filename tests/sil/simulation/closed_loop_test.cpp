@@ -16,7 +16,7 @@ using sil::WarningState;
 std::set<WarningState> states_of(const RecordedRun& run) {
     std::set<WarningState> states;
     for (const sil::EcuOutput& output : run.ecu_outputs) {
-        states.insert(output.state);
+        states.insert(output.state());
     }
     return states;
 }
@@ -76,10 +76,10 @@ TEST(ARun, MirroredHasTheSameStatesOnTheOtherSide) {
     for (std::size_t index = 0U; index < cycles; ++index) {
         const sil::EcuOutput& output = left.ecu_outputs[index];
         const sil::EcuOutput& mirrored = right.ecu_outputs[index];
-        const WarningSide expected = output.side == WarningSide::none    ? WarningSide::none
-                                     : output.side == WarningSide::right ? WarningSide::left
-                                                                         : WarningSide::right;
-        differing += output.state != mirrored.state || mirrored.side != expected ? 1U : 0U;
+        const WarningSide expected = output.side() == WarningSide::none    ? WarningSide::none
+                                     : output.side() == WarningSide::right ? WarningSide::left
+                                                                           : WarningSide::right;
+        differing += output.state() != mirrored.state() || mirrored.side() != expected ? 1U : 0U;
     }
     // What the simulated vehicle's own rounding makes of left and right may move a change of state by a few
     // cycles: 2 % of them.
@@ -92,7 +92,7 @@ TEST(ARunOnAStraightRoad, IsReadyAndNothingElseAfterTheRecoveryTime) {
     settings.noise = true;
     const RecordedRun run = run_and_record(sil::find_manoeuvre("straight"), settings);
     for (std::size_t index = 10U; index < run.ecu_outputs.size(); ++index) {
-        ASSERT_EQ(run.ecu_outputs[index].state, WarningState::ready) << index;
+        ASSERT_EQ(run.ecu_outputs[index].state(), WarningState::ready) << index;
     }
     EXPECT_FALSE(run.events.warning.has_value());
 }
@@ -105,8 +105,8 @@ TEST(EveryManoeuvreOfTheCatalogue, IsAnsweredInEachCycle) {
         const RecordedRun run = run_and_record(manoeuvre, settings);
         EXPECT_EQ(run.log.size(), 10U * run.ecu_outputs.size());
         EXPECT_EQ(run.frames_refused, 0U);
-        EXPECT_EQ(run.ecu_outputs.front().state, WarningState::unavailable);
-        EXPECT_EQ(run.ecu_outputs.at(20U).state, WarningState::ready);
+        EXPECT_EQ(run.ecu_outputs.front().state(), WarningState::unavailable);
+        EXPECT_EQ(run.ecu_outputs.at(20U).state(), WarningState::ready);
     }
 }
 

@@ -112,7 +112,7 @@ class EcuFrames : public ::testing::Test {
         can_dbc::RolloverWarning message;
         message.state = can_dbc::RolloverWarning::State::warning;
         message.side = can_dbc::RolloverWarning::Side::left;
-        message.roll_stability_indicator = 0.95F;
+        message.warning_level = 0.95F;
         message.lateral_acceleration_mps2 = -6.5F;
         message.lateral_acceleration_threshold_mps2 = -7.0F;
         return message;
@@ -123,47 +123,59 @@ class EcuFrames : public ::testing::Test {
 
 TEST_F(EcuFrames, AreUnderstoodAsTheyWereMeant) {
     EXPECT_EQ(ecu.take(frame_of(warning_message(), 3U)), sil::EcuFrameKind::warning);
-    EXPECT_EQ(ecu.output().state, sil::WarningState::warning);
-    EXPECT_EQ(ecu.output().side, sil::WarningSide::left);
-    EXPECT_NEAR(ecu.output().roll_stability_indicator, 0.95, 2.5e-4);
-    EXPECT_NEAR(ecu.output().lateral_acceleration_mps2, -6.5, 2.5e-3);
-    EXPECT_NEAR(ecu.output().lateral_acceleration_threshold_mps2, -7.0, 2.5e-3);
+    EXPECT_EQ(ecu.output().state(), sil::WarningState::warning);
+    EXPECT_EQ(ecu.output().side(), sil::WarningSide::left);
+    EXPECT_NEAR(static_cast<double>(ecu.output().of<can_dbc::RolloverWarning>().warning_level), 0.95, 2.5e-4);
+    EXPECT_NEAR(static_cast<double>(ecu.output().of<can_dbc::RolloverWarning>().lateral_acceleration_mps2),
+                -6.5, 2.5e-3);
+    EXPECT_NEAR(
+        static_cast<double>(ecu.output().of<can_dbc::RolloverWarning>().lateral_acceleration_threshold_mps2),
+        -7.0, 2.5e-3);
 
     can_dbc::RollCentreEstimate estimate;
-    estimate.vertical_movement_m = 0.05F;
-    estimate.lateral_movement_m = -0.02F;
-    estimate.roll_stiffness_deviation_n_m_per_rad = 5000.0F;
+    estimate.roll_centre_vertical_m = 0.05F;
+    estimate.roll_centre_lateral_m = -0.02F;
+    estimate.roll_stiffness_deviation_nmprad = 5000.0F;
     EXPECT_EQ(ecu.take(frame_of(estimate, 3U)), sil::EcuFrameKind::estimate);
-    EXPECT_NEAR(ecu.output().roll_centre_vertical_movement_m, 0.05, 2.5e-4);
-    EXPECT_NEAR(ecu.output().roll_centre_lateral_movement_m, -0.02, 2.5e-4);
-    EXPECT_NEAR(ecu.output().roll_stiffness_deviation_nmprad, 5000.0, 50.0);
-    EXPECT_TRUE(std::isnan(ecu.output().roll_damping_deviation_nmsprad));
+    EXPECT_NEAR(static_cast<double>(ecu.output().of<can_dbc::RollCentreEstimate>().roll_centre_vertical_m),
+                0.05, 2.5e-4);
+    EXPECT_NEAR(static_cast<double>(ecu.output().of<can_dbc::RollCentreEstimate>().roll_centre_lateral_m),
+                -0.02, 2.5e-4);
+    EXPECT_NEAR(
+        static_cast<double>(ecu.output().of<can_dbc::RollCentreEstimate>().roll_stiffness_deviation_nmprad),
+        5000.0, 50.0);
+    EXPECT_TRUE(std::isnan(ecu.output().of<can_dbc::RollCentreEstimate>().roll_damping_deviation_nmsprad));
 
     can_dbc::RollIndicesAhead ahead;
     ahead.predicted_load_transfer_ratio = -0.7F;
     ahead.extended_rsi = 0.6F;
     EXPECT_EQ(ecu.take(frame_of(ahead, 3U)), sil::EcuFrameKind::indices);
-    EXPECT_NEAR(ecu.output().predicted_load_transfer_ratio, -0.7, 5.0e-4);
-    EXPECT_NEAR(ecu.output().extended_rsi, 0.6, 2.5e-4);
-    EXPECT_TRUE(std::isnan(ecu.output().predicted_rsi));
+    EXPECT_NEAR(
+        static_cast<double>(ecu.output().of<can_dbc::RollIndicesAhead>().predicted_load_transfer_ratio), -0.7,
+        5.0e-4);
+    EXPECT_NEAR(static_cast<double>(ecu.output().of<can_dbc::RollIndicesAhead>().extended_rsi), 0.6, 2.5e-4);
+    EXPECT_TRUE(std::isnan(ecu.output().of<can_dbc::RollIndicesAhead>().predicted_rsi));
 
     can_dbc::RollIndicesClassic classic;
     classic.energy_margin = -0.25F;
     classic.time_to_rollover_s = 1.2F;
     EXPECT_EQ(ecu.take(frame_of(classic, 3U)), sil::EcuFrameKind::indices);
-    EXPECT_NEAR(ecu.output().energy_margin, -0.25, 5.0e-3);
-    EXPECT_NEAR(ecu.output().time_to_rollover_s, 1.2, 0.02);
-    EXPECT_TRUE(std::isnan(ecu.output().rollover_index));
+    EXPECT_NEAR(static_cast<double>(ecu.output().of<can_dbc::RollIndicesClassic>().energy_margin), -0.25,
+                5.0e-3);
+    EXPECT_NEAR(static_cast<double>(ecu.output().of<can_dbc::RollIndicesClassic>().time_to_rollover_s), 1.2,
+                0.02);
+    EXPECT_TRUE(std::isnan(ecu.output().of<can_dbc::RollIndicesClassic>().rollover_index));
 
     can_dbc::RollObserver observer;
     observer.observed_bank_angle_deg = -6.0F;
     observer.roll_source = can_dbc::RollObserver::RollSource::observer;
     observer.roll_sensor_disagrees = true;
     EXPECT_EQ(ecu.take(frame_of(observer, 3U)), sil::EcuFrameKind::observer);
-    EXPECT_NEAR(ecu.output().observed_bank_angle_rad, -6.0 * 3.14159265 / 180.0, 2.5e-4);
-    EXPECT_EQ(ecu.output().roll_source, sil::RollSource::observer);
-    EXPECT_TRUE(ecu.output().roll_sensor_disagrees);
-    EXPECT_FALSE(ecu.output().estimate_frozen);
+    EXPECT_NEAR(static_cast<double>(ecu.output().of<can_dbc::RollObserver>().observed_bank_angle_deg), -6.0,
+                0.0125);
+    EXPECT_EQ(ecu.output().of<can_dbc::RollObserver>().roll_source, sil::RollSource::observer);
+    EXPECT_TRUE(ecu.output().of<can_dbc::RollObserver>().roll_sensor_disagrees);
+    EXPECT_FALSE(ecu.output().of<can_dbc::RollObserver>().estimate_frozen);
 
     can_dbc::RolloverStatus status;
     status.imu_timeout = true;
@@ -181,7 +193,7 @@ TEST_F(EcuFrames, WithAnyBitTurnedAreRefusedAndChangeNothing) {
         frame.data[bit / 8U] = static_cast<std::uint8_t>(frame.data[bit / 8U] ^ (1U << (bit % 8U)));
         EXPECT_EQ(ecu.take(frame), sil::EcuFrameKind::refused) << bit;
     }
-    EXPECT_EQ(ecu.output().state, sil::WarningState::unavailable);
+    EXPECT_EQ(ecu.output().state(), sil::WarningState::unavailable);
     EXPECT_EQ(ecu.frames_refused(), 64U);
     EXPECT_EQ(ecu.frames_received(), 0U);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scenario.hpp"
+#include "tests/support/nominal_roll_model.hpp"
 
 namespace {
 
@@ -64,7 +65,7 @@ TEST(BankedRoad, ARestingVehicleLeansDownhillAndItsAccelerometerShowsTheSlope) {
     const sil::Truth& truth = vehicle.truth();
     const double lean = truth.roll_to_horizon_rad;
     // Quasi-static roll (1): K_f phi = m_s H (g sin b + g cos b tan phi), bank downhill to the right.
-    const sil::NominalRollModelParameters& model = parameters.nominal_roll_model;
+    const rsi_test::NominalRollModel model = rsi_test::nominal_roll_model(parameters.name);
     const double lever = parameters.geometry.cg_height_m - model.roll_centre_height_m;
     const double pull = parameters.mass.sprung_kg * sil::gravity_mps2 * lever;
     EXPECT_NEAR(truth.roll_angle_rad, pull * std::sin(bank) / (model.stiffness_nmprad - pull),

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sil/world/vehicle/parameter_file.hpp"
+#include "tests/support/nominal_roll_model.hpp"
 
 namespace scenario {
 namespace {
@@ -16,19 +17,19 @@ constexpr double pi = 3.14159265358979323846;
 // left side is up, so that it acts as a lateral acceleration to the left does.
 class PublishedIndicator {
  public:
-    explicit PublishedIndicator(const sil::VehicleParameters& parameters) : parameters_{parameters} {}
+    explicit PublishedIndicator(const sil::VehicleParameters& parameters)
+        : parameters_{parameters}, model_{rsi_test::nominal_roll_model(parameters.name)} {}
 
     double advance(const sil::Truth& truth, double step_s) {
-        const sil::NominalRollModelParameters& model = parameters_.nominal_roll_model;
         const double height = parameters_.geometry.cg_height_m;
-        const double lever = height - model.roll_centre_height_m;
+        const double lever = height - model_.roll_centre_height_m;
         const double a_y = truth.lateral_acceleration_mps2;
         const double sine = std::sin(truth.bank_angle_rad);
         const double cosine = std::cos(truth.bank_angle_rad);
         const double along = a_y * cosine + sil::gravity_mps2 * sine;
         const double across = sil::gravity_mps2 * cosine - a_y * sine;
         const double moment = parameters_.mass.sprung_kg * lever * (along + across * std::tan(roll_));
-        roll_ += step_s * (moment - model.stiffness_nmprad * roll_) / model.damping_nmsprad;
+        roll_ += step_s * (moment - model_.stiffness_nmprad * roll_) / model_.damping_nmsprad;
         const double side = a_y >= 0.0 ? 1.0 : -1.0;
         const double level =
             (0.5 * parameters_.geometry.track_width_m - side * lever * std::tan(roll_)) / height;
@@ -39,6 +40,7 @@ class PublishedIndicator {
 
  private:
     const sil::VehicleParameters& parameters_;
+    rsi_test::NominalRollModel model_;
     double roll_{0.0};
 };
 

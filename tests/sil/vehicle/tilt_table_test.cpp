@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scenario.hpp"
+#include "tests/support/nominal_roll_model.hpp"
 
 namespace {
 
@@ -79,7 +80,7 @@ TEST(TiltTable, ASprungVehicleTipsEarlierByWhatItsRollTakesFromTheLever) {
         const double table = tipping.angle_rad;
         const double height =
             truth.position_z_m * std::cos(table) - truth.position_y_m * std::sin(table);  // over the table
-        const double h_frc = parameters.nominal_roll_model.roll_centre_height_m;
+        const double h_frc = rsi_test::nominal_roll_model(parameters.name).roll_centre_height_m;
         const double moved = (parameters.geometry.cg_height_m - h_frc) * std::tan(tipping.roll_rad);
         const double half_track = 0.5 * parameters.geometry.track_width_m;
         const double unsprung = sil::total_mass_kg(parameters) - parameters.mass.sprung_kg;

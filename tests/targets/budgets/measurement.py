@@ -9,6 +9,7 @@ import tomllib
 
 import binary_tools
 import call_graph
+import exported_build
 import image_size
 import image_symbols
 import instruction_trace
@@ -125,6 +126,7 @@ class Measurement:
         self.cycles = {log: self._cycle(log) for log in (*MANOEUVRES, FAULTY_LOG)}
         self._memory()
         self._contents()
+        self._exported()
         return self
 
     # Counts.
@@ -241,3 +243,14 @@ class Measurement:
             for place in image_symbols.double_instructions(library)
         ]
         self.findings += [f"{name} in librsi.a makes an indirect call" for name in self.indirect_callers]
+
+    def _exported(self):
+        """The figures are those of an exported build with the documented flags: its code is this library's."""
+        exported = exported_build.build(PROJECT, self.target, self._scratch)
+        difference = exported_build.first_difference(
+            exported_build.code(self._folder / "firmware/librsi.a"), exported_build.code(exported)
+        )
+        if difference:
+            self.findings.append(
+                f"librsi.a of {self.target} is not what firmware/export gives with the flags of rsi.mk and -O2: {difference}"
+            )

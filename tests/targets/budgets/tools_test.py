@@ -12,6 +12,7 @@ sys.path[:0] = [str(HERE), str(HERE.parents[1] / "support")]
 
 import binary_tools
 import call_graph
+import exported_build
 import image_size
 import image_symbols
 import instruction_trace
@@ -325,6 +326,34 @@ class CallGraphs(unittest.TestCase):
             binary_tools.run("ar", "rc", here / "lib.a", here / "kept.cpp.obj")
             graph = call_graph.CallGraph(binary_tools.call_graphs(here / "lib.a", here))
             self.assertEqual(graph.bytes, {"kept": 8})
+
+
+class ExportedBuild(unittest.TestCase):
+    def compiled(self, folder, name, flags):
+        source = folder / "source.c"
+        source.write_text("float f(float a, float b, float c) { return a * b + c; }\n")
+        binary_tools.run("gcc", "-mcpu=cortex-m7", "-mthumb", "-mfpu=fpv5-d16", "-mfloat-abi=hard", *flags, "-c", source,
+                         "-o", folder / name)
+        return exported_build.code(folder / name)
+
+    def test_the_same_flags_give_the_same_code_whatever_the_file_is_called(self):
+        with tempfile.TemporaryDirectory() as folder:
+            one = self.compiled(pathlib.Path(folder), "one.o", ["-O2", "-ffp-contract=off"])
+            other = self.compiled(pathlib.Path(folder), "other.o", ["-O2", "-ffp-contract=off", "-g"])
+            self.assertTrue(any("vmul" in line for line in one))
+            self.assertEqual(exported_build.first_difference(one, other), "")
+
+    def test_a_flag_that_only_one_has_is_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            one = self.compiled(pathlib.Path(folder), "one.o", ["-O2", "-ffp-contract=off"])
+            other = self.compiled(pathlib.Path(folder), "other.o", ["-O2", "-ffp-contract=fast"])
+            self.assertIn("vfma", exported_build.first_difference(one, other))
+            self.assertEqual(exported_build.first_difference(one, one[:-1]), f"{len(one)} and {len(one) - 1} lines")
+
+    def test_the_processors_flags_are_those_of_the_toolchain_file(self):
+        self.assertEqual(exported_build.processor_flags('set(processor_flags "-mcpu=x -mthumb")\n'), "-mcpu=x -mthumb")
+        with self.assertRaisesRegex(exported_build.ExportError, "no processor_flags"):
+            exported_build.processor_flags("set(flags)")
 
 
 class LibraryStack(unittest.TestCase):

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "large_suv.h"
+#include "calibrations/generated/large_suv.h"
 #include "rsi/rsi.h"
 
 static uint32_t state = 1U;

@@ -5,10 +5,17 @@
 
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/lock_step/simulation.hpp"
 #include "sil/world/simulation/pace.hpp"
 #include "sil/world/simulation/sensor_frames.hpp"
 
 namespace sil {
+
+// Lets the ECU compute cycle `number`.
+inline void send_sync(hal::CanBus& bus, std::uint32_t number) {
+    using simulation_dbc::SimulationSync;
+    send_or_throw(bus, to_frame<SimulationSync>(can_dbc::encode(SimulationSync{number})));
+}
 
 // Ends each cycle's sensor frames with SimulationSync; the ECU's status frame, the last of its answer, ends
 // the cycle.
@@ -23,7 +30,7 @@ class LockStepPace final : public Pace {
         clock_.set(hal::Time{number * cycle_time.nanoseconds});
     }
 
-    void frames_sent(std::uint32_t number) override { SensorFrames::send_sync(bus_, number); }
+    void frames_sent(std::uint32_t number) override { send_sync(bus_, number); }
 
     bool wait_for_answer(std::uint32_t) override {
         if (!socket_.wait_for_frame(longest_wait)) {

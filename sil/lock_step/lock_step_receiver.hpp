@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/frame_ring.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "sil/lock_step/simulation.hpp"
 #include "sil/world/simulation/pace.hpp"
 
 namespace sil {
@@ -24,9 +24,9 @@ class LockStepReceiver final : public hal::CanBus {
     bool cycle_is_complete() noexcept {
         hal::CanFrame frame;
         while (bus_.receive(frame) == hal::ReceiveResult::frame) {
-            if (frame.identifier == can_dbc::SimulationSync::identifier &&
-                frame.length == can_dbc::SimulationSync::length) {
-                begin_cycle(can_dbc::decode<can_dbc::SimulationSync>(frame.data).value.cycle_number);
+            if (frame.identifier == simulation_dbc::SimulationSync::identifier &&
+                frame.length == simulation_dbc::SimulationSync::length) {
+                begin_cycle(can_dbc::decode<simulation_dbc::SimulationSync>(frame.data).value.cycle_number);
                 return true;
             }
             static_cast<void>(waiting_.push(frame));

@@ -1,0 +1,65 @@
+// CRCs of 8 and 16 bits, most significant bit first, by table.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace can_dbc::e2e {
+
+namespace detail {
+
+template <typename Remainder>
+inline constexpr unsigned crc_width = 8U * sizeof(Remainder);
+
+template <typename Remainder>
+constexpr std::array<Remainder, 256> make_crc_table(Remainder polynomial) {
+    constexpr unsigned width = crc_width<Remainder>;
+    std::array<Remainder, 256> table{};
+    for (unsigned index = 0U; index < table.size(); ++index) {
+        unsigned remainder = index << (width - 8U);
+        for (unsigned bit = 0U; bit < 8U; ++bit) {
+            const bool top = ((remainder >> (width - 1U)) & 1U) != 0U;
+            remainder = top ? (remainder << 1U) ^ polynomial : remainder << 1U;
+        }
+        table[index] = static_cast<Remainder>(remainder & ((1U << width) - 1U));
+    }
+    return table;
+}
+
+template <typename Remainder, Remainder polynomial>
+inline constexpr std::array<Remainder, 256> crc_table = make_crc_table<Remainder>(polynomial);
+
+}  // namespace detail
+
+// The width is that of `Remainder`. `start_value` and `final_xor` are the plain checksum's; a protection
+// profile that has its own goes by `update` alone.
+template <typename Remainder, Remainder polynomial, Remainder start_value, Remainder final_xor>
+struct Crc {
+    static_assert(sizeof(Remainder) <= 2U, "the arithmetic is in 32 bits");
+
+    static constexpr Remainder start = start_value;
+
+    // The remainder after `length` more bytes.
+    static constexpr Remainder update(Remainder remainder, const std::uint8_t* data, std::size_t length) {
+        for (std::size_t index = 0U; index < length; ++index) {
+            const unsigned wide = static_cast<unsigned>(remainder);
+            const unsigned top = (wide >> (detail::crc_width<Remainder> - 8U)) ^ data[index];
+            remainder = static_cast<Remainder>((wide << 8U) ^ detail::crc_table<Remainder, polynomial>[top]);
+        }
+        return remainder;
+    }
+
+    // The plain checksum.
+    static constexpr Remainder checksum(const std::uint8_t* data, std::size_t length) {
+        return static_cast<Remainder>(update(start, data, length) ^ final_xor);
+    }
+};
+
+// Profiles 1 and 11. "123456789" gives 0x4B.
+using Crc8SaeJ1850 = Crc<std::uint8_t, 0x1DU, 0xFFU, 0xFFU>;
+
+// Profile 5. Catalogues call it CRC-16/CCITT-FALSE or CRC-16/IBM-3740. "123456789" gives 0x29B1.
+using Crc16CcittFalse = Crc<std::uint16_t, 0x1021U, 0xFFFFU, 0x0000U>;
+
+}  // namespace can_dbc::e2e

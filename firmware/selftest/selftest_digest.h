@@ -1,0 +1,2 @@
+/* Made by tests/targets/integration/renew; do not edit. */
+#define RSI_SELFTEST_EXPECTED_DIGEST 0x6AEEBD9CU

@@ -1,0 +1,77 @@
+"""All checks of the documentation of a project, and its figures written anew."""
+
+import pathlib
+import re
+
+import figures
+import references
+from page import COMMENT, Page, all_pages, tracked, written_pages
+
+EVERYDAY = pathlib.Path(__file__).resolve().parent / "everyday.txt"
+README_LINES = 120
+COLUMNS = 120
+PAGE_WORDS = 4000
+PAGES = 14
+KEYS = {
+    "docs/calibration.md": "firmware/calibrations/large_suv.toml",
+    "docs/vehicle_file.md": "sil/vehicles/large_suv.toml",
+}
+
+
+def length_problems(page):
+    problems = []
+    if page.path == "README.md" and len(page.lines) > README_LINES:
+        problems.append(f"README.md: {len(page.lines)} lines; at most {README_LINES}")
+    words = len(COMMENT.sub("", page.text).split())
+    if words > PAGE_WORDS:
+        problems.append(f"{page.path}: {words} words; at most {PAGE_WORDS}: split or shorten it")
+    last = figures.SOURCES.search(page.without_fences())
+    for number, line in enumerate(page.text[: last.start() if last else None].splitlines(), 1):
+        columns = len(COMMENT.sub("", line))
+        # A row of a table cannot be broken, and a picture's line is its address.
+        if columns > COLUMNS and not line.startswith(("|", "![")):
+            problems.append(f"{page.path}:{number}: {columns} columns; at most {COLUMNS}")
+    return problems
+
+
+def check(project):
+    files = tracked(project)
+    everyday = figures.Everyday(EVERYDAY, project, files)
+    commands = references.Commands(project, files)
+    written, pages = written_pages(project), {}
+    problems = everyday.problems()
+    if len(written) > PAGES:
+        problems.append(f"{len(written)} written pages; at most {PAGES}")
+    for path in all_pages(project):
+        page = pages.setdefault(path, Page(project, path))
+        if path in written:
+            problems += figures.problems(page, everyday, files)
+            problems += references.problems(page, commands, pages)
+            problems += length_problems(page)
+        else:
+            problems += references.link_problems(page, pages)
+    return problems + references.pages_elsewhere(project, files) + keys_of_files(project), written
+
+
+def keys_of_files(project):
+    """Every key of these files stands on the page that explains them."""
+    problems = []
+    for page, file in KEYS.items():
+        if not (project / page).is_file():
+            continue
+        text = (project / page).read_text(encoding="utf-8")
+        for line in (project / file).read_text(encoding="utf-8").splitlines():
+            key = re.match(r"\[?(\w+)\]?(?: =|$)", line)
+            if key and not re.search(rf"`\[?{key[1]}\]?`", text):
+                problems.append(f"{page}: does not name {key[1]} of {file}")
+    return problems
+
+
+def refresh(project):
+    files = tracked(project)
+    for path in written_pages(project):
+        page = Page(project, path)
+        text = figures.refreshed(page, files)
+        if text != page.text:
+            (project / path).write_text(text, encoding="utf-8")
+            print(f"docs: {path} refreshed")
