@@ -54,6 +54,14 @@ CsvRow& CsvRow::fixed(const std::optional<double>& value, int decimals) {
     return *this;
 }
 
+std::string csv_header(const std::vector<std::string>& columns) {
+    CsvRow row;
+    for (const std::string& column : columns) {
+        row.text(column);
+    }
+    return row.line();
+}
+
 CsvFile::CsvFile(std::filesystem::path path, const std::string& header) : path_{std::move(path)} {
     errno = 0;
     file_.open(path_, std::ios::binary | std::ios::trunc);

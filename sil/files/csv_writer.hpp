@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sil {
 
@@ -52,6 +53,9 @@ class CsvRow {
     std::string line_{};
     bool has_cells_{false};
 };
+
+// The line that names the columns.
+std::string csv_header(const std::vector<std::string>& columns);
 
 class CsvFile {
  public:
