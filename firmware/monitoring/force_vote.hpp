@@ -2,6 +2,7 @@
 // angle, which the suspension takes under that force. Is the accelerometer alone?
 #pragma once
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
@@ -14,8 +15,7 @@ class ForceVote {
  public:
     // Accepted parameters.
     void start(const rsi::Parameters& parameters) noexcept {
-        const float arm_kgm = parameters.sprung_mass_kg *
-                              (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+        const float arm_kgm = parameters.sprung_mass_kg * rsi::roll_arm_m(parameters);
         force_per_roll_mps2_ =
             (arm_kgm > 0.0F) ? parameters.roll_stiffness_nmprad / arm_kgm : rsi::not_available;
     }

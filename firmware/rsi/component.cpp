@@ -4,6 +4,7 @@
 
 #include "rsi/indicator/roll_stability_indicator.hpp"
 #include "rsi/model/roll_centre.hpp"
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/output_table.hpp"
 
 #ifndef EIGEN_DONT_VECTORIZE
@@ -66,7 +67,7 @@ void Component::reset(const Parameters& parameters) {
 }
 
 void Component::start(const Parameters& parameters) {
-    static_stability_factor_ = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
+    static_stability_factor_ = static_stability_factor(parameters);
     observer_weight_ = 1.0F + parameters.observer_margin;
     motion_filter_.init(parameters);
     model_.init(parameters);

@@ -1,6 +1,7 @@
 #include "rsi/parameters.hpp"
 
 #include "rsi/model/critical_roll_angle.hpp"
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {
@@ -54,7 +55,7 @@ float least_stiffness_nmprad(const Parameters& parameters, float critical_angle_
 }
 
 Validation validate_vehicle(const Parameters& parameters) {
-    const float H = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
+    const float H = roll_arm_m(parameters);
     if (H < 0.01F) {
         return refuse("fixed_roll_centre_height_m", "must lie below sprung_cg_height_m");
     }

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
-#include "sil/files/atomic_file.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/studies/faults/endurance.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
 #include "sil/world/simulation/pace.hpp"
@@ -29,14 +27,6 @@ struct FaultsRequest {
     std::filesystem::path document;
     std::filesystem::path checked;
 };
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file{path};
-    if (!file) {
-        throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
-    }
-    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
-}
 
 // The first line in which two texts differ, for a message.
 std::string first_difference(const std::string& held, const std::string& measured) {
@@ -107,7 +97,7 @@ void run_faults(const FaultsRequest& request) {
         write_file_atomically(request.document, document);
     }
     if (!request.checked.empty()) {
-        const std::string held = text_of(request.checked);
+        const std::string held = read_whole_file(request.checked);
         if (held != document) {
             throw std::runtime_error(fmt::format(
                 "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
@@ -158,7 +148,7 @@ void run_hours(const EnduranceRequest& request) {
     if (!found.empty()) {
         throw std::runtime_error(fmt::format("not as it must be: {}", fmt::join(found, "; ")));
     }
-    if (!request.checked.empty() && text_of(request.checked).find(rows) == std::string::npos) {
+    if (!request.checked.empty() && read_whole_file(request.checked).find(rows) == std::string::npos) {
         throw std::runtime_error(
             fmt::format("{} does not hold these rows; sil/studies/faults/run --endurance renews it",
                         request.checked.string()));

@@ -1,13 +1,8 @@
 #include "sil/apps/firmware_csv.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <iterator>
-#include <stdexcept>
-
 #include "rsi/parameters.hpp"
-#include "sil/files/atomic_file.hpp"
+#include "sil/files/csv_writer.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/results/indices.hpp"
 #include "sil/results/output_columns.hpp"
 #include "sil/studies/campaign/indices.hpp"
@@ -15,12 +10,7 @@
 namespace sil {
 namespace {
 
-struct TruthColumn {
-    const char* name;
-    double (*value)(const Truth& truth);
-};
-
-constexpr TruthColumn truth_columns[] = {
+constexpr CsvColumn<Truth> truth_columns[] = {
     {"true_load_transfer_ratio", [](const Truth& truth) { return true_load_transfer_ratio(truth); }},
     {"true_front_load_transfer_ratio",
      [](const Truth& truth) { return true_load_transfer_ratio(truth, Axle::front); }},
@@ -33,64 +23,50 @@ constexpr TruthColumn truth_columns[] = {
 constexpr const char* lift_names[] = {"front_left", "front_right", "rear_left",
                                       "rear_right", "left_side",   "right_side"};
 
+std::string firmware_csv_header() {
+    CsvRow row;
+    row.text("time_s");
+    for (const Index& index : campaign_indices()) {
+        row.text("level_" + index.name);
+    }
+    row.names(truth_columns);
+    for (const OutputColumn& column : output_columns()) {
+        row.text(column.name);
+    }
+    return row.line();
+}
+
+std::string lift_row(const char* what, double from_s, double to_s) {
+    return CsvRow{}.text(what).number(from_s, 9).number(to_s, 9).line() + "\n";
+}
+
 }  // namespace
 
 FirmwareCsvWriter::FirmwareCsvWriter(const std::filesystem::path& path, const rsi::Outputs& outputs,
                                      const rsi::Parameters& calibration)
-    : path_{path},
-      file_{path, std::ios::binary | std::ios::trunc},
-      outputs_{outputs},
-      calibration_{calibration} {
-    if (!file_) {
-        throw std::runtime_error(
-            fmt::format("cannot write {}; check that the folder may be written", path_.string()));
-    }
-    std::string header{"time_s"};
-    for (const Index& index : campaign_indices()) {
-        header += ",level_" + index.name;
-    }
-    for (const TruthColumn& column : truth_columns) {
-        header += std::string{","} + column.name;
-    }
-    for (const OutputColumn& column : output_columns()) {
-        header += "," + column.name;
-    }
-    file_ << header << '\n';
+    : file_{path, firmware_csv_header()}, outputs_{outputs}, calibration_{calibration} {
     for (const char* name : rsi::indicator_choices) {
         index_times_s_.emplace_back(name, std::nullopt);
     }
 }
 
 void FirmwareCsvWriter::write(const Truth& truth) {
-    std::string line = fmt::format("{:.9g}", truth.time_s);
-    const auto add = [&line](double value) {
-        line += ',';
-        if (std::isfinite(value)) {
-            fmt::format_to(std::back_inserter(line), "{:.7g}", value);
-        }
-    };
+    constexpr int digits = 7;  // a float has no more
+    CsvRow row;
+    row.number(truth.time_s, 9);
     const IndexSample sample{outputs_, truth, calibration_};
     for (std::size_t i = 0U; i < campaign_indices().size(); ++i) {
         const double level = campaign_indices()[i].level(sample);
-        add(level);
+        row.number(level, digits);
         if (i < index_times_s_.size() && level >= 1.0 && !index_times_s_[i].second) {
             index_times_s_[i].second = truth.time_s;
         }
     }
-    for (const TruthColumn& column : truth_columns) {
-        add(column.value(truth));
-    }
+    row.numbers(truth_columns, truth, digits);
     for (const OutputColumn& column : output_columns()) {
-        add(column.value(outputs_));
+        row.number(column.value(outputs_), digits);
     }
-    file_ << line << '\n';
-}
-
-void FirmwareCsvWriter::close() {
-    file_.close();
-    if (!file_) {
-        throw std::runtime_error(fmt::format("cannot finish {}: is the disk full?", path_.string()));
-    }
+    file_.write(row.line());
 }
 
 void LiftCsvWriter::observe(const Truth& truth) {
@@ -105,7 +81,7 @@ void LiftCsvWriter::observe(const Truth& truth) {
         if (lifted[i] && !since_s_[i]) {
             since_s_[i] = truth.time_s;
         } else if (!lifted[i] && since_s_[i]) {
-            text_ += fmt::format("{},{:.9g},{:.9g}\n", lift_names[i], *since_s_[i], truth.time_s);
+            text_ += lift_row(lift_names[i], *since_s_[i], truth.time_s);
             since_s_[i].reset();
         }
     }
@@ -114,7 +90,7 @@ void LiftCsvWriter::observe(const Truth& truth) {
 void LiftCsvWriter::close() {
     for (std::size_t i = 0U; i < kinds; ++i) {
         if (since_s_[i]) {
-            text_ += fmt::format("{},{:.9g},{:.9g}\n", lift_names[i], *since_s_[i], latest_s_);
+            text_ += lift_row(lift_names[i], *since_s_[i], latest_s_);
         }
     }
     write_file_atomically(path_, text_);

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "rsi/types.hpp"
+#include "sil/files/csv_writer.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {
@@ -26,7 +26,7 @@ class FirmwareCsvWriter {
     // After each cycle.
     void write(const Truth& truth);
 
-    void close();
+    void close() { file_.close(); }
 
     // When each index of the firmware was first at level 1, by name.
     const std::vector<std::pair<std::string, std::optional<double>>>& index_times_s() const {
@@ -34,8 +34,7 @@ class FirmwareCsvWriter {
     }
 
  private:
-    std::filesystem::path path_;
-    std::ofstream file_;
+    CsvFile file_;
     const rsi::Outputs& outputs_;
     rsi::Parameters calibration_;
     std::vector<std::pair<std::string, std::optional<double>>> index_times_s_{};

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
-#include "sil/files/atomic_file.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/identification/calibration_writer.hpp"
 #include "sil/studies/identification/identification.hpp"
@@ -126,7 +126,7 @@ void identify_vehicle(IdentifyRequest& request) {
     write_file_atomically(calibration, calibration_text(result));
     try {
         load_calibration(calibration.string());
-    } catch (const CalibrationError& error) {
+    } catch (const InputError& error) {
         const std::filesystem::path refused = request.output / "calibration.refused.toml";
         std::filesystem::rename(calibration, refused);
         throw std::runtime_error(

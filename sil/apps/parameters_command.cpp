@@ -4,16 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "sil/files/atomic_file.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/parameter_section_file.hpp"
+#include "sil/files/whole_file.hpp"
 
 namespace sil {
 namespace {
@@ -51,17 +49,9 @@ void write_section(const ParametersRequest& request) {
     fmt::print("{}: calibration \"{}\"\n", request.output.string(), name);
 }
 
-std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
-    if (!file || bytes.empty()) {
-        throw std::runtime_error(fmt::format("{}: cannot be read, or is empty", path.string()));
-    }
-    return bytes;
-}
-
 void check_section(const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> bytes = bytes_of(path);
+    const std::string content = read_whole_file(path);
+    const std::vector<std::uint8_t> bytes{content.begin(), content.end()};
     rsi::Parameters parameters{};
     const application::ParameterSectionAnswer answer =
         application::read_parameter_section(bytes.data(), bytes.size(), parameters);

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "sil/files/atomic_file.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/results/event_marks.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/drives/drive_names.hpp"

@@ -31,7 +31,7 @@ std::uint32_t bits_of(Value value) {
 void put_name(std::vector<std::uint8_t>& bytes, std::string_view name) {
     const auto printable = [](char letter) { return letter >= ' ' && letter <= '~'; };
     if (name.size() > section::name_length || !std::all_of(name.begin(), name.end(), printable)) {
-        throw CalibrationError(fmt::format(
+        throw InputError(fmt::format(
             "the name \"{}\" does not fit into the section: at most {} printable ASCII characters, given by "
             "--name TEXT",
             name, section::name_length));
@@ -86,7 +86,7 @@ std::string intel_hex(const std::vector<std::uint8_t>& bytes, std::uint32_t addr
     constexpr std::size_t bytes_a_record = 16U;
     constexpr std::uint32_t segment = 0x1'0000U;
     if (address > 0xFFFF'FFFFU - (bytes.size() - 1U)) {
-        throw CalibrationError(
+        throw InputError(
             fmt::format("{} bytes from address {:#x} on go beyond the last address", bytes.size(), address));
     }
     std::string text;
@@ -148,7 +148,7 @@ std::string calibration_header(const rsi::Parameters& parameters, std::string_vi
                (letter >= '0' && letter <= '9') || letter == '_';
     };
     if (name.empty() || (name[0] >= '0' && name[0] <= '9') || !std::all_of(name.begin(), name.end(), fits)) {
-        throw CalibrationError(fmt::format(
+        throw InputError(fmt::format(
             "\"{}\" is no identifier of C, which a header needs as a name; give one by --name TEXT", name));
     }
     std::string text = fmt::format(

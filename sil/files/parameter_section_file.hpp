@@ -12,13 +12,13 @@
 namespace sil {
 
 // The section that application::read_parameter_section reads. `name` is at most 48 printable ASCII
-// characters; throws CalibrationError otherwise. The parameters are written as they are, valid or not.
+// characters; throws InputError otherwise. The parameters are written as they are, valid or not.
 std::vector<std::uint8_t> parameter_section(const rsi::Parameters& parameters, std::string_view name);
 
 // The name in a section that is not `missing` and not too short.
 std::string section_name(const std::vector<std::uint8_t>& section);
 
-// Intel HEX with 32-bit addresses, 16 bytes a record. Throws CalibrationError when the section would go
+// Intel HEX with 32-bit addresses, 16 bytes a record. Throws InputError when the section would go
 // beyond the last address.
 std::string intel_hex(const std::vector<std::uint8_t>& section, std::uint32_t address);
 
@@ -29,7 +29,7 @@ std::string section_source(const std::vector<std::uint8_t>& section);
 std::string calibration_toml(const rsi::Parameters& parameters);
 
 // The same as a C99 header that defines `name`_parameters, for a program that has its calibration built in.
-// `name` must be an identifier; throws CalibrationError otherwise.
+// `name` must be an identifier; throws InputError otherwise.
 std::string calibration_header(const rsi::Parameters& parameters, std::string_view name);
 
 // What a refusal means and what to do next, in one sentence without its end.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "sil/files/atomic_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/units.hpp"
 
 namespace sil {

@@ -1,16 +1,10 @@
 // SignalCsvWriter: the table of columns and their formatting.
 #include "sil/results/signal_csv.hpp"
-#include "sil/units.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <cerrno>
-#include <cmath>
-#include <cstring>
 #include <iterator>
-#include <stdexcept>
 #include <type_traits>
+
+#include "sil/units.hpp"
 
 namespace sil {
 namespace {
@@ -20,13 +14,8 @@ struct Row {
     const SensorSample& sample;
 };
 
-struct NumberColumn {
-    const char* name;
-    double (*value)(const Row& row);
-};
-
 // clang-format off
-constexpr NumberColumn number_columns[] = {
+constexpr CsvColumn<Row> number_columns[] = {
     {"time_s", [](const Row& row) { return row.truth.time_s; }},
 
     {"true_steering_wheel_angle_deg", [](const Row& row) { return row.truth.steering_wheel_angle_rad * degrees_per_radian; }},
@@ -97,7 +86,7 @@ void visit_ecu_columns(const EcuOutput& output, Visitor&& visitor) {
 
 std::vector<std::string> signal_csv_columns() {
     std::vector<std::string> names;
-    for (const NumberColumn& column : number_columns) {
+    for (const CsvColumn<Row>& column : number_columns) {
         names.emplace_back(column.name);
     }
     visit_ecu_columns(EcuOutput{}, [&names](const std::string& name, double) { names.push_back(name); });
@@ -106,48 +95,18 @@ std::vector<std::string> signal_csv_columns() {
 }
 
 std::string signal_csv_row(const Truth& truth, const SensorSample& sample, const EcuOutput& output) {
-    const Row row{truth, sample};
-    std::string line;
-    const auto add = [&line](double value) {
-        if (std::isfinite(value)) {
-            fmt::format_to(std::back_inserter(line), "{:.9g}", value);
-        }
-        line += ',';
-    };
-    for (const NumberColumn& column : number_columns) {
-        add(column.value(row));
-    }
-    visit_ecu_columns(output, [&add](const std::string&, double value) { add(value); });
-    line += to_string(output.state());
-    line += ',';
-    line += to_string(output.side());
-    return line;
+    constexpr int digits = 9;
+    CsvRow row;
+    row.numbers(number_columns, Row{truth, sample}, digits);
+    visit_ecu_columns(output, [&row](const std::string&, double value) { row.number(value, digits); });
+    return row.text(to_string(output.state())).text(to_string(output.side())).line();
 }
 
-SignalCsvWriter::SignalCsvWriter(const std::filesystem::path& path) : path_(path) {
-    errno = 0;
-    file_.open(path, std::ios::binary | std::ios::trunc);
-    if (!file_) {
-        throw std::runtime_error(
-            fmt::format("cannot write {}: {}; check that the folder exists and may be written", path.string(),
-                        std::strerror(errno)));
-    }
-    std::string header;
-    for (const std::string& name : signal_csv_columns()) {
-        header += header.empty() ? name : "," + name;
-    }
-    file_ << header << '\n';
-}
+SignalCsvWriter::SignalCsvWriter(const std::filesystem::path& path)
+    : file_{path, csv_header(signal_csv_columns())} {}
 
 void SignalCsvWriter::write(const Truth& truth, const SensorSample& sample, const EcuOutput& output) {
-    file_ << signal_csv_row(truth, sample, output) << '\n';
-}
-
-void SignalCsvWriter::close() {
-    file_.close();
-    if (!file_) {
-        throw std::runtime_error(fmt::format("cannot finish {}: is the disk full?", path_.string()));
-    }
+    file_.write(signal_csv_row(truth, sample, output));
 }
 
 }  // namespace sil

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
+#include "sil/files/csv_writer.hpp"
 #include "sil/results/ecu_output.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
 #include "sil/world/vehicle/truth.hpp"
@@ -28,12 +28,10 @@ class SignalCsvWriter {
 
     void write(const Truth& truth, const SensorSample& sample, const EcuOutput& output);
 
-    // Flushes and checks that everything has reached the file; throws std::runtime_error if not.
-    void close();
+    void close() { file_.close(); }
 
  private:
-    std::filesystem::path path_;
-    std::ofstream file_;
+    CsvFile file_;
 };
 
 }  // namespace sil

@@ -1,5 +1,6 @@
 #include "rsi/comparison/classic_indices.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/square.hpp"
 #include "rsi/numeric/square_root.hpp"
@@ -21,7 +22,7 @@ void ClassicIndices::init(const Parameters& parameters) {
 
 void ClassicIndices::init_again(const Parameters& parameters) {
     energy_.init_again(parameters);
-    static_stability_factor_ = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
+    static_stability_factor_ = static_stability_factor(parameters);
     static_stability_gain_ = 1.0F / (gravity_mps2 * static_stability_factor_);
     inertia_share_s2prad_ = parameters.roll_inertia_kgm2 /
                             (parameters.sprung_mass_kg * gravity_mps2 * parameters.sprung_cg_height_m);

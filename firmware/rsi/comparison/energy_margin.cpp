@@ -1,6 +1,7 @@
 #include "rsi/comparison/energy_margin.hpp"
 
 #include "rsi/model/critical_roll_angle.hpp"
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 #include "rsi/numeric/square.hpp"
@@ -13,7 +14,7 @@ void EnergyMargin::init(const Parameters& parameters) {
 }
 
 void EnergyMargin::init_again(const Parameters& parameters) {
-    const float H = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
+    const float H = roll_arm_m(parameters);
     const float K_f = parameters.roll_stiffness_nmprad;
     const float m_s = parameters.sprung_mass_kg;
     const float phi_c = critical_roll_angle_rad_;

@@ -1,5 +1,6 @@
 #include "rsi/estimation/consider_kalman.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 #include "rsi/numeric/square.hpp"
 #include "rsi/numeric/square_root.hpp"
@@ -47,8 +48,7 @@ void ConsiderKalman::init(const Parameters& parameters) {
     steady_reversion_ = steady_share * reversion_;
     noise_nm2_ = correlation * square(noise_nm);
     damping_noise_nm2s2_ = correlation * square(damping_error * parameters.roll_damping_nmsprad);
-    const float nm_per_mps2 =
-        parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+    const float nm_per_mps2 = parameters.sprung_mass_kg * roll_arm_m(parameters);
     offset_prior_nm2_ = square(offset_prior_mps2 * nm_per_mps2);
     offset_drift_nm2_ = square(offset_drift_mps2_per_root_s * nm_per_mps2) * sample_time_s;
     reset();

@@ -1,11 +1,13 @@
 #include "rsi/estimation/roll_equation.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
+
 namespace rsi {
 
 void FilteredRollEquation::init(const Parameters& parameters) {
     curve_.init(parameters);
     sprung_mass_kg_ = parameters.sprung_mass_kg;
-    moment_arm_m_ = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
+    moment_arm_m_ = roll_arm_m(parameters);
     damping_nmsprad_ = parameters.roll_damping_nmsprad;
     inertia_kgm2_ = parameters.roll_inertia_kgm2;
     const float lag_s = parameters.estimator_filter_lag_s;

@@ -1,5 +1,6 @@
 #include "rsi/indicator/extended_indicator.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {
@@ -13,7 +14,7 @@ void ExtendedIndicator::init(const Parameters& parameters) {
     const float m_s = parameters.sprung_mass_kg;
     const float m_u = parameters.unsprung_mass_kg;
     half_track_moment_kgm_ = (m_s + m_u) * 0.5F * parameters.track_width_m;
-    shift_moment_kgm_ = m_s * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+    shift_moment_kgm_ = m_s * roll_arm_m(parameters);
     roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
     height_moment_kgm_ = m_s * parameters.sprung_cg_height_m + m_u * parameters.unsprung_cg_height_m;
     least_moment_kgm_ = smallest_dynamic_ratio * height_moment_kgm_;

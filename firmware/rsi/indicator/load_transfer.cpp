@@ -1,5 +1,6 @@
 #include "rsi/indicator/load_transfer.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {
@@ -15,7 +16,7 @@ void LoadTransfer::init(const Parameters& parameters) {
     curve_.init(parameters);
     inertial_weight_ = parameters.load_transfer_inertial_weight;
     height_moment_kgm_ = m_s * parameters.sprung_cg_height_m + m_u * parameters.unsprung_cg_height_m;
-    shift_moment_kgm_ = m_s * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+    shift_moment_kgm_ = m_s * roll_arm_m(parameters);
     roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
     force_arm_kgm_ = m_s * parameters.fixed_roll_centre_height_m + m_u * parameters.unsprung_cg_height_m;
     roll_damping_nmsprad_ = parameters.roll_damping_nmsprad;

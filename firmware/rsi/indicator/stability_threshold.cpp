@@ -1,5 +1,7 @@
 #include "rsi/indicator/stability_threshold.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
+
 namespace rsi {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr float smallest_divisor = 0.05F;
 void StabilityThresholdStage::init(const Parameters& parameters) {
     half_track_m_ = 0.5F * parameters.track_width_m;
     cg_height_inverse_ = 1.0F / parameters.sprung_cg_height_m;
-    moment_arm_m_ = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
+    moment_arm_m_ = roll_arm_m(parameters);
 }
 
 StabilityThreshold StabilityThresholdStage::evaluate(const Measurement& measured, float vertical_movement_m,

@@ -1,4 +1,5 @@
 #include "rsi/measurement/roll_bank_observer.hpp"
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/square.hpp"
 
 namespace rsi {
@@ -70,7 +71,7 @@ void RollBankObserver::init(const Parameters& parameters) {
 }
 
 void RollBankObserver::init_again(const Parameters& parameters) {
-    const float H = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
+    const float H = roll_arm_m(parameters);
     const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
     stiffness_over_inertia_.init(parameters, inverse_inertia);
     movement_to_acceleration_ = parameters.sprung_mass_kg * inverse_inertia;

@@ -1,5 +1,6 @@
 #include "rsi/model/critical_roll_angle.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 
@@ -14,7 +15,7 @@ constexpr int newton_steps = 16;
 // In units of m_s g H: r(phi) = k phi - T_0 - q tan phi with q = h_frc/h. r(0) < 0, and r curves one way
 // only, so Newton's steps from 0 approach the smallest root from one side.
 float critical_roll_angle_rad(const Parameters& parameters) {
-    const float H = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
+    const float H = roll_arm_m(parameters);
     const float k = parameters.roll_stiffness_nmprad / (parameters.sprung_mass_kg * gravity_mps2 * H);
     const float T_0 = 0.5F * parameters.track_width_m / parameters.sprung_cg_height_m;
     const float q = parameters.fixed_roll_centre_height_m / parameters.sprung_cg_height_m;

@@ -1,5 +1,6 @@
 #include "rsi/model/roll_plane_model.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 
 namespace rsi {
@@ -15,7 +16,7 @@ float within_model(float angle_rad) {
 
 void RollPlaneModel::init(const Parameters& parameters) {
     sprung_mass_kg_ = parameters.sprung_mass_kg;
-    moment_arm_m_ = parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m;
+    moment_arm_m_ = roll_arm_m(parameters);
     stiffness_nmprad_ = parameters.roll_stiffness_nmprad;
     damping_nmsprad_ = parameters.roll_damping_nmsprad;
     damping_inverse_ = 1.0F / damping_nmsprad_;

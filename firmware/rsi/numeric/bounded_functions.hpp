@@ -1,5 +1,5 @@
-// Sine, cosine, tangent and exponential on the bounded arguments that occur here, with the same bits on every
-// target.
+// Sine, versine, tangent and exponential on the bounded arguments that occur here, with the same bits on
+// every target.
 //
 // The C library's functions differ in the last bit from one platform to the next; these use only +, * and /,
 // which IEEE 754 fixes. Polynomials end where their error is about one float rounding.
@@ -9,7 +9,7 @@
 
 namespace rsi {
 
-// Arguments of sine, cosine and tangent are clamped to this.
+// Arguments of sine, versine and tangent are clamped to this.
 inline constexpr float largest_angle_rad = 1.3F;
 
 // Sine and versine 1 - cos of one angle share its square.
@@ -29,14 +29,6 @@ constexpr SineAndVersine sine_and_versine(float x) {
 
 constexpr SineAndVersine bounded_sine_and_versine(float angle_rad) {
     return sine_and_versine(clamp_magnitude(angle_rad, largest_angle_rad));
-}
-
-constexpr float bounded_sine(float angle_rad) {
-    return bounded_sine_and_versine(angle_rad).sine;
-}
-
-constexpr float bounded_cosine(float angle_rad) {
-    return 1.0F - bounded_sine_and_versine(angle_rad).versine;
 }
 
 // Relative error below 5e-5; the cosine of the clamped argument is at least 0.26.

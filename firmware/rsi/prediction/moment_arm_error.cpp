@@ -1,5 +1,6 @@
 #include "rsi/prediction/moment_arm_error.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/square.hpp"
 
@@ -22,8 +23,7 @@ constexpr float noise_correlation = 3.0F;
 }  // namespace
 
 void MomentArmError::init(const Parameters& parameters) {
-    moment_arm_kgm_ =
-        parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+    moment_arm_kgm_ = parameters.sprung_mass_kg * roll_arm_m(parameters);
     stiffness_noise_ = noise_correlation * square(stiffness_share * parameters.roll_stiffness_nmprad);
     damping_noise_ = noise_correlation * square(damping_share * parameters.roll_damping_nmsprad);
     inertia_kgm2_ = parameters.roll_inertia_kgm2;

@@ -1,5 +1,6 @@
 #include "rsi/prediction/roll_predictor.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 
@@ -15,8 +16,7 @@ void RollPredictor::init(const Parameters& parameters) {
     step_s_ = parameters.prediction_horizon_s;
     const float trend_s = parameters.acceleration_trend_s;
     trend_after_step_s_ = trend_s * (1.0F - decaying_exponential(step_s_ / trend_s));
-    moment_arm_kgm_ =
-        parameters.sprung_mass_kg * (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
+    moment_arm_kgm_ = parameters.sprung_mass_kg * roll_arm_m(parameters);
     roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
     roll_damping_nmsprad_ = parameters.roll_damping_nmsprad;
 }

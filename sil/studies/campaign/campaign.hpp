@@ -25,7 +25,7 @@ using CampaignListener = std::function<void(const CampaignProgress&)>;
 // Takes the folder up where an earlier call with the same settings left it, or begins it, and does the runs
 // that are missing. Leaves campaign.toml and runs.csv there, the latter sorted by run number when all are
 // done; its bytes depend on the settings alone. Returns early, with every finished run kept, once `stop` is
-// true. Throws CampaignError when the folder holds another campaign, is in use, or cannot be written, and
+// true. Throws InputError when the folder holds another campaign, is in use, or cannot be written, and
 // std::runtime_error with the run's number when a run fails.
 CampaignProgress run_campaign(const CampaignWorld& world, const std::filesystem::path& output, unsigned jobs,
                               const std::atomic<bool>& stop, const CampaignListener& listener = {});

@@ -8,27 +8,20 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
-#include "sil/files/atomic_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/results/versions.hpp"
 
 namespace sil {
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
-}
 
 constexpr const char* made_with = "[made_with]";
 
 // FNV-1a: tells whether a file has changed, not whether somebody meant to deceive.
 std::string fingerprint(const std::filesystem::path& path) {
     std::uint64_t hash = 0xCBF29CE484222325U;
-    for (const char letter : text_of(path)) {
+    for (const char letter : read_whole_file(path)) {
         hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3U;
     }
     return fmt::format("{:016x}", hash);
@@ -65,7 +58,7 @@ void refuse_difference(const std::filesystem::path& path, const std::string& sto
             advice = ", so that rows of different programs or vehicles do not get mixed";
         }
         if (there != here) {
-            throw CampaignError(fmt::format(
+            throw InputError(fmt::format(
                 "{} is of another campaign: it has `{}` where now there is `{}`. Use another output folder{}",
                 path.string(), there, here, advice));
         }
@@ -79,7 +72,7 @@ CampaignFolder::CampaignFolder(const std::filesystem::path& path, const Campaign
     std::error_code error;
     std::filesystem::create_directories(path_, error);
     if (error) {
-        throw CampaignError(fmt::format("{}: cannot be made: {}", path_.string(), error.message()));
+        throw InputError(fmt::format("{}: cannot be made: {}", path_.string(), error.message()));
     }
     lock();
     try {
@@ -99,11 +92,11 @@ void CampaignFolder::lock() {
     const std::filesystem::path file = path_ / ".lock";
     lock_ = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
     if (lock_ < 0) {
-        throw CampaignError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+        throw InputError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
     }
     if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
         ::close(lock_);
-        throw CampaignError(fmt::format(
+        throw InputError(fmt::format(
             "{}: another campaign is writing into this folder; wait for it or end it", path_.string()));
     }
 }
@@ -112,7 +105,7 @@ void CampaignFolder::compare_or_store(const CampaignSettings& settings) {
     const std::filesystem::path file = path_ / "campaign.toml";
     if (!std::filesystem::exists(file)) {
         if (std::filesystem::exists(rows())) {
-            throw CampaignError(
+            throw InputError(
                 fmt::format("{} has rows but no campaign.toml, so nobody knows what they are of; use another "
                             "output folder",
                             path_.string()));
@@ -122,10 +115,10 @@ void CampaignFolder::compare_or_store(const CampaignSettings& settings) {
     }
     CampaignSettings stored_size = settings;
     stored_size.runs = load_campaign(file).runs;
-    refuse_difference(file, text_of(file), described(stored_size));
+    refuse_difference(file, read_whole_file(file), described(stored_size));
     if (settings.runs < stored_size.runs) {
-        throw CampaignError(fmt::format("{} has {} runs; their number can grow, not shrink to {}",
-                                        path_.string(), stored_size.runs, settings.runs));
+        throw InputError(fmt::format("{} has {} runs; their number can grow, not shrink to {}",
+                                     path_.string(), stored_size.runs, settings.runs));
     }
     if (settings.runs > stored_size.runs) {
         write_file_atomically(file, described(settings));

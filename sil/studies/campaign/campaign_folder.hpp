@@ -10,7 +10,7 @@ namespace sil {
 class CampaignFolder {
  public:
     // Begins the folder, or checks that it holds the rows of these very settings, of the same vehicle files
-    // and of the same program; only the number of runs may have grown. Throws CampaignError that names the
+    // and of the same program; only the number of runs may have grown. Throws InputError that names the
     // first difference.
     CampaignFolder(const std::filesystem::path& path, const CampaignSettings& settings);
     ~CampaignFolder();

@@ -1,6 +1,8 @@
 // Draw: a counter-based random number a quantity, scaled to its interval.
 #include "sil/studies/campaign/draw.hpp"
 
+#include "sil/random.hpp"
+
 namespace sil {
 namespace {
 
@@ -22,24 +24,16 @@ enum class Quantity : std::uint64_t {
     sensor_seed = 14,
 };
 
-// The finaliser of splitmix64 (Steele, Lea, Flood 2014): neighbouring inputs give unrelated outputs.
-std::uint64_t scramble(std::uint64_t value) {
-    value += 0x9E3779B97F4A7C15U;
-    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;
-    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBU;
-    return value ^ (value >> 31U);
-}
-
 class RandomNumbers {
  public:
-    RandomNumbers(std::uint64_t seed, std::uint64_t run) : key_{scramble(scramble(seed) ^ run)} {}
+    RandomNumbers(std::uint64_t seed, std::uint64_t run) : key_{scrambled(scrambled(seed) ^ run)} {}
 
     std::uint64_t bits(Quantity quantity) const {
-        return scramble(key_ ^ scramble(static_cast<std::uint64_t>(quantity)));
+        return scrambled(key_ ^ scrambled(static_cast<std::uint64_t>(quantity)));
     }
 
     // Uniform on [0, 1), a multiple of 2^-53.
-    double unit(Quantity quantity) const { return static_cast<double>(bits(quantity) >> 11U) * 0x1p-53; }
+    double unit(Quantity quantity) const { return unit_interval(bits(quantity)); }
 
     double within(Quantity quantity, const Interval& interval) const {
         return interval.lowest + unit(quantity) * (interval.highest - interval.lowest);

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "sil/files/atomic_file.hpp"
+#include "sil/files/csv_writer.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/studies/campaign/report.hpp"
 
 namespace sil {
@@ -23,9 +24,13 @@ std::string curve_lines(const std::string& name, const std::vector<CurvePoint>& 
     for (std::size_t i = 0U; i < curve.size(); ++i) {
         if (i == 0U || i + 1U == curve.size() || place(curve[i]) != place(curve[i - 1U])) {
             const CurvePoint& point = curve[i];
-            text += fmt::format("{},{:.6g},{:.6f},{:.6f},{:.6f},{:.6f}\n", name, point.threshold,
-                                point.false_alarms.value(), point.alarms_between.value(),
-                                point.warned.value(), point.warned_100ms.value());
+            CsvRow row;
+            row.text(name).number(point.threshold, 6);
+            for (const Share& share :
+                 {point.false_alarms, point.alarms_between, point.warned, point.warned_100ms}) {
+                row.fixed(share.value(), 6);
+            }
+            text += row.line() + "\n";
         }
     }
     return text;
@@ -47,8 +52,8 @@ std::string leads_csv(const CampaignReport& report) {
         std::vector<double> leads_s = judgement.detection.lead_times_s;
         std::sort(leads_s.begin(), leads_s.end(), std::greater<>{});
         for (std::size_t i = 0U; i < leads_s.size(); ++i) {
-            text += fmt::format("{},{:.3f},{:.6f}\n", judgement.name, leads_s[i],
-                                static_cast<double>(i + 1U) / static_cast<double>(report.all.lifted));
+            const double share = static_cast<double>(i + 1U) / static_cast<double>(report.all.lifted);
+            text += CsvRow{}.text(judgement.name).fixed(leads_s[i], 3).fixed(share, 6).line() + "\n";
         }
     }
     return text;

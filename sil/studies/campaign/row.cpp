@@ -1,11 +1,7 @@
 // Row: header and values side by side, so that they cannot drift apart.
 #include "sil/studies/campaign/row.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <limits>
-
+#include "sil/files/csv_writer.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/units.hpp"
 
@@ -17,23 +13,19 @@ class Cells {
  public:
     explicit Cells(bool names) : names_{names} {}
 
-    void text(const std::string& name, const std::string& value) {
-        line_ += line_.empty() ? "" : ",";
-        line_ += names_ ? name : value;
-    }
-    void count(const std::string& name, std::uint64_t value) { text(name, fmt::format("{}", value)); }
+    void text(const std::string& name, const std::string& value) { row_.text(names_ ? name : value); }
+    void count(const std::string& name, std::uint64_t value) { names_ ? row_.text(name) : row_.count(value); }
     // As many digits as a float has.
-    void number(const std::string& name, double value) { text(name, fmt::format("{:.9g}", value)); }
+    void number(const std::string& name, double value) { names_ ? row_.text(name) : row_.number(value, 9); }
     void time(const std::string& name, const std::optional<double>& value) {
-        const double time_s = value.value_or(std::numeric_limits<double>::quiet_NaN());
-        text(name, std::isfinite(time_s) ? fmt::format("{:.3f}", time_s) : "");
+        names_ ? row_.text(name) : row_.fixed(value, 3);
     }
 
-    const std::string& line() const { return line_; }
+    const std::string& line() const { return row_.line(); }
 
  private:
     bool names_;
-    std::string line_;
+    CsvRow row_{};
 };
 
 void put_draw(Cells& cells, const CampaignRow& row) {

@@ -5,74 +5,68 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "sil/files/atomic_file.hpp"
-#include "sil/studies/campaign/settings.hpp"
+#include "sil/files/csv_reader.hpp"
+#include "sil/files/whole_file.hpp"
+#include "sil/input_error.hpp"
 
 namespace sil {
 namespace {
 
-std::string read_whole(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    if (!file) {
-        throw CampaignError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
-    }
-    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
-}
-
-// Whole lines only: what follows the last end of a line is no line.
-std::vector<std::string> whole_lines(const std::string& text) {
-    std::vector<std::string> lines;
-    std::size_t begin = 0U;
-    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
-        lines.push_back(text.substr(begin, end - begin));
-        begin = end + 1U;
+// Whole lines only: what follows the last end of a line is no line. They lie in `text`.
+std::vector<CsvLine> whole_lines(std::string_view text) {
+    std::vector<CsvLine> lines;
+    CsvLines all{text};
+    for (CsvLine line; all.next(line) && line.is_ended;) {
+        lines.push_back(line);
     }
     return lines;
 }
 
-std::optional<std::uint64_t> run_number(const std::string& line) {
+std::optional<std::uint64_t> run_number(std::string_view text) {
     std::uint64_t number = 0U;
-    const char* const end = line.data() + std::min(line.find(','), line.size());
-    const auto [rest, error] = std::from_chars(line.data(), end, number);
-    return error == std::errc{} && rest == end ? std::optional{number} : std::nullopt;
-}
-
-auto cell_count(const std::string& line) {
-    return std::count(line.begin(), line.end(), ',') + 1;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && rest == text.data() + text.size() ? std::optional{number} : std::nullopt;
 }
 
 // Rows by run number; of two rows of one run the first, they are the same.
-std::map<std::uint64_t, std::string> rows_of(const std::filesystem::path& path,
-                                             const std::vector<std::string>& lines) {
-    std::map<std::uint64_t, std::string> rows;
-    for (std::size_t i = 1U; i < lines.size(); ++i) {
-        const std::optional<std::uint64_t> number = run_number(lines[i]);
-        if (!number || cell_count(lines[i]) != cell_count(lines[0])) {
-            throw CampaignError(fmt::format(
-                "{}:{}: is not a row of {} cells that begins with a run number; remove the line, and the "
-                "run will be done again",
-                path.string(), i + 1U, cell_count(lines[0])));
+std::map<std::uint64_t, std::string_view> rows_of(const std::filesystem::path& path,
+                                                  const std::vector<CsvLine>& lines) {
+    std::map<std::uint64_t, std::string_view> rows;
+    std::vector<CsvField> cells;
+    std::size_t columns = 0U;
+    for (const CsvLine& line : lines) {
+        split_fields(line.text, cells);
+        if (columns == 0U) {
+            columns = cells.size();
+            continue;
         }
-        rows.emplace(*number, lines[i]);
+        const std::optional<std::uint64_t> number = run_number(cells.front().text);
+        if (!number || cells.size() != columns) {
+            CsvPlace{path.string()}.fail(
+                line.number, 1U,
+                fmt::format("is not a row of {} cells that begins with a run number", columns),
+                "remove the line, and the run will be done again");
+        }
+        rows.emplace(*number, line.text);
     }
     return rows;
 }
 
-std::string text_of(const std::string& header, const std::map<std::uint64_t, std::string>& rows) {
-    std::string text = header + "\n";
+std::string text_of(std::string_view header, const std::map<std::uint64_t, std::string_view>& rows) {
+    std::string text{header};
+    text += '\n';
     for (const auto& [number, line] : rows) {
-        text += line + "\n";
+        text += line;
+        text += '\n';
     }
     return text;
 }
@@ -93,18 +87,13 @@ RowFile::~RowFile() {
 }
 
 void RowFile::take_up(const std::string& header) {
-    const std::string text = read_whole(path_);
-    std::vector<std::string> lines = whole_lines(text);
-    if (lines.empty()) {
-        lines.push_back(header);
+    const std::string text = read_whole_file(path_);
+    const std::vector<CsvLine> lines = whole_lines(text);
+    if (!lines.empty() && lines.front().text != header) {
+        CsvPlace{path_.string()}.fail(1U, 1U, "has other columns than this program writes",
+                                      "use another output folder, or the program that made it");
     }
-    if (lines.front() != header) {
-        throw CampaignError(
-            fmt::format("{}:1: has other columns than this program writes; use another output folder, or the "
-                        "program that made it",
-                        path_.string()));
-    }
-    const std::map<std::uint64_t, std::string> rows = rows_of(path_, lines);
+    const std::map<std::uint64_t, std::string_view> rows = rows_of(path_, lines);
     for (const auto& [number, line] : rows) {
         finished_runs_.insert(number);
     }
@@ -117,7 +106,7 @@ void RowFile::take_up(const std::string& header) {
 void RowFile::open() {
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     if (descriptor_ < 0) {
-        throw CampaignError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+        throw InputError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
     }
 }
 
@@ -134,7 +123,7 @@ void RowFile::append(std::uint64_t run, const std::string& line) {
     while (written < text.size()) {
         const ssize_t count = ::write(descriptor_, text.data() + written, text.size() - written);
         if (count < 0 && errno != EINTR) {
-            throw CampaignError(
+            throw InputError(
                 fmt::format("{}: cannot be written: {}. What is finished is kept; run the "
                             "same command again when there is room.",
                             path_.string(), std::strerror(errno)));
@@ -146,8 +135,9 @@ void RowFile::append(std::uint64_t run, const std::string& line) {
 
 void RowFile::finish() {
     close();
-    const std::vector<std::string> lines = whole_lines(read_whole(path_));
-    write_file_atomically(path_, text_of(lines.front(), rows_of(path_, lines)));
+    const std::string text = read_whole_file(path_);
+    const std::vector<CsvLine> lines = whole_lines(text);
+    write_file_atomically(path_, text_of(lines.front().text, rows_of(path_, lines)));
 }
 
 }  // namespace sil

@@ -12,7 +12,7 @@ namespace sil {
 class RowFile {
  public:
     // Opens or begins the file. A last line without its end is dropped: it was being written when a campaign
-    // was killed. Throws CampaignError when the file has other columns, or a damaged line before the last.
+    // was killed. Throws InputError when the file has other columns, or a damaged line before the last.
     RowFile(std::filesystem::path path, const std::string& header);
     ~RowFile();
     RowFile(const RowFile&) = delete;

@@ -4,68 +4,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <string_view>
 
-#include "sil/studies/campaign/settings.hpp"
+#include "sil/files/csv_reader.hpp"
+#include "sil/files/whole_file.hpp"
+#include "sil/input_error.hpp"
+#include "sil/printable.hpp"
 
 namespace sil {
 namespace {
 
-std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> cells{""};
-    for (const char letter : line) {
-        if (letter == ',') {
-            cells.emplace_back();
-        } else {
-            cells.back() += letter;
-        }
-    }
-    return cells;
-}
+constexpr const char* remedy = "do the campaign again, or take the folder of one that this program made";
 
-class Line {
+// One row, whose cells are found by the names of their columns.
+class Row {
  public:
-    Line(const std::vector<std::string>& names, const std::string& text, const std::string& place)
-        : place_{place} {
-        const std::vector<std::string> cells = split(text);
-        if (cells.size() != names.size()) {
-            throw CampaignError(fmt::format("{}: has {} cells, not {}", place, cells.size(), names.size()));
-        }
-        for (std::size_t i = 0U; i < names.size(); ++i) {
-            cells_[names[i]] = cells[i];
+    Row(const CsvPlace& place, const std::vector<std::string>& columns, const CsvLine& line)
+        : place_{place}, columns_{columns}, number_{line.number} {
+        split_fields(line.text, cells_);
+        if (cells_.size() != columns.size()) {
+            place.fail(number_, 1U, fmt::format("has {} cells, not {}", cells_.size(), columns.size()),
+                       remedy);
         }
     }
 
-    const std::string& text(const std::string& name) const {
-        const auto cell = cells_.find(name);
-        if (cell == cells_.end()) {
-            throw CampaignError(fmt::format("{}: there is no column {}", place_, name));
+    std::string text(std::string_view name) const { return std::string{cell(name).text}; }
+
+    double number(std::string_view name) const {
+        const CsvField& field = cell(name);
+        const std::optional<double> value = finite_number(field.text);
+        if (!value) {
+            place_.fail(number_, field.column,
+                        fmt::format("column {} wants a number, not \"{}\"", name, printable(field.text)),
+                        remedy);
         }
-        return cell->second;
+        return *value;
     }
 
-    double number(const std::string& name) const {
-        const std::string& cell = text(name);
-        char* end = nullptr;
-        const double value = std::strtod(cell.c_str(), &end);
-        if (cell.empty() || *end != '\0' || !std::isfinite(value)) {
-            throw CampaignError(fmt::format("{}: column {} wants a number, not \"{}\"", place_, name, cell));
-        }
-        return value;
-    }
-
-    std::optional<double> time(const std::string& name) const {
-        return text(name).empty() ? std::nullopt : std::optional{number(name)};
+    std::optional<double> time(std::string_view name) const {
+        return cell(name).text.empty() ? std::nullopt : std::optional{number(name)};
     }
 
  private:
-    std::string place_;
-    std::map<std::string, std::string> cells_;
+    const CsvField& cell(std::string_view name) const {
+        const auto column = std::find(columns_.begin(), columns_.end(), name);
+        if (column == columns_.end()) {
+            place_.fail(1U, 1U, fmt::format("there is no column {}", name), remedy);
+        }
+        return cells_[static_cast<std::size_t>(column - columns_.begin())];
+    }
+
+    const CsvPlace& place_;
+    const std::vector<std::string>& columns_;
+    std::size_t number_;
+    std::vector<CsvField> cells_{};
 };
 
 // Every column NAME_peak_100ms_before is of an index.
@@ -81,18 +73,18 @@ std::vector<std::string> index_names(const std::vector<std::string>& columns) {
     return names;
 }
 
-RecordedCampaignRun run_of(const Line& line, const std::vector<std::string>& names) {
+RecordedCampaignRun run_of(const Row& row, const std::vector<std::string>& names) {
     RecordedCampaignRun run;
-    run.number = static_cast<std::uint64_t>(line.number("run"));
-    run.vehicle = line.text("vehicle");
-    run.manoeuvre = line.text("manoeuvre");
-    run.largest_ltr = line.number("largest_ltr");
-    run.two_wheel_lift_time_s = line.time("two_wheel_lift_time_s");
-    run.brief_two_wheel_lift_time_s = line.time("brief_two_wheel_lift_time_s");
-    run.warning_time_s = line.time("warning_time_s");
+    run.number = static_cast<std::uint64_t>(row.number("run"));
+    run.vehicle = row.text("vehicle");
+    run.manoeuvre = row.text("manoeuvre");
+    run.largest_ltr = row.number("largest_ltr");
+    run.two_wheel_lift_time_s = row.time("two_wheel_lift_time_s");
+    run.brief_two_wheel_lift_time_s = row.time("brief_two_wheel_lift_time_s");
+    run.warning_time_s = row.time("warning_time_s");
     for (const std::string& name : names) {
-        run.indices.push_back({line.number(name + "_peak"), line.number(name + "_peak_100ms_before"),
-                               line.time(name + "_time_s")});
+        run.indices.push_back({row.number(name + "_peak"), row.number(name + "_peak_100ms_before"),
+                               row.time(name + "_time_s")});
     }
     return run;
 }
@@ -100,18 +92,24 @@ RecordedCampaignRun run_of(const Line& line, const std::vector<std::string>& nam
 }  // namespace
 
 RowTable load_rows(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    std::string text;
-    if (!file || !std::getline(file, text)) {
-        throw CampaignError(fmt::format("{}: there are no rows; run the campaign first", path.string()));
+    const std::string text = std::filesystem::exists(path) ? read_whole_file(path) : std::string{};
+    CsvLines lines{text};
+    CsvLine line;
+    if (!lines.next(line)) {
+        throw InputError(fmt::format("{}: there are no rows; run the campaign first", path.string()));
     }
-    const std::vector<std::string> columns = split(text);
+    std::vector<CsvField> names;
+    split_fields(line.text, names);
+    std::vector<std::string> columns;
+    for (const CsvField& name : names) {
+        columns.emplace_back(name.text);
+    }
+    const CsvPlace place{path.string()};
     RowTable table;
     table.index_names = index_names(columns);
     // A line that the file ends without ending it was cut off.
-    for (std::size_t number = 2U; std::getline(file, text) && !file.eof(); ++number) {
-        table.runs.push_back(
-            run_of(Line{columns, text, fmt::format("{}:{}", path.string(), number)}, table.index_names));
+    while (lines.next(line) && line.is_ended) {
+        table.runs.push_back(run_of(Row{place, columns, line}, table.index_names));
     }
     std::sort(table.runs.begin(), table.runs.end(),
               [](const auto& a, const auto& b) { return a.number < b.number; });

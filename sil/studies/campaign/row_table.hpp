@@ -32,7 +32,7 @@ struct RowTable {
 };
 
 // Reads the columns by their names; the indices are those that the file has. What follows the last end of a
-// line is not read. Throws CampaignError with file, line and column for a missing column or a cell that is
+// line is not read. Throws InputError with file, line and column for a missing column or a cell that is
 // not a number.
 RowTable load_rows(const std::filesystem::path& path);
 

@@ -12,7 +12,7 @@ namespace {
 
 void check(bool good, const std::string& key, const std::string& wanted) {
     if (!good) {
-        throw CampaignError(fmt::format("\"{}\" must be {}", key, wanted));
+        throw InputError(fmt::format("\"{}\" must be {}", key, wanted));
     }
 }
 
@@ -29,7 +29,7 @@ void check_manoeuvre(const CampaignManoeuvre& manoeuvre) {
     try {
         find_manoeuvre(manoeuvre.name);
     } catch (const UnknownManoeuvre& unknown) {
-        throw CampaignError(unknown.what());
+        throw InputError(unknown.what());
     }
     const std::string where = "manoeuvre " + manoeuvre.name + ": ";
     check(manoeuvre.weight > 0.0 && manoeuvre.weight <= 1000.0, where + "weight", "above 0 and at most 1000");
@@ -93,7 +93,7 @@ void check_campaign(const CampaignSettings& settings) {
 CampaignVehicle parse_campaign_vehicle(const std::string& text) {
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos || colon == 0U || colon + 1U == text.size()) {
-        throw CampaignError(fmt::format(
+        throw InputError(fmt::format(
             "--vehicle wants VEHICLE_FILE:CALIBRATION_FILE, two paths with a colon between, not {}", text));
     }
     return {text.substr(0U, colon), text.substr(colon + 1U)};

@@ -4,17 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace sil {
+#include "sil/input_error.hpp"
 
-// What is wrong with the settings, with file, line and key where there is one, ready to be shown.
-class CampaignError : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
+namespace sil {
 
 // Both ends belong to it.
 struct Interval {
@@ -62,14 +57,14 @@ struct CampaignSettings {
 // The settings that are built in, those of sil/studies/campaign/default.toml.
 CampaignSettings default_campaign();
 
-// Reads settings; what a file leaves out is as in default_campaign(). Throws CampaignError with file, line
+// Reads settings; what a file leaves out is as in default_campaign(). Throws InputError with file, line
 // and key for anything that cannot be read, is unknown or out of range.
 CampaignSettings load_campaign(const std::filesystem::path& path);
 
-// Refuses what load_campaign would, in settings that have been put together otherwise. Throws CampaignError.
+// Refuses what load_campaign would, in settings that have been put together otherwise. Throws InputError.
 void check_campaign(const CampaignSettings& settings);
 
-// "FILE:CALIBRATION". Throws CampaignError.
+// "FILE:CALIBRATION". Throws InputError.
 CampaignVehicle parse_campaign_vehicle(const std::string& text);
 
 // As TOML that load_campaign reads back, one key a line, the same text for the same settings.

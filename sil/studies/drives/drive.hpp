@@ -12,6 +12,9 @@
 
 namespace sil {
 
+// So long at the beginning of a drive the vehicle stands, or all its wheels are on the road.
+inline constexpr double upright_time_s = 1.0;
+
 // What the sensors said at one instant, and the wheel loads where they are known. Signs are ISO 8855,
 // meanings those of SensorSample. A value that is not available is NaN.
 struct DriveSample {

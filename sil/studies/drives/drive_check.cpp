@@ -13,13 +13,19 @@ namespace {
 // 50 Hz to 1 kHz, with room for clocks that are not quite right.
 constexpr double shortest_step_s = 0.00095;
 constexpr double longest_step_s = 0.021;
-// So long at the beginning a vehicle still stands or drives on its wheels.
-constexpr double upright_time_s = 1.0;
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2U);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
+}
+
+double median_step_s(const Drive& drive) {
+    std::vector<double> steps_s;
+    for (std::size_t index = 1U; index < drive.samples.size(); ++index) {
+        steps_s.push_back(drive.samples[index].time_s - drive.samples[index - 1U].time_s);
+    }
+    return median(std::move(steps_s));
 }
 
 bool has_values(const DriveHeader& header, const char* quantity) {
@@ -77,14 +83,6 @@ void check_lift_off(const Drive& drive, const DriveHeader& header, const CsvPlac
 }
 
 }  // namespace
-
-double median_step_s(const Drive& drive) {
-    std::vector<double> steps_s;
-    for (std::size_t index = 1U; index < drive.samples.size(); ++index) {
-        steps_s.push_back(drive.samples[index].time_s - drive.samples[index - 1U].time_s);
-    }
-    return median(std::move(steps_s));
-}
 
 void check_drive(const Drive& drive, const DriveHeader& header, const CsvPlace& place) {
     if (drive.samples.size() < 2U) {

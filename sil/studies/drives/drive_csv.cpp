@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cerrno>
-#include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "sil/files/csv_reader.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/printable.hpp"
-#include "sil/studies/drives/csv_lines.hpp"
 #include "sil/studies/drives/drive_check.hpp"
 #include "sil/studies/drives/drive_header.hpp"
 
@@ -23,16 +21,6 @@ constexpr double largest_value = 1.0e9;
 constexpr double largest_time = 1.0e15;
 // A longer silence is no drive, but two recordings on clocks of their own.
 constexpr double longest_gap_s = 3600.0;
-
-std::string text_of(const std::filesystem::path& path) {
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file || std::filesystem::is_directory(path)) {
-        throw DriveCsvError(fmt::format("{}:1:1: cannot be read: {}; check the name and the rights",
-                                        path.string(), file ? "it is a folder" : std::strerror(errno)));
-    }
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 class DriveCsvParser {
  public:
@@ -112,14 +100,8 @@ class DriveCsvParser {
             }
             return DriveSample::not_available;
         }
-        std::string_view digits = field.text;
-        if (digits.size() > 1U && digits.front() == '+' && digits[1U] != '-') {
-            digits.remove_prefix(1U);
-        }
-        double value = 0.0;
-        const char* const end = digits.data() + digits.size();
-        const auto [rest, error] = std::from_chars(digits.data(), end, value);
-        if (error != std::errc{} || rest != end || !std::isfinite(value)) {
+        const std::optional<double> value = finite_number(field.text);
+        if (!value) {
             place_.fail(
                 line.number, field.column,
                 fmt::format("{} is '{}', which is no finite number", column.name, printable(field.text)),
@@ -128,13 +110,13 @@ class DriveCsvParser {
                     : "leave the field empty where the value is not available");
         }
         const double limit = column.quantity == &drive_quantities().front() ? largest_time : largest_value;
-        if (std::fabs(value) > limit) {
+        if (std::fabs(*value) > limit) {
             place_.fail(line.number, field.column,
                         fmt::format("{} is {}, beyond anything possible", column.name, printable(field.text)),
                         "is the unit in the header right, or does the number stand for 'not available'? "
                         "Then leave the field empty");
         }
-        return value * column.factor;
+        return *value * column.factor;
     }
 
     void check_time(const CsvLine& line, double time_s) const {
@@ -167,7 +149,7 @@ class DriveCsvParser {
 }  // namespace
 
 Drive read_drive_csv(const std::filesystem::path& path) {
-    return parse_drive_csv(text_of(path), path);
+    return parse_drive_csv(read_whole_file(path), path);
 }
 
 Drive parse_drive_csv(std::string_view text, const std::filesystem::path& file) {

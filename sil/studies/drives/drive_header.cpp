@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "sil/printable.hpp"
 #include "sil/results/signal_csv.hpp"
@@ -176,17 +176,15 @@ void read_remark(const CsvLine& line, DriveHeader& header, Drive& drive, const C
     if (remark.value.text == "none") {
         return;
     }
-    double value = 0.0;
-    const char* const end = remark.value.text.data() + remark.value.text.size();
-    const auto [rest, error] = std::from_chars(remark.value.text.data(), end, value);
-    if (error != std::errc{} || rest != end || !std::isfinite(value)) {
+    const std::optional<double> value = finite_number(remark.value.text);
+    if (!value) {
         place.fail(
             line.number, remark.value.column,
             fmt::format("{} is '{}', which is no finite number", remark.key, printable(remark.value.text)),
             "give the time on the drive's clock, or `none` when it did not happen");
     }
-    *target = value * factor;
-    header.given_times.push_back({value * factor, line.number, remark.value.column});
+    *target = *value * factor;
+    header.given_times.push_back({*value * factor, line.number, remark.value.column});
 }
 
 }  // namespace sil

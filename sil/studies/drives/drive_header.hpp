@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sil/studies/drives/csv_lines.hpp"
-#include "sil/studies/drives/csv_place.hpp"
+#include "sil/files/csv_reader.hpp"
 #include "sil/studies/drives/drive_columns.hpp"
 
 namespace sil {
@@ -40,11 +39,11 @@ struct DriveHeader {
 };
 
 // Reads the names of the columns and checks that those are there which a drive needs. Columns that nobody
-// knows go to drive.ignored_columns, unless they are those of a run's signals.csv. Throws DriveCsvError.
+// knows go to drive.ignored_columns, unless they are those of a run's signals.csv. Throws InputError.
 void read_column_names(const CsvLine& line, DriveHeader& header, Drive& drive, const CsvPlace& place);
 
 // A line that begins with '#'. "# one_wheel_lift_time_s: 2.34", "# two_wheel_lift_time_s: none" say when the
-// wheels lifted; others are passed over. Throws DriveCsvError.
+// wheels lifted; others are passed over. Throws InputError.
 void read_remark(const CsvLine& line, DriveHeader& header, Drive& drive, const CsvPlace& place);
 
 }  // namespace sil

@@ -8,7 +8,6 @@ namespace sil {
 namespace {
 
 constexpr double lifted_share = 0.01;
-constexpr double upright_time_s = 1.0;
 
 double sum_of_loads(const DriveSample& sample) {
     return sample.wheel_load_n[front_left] + sample.wheel_load_n[front_right] +

@@ -1,11 +1,9 @@
 #include "sil/studies/drives/replay_csv.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <iterator>
 
 #include "rsi/output_table.hpp"
+#include "sil/files/csv_writer.hpp"
 #include "sil/results/output_columns.hpp"
 #include "sil/units.hpp"
 
@@ -14,13 +12,10 @@ namespace {
 
 using Cycle = ReplayCycle;
 
-struct NumberColumn {
-    const char* name;
-    double (*value)(const Cycle& cycle);
-};
-
 // clang-format off
-constexpr NumberColumn input_columns[] = {
+constexpr int digits = 9;
+
+constexpr CsvColumn<Cycle> input_columns[] = {
     {"time_s", [](const Cycle& c) { return c.sample.time_s; }},
 
     {"sensor_lateral_acceleration_mps2", [](const Cycle& c) { return c.sample.lateral_specific_force_mps2; }},
@@ -41,7 +36,7 @@ constexpr const char* word_columns[] = {"state", "side"};
 
 std::vector<std::string> indices_csv_columns() {
     std::vector<std::string> names;
-    for (const NumberColumn& column : input_columns) {
+    for (const CsvColumn<Cycle>& column : input_columns) {
         names.emplace_back(column.name);
     }
     for (const OutputColumn& column : output_columns()) {
@@ -55,29 +50,17 @@ std::vector<std::string> indices_csv_columns() {
 }
 
 std::string indices_csv(const DriveReplay& replay) {
-    std::string text;
-    for (const std::string& name : indices_csv_columns()) {
-        text += text.empty() ? name : "," + name;
-    }
-    text += '\n';
-    const auto add = [&text](double value) {
-        if (std::isfinite(value)) {
-            fmt::format_to(std::back_inserter(text), "{:.9g}", value);
-        }
-        text += ',';
-    };
+    std::string text = csv_header(indices_csv_columns()) + "\n";
     for (const ReplayCycle& cycle : replay.cycles) {
-        for (const NumberColumn& column : input_columns) {
-            add(column.value(cycle));
-        }
+        CsvRow row;
+        row.numbers(input_columns, cycle, digits);
         for (const OutputColumn& column : output_columns()) {
-            add(column.value(cycle.outputs));
+            row.number(column.value(cycle.outputs), digits);
         }
         for (const rsi::CodeOutput& code : rsi::code_outputs) {
-            add(static_cast<double>(cycle.outputs.*code.member));
+            row.number(static_cast<double>(cycle.outputs.*code.member), digits);
         }
-        fmt::format_to(std::back_inserter(text), "{},{}\n", to_string(cycle.ecu.state()),
-                       to_string(cycle.ecu.side()));
+        text += row.text(to_string(cycle.ecu.state())).text(to_string(cycle.ecu.side())).line() + "\n";
     }
     return text;
 }
@@ -88,8 +71,9 @@ std::string warnings_csv(const DriveReplay& replay) {
     for (const ReplayCycle& cycle : replay.cycles) {
         if (previous == nullptr || previous->state() != cycle.ecu.state() ||
             previous->side() != cycle.ecu.side()) {
-            fmt::format_to(std::back_inserter(text), "{:.9g},{},{}\n", cycle.sample.time_s,
-                           to_string(cycle.ecu.state()), to_string(cycle.ecu.side()));
+            CsvRow row;
+            row.number(cycle.sample.time_s, digits).text(to_string(cycle.ecu.state()));
+            text += row.text(to_string(cycle.ecu.side())).line() + "\n";
         }
         previous = &cycle.ecu;
     }

@@ -7,25 +7,14 @@
 #include <iterator>
 #include <map>
 
+#include "sil/files/csv_writer.hpp"
 #include "sil/studies/drives/verdict.hpp"
 
 namespace sil {
 namespace {
 
-std::string number(const std::optional<double>& value, int decimals, const char* otherwise) {
-    return value && std::isfinite(*value) ? fmt::format("{:.{}f}", *value, decimals) : otherwise;
-}
-
-// Names of files may hold anything.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string result = "\"";
-    for (const char character : text) {
-        result += std::string(character == '"' ? 2U : 1U, character);
-    }
-    return result + "\"";
+std::string number(const std::optional<double>& value, int decimals) {
+    return value && std::isfinite(*value) ? fmt::format("{:.{}f}", *value, decimals) : "-";
 }
 
 std::optional<double> time_of(const std::optional<EventMoment>& event) {
@@ -62,11 +51,13 @@ std::string table_csv(const std::vector<ReplayRow>& rows) {
         "file,drive,warning_time_s,one_wheel_lift_time_s,two_wheel_lift_time_s,lead_time_s,"
         "largest_load_transfer_ratio,largest_warning_level,verdict\n";
     for (const ReplayRow& row : rows) {
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", quoted(row.file),
-                       quoted(row.drive), number(row.warning_s, 3, ""), number(row.one_wheel_lift_s, 3, ""),
-                       number(row.two_wheel_lift_s, 3, ""), number(row.lead_s, 3, ""),
-                       number(row.largest_load_transfer_ratio, 4, ""),
-                       number(row.largest_warning_level, 4, ""), row.verdict);
+        CsvRow cells;
+        cells.text(row.file).text(row.drive);
+        for (const auto& time_s : {row.warning_s, row.one_wheel_lift_s, row.two_wheel_lift_s, row.lead_s}) {
+            cells.fixed(time_s, 3);
+        }
+        cells.fixed(row.largest_load_transfer_ratio, 4).fixed(row.largest_warning_level, 4).text(row.verdict);
+        text += cells.line() + "\n";
     }
     return text;
 }
@@ -83,10 +74,10 @@ std::string table_text(const std::vector<ReplayRow>& rows) {
                     "1 wheel s", "2 wheels s", "lead s", "|LTR|", "level", "verdict");
     for (const ReplayRow& row : rows) {
         fmt::format_to(std::back_inserter(text), "{:<{}}  {:>9}  {:>9}  {:>10}  {:>8}  {:>7}  {:>7}  {}\n",
-                       row.drive, width, number(row.warning_s, 2, "-"), number(row.one_wheel_lift_s, 2, "-"),
-                       number(row.two_wheel_lift_s, 2, "-"), number(row.lead_s, 2, "-"),
-                       number(row.largest_load_transfer_ratio, 3, "-"),
-                       number(row.largest_warning_level, 3, "-"), row.verdict);
+                       row.drive, width, number(row.warning_s, 2), number(row.one_wheel_lift_s, 2),
+                       number(row.two_wheel_lift_s, 2), number(row.lead_s, 2),
+                       number(row.largest_load_transfer_ratio, 3), number(row.largest_warning_level, 3),
+                       row.verdict);
     }
     text += fmt::format("{} drives:", rows.size());
     const char* separator = " ";

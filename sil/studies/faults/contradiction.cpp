@@ -1,149 +1,87 @@
 #include "sil/studies/faults/contradiction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string_view>
+#include <tuple>
+
+#include "contradictions.hpp"
+#include "sil/files/toml_table.hpp"
 
 namespace sil {
 namespace {
 
-using Kind = FaultKind;
-using Place = FaultPlace;
+// In the order of SceneKind; `over` follows from two of them.
+constexpr std::array scene_names{"rest",     "straight",       "turn",   "before_turn",
+                                 "steering", "before_warning", "warning"};
+static_assert(scene_names.size() == std::tuple_size_v<decltype(Contradiction::limits_ms)>);
 
-constexpr int h = hidden;
-constexpr std::array all_hidden{h, h, h, h, h, h, h};
-constexpr std::array in_50_ms{50, 50, 50, 50, 50, 50, 50};
-constexpr std::array in_100_ms{100, 100, 100, 100, 100, 100, 100};
+// The value of an enumeration whose name the key gives.
+template <typename Value>
+Value named(TomlTable& table, std::string_view key, Value last) {
+    std::vector<std::string_view> names;
+    for (std::size_t value = 0U; value <= static_cast<std::size_t>(last); ++value) {
+        names.emplace_back(to_string(static_cast<Value>(value)));
+    }
+    return static_cast<Value>(table.choice(key, names));
+}
 
-constexpr const char* bank_alone = "nothing else in the vehicle says what the road's bank is";
-constexpr const char* a_bank_to_everybody =
-    "2 m/s^2 is a road's bank of 12 deg to everybody: only 3 m/s^2 are more than a bank";
-constexpr const char* shaken = "the change of the change over 0.1 s, then 3 cycles";
+int milliseconds(TomlTable& table, std::string_view key) {
+    return static_cast<int>(table.number(key, {0.0, 1.0e5}));
+}
+
+void read_limits(TomlTable table, Contradiction& contradiction) {
+    for (std::size_t scene = 0U; scene < scene_names.size(); ++scene) {
+        for (const char* name : {"every_scene", scene_names[scene]}) {
+            if (table.has(name)) {
+                contradiction.limits_ms[scene] = milliseconds(table, name);
+            }
+        }
+    }
+    table.refuse_unknown_keys();
+}
+
+Contradiction read(TomlTable table) {
+    Contradiction contradiction;
+    contradiction.kind = named(table, "kind", FaultKind::process_stop);
+    contradiction.place = named(table, "place", FaultPlace::processor);
+    contradiction.why = table.text("why");
+    if (table.has("error")) {
+        contradiction.sign = table.choice("error", {"negative", "positive"}) == 0U ? -1 : 1;
+    }
+    contradiction.limits_ms.fill(hidden);
+    if (table.has("shows_ms")) {
+        read_limits(table.table("shows_ms"), contradiction);
+    }
+    if (table.has("lapse_ms")) {
+        contradiction.lapse_ms = milliseconds(table, "lapse_ms");
+    }
+    if (table.has("lapse")) {
+        static_cast<void>(table.choice("lapse", {"any time"}));
+        contradiction.lapse_ms = any_time_ms;
+    }
+    if (table.has("wrong_ms")) {
+        contradiction.wrong_ms = milliseconds(table, "wrong_ms");
+    }
+    table.refuse_unknown_keys();
+    return contradiction;
+}
+
+std::vector<Contradiction> read_all() {
+    TomlTable file = TomlTable::parse(contradictions_text, "sil/studies/faults/contradictions.toml");
+    std::vector<Contradiction> all;
+    for (const TomlTable& table : file.tables("contradiction")) {
+        all.push_back(read(table));
+    }
+    file.refuse_unknown_keys();
+    return all;
+}
 
 }  // namespace
 
-// Rest, straight, turn; in the J-turn 0.5 s before the driver steers and as he does, 0.3 s and 0.1 s before
-// the warning.
 const std::vector<Contradiction>& contradictions() {
-    static const std::vector<Contradiction> all{
-        {Kind::frozen,
-         Place::lateral_acceleration,
-         {h, h, 450, 50, 100, 100, 100},
-         "21 equal values while yaw rate times speed spans 1 m/s^2; in the turn the road's roughness does "
-         "that"},
-        {Kind::frozen,
-         Place::vertical_acceleration,
-         {h, h, 100, 50, 50, 50, 50},
-         "21 equal values while the lateral acceleration spans 1.5 m/s^2"},
-        {Kind::frozen,
-         Place::roll_rate,
-         {450, 450, 50, 100, 100, 150, 150},
-         "21 equal values while the roll angle less the integrated roll rate spans 0.02 rad"},
-        {Kind::frozen,
-         Place::roll_angle,
-         {h, h, 550, 50, 50, 100, 50},
-         "21 equal values while the integrated roll rate spans 0.015 rad"},
-        {Kind::frozen, Place::bank_angle, all_hidden, bank_alone},
-        {Kind::frozen,
-         Place::speed,
-         {h, h, h, 50, 50, 650, 650},
-         "21 equal values while the yaw rate times this speed spans 4.5 m/s^2"},
-        {Kind::frozen,
-         Place::yaw_rate,
-         {h, h, 250, 50, 50, 150, 50},
-         "21 equal values while the lateral acceleration spans 1.5 m/s^2"},
-        {Kind::frozen,
-         Place::steering_wheel_angle,
-         {h, h, h, 100, h, h, h},
-         "straight for 0.2 s with it, then a turn of 3 m/s^2; in a turn a driver may hold it still"},
-
-        {Kind::offset, Place::lateral_acceleration, all_hidden, a_bank_to_everybody, 0, 500},
-        {Kind::offset,
-         Place::vertical_acceleration,
-         {600, 600, 600, 600, 600, 600, 600},
-         "lag of 0.4 s against a threshold of 1.5 m/s^2, 3 cycles",
-         0,
-         100,
-         1},
-        {Kind::offset,
-         Place::vertical_acceleration,
-         {600, 600, 600, 600, h, h, h},
-         "the same; it makes the warning early, and in a warning the threshold is 3.5 m/s^2",
-         0,
-         250,
-         -1},
-        {Kind::offset,
-         Place::roll_rate,
-         {950, 950, 950, 950, 950, 1000, 950},
-         "10 deg/s make the 9 deg within 1 s in 0.9 s, 3 cycles"},
-        {Kind::offset, Place::roll_angle, in_50_ms,
-         "the step is a jump, then the observer contradicts, but not a vehicle that tips", 1050},
-        {Kind::offset, Place::bank_angle, all_hidden, bank_alone},
-        {Kind::offset, Place::speed, in_50_ms,
-         "the step is a jump, which heals after 0.5 s; nothing says that the speed is wrong by 30 km/h",
-         any_time_ms},
-        {Kind::offset, Place::yaw_rate, all_hidden, "5 m/s^2 at 100 km/h, below the 7 of a spin"},
-        {Kind::offset, Place::steering_wheel_angle, all_hidden, "below the step of a driver's hand"},
-
-        {Kind::drift, Place::lateral_acceleration, all_hidden, a_bank_to_everybody},
-        {Kind::drift,
-         Place::vertical_acceleration,
-         {1450, 1450, 1150, h, h, h, h},
-         "passes 1.5 m/s^2 1 s after the least visible error, lag of 0.4 s; before that the vehicle is over"},
-        {Kind::drift,
-         Place::roll_rate,
-         {1900, 1900, 1900, h, h, h, h},
-         "passes 9 deg within 1 s 1.7 s after the least visible error; before that the vehicle is over"},
-        {Kind::drift,
-         Place::roll_angle,
-         {1500, 1500, 1850, h, h, h, h},
-         "passes 2.9 deg against the observer 0.9 s after the least visible error, for 0.3 s; in the J-turn "
-         "the "
-         "vehicle has tipped before"},
-        {Kind::drift, Place::bank_angle, all_hidden, bank_alone},
-        {Kind::drift, Place::speed, all_hidden, "as an acceleration; the step back at its end is a jump"},
-        {Kind::drift, Place::yaw_rate, all_hidden, "below 7 m/s^2 at its end; the step back is a jump"},
-        {Kind::drift, Place::steering_wheel_angle, all_hidden, "as a driver's hand"},
-
-        {Kind::noise, Place::lateral_acceleration, {200, 200, 100, 100, 100, 150, 150}, shaken},
-        {Kind::noise, Place::vertical_acceleration, in_100_ms, shaken},
-        {Kind::noise, Place::roll_rate, {100, 100, 100, 100, 100, 150, 100}, shaken},
-        {Kind::noise, Place::roll_angle, {100, 100, 100, 100, 100, 50, 50}, shaken},
-        {Kind::noise, Place::bank_angle, all_hidden, bank_alone},
-        {Kind::noise,
-         Place::speed,
-         {200, 50, 50, 50, 50, 50, 50},
-         "a jump, or shaken; at rest every second value is below zero and is sent as zero"},
-        {Kind::noise, Place::yaw_rate, in_100_ms, shaken},
-        {Kind::noise, Place::steering_wheel_angle, in_100_ms, shaken},
-
-        {Kind::sign_flip,
-         Place::lateral_acceleration,
-         {h, h, 200, 400, 400, 200, 50},
-         "alone of its sign for 0.2 s, both beyond 2 m/s^2; in the moment of warning a jump",
-         200},
-        {Kind::sign_flip, Place::vertical_acceleration, in_50_ms, "a jump, then the offset", 100},
-        {Kind::sign_flip,
-         Place::roll_rate,
-         {h, h, h, 200, 200, 50, 850},
-         "3.5 deg within 0.2 s against the roll angle: once the body rolls; before that a jump, which heals",
-         500},
-        {Kind::sign_flip,
-         Place::roll_angle,
-         {h, h, 50, 100, 100, 50, 50},
-         "a jump, then the observer contradicts",
-         300},
-        {Kind::sign_flip, Place::bank_angle, all_hidden, bank_alone},
-        {Kind::sign_flip,
-         Place::yaw_rate,
-         {h, h, 50, 1300, 1300, 50, 50},
-         "a jump in a turn; else alone of its sign for 1.2 s, because a spinning vehicle is for 0.7 s",
-         1250},
-        {Kind::sign_flip,
-         Place::steering_wheel_angle,
-         {h, h, h, h, h, 50, 50},
-         "a jump in a turn; nothing else says where the driver steers",
-         any_time_ms},
-    };
+    static const std::vector<Contradiction> all = read_all();
     return all;
 }
 

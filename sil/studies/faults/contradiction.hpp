@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "sil/studies/faults/fault.hpp"
@@ -21,14 +22,14 @@ struct Contradiction {
     FaultPlace place{};
     // One for each kind of scene but `over`, from the least visible error to the reaction.
     std::array<int, scene_count - 1U> limits_ms{};
-    const char* why{""};  // what the time is made of, or why nothing shows
-    int lapse_ms{0};      // after the first code and while the fault is there, no longer without one
-    int wrong_ms{100};    // where it is hidden, the longest time of a wrong statement
-    int sign{0};          // of the error of which it is stated; 0: of either
+    std::string why{};  // what the time is made of, or why nothing shows
+    int lapse_ms{0};    // after the first code and while the fault is there, no longer without one
+    int wrong_ms{100};  // where it is hidden, the longest time of a wrong statement
+    int sign{0};        // of the error of which it is stated; 0: of either
 };
 
-// Every kind of fault that lets a value contradict others, of every signal that can have it. The limits are
-// the stated debounces of docs/safety.md as they come out in these scenes, rounded up to 50 ms.
+// Every kind of fault that lets a value contradict others, of every signal that can have it: those of
+// sil/studies/faults/contradictions.toml.
 const std::vector<Contradiction>& contradictions();
 
 // That of the scene; of `over`, in which the fault begins between them, the longer one of `before_turn` and

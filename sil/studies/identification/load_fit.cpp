@@ -92,8 +92,7 @@ double arm_without_tyres(const VehicleData& vehicle, const std::vector<PreparedD
         .slope();
 }
 
-}  // namespace
-
+// h that the loads of the slow turns speak for when the roll centre lies at `roll_centre_m`.
 double matched_cg_height_m(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
                            double roll_centre_m) {
     return regress(
@@ -106,6 +105,8 @@ double matched_cg_height_m(const VehicleData& vehicle, const std::vector<Prepare
                })
         .slope();
 }
+
+}  // namespace
 
 std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps) {
     const bool any = std::any_of(ramps.begin(), ramps.end(),

@@ -29,10 +29,6 @@ struct LoadFit {
 // Uses the ramps that have wheel loads; nothing when none has.
 std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps);
 
-// h that the loads of the slow turns speak for when the roll centre lies at `roll_centre_m`.
-double matched_cg_height_m(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
-                           double roll_centre_m);
-
 // Moves roll centre and CG height of a `fit` that had to leave the given CG height, together so that the slow
 // turns still agree, to where the dynamic drives' wheel loads agree best: there A and phi do not move as one.
 void match_dynamic_loads(const VehicleData& vehicle, const RollFit& roll,

@@ -330,8 +330,7 @@ class Preparation {
         const Signal lateral = smooth(&DriveSample::lateral_specific_force_mps2);
         const Signal vertical = smooth(&DriveSample::vertical_specific_force_mps2);
         const Signal roll = smooth(&DriveSample::roll_angle_rad);
-        const double limit =
-            options_.lift_share * vehicle_.track_width_m / (2.0 * vehicle_.sprung_cg_height_m);
+        const double limit = options_.lift_share * static_stability_factor(vehicle_);
         for (std::size_t k = 0U; k < lateral.size(); ++k) {
             const auto [parallel, normal] =
                 road_forces(lateral[k] - offsets.lateral_mps2, vertical[k], roll[k] - offsets.roll_angle_rad);

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
+#include "sil/files/csv_writer.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -49,10 +49,6 @@ std::string residuals_text(const std::vector<DriveResidual>& drives) {
 
 double number_or_nan(bool known, double value) {
     return known ? value : std::nan("");
-}
-
-std::string field(double value) {
-    return std::isfinite(value) ? fmt::format(",{:.7g}", value) : ",";
 }
 
 // Linear model of the drives' offsets: the fit's residual is without them.
@@ -141,17 +137,17 @@ std::string fit_csv(const Identification& result) {
                     result.vehicle.sprung_mass_kg * result.roll.arm_m * sample.overturning_mps2;
                 const double fitted = fitted_moment(result.roll, sample, dynamic, offset);
                 const double moving = fitted - result.roll.moment_nm(sample.roll_angle_rad);
-                fmt::format_to(std::back_inserter(text), "{:.7g},{},{}", start_s + sample.time_s - first_s,
-                               number, dynamic ? 1 : 0);
+                CsvRow row;
+                row.number(start_s + sample.time_s - first_s, 7).count(number).count(dynamic ? 1U : 0U);
                 for (const double value :
                      {sample.time_s, sample.roll_angle_rad * degrees_per_radian, sample.parallel_mps2, moment,
                       fitted, moment - fitted, moment - moving, sample.load_moment_nm,
                       number_or_nan(drive.has_wheel_loads,
                                     component_load_moment_nm(result.vehicle, result.roll, sample)),
                       sample.yaw_rate_radps * sample.speed_mps, asked_acceleration(result, sample)}) {
-                    text += field(value);
+                    row.number(value, 7);
                 }
-                text += '\n';
+                text += row.line() + "\n";
             }
             start_s += drive.samples.back().time_s - first_s;
         }
@@ -165,8 +161,12 @@ std::string curve_csv(const Identification& result) {
     std::string text = "roll_angle_deg,moment_nm,linear_moment_nm\n";
     for (int k = -100; k <= 100; ++k) {
         const double phi = 0.01 * k * limit_rad;
-        fmt::format_to(std::back_inserter(text), "{:.5g},{:.6g},{:.6g}\n", phi * degrees_per_radian,
-                       result.roll.moment_nm(phi), result.roll.stiffness_nmprad.value * phi);
+        text += CsvRow{}
+                    .number(phi * degrees_per_radian, 5)
+                    .number(result.roll.moment_nm(phi), 6)
+                    .number(result.roll.stiffness_nmprad.value * phi, 6)
+                    .line() +
+                "\n";
     }
     return text;
 }

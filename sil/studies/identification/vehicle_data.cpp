@@ -1,13 +1,13 @@
 #include "sil/studies/identification/vehicle_data.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <string_view>
+
+#include "sil/files/toml_table.hpp"
 
 namespace sil {
 namespace {
@@ -48,121 +48,53 @@ const Key& key_of(std::string_view name) {
     return *std::find_if(keys.begin(), keys.end(), [name](const Key& key) { return key.name == name; });
 }
 
-bool is_key(std::string_view name) {
-    return std::any_of(keys.begin(), keys.end(), [name](const Key& key) { return key.name == name; });
-}
-
-toml::table parse_file(const std::filesystem::path& file) {
-    if (file.empty()) {
-        return {};
+TomlTable known_table(const std::filesystem::path& file) {
+    TomlTable table = file.empty() ? TomlTable::parse("", "vehicle data")
+                                   : TomlTable::load(file, "name one such as docs/calibration.md shows");
+    table.allow("name");
+    for (const Key& key : keys) {
+        table.allow(key.name);
     }
-    if (!std::ifstream{file}.good()) {
-        throw VehicleDataError(
-            fmt::format("{}: cannot be read. Give the path of the vehicle's data (docs/calibration.md shows "
-                        "such a file)",
-                        file.string()));
-    }
-    try {
-        return toml::parse_file(file.string());
-    } catch (const toml::parse_error& error) {
-        throw VehicleDataError(fmt::format("{}:{}: not valid TOML: {}. Correct this line", file.string(),
-                                           error.source().begin.line, error.description()));
-    }
+    return table;
 }
 
 // The values of file and settings under their names, checked one by one.
 class Values {
  public:
     Values(const std::filesystem::path& file, const std::vector<std::string>& settings)
-        : file_{file}, table_{parse_file(file)} {
+        : table_{known_table(file)} {
         for (const std::string& setting : settings) {
-            apply(setting);
+            table_.change(setting, "track_width_m=1.6");
         }
-        for (const auto& [name, node] : table_) {
-            if (name.str() != "name" && !is_key(name.str())) {
-                throw VehicleDataError(place(name.str()) +
-                                       "is not known. Remove it or correct its spelling; known are name" +
-                                       known_names());
-            }
-        }
+        table_.refuse_unknown_keys();
     }
 
-    std::string name() const { return table_["name"].value_or(std::string{"vehicle"}); }
+    std::string name() { return table_.has("name") ? table_.text("name") : "vehicle"; }
 
-    bool has(std::string_view name) const { return table_.contains(name); }
+    bool has(std::string_view name) { return table_.has(name); }
 
-    std::optional<double> optional(std::string_view name) const {
+    std::optional<double> optional(std::string_view name) {
         return has(name) ? std::optional<double>{number(name)} : std::nullopt;
     }
 
-    double number(std::string_view name) const {
+    double number(std::string_view name) {
         const Key& key = key_of(name);
-        const toml::node* node = table_.get(name);
-        if (node == nullptr) {
-            throw VehicleDataError(
-                fmt::format("{}: {} is missing: {}. Add it to the file, or give --set {}=VALUE", source(),
-                            name, key.meaning, name));
+        if (!has(name)) {
+            fail(name, fmt::format("is missing: {}; add it to the file, or give --set {}=VALUE", key.meaning,
+                                   name));
         }
-        const auto value = node->value<double>();
-        if (!node->is_number() || !value || !std::isfinite(*value)) {
-            throw VehicleDataError(place(name) + "is not a number. Write a plain number in SI units");
-        }
-        if (*value < key.lowest || *value > key.highest) {
-            throw VehicleDataError(
-                fmt::format("{}is {:g}, which no vehicle has ({}). Give SI units, from {:g} to {:g}",
-                            place(name), *value, key.meaning, key.lowest, key.highest));
-        }
-        return *value;
+        return table_.number(name, {key.lowest, key.highest}, key.meaning);
     }
 
-    std::string source() const { return file_.empty() ? "vehicle data" : file_.string(); }
+    [[noreturn]] void fail(std::string_view name, const std::string& what) const { table_.fail(name, what); }
 
-    std::string place(std::string_view name) const {
-        const toml::node* node = table_.get(name);
-        const auto line = node == nullptr ? 0U : node->source().begin.line;
-        return line == 0U ? fmt::format("--set {}: ", name)
-                          : fmt::format("{}:{}: {} ", file_.string(), line, name);
-    }
+    const std::string& source() const { return table_.file(); }
 
  private:
-    void apply(const std::string& setting) {
-        const std::size_t equals = setting.find('=');
-        if (equals == std::string::npos || equals == 0U) {
-            throw VehicleDataError(
-                fmt::format("--set {}: write KEY=VALUE, for example track_width_m=1.6", setting));
-        }
-        const std::string name = setting.substr(0U, equals);
-        const std::string text = setting.substr(equals + 1U);
-        if (name == "name") {
-            table_.insert_or_assign(name, text);
-            return;
-        }
-        std::size_t used = 0U;
-        double value = 0.0;
-        try {
-            value = std::stod(text, &used);
-        } catch (const std::exception&) {
-            used = 0U;
-        }
-        if (used == 0U || used != text.size()) {
-            throw VehicleDataError(fmt::format("--set {}: \"{}\" is not a number", name, text));
-        }
-        table_.insert_or_assign(name, value);
-    }
-
-    static std::string known_names() {
-        std::string names;
-        for (const Key& key : keys) {
-            names += fmt::format(", {}", key.name);
-        }
-        return names;
-    }
-
-    std::filesystem::path file_;
-    toml::table table_;
+    TomlTable table_;
 };
 
-void read_masses(const Values& values, VehicleData& data) {
+void read_masses(Values& values, VehicleData& data) {
     data.total_mass_kg = values.number("total_mass_kg");
     const auto sprung = values.optional("sprung_mass_kg");
     const auto unsprung = values.optional("unsprung_mass_kg");
@@ -180,23 +112,21 @@ void read_masses(const Values& values, VehicleData& data) {
     data.sprung_mass_kg = data.total_mass_kg - data.unsprung_mass_kg;
     if (sprung && unsprung &&
         std::abs(*sprung + *unsprung - data.total_mass_kg) > 0.01 * data.total_mass_kg) {
-        throw VehicleDataError(
-            fmt::format("{}sprung and unsprung mass make {:.0f} kg together, total_mass_kg is {:.0f} kg. "
-                        "Correct one of the "
-                        "three, or leave one of sprung_mass_kg and unsprung_mass_kg out",
-                        values.place("sprung_mass_kg"), *sprung + *unsprung, data.total_mass_kg));
+        values.fail("sprung_mass_kg",
+                    fmt::format("and unsprung_mass_kg make {:.0f} kg together, total_mass_kg is {:.0f} kg. "
+                                "Correct one of the three, or leave one of the first two out",
+                                *sprung + *unsprung, data.total_mass_kg));
     }
     if (data.unsprung_mass_kg < 0.0 || data.unsprung_mass_kg > 0.5 * data.total_mass_kg) {
-        throw VehicleDataError(
-            fmt::format("{}leaves {:.0f} kg for axles and wheels of a vehicle of {:.0f} kg; 5 to 30 % are "
-                        "usual. Correct the "
-                        "masses",
-                        values.place(sprung ? "sprung_mass_kg" : "unsprung_mass_kg"), data.unsprung_mass_kg,
-                        data.total_mass_kg));
+        values.fail(
+            sprung ? "sprung_mass_kg" : "unsprung_mass_kg",
+            fmt::format("leaves {:.0f} kg for axles and wheels of a vehicle of {:.0f} kg; 5 to 30 % are "
+                        "usual. Correct the masses",
+                        data.unsprung_mass_kg, data.total_mass_kg));
     }
 }
 
-void read_heights(const Values& values, VehicleData& data) {
+void read_heights(Values& values, VehicleData& data) {
     if (const auto height = values.optional("unsprung_cg_height_m")) {
         data.unsprung_cg_height_m = *height;
     } else if (const auto radius = values.optional("wheel_radius_m")) {
@@ -214,9 +144,9 @@ void read_heights(const Values& values, VehicleData& data) {
                                    data.unsprung_mass_kg * data.unsprung_cg_height_m) /
                                   data.sprung_mass_kg;
     }
-    const double ratio = data.track_width_m / (2.0 * data.sprung_cg_height_m);
+    const double ratio = static_stability_factor(data);
     if (ratio < 0.25 || ratio > 3.0) {
-        throw VehicleDataError(
+        throw InputError(
             fmt::format("{}: half the track width over the centre of gravity's height is {:.2f}; vehicles "
                         "have 0.4 to 1.7. Check "
                         "cg_height_m and track_width_m (in metres)",
@@ -224,7 +154,7 @@ void read_heights(const Values& values, VehicleData& data) {
     }
 }
 
-void read_track(const Values& values, VehicleData& data) {
+void read_track(Values& values, VehicleData& data) {
     if (!values.has("track_width_m") && values.has("track_width_front_m") &&
         values.has("track_width_rear_m")) {
         data.track_width_m =
@@ -234,7 +164,7 @@ void read_track(const Values& values, VehicleData& data) {
     }
 }
 
-void read_imu(const Values& values, VehicleData& data) {
+void read_imu(Values& values, VehicleData& data) {
     data.imu_x_m = values.optional("imu_x_m").value_or(0.0);
     data.imu_y_m = values.optional("imu_y_m").value_or(0.0);
     data.imu_z_m = values.optional("imu_z_m").value_or(0.0);
@@ -248,7 +178,7 @@ void read_imu(const Values& values, VehicleData& data) {
 }  // namespace
 
 VehicleData load_vehicle_data(const std::filesystem::path& file, const std::vector<std::string>& settings) {
-    const Values values{file, settings};
+    Values values{file, settings};
     VehicleData data;
     data.name = values.name();
     read_masses(values, data);
@@ -261,9 +191,8 @@ VehicleData load_vehicle_data(const std::filesystem::path& file, const std::vect
     data.roll_centre_height_m = values.optional("roll_centre_height_m");
     data.roll_inertia_kgm2 = values.optional("roll_inertia_kgm2");
     if (data.roll_centre_height_m && *data.roll_centre_height_m > 0.9 * data.sprung_cg_height_m) {
-        throw VehicleDataError(
-            values.place("roll_centre_height_m") +
-            "lies not below the sprung mass's centre of gravity. Correct it, or leave it out");
+        values.fail("roll_centre_height_m",
+                    "lies not below the sprung mass's centre of gravity. Correct it, or leave it out");
     }
     return data;
 }

@@ -3,9 +3,10 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "sil/input_error.hpp"
 
 namespace sil {
 
@@ -30,14 +31,13 @@ struct VehicleData {
     std::vector<std::string> assumptions{};     // what was not given and what was taken for it, in words
 };
 
-// what() is "FILE:LINE: what is wrong; what to do", or "--set KEY: ..." for an option.
-class VehicleDataError : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
+// c_w / (2 h) of the sprung mass.
+inline double static_stability_factor(const VehicleData& vehicle) {
+    return vehicle.track_width_m / (2.0 * vehicle.sprung_cg_height_m);
+}
 
 // The keys are those of docs/calibration.md. `file` may be empty when `settings` ("KEY=VALUE") give all;
-// a setting replaces the file's value. Throws VehicleDataError.
+// a setting replaces the file's value. Throws InputError.
 VehicleData load_vehicle_data(const std::filesystem::path& file,
                               const std::vector<std::string>& settings = {});
 

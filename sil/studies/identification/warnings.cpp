@@ -48,7 +48,7 @@ class Warnings {
             reach_mps2 = std::max(reach_mps2, ramp.largest_parallel_mps2);
             reach_rad = std::max(reach_rad, ramp.largest_roll_angle_rad);
         }
-        const double lift_g = result_.vehicle.track_width_m / (2.0 * result_.vehicle.sprung_cg_height_m);
+        const double lift_g = static_stability_factor(result_.vehicle);
         if (reach_mps2 / g_mps2 < 0.6 * lift_g) {
             warn(
                 "the ramp reaches only {:.2f} g and {:.1f} deg of roll: the stiffness beyond is "

@@ -1,21 +1,11 @@
 // NoiseSource: seeding by splitmix64 and the sum of uniform integers.
 #include "sil/world/sensors/noise_source.hpp"
 
+#include "sil/random.hpp"
+
 namespace sil {
-namespace {
-
-// The finaliser of splitmix64 (Steele, Lea, Flood 2014): neighbouring inputs give unrelated outputs.
-std::uint64_t scramble(std::uint64_t value) {
-    value += 0x9E3779B97F4A7C15U;
-    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;
-    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBU;
-    return value ^ (value >> 31U);
-}
-
-}  // namespace
-
 NoiseSource::NoiseSource(std::uint64_t seed, std::uint64_t stream)
-    : generator_(scramble(scramble(seed) ^ stream)) {}
+    : generator_(scrambled(scrambled(seed) ^ stream)) {}
 
 double NoiseSource::next() {
     constexpr int draws = 6;  // each gives two uniform values of 32 bits

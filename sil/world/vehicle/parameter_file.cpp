@@ -1,12 +1,12 @@
 // Parameter file: which keys there are and which values make sense.
 #include "sil/world/vehicle/parameter_file.hpp"
 
-#include "sil/world/vehicle/parameter_reader.hpp"
+#include "sil/files/toml_table.hpp"
 
 namespace sil {
 namespace {
 
-MassParameters read_mass(ParameterTable table) {
+MassParameters read_mass(TomlTable table) {
     MassParameters p;
     p.sprung_kg = table.number("sprung_kg", {100.0, 100.0e3});
     p.front_unsprung_kg = table.number("front_unsprung_kg", {1.0, 5.0e3});
@@ -15,7 +15,7 @@ MassParameters read_mass(ParameterTable table) {
     return p;
 }
 
-InertiaParameters read_inertia(ParameterTable table) {
+InertiaParameters read_inertia(TomlTable table) {
     InertiaParameters p;
     p.sprung_roll_kgm2 = table.number("sprung_roll_kgm2", {10.0, 1.0e6});
     p.sprung_pitch_kgm2 = table.number("sprung_pitch_kgm2", {10.0, 1.0e6});
@@ -26,7 +26,7 @@ InertiaParameters read_inertia(ParameterTable table) {
     return p;
 }
 
-GeometryParameters read_geometry(ParameterTable table) {
+GeometryParameters read_geometry(TomlTable table) {
     GeometryParameters p;
     p.front_axle_to_cg_m = table.number("front_axle_to_cg_m", {0.2, 10.0});
     p.rear_axle_to_cg_m = table.number("rear_axle_to_cg_m", {0.2, 10.0});
@@ -37,7 +37,7 @@ GeometryParameters read_geometry(ParameterTable table) {
     return p;
 }
 
-SpringDamperParameters read_spring_damper(ParameterTable& table) {
+SpringDamperParameters read_spring_damper(TomlTable& table) {
     SpringDamperParameters p;
     p.spring_npm = table.number("spring_npm", {1.0e3, 2.0e6});
     p.jounce_clearance_m = table.number("jounce_clearance_m", {0.0, 1.0});
@@ -49,7 +49,7 @@ SpringDamperParameters read_spring_damper(ParameterTable& table) {
     return p;
 }
 
-FrontSuspensionParameters read_front_suspension(ParameterTable table) {
+FrontSuspensionParameters read_front_suspension(TomlTable table) {
     FrontSuspensionParameters p;
     p.spring_damper = read_spring_damper(table);
     p.anti_roll_bar_npm = table.number("anti_roll_bar_npm", {0.0, 1.0e6});
@@ -61,7 +61,7 @@ FrontSuspensionParameters read_front_suspension(ParameterTable table) {
     return p;
 }
 
-RearSuspensionParameters read_rear_suspension(ParameterTable table) {
+RearSuspensionParameters read_rear_suspension(TomlTable table) {
     RearSuspensionParameters p;
     p.spring_damper = read_spring_damper(table);
     p.spring_half_base_m = table.number("spring_half_base_m", {0.1, 2.0});
@@ -74,7 +74,7 @@ RearSuspensionParameters read_rear_suspension(ParameterTable table) {
     return p;
 }
 
-TyreParameters read_tyre(ParameterTable table) {
+TyreParameters read_tyre(TomlTable table) {
     TyreParameters p;
     p.vertical_stiffness_npm = table.number("vertical_stiffness_npm", {50.0e3, 2.0e6});
     p.vertical_damping_nspm = table.number("vertical_damping_nspm", {0.0, 10.0e3});
@@ -94,14 +94,14 @@ TyreParameters read_tyre(ParameterTable table) {
     return p;
 }
 
-SteeringParameters read_steering(ParameterTable table) {
+SteeringParameters read_steering(TomlTable table) {
     SteeringParameters p;
     p.ratio = table.number("ratio", {1.0, 60.0});
     table.refuse_unknown_keys();
     return p;
 }
 
-DrivelineParameters read_driveline(ParameterTable table) {
+DrivelineParameters read_driveline(TomlTable table) {
     DrivelineParameters p;
     p.front_drive_share = table.number("front_drive_share", {0.0, 1.0});
     p.drive_force_limit_n = table.number("drive_force_limit_n", {0.0, 200.0e3});
@@ -113,14 +113,14 @@ DrivelineParameters read_driveline(ParameterTable table) {
     return p;
 }
 
-AerodynamicParameters read_aerodynamics(ParameterTable table) {
+AerodynamicParameters read_aerodynamics(TomlTable table) {
     AerodynamicParameters p;
     p.drag_area_m2 = table.number("drag_area_m2", {0.0, 20.0});
     table.refuse_unknown_keys();
     return p;
 }
 
-HullParameters read_hull(ParameterTable table) {
+HullParameters read_hull(TomlTable table) {
     HullParameters p;
     p.half_length_m = table.number("half_length_m", {0.5, 10.0});
     p.half_width_m = table.number("half_width_m", {0.3, 3.0});
@@ -130,7 +130,7 @@ HullParameters read_hull(ParameterTable table) {
     return p;
 }
 
-ImuMountParameters read_imu_mount(ParameterTable table) {
+ImuMountParameters read_imu_mount(TomlTable table) {
     ImuMountParameters p;
     p.x_m = table.number("x_m", {-10.0, 10.0});
     p.y_m = table.number("y_m", {-2.0, 2.0});
@@ -142,8 +142,7 @@ ImuMountParameters read_imu_mount(ParameterTable table) {
 }  // namespace
 
 VehicleParameters load_vehicle(const std::filesystem::path& path) {
-    const toml::table file = parse_parameter_file(path);
-    ParameterTable top{path, file, ""};
+    TomlTable top = TomlTable::load(path);
     VehicleParameters p;
     p.name = top.text("name");
     p.mass = read_mass(top.table("mass"));

@@ -2,20 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 
+#include "sil/input_error.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {
 
-// The message names file, line and key, says what is wrong and what to do.
-class ParameterError : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
-
 // Every key must be there, with a finite number inside its range, and no other key. Keys are the field names
-// of VehicleParameters. Throws ParameterError.
+// of VehicleParameters. Throws InputError.
 VehicleParameters load_vehicle(const std::filesystem::path& path);
 
 }  // namespace sil

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sil/random.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -15,7 +16,6 @@ constexpr std::size_t point_count = 8192;  // a power of two, so that a mask wra
 constexpr std::size_t mask = point_count - 1U;
 static_assert(point_count * RoughnessProfile::spacing_m == RoughnessProfile::length_m);
 
-// Splitmix64: integer arithmetic, so the same everywhere.
 class Random {
  public:
     explicit Random(std::uint64_t seed) : state_{seed} {}
@@ -24,18 +24,16 @@ class Random {
     double normal() {
         double sum = -6.0;
         for (int i = 0; i < 12; ++i) {
-            sum += static_cast<double>(next() >> 11U) * 0x1p-53;
+            sum += unit_interval(next());
         }
         return sum;
     }
 
  private:
     std::uint64_t next() {
-        state_ += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return z ^ (z >> 31U);
+        const std::uint64_t bits = scrambled(state_);
+        state_ += scrambled_step;
+        return bits;
     }
     std::uint64_t state_;
 };

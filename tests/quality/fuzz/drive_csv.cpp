@@ -80,7 +80,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const sil::Drive drive = sil::parse_drive_csv(text, file_name);
         check_drive(drive);
         check_cycles(drive);
-    } catch (const sil::DriveCsvError& error) {
+    } catch (const sil::InputError& error) {
         const std::string_view message = error.what();
         fuzz::require_place(message, file_name);
         require(message.find("; ") != std::string_view::npos, "an error says what to do");

@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rsi::Parameters parameters{};
     try {
         parameters = sil::load_calibration(fuzz::toml_path());
-    } catch (const sil::CalibrationError& error) {
+    } catch (const sil::InputError& error) {
         fuzz::require_place(error.what(), fuzz::toml_path());
         return 0;
     }

@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     sil::CampaignSettings settings;
     try {
         settings = sil::load_campaign(fuzz::toml_path());
-    } catch (const sil::CampaignError& error) {
+    } catch (const sil::InputError& error) {
         fuzz::require_place(error.what(), fuzz::toml_path());
         return 0;
     }

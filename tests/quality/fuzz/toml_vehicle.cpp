@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             fuzz::require(positive > 0.0 && std::isfinite(positive),
                           "what a vehicle divides by is above zero");
         }
-    } catch (const sil::ParameterError& error) {
+    } catch (const sil::InputError& error) {
         fuzz::require_place(error.what(), fuzz::toml_path());
     }
     return 0;

@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                      vehicle.roll_centre_height_m, vehicle.roll_inertia_kgm2}) {
             fuzz::require(!optional || std::isfinite(*optional), "what is given is finite");
         }
-    } catch (const sil::VehicleDataError& error) {
+    } catch (const sil::InputError& error) {
         // Which file, or, where a value came from elsewhere, which key.
         fuzz::require(
             std::string_view{error.what()}.substr(0U, fuzz::toml_path().size()) == fuzz::toml_path(),

@@ -1,5 +1,5 @@
 // The second estimator against the full vehicle's truth (24), over every manoeuvre of the catalogue.
-#include "tests/sil/acceptance/roll_centre_accuracy.hpp"
+#include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,12 @@ namespace rsi_test {
 namespace roll_centre_accuracy_test {
 namespace {
 
+using sil::accuracy::calibration_of;
+using sil::accuracy::record;
+using sil::accuracy::RecordedDrive;
+using sil::accuracy::RollCentreAccuracy;
+using sil::accuracy::SensorQuality;
+
 constexpr std::array<const char*, 2> vehicles{"large_suv", "ordinary_suv"};
 constexpr double after_zeroing_g = 0.005;
 constexpr double raw_g = 0.03;
@@ -25,7 +31,8 @@ constexpr double sensor_floor_m = 0.01;
 
 RollCentreAccuracy accuracy(const RecordedDrive& drive, const rsi::Parameters& parameters,
                             const SensorQuality& quality) {
-    return roll_centre_accuracy(evaluate(drive, quality, parameters), parameters);
+    return sil::accuracy::roll_centre_accuracy(sil::accuracy::evaluate(drive, quality, parameters),
+                                               parameters);
 }
 
 std::vector<std::string> names_of_all_manoeuvres() {

@@ -118,7 +118,7 @@ void expect_refused(const sil::CampaignSettings& settings, const ScratchFolder& 
     try {
         run(settings, folder.path());
         FAIL() << "was accepted";
-    } catch (const sil::CampaignError& error) {
+    } catch (const sil::InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr(why));
     }
     EXPECT_EQ(rows(folder), before);
@@ -161,7 +161,7 @@ TEST(Campaign, RefusesAFolderThatAnotherIsWritingInto) {
     run(small_campaign(1U), folder.path(), 1U, [&](const sil::CampaignProgress&) {
         try {
             run(small_campaign(1U), folder.path());
-        } catch (const sil::CampaignError& error) {
+        } catch (const sil::InputError& error) {
             answer = error.what();
         }
     });

@@ -77,8 +77,8 @@ TEST(Report, CurvesAndLeadsAreWrittenForThePictures) {
     const test_support::ScratchFolder folder;
     sil::write_report(sil::make_report(four_runs(), 4U), folder.path());
     const std::string curves = test_support::text_of(folder.path() / "curves.csv");
-    EXPECT_THAT(curves, HasSubstr("level,1.4,0.000000,nan,0.500000,0.000000\n"));
-    EXPECT_THAT(curves, HasSubstr("level,0.4,1.000000,nan,1.000000,1.000000\n"));
+    EXPECT_THAT(curves, HasSubstr("level,1.4,0.000000,,0.500000,0.000000\n"));
+    EXPECT_THAT(curves, HasSubstr("level,0.4,1.000000,,1.000000,1.000000\n"));
     const std::string leads = test_support::text_of(folder.path() / "leads.csv");
     EXPECT_THAT(leads, HasSubstr("warning,0.500,0.500000\nwarning,0.050,1.000000\nlevel,0.600,0.500000\n"));
     EXPECT_THAT(test_support::text_of(folder.path() / "report.gp"), HasSubstr("index_names = \"level\"\n"));

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sil/studies/campaign/settings.hpp"
+#include "sil/input_error.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace {
@@ -23,7 +23,7 @@ class RowFile : public ::testing::Test {
         try {
             const sil::RowFile file{path(), "run,value"};
             FAIL() << "was accepted";
-        } catch (const sil::CampaignError& error) {
+        } catch (const sil::InputError& error) {
             EXPECT_THAT(error.what(), HasSubstr(why));
         }
         EXPECT_EQ(text_of(path()), before);
@@ -74,14 +74,14 @@ TEST_F(RowFile, BeginsAnewWhenEvenTheHeaderWasCutOff) {
 
 TEST_F(RowFile, RefusesADamagedLineByItsNumber) {
     write_text(path(), "run,value\n3,a\n4\n5,b\n");
-    expect_refused("runs.csv:3: is not a row of 2 cells");
+    expect_refused("runs.csv:3:1: is not a row of 2 cells");
     write_text(path(), "run,value\nx,a\n5,b\n");
-    expect_refused("runs.csv:2: is not a row");
+    expect_refused("runs.csv:2:1: is not a row");
 }
 
 TEST_F(RowFile, RefusesOtherColumns) {
     write_text(path(), "run,other\n3,a\n");
-    expect_refused("runs.csv:1: has other columns");
+    expect_refused("runs.csv:1:1: has other columns");
 }
 
 }  // namespace

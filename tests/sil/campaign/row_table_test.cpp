@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sil/studies/campaign/settings.hpp"
+#include "sil/input_error.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace row_table_test {
@@ -26,7 +26,7 @@ void expect_refused(const std::string& text, const std::string& why) {
     try {
         load(text);
         FAIL() << "was accepted: " << text;
-    } catch (const sil::CampaignError& error) {
+    } catch (const sil::InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr(why));
     }
 }
@@ -56,9 +56,9 @@ TEST(RowTable, LeavesOutALineThatWasCutOff) {
 
 TEST(RowTable, NamesLineAndColumnOfWhatIsWrong) {
     expect_refused(std::string{header} + "5,car,turn,much,,,,1,1,\n",
-                   "runs.csv:2: column largest_ltr wants a number, not \"much\"");
+                   "runs.csv:2:12: column largest_ltr wants a number, not \"much\"");
     expect_refused(std::string{header} + "5,car,turn,nan,,,,1,1,\n", "column largest_ltr");
-    expect_refused(std::string{header} + "5,car,turn,1,,,,1,1\n", "runs.csv:2: has 9 cells, not 10");
+    expect_refused(std::string{header} + "5,car,turn,1,,,,1,1\n", "runs.csv:2:1: has 9 cells, not 10");
     expect_refused("run,vehicle,manoeuvre\n5,car,turn\n", "there is no column largest_ltr");
     expect_refused("", "there are no rows");
 }

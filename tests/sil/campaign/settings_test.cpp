@@ -22,7 +22,7 @@ void expect_refused(const std::string& text, const std::string& why) {
     try {
         load(text);
         FAIL() << "was accepted: " << text;
-    } catch (const sil::CampaignError& error) {
+    } catch (const sil::InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr(why));
     }
 }
@@ -66,24 +66,30 @@ TEST(CampaignSettings, WhatIsWrongIsNamedWithLineAndKey) {
     expect_refused("runs = 1.5\n", "mine.toml:1: \"runs\" must be a whole number");
     expect_refused("runs = -1\n", "\"runs\" must be a whole number");
     expect_refused("runs = 0\n", "\"runs\" must be from 1");
-    expect_refused("[spread]\nmass_error = nan\n", "mine.toml:2: \"mass_error\" must be a number");
+    expect_refused("[spread]\nmass_error = nan\n",
+                   "mine.toml:2: \"spread.mass_error\" is not a finite number");
     expect_refused("[spread]\nmass_error = 0.9\n", "\"mass_error\" must be a share from 0 to 0.5");
-    expect_refused("[spread]\nfriction_factor = 1.0\n", "\"friction_factor\" must be two numbers");
+    expect_refused("[spread]\nfriction_factor = 1.0\n",
+                   "\"spread.friction_factor\" must be numbers in brackets");
+    expect_refused("[spread]\nfriction_factor = [1.0]\n", "\"spread.friction_factor\" must be two numbers");
     expect_refused("[spread]\nfriction_factor = [1.2, 0.8]\n", "the lower one first");
     expect_refused("[spread]\nsensor_noise = 1\n", "must be true or false");
-    expect_refused("[[vehicle]]\nparameters = \"a\"\n", "\"calibration\" is missing");
+    expect_refused("[[vehicle]]\nparameters = \"a\"\n",
+                   "mine.toml:1: \"vehicle.calibration\" is missing; add a text");
     expect_refused("[vehicle]\nparameters = \"a\"\n", "must be written as [[vehicle]]");
     expect_refused("[[manoeuvre]]\nname = \"pirouette\"\n", "There is no manoeuvre 'pirouette'");
     expect_refused("[[manoeuvre]]\nname = \"straight\"\nweight = 0\n", "weight");
-    expect_refused("runs = \n", "mine.toml:1: cannot be read as TOML");
+    expect_refused("runs = \n", "mine.toml:1: not valid TOML");
 }
 
 TEST(CampaignSettings, AFileThatIsNotThereIsNamed) {
     try {
         sil::load_campaign("/nowhere/mine.toml");
         FAIL() << "was accepted";
-    } catch (const sil::CampaignError& error) {
-        EXPECT_STREQ(error.what(), "/nowhere/mine.toml: there is no such file");
+    } catch (const sil::InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "/nowhere/mine.toml: cannot be read: No such file or directory; check the path and the "
+                     "permissions");
     }
 }
 
@@ -92,7 +98,7 @@ TEST(CampaignSettings, AVehicleOnTheCommandLineIsTwoPaths) {
     EXPECT_EQ(vehicle.parameters, "a/b.toml");
     EXPECT_EQ(vehicle.calibration, "c.toml");
     for (const char* wrong : {"a.toml", ":c.toml", "a.toml:", ""}) {
-        EXPECT_THROW(sil::parse_campaign_vehicle(wrong), sil::CampaignError) << wrong;
+        EXPECT_THROW(sil::parse_campaign_vehicle(wrong), sil::InputError) << wrong;
     }
 }
 

@@ -18,7 +18,7 @@ using Lines = std::vector<std::string>;
 std::string error_of(const std::string& text) {
     try {
         static_cast<void>(sil::parse_drive_csv(text, "folder/drive.csv"));
-    } catch (const sil::DriveCsvError& error) {
+    } catch (const sil::InputError& error) {
         return error.what();
     }
     return "no error";
@@ -200,8 +200,8 @@ TEST(UnreadableDrive, IsNamedWithTheReason) {
         try {
             static_cast<void>(sil::read_drive_csv(path));
             ADD_FAILURE() << path;
-        } catch (const sil::DriveCsvError& error) {
-            EXPECT_THAT(error.what(), testing::StartsWith(std::string{path} + ":1:1: cannot be read: "));
+        } catch (const sil::InputError& error) {
+            EXPECT_THAT(error.what(), testing::StartsWith(std::string{path} + ": cannot be read: "));
         }
     }
 }

@@ -79,7 +79,7 @@ TEST(AParameterSection, HasANameOfAtMost48PrintableCharacters) {
     EXPECT_EQ(sil::section_name(sil::parameter_section(parameters, "")), "");
     for (const std::string& bad :
          {std::string(49U, 'x'), std::string{"two\nlines"}, std::string{"gr\xC3\xBCn"}}) {
-        EXPECT_THROW(sil::parameter_section(parameters, bad), sil::CalibrationError) << bad;
+        EXPECT_THROW(sil::parameter_section(parameters, bad), sil::InputError) << bad;
     }
 }
 
@@ -87,7 +87,7 @@ TEST(IntelHex, EndsAtTheLastAddress) {
     const std::vector<std::uint8_t> section(application::section::length);
     const auto last = static_cast<std::uint32_t>(0x1'0000'0000U - section.size());
     EXPECT_NO_THROW(sil::intel_hex(section, last));
-    EXPECT_THROW(sil::intel_hex(section, last + 1U), sil::CalibrationError);
+    EXPECT_THROW(sil::intel_hex(section, last + 1U), sil::InputError);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ class CalibrationFile : public ::testing::Test {
     static std::string message_of(const std::string& path) {
         try {
             sil::load_calibration(path);
-        } catch (const sil::CalibrationError& error) {
+        } catch (const sil::InputError& error) {
             return error.what();
         }
         return "";
@@ -135,12 +135,12 @@ TEST_F(CalibrationFile, AnUnknownKeyIsRefusedWithItsLine) {
     replace("track_width_m", "track_width_m = 1.6\ntrack_widht_m = 1.7");
     const std::string said = message();
     EXPECT_THAT(said, HasSubstr(path_.string() + ":" + std::to_string(line_number_ + 1) + ":"));
-    EXPECT_THAT(said, HasSubstr("\"track_widht_m\" is not a parameter"));
+    EXPECT_THAT(said, HasSubstr("\"track_widht_m\" is not known here"));
 }
 
 TEST_F(CalibrationFile, AKeyThatCannotBePrintedCutsNoMessageShort) {
     replace("track_width_m", "track_width_m = 1.6\n\"a\\u0000b\" = 1.7");
-    EXPECT_THAT(message(), HasSubstr("\"a?b\" is not a parameter of the component; remove it"));
+    EXPECT_THAT(message(), HasSubstr("\"a?b\" is not known here; remove it"));
 }
 
 TEST_F(CalibrationFile, AnUnknownTableIsRefusedWithItsLine) {
@@ -155,11 +155,11 @@ TEST_F(CalibrationFile, EachMissingKeyIsNamed) {
         replace(field.name, "");
         const std::string said = message();
         EXPECT_THAT(said, HasSubstr(path_.string()));
-        EXPECT_THAT(said, HasSubstr("key \"" + std::string{field.name} + "\" is missing"));
+        EXPECT_THAT(said, HasSubstr(":1: \"" + std::string{field.name} + "\" is missing; add "));
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
         replace(field.name, "");
-        EXPECT_THAT(message(), HasSubstr("key \"" + std::string{field.name} + "\" is missing"));
+        EXPECT_THAT(message(), HasSubstr(":1: \"" + std::string{field.name} + "\" is missing; add "));
     }
 }
 
@@ -228,7 +228,7 @@ TEST_F(CalibrationFile, AChangeThatCannotBeIsRefusedByItsOwnText) {
     const auto said = [&path](const std::string& change) -> std::string {
         try {
             sil::load_calibration(path, {change});
-        } catch (const sil::CalibrationError& error) {
+        } catch (const sil::InputError& error) {
             return error.what();
         }
         return "";

@@ -37,7 +37,7 @@ class ParameterFile : public testing::Test {
         test_support::write_text(path_, text);
         try {
             sil::load_vehicle(path_);
-        } catch (const sil::ParameterError& error) {
+        } catch (const sil::InputError& error) {
             return error.what();
         }
         return "no error";
@@ -49,7 +49,7 @@ class ParameterFile : public testing::Test {
         EXPECT_NE(message.find(path_.string() + ":" + std::to_string(line_of(text, at)) + ":"),
                   std::string::npos)
             << message;
-        EXPECT_NE(message.find("'" + key + "'"), std::string::npos) << message;
+        EXPECT_NE(message.find("\"" + key + "\""), std::string::npos) << message;
         EXPECT_NE(message.find(advice), std::string::npos) << message;
     }
 
@@ -86,11 +86,11 @@ TEST_F(ParameterFile, AnUnknownTableIsNamed) {
 }
 
 TEST_F(ParameterFile, AMissingKeyIsNamedWithItsTable) {
-    expect_error(replaced("sprung_kg = 2060.0\n", ""), "[mass]", "mass.sprung_kg", "Add a number");
+    expect_error(replaced("sprung_kg = 2060.0\n", ""), "[mass]", "mass.sprung_kg", "add a number");
 }
 
 TEST_F(ParameterFile, AMissingTableIsNamed) {
-    EXPECT_NE(error_of(replaced("[steering]\nratio = 20.0\n", "")).find("'steering'"), std::string::npos);
+    EXPECT_NE(error_of(replaced("[steering]\nratio = 20.0\n", "")).find("\"steering\""), std::string::npos);
 }
 
 TEST_F(ParameterFile, ATextInPlaceOfANumberIsRefused) {
@@ -103,7 +103,8 @@ TEST_F(ParameterFile, NotANumberIsRefused) {
 }
 
 TEST_F(ParameterFile, InfinityIsRefused) {
-    expect_error(replaced("ratio = 20.0", "ratio = inf"), "ratio = inf", "steering.ratio", "not finite");
+    expect_error(replaced("ratio = 20.0", "ratio = inf"), "ratio = inf", "steering.ratio",
+                 "not a finite number");
 }
 
 TEST_F(ParameterFile, AValueOutOfRangeIsRefusedWithTheRange) {
@@ -123,7 +124,7 @@ TEST_F(ParameterFile, AFileThatIsNotThereIsNamed) {
     try {
         sil::load_vehicle("/nowhere/vehicle.toml");
         FAIL() << "no error";
-    } catch (const sil::ParameterError& error) {
+    } catch (const sil::InputError& error) {
         EXPECT_NE(std::string{error.what()}.find("/nowhere/vehicle.toml"), std::string::npos);
     }
 }

@@ -9,7 +9,7 @@
 #include "sil/world/vehicle/parameters.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
-namespace rsi_test {
+namespace sil::accuracy {
 
 struct RecordedDrive {
     std::string manoeuvre{};
@@ -40,4 +40,4 @@ std::vector<Cycle> evaluate(const RecordedDrive& drive, const SensorQuality& qua
 
 rsi::Parameters calibration(const std::string& vehicle);
 
-}  // namespace rsi_test
+}  // namespace sil::accuracy

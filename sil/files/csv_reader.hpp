@@ -1,8 +1,11 @@
-// CSV lines: a text line by line and field by field, with the place of everything for messages.
+// CSV reader: a text line by line and field by field, with the place of everything for messages.
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sil {
@@ -35,5 +38,21 @@ class CsvLines {
 // Fields between commas. A quotation mark only counts around a whole field, and no field holds a comma: there
 // are only names and numbers in these files.
 void split_fields(std::string_view line, std::vector<CsvField>& fields);
+
+// The field as a finite number with a decimal point, or nothing.
+std::optional<double> finite_number(std::string_view text);
+
+// Errors of one file.
+class CsvPlace {
+ public:
+    explicit CsvPlace(std::string file) : file_{std::move(file)} {}
+
+    // Throws InputError: "FILE:LINE:COLUMN: what; remedy".
+    [[noreturn]] void fail(std::size_t line, std::size_t column, const std::string& what,
+                           const std::string& remedy) const;
+
+ private:
+    std::string file_;
+};
 
 }  // namespace sil

@@ -11,11 +11,11 @@
 
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/campaign/campaign_run.hpp"
+#include "sil/studies/campaign/settings.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
-#include "tests/sil/campaign/small_campaign.hpp"
 
 namespace {
 
@@ -99,6 +99,17 @@ void drive_campaign(Search& search, const sil::CampaignSettings& settings, std::
     }
 }
 
+sil::CampaignSettings built_in_and_van(std::uint64_t runs) {
+    sil::CampaignSettings settings = sil::default_campaign();
+    settings.runs = runs;
+    settings.vehicles.push_back({"sil/vehicles/van.toml", "firmware/calibrations/van.toml"});
+    for (sil::CampaignVehicle& vehicle : settings.vehicles) {
+        vehicle.parameters.insert(0U, RSI_SOURCE_DIR "/");
+        vehicle.calibration.insert(0U, RSI_SOURCE_DIR "/");
+    }
+    return settings;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -108,12 +119,7 @@ int main(int argc, char** argv) {
     }
     const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
     const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
-    sil::CampaignSettings settings = testing_campaign::small_campaign(first + count);
-    const sil::CampaignSettings all = sil::default_campaign();
-    settings.manoeuvres = all.manoeuvres;
-    settings.vehicles.push_back({testing_campaign::project_file("sil/vehicles/van.toml"),
-                                 testing_campaign::project_file("firmware/calibrations/van.toml")});
-    settings.seed = all.seed;
+    const sil::CampaignSettings settings = built_in_and_van(first + count);
     Search search;
     drive_catalogue(search, settings);
     drive_campaign(search, settings, first, count);

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "tests/sil/acceptance/roll_centre_accuracy.hpp"
 
 namespace {
 
-using rsi_test::Cycle;
-using rsi_test::RecordedDrive;
+using sil::accuracy::Cycle;
+using sil::accuracy::RecordedDrive;
 
 constexpr double bias_g = 0.005;
 
@@ -23,7 +23,7 @@ struct Accuracy {
 
 // Before the first wheel lifts.
 Accuracy accuracy(const RecordedDrive& drive, double stiffness_factor) {
-    rsi::Parameters parameters = rsi_test::calibration_of(drive, RSI_ESTIMATOR_CONSIDER_KALMAN);
+    rsi::Parameters parameters = sil::accuracy::calibration_of(drive, RSI_ESTIMATOR_CONSIDER_KALMAN);
     for (float* stiffness : {&parameters.roll_stiffness_nmprad, &parameters.roll_stiffness_cubic_nmprad3,
                              &parameters.roll_stiffness_quintic_nmprad5}) {
         *stiffness *= static_cast<float>(stiffness_factor);
@@ -31,7 +31,7 @@ Accuracy accuracy(const RecordedDrive& drive, double stiffness_factor) {
     double roll_square = 0.0;
     double bank_square = 0.0;
     int samples = 0;
-    for (const Cycle& cycle : rsi_test::evaluate(drive, {true, bias_g, bias_g, 7U}, parameters)) {
+    for (const Cycle& cycle : sil::accuracy::evaluate(drive, {true, bias_g, bias_g, 7U}, parameters)) {
         const auto& load = cycle.truth->wheel_load_n;
         if (std::any_of(load.begin(), load.end(), [](double load_n) { return load_n <= 0.0; })) {
             break;
@@ -64,7 +64,7 @@ int main() {
         fmt::print("\n{}\n\n| manoeuvre | roll | bank | roll with K 10 % low / high |\n|---|---|---|---|\n",
                    vehicle);
         for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
-            print(rsi_test::record(manoeuvre.name, vehicle));
+            print(sil::accuracy::record(manoeuvre.name, vehicle));
         }
     }
 }

@@ -2,20 +2,21 @@
 // the table of docs/theory.md.
 #include <fmt/format.h>
 
+#include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "tests/sil/acceptance/roll_centre_accuracy.hpp"
 
 namespace {
 
-using rsi_test::RecordedDrive;
-using rsi_test::RollCentreAccuracy;
-using rsi_test::SensorQuality;
+using sil::accuracy::RecordedDrive;
+using sil::accuracy::RollCentreAccuracy;
+using sil::accuracy::SensorQuality;
 
 constexpr double biases_g[] = {0.0, 0.005, 0.03};
 
 RollCentreAccuracy accuracy(const RecordedDrive& drive, const rsi::Parameters& parameters, double bias_g) {
     const SensorQuality quality{true, bias_g, bias_g, 1U};
-    return rsi_test::roll_centre_accuracy(rsi_test::evaluate(drive, quality, parameters), parameters);
+    return sil::accuracy::roll_centre_accuracy(sil::accuracy::evaluate(drive, quality, parameters),
+                                               parameters);
 }
 
 struct Row {
@@ -25,7 +26,7 @@ struct Row {
 };
 
 Row row(const RecordedDrive& drive, rsi_estimator estimator, float forgetting_factor) {
-    rsi::Parameters parameters = rsi_test::calibration_of(drive, estimator);
+    rsi::Parameters parameters = sil::accuracy::calibration_of(drive, estimator);
     parameters.forgetting_factor = forgetting_factor;
     Row row;
     for (const double bias_g : biases_g) {
@@ -39,7 +40,7 @@ Row row(const RecordedDrive& drive, rsi_estimator estimator, float forgetting_fa
 }
 
 void print(const RecordedDrive& drive) {
-    const rsi::Parameters parameters = rsi_test::calibration_of(drive, RSI_ESTIMATOR_PUBLISHED);
+    const rsi::Parameters parameters = sil::accuracy::calibration_of(drive, RSI_ESTIMATOR_PUBLISHED);
     const RollCentreAccuracy nominal = accuracy(drive, parameters, 0.0);
     if (nominal.cycles == 0) {
         return;
@@ -65,7 +66,7 @@ int main() {
             vehicle);
         for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
             if (manoeuvre.name != "straight") {
-                print(rsi_test::record(manoeuvre.name, vehicle));
+                print(sil::accuracy::record(manoeuvre.name, vehicle));
             }
         }
     }

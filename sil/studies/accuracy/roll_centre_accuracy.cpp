@@ -1,10 +1,10 @@
-#include "tests/sil/acceptance/roll_centre_accuracy.hpp"
+#include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 
 #include <cmath>
 
 #include "sil/units.hpp"
 
-namespace rsi_test {
+namespace sil::accuracy {
 namespace {
 
 constexpr double rolling_over_rad = 0.2;
@@ -76,4 +76,4 @@ rsi::Parameters calibration_of(const RecordedDrive& drive, rsi_estimator estimat
     return parameters;
 }
 
-}  // namespace rsi_test
+}  // namespace sil::accuracy

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "tests/sil/acceptance/recorded_drive.hpp"
+#include "sil/studies/accuracy/recorded_drive.hpp"
 
-namespace rsi_test {
+namespace sil::accuracy {
 
 // Over the cycles in which (24) is defined: all wheels touch, |F_y| of at least 6 kN.
 struct RollCentreAccuracy {
@@ -24,4 +24,4 @@ RollCentreAccuracy roll_centre_accuracy(const std::vector<Cycle>& cycles, const 
 // put it, and a straight stiffness curve where the manoeuvre has taken the stops away.
 rsi::Parameters calibration_of(const RecordedDrive& drive, rsi_estimator estimator);
 
-}  // namespace rsi_test
+}  // namespace sil::accuracy

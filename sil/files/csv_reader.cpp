@@ -1,4 +1,11 @@
-#include "sil/studies/drives/csv_lines.hpp"
+#include "sil/files/csv_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "sil/input_error.hpp"
 
 namespace sil {
 namespace {
@@ -59,6 +66,22 @@ void split_fields(std::string_view line, std::vector<CsvField>& fields) {
         fields.push_back(trimmed(line, begin, comma));
         begin = comma + 1U;
     }
+}
+
+std::optional<double> finite_number(std::string_view text) {
+    if (text.size() > 1U && text.front() == '+' && text[1U] != '-') {
+        text.remove_prefix(1U);
+    }
+    double value = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    const bool is_good = error == std::errc{} && rest == end && std::isfinite(value);
+    return is_good ? std::optional{value} : std::nullopt;
+}
+
+void CsvPlace::fail(std::size_t line, std::size_t column, const std::string& what,
+                    const std::string& remedy) const {
+    throw InputError(fmt::format("{}:{}:{}: {}; {}", file_, line, column, what, remedy));
 }
 
 }  // namespace sil

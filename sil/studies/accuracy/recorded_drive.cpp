@@ -1,4 +1,4 @@
-#include "tests/sil/acceptance/recorded_drive.hpp"
+#include "sil/studies/accuracy/recorded_drive.hpp"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@
 #include "sil/world/sensors/sensor_suite.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
-namespace rsi_test {
+namespace sil::accuracy {
 namespace {
 
 constexpr double lies_on_its_side_rad = 1.2;
@@ -81,4 +81,4 @@ rsi::Parameters calibration(const std::string& vehicle) {
     return sil::load_calibration(std::string{RSI_SOURCE_DIR} + "/firmware/calibrations/" + vehicle + ".toml");
 }
 
-}  // namespace rsi_test
+}  // namespace sil::accuracy

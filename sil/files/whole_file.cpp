@@ -1,5 +1,5 @@
-// Writing a file: temporary file, then rename.
-#include "sil/files/atomic_file.hpp"
+// Writing: temporary file, then rename.
+#include "sil/files/whole_file.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,9 +7,12 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+
+#include "sil/input_error.hpp"
 
 namespace sil {
 namespace {
@@ -20,6 +23,16 @@ namespace {
 }
 
 }  // namespace
+
+std::string read_whole_file(const std::filesystem::path& path) {
+    errno = 0;
+    std::ifstream file{path, std::ios::binary};
+    if (!file || std::filesystem::is_directory(path)) {
+        throw InputError(fmt::format("{}: cannot be read: {}; check the name and the rights", path.string(),
+                                     file ? "it is a folder" : std::strerror(errno)));
+    }
+    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
+}
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
     std::filesystem::path temporary = path;
