@@ -1,5 +1,7 @@
 #include "application/warning_transmission.hpp"
 
+#include <algorithm>
+
 #include "rsi/version.h"
 
 namespace application {
@@ -75,9 +77,7 @@ void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Prof
     frame.identifier = Message::identifier;
     frame.extended = Message::extended;
     frame.length = Message::length;
-    for (std::size_t index = 0U; index < payload.size(); ++index) {
-        frame.data[index] = payload[index];
-    }
+    std::copy(payload.begin(), payload.end(), frame.data.begin());
     static_cast<void>(bus.send(frame));  // the bus counts what it could not send
 }
 

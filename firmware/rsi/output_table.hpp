@@ -55,14 +55,14 @@ struct IndexOutput {
     IndexOutput{RSI_INDICATOR_##CHOICE, &Outputs::name, LevelScale::scale, RiskSide::side},
 #define RSI_INDEX_CHOICE(name, unit, mirror, CHOICE, number, choice, scale, side, meaning) #choice,
 
-inline constexpr std::array code_outputs{RSI_OUTPUTS(RSI_CODE, RSI_NOTHING, RSI_NOTHING)};
+inline constexpr const std::array code_outputs{RSI_OUTPUTS(RSI_CODE, RSI_NOTHING, RSI_NOTHING)};
 
 // Every float of rsi_outputs, in its order.
-inline constexpr std::array number_outputs{RSI_OUTPUTS(RSI_NOTHING, RSI_NUMBER, RSI_INDEX_NUMBER)};
+inline constexpr const std::array number_outputs{RSI_OUTPUTS(RSI_NOTHING, RSI_NUMBER, RSI_INDEX_NUMBER)};
 
-// By their numbers.
-inline constexpr std::array index_outputs{RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX_LEVEL)};
-inline constexpr std::array indicator_choices{RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX_CHOICE)};
+// By their numbers. `const` once more: without it gcc 12 puts an array whose type it has deduced into RAM.
+inline constexpr const std::array index_outputs{RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX_LEVEL)};
+inline constexpr const std::array indicator_choices{RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX_CHOICE)};
 
 #undef RSI_INDEX_CHOICE
 #undef RSI_INDEX_LEVEL

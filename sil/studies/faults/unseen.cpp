@@ -12,6 +12,8 @@ const std::vector<Unseen>& unseen_errors() {
         {FaultKind::offset, FaultPlace::vertical_acceleration, 1,
          "found after 0.6 s: until then a body that its road pushes up"},
         {FaultKind::drift, FaultPlace::lateral_acceleration, -1, "as its offset, and smaller"},
+        {FaultKind::drift, FaultPlace::vertical_acceleration, 1,
+         "found after 1.1 s to 1.5 s: until then as its offset"},
         {FaultKind::delayed, FaultPlace::imu_frame, 0, "only the silence at its beginning shows"},
         {FaultKind::delayed, FaultPlace::vehicle_motion_frame, 0, "only the silence at its beginning shows"},
     };
