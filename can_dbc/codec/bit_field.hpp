@@ -68,7 +68,7 @@ constexpr void write_bits(const BitField& field, std::int64_t raw, std::uint8_t*
     detail::for_each_part(field, [bits, payload](const detail::BytePart& part) {
         const unsigned mask = (1U << part.count) - 1U;
         const unsigned kept = payload[part.byte] & ~(mask << part.shift);
-        const unsigned added = (static_cast<unsigned>((bits >> part.position) & 0xFFU) & mask) << part.shift;
+        const unsigned added = (static_cast<std::uint8_t>(bits >> part.position) & mask) << part.shift;
         payload[part.byte] = static_cast<std::uint8_t>(kept | added);
     });
 }

@@ -1,6 +1,6 @@
 #include "application/warning_transmission.hpp"
 
-#include <algorithm>
+#include <cstring>
 
 #include "rsi/version.h"
 
@@ -77,7 +77,7 @@ void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Prof
     frame.identifier = Message::identifier;
     frame.extended = Message::extended;
     frame.length = Message::length;
-    std::copy(payload.begin(), payload.end(), frame.data.begin());
+    std::memcpy(frame.data.data(), payload.data(), payload.size());
     static_cast<void>(bus.send(frame));  // the bus counts what it could not send
 }
 

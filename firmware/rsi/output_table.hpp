@@ -55,14 +55,25 @@ struct IndexOutput {
     IndexOutput{RSI_INDICATOR_##CHOICE, &Outputs::name, LevelScale::scale, RiskSide::side},
 #define RSI_INDEX_CHOICE(name, unit, mirror, CHOICE, number, choice, scale, side, meaning) #choice,
 
-inline constexpr const std::array code_outputs{RSI_OUTPUTS(RSI_CODE, RSI_NOTHING, RSI_NOTHING)};
+// Counted, not deduced: gcc 12 puts a table whose type it has deduced into RAM.
+#define RSI_ONE(...) +1U
+inline constexpr std::size_t code_count = 0U RSI_OUTPUTS(RSI_ONE, RSI_NOTHING, RSI_NOTHING);
+inline constexpr std::size_t number_count = 0U RSI_OUTPUTS(RSI_NOTHING, RSI_ONE, RSI_ONE);
+inline constexpr std::size_t index_count = 0U RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_ONE);
+#undef RSI_ONE
+
+inline constexpr std::array<CodeOutput, code_count> code_outputs{
+    {RSI_OUTPUTS(RSI_CODE, RSI_NOTHING, RSI_NOTHING)}};
 
 // Every float of rsi_outputs, in its order.
-inline constexpr const std::array number_outputs{RSI_OUTPUTS(RSI_NOTHING, RSI_NUMBER, RSI_INDEX_NUMBER)};
+inline constexpr std::array<NumberOutput, number_count> number_outputs{
+    {RSI_OUTPUTS(RSI_NOTHING, RSI_NUMBER, RSI_INDEX_NUMBER)}};
 
-// By their numbers. `const` once more: without it gcc 12 puts an array whose type it has deduced into RAM.
-inline constexpr const std::array index_outputs{RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX_LEVEL)};
-inline constexpr const std::array indicator_choices{RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX_CHOICE)};
+// By their numbers.
+inline constexpr std::array<IndexOutput, index_count> index_outputs{
+    {RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX_LEVEL)}};
+inline constexpr std::array<const char*, index_count> indicator_choices{
+    {RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX_CHOICE)}};
 
 #undef RSI_INDEX_CHOICE
 #undef RSI_INDEX_LEVEL
@@ -120,10 +131,20 @@ constexpr bool is_sound(float number, Presence presence) {
 // Whether every code is one that there is, and every number that is always there is finite. Those of the
 // estimate are not looked at: they have a range, which monitoring/output_check.hpp knows.
 constexpr bool are_codes_known_and_numbers_finite(const Outputs& outputs) noexcept {
-#define RSI_CODE(name, reset, largest, risk, meaning) is_known(outputs.name, largest)&&
-#define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) is_sound(outputs.name, Presence::presence)&&
-#define RSI_INDEX(name, ...) is_finite(outputs.name)&&
-    return RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_INDEX) true;
+#define RSI_CODE(name, reset, largest, risk, meaning) \
+    if (!is_known(outputs.name, largest)) {           \
+        return false;                                 \
+    }
+#define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) \
+    if (!is_sound(outputs.name, Presence::presence)) {          \
+        return false;                                           \
+    }
+#define RSI_INDEX(name, ...)        \
+    if (!is_finite(outputs.name)) { \
+        return false;               \
+    }
+    RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_INDEX)
+    return true;
 #undef RSI_INDEX
 #undef RSI_NUMBER
 #undef RSI_CODE

@@ -17,8 +17,8 @@
  *     rsi_validation answer = rsi_init(&component, &parameters);
  *     if (!answer.accepted) { report(answer.field, answer.reason); }
  *     every 10 ms: rsi_step(&component, &inputs, &outputs);
- * Rate: always 100 Hz. Sensors at 50 Hz: step at 100 Hz with the held value. A missed cycle is not made up for
- * by calling twice; after more than two, step once with every input NaN. With an RTOS one task steps one
+ * Rate: always 100 Hz. Sensors at 50 Hz: step at 100 Hz with the held value. A missed cycle is not made up
+ * for by calling twice; after more than two, step once with every input NaN. With an RTOS one task steps one
  * component, and no writer of its inputs may preempt the step.
  * selftest/selftest.c shows whether compiler, flags and FPU of a build are right.
  *

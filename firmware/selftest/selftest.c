@@ -36,7 +36,8 @@ static int rounds_to_nearest(void) {
     const volatile float up = one + less_than_half;
     const volatile float down = one + more_than_half;
     const volatile float negative = -one - less_than_half;
-    return (bits_of(up) == 0x3F800000U) && (bits_of(down) == 0x3F800001U) && (bits_of(negative) == 0xBF800000U);
+    return (bits_of(up) == 0x3F800000U) && (bits_of(down) == 0x3F800001U) &&
+           (bits_of(negative) == 0xBF800000U);
 }
 
 static int keeps_subnormals(void) {
@@ -67,8 +68,8 @@ typedef struct {
     int32_t turn; /* -65536 to 65536: the hardest right to the hardest left turn */
 } drive_state;
 
-/* Straight on, until the filter knows its offset; a gentle left turn, in which it learns; a hard one up to the warning, over to the right, and
- * back. */
+/* Straight on, until the filter knows its offset; a gentle left turn, in which it learns; a hard one up to
+ * the warning, over to the right, and back. */
 static int32_t turn_asked_for(int32_t step) {
     if (step < 100) {
         return 0;
@@ -127,7 +128,8 @@ static uint32_t add(uint32_t digest, uint32_t word) {
 }
 
 static uint32_t add_outputs(uint32_t digest, const rsi_outputs* outputs) {
-    /* From warning_level on every member has four bytes; the enumerations before have as many as the compiler likes. */
+    /* From warning_level on every member has four bytes; the enumerations before have as many as the compiler
+     * likes. */
     const unsigned char* const end = (const unsigned char*)(outputs + 1);
     const unsigned char* at = (const unsigned char*)&outputs->warning_level;
     digest = add(digest, (uint32_t)outputs->state);

@@ -1,10 +1,8 @@
 /* Self-test of the component as the caller's own build has made it: compiler, flags and processor together.
  *
- * Compile selftest.c with the flags of the source that calls rsi_step, link it with the library, and run it once on the
- * target, with the FPU set up as for the application:
- *     static rsi_component component;
- *     if (rsi_selftest(&component) != RSI_SELFTEST_PASSED) { ... }
- *     rsi_init(&component, &parameters);
+ * Compile selftest.c with the flags of the source that calls rsi_step, link it with the library, and run it
+ * once on the target, with the FPU set up as for the application: static rsi_component component; if
+ * (rsi_selftest(&component) != RSI_SELFTEST_PASSED) { ... } rsi_init(&component, &parameters);
  */
 #ifndef SELFTEST_SELFTEST_H
 #define SELFTEST_SELFTEST_H
@@ -18,25 +16,29 @@ extern "C" {
 /* What rsi_selftest returns: the first thing that it found wrong. */
 typedef enum {
     RSI_SELFTEST_PASSED = 0,
-    /* isnan() or a comparison with NaN is wrong: compile this file, and whatever calls rsi_step, without -ffast-math,
-     * -ffinite-math-only and, with clang, -fno-honor-nans. */
+    /* isnan() or a comparison with NaN is wrong: compile this file, and whatever calls rsi_step, without
+     * -ffast-math, -ffinite-math-only and, with clang, -fno-honor-nans. */
     RSI_SELFTEST_NAN = 1,
     /* The FPU does not round to nearest: set the rounding mode (Arm: FPSCR.RMode 0) before the first call. */
     RSI_SELFTEST_ROUNDING = 2,
-    /* The FPU flushes subnormal numbers to zero: switch that off (Arm: FPSCR.FZ 0; x86: do not link with -ffast-math). */
+    /* The FPU flushes subnormal numbers to zero: switch that off (Arm: FPSCR.FZ 0; x86: do not link with
+       -ffast-math). */
     RSI_SELFTEST_FLUSH_TO_ZERO = 3,
-    /* rsi_init refused the calibration large_suv: the header rsi.h and the library are of different revisions. */
+    /* rsi_init refused the calibration large_suv: the header rsi.h and the library are of different
+       revisions. */
     RSI_SELFTEST_PARAMETERS = 4,
-    /* NaN in every input, and yet the component was available: the library was compiled without regard for NaN. */
+    /* NaN in every input, and yet the component was available: the library was compiled without regard for
+       NaN. */
     RSI_SELFTEST_AVAILABLE = 5,
-    /* The outputs differ in at least one bit from those of a correct build: compile the library with -ffp-contract=off
-     * and without flags that let the compiler reorder or approximate arithmetic. Or header and library are of different
-     * revisions. */
+    /* The outputs differ in at least one bit from those of a correct build: compile the library with
+     * -ffp-contract=off and without flags that let the compiler reorder or approximate arithmetic. Or header
+     * and library are of different revisions. */
     RSI_SELFTEST_DIGEST = 6
 } rsi_selftest_result;
 
-/* Steps `component`, which may be any storage, through a drive of ten seconds; call rsi_init afterwards. Takes as
- * long as a thousand steps; it needs no more stack than 1 KiB and what rsi_step needs, and no static data. */
+/* Steps `component`, which may be any storage, through a drive of ten seconds; call rsi_init afterwards.
+ * Takes as long as a thousand steps; it needs no more stack than 1 KiB and what rsi_step needs, and no static
+ * data. */
 int rsi_selftest(rsi_component* component);
 
 /* The number that the outputs of the drive are reduced to. For renewing selftest_digest.h. */

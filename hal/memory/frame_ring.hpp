@@ -1,5 +1,5 @@
-// Frame ring: a first-in, first-out queue of frames with a fixed capacity. As a controller does, it carries
-// the bytes that a frame has and no others.
+// Frame ring: a first-in, first-out queue of frames with a fixed capacity. It carries
+// the bytes that a frame has, and no more than a classic frame's eight beside them.
 #pragma once
 
 #include <array>
@@ -46,8 +46,14 @@ class FrameRing {
         to.flexible_data_rate = from.flexible_data_rate;
         to.length = from.length;
         to.receive_time = from.receive_time;
-        std::memcpy(to.data.data(), from.data.data(), from.length);
+        if (from.length <= classic_bytes) {
+            std::memcpy(to.data.data(), from.data.data(), classic_bytes);  // a known size needs no call
+        } else {
+            std::memcpy(to.data.data(), from.data.data(), from.length);
+        }
     }
+
+    static constexpr std::size_t classic_bytes = 8U;  // the most that a frame of classic CAN has
 
     std::array<CanFrame, capacity> frames_{};
     std::size_t first_{0U};

@@ -6,8 +6,8 @@
 
 namespace rsi_test {
 
-// The stiffness curve, K(phi) = stiffness_0 + stiffness_2 phi^2 + stiffness_4 phi^4 (the moment is K phi), comes from a
-// ramp steer of 3 deg/s at the handwheel at 60 km/h.
+// The stiffness curve, K(phi) = stiffness_0 + stiffness_2 phi^2 + stiffness_4 phi^4 (the moment is K phi),
+// comes from a ramp steer of 3 deg/s at the handwheel at 60 km/h.
 struct NominalRollModel {
     double roll_centre_height_m;  // h_frc
     double stiffness_nmprad;      // K_f

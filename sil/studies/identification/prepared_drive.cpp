@@ -18,13 +18,14 @@ constexpr double straight_steering_rad = 0.6 / degrees_per_radian;  // at the st
 constexpr double straight_yaw_rate_radps = 0.008;
 constexpr double shortest_straight_s = 0.3;
 constexpr std::size_t shortest_segment = 50U;
-// Signs and units: how the yaw rate at this speed, and the steering, must agree with the lateral acceleration.
+// Signs and units: how the yaw rate at this speed, and the steering, must agree with the lateral
+// acceleration.
 constexpr double slowest_turn_mps = 5.0;
 constexpr double clear_turn_mps2 = 0.1 * g_mps2;
 constexpr double largest_unit_error = 3.0;  // beyond any slip, slope or drift; a wrong unit makes 9.8 or 57
 constexpr double clear_correlation = 0.5;
-constexpr double tipping_roll_rad = 0.35;    // what comes later are blows
-constexpr std::size_t edge = 5U;  // samples at both ends where filter and derivative do not commute
+constexpr double tipping_roll_rad = 0.35;  // what comes later are blows
+constexpr std::size_t edge = 5U;           // samples at both ends where filter and derivative do not commute
 
 using Signal = std::vector<double>;
 using Cycles = std::vector<DriveCycle>;
@@ -193,7 +194,8 @@ class Preparation {
         }
         if (turn.slope < 0.0) {
             throw IdentificationError(fmt::format(
-                "{}: lateral acceleration and yaw rate have opposite signs. In a left turn both are positive, "
+                "{}: lateral acceleration and yaw rate have opposite signs. In a left turn both are "
+                "positive, "
                 "and so are roll angle and steering-wheel angle: turn the sign of the column that is not",
                 drive_.name));
         }
@@ -215,10 +217,11 @@ class Preparation {
             return speed[k] > slowest_turn_mps && std::abs(turn[k]) > clear_turn_mps2;
         });
         if (steered.count >= shortest_segment && steered.correlation < -clear_correlation) {
-            throw IdentificationError(fmt::format(
-                "{}: steering-wheel angle and yaw rate have opposite signs. In a left turn both are positive: "
-                "turn the sign of the steering-wheel angle",
-                drive_.name));
+            throw IdentificationError(
+                fmt::format("{}: steering-wheel angle and yaw rate have opposite signs. In a left turn both "
+                            "are positive: "
+                            "turn the sign of the steering-wheel angle",
+                            drive_.name));
         }
     }
 

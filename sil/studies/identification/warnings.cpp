@@ -119,8 +119,10 @@ class Warnings {
         const double other_sign =
             fitted - 2.0 * vehicle.sprung_mass_kg * result_.roll.arm_m * vehicle.imu_z_m;
         warn(
-            "Ixx is {:.0f} kg m2, {:.0f} kg m2 would be usual for this mass and track width: check masses, CG "
-            "height and imu_z_m (negative when the IMU is below the sprung CG; with the other sign Ixx would be "
+            "Ixx is {:.0f} kg m2, {:.0f} kg m2 would be usual for this mass and track width: check masses, "
+            "CG "
+            "height and imu_z_m (negative when the IMU is below the sprung CG; with the other sign Ixx would "
+            "be "
             "about {:.0f} kg m2)",
             fitted, usual, other_sign);
     }

@@ -104,8 +104,7 @@ TEST(UselessDrive, ASteeringAngleOfTheOtherSignIsRefusedForThat) {
 
 TEST(UselessDrive, AnAccelerationInAnotherUnitIsRefusedForThat) {
     for (const double factor : {9.80665, 1.0 / 9.80665}) {
-        const sil::Drive wrong =
-            scaled(good_ramp(), &sil::DriveSample::lateral_specific_force_mps2, factor);
+        const sil::Drive wrong = scaled(good_ramp(), &sil::DriveSample::lateral_specific_force_mps2, factor);
         EXPECT_THAT(refusal(wrong, good_steps()),
                     AllOf(HasSubstr("times yaw rate times speed"), HasSubstr("m/s^2 in a column named _g")))
             << factor;
@@ -132,7 +131,8 @@ std::vector<std::string> doubts(double imu_z_m, double inertia_kgm2) {
     body.inertia_kgm2 = inertia_kgm2;
     sil::VehicleData data = identification_test::data_sheet_of(body);
     data.imu_z_m = imu_z_m;
-    return sil::identify(data, {identification_test::ramp_of(body, 5.5)}, {identification_test::steps_of(body)})
+    return sil::identify(data, {identification_test::ramp_of(body, 5.5)},
+                         {identification_test::steps_of(body)})
         .warnings;
 }
 

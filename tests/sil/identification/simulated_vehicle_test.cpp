@@ -12,8 +12,8 @@
 #include "sil/studies/identification/simulated_drive.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
-#include "tests/support/scratch_folder.hpp"
 #include "tests/support/nominal_roll_model.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 

@@ -1,4 +1,5 @@
-/* The exit status is what rsi_selftest returns; with an argument it prints the header selftest_digest.h instead. */
+/* The exit status is what rsi_selftest returns; with an argument it prints the header selftest_digest.h
+ * instead. */
 #include "selftest/selftest.h"
 
 #include <stdio.h>
