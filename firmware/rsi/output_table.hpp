@@ -82,12 +82,11 @@ inline constexpr std::array<const char*, index_count> indicator_choices{
 #undef RSI_CODE
 
 constexpr bool index_numbers_count_from_zero() {
+    std::size_t in_place = 0U;
     for (std::size_t index = 0U; index < index_outputs.size(); ++index) {
-        if (static_cast<std::size_t>(index_outputs[index].number) != index) {
-            return false;
-        }
+        in_place += static_cast<std::size_t>(static_cast<std::size_t>(index_outputs[index].number) == index);
     }
-    return true;
+    return in_place == index_outputs.size();
 }
 static_assert(index_numbers_count_from_zero(), "an index stands in the place of its number");
 

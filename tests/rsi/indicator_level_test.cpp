@@ -113,9 +113,11 @@ TEST(IndicatorLevel, ATimeToRolloverThatIsNotAvailableHasNoLevel) {
 // Validation refuses such a selection; should one come through nevertheless, nothing is claimed.
 TEST(IndicatorLevel, OfASelectionThatDoesNotExistIsNotAvailable) {
     rsi_parameters parameters = rsi_test::large_suv();
-    parameters.warning_indicator = RSI_INDICATOR_TIME_TO_ROLLOVER + 1;
+    parameters.warning_indicator = static_cast<std::int32_t>(rsi::index_outputs.size());
     EXPECT_TRUE(std::isnan(rsi::indicator_level(all_different(), parameters)));
     EXPECT_TRUE(std::isnan(indicated(all_different(), parameters, -0.1F).level));
+    parameters.warning_indicator = -1;
+    EXPECT_TRUE(std::isnan(rsi::indicator_level(all_different(), parameters)));
 }
 
 TEST(IndicatorLevel, StaysBetweenZeroAndTwenty) {

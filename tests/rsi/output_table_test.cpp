@@ -17,6 +17,10 @@
 namespace output_table_test {
 namespace {
 
+TEST(OutputTable, AnIndexStandsInThePlaceOfItsNumber) {
+    EXPECT_TRUE(rsi::index_numbers_count_from_zero());
+}
+
 TEST(OutputTable, ListsEveryFieldOfTheStructureOnce) {
     std::set<std::size_t> places;
     const rsi::Outputs outputs{};

@@ -39,9 +39,9 @@ class ConsiderKalman {
 
     // z against what was expected.
     struct Innovation {
-        float value_nm;
-        float variance_nm2;
-        float weight;        // 1, less for an outlier
+        float value_nm{0.0F};
+        float variance_nm2{0.0F};
+        float weight{1.0F};  // less for an outlier
         Vector3 covariance;  // with the state
     };
 

@@ -34,16 +34,16 @@ float RollPredictor::force_change_mps2(const RollMotion& motion, const DemandedF
 // zero. Its divisor is at least Ixx.
 RollPredictor::State RollPredictor::after_step(const State& from, float force_mps2, const Arm& arm,
                                                const LoadTransfer& load_transfer) const {
-    const float T = step_s_;
+    const float dt = step_s_;
     const float x = from.angle_rad;
     const float y = from.rate_radps;
     const float k =
         larger(load_transfer.suspension_stiffness_nmprad(x) - arm.gravity_nm * (1.0F + x * x), 0.0F);
     const float moment_nm = arm.force_kgm * force_mps2 + arm.gravity_nm * short_tangent(x) -
                             load_transfer.suspension_moment_nm(x, y);
-    const float change_radps = T * (moment_nm - 0.5F * T * k * y) /
-                               (roll_inertia_kgm2_ + 0.5F * T * roll_damping_nmsprad_ + 0.25F * T * T * k);
-    const float x_then = clamp_magnitude(x + T * (y + 0.5F * change_radps), largest_spring_angle_rad);
+    const float change_radps = dt * (moment_nm - 0.5F * dt * k * y) /
+                               (roll_inertia_kgm2_ + 0.5F * dt * roll_damping_nmsprad_ + 0.25F * dt * dt * k);
+    const float x_then = clamp_magnitude(x + dt * (y + 0.5F * change_radps), largest_spring_angle_rad);
     return State{x_then, y + change_radps};
 }
 

@@ -27,36 +27,36 @@ IndicatedRisk WarningIndicator::evaluate(const Outputs& outputs, float roll_angl
 }
 
 float WarningIndicator::level(LevelScale scale, float value) const {
-    switch (scale) {
-        case LevelScale::same:
-            return value;
-        case LevelScale::magnitude:
-            return absolute(value);
-        case LevelScale::per_ssf:
-            return absolute(value) * static_stability_inverse_;
-        case LevelScale::complement:
-            return 1.0F - value;
-        case LevelScale::limit_over:
-            // A value that is not available must not become the largest risk.
-            return is_finite(value) ? time_to_rollover_limit_s_ / larger(value, 0.01F) : not_available;
+    if (scale == LevelScale::same) {
+        return value;
     }
-    return not_available;
+    if (scale == LevelScale::magnitude) {
+        return absolute(value);
+    }
+    if (scale == LevelScale::per_ssf) {
+        return absolute(value) * static_stability_inverse_;
+    }
+    if (scale == LevelScale::complement) {
+        return 1.0F - value;
+    }
+    // LevelScale::limit_over. A value that is not available must not become the largest risk.
+    return is_finite(value) ? time_to_rollover_limit_s_ / larger(value, 0.01F) : not_available;
 }
 
 float WarningIndicator::direction(RiskSide side, float value, const Outputs& outputs, float roll_angle_rad) {
-    switch (side) {
-        case RiskSide::own:
-            return value;
-        case RiskSide::force:
-            return outputs.road_parallel_force_mps2;
-        case RiskSide::acceleration:
-            return outputs.lateral_acceleration_mps2;
-        case RiskSide::predicted:
-            return outputs.predicted_load_transfer_ratio;
-        case RiskSide::roll:
-            return roll_angle_rad;
+    if (side == RiskSide::own) {
+        return value;
     }
-    return 0.0F;
+    if (side == RiskSide::force) {
+        return outputs.road_parallel_force_mps2;
+    }
+    if (side == RiskSide::acceleration) {
+        return outputs.lateral_acceleration_mps2;
+    }
+    if (side == RiskSide::predicted) {
+        return outputs.predicted_load_transfer_ratio;
+    }
+    return roll_angle_rad;  // RiskSide::roll
 }
 
 float indicator_level(const Outputs& outputs, const Parameters& parameters) {

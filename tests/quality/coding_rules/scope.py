@@ -19,16 +19,18 @@ def sources():
     for folder in FOLDERS:
         for file in sorted((PROJECT / folder).rglob("*")):
             path = str(file.relative_to(PROJECT))
-            if path.endswith(_ENDINGS) and path not in LEFT_OUT and not is_header_for_c(path):
+            if path.endswith(_ENDINGS) and path not in LEFT_OUT and not is_for_users_build(path):
                 found.append(path)
     if len(found) < 50:
         raise SystemExit(f"only {len(found)} sources found: the folders of tests/quality/coding_rules/scope.py have moved")
     return found
 
 
-def is_header_for_c(path):
-    """A calibration as a C header is data too; the example's build compiles it, with warnings."""
-    return path.startswith("firmware/calibrations/generated/") and path.endswith(".h")
+def is_for_users_build(path):
+    """C99 that is never flashed with the ECU: a calibration as a header, and the self-test of a build. Their tests compile
+    them, with warnings."""
+    return path.startswith("firmware/selftest/") or (
+        path.startswith("firmware/calibrations/generated/") and path.endswith(".h"))
 
 
 def is_compiled(path):
