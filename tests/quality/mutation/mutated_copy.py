@@ -35,7 +35,7 @@ def sources(project=PROJECT, scope=SCOPE):
 
 
 def parse_arguments(project):
-    return ["-x", "c++", "-std=c++17", "-resource-dir=/usr/lib/llvm-19/lib/clang/19", "-w"] + [
+    return ["-x", "c++", "-std=c++17", "-DEIGEN_DONT_VECTORIZE", "-resource-dir=/usr/lib/llvm-19/lib/clang/19", "-w"] + [
         part.format(project=project) for part in INCLUDES]
 
 
