@@ -4,6 +4,8 @@ A mutant is a small change of one place: an operator, a condition, a constant, a
 The syntax tree is clang's; the change is made in the text, so whatever is not mutated stays as it was.
 """
 
+import re
+
 from clang.cindex import CursorKind as Kind
 
 import edited_source
@@ -18,6 +20,7 @@ HANDLERS = {Kind.BINARY_OPERATOR: expressions.binary, Kind.COMPOUND_ASSIGNMENT_O
             Kind.IF_STMT: statements.condition, Kind.WHILE_STMT: statements.condition,
             Kind.CONDITIONAL_OPERATOR: statements.condition, Kind.RETURN_STMT: statements.returned,
             Kind.FOR_STMT: statements.loop}
+MACRO = re.compile(r"[A-Z][A-Z0-9_]+\(")
 STRUCTURE = kinds.FUNCTIONS | kinds.CLASSES | {Kind.COMPOUND_STMT, Kind.NAMESPACE}
 
 
@@ -65,6 +68,8 @@ class FileMutator:
         kind = cursor.kind
         if cursor.extent.start.line in self._left_out and kind not in STRUCTURE:
             self.skip("line that does not compile when mutated")
+        elif MACRO.match(self.source.text_of(cursor)):
+            self.skip("rows of a table that a macro writes out")
         elif kind in kinds.FUNCTIONS:
             self._visit_function(cursor)
         elif kind in (Kind.STATIC_ASSERT, Kind.ENUM_DECL, Kind.ENUM_CONSTANT_DECL):
