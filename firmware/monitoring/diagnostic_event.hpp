@@ -27,7 +27,7 @@ class DiagnosticEvent {
         }
         fill(failed);
         if (count_ < filled_by_fault * debounce.confirm) {
-            status_ = (count_ > 0U) ? EventStatus::set : resting_status();
+            status_ = (count_ > 0U) ? EventStatus::set : inactive_status();
             return false;
         }
         status_ = EventStatus::confirmed;
@@ -38,7 +38,7 @@ class DiagnosticEvent {
     }
 
     // A good cycle changes nothing.
-    constexpr bool rests() const noexcept {
+    constexpr bool is_inactive() const noexcept {
         return (status_ == EventStatus::none) || (status_ == EventStatus::healed);
     }
     constexpr EventStatus status() const noexcept { return status_; }
@@ -50,7 +50,7 @@ class DiagnosticEvent {
     static constexpr std::uint32_t filled_by_fault = 2U;
     static constexpr std::uint8_t most_occurrences = 31U;
 
-    constexpr EventStatus resting_status() const noexcept {
+    constexpr EventStatus inactive_status() const noexcept {
         return (occurrences_ > 0U) ? EventStatus::healed : EventStatus::none;
     }
 

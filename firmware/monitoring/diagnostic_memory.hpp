@@ -19,7 +19,7 @@ struct Snapshot {
     float speed_mps{rsi::not_available};
 };
 
-// An entry as it is told.
+// An entry as it is reported.
 struct DiagnosticRecord {
     DiagnosticCode code{DiagnosticCode::none};
     EventStatus status{EventStatus::none};
@@ -33,31 +33,31 @@ class DiagnosticMemory {
     void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
 
     // One cycle in which the code's condition could be judged; a code that is not reported stays as it is.
-    // In nearly all cycles nearly all codes are good and rest: that is what has to be cheap.
+    // In nearly every cycle nearly every code is good and inactive; this is the path that must be cheap.
     void report(DiagnosticCode code, bool failed) noexcept {
-        if (failed || !entries_[index_of(code)].event.rests()) {
+        if (failed || !entries_[index_of(code)].event.is_inactive()) {
             update(code, failed);
         }
     }
 
     // No code fails or waits to heal: another good cycle of any code would change nothing.
-    bool all_rest() const noexcept { return active_ == 0U; }
+    bool no_active_codes() const noexcept { return active_ == 0U; }
     EventStatus status(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.status(); }
     bool confirmed(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.confirmed(); }
 
     // An entry that was confirmed since the last call, if there is one: the others must not delay it; else
-    // the next entry that has anything to tell, round and round; code `none` when there is none.
+    // the next entry that has something to report, round and round; code `none` when there is none.
     DiagnosticRecord next() noexcept;
 
  private:
     struct Entry {
         DiagnosticEvent event{};
         Snapshot first{};
-        bool news{false};  // confirmed, and not yet told
+        bool unreported{false};  // confirmed, and not yet reported
     };
 
     void update(DiagnosticCode code, bool failed) noexcept;
-    std::size_t next_to_tell() noexcept;
+    std::size_t next_to_report() noexcept;
 
     static constexpr std::size_t index_of(DiagnosticCode code) noexcept {
         return static_cast<std::size_t>(code);
@@ -65,8 +65,8 @@ class DiagnosticMemory {
 
     std::array<Entry, diagnostic_code_count> entries_{};  // that of `none` stays empty
     Snapshot snapshot_{};
-    std::size_t told_{0U};
-    std::uint32_t active_{0U};  // codes that do not rest
+    std::size_t last_reported_{0U};
+    std::uint32_t active_{0U};  // active codes
     bool empty_{true};          // no code has ever been seen
 };
 

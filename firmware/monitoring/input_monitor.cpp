@@ -69,14 +69,14 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
 rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
-    const rsi::Inputs kept = memory.all_rest() ? inputs : witnesses(inputs, memory);
+    const rsi::Inputs kept = memory.no_active_codes() ? inputs : witnesses(inputs, memory);
     check_stuck(kept, memory);
     check_roll(kept, fresh.late_roll_angle_rad, memory);
     check_vertical(kept, before, memory);
     check_turn(kept, memory);
     check_observer(inputs, before, memory);
-    if (!memory.all_rest()) {
-        take_out(qualified, memory);
+    if (!memory.no_active_codes()) {
+        invalidate_confirmed(qualified, memory);
     }
     return qualified;
 }
@@ -127,7 +127,7 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     turned_rad_ = rsi::is_finite(turned) ? turned : 0.0F;
     const auto report = [&memory](DiagnosticCode code, auto& check, auto... signals) noexcept {
         const bool stuck = check.is_stuck(signals...);
-        // A witness that rests, or is missing, does not clear a value that repeats itself.
+        // An inactive or missing witness does not clear a value that repeats itself.
         if (stuck || check.moves()) {
             memory.report(code, stuck);
         }
@@ -239,7 +239,7 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
     memory.report(roll_sensor, disagrees && !lateral_is_wrong);
 }
 
-void InputMonitor::take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept {
+void InputMonitor::invalidate_confirmed(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept {
     const bool roll_contradiction = roll_contradicts(memory);
     if (either_confirmed(memory, DiagnosticCode::lateral_acceleration_stuck,
                          DiagnosticCode::lateral_acceleration_contradicts_yaw_rate)) {

@@ -44,7 +44,7 @@ class InputMonitor {
     void check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
     void check_observer(const rsi::Inputs& inputs, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
-    void take_out(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept;
+    void invalidate_confirmed(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept;
 
     // Ranges: beyond what a vehicle does, and below the end of the sensor's range, so that a saturated sensor
     // counts as failed. Jumps: half as much again as the largest change within a cycle over 2,900 drawn runs

@@ -10,7 +10,7 @@ float SignalCheck::qualify(float value, DiagnosticMemory& memory, float expected
         return rsi::not_available;
     }
     const bool unsteady = (known_ && has_jumped(value, expected_change)) || is_shaken(value);
-    if (valid && !unsteady && memory.all_rest()) {
+    if (valid && !unsteady && memory.no_active_codes()) {
         keep(value);
         return value;
     }

@@ -65,14 +65,14 @@ void print_unexpected(const FaultMatrix& matrix) {
 }
 
 void check_injections(const InjectionCount& count) {
-    const std::size_t silenced = count.silenced - count.silenced_unseen;
+    const std::size_t silenced = count.silenced - count.silenced_known_undetected;
     if (silenced > 0U) {
-        throw std::runtime_error(
-            fmt::format("{} injections turn a due warning into \"ready\" without a diagnostic code, and are "
-                        "not stated in sil/studies/faults/unseen.cpp: see the lines with \"silent\" above",
-                        silenced));
+        throw std::runtime_error(fmt::format(
+            "{} injections turn a due warning into \"ready\" without a diagnostic code, and are "
+            "not stated in sil/studies/faults/known_undetected.cpp: see the lines with \"silent\" above",
+            silenced));
     }
-    const std::size_t otherwise = count.all - count.as_expected - count.unseen;
+    const std::size_t otherwise = count.all - count.as_expected - count.known_undetected;
     if (otherwise > 0U) {
         throw std::runtime_error(
             fmt::format("{} injections are not answered as expected: see the lines above, "
@@ -90,8 +90,8 @@ void run_faults(const FaultsRequest& request) {
     fmt::print(
         "{} injections of {} faults in {} scenes: {} as expected, of which {} were not visible; {} by "
         "errors that no check sees in time; due warnings silenced: {} of {}, of which {} by those\n",
-        count.all, matrix.rows.size(), scene_count, count.as_expected, count.invisible, count.unseen,
-        count.silenced, count.with_due_warning, count.silenced_unseen);
+        count.all, matrix.rows.size(), scene_count, count.as_expected, count.invisible,
+        count.known_undetected, count.silenced, count.with_due_warning, count.silenced_known_undetected);
     check_injections(count);
     if (!request.document.empty()) {
         write_file_atomically(request.document, document);

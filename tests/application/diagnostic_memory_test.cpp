@@ -1,4 +1,4 @@
-// Diagnostic codes: how they are set, confirmed and healed, and in which order they are told.
+// Diagnostic codes: how they are set, confirmed and healed, and in which order they are reported.
 #include "monitoring/diagnostic_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -66,25 +66,25 @@ TEST(DiagnosticEvent, CountsUpTo31Occurrences) {
     }
 }
 
-// What rests may be passed over, so it must be told exactly from what still counts.
+// An inactive code may be passed over, so inactive and active must be distinguished exactly.
 TEST(DiagnosticMemory, RestsWhenNoCodeIsSetOrConfirmed) {
     constexpr DiagnosticCode one = DiagnosticCode::speed_invalid;     // 3 cycles, 5 good ones heal
     constexpr DiagnosticCode other = DiagnosticCode::roll_rate_jump;  // set, then forgotten
     DiagnosticMemory memory;
     memory.report(one, false);
-    EXPECT_TRUE(memory.all_rest());
+    EXPECT_TRUE(memory.no_active_codes());
     memory.report(other, true);
-    EXPECT_FALSE(memory.all_rest());
+    EXPECT_FALSE(memory.no_active_codes());
     for (int cycle = 0; cycle < 3; ++cycle) {
         memory.report(one, true);
         memory.report(other, false);
-        EXPECT_FALSE(memory.all_rest());
+        EXPECT_FALSE(memory.no_active_codes());
     }
     EXPECT_EQ(memory.status(other), EventStatus::none);
     EXPECT_TRUE(memory.confirmed(one));
     for (int good = 1; good <= 5; ++good) {
         memory.report(one, false);
-        EXPECT_EQ(memory.all_rest(), good == 5);
+        EXPECT_EQ(memory.no_active_codes(), good == 5);
     }
     EXPECT_EQ(memory.status(one), EventStatus::healed);
 }
@@ -119,7 +119,7 @@ TEST(DiagnosticMemory, TellsNewsAtOnceAndTheRestRoundAndRound) {
     memory.report(DiagnosticCode::imu_lost, true);
     memory.report(DiagnosticCode::clock_jump, true);
     memory.report(DiagnosticCode::cycle_stall, true);
-    for (int news = 0; news < 3; ++news) {
+    for (int unreported = 0; unreported < 3; ++unreported) {
         memory.next();
     }
     EXPECT_EQ(memory.next().code, DiagnosticCode::imu_lost);

@@ -1,5 +1,5 @@
 // The diagnostic memory: how long each code looks before it says so, how long it takes to heal, what it keeps
-// of its first occurrence, and in which order the codes are told. The table is that of
+// of its first occurrence, and in which order the codes are reported. The table is that of
 // docs/safety.md.
 #include "monitoring/diagnostic_memory.hpp"
 
@@ -207,15 +207,15 @@ TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
     }
 }
 
-// Those that have something to tell come one a cycle, in the order of the codes, and the first follows the
+// Codes with something to report come one a cycle, in the order of the codes, and the first follows the
 // last.
 TEST_F(ADiagnosticMemory, TellsAllEntriesRoundAndRound) {
     for (const StatedDebounce& entry : stated_debounces) {
         confirm(entry.code);
     }
-    std::set<DiagnosticCode> news;
+    std::set<DiagnosticCode> unreported;
     for (std::size_t cycle = 1U; cycle < monitoring::diagnostic_code_count; ++cycle) {
-        EXPECT_TRUE(news.insert(memory.next().code).second);
+        EXPECT_TRUE(unreported.insert(memory.next().code).second);
     }
     for (int round = 0; round < 2; ++round) {
         for (std::size_t code = 1U; code < monitoring::diagnostic_code_count; ++code) {
@@ -229,7 +229,7 @@ TEST_F(ADiagnosticMemory, TellsEachConfirmationAtOnceAndOnlyOnce) {
     confirm(DiagnosticCode::speed_jump);
     confirm(DiagnosticCode::clock_jump);
     for (int cycle = 0; cycle < 5; ++cycle) {
-        memory.next();  // three that are news, then two of the round
+        memory.next();  // three unreported, then two of the round
     }
     confirm(DiagnosticCode::roll_rate_jump);
     EXPECT_EQ(memory.next().code, DiagnosticCode::roll_rate_jump);
@@ -237,7 +237,7 @@ TEST_F(ADiagnosticMemory, TellsEachConfirmationAtOnceAndOnlyOnce) {
     EXPECT_EQ(memory.next().code, DiagnosticCode::imu_lost);
 
     report(DiagnosticCode::clock_jump, false, 100);
-    confirm(DiagnosticCode::clock_jump);  // again is news too
+    confirm(DiagnosticCode::clock_jump);  // again is unreported too
     EXPECT_EQ(memory.next().code, DiagnosticCode::clock_jump);
     EXPECT_EQ(memory.next().code, DiagnosticCode::roll_rate_jump);
 }

@@ -21,7 +21,7 @@ namespace {
 
 using can_dbc::RolloverDiagnosis;
 
-struct Told {
+struct Finding {
     int runs{0};
     std::string where{};
 };
@@ -36,7 +36,7 @@ class CodeListener final : public sil::RunObserver {
         }
     }
 
-    std::map<int, double> codes{};  // with the time at which each was first told
+    std::map<int, double> codes{};  // with the time at which each was first reported
 };
 
 class Search {
@@ -46,25 +46,25 @@ class Search {
         run.run(listener);
         ++runs_;
         for (const auto& [code, time_s] : listener.codes) {
-            Told& told = told_[code];
-            ++told.runs;
-            if (told.runs <= 5) {
-                told.where += fmt::format("\n    {} at {:.2f} s", name, time_s);
+            Finding& finding = findings_[code];
+            ++finding.runs;
+            if (finding.runs <= 5) {
+                finding.where += fmt::format("\n    {} at {:.2f} s", name, time_s);
             }
         }
     }
 
     int report() const {
-        for (const auto& [code, told] : told_) {
-            fmt::print("code {} in {} runs:{}\n", code, told.runs, told.where);
+        for (const auto& [code, finding] : findings_) {
+            fmt::print("code {} in {} runs:{}\n", code, finding.runs, finding.where);
         }
-        fmt::print("{} runs, {} codes\n", runs_, told_.size());
-        return told_.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
+        fmt::print("{} runs, {} codes\n", runs_, findings_.size());
+        return findings_.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
     }
 
  private:
     int runs_{0};
-    std::map<int, Told> told_{};
+    std::map<int, Finding> findings_{};
 };
 
 void drive_catalogue(Search& search, const sil::CampaignSettings& settings) {

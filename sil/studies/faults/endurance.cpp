@@ -10,11 +10,11 @@
 #include "sil/studies/faults/fault_schedule.hpp"
 #include "sil/studies/faults/faulty_line.hpp"
 #include "sil/studies/faults/faulty_run.hpp"
+#include "sil/studies/faults/known_undetected.hpp"
 #include "sil/studies/faults/outlook.hpp"
 #include "sil/studies/faults/output_ranges.hpp"
 #include "sil/studies/faults/recovery_watch.hpp"
 #include "sil/studies/faults/silence_watch.hpp"
-#include "sil/studies/faults/unseen.hpp"
 
 namespace sil {
 namespace {
@@ -43,10 +43,11 @@ std::string faults_at(std::uint64_t cycle, const FaultSchedule& schedule) {
 }
 
 // Of errors that no check sees in time those of a turn to this side.
-bool is_any_unseen(const FaultSchedule& schedule, WarningSide side) {
+bool is_any_known_undetected(const FaultSchedule& schedule, WarningSide side) {
     return std::any_of(
         schedule.faults().begin(), schedule.faults().end(), [side](const ScheduledFault& each) {
-            return is_unseen(side == WarningSide::right ? each.fault : in_turn_to_the_other_side(each.fault));
+            return is_known_undetected(side == WarningSide::right ? each.fault
+                                                                  : in_turn_to_the_other_side(each.fault));
         });
 }
 
@@ -128,8 +129,9 @@ EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Param
         }
         watch_outputs(faulty, result);
         if (silence.cycle(answer, expected, right.outputs().warning_level, schedule.is_near(cycle), result)) {
-            const bool unseen = is_any_unseen(schedule, expected.side);
-            (unseen ? result.silenced_unseen : result.silenced_by).push_back(faults_at(cycle, schedule));
+            const bool known_undetected = is_any_known_undetected(schedule, expected.side);
+            (known_undetected ? result.silenced_known_undetected : result.silenced_by)
+                .push_back(faults_at(cycle, schedule));
         }
         recovery.cycle(cycle, answer && agree(*answer, expected), stands);
         if (recovery.has_recovered() || recovery.is_past_limit()) {

@@ -21,23 +21,24 @@ struct EnduranceSettings {
 struct EnduranceResult {
     std::uint64_t cycles{0U};
     std::uint64_t faults{0U};
-    std::uint64_t pairs{0U};                     // of these: two that overlap or follow each other closely
-    std::uint64_t stops{0U};                     // of the vehicle
-    std::uint64_t over_at_standstill{0U};        // faults
-    std::uint64_t recovered_at_standstill{0U};   // of these: before the vehicle moved again
-    std::uint64_t rollovers{0U};                 // after each the drive goes on with a new vehicle
-    std::uint64_t warnings_due{0U};              // how often the second ECU came to warn
-    std::uint64_t due_with_fault{0U};            // of these: while a fault was there, or within 2 s after it
-    std::uint64_t due_with_fault_warned{0U};     // of those: the first ECU warned as well
-    std::uint64_t due_with_fault_told{0U};       // or was `unavailable`, or told a code
-    std::uint64_t due_with_fault_silenced{0U};   // or was `ready` without a code, if only for a cycle
-    std::vector<std::string> silenced_by{};      // the faults at each silence, with the second of the drive
-    std::vector<std::string> silenced_unseen{};  // the same where an error that no check sees is among them
-    int longest_silence_ms{0};                   // the longest such time
-    std::uint64_t incomplete_cycles{0U};         // without one of the ECU's frames
-    std::uint64_t undefined_cycles{0U};          // with a code that the DBC file does not define
-    std::uint64_t bad_outputs{0U};               // cycles with an output infinite or out of its range
-    std::uint64_t unfed_cycles{0U};              // in which the watchdog was not fed once
+    std::uint64_t pairs{0U};                    // of these: two that overlap or follow each other closely
+    std::uint64_t stops{0U};                    // of the vehicle
+    std::uint64_t over_at_standstill{0U};       // faults
+    std::uint64_t recovered_at_standstill{0U};  // of these: before the vehicle moved again
+    std::uint64_t rollovers{0U};                // after each the drive goes on with a new vehicle
+    std::uint64_t warnings_due{0U};             // how often the second ECU came to warn
+    std::uint64_t due_with_fault{0U};           // of these: while a fault was there, or within 2 s after it
+    std::uint64_t due_with_fault_warned{0U};    // of those: the first ECU warned as well
+    std::uint64_t due_with_fault_told{0U};      // or was `unavailable`, or told a code
+    std::uint64_t due_with_fault_silenced{0U};  // or was `ready` without a code, if only for a cycle
+    std::vector<std::string> silenced_by{};     // the faults at each silence, with the second of the drive
+    std::vector<std::string>
+        silenced_known_undetected{};      // the same where an error that no check sees is among them
+    int longest_silence_ms{0};            // the longest such time
+    std::uint64_t incomplete_cycles{0U};  // without one of the ECU's frames
+    std::uint64_t undefined_cycles{0U};   // with a code that the DBC file does not define
+    std::uint64_t bad_outputs{0U};        // cycles with an output infinite or out of its range
+    std::uint64_t unfed_cycles{0U};       // in which the watchdog was not fed once
     std::vector<std::string> not_recovered_from{};  // not as the second ECU within `recovery_limit_ms`
     int longest_recovery_ms{0};  // of driving, of those from which it came back; a standstill does not count
     double largest_roll_centre_deviation_m{0.0};  // of the estimator, over all

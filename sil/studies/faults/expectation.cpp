@@ -5,7 +5,7 @@
 #include <array>
 
 #include "sil/studies/faults/contradiction.hpp"
-#include "sil/studies/faults/unseen.hpp"
+#include "sil/studies/faults/known_undetected.hpp"
 
 namespace sil {
 namespace {
@@ -165,7 +165,7 @@ Expectation expectation_of(const Fault& fault, SceneKind scene) {
     if (scene == SceneKind::over && ends_as_the_scene_says(fault)) {
         expected = expectation_of_recovery(expected);
     }
-    expected.unseen = is_unseen(fault) && scene >= SceneKind::before_turn;
+    expected.known_undetected = is_known_undetected(fault) && scene >= SceneKind::before_turn;
     return expected;
 }
 

@@ -33,7 +33,7 @@ struct Expectation {
     int lapse_ms{0};      // after the first code and while the fault is there, no longer without one
     // No check sees the error before the warning is due: what it does to the warning is told as a limit of
     // the component, and is no shortfall.
-    bool unseen{false};
+    bool known_undetected{false};
 };
 
 Expectation expectation_of(const Fault& fault, SceneKind scene);

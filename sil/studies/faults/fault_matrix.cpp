@@ -3,7 +3,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "sil/studies/faults/unseen.hpp"
+#include "sil/studies/faults/known_undetected.hpp"
 #include "sil/world/simulation/pace.hpp"
 
 namespace sil {
@@ -89,15 +89,15 @@ void inject_sizes(FaultMatrix& matrix, const rsi::Parameters& calibration) {
 
 void count(const Injection& injection, InjectionCount& counted) {
     const bool good = injection.verdict.shortfalls.empty();
-    const bool unseen = !injection.verdict.unseen.empty();
+    const bool known_undetected = !injection.verdict.known_undetected.empty();
     const bool silenced = silences_a_warning(injection.reaction);
     ++counted.all;
-    counted.as_expected += good && !unseen ? 1U : 0U;
-    counted.invisible += good && !unseen && !injection.reaction.visible ? 1U : 0U;
-    counted.unseen += good && unseen ? 1U : 0U;
+    counted.as_expected += good && !known_undetected ? 1U : 0U;
+    counted.invisible += good && !known_undetected && !injection.reaction.visible ? 1U : 0U;
+    counted.known_undetected += good && known_undetected ? 1U : 0U;
     counted.with_due_warning += injection.reaction.warning_due ? 1U : 0U;
     counted.silenced += silenced ? 1U : 0U;
-    counted.silenced_unseen += silenced && good && unseen ? 1U : 0U;
+    counted.silenced_known_undetected += silenced && good && known_undetected ? 1U : 0U;
 }
 
 }  // namespace

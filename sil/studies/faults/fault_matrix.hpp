@@ -41,10 +41,10 @@ struct InjectionCount {
     std::size_t all{0U};
     std::size_t as_expected{0U};
     std::size_t invisible{0U};         // of these: no value was ever wrong by the least visible error
-    std::size_t unseen{0U};            // late or silent because of an error that no check sees in time
+    std::size_t known_undetected{0U};  // late or silent because of a known undetected error
     std::size_t with_due_warning{0U};  //
     std::size_t silenced{0U};          // of these: "ready" without a code, for a cycle or more
-    std::size_t silenced_unseen{0U};   // of those: by such an error
+    std::size_t silenced_known_undetected{0U};  // of those: by such an error
 };
 InjectionCount count_injections(const FaultMatrix& matrix);
 

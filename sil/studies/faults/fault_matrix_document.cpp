@@ -8,8 +8,8 @@
 #include "page_templates.hpp"
 #include "sil/studies/faults/contradiction.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
+#include "sil/studies/faults/known_undetected.hpp"
 #include "sil/studies/faults/page_template.hpp"
-#include "sil/studies/faults/unseen.hpp"
 
 namespace sil {
 namespace {
@@ -17,16 +17,16 @@ namespace {
 std::string describe_cell(const FaultCell& cell) {
     std::vector<Reaction> reactions;
     std::vector<std::string> shortfalls;
-    std::size_t unseen = 0U;
+    std::size_t known_undetected = 0U;
     for (const Injection& injection : cell) {
         reactions.push_back(injection.reaction);
         const std::vector<std::string>& more = injection.verdict.shortfalls;
         shortfalls.insert(shortfalls.end(), more.begin(), more.end());
-        unseen += injection.verdict.unseen.empty() ? 0U : 1U;
+        known_undetected += injection.verdict.known_undetected.empty() ? 0U : 1U;
     }
     std::string text = describe(reactions);
-    if (unseen > 0U) {
-        text += fmt::format(", {} of {} [known](#known-undetected-faults)", unseen, cell.size());
+    if (known_undetected > 0U) {
+        text += fmt::format(", {} of {} [known](#known-undetected-faults)", known_undetected, cell.size());
     }
     if (!shortfalls.empty()) {
         text += fmt::format(" **NOT: {}**", fmt::join(shortfalls, "; "));
@@ -189,7 +189,7 @@ bool is_late(const FaultCell& cell) {
     });
 }
 
-std::string unseen_table(const FaultMatrix& matrix) {
+std::string known_undetected_table(const FaultMatrix& matrix) {
     std::string text =
         "| error | of | `unavailable` in time, of 4 | due warning, ms later | before two-wheel lift-off, ms "
         "| `ready` without a code, ms | "
@@ -198,7 +198,7 @@ std::string unseen_table(const FaultMatrix& matrix) {
         text += is_late(cell) ? row_of_size(cell) : "";
     }
     text += "\n";
-    for (const Unseen& each : unseen_errors()) {
+    for (const KnownUndetected& each : known_undetected_errors()) {
         const char* const sign = each.sign == 0 ? "" : (each.sign < 0 ? ", negative" : ", positive");
         text +=
             fmt::format("- {} of {}{}: {}.\n", to_string(each.kind), to_string(each.place), sign, each.why);
@@ -207,16 +207,17 @@ std::string unseen_table(const FaultMatrix& matrix) {
 }
 
 std::string headline(const InjectionCount& count) {
-    const std::size_t silenced = count.silenced - count.silenced_unseen;
+    const std::size_t silenced = count.silenced - count.silenced_known_undetected;
     return fmt::format(
         "**Of {} injections {} are answered as expected; {} of these were never visible (no value was wrong "
         "by the least visible\nerror), so {} show a reaction. {} are "
         "[known undetected faults](#known-undetected-faults) and make the warning late; {} fall\nshort "
         "otherwise. A warning is due in {}: {} of them turn it into `ready` without a diagnostic code, {} by "
         "known undetected\nfaults{}.**",
-        count.all, count.as_expected, count.invisible, count.as_expected - count.invisible, count.unseen,
-        count.all - count.as_expected - count.unseen, count.with_due_warning, count.silenced,
-        count.silenced_unseen, silenced == 0U ? "" : fmt::format(", and {} by others", silenced));
+        count.all, count.as_expected, count.invisible, count.as_expected - count.invisible,
+        count.known_undetected, count.all - count.as_expected - count.known_undetected,
+        count.with_due_warning, count.silenced, count.silenced_known_undetected,
+        silenced == 0U ? "" : fmt::format(", and {} by others", silenced));
 }
 
 }  // namespace
@@ -229,7 +230,7 @@ std::string fault_matrix_document(const FaultMatrix& matrix) {
                           {"lead_ms", fmt::format("{}", matrix.lead_ms)},
                           {"longest_lead_loss_ms", fmt::format("{}", longest_lead_loss_ms)},
                           {"table", table(matrix)},
-                          {"unseen", unseen_table(matrix)},
+                          {"known_undetected", known_undetected_table(matrix)},
                           {"limits", contradiction_table()}});
 }
 

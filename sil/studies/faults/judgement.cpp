@@ -146,7 +146,7 @@ Verdict judge(const Expectation& expected, const Reaction& reaction) {
     // What an error that no check sees in time does to the warning.
     const auto demand_if_seen = [&](bool good, const std::string& otherwise) {
         if (!good) {
-            (expected.unseen ? verdict.unseen : verdict.shortfalls).push_back(otherwise);
+            (expected.known_undetected ? verdict.known_undetected : verdict.shortfalls).push_back(otherwise);
         }
     };
     const auto in_time = [&expected](const std::optional<int>& time) {

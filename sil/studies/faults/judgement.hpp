@@ -45,8 +45,8 @@ bool silences_a_warning(const Reaction& reaction);
 
 // What was expected and did not happen, each in a few words.
 struct Verdict {
-    std::vector<std::string> shortfalls{};  // empty: as expected, but for what is
-    std::vector<std::string> unseen{};      // owed to an error that no check sees in time
+    std::vector<std::string> shortfalls{};        // empty: as expected, but for what is
+    std::vector<std::string> known_undetected{};  // owed to a known undetected error
 };
 Verdict judge(const Expectation& expected, const Reaction& reaction);
 

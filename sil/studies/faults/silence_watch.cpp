@@ -9,7 +9,7 @@ bool SilenceWatch::cycle(const std::optional<EcuAnswer>& faulty, const EcuAnswer
     const bool warns = right.state == WarningState::warning;
     if (warns && !warned_) {
         ++result.warnings_due;
-        with_fault_ = answered_ = told_ = silent_ = false;
+        with_fault_ = answered_ = reported_ = silent_ = false;
     }
     if (!warns && warned_) {
         count(result);
@@ -18,7 +18,8 @@ bool SilenceWatch::cycle(const std::optional<EcuAnswer>& faulty, const EcuAnswer
     const bool due = warns && right_level >= warning_off_;
     with_fault_ = with_fault_ || (due && near);
     answered_ = answered_ || (due && faulty && faulty->state == WarningState::warning);
-    told_ = told_ || (due && faulty && (faulty->state == WarningState::unavailable || faulty->codes != 0U));
+    reported_ =
+        reported_ || (due && faulty && (faulty->state == WarningState::unavailable || faulty->codes != 0U));
     const bool is_silent = due && faulty && faulty->state == WarningState::ready && faulty->codes == 0U;
     silence_ms_ = is_silent ? silence_ms_ + 10 : 0;
     result.longest_silence_ms = std::max(result.longest_silence_ms, silence_ms_);
@@ -36,7 +37,7 @@ void SilenceWatch::count(EnduranceResult& result) const {
         ++result.due_with_fault_silenced;
     } else if (answered_) {
         ++result.due_with_fault_warned;
-    } else if (told_) {
+    } else if (reported_) {
         ++result.due_with_fault_told;
     }
 }

@@ -25,7 +25,7 @@ class SilenceWatch {
     bool warned_{false};
     bool with_fault_{false};
     bool answered_{false};
-    bool told_{false};
+    bool reported_{false};
     bool silent_{false};
     int silence_ms_{0};
 };

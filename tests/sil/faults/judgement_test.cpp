@@ -8,7 +8,7 @@
 
 #include "sil/studies/faults/contradiction.hpp"
 #include "sil/studies/faults/expectation.hpp"
-#include "sil/studies/faults/unseen.hpp"
+#include "sil/studies/faults/known_undetected.hpp"
 
 namespace faults_test {
 namespace {
@@ -29,7 +29,7 @@ constexpr std::size_t length = 900U;
 constexpr Fault imu_lost{FaultKind::lost, FaultPlace::imu_frame, 0.0};
 constexpr Fault lying{FaultKind::noise, FaultPlace::lateral_acceleration, 2.0};
 constexpr Fault hardly_lying{FaultKind::offset, FaultPlace::lateral_acceleration, 2.0};
-constexpr Fault unseen{FaultKind::offset, FaultPlace::lateral_acceleration, -2.0};
+constexpr Fault known_undetected{FaultKind::offset, FaultPlace::lateral_acceleration, -2.0};
 
 EcuAnswer answer(WarningState state, sil::DiagnosticCodes codes = 0U) {
     EcuAnswer one;
@@ -250,16 +250,16 @@ TEST(Judgement, TellsWhatNoCheckSeesApart) {
             .say(200U, 230U, answer(WarningState::ready))
             .say(230U, 250U, answer(WarningState::warning));
     };
-    const sil::Verdict told = silent().verdict(unseen, sil::SceneKind::warning);
+    const sil::Verdict told = silent().verdict(known_undetected, sil::SceneKind::warning);
     EXPECT_THAT(told.shortfalls, IsEmpty());
-    EXPECT_THAT(told.unseen, Contains("silent for 300 ms while a warning is due"));
-    EXPECT_THAT(told.unseen, Contains("warning late"));
+    EXPECT_THAT(told.known_undetected, Contains("silent for 300 ms while a warning is due"));
+    EXPECT_THAT(told.known_undetected, Contains("warning late"));
     EXPECT_THAT(silent().shortfalls(hardly_lying, sil::SceneKind::warning),
                 Contains("silent for 300 ms while a warning is due"))
         << "of the other sign";
-    EXPECT_THAT(silent().shortfalls(unseen, sil::SceneKind::turn), Contains(HasSubstr("silent")))
+    EXPECT_THAT(silent().shortfalls(known_undetected, sil::SceneKind::turn), Contains(HasSubstr("silent")))
         << "where no warning is due without it";
-    EXPECT_THAT(silent().unfed().shortfalls(unseen, sil::SceneKind::warning), Contains("watchdog"));
+    EXPECT_THAT(silent().unfed().shortfalls(known_undetected, sil::SceneKind::warning), Contains("watchdog"));
 }
 
 // The warning is due 200 ms after the end of the fault.

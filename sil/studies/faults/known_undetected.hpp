@@ -1,4 +1,4 @@
-// Unseen: errors that no check finds before the warning that they delay is due.
+// Known undetected errors: no check finds them before the warning that they delay is due.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace sil {
 
-struct Unseen {
+struct KnownUndetected {
     FaultKind kind{};
     FaultPlace place{};
     int sign{0};  // of the error, in a left turn; 0: it has none
@@ -15,10 +15,10 @@ struct Unseen {
 };
 
 // The limit of the component: each makes some due warning late or silent, without a diagnostic code in time.
-const std::vector<Unseen>& unseen_errors();
+const std::vector<KnownUndetected>& known_undetected_errors();
 
 // `fault` of a left turn.
-bool is_unseen(const Fault& fault);
+bool is_known_undetected(const Fault& fault);
 
 // What the fault would be in the mirrored drive.
 Fault in_turn_to_the_other_side(const Fault& fault);

@@ -1,11 +1,11 @@
-#include "sil/studies/faults/unseen.hpp"
+#include "sil/studies/faults/known_undetected.hpp"
 
 #include <algorithm>
 
 namespace sil {
 
-const std::vector<Unseen>& unseen_errors() {
-    static const std::vector<Unseen> all{
+const std::vector<KnownUndetected>& known_undetected_errors() {
+    static const std::vector<KnownUndetected> all{
         {FaultKind::offset, FaultPlace::lateral_acceleration, -1,
          "to every other sensor 2 m/s^2 less is a road's bank of 12 deg; and once a turn has begun, yaw rate "
          "and roll angle do not agree well enough to accuse a larger one in time"},
@@ -20,9 +20,9 @@ const std::vector<Unseen>& unseen_errors() {
     return all;
 }
 
-bool is_unseen(const Fault& fault) {
-    const std::vector<Unseen>& all = unseen_errors();
-    return std::any_of(all.begin(), all.end(), [&fault](const Unseen& each) {
+bool is_known_undetected(const Fault& fault) {
+    const std::vector<KnownUndetected>& all = known_undetected_errors();
+    return std::any_of(all.begin(), all.end(), [&fault](const KnownUndetected& each) {
         return each.kind == fault.kind && each.place == fault.place &&
                (each.sign == 0 || each.sign * fault.magnitude > 0.0);
     });
