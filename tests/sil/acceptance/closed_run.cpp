@@ -18,6 +18,7 @@ class Collector final : public sil::RunObserver {
     void cycle(const sil::Truth& truth, const sil::SensorSample&, const sil::EcuFrames& ecu,
                const sil::RunEvents&) override {
         result_.states.push_back(ecu.output().state());
+        result_.sides.push_back(ecu.output().side());
         result_.truths.push_back(truth);
         if (static_cast<double>(ecu.output().warning().warning_level) > result_.largest_rsi) {
             result_.largest_rsi = static_cast<double>(ecu.output().warning().warning_level);

@@ -27,6 +27,7 @@ inline const std::vector<std::string> as_published{"estimator=published", "warni
 struct RunResult {
     sil::RunEvents events;
     std::vector<sil::WarningState> states;  // one a cycle
+    std::vector<sil::WarningSide> sides;    // one a cycle
     std::vector<sil::Truth> truths;         // one a cycle
     double largest_rsi{0.0};
 

@@ -1,50 +1,71 @@
-// The figures that the README shows are those of the run that it names.
+// What the README shows of a run is what that run prints (sil/apps/account.cpp).
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-#include <string>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "sil/units.hpp"
 #include "tests/sil/acceptance/closed_run.hpp"
 
 namespace rsi_test {
 namespace readme_figures_test {
 namespace {
 
-std::string readme() {
+// The lines that the README shows.
+std::vector<std::string> shown() {
     std::ifstream file{std::string{RSI_SOURCE_DIR} + "/README.md"};
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-// The number that stands right before `after`.
-double number_before(const std::string& after) {
-    static const std::string text = readme();
-    const std::size_t end = text.find(after);
-    if (end == std::string::npos) {
-        ADD_FAILURE() << "the README does not say: " << after;
-        return 0.0;
+    std::string line;
+    while (std::getline(file, line) && line != "## What a run shows") {
     }
-    const std::size_t begin = text.find_last_not_of("0123456789.", end - 1U) + 1U;
-    return std::stod(text.substr(begin, end - begin));
+    while (std::getline(file, line) && line != "```") {
+    }
+    std::vector<std::string> lines;
+    while (std::getline(file, line) && line != "```") {
+        lines.push_back(line);
+    }
+    return lines;
 }
 
-TEST(Readme, ShowsTheFiguresOfTheLockStepRun) {
+std::string line_of(double time_s, const std::string& what) {
+    return fmt::format("{:7.3f} s  >> {}", time_s, what);
+}
+
+std::string line_of(const sil::EventMoment& moment, const std::string& what) {
+    return line_of(moment.time_s, fmt::format("{} at {:+.3f} g, roll {:+.2f} deg", what,
+                                              moment.lateral_acceleration_mps2 / sil::g_mps2,
+                                              moment.roll_angle_rad * sil::degrees_per_radian));
+}
+
+// The first cycle with that state.
+std::string line_of(const RunResult& run, sil::WarningState state) {
+    const auto first = std::find(run.states.begin(), run.states.end(), state);
+    if (first == run.states.end()) {
+        return "never";
+    }
+    const auto cycle = static_cast<std::size_t>(first - run.states.begin());
+    return line_of(run.truths[cycle].time_s,
+                   fmt::format("ECU: {}, {} side", to_string(state), to_string(run.sides[cycle])));
+}
+
+TEST(Readme, ShowsWhatTheLockStepRunPrints) {
     const RunResult run = drive({"j-turn-110"});
     ASSERT_TRUE(run.events.warning && run.events.one_wheel_lift && run.events.two_wheel_lift &&
                 run.events.ssf_crossing);
-    constexpr double half_a_millisecond = 0.0005 + 1.0e-9;
-    EXPECT_NEAR(number_before(" s  >> ECU: warning, right side"), run.events.warning->time_s,
-                half_a_millisecond);
-    EXPECT_NEAR(number_before(" s  >> one wheel lifts"), run.events.one_wheel_lift->time_s,
-                half_a_millisecond);
-    EXPECT_NEAR(number_before(" s  >> two wheels of one side"), run.events.two_wheel_lift->time_s,
-                half_a_millisecond);
-    EXPECT_NEAR(number_before(" s  >> static stability factor"), run.events.ssf_crossing->time_s,
-                half_a_millisecond);
-    EXPECT_NEAR(number_before(" s before two-wheel lift-off"), run.events.lead_time_s().value(),
-                half_a_millisecond);
+    std::vector<std::string> printed{
+        line_of(run, sil::WarningState::advisory),
+        line_of(run, sil::WarningState::warning),
+        line_of(*run.events.one_wheel_lift, "one wheel lifts"),
+        line_of(*run.events.two_wheel_lift, "two wheels of one side have lifted"),
+        line_of(*run.events.ssf_crossing, "static stability factor crossed"),
+    };
+    std::sort(printed.begin(), printed.end());  // of equal width, so in the order of time
+    printed.push_back(fmt::format("  {:<22} {:7.3f} s before two-wheel lift-off", "lead time",
+                                  run.events.lead_time_s().value()));
+    EXPECT_EQ(shown(), printed);
 }
 
 }  // namespace
