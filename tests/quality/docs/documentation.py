@@ -12,9 +12,10 @@ README_LINES = 120
 COLUMNS = 120
 PAGE_WORDS = 4000
 PAGES = 14
+# The page that explains a file, and the first cell of the header of its tables of keys.
 KEYS = {
-    "docs/calibration.md": "firmware/calibrations/large_suv.toml",
-    "docs/vehicle_file.md": "sil/vehicles/large_suv.toml",
+    "docs/calibration.md": ("firmware/calibrations/large_suv.toml", "field"),
+    "docs/vehicle_file.md": ("sil/vehicles/large_suv.toml", "key"),
 }
 
 
@@ -54,17 +55,33 @@ def check(project):
 
 
 def keys_of_files(project):
-    """Every key of these files stands on the page that explains them."""
+    """Every key of these files stands on the page that explains them, and no other."""
     problems = []
-    for page, file in KEYS.items():
+    for page, (file, header) in KEYS.items():
         if not (project / page).is_file():
             continue
         text = (project / page).read_text(encoding="utf-8")
-        for line in (project / file).read_text(encoding="utf-8").splitlines():
-            key = re.match(r"\[?(\w+)\]?(?: =|$)", line)
-            if key and not re.search(rf"`\[?{key[1]}\]?`", text):
-                problems.append(f"{page}: does not name {key[1]} of {file}")
+        keys = set(re.findall(r"^\[?(\w+)\]?(?: =|$)", (project / file).read_text(encoding="utf-8"), re.MULTILINE))
+        problems += [f"{page}: does not name {key} of {file}" for key in sorted(keys)
+                     if not re.search(rf"`\[?{key}\]?`", text)]
+        problems += [f"{page}: {file} has no {key}" for key in keys_of_page(text, header) if key not in keys]
     return problems
+
+
+def keys_of_page(text, header):
+    """Sections that headings name, and what the first column of the tables with that header names."""
+    found, in_table = [], False
+    for line in text.splitlines():
+        if line.startswith("#"):
+            found += re.findall(r"`\[(\w+)\]`", line)
+        first = line.split("|")[1].strip() if line.startswith("|") else None
+        if first is None:
+            in_table = False
+        elif first.split(" ")[0] == header:
+            in_table = True
+        elif in_table:
+            found += re.findall(r"`(\w+)`", re.match(r"(?:`\w+`(?:, )?)*", first)[0])
+    return found
 
 
 def refresh(project):

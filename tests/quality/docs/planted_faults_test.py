@@ -48,7 +48,7 @@ FILES = {
     "firmware/rsi/rsi.h": "#define RSI_SAMPLE_TIME_S 0.01F\n",
     "cars/a.toml": "[warning]\non = 0.92\n",
     "cars/b.toml": "",
-    "docs/vehicle_file.md": "# Vehicle\n`[mass]`, `sprung_kg` and `name`.\n",
+    "docs/vehicle_file.md": "# Vehicle\n`name`.\n## `[mass]`\n| key | meaning |\n|---|---|\n| `sprung_kg` `m_s` | `h` |\n",
     "sil/vehicles/large_suv.toml": 'name = "car"\n[mass]\nsprung_kg = 1.0\n',
     "sil/run": "# docs/page.md says more\n",
     "cars/c.toml": "",
@@ -185,6 +185,14 @@ class PlantedFaults(unittest.TestCase):
     def test_a_key_that_its_page_does_not_name(self):
         self.plant("sprung_kg = 1.0", "sprung_kg = 1.0\nunsprung_kg = 1.0", "sil/vehicles/large_suv.toml")
         self.expect("docs/vehicle_file.md", "unsprung_kg")
+
+    def test_a_key_that_its_file_does_not_have(self):
+        for before, after, key in (("`[mass]`", "`[mass]` and `[weight]`", "weight"),
+                                   ("| `sprung_kg` ", "| `sprung_kg`, `unsprung_kg` ", "unsprung_kg")):
+            with self.subTest(key):
+                self.plant(before, after, "docs/vehicle_file.md")
+                self.expect("docs/vehicle_file.md", f"has no {key}")
+                self.plant(after, before, "docs/vehicle_file.md")
 
     def test_a_source_that_names_a_page_which_does_not_exist(self):
         self.plant("docs/page.md", "docs/pages.md", "sil/run")
