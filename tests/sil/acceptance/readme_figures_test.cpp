@@ -48,7 +48,7 @@ std::string line_of(const RunResult& run, sil::WarningState state) {
     }
     const auto cycle = static_cast<std::size_t>(first - run.states.begin());
     return line_of(run.truths[cycle].time_s,
-                   fmt::format("ECU: {}, {} side", to_string(state), to_string(run.sides[cycle])));
+                   fmt::format("ECU: {}, {} side", sil::to_string(state), sil::to_string(run.sides[cycle])));
 }
 
 TEST(Readme, ShowsWhatTheLockStepRunPrints) {
