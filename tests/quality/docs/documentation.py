@@ -5,7 +5,7 @@ import re
 
 import figures
 import references
-from page import COMMENT, Page, all_pages, tracked, written_pages
+from page import COMMENT, Page, all_pages, newest_changes, tracked, written_pages
 
 EVERYDAY = pathlib.Path(__file__).resolve().parent / "everyday.txt"
 README_LINES = 120
@@ -48,9 +48,14 @@ def check(project):
         if path in written:
             problems += figures.problems(page, everyday, files)
             problems += references.problems(page, commands, pages)
-            problems += length_problems(page)
+            problems += length_problems(page) + page.list_items_by_accident()
+        elif path.startswith("docs/reports/"):
+            problems += references.report_problems(page, commands, pages)
         else:
             problems += references.link_problems(page, pages)
+    changes = newest_changes(project)
+    if changes:
+        problems += references.code_problems(changes, commands)  # its links are checked above, of all versions
     return problems + references.pages_elsewhere(project, files) + keys_of_files(project), written
 
 

@@ -7,7 +7,10 @@ Guarded: NUMBER<!--=NAME--> with a source of that NAME (sources.py). Free withou
 - the figures of everyday.txt, which are compared with their own source;
 - a paragraph, list or table right below a line `<!-- figures: KIND -->`, KIND being one of KINDS; the same with
   `<!-- figures: KIND, whole section -->` up to the next heading.
-A count in words needs a source when one of COUNTED follows it.
+A count in words needs a source when one of COUNTED follows it, and so does a quantity in words (QUANTITIES): a part, a
+multiple, a time or a length. Below `<!-- figures: definition -->` quantities in words are free, numbers are not.
+`standard` and `hardware` name whose figures they are, `<!-- figures: standard, AUTOSAR profile 11 -->`, and hold for one
+paragraph, list or table only. A code fence carries no version of this project.
 """
 
 import re
@@ -17,15 +20,25 @@ from page import COMMENT, Page, blanked
 
 KINDS = {
     "advice": "what the reader should do or choose, not what the project does",
-    "hardware": "a property of another product",
-    "standard": "a definition of a standard or of the paper",
+    "hardware": "a property of another product, which is named",
+    "standard": "a definition of a standard, which is named, or of the paper",
+    "definition": "words such as half in what a quantity is by definition",
     "example": "an example that is nobody's measurement",
 }
+NAMED_KINDS = ("hardware", "standard")
 COUNTED = ("frames signals indices indicators manoeuvres vehicles targets processors codes requirements recordings "
            "parameters fields estimators scenes faults operators values").split()
 WORD = "|".join(sources.WORDS[2:])
-GUARDED = re.compile(rf"(?P<figure>{sources.NUMBER}|\b(?:{WORD})\b|\b(?:{WORD.title()})\b)(?P<mark>\**<!--=(?P<name>[\w.-]+)-->)")
-FREE = re.compile(r"<!-- figures: (?P<kind>\w+)(?P<section>, whole section)? -->")
+UNIT = r"(?:milli|micro)?seconds?|minutes?|hours?|(?:milli|centi|kilo)?metres?|degrees?"
+QUANTITIES = re.compile("|".join((
+    r"\b(?:half|halves|halved|halving|thirds|quarters?|fifths?|tenths?|hundredths?)\b", r"\b(?:a|one|two) third\b(?! \w+or\b)",
+    r"\b(?:twice|double|triple) (?:as|its|their|the|that)\b", r"\b(?:doubled|tripled|hundred|thousand|million|dozen)\b",
+    rf"\b(?:for|within|about|after|over|than|least|most|lasts?) (?:an?|one) (?:{UNIT})\b",  # "a second reader" is no time
+    rf"\b(?:an?|one) (?:{UNIT}) (?:of|after|before|later|ahead|long)\b",
+    rf"\b(?:{WORD})\s+(?:{UNIT}|samples|cycles)\b")).replace(" ", r"\s+"), re.IGNORECASE)
+VERSION = re.compile(r"\brsi[ -]v?\d+\.\d+")
+GUARDED = re.compile(rf"(?P<figure>{sources.NUMBER}|\b(?i:{WORD}|{'|'.join(sources.PARTS)})\b)(?P<mark>\**<!--=(?P<name>[\w.-]+)-->)")
+FREE = re.compile(r"<!-- figures: (?P<kind>\w+)(?P<section>, whole section)?(?:, (?P<whose>[^>]+))? -->")
 SOURCES = re.compile(r"<!-- sources\n(?P<lines>.*?)-->\s*\Z", re.DOTALL)
 BARE = re.compile(rf"(?<![\w.,])(?:{sources.NUMBER})(?![\w])|(?<![\w.,])\d[\d.,]*(?=[a-zA-Z°%])")
 COUNT = re.compile(rf"\b(?:{WORD})\s+(?:[\w-]+\s+)?(?:{'|'.join(COUNTED)})\b", re.IGNORECASE)
@@ -98,14 +111,16 @@ def sources_of(page, files):
 
 
 def free_spans(page):
-    """Places of the page without guard, and a list of what is wrong with them."""
+    """Places of the page without guard, with their kinds, and a list of what is wrong with them."""
     spans, problems = [], []
     for found in FREE.finditer(page.text):
         if found["kind"] not in KINDS:
             problems.append(f"{page.place(found.start())}: figures: {found['kind']} is none of {', '.join(KINDS)}")
             continue
+        if found["kind"] in NAMED_KINDS and (found["section"] or not found["whose"]):
+            problems.append(f"{page.place(found.start())}: figures: {found['kind']} holds for one paragraph and says whose they are")
         end = re.compile(r"\n#" if found["section"] else r"\n\s*\n").search(page.text, found.end())
-        spans.append((found.start(), end.start() if end else len(page.text)))
+        spans.append((found.start(), end.start() if end else len(page.text), found["kind"]))
     return spans, problems
 
 
@@ -135,8 +150,9 @@ def guarded_problems(page, by_name):
 
 def bare_problems(page, everyday, spans):
     text = page.text
-    for start, end in spans:
-        text = text[:start] + blanked(text[start:end]) + text[end:]
+    for start, end, kind in spans:
+        free = QUANTITIES.sub(lambda found: blanked(found[0]), text[start:end]) if kind == "definition" else blanked(text[start:end])
+        text = text[:start] + free + text[end:]
     text = GUARDED.sub(lambda found: blanked(found[0]), text)
     prose = page.prose()
     text = "".join(a if b == a else " " if a != "\n" else a for a, b in zip(text, prose + " " * (len(text) - len(prose))))
@@ -145,10 +161,13 @@ def bare_problems(page, everyday, spans):
     for pattern in HARMLESS:
         text = without(text, pattern)
     problems = []
-    for pattern in (BARE, COUNT):
+    for pattern in (BARE, COUNT, QUANTITIES):
         for found in pattern.finditer(text):
             figure = " ".join(found[0].split())
             problems.append(f"{page.place(found.start())}: unguarded figure: {figure}; name its source, or take it away")
+    for place, line in page.code()[1]:
+        if VERSION.search(line):
+            problems.append(f"{place}: a version of this project in code: take it away")
     return problems
 
 

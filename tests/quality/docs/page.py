@@ -3,8 +3,10 @@
 import pathlib
 import re
 
+CHANGELOG = "CHANGELOG.md"
 FENCE = re.compile(r"^\s*(```|~~~)")
 HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*\s*$")
+ITEM = re.compile(r"^\s*(?:[-+*]|\d+\.)\s")
 COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 INLINE_CODE = re.compile(r"`[^`]*`")
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s]+)\)")
@@ -53,6 +55,19 @@ class Page:
                   if fenced and not FENCE.match(line)]
         return found, fences
 
+    def list_items_by_accident(self):
+        """Lines that Markdown takes for items of a list, in the middle of a paragraph or of a code span."""
+        text = COMMENT.sub(lambda found: blanked(found[0]), self.without_fences())
+        found, in_list, in_code, before = [], False, False, ""
+        for number, line in enumerate(text.splitlines(), 1):
+            if not before.strip() or HEADING.match(before):
+                in_list, in_code = bool(ITEM.match(line)), False
+            elif ITEM.match(line) and (in_code or not in_list or (line[0] == " " and not before.endswith(":"))):
+                found.append(f"{self.path}:{number}: begins like an item of a list within a paragraph: break the line elsewhere")
+            in_code ^= line.count("`") % 2 == 1
+            before = line
+        return found
+
     def anchors(self):
         """Anchors of the headings, as GitHub makes them."""
         found = set()
@@ -83,8 +98,18 @@ def tracked(project):
     return sorted(name for name in names if (project / name).is_file())
 
 
+def newest_changes(project):
+    """CHANGELOG.md down to the end of its newest version; what older ones name need not be there any more."""
+    if not (project / CHANGELOG).is_file():
+        return None
+    text = (project / CHANGELOG).read_text(encoding="utf-8")
+    older = [found.start() for found in re.finditer(r"^## ", text, re.MULTILINE)][1:]
+    text = text[: older[0]] if older else text
+    return Page(project, CHANGELOG, re.sub(r"\(were? [^)]*\)|\(was [^)]*\)", lambda found: blanked(found[0]), text))
+
+
 def written_pages(project):
-    """What people write; CHANGELOG.md says what was, and is not held to what is."""
+    """What people write; of CHANGELOG.md only the newest changes are held to what is (newest_changes)."""
     pages = [str(page.relative_to(project)) for page in (project / "docs").glob("*.md")]
     return sorted(pages) + [name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md") if (project / name).is_file()]
 

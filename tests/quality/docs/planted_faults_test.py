@@ -42,6 +42,8 @@ cell: docs/reports/r.md row all files column 3
 
 FILES = {
     "README.md": "# Project\nSee [page](docs/page.md#the-end).\n",
+    "CHANGELOG.md": "# Changes\n## [2]\n[page](docs/page.md) `firmware/level.hpp` (was in `sil/old.hpp`) `tests/run --quick`\n"
+                    "## [1]\n`firmware/old.hpp`\n",
     "docs/page.md": PAGE,
     "docs/reports/r.md": "# Report\n| in all | 99.718 |\n| **all files** | 7 | 1,234 (at most) |\n",
     "firmware/level.hpp": "hold_s = 0.02F;\nrow 1\nrow 2\n",
@@ -114,11 +116,65 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_figure_without_a_source(self):
         for text in ("It takes 7 steps.", "It takes 0.3 s.", "It has -4.5 deg.", "Some 27,000 of them.", "It has 3 dB.",
-                     "All 100 % of it.", "At 2x the rate.", "Over four scenes.", "Ten recorded fields."):
+                     "All 100 % of it.", "At 2x the rate.", "Over four scenes.", "Ten recorded fields.",
+                     "Within half of that.", "It has halved.", "Three quarters of it.", "A tenth of it.", "One third of it.",
+                     "Present for a second.", "It lasts about one minute.", "A second after it.", "Two\nseconds.", "Three samples.",
+                     "It is twice as long.", "A hundred of them."):
             with self.subTest(text):
                 self.plant("## The end\n", f"## The end\n{text}\n")
                 self.expect("unguarded figure")
                 self.plant(f"## The end\n{text}\n", "## The end\n")
+
+    def test_words_that_are_no_quantity(self):
+        self.plant("## The end\n", "## The end\nA second reader, the third one; a cycle of waiting. Do not call twice: one takes two.\n")
+        self.assertEqual(self.check(), [])
+
+    def test_a_quantity_in_words_with_a_source(self):
+        self.plant("## The end\n", "## The end\nIt is half<!--=part--> of it.\n")
+        self.plant("hold: ", "part: firmware/part.hpp part\nhold: ")
+        (self.project / "firmware/part.hpp").write_text("part = 0.5F;\n")
+        self.assertEqual(self.check(), [])
+        (self.project / "firmware/part.hpp").write_text("part = 0.6F;\n")
+        self.expect("stale figure: half", "0.60")
+
+    def test_a_definition_frees_words_and_no_number(self):
+        self.plant("## The end\n", "## The end\n<!-- figures: definition -->\nHalf the width.\n\n")
+        self.assertEqual(self.check(), [])
+        self.plant("Half the width.", "Half the width, 7 m.")
+        self.expect("unguarded figure: 7")
+
+    def test_figures_of_others_without_a_name_or_for_a_whole_section(self):
+        for kind in ("standard", "hardware"):
+            for after in ("", ", whole section", ", whole section, ISO 1"):
+                with self.subTest(kind + after):
+                    self.plant("figures: advice", f"figures: {kind}{after}")
+                    self.expect(f"figures: {kind} holds for one paragraph")
+                    self.plant(f"figures: {kind}{after}", "figures: advice")
+        self.plant("figures: advice", "figures: standard, ISO 1")
+        self.assertEqual(self.check(), [])
+
+    def test_a_version_of_the_project_in_code(self):
+        self.plant("tests/run --quick\n", "tests/run --quick\nfind_package(rsi 0.2 REQUIRED)\n")
+        self.expect("docs/page.md:12", "a version of this project")
+
+    def test_a_line_that_is_a_list_item_by_accident(self):
+        for text in ("Of these `A\n- a_y` moves.", "The sum of A\n+ B moves.", "The product of A\n* B moves.", "1. Of `A\n- B`.",
+                     "- The sum of A\n  + B."):
+            with self.subTest(text):
+                self.plant("## The end\n", f"## The end\n{text}\n\n")
+                self.expect("docs/page.md:17", "begins like an item of a list")
+                self.plant(f"## The end\n{text}\n\n", "## The end\n")
+        self.plant("## The end\n", "## The end\n- One:\n  - an item.\n- Another\n  one.\n\n1. First.\n2. Second.\n\n")
+        self.assertEqual(self.check(), [])
+
+    def test_the_newest_changes(self):
+        for before, after, complaint in (("[page](docs/page.md)", "[page](docs/gone.md)", "dead link"),
+                                         ("`firmware/level.hpp`", "`firmware/gone.hpp`", "no such path"),
+                                         ("tests/run --quick", "tests/run --slow", "no option --slow")):
+            with self.subTest(complaint):
+                self.plant(before, after, "CHANGELOG.md")
+                self.expect("CHANGELOG.md:3", complaint)
+                self.plant(after, before, "CHANGELOG.md")
 
     def test_advice_ends_with_its_paragraph(self):
         self.plant("60 km/h.\n\n", "60 km/h.\n\nFor 8 s.\n\n")
@@ -161,6 +217,13 @@ class PlantedFaults(unittest.TestCase):
     def test_a_dead_link_in_a_report(self):
         self.plant("# Report\n", "# Report\n[gone](../gone.md)\n", "docs/reports/r.md")
         self.expect("docs/reports/r.md:2", "dead link")
+
+    def test_a_path_of_a_report_that_does_not_exist(self):
+        for text in ("| `firmware/gone.cpp` | 7 |", "| firmware/gone.cpp | 7 |"):
+            with self.subTest(text):
+                self.plant("# Report\n", f"# Report\n{text}\n", "docs/reports/r.md")
+                self.expect("docs/reports/r.md:2", "no such path: firmware/gone.cpp")
+                self.plant(f"# Report\n{text}\n", "# Report\n", "docs/reports/r.md")
 
     def test_a_path_that_does_not_exist(self):
         for before, after in (("`firmware/level.hpp`", "`firmware/gone.hpp`"), ("`level.hpp`", "`gone.hpp`"),

@@ -130,6 +130,14 @@ class Commands:
                 if option not in known and f'"{option[2:]}"' not in known]
 
 
+def report_problems(page, commands, pages):
+    """A report names only files that are there: code, tests and tools of today."""
+    found = link_problems(page, pages)
+    for number, line in enumerate(page.lines, 1):
+        found += commands.path_problems(f"{page.path}:{number}", line)
+    return found
+
+
 def pages_elsewhere(project, files):
     """Pages that a source, a script or a message names."""
     problems = []
@@ -144,8 +152,13 @@ def pages_elsewhere(project, files):
 
 
 def problems(page, commands, pages):
+    return link_problems(page, pages) + code_problems(page, commands)
+
+
+def code_problems(page, commands):
+    """Paths and commands."""
     spans, lines = page.code()
-    found = link_problems(page, pages)
+    found = []
     for place, text in spans:
         found += commands.path_problems(place, text) + commands.command_problems(place, text)
     joined = ""

@@ -19,6 +19,8 @@ import tomllib
 
 WORDS = ("zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen "
          "eighteen nineteen twenty").split()
+# Words for parts and multiples of a quantity.
+PARTS = {"half": 0.5, "halved": 0.5, "third": 1.0 / 3.0, "quarter": 0.25, "fifth": 0.2, "tenth": 0.1, "twice": 2.0}
 NUMBER = r"[-+]?\d(?:[\d,']*\d)?(?:\.\d+)?(?:[eE][-+]?\d+)?"
 LINE = re.compile(r"^(?P<name>[\w.-]+): (?P<file>\S+) (?P<what>.+?)(?: \* (?P<factor>[\d.e+-]+))?$")
 
@@ -30,6 +32,8 @@ class SourceError(Exception):
 def number_of(text):
     if text.lower() in WORDS:
         return float(WORDS.index(text.lower()))
+    if text.lower() in PARTS:
+        return PARTS[text.lower()]
     found = re.fullmatch(NUMBER, text)
     if not found:
         raise SourceError(f"'{text}' is no number")
@@ -108,6 +112,7 @@ def shown(value, like):
     if like.lower() in WORDS and value == int(value) and 0 <= value < len(WORDS):
         word = WORDS[int(value)]
         return word.capitalize() if like[0].isupper() else word
+    like = "0.00" if like.lower() in PARTS else like  # no word may fit the new value
     places = len(like.partition(".")[2]) if like.lower() not in WORDS else 0
     text = f"{value:,.{places}f}" if "," in like or abs(value) >= 10000 else f"{value:.{places}f}"
     return "+" + text if like.startswith("+") and value >= 0 else text
@@ -115,7 +120,7 @@ def shown(value, like):
 
 def agree(like, value):
     """Whether the page's figure is the value, rounded to the page's places."""
-    if like.lower() in WORDS:
-        return number_of(like) == value
+    if like.lower() in WORDS or like.lower() in PARTS:
+        return math.isclose(number_of(like), value)
     places = len(like.partition(".")[2])
     return math.isclose(number_of(like), value, rel_tol=0.0, abs_tol=0.500001 * 10.0**-places)
