@@ -89,13 +89,13 @@ def _instructions(table, measurements, operations):
     default = rows(DEFAULT, _step)
     table.row("step, default estimator", default, "step_most")
     table.row(
-        "dearest step over the manoeuvres' mean",
+        "most expensive step over the manoeuvres' mean",
         {target: [figures[3] / figures[1]] for target, figures in default.items()},
         "step_most_over_mean",
     )
     table.row("Component::reset(), in place of init within a cycle", {m.target: [m.reset] for m in measurements})
     table.row(
-        "the reset over the dearest step",
+        "the reset over the most expensive step",
         {m.target: [m.reset / default[m.target][3]] for m in measurements},
         "reset_over_step",
     )
