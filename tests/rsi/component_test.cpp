@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
+#include "rsi/measurement/observer_gains.hpp"
 #include "tests/rsi/support/body_kinematics.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/output_fields.hpp"
