@@ -137,8 +137,9 @@ void Component::start(const Parameters& parameters) {
     fixed_.advance(model_);
 }
 
-// An overturned vehicle sets the warning, whatever the indicator. Without a level there is no statement. Nothing is
-// learnt while the vehicle lies on its side: every sample starts the component anew until it stands again.
+// An overturned vehicle sets the warning, whatever the indicator. Without a level there is no statement.
+// Nothing is learnt while the vehicle lies on its side: every sample starts the component anew until it
+// stands again.
 void Component::warn(const Measurement& measured, Outputs& outputs) {
     const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
     outputs.warning_level = indicated.level;

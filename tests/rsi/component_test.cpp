@@ -450,7 +450,8 @@ TEST(Component, AResetLeavesNothingOfBefore) {
     }
 }
 
-// Each byte in turn. What init computes by iteration is kept, so damage to it stays: the observer's gains and one angle.
+// Each byte in turn. What init computes by iteration is kept, so damage to it stays: the observer's gains and
+// one angle.
 TEST(Component, AResetRepairsAllOfTheComponentButWhatItKeeps) {
     const rsi_parameters parameters = rsi_test::large_suv();
     rsi::Component sound;
@@ -475,7 +476,9 @@ TEST(Component, AResetRepairsAllOfTheComponentButWhatItKeeps) {
         std::memcpy(static_cast<void*>(&damaged), memory.data(), memory.size());
         damaged.reset(parameters);
         const std::vector<rsi_outputs> answered = answer(damaged);
-        kept += std::memcmp(answered.data(), expected.data(), expected.size() * sizeof(rsi_outputs)) == 0 ? 0U : 1U;
+        kept += std::memcmp(answered.data(), expected.data(), expected.size() * sizeof(rsi_outputs)) == 0
+                    ? 0U
+                    : 1U;
     }
     EXPECT_LE(kept, sizeof(rsi::ObserverGains) + sizeof(float));
 }

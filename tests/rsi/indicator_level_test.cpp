@@ -81,7 +81,8 @@ TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
 }
 
 TEST(IndicatorLevel, TheSideIsThatOfItsOwnSignalAndOfNoOther) {
-    const auto turned = [](rsi_indicator indicator, float force, float acceleration, float predicted, float roll) {
+    const auto turned = [](rsi_indicator indicator, float force, float acceleration, float predicted,
+                           float roll) {
         rsi_outputs outputs = all_different();
         outputs.road_parallel_force_mps2 = force;
         outputs.lateral_acceleration_mps2 = acceleration;

@@ -14,9 +14,9 @@ class ClassicIndices {
     // As init, but keeps what is found by iterating.
     [[gnu::cold]] void reinitialise(const Parameters& parameters);
 
-    // Writes its indices; rsi_outputs.h says what each is, classic_indices.cpp has the formulas. Those without a
-    // derivative take the measurement as it is, those with phi'' the motion, whose signals all have the same
-    // delay.
+    // Writes its indices; rsi_outputs.h says what each is, classic_indices.cpp has the formulas. Those
+    // without a derivative take the measurement as it is, those with phi'' the motion, whose signals all have
+    // the same delay.
     void evaluate(const Measurement& measured, const RollMotion& motion, Outputs& outputs) const;
 
  private:

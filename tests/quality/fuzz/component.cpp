@@ -1,7 +1,7 @@
 // The component's step over any sequence of inputs, with any calibration: whatever comes, every output is
 // defined, the state is one that the warning's rules allow, and without the necessary inputs it is
-// "unavailable". Some inputs run a twin beside it: one in storage that held other data (through the C interface),
-// or one that sees the mirrored drive.
+// "unavailable". Some inputs run a twin beside it: one in storage that held other data (through the C
+// interface), or one that sees the mirrored drive.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
