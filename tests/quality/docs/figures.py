@@ -9,8 +9,8 @@ Guarded: NUMBER<!--=NAME--> with a source of that NAME (sources.py). Free withou
   `<!-- figures: KIND, whole section -->` up to the next heading.
 A count in words needs a source when one of COUNTED follows it, and so does a quantity in words (QUANTITIES): a part, a
 multiple, a time or a length. Below `<!-- figures: definition -->` quantities in words are free, numbers are not.
-`standard` and `hardware` name whose figures they are, `<!-- figures: standard, AUTOSAR profile 11 -->`, and hold for one
-paragraph, list or table only. A code fence carries no version of this project.
+`standard` and `hardware` name whose figures they are, as `<!-- figures: standard, AUTOSAR profile 11 -->` does, and
+hold for one paragraph, list or table only. A code fence carries no version of this project.
 """
 
 import re
@@ -31,13 +31,17 @@ COUNTED = ("frames signals indices indicators manoeuvres vehicles targets proces
 WORD = "|".join(sources.WORDS[2:])
 UNIT = r"(?:milli|micro)?seconds?|minutes?|hours?|(?:milli|centi|kilo)?metres?|degrees?"
 QUANTITIES = re.compile("|".join((
-    r"\b(?:half|halves|halved|halving|thirds|quarters?|fifths?|tenths?|hundredths?)\b", r"\b(?:a|one|two) third\b(?! \w+or\b)",
+    r"\b(?:half|halves|halved|halving|thirds|quarters?|fifths?|tenths?|hundredths?)\b",
+    r"\b(?:a|one) third\b",
     r"\b(?:twice|double|triple) (?:as|its|their|the|that)\b", r"\b(?:doubled|tripled|hundred|thousand|million|dozen)\b",
-    rf"\b(?:for|within|about|after|over|than|least|most|lasts?) (?:an?|one) (?:{UNIT})\b",  # "a second reader" is no time
+    # Not every "a second": "a second reader" is no time.
+    rf"\b(?:for|within|about|after|over|than|least|most|lasts?) (?:an?|one) (?:{UNIT})\b",
     rf"\b(?:an?|one) (?:{UNIT}) (?:of|after|before|later|ahead|long)\b",
     rf"\b(?:{WORD})\s+(?:{UNIT}|samples|cycles)\b")).replace(" ", r"\s+"), re.IGNORECASE)
 VERSION = re.compile(r"\brsi[ -]v?\d+\.\d+")
-GUARDED = re.compile(rf"(?P<figure>{sources.NUMBER}|\b(?i:{WORD}|{'|'.join(sources.PARTS)})\b)(?P<mark>\**<!--=(?P<name>[\w.-]+)-->)")
+PART = "|".join(sources.PARTS)
+GUARDED = re.compile(rf"(?P<figure>{sources.NUMBER}|\b(?i:{WORD}|{PART})\b)"
+                     r"(?P<mark>\**<!--=(?P<name>[\w.-]+)-->)")
 FREE = re.compile(r"<!-- figures: (?P<kind>\w+)(?P<section>, whole section)?(?:, (?P<whose>[^>]+))? -->")
 SOURCES = re.compile(r"<!-- sources\n(?P<lines>.*?)-->\s*\Z", re.DOTALL)
 BARE = re.compile(rf"(?<![\w.,])(?:{sources.NUMBER})(?![\w])|(?<![\w.,])\d[\d.,]*(?=[a-zA-Z°%])")
@@ -118,7 +122,8 @@ def free_spans(page):
             problems.append(f"{page.place(found.start())}: figures: {found['kind']} is none of {', '.join(KINDS)}")
             continue
         if found["kind"] in NAMED_KINDS and (found["section"] or not found["whose"]):
-            problems.append(f"{page.place(found.start())}: figures: {found['kind']} holds for one paragraph and says whose they are")
+            problems.append(f"{page.place(found.start())}: figures: {found['kind']} holds for one paragraph and says "
+                            "whose they are")
         end = re.compile(r"\n#" if found["section"] else r"\n\s*\n").search(page.text, found.end())
         spans.append((found.start(), end.start() if end else len(page.text), found["kind"]))
     return spans, problems
@@ -151,8 +156,9 @@ def guarded_problems(page, by_name):
 def bare_problems(page, everyday, spans):
     text = page.text
     for start, end, kind in spans:
-        free = QUANTITIES.sub(lambda found: blanked(found[0]), text[start:end]) if kind == "definition" else blanked(text[start:end])
-        text = text[:start] + free + text[end:]
+        span = text[start:end]
+        span = without(span, QUANTITIES) if kind == "definition" else blanked(span)
+        text = text[:start] + span + text[end:]
     text = GUARDED.sub(lambda found: blanked(found[0]), text)
     prose = page.prose()
     text = "".join(a if b == a else " " if a != "\n" else a for a, b in zip(text, prose + " " * (len(text) - len(prose))))

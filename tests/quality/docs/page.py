@@ -63,7 +63,8 @@ class Page:
             if not before.strip() or HEADING.match(before):
                 in_list, in_code = bool(ITEM.match(line)), False
             elif ITEM.match(line) and (in_code or not in_list or (line[0] == " " and not before.endswith(":"))):
-                found.append(f"{self.path}:{number}: begins like an item of a list within a paragraph: break the line elsewhere")
+                found.append(f"{self.path}:{number}: begins like an item of a list within a paragraph: break the line "
+                             "elsewhere")
             in_code ^= line.count("`") % 2 == 1
             before = line
         return found

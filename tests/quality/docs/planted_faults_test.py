@@ -42,15 +42,16 @@ cell: docs/reports/r.md row all files column 3
 
 FILES = {
     "README.md": "# Project\nSee [page](docs/page.md#the-end).\n",
-    "CHANGELOG.md": "# Changes\n## [2]\n[page](docs/page.md) `firmware/level.hpp` (was in `sil/old.hpp`) `tests/run --quick`\n"
-                    "## [1]\n`firmware/old.hpp`\n",
+    "CHANGELOG.md": "# Changes\n## [2]\n[page](docs/page.md) `firmware/level.hpp` (was in `sil/old.hpp`) "
+                    "`tests/run --quick`\n## [1]\n`firmware/old.hpp`\n",
     "docs/page.md": PAGE,
     "docs/reports/r.md": "# Report\n| in all | 99.718 |\n| **all files** | 7 | 1,234 (at most) |\n",
     "firmware/level.hpp": "hold_s = 0.02F;\nrow 1\nrow 2\n",
     "firmware/rsi/rsi.h": "#define RSI_SAMPLE_TIME_S 0.01F\n",
     "cars/a.toml": "[warning]\non = 0.92\n",
     "cars/b.toml": "",
-    "docs/vehicle_file.md": "# Vehicle\n`name`.\n## `[mass]`\n| key | meaning |\n|---|---|\n| `sprung_kg` `m_s` | `h` |\n",
+    "docs/vehicle_file.md": "# Vehicle\n`name`.\n## `[mass]`\n| key | meaning |\n|---|---|\n"
+                            "| `sprung_kg` `m_s` | `h` |\n",
     "sil/vehicles/large_suv.toml": 'name = "car"\n[mass]\nsprung_kg = 1.0\n',
     "sil/run": "# docs/page.md says more\n",
     "cars/c.toml": "",
@@ -117,8 +118,9 @@ class PlantedFaults(unittest.TestCase):
     def test_a_figure_without_a_source(self):
         for text in ("It takes 7 steps.", "It takes 0.3 s.", "It has -4.5 deg.", "Some 27,000 of them.", "It has 3 dB.",
                      "All 100 % of it.", "At 2x the rate.", "Over four scenes.", "Ten recorded fields.",
-                     "Within half of that.", "It has halved.", "Three quarters of it.", "A tenth of it.", "One third of it.",
-                     "Present for a second.", "It lasts about one minute.", "A second after it.", "Two\nseconds.", "Three samples.",
+                     "Within half of that.", "It has halved.", "Three quarters of it.", "A tenth of it.",
+                     "One third of it.", "Present for a second.", "It lasts about one minute.", "A second after it.",
+                     "Two\nseconds.", "Three samples.",
                      "It is twice as long.", "A hundred of them."):
             with self.subTest(text):
                 self.plant("## The end\n", f"## The end\n{text}\n")
@@ -126,7 +128,8 @@ class PlantedFaults(unittest.TestCase):
                 self.plant(f"## The end\n{text}\n", "## The end\n")
 
     def test_words_that_are_no_quantity(self):
-        self.plant("## The end\n", "## The end\nA second reader, the third one; a cycle of waiting. Do not call twice: one takes two.\n")
+        self.plant("## The end\n", "## The end\nA second reader, the third one; a cycle of waiting. Do not call twice: "
+                   "one takes two.\n")
         self.assertEqual(self.check(), [])
 
     def test_a_quantity_in_words_with_a_source(self):
@@ -158,7 +161,8 @@ class PlantedFaults(unittest.TestCase):
         self.expect("docs/page.md:12", "a version of this project")
 
     def test_a_line_that_is_a_list_item_by_accident(self):
-        for text in ("Of these `A\n- a_y` moves.", "The sum of A\n+ B moves.", "The product of A\n* B moves.", "1. Of `A\n- B`.",
+        for text in ("Of these `A\n- a_y` moves.", "The sum of A\n+ B moves.", "The product of A\n* B moves.",
+                     "1. Of `A\n- B`.",
                      "- The sum of A\n  + B."):
             with self.subTest(text):
                 self.plant("## The end\n", f"## The end\n{text}\n\n")
