@@ -1,8 +1,14 @@
 // Random: numbers of which every bit is the same on every machine; the standard library's distributions need
-// not be.
+// not be. There are two generators, for two uses:
+// scrambled() makes a number of its argument alone, so that one quantity of a run can be drawn by itself,
+// whatever else is drawn: campaigns, roads, seeds.
+// RandomStream gives one number after the other, of a sequence without visible pattern: noise, long drives.
+// Recordings and reports depend on the numbers of both, so neither can take the other's place.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <random>
 
 namespace sil {
 
@@ -21,5 +27,20 @@ constexpr std::uint64_t scrambled(std::uint64_t value) {
 constexpr double unit_interval(std::uint64_t bits) {
     return static_cast<double>(bits >> 11U) * 0x1p-53;
 }
+
+class RandomStream {
+ public:
+    explicit RandomStream(std::uint64_t seed) : generator_{seed} {}
+
+    std::uint64_t bits() { return generator_(); }
+
+    double between(double low, double high) { return low + (high - low) * unit_interval(bits()); }
+
+    // 0 to count - 1, for small counts.
+    std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() >> 11U) % count; }
+
+ private:
+    std::mt19937_64 generator_;  // its output is fixed by the C++ standard, [rand.predef]
+};
 
 }  // namespace sil

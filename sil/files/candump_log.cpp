@@ -7,6 +7,11 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "sil/files/whole_file.hpp"
+#include "sil/input_error.hpp"
 
 namespace sil {
 namespace {
@@ -245,28 +250,20 @@ ParsedCandumpLine parse_candump_line(std::string_view line) {
 }
 
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path) {
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file || std::filesystem::is_directory(path)) {
-        throw CandumpLogError(fmt::format("{}: cannot be read: {}", path.string(),
-                                          file ? "it is a folder" : reason_of_failure()));
-    }
+    std::istringstream text(read_whole_file(path));
     std::vector<LoggedFrame> frames;
     std::string line;
-    for (std::size_t number = 1U; std::getline(file, line); ++number) {
+    for (std::size_t number = 1U; std::getline(text, line); ++number) {
         if (line.empty() || line == "\r") {
             continue;
         }
         ParsedCandumpLine parsed = parse_candump_line(line);
         if (!parsed.frame) {
-            throw CandumpLogError(fmt::format("{}:{}:{}: {}", path.string(), number, parsed.error.column,
-                                              parsed.error.message));
+            throw InputError(fmt::format("{}:{}:{}: {}", path.string(), number, parsed.error.column,
+                                         parsed.error.message));
         }
         frames.push_back(std::move(*parsed.frame));
         frames.back().line = number;
-    }
-    if (file.bad()) {
-        throw CandumpLogError(fmt::format("{}: reading failed: {}", path.string(), reason_of_failure()));
     }
     return frames;
 }

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,14 +45,9 @@ struct ParsedCandumpLine {
 // that `candump -x` adds are accepted.
 ParsedCandumpLine parse_candump_line(std::string_view line);
 
-// what() is "FILE:LINE:COLUMN: what is wrong".
-class CandumpLogError : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
-
 // All frames of a log, in the order of the file, whatever their times (candump may write two frames that
-// arrived on two processors in the wrong order). Empty lines are skipped. Throws CandumpLogError.
+// arrived on two processors in the wrong order). Empty lines are skipped. Throws InputError
+// "FILE:LINE:COLUMN: what is wrong", or that the file cannot be read.
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path);
 
 class CandumpLogWriter {

@@ -7,7 +7,7 @@
 
 namespace sil {
 
-// "RolloverWarning State=warning Side=right RollStabilityIndicator=1 LateralAcceleration=7.105 m/s^2 ..."; a
+// "RolloverWarning State=warning Side=right WarningLevel=1 LateralAcceleration=7.105 m/s^2 ..."; a
 // signal that is not valid shows why. Empty for a frame that the DBC file does not define or whose length is
 // another.
 std::string describe_frame(const hal::CanFrame& frame);

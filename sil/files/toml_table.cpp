@@ -5,14 +5,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "sil/files/whole_file.hpp"
 #include "sil/input_error.hpp"
 #include "sil/printable.hpp"
 
@@ -25,11 +23,17 @@ struct Document {
     std::map<std::string, std::string> changes{};  // as they were asked for, by key
 };
 
-// What `parse` gives, or its error with the place.
-template <typename Parse>
-toml::table parsed(const std::string& file, const Parse& parse) {
+std::string text_of(const std::filesystem::path& path, std::string_view example) {
     try {
-        return parse();
+        return read_whole_file(path);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}{}{}", error.what(), example.empty() ? "" : ", or ", example));
+    }
+}
+
+toml::table parsed(std::string_view text, const std::string& file) {
+    try {
+        return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
         throw InputError(fmt::format("{}:{}: not valid TOML: {}; correct this line", file,
                                      error.source().begin.line, error.description()));
@@ -113,28 +117,12 @@ struct TomlTable::State {
 TomlTable::TomlTable(std::shared_ptr<State> state) : state_{std::move(state)} {}
 
 TomlTable TomlTable::load(const std::filesystem::path& path, std::string_view example) {
-    auto document = std::make_shared<Document>();
-    document->file = path.string();
-    const auto unreadable = [&](std::string_view reason) {
-        throw InputError(fmt::format("{}: cannot be read: {}; check the path and the permissions{}{}",
-                                     document->file, reason, example.empty() ? "" : ", or ", example));
-    };
-    errno = 0;
-    if (!std::ifstream{path}.good()) {
-        unreadable(std::strerror(errno));
-    }
-    if (std::filesystem::is_directory(path)) {
-        unreadable("it is a folder");
-    }
-    document->root = parsed(document->file, [&] { return toml::parse_file(document->file); });
-    toml::table* const root = &document->root;
-    return TomlTable{std::make_shared<State>(State{std::move(document), root})};
+    return parse(text_of(path, example), path.string());
 }
-
 TomlTable TomlTable::parse(std::string_view text, const std::string& name) {
     auto document = std::make_shared<Document>();
     document->file = name;
-    document->root = parsed(name, [&] { return toml::parse(text, name); });
+    document->root = parsed(text, name);
     toml::table* const root = &document->root;
     return TomlTable{std::make_shared<State>(State{std::move(document), root})};
 }

@@ -7,10 +7,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "sil/input_error.hpp"
 
@@ -22,16 +22,31 @@ namespace {
         "cannot write {}: {}; check that the folder exists and may be written", path.string(), reason));
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason) {
+    throw InputError(
+        fmt::format("{}: cannot be read: {}; check the path and the permissions", path.string(), reason));
+}
+
 }  // namespace
 
 std::string read_whole_file(const std::filesystem::path& path) {
     errno = 0;
     std::ifstream file{path, std::ios::binary};
-    if (!file || std::filesystem::is_directory(path)) {
-        throw InputError(fmt::format("{}: cannot be read: {}; check the name and the rights", path.string(),
-                                     file ? "it is a folder" : std::strerror(errno)));
+    if (!file) {
+        refuse(path, std::strerror(errno));
     }
-    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
+    if (std::filesystem::is_directory(path)) {
+        refuse(path, "it is a folder");
+    }
+    std::string text;
+    std::vector<char> block(64U * 1024U);
+    while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
+        text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    }
+    if (file.bad()) {
+        refuse(path, std::strerror(errno));
+    }
+    return text;
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view content) {

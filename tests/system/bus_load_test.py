@@ -1,8 +1,8 @@
 """A flood of foreign frames beside rsi-ecu, with its filters in the kernel and without any: on every machine, however busy,
 each frame is received or counted as lost, and no cycle that the ECU keeps lacks a frame.
 
-Whether the flood is 10,000 frames a second, and the cycle holds beside it: bus_load_pace_test.py. For that a second rsi-ecu on
-an interface of its own tells what the machine does to a cycle of 10 ms anyway."""
+Whether the flood is 10,000 frames a second, and the cycle holds beside it: real_time/bus_load_pace_test.py. For that a
+second rsi-ecu on an interface of its own shows what the machine does to a cycle of 10 ms anyway."""
 
 import os
 import re

@@ -1,6 +1,6 @@
 """Real time over a CAN interface, as it is on every machine, however busy: what is not in time is told, and nothing is lost.
 
-What a machine that does nothing else reaches, real_time_pace_test.py shows."""
+What a machine that does nothing else reaches, real_time/real_time_pace_test.py shows."""
 
 import tempfile
 import time

@@ -11,7 +11,7 @@
 
 namespace sil {
 
-// It need not show there: nothing that the vehicle does tells it from the truth.
+// It need not show there: the vehicle's motion does not separate it from the right value.
 inline constexpr int hidden = -1;
 
 // A lapse of any length: only the beginning shows.

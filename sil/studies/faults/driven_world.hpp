@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "sil/studies/faults/chance.hpp"
+#include "sil/random.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
 #include "sil/world/vehicle/parameters.hpp"
@@ -12,7 +12,7 @@
 namespace sil {
 
 // A vehicle that has rolled over is replaced by another one. Every few minutes, when it goes straight, it
-// stops for a while; the tyre model wants a rolling wheel, so that is written down instead of driven.
+// stops for a while; the tyre model needs a rolling wheel, so that is written down instead of driven.
 class DrivenWorld {
  public:
     DrivenWorld(const VehicleParameters& vehicle, std::uint64_t seed, double duration_s);
@@ -41,7 +41,7 @@ class DrivenWorld {
     const VehicleParameters& vehicle_;
     std::uint64_t seed_;
     double duration_s_;
-    Chance chance_;
+    RandomStream chance_;
     std::optional<ManoeuvreRun> plant_{};
     std::optional<SensorSuite> sensors_{};
     Truth shown_{};

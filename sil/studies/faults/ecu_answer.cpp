@@ -67,7 +67,7 @@ std::vector<std::string> diagnostic_names(DiagnosticCodes codes) {
 // A code that the DBC file does not define is decoded as the start value or as "not available", so it does
 // not come back.
 template <typename Message>
-void EcuEar::hear(const hal::CanFrame& frame, EcuAnswer& answer) {
+void EcuAnswerReader::take(const hal::CanFrame& frame, EcuAnswer& answer) {
     ++answer.frames;
     if (can_dbc::e2e::verify_profile_11(frame.data.data(), frame.length, Message::length,
                                         Message::e2e_data_id) != can_dbc::e2e::CheckError::none) {
@@ -82,23 +82,23 @@ void EcuEar::hear(const hal::CanFrame& frame, EcuAnswer& answer) {
     keep(message, answer);
 }
 
-void EcuEar::keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const {
+void EcuAnswerReader::keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const {
     answer.state = message.state;
     answer.side = message.side;
 }
 
-void EcuEar::keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const {
+void EcuAnswerReader::keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const {
     answer.roll_source = message.roll_source;
     answer.codes |= message.roll_sensor_disagrees ? bit(roll_sensor_disagrees_bit) : 0U;
 }
 
-void EcuEar::keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const {
+void EcuAnswerReader::keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const {
     for (std::size_t index = 0U; index < flags.size(); ++index) {
         answer.codes |= message.*(flags[index].value) ? bit(index) : 0U;
     }
 }
 
-void EcuEar::keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer) {
+void EcuAnswerReader::keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer) {
     answer.degradation = message.degradation;
     const DiagnosticCodes code = bit(first_code_bit + static_cast<std::size_t>(message.code));
     if (message.code == Diagnosis::Code::none) {
@@ -110,7 +110,7 @@ void EcuEar::keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer) 
     }
 }
 
-EcuAnswer EcuEar::listen(hal::CanBus& world) {
+EcuAnswer EcuAnswerReader::read(hal::CanBus& world) {
     EcuAnswer answer;
     answer.complete = true;
     std::uint32_t seen = 0U;  // one bit a message
@@ -122,7 +122,7 @@ EcuAnswer EcuEar::listen(hal::CanBus& world) {
             if (frame.identifier == Message::identifier) {
                 answer.complete = answer.complete && (seen & message_bit) == 0U;
                 seen |= message_bit;
-                hear<Message>(frame, answer);
+                take<Message>(frame, answer);
             }
             message_bit <<= 1U;
         });

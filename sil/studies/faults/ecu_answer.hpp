@@ -15,8 +15,8 @@ namespace sil {
 // What the component can still do.
 using Degradation = can_dbc::RolloverDiagnosis::Degradation;
 
-// A set, one bit each: the flags of RolloverStatus, the observer's doubt of the roll sensor, and the codes of
-// RolloverDiagnosis that are confirmed.
+// A set, one bit each: the flags of RolloverStatus, the observer's contradiction of the roll sensor, and the
+// codes of RolloverDiagnosis that are confirmed.
 using DiagnosticCodes = std::uint64_t;
 
 // The name of a bit.
@@ -36,16 +36,16 @@ struct EcuAnswer {
     DiagnosticCodes codes{0U};
 };
 
-// Hears the ECU's frames on the bus, cycle by cycle. Each tells of one diagnostic code only, so what it was
-// told before counts until it hears otherwise.
-class EcuEar {
+// Reads the ECU's frames from the bus, cycle by cycle. A cycle carries one diagnostic code only, so a
+// confirmed code counts until a later cycle carries it as healed, or none at all.
+class EcuAnswerReader {
  public:
     // Reads what waits on the world's end of the bus.
-    EcuAnswer listen(hal::CanBus& world);
+    EcuAnswer read(hal::CanBus& world);
 
  private:
     template <typename Message>
-    void hear(const hal::CanFrame& frame, EcuAnswer& answer);
+    void take(const hal::CanFrame& frame, EcuAnswer& answer);
     void keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const;
     void keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const;
     void keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const;

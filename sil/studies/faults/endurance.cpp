@@ -42,7 +42,7 @@ std::string faults_at(std::uint64_t cycle, const FaultSchedule& schedule) {
     return fmt::format("{}at {:.2f} s", text, static_cast<double>(cycle) * cycle_time_s);
 }
 
-// Of errors that no check sees in time those of a turn to this side.
+// Of errors that no check detects in time those of a turn to this side.
 bool is_any_known_undetected(const FaultSchedule& schedule, WarningSide side) {
     return std::any_of(
         schedule.faults().begin(), schedule.faults().end(), [side](const ScheduledFault& each) {

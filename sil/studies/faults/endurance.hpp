@@ -17,7 +17,7 @@ struct EnduranceSettings {
     std::uint64_t seed{1U};
 };
 
-// Compared cycle by cycle with a second ECU that sees the same drive without faults.
+// Compared cycle by cycle with a second ECU that gets the same drive without faults.
 struct EnduranceResult {
     std::uint64_t cycles{0U};
     std::uint64_t faults{0U};
@@ -29,11 +29,11 @@ struct EnduranceResult {
     std::uint64_t warnings_due{0U};             // how often the second ECU came to warn
     std::uint64_t due_with_fault{0U};           // of these: while a fault was there, or within 2 s after it
     std::uint64_t due_with_fault_warned{0U};    // of those: the first ECU warned as well
-    std::uint64_t due_with_fault_told{0U};      // or was `unavailable`, or told a code
+    std::uint64_t due_with_fault_told{0U};      // or was `unavailable`, or sent a code
     std::uint64_t due_with_fault_silenced{0U};  // or was `ready` without a code, if only for a cycle
     std::vector<std::string> silenced_by{};     // the faults at each silence, with the second of the drive
     std::vector<std::string>
-        silenced_known_undetected{};      // the same where an error that no check sees is among them
+        silenced_known_undetected{};      // the same where an error that no check detects is among them
     int longest_silence_ms{0};            // the longest such time
     std::uint64_t incomplete_cycles{0U};  // without one of the ECU's frames
     std::uint64_t undefined_cycles{0U};   // with a code that the DBC file does not define

@@ -31,8 +31,8 @@ struct Expectation {
     int wrong_ms{0};      // a state other than without the fault, without a code, lasts no longer
     int lead_loss_ms{0};  // a warning that is due and that the state can tell is no later
     int lapse_ms{0};      // after the first code and while the fault is there, no longer without one
-    // No check sees the error before the warning is due: what it does to the warning is told as a limit of
-    // the component, and is no shortfall.
+    // No check detects the error before the warning is due: its effect on the warning is reported as a limit
+    // of the component, and is no shortfall.
     bool known_undetected{false};
 };
 

@@ -62,7 +62,7 @@ struct Fault {
 const char* to_string(FaultKind kind);
 const char* to_string(FaultPlace place);
 
-// "offset, +2 m/s^2": kind and magnitude as a reader wants them.
+// "offset, +2 m/s^2": kind and magnitude as text.
 std::string describe(const Fault& fault);
 
 // "offset, ±2 m/s^2": the same of all of in_each_sign().

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sil/studies/faults/chance.hpp"
+#include "sil/random.hpp"
 #include "sil/studies/faults/fault.hpp"
 
 namespace sil {
@@ -44,7 +44,7 @@ class FaultSchedule {
     Fault any_fault();
     void place(std::uint64_t begin);
 
-    Chance chance_;
+    RandomStream chance_;
     std::array<ScheduledFault, 2U> faults_{};
     std::uint64_t over_{0U};
     bool drawn_to_warning_{false};

@@ -33,7 +33,7 @@ std::optional<EcuAnswer> FaultyLine::cycle(std::uint64_t number, const std::opti
     if (!stepped || (first && faults_[0].fault.kind == FaultKind::bus_off)) {
         return std::nullopt;
     }
-    return ear_.listen(ecu_.world_bus());
+    return reader_.read(ecu_.world_bus());
 }
 
 }  // namespace sil

@@ -22,7 +22,8 @@ class FaultyLine {
 
     void inject(const std::array<ScheduledFault, 2U>& faults);
 
-    // One cycle; nothing is sent without a sample. None while the ECU's processor stands or nobody hears it.
+    // One cycle; nothing is sent without a sample. None while the ECU's processor stands or its
+    // frames reach nobody.
     std::optional<EcuAnswer> cycle(std::uint64_t number, const std::optional<SensorSample>& sample);
 
     // In the latest cycle: once after a step, not at all while the processor stands.
@@ -36,7 +37,7 @@ class FaultyLine {
     std::unique_ptr<FaultyBus> first_{};
     std::array<std::optional<SignalFault>, 2U> sensors_{};
     SensorFrames frames_{};
-    EcuEar ear_{};
+    EcuAnswerReader reader_{};
     int fed_{0};
     bool fed_once_{true};
 };

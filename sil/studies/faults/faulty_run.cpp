@@ -20,7 +20,7 @@ FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Para
     FaultyBus bus{ecu.world_bus(), fault};
     SignalFault sensor{fault};
     SensorFrames frames;
-    EcuEar ear;
+    EcuAnswerReader reader;
     FaultyRun run;
     run.over = scene.fault_end;
     int stepped = 0;
@@ -31,7 +31,7 @@ FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Para
         frames.send(bus, sensor.apply(as_equipped(scene.samples[cycle], fault), active));
         std::optional<EcuAnswer> answer;
         if (ecu.step()) {
-            answer = ear.listen(ecu.world_bus());
+            answer = reader.read(ecu.world_bus());
             ++stepped;
         }
         if (!run.visible && (bus.is_visible() || ecu.is_visible() || sensor.is_visible())) {

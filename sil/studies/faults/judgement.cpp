@@ -31,7 +31,7 @@ std::optional<std::size_t> first_warning(const FaultyRun& run) {
     return std::nullopt;
 }
 
-// While the controller is off the bus nobody hears the ECU.
+// While the controller is off the bus the ECU's frames reach nobody.
 bool is_heard(const Fault& fault, const FaultyRun& run, const Scene& scene, std::size_t cycle) {
     const bool off = fault.kind == FaultKind::bus_off && cycle >= scene.fault_begin && cycle < run.over;
     return run.answers[cycle].has_value() && !off;
@@ -143,7 +143,7 @@ Verdict judge(const Expectation& expected, const Reaction& reaction) {
             verdict.shortfalls.push_back(otherwise);
         }
     };
-    // What an error that no check sees in time does to the warning.
+    // The effect on the warning of an error that no check detects in time.
     const auto demand_if_seen = [&](bool good, const std::string& otherwise) {
         if (!good) {
             (expected.known_undetected ? verdict.known_undetected : verdict.shortfalls).push_back(otherwise);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sil/studies/faults/chance.hpp"
+#include "sil/random.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
@@ -91,7 +91,7 @@ class MixedDriver final : public Driver {
         return course;
     }
 
-    Chance chance_;
+    RandomStream chance_;
     double handwheel_at_0_3_g_rad_;
     Course course_{};
 };

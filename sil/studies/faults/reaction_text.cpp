@@ -1,4 +1,4 @@
-// Reactions as a reader wants them.
+// Reactions as text.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Recovery watch: the time from the end of each fault to the agreement of both ECUs, which must last a
-// second: in hard driving each may doubt the roll sensor at a moment of its own. Time at a standstill counts
+// second: in hard driving each may reject the roll sensor at a moment of its own. Time at a standstill counts
 // apart: where nothing moves, some values cannot prove themselves.
 #pragma once
 

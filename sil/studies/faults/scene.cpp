@@ -56,7 +56,7 @@ Recording record(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre) {
     }
 }
 
-// The tyre model wants a rolling wheel, so a vehicle at rest is written down instead of driven.
+// The tyre model needs a rolling wheel, so a vehicle at rest is written down instead of driven.
 Recording record_rest(const VehicleParameters& vehicle, double duration_s) {
     Truth truth;
     truth.specific_force_mps2 = {0.0, 0.0, g_mps2};

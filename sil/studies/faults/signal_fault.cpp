@@ -28,7 +28,7 @@ SensorSample SignalFault::apply(const SensorSample& sample, bool active) {
     const double right = value;
     value = faulty(right);
     if (fault_.place == FaultPlace::speed && value < 0.0) {
-        value = 0.0;  // a wheel's sensor counts and knows no sign
+        value = 0.0;  // a wheel's sensor counts pulses: without a sign
     }
     const double error = std::abs(value - right);
     visible_ = fault_.kind == FaultKind::out_of_range ||

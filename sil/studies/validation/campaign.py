@@ -4,9 +4,7 @@ import json
 import re
 import tomllib
 
-# The published RSI ends at 1, (25), and has no threshold beyond; the bank-free one is the same without that end.
-PAPERS_INDICES = ("published", "bank_free", "static_stability_factor", "dynamic_stability", "dynamic_stability_late", "energy",
-                  "rollover_index", "time_to_rollover")
+from figures import PAPERS
 
 
 def _percent(share):
@@ -42,11 +40,12 @@ def _goal_table(report):
 
 
 def _curves(report, chosen):
-    """The default index against the best of the paper's, at equal false alarms."""
+    """The default index against the best of the paper's, at equal false alarms. The published RSI ends at 1, (25), and has
+    no threshold beyond; the bank-free one is the same without that end."""
     indices = report["all"]["indices"]
     lines = [f"| alarms in calm runs, at most | {chosen}: warned, 0.1 s before | best of the paper's, 0.1 s before | above it |", "|---|---|---|---|"]
     for k, own in enumerate(indices[chosen]["best"]):
-        others = [(indices[name]["best"][k], name) for name in PAPERS_INDICES]
+        others = [(indices[name]["best"][k], name) for name in PAPERS]
         others = [(best["warned_100ms_before"]["share"], name) for best, name in others if best["threshold"] is not None]
         share, name = max(others, default=(0.0, "none"))
         if own["threshold"] is None:

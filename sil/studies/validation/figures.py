@@ -10,27 +10,24 @@ NOMINAL_HEIGHT_M = 0.281  # of the roll centre; as the calibration's fixed_roll_
 CG_HEIGHT_M = 0.988
 START_S = {"j-turn-110": 1.0, "j-turn-banked": 12.0, "fishhook-1a": 2.0}
 
-# In the order of the document: the column, and what it is called there. The paper's own indices come from the runs with the
-# paper's estimator; the others, of which some use the estimate, from those with the default one.
+# In the order of the document: the column, what it is called there, and whether it is one of the paper's own. Those come
+# from the runs with the paper's estimator; the others, of which some use the estimate, from those with the default one.
 INDICES = [
-    ("published", "RSI as published, (25)"),
-    ("bank_free", "RSI bank-free"),
-    ("extended", "extended RSI"),
-    ("static_stability_factor", "SSF"),
-    ("dynamic_stability", "DSI, physical sign (27)"),
-    ("dynamic_stability_late", "DSI, printed sign"),
-    ("energy", "energy `W`, (28)"),
-    ("rollover_index", "rollover index RI, (29)"),
-    ("time_to_rollover", "time to rollover"),
-    ("load_transfer", "load transfer from the roll state"),
-    ("predicted_load_transfer", "predicted load transfer"),
-    ("predicted_rsi", "predicted RSI"),
-    ("true_load_transfer", "true \\|LTR\\|, (26): no vehicle has it"),
+    ("published", "RSI as published, (25)", True),
+    ("bank_free", "RSI bank-free", True),
+    ("extended", "extended RSI", False),
+    ("static_stability_factor", "SSF", True),
+    ("dynamic_stability", "DSI, physical sign (27)", True),
+    ("dynamic_stability_late", "DSI, printed sign", True),
+    ("energy", "energy `W`, (28)", True),
+    ("rollover_index", "rollover index RI, (29)", True),
+    ("time_to_rollover", "time to rollover", True),
+    ("load_transfer", "load transfer from the roll state", False),
+    ("predicted_load_transfer", "predicted load transfer", False),
+    ("predicted_rsi", "predicted RSI", False),
+    ("true_load_transfer", "true \\|LTR\\|, (26): no vehicle has it", False),
 ]
-
-
-PAPERS = ("published", "bank_free", "static_stability_factor", "dynamic_stability", "dynamic_stability_late", "energy",
-          "rollover_index", "time_to_rollover")
+PAPERS = tuple(column for column, _, of_the_paper in INDICES if of_the_paper)
 
 
 class Claims:
@@ -198,11 +195,13 @@ def fishhook(runs, claims):
     moments = [(one, "one wheel", seconds(one)), (two, "two wheels", seconds(two))]
     rows = []
     second = {}
-    for column, name in INDICES:
+    for column, name, _ in INDICES:
         source, levels = level(runs, "fishhook-1a", column)
         first = source.first(levels, end_s=turn)
         second[column] = source.first(levels, begin_s=turn)
         rows.append(f"| {name} | {cycle(first)} | {max(source.within(levels, end_s=turn)):.2f} | {cycle(second[column])} |")
+    claims.hold("each index that the runs have is in INDICES",
+                {f"level_{column}" for column, *_ in INDICES} == set(runs["fishhook-1a-default"].names("level_")))
     named = {"published": "RSI", "energy": "energy", "rollover_index": "RI", "dynamic_stability": "DSI with the physical sign",
              "dynamic_stability_late": "DSI with the printed one", "static_stability_factor": "SSF"}
     moments += [(second[column], name, cycle(second[column])) for column, name in named.items()]
@@ -249,7 +248,7 @@ def lead_table(runs, calibration):
     calm = ["j-turn-45", "roll-centre-moving"]
     warning_on = calibration["warning_on"]
     chosen = (calibration["warning_indicator"], f"**the default warning's: `{calibration['warning_indicator']}` at {warning_on:g}**")
-    for column, name in [*INDICES, chosen]:
+    for column, name in [*(index[:2] for index in INDICES), chosen]:
         wanted = warning_on if name is chosen[1] else 1.0
         cells = []
         for case in names:

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
+
+#include "sil/random.hpp"
 
 namespace sil {
 
@@ -20,7 +21,7 @@ class NoiseSource {
     double next();
 
  private:
-    std::mt19937_64 generator_;  // its output is fixed by the C++ standard, [rand.predef]
+    RandomStream generator_;
 };
 
 }  // namespace sil

@@ -8,6 +8,7 @@
 
 #include "hal/interface/well_formed.hpp"
 #include "sil/files/candump_log.hpp"
+#include "sil/input_error.hpp"
 #include "tests/quality/fuzz/support/memory_file.hpp"
 #include "tests/quality/fuzz/support/message.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
@@ -47,7 +48,7 @@ void check_file(std::string_view text, std::size_t frames, std::size_t first_wro
         const std::vector<sil::LoggedFrame> read = sil::read_candump_log(file.path());
         require(first_wrong_line == 0U, "a file with a wrong line is refused");
         require(read.size() == frames, "a file has the frames of its lines");
-    } catch (const sil::CandumpLogError& error) {
+    } catch (const sil::InputError& error) {
         require(first_wrong_line != 0U, "a file without a wrong line is read");
         const std::string place = file.path() + ":" + std::to_string(first_wrong_line) + ":";
         require(std::string_view{error.what()}.substr(0U, place.size()) == place,

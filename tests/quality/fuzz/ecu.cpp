@@ -326,13 +326,17 @@ class World {
     }
 
     void judge(std::uint32_t missed) {
-        const RolloverWarning warning = judged<RolloverWarning>();
-        judged<can_dbc::RollCentreEstimate>();
-        judged<can_dbc::RollIndicesAhead>();
-        judged<can_dbc::RollIndicesClassic>();
-        judged<can_dbc::RollObserver>();
-        judged<can_dbc::RolloverDiagnosis>();
-        const RolloverStatus status = judged<RolloverStatus>();
+        RolloverWarning warning;
+        RolloverStatus status;
+        can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+            using Message = typename decltype(type)::Type;
+            [[maybe_unused]] const Message message = judged<Message>();
+            if constexpr (std::is_same_v<Message, RolloverWarning>) {
+                warning = message;
+            } else if constexpr (std::is_same_v<Message, RolloverStatus>) {
+                status = message;
+            }
+        });
         require(frames_.front().identifier == RolloverWarning::identifier, "the warning is sent first");
         require(frames_.back().identifier == RolloverStatus::identifier, "the status is sent last");
 
@@ -420,7 +424,7 @@ class World {
     int cycles_{0};
     std::uint64_t missed_cycles_{0U};
     std::vector<hal::CanFrame> frames_{};          // of the last cycle, in the order of sending
-    std::array<unsigned, 0x236> sent_counters_{};  // by identifier
+    std::array<unsigned, 0x800> sent_counters_{};  // by identifier, of 11 bits
     bool counters_known_{false};
     RolloverWarning::State state_{};
     unsigned frames_rejected_{0U};

@@ -9,6 +9,7 @@
 #include <random>
 #include <string>
 
+#include "sil/input_error.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace {
@@ -222,7 +223,7 @@ TEST(CandumpLog, CanUtilsReadsTheSameFramesFromIt) {
 std::string error_of_reading(const std::filesystem::path& path) {
     try {
         sil::read_candump_log(path);
-    } catch (const sil::CandumpLogError& error) {
+    } catch (const sil::InputError& error) {
         return error.what();
     }
     return "no error";
@@ -239,8 +240,12 @@ TEST(ReadCandumpLog, AnErrorTellsFileLineAndColumn) {
 TEST(ReadCandumpLog, AMissingFileAFolderAndAnEmptyFileAreTold) {
     const ScratchFolder folder;
     const auto missing = folder.path() / "missing.log";
-    EXPECT_EQ(error_of_reading(missing), missing.string() + ": cannot be read: No such file or directory");
-    EXPECT_EQ(error_of_reading(folder.path()), folder.path().string() + ": cannot be read: it is a folder");
+    EXPECT_EQ(
+        error_of_reading(missing),
+        missing.string() + ": cannot be read: No such file or directory; check the path and the permissions");
+    EXPECT_EQ(
+        error_of_reading(folder.path()),
+        folder.path().string() + ": cannot be read: it is a folder; check the path and the permissions");
     write_text(folder.path() / "empty.log", "");
     EXPECT_TRUE(sil::read_candump_log(folder.path() / "empty.log").empty());
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ bool same(const rsi::Parameters& a, const rsi::Parameters& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-class ParameterSectionOf : public testing::TestWithParam<const char*> {
+class ParameterSectionOf : public testing::TestWithParam<std::string> {
  protected:
     rsi::Parameters calibration_{sil::load_calibration(calibration_file(GetParam()))};
     std::vector<std::uint8_t> section_{sil::parameter_section(calibration_, GetParam())};
@@ -52,9 +53,19 @@ TEST_P(ParameterSectionOf, IsPrintedAsTheCalibrationThatItCameFrom) {
     std::remove(path.c_str());
 }
 
-INSTANTIATE_TEST_SUITE_P(Calibrations, ParameterSectionOf,
-                         testing::Values("large_suv", "ordinary_suv", "van"),
-                         [](const auto& test) { return std::string{test.param}; });
+std::vector<std::string> calibrated_vehicles() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(RSI_SOURCE_DIR "/firmware/calibrations")) {
+        if (entry.path().extension() == ".toml") {
+            names.push_back(entry.path().stem().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Calibrations, ParameterSectionOf, testing::ValuesIn(calibrated_vehicles()),
+                         [](const auto& test) { return test.param; });
 
 // Each value by itself, so that two exchanged ones cannot hide.
 TEST(AParameterSection, CarriesEachValueInAPlaceOfItsOwn) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -12,6 +13,11 @@ namespace {
 
 using sil::WarningSide;
 using sil::WarningState;
+
+// The identifiers of a cycle's frames, in their order.
+constexpr std::uint32_t frames_of_a_cycle[] = {0x120U, 0x121U, 0x122U, 0x0D0U, 0x230U,
+                                               0x232U, 0x233U, 0x234U, 0x235U, 0x231U};
+constexpr std::size_t frame_count = std::size(frames_of_a_cycle);
 
 std::set<WarningState> states_of(const RecordedRun& run) {
     std::set<WarningState> states;
@@ -47,13 +53,11 @@ TEST(ARun, ExchangesTenFramesEach10Milliseconds) {
     RunSettings settings;
     settings.duration_s = 2.0;
     const RecordedRun run = run_and_record(sil::find_manoeuvre("straight"), settings);
-    ASSERT_EQ(run.log.size(), 10U * 201U);
-    const std::uint32_t order[] = {0x120U, 0x121U, 0x122U, 0x0D0U, 0x230U,
-                                   0x232U, 0x233U, 0x234U, 0x235U, 0x231U};
+    ASSERT_EQ(run.log.size(), frame_count * 201U);
     for (std::size_t index = 0U; index < run.log.size(); ++index) {
-        ASSERT_EQ(run.log[index].frame.identifier, order[index % 10U]) << index;
+        ASSERT_EQ(run.log[index].frame.identifier, frames_of_a_cycle[index % frame_count]) << index;
         ASSERT_EQ(run.log[index].frame.receive_time.nanoseconds,
-                  static_cast<std::int64_t>(index / 10U) * 10'000'000)
+                  static_cast<std::int64_t>(index / frame_count) * 10'000'000)
             << index;
     }
     EXPECT_EQ(run.frames_refused, 0U);
@@ -103,7 +107,7 @@ TEST(EveryManoeuvreOfTheCatalogue, IsAnsweredInEachCycle) {
         RunSettings settings;
         settings.duration_s = 2.0;
         const RecordedRun run = run_and_record(manoeuvre, settings);
-        EXPECT_EQ(run.log.size(), 10U * run.ecu_outputs.size());
+        EXPECT_EQ(run.log.size(), frame_count * run.ecu_outputs.size());
         EXPECT_EQ(run.frames_refused, 0U);
         EXPECT_EQ(run.ecu_outputs.front().state(), WarningState::unavailable);
         EXPECT_EQ(run.ecu_outputs.at(20U).state(), WarningState::ready);

@@ -1,5 +1,5 @@
-// Text in place of a file for the readers of TOML: the linker takes this program's parse_file() before the
-// library's, and it parses the text. Writing, opening and reading a file took a third of an execution.
+// Text in place of a file for the readers of TOML: this program's read_whole_file() gives the text. Writing,
+// opening and reading a file took a third of an execution.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace fuzz {
 
-// A path of a file that exists, for readers that look before they ask the library; it is empty.
+// The path of the file that this stands for; there is none.
 const std::string& toml_path();
 
-// What the library finds in that file from now on; `text` must stay.
+// What is read from that file from now on; `text` must stay.
 void set_toml_text(std::string_view text);
 
 }  // namespace fuzz
