@@ -2,7 +2,9 @@
 // the equations in double.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "rsi/component.hpp"
@@ -336,6 +338,40 @@ TEST(ClassicIndices, EndAtTheirBounds) {
         EXPECT_EQ(values.energy_margin, -20.0F);
         EXPECT_EQ(values.rollover_index, 20.0F);
     }
+}
+
+// Each byte in turn; the critical roll angle is kept, so damage to it stays.
+TEST(ClassicIndices, ReinitialisingRepairsAllButTheCriticalRollAngle) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    rsi::Measurement measured;
+    measured.lateral_acceleration_mps2 = 6.0F;
+    measured.roll_angle_rad = 0.08F;
+    measured.roll_rate_radps = 0.3F;
+    measured.tan_roll_angle = 0.08F;
+    measured.versine_roll_angle = 0.0032F;
+    rsi::RollMotion motion;
+    motion.lateral_acceleration_mps2 = 6.0F;
+    motion.roll_acceleration_radps2 = 2.0F;
+    const auto answer = [&](const rsi::ClassicIndices& indices) {
+        rsi_outputs outputs{};
+        indices.evaluate(measured, motion, outputs);
+        return outputs;
+    };
+    rsi::ClassicIndices sound;
+    sound.init(parameters);
+    const rsi_outputs expected = answer(sound);
+    std::size_t damaged_bytes = 0U;
+    for (std::size_t byte = 0U; byte < sizeof sound; ++byte) {
+        std::array<unsigned char, sizeof sound> memory{};
+        std::memcpy(memory.data(), &sound, memory.size());
+        memory[byte] ^= 0x15U;
+        rsi::ClassicIndices damaged;
+        std::memcpy(static_cast<void*>(&damaged), memory.data(), memory.size());
+        damaged.reinitialise(parameters);
+        const rsi_outputs answered = answer(damaged);
+        damaged_bytes += std::memcmp(&answered, &expected, sizeof expected) == 0 ? 0U : 1U;
+    }
+    EXPECT_LE(damaged_bytes, sizeof(float));
 }
 
 TEST(ClassicIndices, NoTimeIsLeftAtTheStaticStabilityFactorItself) {

@@ -481,7 +481,7 @@ TEST(RollSensorCheck, TheSensorAgreesAgainWithinHalfOfTheLimitOnly) {
 
 // To the nearest of 10 ms.
 TEST(RollSensorCheck, ItsTimeIsRoundedToSamples) {
-    for (const float time_s : {0.2957F, 0.3043F}) {
+    for (const float time_s : {0.2952F, 0.3048F}) {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.observer_disagreement_s = time_s;
         rsi::RollSensorCheck check;
