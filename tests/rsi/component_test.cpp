@@ -471,7 +471,7 @@ TEST(Component, AResetRepairsAllOfTheComponentButWhatItKeeps) {
     for (std::size_t byte = 0U; byte < sizeof(rsi::Component); ++byte) {
         std::array<unsigned char, sizeof(rsi::Component)> memory{};
         std::memcpy(memory.data(), &as_initialised, memory.size());
-        memory[byte] ^= 0x15U;
+        memory[byte] ^= (memory[byte] > 1U) ? 0x15U : 1U;  // what may be a bool stays one
         rsi::Component damaged;
         std::memcpy(static_cast<void*>(&damaged), memory.data(), memory.size());
         damaged.reset(parameters);
