@@ -471,7 +471,8 @@ TEST(Component, AResetRepairsAllOfTheComponentButWhatItKeeps) {
     for (std::size_t byte = 0U; byte < sizeof(rsi::Component); ++byte) {
         std::array<unsigned char, sizeof(rsi::Component)> memory{};
         std::memcpy(memory.data(), &as_initialised, memory.size());
-        memory[byte] ^= (memory[byte] > 1U) ? 0x15U : 1U;  // what may be a bool stays one
+        const unsigned damage = (memory[byte] > 1U) ? 0x15U : 1U;  // what may be a bool stays one
+        memory[byte] = static_cast<unsigned char>(memory[byte] ^ damage);
         rsi::Component damaged;
         std::memcpy(static_cast<void*>(&damaged), memory.data(), memory.size());
         damaged.reset(parameters);
