@@ -66,7 +66,7 @@ class DiagnosticMemory {
     std::array<Entry, diagnostic_code_count> entries_{};  // that of `none` stays empty
     Snapshot snapshot_{};
     std::size_t last_reported_{0U};
-    std::uint32_t active_{0U};  // active codes
+    std::uint32_t active_{0U};  // number of codes that are not inactive
     bool empty_{true};          // no code has ever been seen
 };
 

@@ -119,6 +119,7 @@ TomlTable::TomlTable(std::shared_ptr<State> state) : state_{std::move(state)} {}
 TomlTable TomlTable::load(const std::filesystem::path& path, std::string_view example) {
     return parse(text_of(path, example), path.string());
 }
+
 TomlTable TomlTable::parse(std::string_view text, const std::string& name) {
     auto document = std::make_shared<Document>();
     document->file = name;

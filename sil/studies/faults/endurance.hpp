@@ -32,13 +32,13 @@ struct EnduranceResult {
     std::uint64_t due_with_fault_told{0U};      // or was `unavailable`, or sent a code
     std::uint64_t due_with_fault_silenced{0U};  // or was `ready` without a code, if only for a cycle
     std::vector<std::string> silenced_by{};     // the faults at each silence, with the second of the drive
-    std::vector<std::string>
-        silenced_known_undetected{};      // the same where an error that no check detects is among them
-    int longest_silence_ms{0};            // the longest such time
-    std::uint64_t incomplete_cycles{0U};  // without one of the ECU's frames
-    std::uint64_t undefined_cycles{0U};   // with a code that the DBC file does not define
-    std::uint64_t bad_outputs{0U};        // cycles with an output infinite or out of its range
-    std::uint64_t unfed_cycles{0U};       // in which the watchdog was not fed once
+    // The same where an error that no check detects is among them.
+    std::vector<std::string> silenced_known_undetected{};
+    int longest_silence_ms{0};                      // the longest such time
+    std::uint64_t incomplete_cycles{0U};            // without one of the ECU's frames
+    std::uint64_t undefined_cycles{0U};             // with a code that the DBC file does not define
+    std::uint64_t bad_outputs{0U};                  // cycles with an output infinite or out of its range
+    std::uint64_t unfed_cycles{0U};                 // in which the watchdog was not fed once
     std::vector<std::string> not_recovered_from{};  // not as the second ECU within `recovery_limit_ms`
     int longest_recovery_ms{0};  // of driving, of those from which it came back; a standstill does not count
     double largest_roll_centre_deviation_m{0.0};  // of the estimator, over all
