@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 
 namespace sil {
 namespace {
@@ -27,7 +28,7 @@ void check_error(double share, const std::string& key) {
 
 void check_manoeuvre(const CampaignManoeuvre& manoeuvre) {
     try {
-        find_manoeuvre(manoeuvre.name);
+        campaign_manoeuvre(manoeuvre.name);
     } catch (const UnknownManoeuvre& unknown) {
         throw InputError(unknown.what());
     }
@@ -78,6 +79,10 @@ std::string pair(const Interval& interval) {
 }
 
 }  // namespace
+
+Manoeuvre campaign_manoeuvre(const std::string& name) {
+    return name == ordinary_driving_name ? ordinary_driving(1U) : find_manoeuvre(name);
+}
 
 void check_campaign(const CampaignSettings& settings) {
     check(settings.runs >= 1U && settings.runs <= 100'000'000U, "runs", "from 1 to 100000000");

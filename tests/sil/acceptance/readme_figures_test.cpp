@@ -64,7 +64,7 @@ TEST(Readme, ShowsWhatTheLockStepRunPrints) {
     };
     std::sort(printed.begin(), printed.end());  // of equal width, so in the order of time
     printed.push_back(fmt::format("  {:<22} {:7.3f} s before two-wheel lift-off", "lead time",
-                                  run.events.lead_time_s().value()));
+                                  run.events.judgement.lead_s.value()));
     EXPECT_EQ(shown(), printed);
 }
 
