@@ -80,6 +80,7 @@ CampaignRow CampaignWorld::run(std::uint64_t number) const {
     CampaignRow row;
     row.draw = drawn.draw;
     row.vehicle = vehicles_[drawn.draw.vehicle].name;
+    row.in_class = settings_.vehicles[drawn.draw.vehicle].in_class;
     row.manoeuvre = drawn.manoeuvre.name;
     row.speed_kmh = drawn.manoeuvre.initial_speed_mps * drawn.draw.speed_factor * 3.6;
     row.outcome = recorder.outcome();
