@@ -48,9 +48,8 @@ void make(const PopulationRequest& request) {
     std::signal(SIGINT, request_population_stop);
     std::signal(SIGTERM, request_population_stop);
     VehicleProgressLine line;
-    const PopulationProgress progress =
-        make_population(request, population_stop_requested,
-                        [&line](const PopulationProgress& now) { line.show(now); });
+    const PopulationProgress progress = make_population(
+        request, population_stop_requested, [&line](const PopulationProgress& now) { line.show(now); });
     if (progress.finished < progress.total) {
         throw std::runtime_error(fmt::format(
             "interrupted after {} of {} vehicles, which are kept in {}. The same command goes on from there.",
@@ -65,15 +64,16 @@ void add_population_command(CLI::App& app) {
     const auto request = std::make_shared<PopulationRequest>();
     request->output = "output/population";
     request->jobs = std::max(1U, std::thread::hardware_concurrency());
-    CLI::App* command = app.add_subcommand(
-        "population",
-        "Draw plausible vehicles of many classes, calibrate each by identify alone, and write the settings of campaigns "
-        "on either half of them");
+    CLI::App* command = app.add_subcommand("population",
+                                           "Draw plausible vehicles of many classes, calibrate each by "
+                                           "identify alone, and write the settings of campaigns "
+                                           "on either half of them");
     const auto add_whole_number = [command](const char* name, std::uint64_t& value, const char* description) {
         // Not CLI11's own conversion, which takes 010 for eight.
         command
             ->add_option_function<std::string>(
-                name, [&value](const std::string& text) { value = whole_number(text).value_or(value); }, description)
+                name, [&value](const std::string& text) { value = whole_number(text).value_or(value); },
+                description)
             ->check(check_whole_number)
             ->type_name("UINT")
             ->default_str(fmt::format("{}", value));

@@ -62,7 +62,8 @@ Calibrated calibrate(const std::filesystem::path& vehicle_data, const Identifica
                      const std::filesystem::path& calibration) {
     Calibrated calibrated;
     try {
-        const Identification result = identify(load_vehicle_data(vehicle_data), drives.ramps, drives.dynamics);
+        const Identification result =
+            identify(load_vehicle_data(vehicle_data), drives.ramps, drives.dynamics);
         calibrated.warnings = result.warnings;
         write_file_atomically(calibration, calibration_text(result));
         try {

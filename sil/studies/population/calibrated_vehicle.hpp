@@ -11,7 +11,8 @@
 
 namespace sil {
 
-// The slow ramp and the step steer of `rsi-sil identify --simulate`, with noise, the step gentle enough for the vehicle.
+// The slow ramp and the step steer of `rsi-sil identify --simulate`, with noise, the step gentle enough for
+// the vehicle.
 struct IdentificationDrives {
     std::vector<Drive> ramps;
     std::vector<Drive> dynamics;
@@ -27,8 +28,8 @@ struct Calibrated {
     std::vector<std::string> warnings{};
 };
 
-// Writes `calibration`, or, where the component refuses what was fitted, the same with the ending .refused.toml.
-// Whatever is wrong becomes the failure's text.
+// Writes `calibration`, or, where the component refuses what was fitted, the same with the ending
+// .refused.toml. Whatever is wrong becomes the failure's text.
 Calibrated calibrate(const std::filesystem::path& vehicle_data, const IdentificationDrives& drives,
                      const std::filesystem::path& calibration);
 

@@ -36,7 +36,10 @@ struct FinishedVehicle {
 // CSV cells hold no comma and no quotation mark, so that every reader splits a row at its commas.
 std::string plain(std::string text) {
     for (char& letter : text) {
-        letter = letter == ',' ? ';' : letter == '"' ? '\'' : static_cast<unsigned char>(letter) < 0x20U ? ' ' : letter;
+        letter = letter == ','                                ? ';'
+                 : letter == '"'                              ? '\''
+                 : static_cast<unsigned char>(letter) < 0x20U ? ' '
+                                                              : letter;
     }
     return text;
 }
@@ -233,7 +236,8 @@ void prepare_folder(const PopulationRequest& request) {
         write_file_atomically(file, wanted);
     } else if (read_whole_file(file) != wanted) {
         throw InputError(fmt::format(
-            "{} is of another seed or another revision of this program; use another output folder", file.string()));
+            "{} is of another seed or another revision of this program; use another output folder",
+            file.string()));
     }
 }
 
@@ -256,8 +260,10 @@ void write_settings(const PopulationRequest& request) {
                 continue;
             }
             write_file_atomically(
-                file, fmt::format("# {} of {} vehicles of this half are calibrated. `rsi-sil population` wrote it.\n{}",
-                                  settings.vehicles.size(), vehicles.size(), to_toml(settings)));
+                file,
+                fmt::format(
+                    "# {} of {} vehicles of this half are calibrated. `rsi-sil population` wrote it.\n{}",
+                    settings.vehicles.size(), vehicles.size(), to_toml(settings)));
         }
     }
 }
@@ -302,13 +308,15 @@ std::string describe_population(const std::filesystem::path& population) {
             if (result == "calibrated") {
                 ++counts[kind + 1U];
             } else {
-                failures += fmt::format("{}, {}: {}\n", cells.at(column("vehicle")).text, kinds[kind], result);
+                failures +=
+                    fmt::format("{}, {}: {}\n", cells.at(column("vehicle")).text, kinds[kind], result);
             }
         }
     }
     std::string report = "class          vehicles  calibrated  without wheel loads  loaded\n";
     for (const auto& [name, counts] : classes) {
-        report += fmt::format("{:<14} {:>8}  {:>10}  {:>19}  {:>6}\n", name, counts[0], counts[1], counts[2], counts[3]);
+        report += fmt::format("{:<14} {:>8}  {:>10}  {:>19}  {:>6}\n", name, counts[0], counts[1], counts[2],
+                              counts[3]);
     }
     return report + failures +
            fmt::format("All of it is in {}. Try: rsi-sil campaign --settings {} --output FOLDER\n",

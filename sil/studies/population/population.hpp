@@ -26,11 +26,11 @@ struct PopulationProgress {
 // Called after each finished vehicle, by one thread at a time.
 using PopulationListener = std::function<void(const PopulationProgress&)>;
 
-// Takes the folder up where an earlier call with the same seed left it. Leaves vehicles.csv, a folder for each kind of
-// file, and settings_HALF_VARIANT.toml once all vehicles are done; their bytes depend on number, seed and the path of
-// the folder alone. Returns early, every finished vehicle kept, once `stop` is true. A vehicle whose identification
-// fails has the reason in its row, and no calibration. Throws InputError when the folder holds another population or
-// cannot be written.
+// Takes the folder up where an earlier call with the same seed left it. Leaves vehicles.csv, a folder for
+// each kind of file, and settings_HALF_VARIANT.toml once all vehicles are done; their bytes depend on number,
+// seed and the path of the folder alone. Returns early, every finished vehicle kept, once `stop` is true. A
+// vehicle whose identification fails has the reason in its row, and no calibration. Throws InputError when
+// the folder holds another population or cannot be written.
 PopulationProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,
                                    const PopulationListener& listener = {});
 

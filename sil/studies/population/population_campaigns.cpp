@@ -28,15 +28,16 @@ struct ScaledManoeuvre {
     Steering steering;
     // Where a factor of 1 gives the acceleration that lifts the inner wheels: at this factor of the speed.
     double limit_speed_factor;
-    double angle_rad;        // `angle` only: at the handwheel, with a factor of 1
-    double acceleration_g;   // `acceleration` only: at 50 mph with a factor of 1
+    double angle_rad;       // `angle` only: at the handwheel, with a factor of 1
+    double acceleration_g;  // `acceleration` only: at 50 mph with a factor of 1
 };
 
 constexpr double degrees(double value) {
     return value / degrees_per_radian;
 }
 
-// Steering factors are shares of what lifts the inner wheels in a slow turn; a manoeuvre's own swing adds to that.
+// Steering factors are shares of what lifts the inner wheels in a slow turn; a manoeuvre's own swing adds to
+// that.
 const std::vector<ScaledManoeuvre>& scaled_manoeuvres() {
     static const std::vector<ScaledManoeuvre> list{
         {{"j-turn-110", 1.0, {0.55, 1.1}, {0.4, 2.0}, 0.0}, Steering::angle, 0.8, degrees(360.0), 0.0},
@@ -64,14 +65,16 @@ struct Factors {
     double steering{1.0};
 };
 
-Factors factors_for(const ScaledManoeuvre& manoeuvre, const VehicleParameters& vehicle, double max_speed_mps) {
+Factors factors_for(const ScaledManoeuvre& manoeuvre, const VehicleParameters& vehicle,
+                    double max_speed_mps) {
     const double nominal_mps = find_manoeuvre(manoeuvre.drawn.name).initial_speed_mps;
     const double threshold_g = properties(vehicle).threshold_g;
     Factors factors;
     if (manoeuvre.steering == Steering::path) {
         factors.speed = std::sqrt(threshold_g / reference_threshold_g);
     }
-    factors.speed = std::min(factors.speed, max_speed_mps / (nominal_mps * manoeuvre.drawn.speed_factor.highest));
+    factors.speed =
+        std::min(factors.speed, max_speed_mps / (nominal_mps * manoeuvre.drawn.speed_factor.highest));
     const double limit_mps = manoeuvre.limit_speed_factor * factors.speed * nominal_mps;
     if (manoeuvre.steering == Steering::angle || manoeuvre.steering == Steering::acceleration) {
         const double wanted_rad = handwheel_for_rad(vehicle, threshold_g * g_mps2, limit_mps);
@@ -90,8 +93,8 @@ Factors factors_for(const ScaledManoeuvre& manoeuvre, const VehicleParameters& v
 
 const std::vector<CampaignVariant>& campaign_variants() {
     static const std::vector<CampaignVariant> all{CampaignVariant::clean, CampaignVariant::errors,
-                                                  CampaignVariant::without_wheel_loads, CampaignVariant::loaded,
-                                                  CampaignVariant::unloaded};
+                                                  CampaignVariant::without_wheel_loads,
+                                                  CampaignVariant::loaded, CampaignVariant::unloaded};
     return all;
 }
 
@@ -111,11 +114,13 @@ const char* variant_name(CampaignVariant variant) {
     return "";
 }
 
-std::filesystem::path vehicle_file(const std::filesystem::path& population, const DrawnVehicle& vehicle, bool loaded) {
+std::filesystem::path vehicle_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
+                                   bool loaded) {
     return population / (loaded ? "vehicles_loaded" : "vehicles") / (vehicle.name + ".toml");
 }
 
-std::filesystem::path data_file(const std::filesystem::path& population, const DrawnVehicle& vehicle, bool loaded) {
+std::filesystem::path data_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
+                                bool loaded) {
     return population / (loaded ? "data_loaded" : "data") / (vehicle.name + ".toml");
 }
 
@@ -150,17 +155,20 @@ CampaignVehicle scaled_vehicle(const DrawnVehicle& vehicle, const VehicleParamet
     return scaled;
 }
 
-CampaignSettings population_campaign(const std::filesystem::path& population, const std::vector<DrawnVehicle>& vehicles,
-                                     CampaignVariant variant, std::uint64_t seed) {
+CampaignSettings population_campaign(const std::filesystem::path& population,
+                                     const std::vector<DrawnVehicle>& vehicles, CampaignVariant variant,
+                                     std::uint64_t seed) {
     const bool driven_loaded = variant == CampaignVariant::loaded;
-    const CalibrationKind kind = variant == CampaignVariant::without_wheel_loads ? CalibrationKind::without_loads
-                                 : variant == CampaignVariant::unloaded          ? CalibrationKind::of_loaded_vehicle
-                                                                                 : CalibrationKind::with_loads;
+    const CalibrationKind kind = variant == CampaignVariant::without_wheel_loads
+                                     ? CalibrationKind::without_loads
+                                 : variant == CampaignVariant::unloaded ? CalibrationKind::of_loaded_vehicle
+                                                                        : CalibrationKind::with_loads;
     CampaignSettings settings;
     settings.seed = seed;
     settings.manoeuvres = population_manoeuvres();
     settings.spread.friction_factor = {0.7, 1.2};
-    settings.spread.load_is_known = variant != CampaignVariant::loaded && variant != CampaignVariant::unloaded;
+    settings.spread.load_is_known =
+        variant != CampaignVariant::loaded && variant != CampaignVariant::unloaded;
     if (variant == CampaignVariant::errors) {
         settings.spread.sensor_noise = true;
         settings.spread.cg_height_error = 0.05;

@@ -87,9 +87,9 @@ VehicleProperties properties(const VehicleParameters& v) {
     p.roll_damping_ratio = 0.5 * roll_damping_nmsprad(v) / (inertia * angular);
     // Roll of suspension and tyres moves the CG outwards.
     const double tyres_nmprad = track * track * v.tyre.vertical_stiffness_npm;
-    const double tyres_rad_pg = mass * g_mps2 * p.cg_height_m / (tyres_nmprad - mass * g_mps2 * p.cg_height_m);
-    const double outwards_m_pg =
-        sprung / mass * p.roll_arm_m * roll_rad_pg + p.cg_height_m * tyres_rad_pg;
+    const double tyres_rad_pg =
+        mass * g_mps2 * p.cg_height_m / (tyres_nmprad - mass * g_mps2 * p.cg_height_m);
+    const double outwards_m_pg = sprung / mass * p.roll_arm_m * roll_rad_pg + p.cg_height_m * tyres_rad_pg;
     p.threshold_g = 0.5 * track / (p.cg_height_m + outwards_m_pg);
     p.understeer_gradient_s2pm = understeer_gradient(v, roll_rad_pg);
     const double share = front_share(v);

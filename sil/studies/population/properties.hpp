@@ -1,4 +1,5 @@
-// Properties: what follows from a vehicle's parameters by the formulas of textbooks, before anybody drives it.
+// Properties: what follows from a vehicle's parameters by the formulas of textbooks, before anybody drives
+// it.
 #pragma once
 
 #include "sil/world/vehicle/parameters.hpp"
@@ -14,14 +15,16 @@ struct VehicleProperties {
     double roll_gradient_degpg{};      // of the body on its suspension
     double roll_frequency_hz{};        // of the body on its suspension
     double roll_damping_ratio{};
-    double threshold_g{};  // lateral acceleration that lifts the inner wheels in a slow turn, stops out of reach
+    double
+        threshold_g{};  // lateral acceleration that lifts the inner wheels in a slow turn, stops out of reach
     double understeer_gradient_s2pm{};
     double grip{};  // friction with all the load on two wheels
 };
 
 VehicleProperties properties(const VehicleParameters& vehicle);
 
-// The handwheel angle that a slow turn of `acceleration_mps2` takes at `speed_mps`, from wheelbase and understeer.
+// The handwheel angle that a slow turn of `acceleration_mps2` takes at `speed_mps`, from wheelbase and
+// understeer.
 double handwheel_for_rad(const VehicleParameters& vehicle, double acceleration_mps2, double speed_mps);
 
 }  // namespace sil

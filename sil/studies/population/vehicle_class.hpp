@@ -12,7 +12,7 @@ namespace sil {
 
 // What such a vehicle carries at times and does not tell the firmware.
 struct ClassLoad {
-    double mass_kg{0.0};        // either this at a height above the road
+    double mass_kg{0.0};  // either this at a height above the road
     double height_m{0.0};
     double mass_share{0.0};     // or this share of the total mass
     double height_factor{0.0};  // times the height of the sprung CG
@@ -50,14 +50,17 @@ struct VehicleClass {
     Interval early_clearance_m{};
     Interval clearance_m{};
     Interval stop_over_spring_pm{};
-    Interval tyre_deflection_m{};          // under the static load
-    Interval cornering_per_load_prad{};    // cornering stiffness over load, both static
-    Interval cornering_peak_over_load{};   // the load of the largest cornering stiffness over the larger static one
-    Interval understeer_gradient_s2pm{};   // nothing is drawn from it; it refuses what handles as no such vehicle does
+    Interval tyre_deflection_m{};        // under the static load
+    Interval cornering_per_load_prad{};  // cornering stiffness over load, both static
+    Interval
+        cornering_peak_over_load{};  // the load of the largest cornering stiffness over the larger static one
+    Interval understeer_gradient_s2pm{};  // nothing is drawn from it; it refuses what handles as no such
+                                          // vehicle does
     Interval relaxation_length_m{};
     Interval camber_thrust_prad{};
-    Interval grip_over_threshold{};  // friction over the lateral acceleration in g that lifts the inner wheels
-    Interval friction{};             // what the class's tyres have; it bounds the former
+    Interval
+        grip_over_threshold{};  // friction over the lateral acceleration in g that lifts the inner wheels
+    Interval friction{};        // what the class's tyres have; it bounds the former
     Interval friction_loss{};
     Interval front_friction_factor{};
     Interval rear_friction_factor{};

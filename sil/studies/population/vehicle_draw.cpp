@@ -104,7 +104,8 @@ class RandomNumbers {
 
 std::string slug(std::string name) {
     for (char& letter : name) {
-        letter = letter == ' ' ? '-' : static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter + 32 : letter);
+        letter =
+            letter == ' ' ? '-' : static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter + 32 : letter);
     }
     return name;
 }
@@ -169,11 +170,12 @@ class Builder {
         const auto squared = [](double x) { return x * x; };
         const double track = v_.geometry.track_width_m;
         InertiaParameters& i = v_.inertia;
-        i.sprung_roll_kgm2 = v_.mass.sprung_kg *
-                             squared(track * within(Quantity::roll_gyration, &VehicleClass::roll_gyration_of_track));
-        i.sprung_pitch_kgm2 =
+        i.sprung_roll_kgm2 =
             v_.mass.sprung_kg *
-            squared(wheelbase_ * within(Quantity::pitch_gyration, &VehicleClass::pitch_gyration_of_wheelbase));
+            squared(track * within(Quantity::roll_gyration, &VehicleClass::roll_gyration_of_track));
+        i.sprung_pitch_kgm2 =
+            v_.mass.sprung_kg * squared(wheelbase_ * within(Quantity::pitch_gyration,
+                                                            &VehicleClass::pitch_gyration_of_wheelbase));
         i.sprung_yaw_kgm2 =
             v_.mass.sprung_kg *
             squared(wheelbase_ * within(Quantity::yaw_gyration, &VehicleClass::yaw_gyration_of_wheelbase));
@@ -206,9 +208,10 @@ class Builder {
             within(Quantity::rear_roll_centre, rigid_rear_ ? &VehicleClass::rigid_rear_roll_centre_m
                                                            : &VehicleClass::independent_roll_centre_m);
         front.path_slope_0 = front_height / half_track;
-        // The roll centre of links sinks with the body; a rigid axle's stays, and neither side lifts the body.
-        front.path_slope_1_pm =
-            random_.within(Quantity::path_change, {0.8, 2.5}) + (rigid_front_ ? 4.0 * front.path_slope_0 : 0.0);
+        // The roll centre of links sinks with the body; a rigid axle's stays, and neither side lifts the
+        // body.
+        front.path_slope_1_pm = random_.within(Quantity::path_change, {0.8, 2.5}) +
+                                (rigid_front_ ? 4.0 * front.path_slope_0 : 0.0);
         front.path_slope_2_pm2 = 1.5;
         // A rigid axle keeps its wheels upright.
         front.camber_gain_radpm =
@@ -267,8 +270,8 @@ class Builder {
     void stops() {
         const auto stop = [&](SpringDamperParameters& p, Quantity early, Quantity jounce, Quantity rebound,
                               Quantity rate) {
-            const Interval& clearance = random_.happens(early, from_.early_stop_share) ? from_.early_clearance_m
-                                                                                        : from_.clearance_m;
+            const Interval& clearance =
+                random_.happens(early, from_.early_stop_share) ? from_.early_clearance_m : from_.clearance_m;
             p.jounce_clearance_m = random_.within(jounce, clearance);
             p.rebound_clearance_m = random_.within(rebound, clearance);
             p.jounce_stop_npm2 = p.spring_npm * within(rate, &VehicleClass::stop_over_spring_pm);
@@ -283,10 +286,12 @@ class Builder {
     void tyre_forces() {
         TyreParameters& t = v_.tyre;
         const double static_n = 0.25 * g_mps2 * mass_;
-        t.cornering_stiffness_load_n = std::max(front_wheel_n(), rear_wheel_n()) *
-                                       within(Quantity::cornering_peak, &VehicleClass::cornering_peak_over_load);
+        t.cornering_stiffness_load_n =
+            std::max(front_wheel_n(), rear_wheel_n()) *
+            within(Quantity::cornering_peak, &VehicleClass::cornering_peak_over_load);
         const double x = static_n / t.cornering_stiffness_load_n;
-        t.cornering_stiffness_nprad = static_n * within(Quantity::cornering, &VehicleClass::cornering_per_load_prad) *
+        t.cornering_stiffness_nprad = static_n *
+                                      within(Quantity::cornering, &VehicleClass::cornering_per_load_prad) *
                                       (1.0 + x * x) / (2.0 * x);
         t.slip_stiffness_ratio = within(Quantity::slip_stiffness, &VehicleClass::slip_stiffness_ratio);
         t.shape = within(Quantity::shape, &VehicleClass::shape);
@@ -312,16 +317,19 @@ class Builder {
         d.rear_brake_nm = 0.5 * d.front_brake_nm;
         v_.aerodynamics.drag_area_m2 = within(Quantity::drag_area, &VehicleClass::drag_area_m2);
         HullParameters& hull = v_.hull;
-        hull.half_length_m = 0.5 * wheelbase_ * within(Quantity::length, &VehicleClass::length_over_wheelbase);
+        hull.half_length_m =
+            0.5 * wheelbase_ * within(Quantity::length, &VehicleClass::length_over_wheelbase);
         hull.half_width_m = 0.59 * v_.geometry.track_width_m;
         hull.top_above_cg_m = within(Quantity::body_height, &VehicleClass::body_height_m) - height;
         hull.bottom_below_cg_m = height - 0.6 * v_.geometry.wheel_radius_m;
-        v_.imu_mount.x_m = wheelbase_ * within(Quantity::imu_forward, &VehicleClass::imu_forward_of_wheelbase);
+        v_.imu_mount.x_m =
+            wheelbase_ * within(Quantity::imu_forward, &VehicleClass::imu_forward_of_wheelbase);
         v_.imu_mount.y_m = within(Quantity::imu_left, &VehicleClass::imu_left_m);
         v_.imu_mount.z_m = within(Quantity::imu_height, &VehicleClass::imu_height_m) - height;
     }
 
-    // Friction at the load F is a - b F; its loss by doubling the static load is drawn, and what is left then.
+    // Friction at the load F is a - b F; its loss by doubling the static load is drawn, and what is left
+    // then.
     void grip() {
         const double wanted =
             properties(v_).threshold_g * within(Quantity::grip, &VehicleClass::grip_over_threshold);
@@ -362,7 +370,8 @@ std::string implausible(const VehicleParameters& v, const VehicleClass& from) {
     for (const std::string& reason :
          {outside("static stability factor", p.static_stability_factor,
                   from.static_stability_factor.lowest - 1e-9, from.static_stability_factor.highest + 1e-9),
-          outside("height of the CG over that of the body", p.cg_height_m / (v.hull.top_above_cg_m + v.geometry.cg_height_m), 0.25, 0.60),
+          outside("height of the CG over that of the body",
+                  p.cg_height_m / (v.hull.top_above_cg_m + v.geometry.cg_height_m), 0.25, 0.60),
           outside("roll arm in m", p.roll_arm_m, 0.15, 2.0),
           outside("roll frequency in Hz", p.roll_frequency_hz, 0.6, 2.5),
           outside("roll frequency in Hz, laden", with_load.roll_frequency_hz, 0.4, 2.5),
@@ -400,8 +409,8 @@ DrawnVehicle draw_vehicle(std::uint64_t seed, std::uint64_t number) {
             return drawn;
         }
     }
-    throw std::runtime_error(fmt::format("no plausible {} in {} draws (vehicle {}): {}", from.name, most_attempts,
-                                         number, reason));
+    throw std::runtime_error(fmt::format("no plausible {} in {} draws (vehicle {}): {}", from.name,
+                                         most_attempts, number, reason));
 }
 
 const char* half_name(PopulationHalf half) {

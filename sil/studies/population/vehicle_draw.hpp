@@ -25,9 +25,9 @@ struct DrawnVehicle {
     VehicleProperties properties{};
 };
 
-// Every quantity has a random number of its own, so that a vehicle does not depend on how many there are. Classes take
-// turns, and the halves by whole turns. An implausible draw is done again, up to 200 times; throws std::runtime_error
-// with the last reason when none is plausible.
+// Every quantity has a random number of its own, so that a vehicle does not depend on how many there are.
+// Classes take turns, and the halves by whole turns. An implausible draw is done again, up to 200 times;
+// throws std::runtime_error with the last reason when none is plausible.
 DrawnVehicle draw_vehicle(std::uint64_t seed, std::uint64_t number);
 
 const char* half_name(PopulationHalf half);

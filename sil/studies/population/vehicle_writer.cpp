@@ -129,9 +129,10 @@ std::string vehicle_toml(const VehicleParameters& vehicle, std::string_view rema
 std::string vehicle_data_toml(const VehicleParameters& vehicle) {
     const GeometryParameters& geometry = vehicle.geometry;
     const double total = total_mass_kg(vehicle);
-    Toml toml{fmt::format("# What a data sheet and a workshop say of a drawn vehicle, for rsi-sil identify. SI units.\n\n"
-                          "name = \"{}\"\n",
-                          vehicle.name)};
+    Toml toml{fmt::format(
+        "# What a data sheet and a workshop say of a drawn vehicle, for rsi-sil identify. SI units.\n\n"
+        "name = \"{}\"\n",
+        vehicle.name)};
     toml.number("total_mass_kg", total)
         .number("unsprung_mass_kg", total - vehicle.mass.sprung_kg)
         .number("sprung_cg_height_m", geometry.cg_height_m)
