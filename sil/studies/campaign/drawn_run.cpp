@@ -1,6 +1,7 @@
 #include "sil/studies/campaign/drawn_run.hpp"
 
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/load.hpp"
@@ -54,7 +55,8 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
                    const rsi::Parameters& calibration, const Manoeuvre& manoeuvre) {
     DrawnRun run;
     run.draw = draw;
-    run.manoeuvre = manoeuvre;
+    // Who drives by chance drives otherwise in every run.
+    run.manoeuvre = manoeuvre.name == ordinary_driving_name ? ordinary_driving(draw.sensor_seed) : manoeuvre;
     run.vehicle = vehicle;
     // What the manoeuvre changes in the vehicle belongs to the truth that load and errors are counted from.
     if (manoeuvre.adapt_vehicle) {

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "sil/results/warning_judgement.hpp"
 #include "sil/studies/campaign/draw.hpp"
+#include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/outcome.hpp"
-#include "sil/studies/campaign/peaks.hpp"
 
 namespace sil {
 
@@ -18,8 +19,9 @@ struct CampaignRow {
     std::string manoeuvre{};
     double speed_kmh{0.0};
     Outcome outcome{};
-    std::optional<double> warning_time_s{};  // of the firmware's state machine
-    std::vector<IndexPeaks> indices{};       // in the order of campaign_indices()
+    std::optional<double> warning_time_s{};  // of the firmware's first warning
+    WarningJudgement judgement{};            // of the firmware's warning
+    std::vector<IndexScore> indices{};       // in the order of campaign_indices()
 };
 
 // The columns of all rows, without the end of the line. docs/drives.md says what they mean.
