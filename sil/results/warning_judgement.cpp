@@ -79,8 +79,8 @@ void WarningJudge::count_time(double step_s, double begin_s) {
             break;
         case WarningState::warning: {
             judgement_.warning_s += step_s;
-            const bool wrong = side_ != WarningSide::none && loaded_side_ != WarningSide::none &&
-                               side_ != loaded_side_;
+            const bool wrong =
+                side_ != WarningSide::none && loaded_side_ != WarningSide::none && side_ != loaded_side_;
             const bool settled = begin_s >= swung_s_ + swing_s - time_rounding_s;
             judgement_.wrong_side_s += wrong && settled ? step_s : 0.0;
             break;

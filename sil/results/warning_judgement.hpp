@@ -33,8 +33,8 @@ class WarningInForce {
 
     WarningSide side() const { return side_; }  // none: no warning, or one that names no side
 
-    // For how long it has been in force without a break when the wheels lift, if it names the side that falls;
-    // else empty. What came after that moment must not have been observed.
+    // For how long it has been in force without a break when the wheels lift, if it names the side that
+    // falls; else empty. What came after that moment must not have been observed.
     std::optional<double> lead_s(double lift_off_time_s, WarningSide falling_side) const;
 
  private:
@@ -43,18 +43,18 @@ class WarningInForce {
 };
 
 struct WarningJudgement {
-    bool lifted{false};                                // two wheels of a side
-    WarningSide falling_side{WarningSide::none};       // from then on
-    WarningSide side_at_lift_off{WarningSide::none};   // that the warning in force names; none: no warning
-    std::optional<double> lead_s{};                    // at two-wheel lift-off; empty unless warned
-    bool late{false};                                  // the right warning came only after it
+    bool lifted{false};                               // two wheels of a side
+    WarningSide falling_side{WarningSide::none};      // from then on
+    WarningSide side_at_lift_off{WarningSide::none};  // that the warning in force names; none: no warning
+    std::optional<double> lead_s{};                   // at two-wheel lift-off; empty unless warned
+    bool late{false};                                 // the right warning came only after it
 
-    double wrong_side_s{0.0};   // a warning names the side that is loaded less, from 0.1 s after the swing on
+    double wrong_side_s{0.0};  // a warning names the side that is loaded less, from 0.1 s after the swing on
     double warning_s{0.0};
     double advisory_s{0.0};
-    double unavailable_s{0.0};  // beyond the start-up
-    unsigned warnings{0U};      // how often it began
-    unsigned advisories{0U};    // how often one began that was not left over from a warning
+    double unavailable_s{0.0};                // beyond the start-up
+    unsigned warnings{0U};                    // how often it began
+    unsigned advisories{0U};                  // how often one began that was not left over from a warning
     double largest_load_transfer_ratio{0.0};  // |LTR|
 
     LoadBand band() const { return load_band(largest_load_transfer_ratio); }

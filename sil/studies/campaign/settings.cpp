@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/files/toml_text.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 
 namespace sil {
@@ -65,37 +66,14 @@ void check_spread(const CampaignSpread& spread) {
           "from 0 to 1");
 }
 
-// A TOML string; a path may hold a backslash, a quotation mark, even a line feed.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char letter : text) {
-        const auto code = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\') {
-            result += '\\';
-            result += letter;
-        } else if (code < 0x20U || code == 0x7FU) {
-            result += fmt::format("\\u{:04X}", code);
-        } else {
-            result += letter;
-        }
-    }
-    return result + "\"";
-}
-
-// As TOML wants a float: never without a point or an exponent.
-std::string number_text(double value) {
-    const std::string text = fmt::format("{}", value);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
 std::string pair(const Interval& interval) {
-    return fmt::format("[{}, {}]", number_text(interval.lowest), number_text(interval.highest));
+    return fmt::format("[{}, {}]", toml_number(interval.lowest), toml_number(interval.highest));
 }
 
 std::string list(const std::string& key, const std::vector<double>& numbers) {
     std::string text;
     for (const double number : numbers) {
-        text += (text.empty() ? "" : ", ") + number_text(number);
+        text += (text.empty() ? "" : ", ") + toml_number(number);
     }
     return numbers.empty() ? text : key + " = [" + text + "]\n";
 }
@@ -136,26 +114,26 @@ std::string to_toml(const CampaignSettings& settings) {
     text += "load_height_factor = " + pair(spread.load_height_factor) + "\n";
     // Like all that is left out below: only where it says something.
     text += spread.load_is_known ? "" : "load_is_known = false\n";
-    text += "cg_height_error = " + number_text(spread.cg_height_error) + "\n";
-    text += "stiffness_error = " + number_text(spread.stiffness_error) + "\n";
-    text += "mass_error = " + number_text(spread.mass_error) + "\n";
-    text += "accelerometer_bias_g = " + number_text(spread.accelerometer_bias_g) + "\n";
+    text += "cg_height_error = " + toml_number(spread.cg_height_error) + "\n";
+    text += "stiffness_error = " + toml_number(spread.stiffness_error) + "\n";
+    text += "mass_error = " + toml_number(spread.mass_error) + "\n";
+    text += "accelerometer_bias_g = " + toml_number(spread.accelerometer_bias_g) + "\n";
     text += fmt::format("sensor_noise = {}\n", spread.sensor_noise);
     text += fmt::format("steering_sensor = {}\n", spread.steering_sensor);
     text += fmt::format("roll_sensor = {}\n", spread.roll_sensor);
     for (const CampaignVehicle& vehicle : settings.vehicles) {
-        text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n", quoted(vehicle.parameters),
-                            quoted(vehicle.calibration));
-        text += vehicle.in_class.empty() ? "" : "class = " + quoted(vehicle.in_class) + "\n";
+        text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n",
+                            toml_string(vehicle.parameters), toml_string(vehicle.calibration));
+        text += vehicle.in_class.empty() ? "" : "class = " + toml_string(vehicle.in_class) + "\n";
         text +=
             list("speed_factors", vehicle.speed_factors) + list("steering_factors", vehicle.steering_factors);
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         text +=
             fmt::format("\n[[manoeuvre]]\nname = {}\nweight = {}\nspeed_factor = {}\nsteering_factor = {}\n",
-                        quoted(manoeuvre.name), number_text(manoeuvre.weight), pair(manoeuvre.speed_factor),
-                        pair(manoeuvre.steering_factor));
-        text += "duration_s = " + number_text(manoeuvre.duration_s) + "\n";
+                        toml_string(manoeuvre.name), toml_number(manoeuvre.weight),
+                        pair(manoeuvre.speed_factor), pair(manoeuvre.steering_factor));
+        text += "duration_s = " + toml_number(manoeuvre.duration_s) + "\n";
     }
     return text;
 }

@@ -274,6 +274,11 @@ PopulationProgress make_population(const PopulationRequest& request, const std::
                                    const PopulationListener& listener) {
     prepare_folder(request);
     RowFile file{request.output / "vehicles.csv", line_of({}, true)};
+    if (!file.finished_runs().empty() && *file.finished_runs().rbegin() >= request.vehicles) {
+        throw InputError(fmt::format("{} has vehicle {} already; their number can grow, not shrink to {}",
+                                     request.output.string(), *file.finished_runs().rbegin(),
+                                     request.vehicles));
+    }
     const PopulationProgress progress = Workers{request, file, stop, listener}.work();
     if (progress.finished >= progress.total) {
         file.finish();

@@ -5,12 +5,14 @@
 
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {
 namespace {
 
 constexpr std::uint64_t runs_a_vehicle = 100U;
+constexpr std::uint64_t ordinary_runs_a_vehicle = 3U;  // of ten minutes
 constexpr double reference_threshold_g = 0.75;
 // The firmware takes an angle beyond 15 rad for a fault of the sensor.
 constexpr double largest_handwheel_rad = 13.0;
@@ -89,12 +91,29 @@ Factors factors_for(const ScaledManoeuvre& manoeuvre, const VehicleParameters& v
     return factors;
 }
 
+std::vector<CampaignManoeuvre> ordinary_manoeuvres() {
+    CampaignManoeuvre manoeuvre;
+    manoeuvre.name = ordinary_driving_name;
+    return {manoeuvre};
+}
+
+// Who drives a truck turns less hard than who drives a car, and slower.
+CampaignVehicle calmed_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven) {
+    const VehicleClass& from = vehicle_classes()[vehicle.in_class];
+    const double nominal_mps = ordinary_driving(1U).initial_speed_mps;
+    CampaignVehicle calmed;
+    calmed.in_class = from.name;
+    calmed.speed_factors = {std::min(1.0, from.max_speed_kmh / 3.6 / nominal_mps)};
+    calmed.steering_factors = {std::min(1.0, properties(driven).threshold_g / reference_threshold_g)};
+    return calmed;
+}
+
 }  // namespace
 
 const std::vector<CampaignVariant>& campaign_variants() {
-    static const std::vector<CampaignVariant> all{CampaignVariant::clean, CampaignVariant::errors,
-                                                  CampaignVariant::without_wheel_loads,
-                                                  CampaignVariant::loaded, CampaignVariant::unloaded};
+    static const std::vector<CampaignVariant> all{
+        CampaignVariant::clean,  CampaignVariant::errors,   CampaignVariant::without_wheel_loads,
+        CampaignVariant::loaded, CampaignVariant::unloaded, CampaignVariant::ordinary};
     return all;
 }
 
@@ -110,6 +129,8 @@ const char* variant_name(CampaignVariant variant) {
             return "loaded";
         case CampaignVariant::unloaded:
             return "unloaded";
+        case CampaignVariant::ordinary:
+            return "ordinary";
     }
     return "";
 }
@@ -165,11 +186,12 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
                                                                         : CalibrationKind::with_loads;
     CampaignSettings settings;
     settings.seed = seed;
-    settings.manoeuvres = population_manoeuvres();
+    const bool ordinary = variant == CampaignVariant::ordinary;
+    settings.manoeuvres = ordinary ? ordinary_manoeuvres() : population_manoeuvres();
     settings.spread.friction_factor = {0.7, 1.2};
     settings.spread.load_is_known =
         variant != CampaignVariant::loaded && variant != CampaignVariant::unloaded;
-    if (variant == CampaignVariant::errors) {
+    if (variant == CampaignVariant::errors || ordinary) {
         settings.spread.sensor_noise = true;
         settings.spread.cg_height_error = 0.05;
         settings.spread.stiffness_error = 0.10;
@@ -180,12 +202,14 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
             continue;  // identification failed, as vehicles.csv says
         }
         const std::filesystem::path file = vehicle_file(population, vehicle, driven_loaded);
-        CampaignVehicle scaled = scaled_vehicle(vehicle, load_vehicle(file));
+        const VehicleParameters driven = load_vehicle(file);
+        CampaignVehicle scaled = ordinary ? calmed_vehicle(vehicle, driven) : scaled_vehicle(vehicle, driven);
         scaled.parameters = file.string();
         scaled.calibration = calibration.string();
         settings.vehicles.push_back(scaled);
     }
-    settings.runs = runs_a_vehicle * std::max<std::uint64_t>(1U, settings.vehicles.size());
+    settings.runs = (ordinary ? ordinary_runs_a_vehicle : runs_a_vehicle) *
+                    std::max<std::uint64_t>(1U, settings.vehicles.size());
     return settings;
 }
 

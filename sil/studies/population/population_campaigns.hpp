@@ -17,6 +17,7 @@ enum class CampaignVariant {
     without_wheel_loads,  // calibrated without, no further errors
     loaded,               // calibrated empty, driven with the class's load
     unloaded,             // calibrated with that load, driven without
+    ordinary,             // noise and errors, ordinary driving by the hour
 };
 
 const std::vector<CampaignVariant>& campaign_variants();
@@ -31,7 +32,8 @@ enum class CalibrationKind { with_loads, without_loads, of_loaded_vehicle };
 std::filesystem::path calibration_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
                                        CalibrationKind kind);
 
-// Settings with those of `vehicles` whose files are there; 100 runs a vehicle.
+// Settings with those of `vehicles` whose calibration is there; 100 runs a vehicle, of ordinary driving half
+// an hour.
 CampaignSettings population_campaign(const std::filesystem::path& population,
                                      const std::vector<DrawnVehicle>& vehicles, CampaignVariant variant,
                                      std::uint64_t seed);

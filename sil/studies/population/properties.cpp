@@ -51,7 +51,8 @@ double roll_damping_nmsprad(const VehicleParameters& v) {
            2.0 * base * base * mean_damper_nspm(v.rear_suspension.spring_damper);
 }
 
-// Slip angles of both axles; the front wheels lean with the body, and their camber thrust with them.
+// Slip angles of both axles; the front wheels lean with the body, and their camber thrust with them; the
+// steering gives way.
 double understeer_gradient(const VehicleParameters& v, double roll_rad_pg) {
     const Tyre tyre{v.tyre, 1.0};
     const double front_n = front_wheel_load_n(v);
@@ -61,7 +62,8 @@ double understeer_gradient(const VehicleParameters& v, double roll_rad_pg) {
     const double jounce_m_pg = 0.5 * v.geometry.track_width_m * roll_rad_pg;
     const double lean_pg = roll_rad_pg - v.front_suspension.camber_gain_radpm * jounce_m_pg;
     const double front_slip_pg = (1.0 + v.tyre.camber_thrust_prad * lean_pg) / front_per_load;
-    return (front_slip_pg - 1.0 / rear_per_load) / g_mps2;
+    const double given_way_pg = v.steering.compliance_radpn * 2.0 * front_n;
+    return (front_slip_pg + given_way_pg - 1.0 / rear_per_load) / g_mps2;
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ constexpr Key keys_of_one_class[] = {
     {"tyre_deflection_m", &VehicleClass::tyre_deflection_m},
     {"cornering_per_load_prad", &VehicleClass::cornering_per_load_prad},
     {"cornering_peak_over_load", &VehicleClass::cornering_peak_over_load},
+    {"compliance_understeer_s2pm", &VehicleClass::compliance_understeer_s2pm},
     {"understeer_gradient_s2pm", &VehicleClass::understeer_gradient_s2pm},
     {"relaxation_length_m", &VehicleClass::relaxation_length_m},
     {"camber_thrust_prad", &VehicleClass::camber_thrust_prad},

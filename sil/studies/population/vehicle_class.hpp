@@ -54,7 +54,9 @@ struct VehicleClass {
     Interval cornering_per_load_prad{};  // cornering stiffness over load, both static
     Interval
         cornering_peak_over_load{};  // the load of the largest cornering stiffness over the larger static one
-    Interval understeer_gradient_s2pm{};  // nothing is drawn from it; it refuses what handles as no such
+    Interval
+        compliance_understeer_s2pm{};  // the part of the understeer that comes from the steering giving way
+    Interval understeer_gradient_s2pm{};  // not drawn; refuses what handles as no such vehicle does
                                           // vehicle does
     Interval relaxation_length_m{};
     Interval camber_thrust_prad{};

@@ -78,6 +78,7 @@ enum class Quantity : std::uint64_t {
     camber_gain = 54,
     damper_base = 55,
     panhard_length = 56,
+    steering_compliance = 57,
 };
 
 class RandomNumbers {
@@ -307,6 +308,9 @@ class Builder {
         const double height = v_.geometry.cg_height_m;
         v_.steering.ratio = within(Quantity::steering_ratio, &VehicleClass::steering_ratio);
         v_.steering.lag_s = within(Quantity::steering_lag, &VehicleClass::steering_lag_s);
+        v_.steering.compliance_radpn =
+            within(Quantity::steering_compliance, &VehicleClass::compliance_understeer_s2pm) * g_mps2 /
+            (2.0 * front_wheel_n());
         DrivelineParameters& d = v_.driveline;
         d.front_drive_share = within(Quantity::front_drive, &VehicleClass::front_drive_share);
         d.drive_force_limit_n = 3.0 * mass_;

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "sil/files/toml_text.hpp"
+
 namespace sil {
 namespace {
-
-// As TOML wants a float: never without a point or an exponent. The shortest text that gives the same number.
-std::string number_text(double value) {
-    const std::string text = fmt::format("{}", value);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
 
 class Toml {
  public:
@@ -20,7 +18,7 @@ class Toml {
         return *this;
     }
     Toml& number(std::string_view key, double value) {
-        text_ += fmt::format("{} = {}\n", key, number_text(value));
+        text_ += fmt::format("{} = {}\n", key, toml_number(value));
         return *this;
     }
     const std::string& text() const { return text_; }
@@ -95,7 +93,10 @@ void put_tyre(Toml& toml, const TyreParameters& t) {
 }
 
 void put_the_rest(Toml& toml, const VehicleParameters& v) {
-    toml.table("steering").number("ratio", v.steering.ratio).number("lag_s", v.steering.lag_s);
+    toml.table("steering")
+        .number("ratio", v.steering.ratio)
+        .number("lag_s", v.steering.lag_s)
+        .number("compliance_radpn", v.steering.compliance_radpn);
     toml.table("driveline")
         .number("front_drive_share", v.driveline.front_drive_share)
         .number("drive_force_limit_n", v.driveline.drive_force_limit_n)
@@ -118,7 +119,7 @@ void put_the_rest(Toml& toml, const VehicleParameters& v) {
 }  // namespace
 
 std::string vehicle_toml(const VehicleParameters& vehicle, std::string_view remark) {
-    Toml toml{fmt::format("# {}\n\nname = \"{}\"\n", remark, vehicle.name)};
+    Toml toml{fmt::format("# {}\n\nname = {}\n", remark, toml_string(vehicle.name))};
     put_body(toml, vehicle);
     put_suspensions(toml, vehicle);
     put_tyre(toml, vehicle.tyre);
@@ -131,8 +132,8 @@ std::string vehicle_data_toml(const VehicleParameters& vehicle) {
     const double total = total_mass_kg(vehicle);
     Toml toml{fmt::format(
         "# What a data sheet and a workshop say of a drawn vehicle, for rsi-sil identify. SI units.\n\n"
-        "name = \"{}\"\n",
-        vehicle.name)};
+        "name = {}\n",
+        toml_string(vehicle.name))};
     toml.number("total_mass_kg", total)
         .number("unsprung_mass_kg", total - vehicle.mass.sprung_kg)
         .number("sprung_cg_height_m", geometry.cg_height_m)

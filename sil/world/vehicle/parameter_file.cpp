@@ -98,6 +98,8 @@ SteeringParameters read_steering(TomlTable table) {
     SteeringParameters p;
     p.ratio = table.number("ratio", {1.0, 60.0});
     p.lag_s = table.has("lag_s") ? table.number("lag_s", {0.0, 1.0}) : 0.0;
+    p.compliance_radpn =
+        table.has("compliance_radpn") ? table.number("compliance_radpn", {0.0, 1.0e-4}) : 0.0;
     table.refuse_unknown_keys();
     return p;
 }

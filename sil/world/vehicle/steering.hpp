@@ -1,4 +1,5 @@
-// Steering: both front wheels turn together by the handwheel angle over the ratio, at once or with a lag.
+// Steering: both front wheels turn together by the handwheel angle over the ratio, at once or with a lag,
+// less what the front axle's lateral force turns them back.
 #pragma once
 
 #include <cmath>
@@ -23,8 +24,9 @@ inline double reached_handwheel_rad(const SteeringParameters& parameters, double
     return reached_rad + (handwheel_rad - reached_rad) * step_s / (parameters.lag_s + step_s);
 }
 
-inline RoadWheelAngle road_wheel_angle(const SteeringParameters& parameters, double handwheel_rad) {
-    const double angle = handwheel_rad / parameters.ratio;
+inline RoadWheelAngle road_wheel_angle(const SteeringParameters& parameters, double handwheel_rad,
+                                       double front_lateral_n) {
+    const double angle = handwheel_rad / parameters.ratio - parameters.compliance_radpn * front_lateral_n;
     return {angle, std::sin(angle), std::cos(angle)};
 }
 

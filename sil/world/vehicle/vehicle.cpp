@@ -118,6 +118,7 @@ void Vehicle::reset(const InitialState& initial) {
     evaluation_ = Evaluation{};
     evaluate(DriverInput{}, nominal_step_s);
     state_.slip = {};
+    state_.front_lateral_n = 0.0;
     truth_ = build_truth(parameters_, front_path_, state_, evaluation_);
 }
 
@@ -162,7 +163,8 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
     evaluation_.steering_wheel_angle_rad = input.steering_wheel_angle_rad;
     state_.reached_handwheel_rad = reached_handwheel_rad(parameters_.steering, state_.reached_handwheel_rad,
                                                          input.steering_wheel_angle_rad, step_s);
-    evaluation_.road_wheel = road_wheel_angle(parameters_.steering, state_.reached_handwheel_rad);
+    evaluation_.road_wheel =
+        road_wheel_angle(parameters_.steering, state_.reached_handwheel_rad, state_.front_lateral_n);
     evaluation_.tyre_force_body_n.setZero();
     const Matrix3& rotation = evaluation_.rotation;
     const Vector3& normal = evaluation_.road_normal =
@@ -199,6 +201,8 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
         wheel_forces(wheel, pose, drive[index], brake * parameters_.driveline.front_brake_nm, step_s,
                      equations);
     }
+
+    state_.front_lateral_n = evaluation_.tyre_force_body_n.y();
 
     const AxlePose axle = rear_axle_.pose(state_.suspension[2], state_.suspension[3]);
     const double heave_rate = state_.suspension_rate[2];

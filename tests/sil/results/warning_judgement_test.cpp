@@ -109,10 +109,12 @@ TEST(WarningJudge, AWarningThatCameAndWentIsNone) {
 }
 
 TEST(WarningJudge, AWarningInTheVeryMomentIsInTimeAndOneCycleLaterLate) {
-    const auto warned = ready().drive(10, 0.9).warn(WarningSide::right).drive(5, 1.0).lift(WarningSide::right, 5);
+    const auto warned =
+        ready().drive(10, 0.9).warn(WarningSide::right).drive(5, 1.0).lift(WarningSide::right, 5);
     EXPECT_EQ(warned.judgement().lead_s, 0.0);
     EXPECT_TRUE(sil::is_warned(warned.judgement().lead_s));
-    const auto late = ready().drive(10, 0.9).warn(WarningSide::right).drive(5, 1.0).lift(WarningSide::right, 6);
+    const auto late =
+        ready().drive(10, 0.9).warn(WarningSide::right).drive(5, 1.0).lift(WarningSide::right, 6);
     EXPECT_FALSE(late.judgement().lead_s);
     EXPECT_TRUE(late.judgement().late);
 }
@@ -160,7 +162,8 @@ TEST(WarningJudge, AWarningIsOnTheWrongSideFromATenthOfASecondAfterTheSwing) {
 
 TEST(WarningJudge, AWarningOfTheLoadedSideIsNeverOnTheWrongOne) {
     EXPECT_EQ(ready().drive(30, 0.8).warn(WarningSide::right).drive(90, 0.001).judgement().wrong_side_s, 0.0);
-    EXPECT_EQ(ready().drive(30, -0.8).warn(WarningSide::left).drive(90, -0.001).judgement().wrong_side_s, 0.0);
+    EXPECT_EQ(ready().drive(30, -0.8).warn(WarningSide::left).drive(90, -0.001).judgement().wrong_side_s,
+              0.0);
 }
 
 TEST(WarningJudge, AWarningThatBeginsOnTheWrongSideIsSoAtOnceWithoutASwing) {
@@ -212,8 +215,8 @@ TEST(WarningJudge, UnavailableCountsAfterTheStartUp) {
 }
 
 TEST(WarningJudge, TheLoadTransferIsALargestMagnitude) {
-    EXPECT_DOUBLE_EQ(ready().drive(1, 0.3).drive(1, -0.75).drive(1, 0.2).judgement().largest_load_transfer_ratio,
-                     0.75);
+    EXPECT_DOUBLE_EQ(
+        ready().drive(1, 0.3).drive(1, -0.75).drive(1, 0.2).judgement().largest_load_transfer_ratio, 0.75);
     EXPECT_EQ(ready().drive(1, -0.75).judgement().band(), LoadBand::from_0_7);
 }
 
