@@ -8,8 +8,6 @@
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
-#include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
@@ -68,8 +66,7 @@ CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{setti
                              load_vehicle(vehicle.parameters), load_calibration(vehicle.calibration)});
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
-        manoeuvres_.push_back(manoeuvre.name == ordinary_driving_name ? ordinary_driving(1U)
-                                                                      : find_manoeuvre(manoeuvre.name));
+        manoeuvres_.push_back(campaign_manoeuvre(manoeuvre.name));
     }
 }
 

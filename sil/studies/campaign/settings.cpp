@@ -8,6 +8,7 @@
 
 #include "sil/files/toml_text.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 
 namespace sil {
 namespace {
@@ -29,7 +30,7 @@ void check_error(double share, const std::string& key) {
 
 void check_manoeuvre(const CampaignManoeuvre& manoeuvre) {
     try {
-        find_manoeuvre(manoeuvre.name);
+        campaign_manoeuvre(manoeuvre.name);
     } catch (const UnknownManoeuvre& unknown) {
         throw InputError(unknown.what());
     }
@@ -79,6 +80,10 @@ std::string list(const std::string& key, const std::vector<double>& numbers) {
 }
 
 }  // namespace
+
+Manoeuvre campaign_manoeuvre(const std::string& name) {
+    return name == ordinary_driving_name ? ordinary_driving(1U) : find_manoeuvre(name);
+}
 
 void check_campaign(const CampaignSettings& settings) {
     check(settings.runs >= 1U && settings.runs <= 100'000'000U, "runs", "from 1 to 100000000");

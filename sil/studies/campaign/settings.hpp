@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sil/input_error.hpp"
+#include "sil/world/manoeuvres/manoeuvre.hpp"
 
 namespace sil {
 
@@ -28,7 +29,7 @@ struct CampaignVehicle {
     std::vector<double> steering_factors{};
 };
 
-// One manoeuvre of the catalogue and how it is varied.
+// One manoeuvre of the catalogue, or `ordinary-driving`, and how it is varied.
 struct CampaignManoeuvre {
     std::string name;
     double weight{1.0};                  // its share of the runs, over the sum of all weights
@@ -71,6 +72,9 @@ CampaignSettings load_campaign(const std::filesystem::path& path);
 
 // Refuses what load_campaign would, in settings that have been put together otherwise. Throws InputError.
 void check_campaign(const CampaignSettings& settings);
+
+// One of the catalogue, or ordinary driving. Throws UnknownManoeuvre.
+Manoeuvre campaign_manoeuvre(const std::string& name);
 
 // "FILE:CALIBRATION". Throws InputError.
 CampaignVehicle parse_campaign_vehicle(const std::string& text);

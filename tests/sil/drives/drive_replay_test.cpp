@@ -84,7 +84,9 @@ TEST_F(HardTurn, LiftOffAndLeadAreNearlyThoseOfTheRun) {
     EXPECT_EQ(replay.lift_off.source, sil::LiftOffSource::wheel_loads);
     expect_near(replay.events.one_wheel_lift.value().time_s, run->events.one_wheel_lift.value().time_s);
     expect_near(replay.events.two_wheel_lift.value().time_s, run->events.two_wheel_lift.value().time_s);
-    expect_near(replay.events.lead_time_s().value(), run->events.lead_time_s().value());
+    expect_near(replay.events.judgement.lead_s.value(), run->events.judgement.lead_s.value());
+    EXPECT_EQ(replay.events.judgement.falling_side, run->events.judgement.falling_side);
+    EXPECT_NEAR(replay.events.judgement.wrong_side_s, run->events.judgement.wrong_side_s, 0.0101);
     EXPECT_GT(replay.largest_load_transfer_ratio, 0.95);
 }
 
@@ -135,7 +137,7 @@ TEST_F(HardTurn, WithoutWhatIsOptionalThereIsStillAWarning) {
     EXPECT_NEAR(replay.events.warning->time_s, run->events.warning->time_s, 0.1);
     EXPECT_EQ(replay.lift_off.source, sil::LiftOffSource::unknown);
     EXPECT_TRUE(std::isnan(replay.largest_load_transfer_ratio));
-    EXPECT_FALSE(replay.events.lead_time_s());
+    EXPECT_FALSE(replay.events.judgement.lead_s);
 }
 
 TEST_F(HardTurn, TimeNeedNotBeginAtZero) {
@@ -153,6 +155,41 @@ TEST_F(HardTurn, AGapIsSilenceForTheFirmware) {
     EXPECT_EQ(replay.cycles.size(), run->ecu_outputs.size());
     EXPECT_EQ(replay.cycles[29].ecu.state(), sil::WarningState::ready);
     EXPECT_EQ(replay.cycles[44].ecu.state(), sil::WarningState::unavailable);
+}
+
+TEST_F(HardTurn, TellsCodesDegradationAndUnavailableTime) {
+    sil::Drive gap = *drive;
+    gap.samples.erase(gap.samples.begin() + 30, gap.samples.begin() + 45);  // 0.30 to 0.44 s
+    const sil::DriveReplay replay = sil::replay_drive(gap, large_suv_calibration());
+    const auto unavailable = std::count_if(
+        replay.cycles.begin() + 21, replay.cycles.end(),
+        [](const sil::ReplayCycle& cycle) { return cycle.ecu.state() == sil::WarningState::unavailable; });
+    EXPECT_GT(unavailable, 10);
+    EXPECT_NEAR(replay.events.judgement.unavailable_s, 0.01 * static_cast<double>(unavailable), 1e-9);
+    EXPECT_EQ(sil::code_names(replay.cycles[29].codes.set), "");
+    EXPECT_THAT(sil::code_names(replay.cycles[44].codes.confirmed), testing::HasSubstr("imu lost"));
+    EXPECT_THAT(sil::code_names(replay.confirmed_codes), testing::HasSubstr("imu lost"));
+    const auto degradation = [&](std::size_t cycle) {
+        return replay.cycles[cycle].ecu.of<can_dbc::RolloverDiagnosis>().degradation;
+    };
+    EXPECT_EQ(degradation(29U), can_dbc::RolloverDiagnosis::Degradation::full);
+    EXPECT_EQ(degradation(44U), can_dbc::RolloverDiagnosis::Degradation::unavailable);
+    // Frames that come again heal the code.
+    EXPECT_EQ(sil::code_names(replay.cycles[99].codes.confirmed).find("imu lost"), std::string::npos);
+    const sil::DriveReplay whole = sil::replay_drive(*drive, large_suv_calibration());
+    EXPECT_EQ(whole.confirmed_codes, 0U);
+    EXPECT_EQ(whole.events.judgement.unavailable_s, 0.0);
+}
+
+// One sample is too little to confirm anything, and what was only set is forgotten.
+TEST_F(HardTurn, ACodeMayBeSetWithoutBeingConfirmed) {
+    sil::Drive spike = *drive;
+    spike.samples[50].roll_rate_radps += 3.0;
+    const sil::DriveReplay replay = sil::replay_drive(spike, large_suv_calibration());
+    EXPECT_EQ(replay.cycles[49].codes.set, 0U);
+    EXPECT_THAT(sil::code_names(replay.cycles[51].codes.set), testing::HasSubstr("roll rate jump"));
+    EXPECT_EQ(sil::code_names(replay.cycles[99].codes.set), "");
+    EXPECT_EQ(replay.confirmed_codes, 0U);
 }
 
 // Without noise, which a denser drive would average.
@@ -194,7 +231,18 @@ TEST_F(HardTurn, GivenLiftOffWinsAndDecidesTheLead) {
     given.lift_off_given = true;
     given.two_wheel_lift_s = run->events.warning->time_s + 0.25;
     const sil::DriveReplay replay = sil::replay_drive(given, large_suv_calibration());
-    EXPECT_NEAR(replay.events.lead_time_s().value(), 0.25, 1e-9);
+    EXPECT_NEAR(replay.events.judgement.lead_s.value(), 0.25, 1e-9);
+}
+
+// Without wheel loads the measured turn says to which side the vehicle falls.
+TEST_F(HardTurn, OfAGivenLiftOffWithoutLoadsTheTurnTellsTheSide) {
+    sil::Drive given =
+        without([](sil::DriveSample& sample) { sample.wheel_load_n.fill(sil::DriveSample::not_available); });
+    given.lift_off_given = true;
+    given.two_wheel_lift_s = run->events.two_wheel_lift->time_s;
+    const sil::DriveReplay replay = sil::replay_drive(given, large_suv_calibration());
+    EXPECT_EQ(replay.events.judgement.falling_side, sil::WarningSide::right);
+    EXPECT_NEAR(replay.events.judgement.lead_s.value(), run->events.judgement.lead_s.value(), 1e-9);
 }
 
 TEST(Replay, OfALogWithoutSensorFramesIsRefused) {

@@ -61,6 +61,24 @@ TEST(LiftOff, OfTheRightSideCountsAsWell) {
     EXPECT_DOUBLE_EQ(sil::find_lift_off(drive).two_wheel_s.value(), 2.0);
 }
 
+TEST(LiftOff, TellsTheSideThatFalls) {
+    sil::Drive drive = driving();
+    load_from(drive, 200U, {8000.0, 0.0, 8000.0, 0.0});
+    EXPECT_EQ(sil::find_lift_off(drive).falling_side, sil::WarningSide::left);
+    load_from(drive, 200U, {0.0, 8000.0, 0.0, 8000.0});
+    EXPECT_EQ(sil::find_lift_off(drive).falling_side, sil::WarningSide::right);
+}
+
+TEST(LiftOff, OfTwoWheelsHasToLastFiftyMilliseconds) {
+    sil::Drive drive = driving();
+    load_from(drive, 200U, {8000.0, 0.0, 8000.0, 0.0});  // from 2.00 to 2.04 s
+    load_from(drive, 205U, {5000.0, 5000.0, 3000.0, 3000.0});
+    EXPECT_FALSE(sil::find_lift_off(drive).two_wheel_s);
+    EXPECT_DOUBLE_EQ(sil::find_lift_off(drive).one_wheel_s.value(), 2.0);
+    drive.samples[205U].wheel_load_n = Loads{8000.0, 0.0, 8000.0, 0.0};
+    EXPECT_DOUBLE_EQ(sil::find_lift_off(drive).two_wheel_s.value(), 2.0);
+}
+
 TEST(LiftOff, OfTwoWheelsOnOppositeSidesIsNotTwoWheelLiftOff) {
     sil::Drive drive = driving();
     load_from(drive, 200U, {0.0, 8000.0, 8000.0, 0.0});
@@ -78,6 +96,20 @@ TEST(LiftOff, GivenTimesWinOverWheelLoads) {
     EXPECT_EQ(lift.source, sil::LiftOffSource::given);
     EXPECT_DOUBLE_EQ(lift.one_wheel_s.value(), 1.25);
     EXPECT_FALSE(lift.two_wheel_s);
+    EXPECT_EQ(lift.falling_side, sil::WarningSide::none);
+}
+
+TEST(LiftOff, OfAGivenTimeTheLoadsTellTheSide) {
+    sil::Drive drive = driving();
+    drive.lift_off_given = true;
+    drive.two_wheel_lift_s = 2.0;
+    EXPECT_EQ(sil::find_lift_off(drive).falling_side, sil::WarningSide::none);
+    load_from(drive, 150U, {7000.0, 1000.0, 8000.0, 0.0});
+    load_from(drive, 190U, {0.0, 0.0, 0.0, 0.0});  // in the air
+    load_from(drive, 201U, {1000.0, 7000.0, 0.0, 8000.0});
+    EXPECT_EQ(sil::find_lift_off(drive).falling_side, sil::WarningSide::left);
+    drive.two_wheel_lift_s = 2.01;
+    EXPECT_EQ(sil::find_lift_off(drive).falling_side, sil::WarningSide::right);
 }
 
 TEST(LoadTransferRatio, IsPositiveWhenTheRightWheelsCarryMore) {

@@ -46,8 +46,8 @@ TEST_F(ReplayProgram, LeavesAFolderWithEveryResultAndATable) {
     const testing_drives::RecordedDrive run =
         testing_drives::record_drive(testing_drives::hard_turn(), 3.0, path("."));
     ASSERT_EQ(replay("signals.csv", ""), 0) << err;
-    for (const char* name :
-         {"summary.json", "warnings.csv", "indices.csv", "events.gp", "replay.svg", "replay.png"}) {
+    for (const char* name : {"summary.json", "warnings.csv", "diagnosis.csv", "indices.csv", "events.gp",
+                             "replay.svg", "replay.png"}) {
         EXPECT_TRUE(fs::exists(results("signals") / name)) << name;
     }
     EXPECT_EQ(text_of(results("signals") / "replay.svg").find("NaN"), std::string::npos);
@@ -92,7 +92,7 @@ TEST_F(ReplayProgram, GoesOnAfterABadFileAndSaysWhichItWas) {
     EXPECT_FALSE(fs::exists(results("b")));
     EXPECT_FALSE(fs::exists(results("b.partial")));
     EXPECT_TRUE(fs::exists(results("c") / "summary.json"));
-    EXPECT_THAT(text_of(results("table.csv")), testing::HasSubstr("b.csv,b,,,,,,,failed\n"));
+    EXPECT_THAT(text_of(results("table.csv")), testing::HasSubstr("b.csv,b,,,,,,,,,failed,\n"));
 }
 
 TEST_F(ReplayProgram, ResultsOfAnEarlierReplayDoNotOutliveAFailure) {
@@ -101,6 +101,34 @@ TEST_F(ReplayProgram, ResultsOfAnEarlierReplayDoNotOutliveAFailure) {
     write_text(path("a.csv"), "time_s\n0\n");
     EXPECT_EQ(replay("a.csv"), 1);
     EXPECT_FALSE(fs::exists(results("a")));
+}
+
+TEST_F(ReplayProgram, SetChangesAParameter) {
+    static_cast<void>(testing_drives::record_drive(testing_drives::hard_turn(), 3.0, path(".")));
+    ASSERT_EQ(replay("signals.csv"), 0) << err;
+    const auto as_it_is = nlohmann::json::parse(text_of(results("signals") / "summary.json"));
+    ASSERT_EQ(replay("signals.csv", "--no-pictures --set warning_on=0.99 --set warning_indicator=published"),
+              0)
+        << err;
+    const auto changed = nlohmann::json::parse(text_of(results("signals") / "summary.json"));
+    EXPECT_EQ(changed["warning_indicator"], "published");
+    EXPECT_NE(changed["warning_time_s"], as_it_is["warning_time_s"]);
+    EXPECT_EQ(replay("signals.csv", "--no-pictures --set no_such_key=1"), 1);
+    EXPECT_THAT(err, testing::HasSubstr("\"no_such_key=1\" must be KEY=VALUE"));
+}
+
+// A second without samples.
+TEST_F(ReplayProgram, SaysThatADriveWasNotAvailable) {
+    std::vector<std::string> lines = good_lines(400);
+    lines.erase(lines.begin() + 150, lines.begin() + 250);
+    write_text(path("gap.csv"), text_of_lines(lines));
+    ASSERT_EQ(replay("gap.csv"), 0) << err;
+    EXPECT_THAT(out, testing::HasSubstr("1 drives: 1 unavailable\n"));
+    EXPECT_THAT(out, testing::HasSubstr("unavailable (imu lost"));
+    const auto summary = nlohmann::json::parse(text_of(results("gap") / "summary.json"));
+    EXPECT_GT(summary["unavailable_duration_s"].get<double>(), 0.9);
+    EXPECT_THAT(summary["confirmed_codes"].dump(), testing::HasSubstr("imu lost"));
+    EXPECT_THAT(text_of(results("gap") / "diagnosis.csv"), testing::HasSubstr(",unavailable,imu lost"));
 }
 
 TEST_F(ReplayProgram, WritesTheSameBytesTwice) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -29,6 +30,7 @@ sil::ReplayCycle cycle(double time_s, WarningState state, WarningSide side) {
     result.outputs.side = static_cast<std::int32_t>(side);
     result.outputs.rsi = 0.75F;
     result.outputs.lateral_acceleration_mps2 = std::numeric_limits<float>::quiet_NaN();
+    result.ecu.of<can_dbc::RolloverDiagnosis>().degradation = can_dbc::RolloverDiagnosis::Degradation::full;
     return result;
 }
 
@@ -37,6 +39,13 @@ sil::DriveReplay three_cycles() {
     replay.cycles = {cycle(0.0, WarningState::ready, WarningSide::none),
                      cycle(0.01, WarningState::ready, WarningSide::none),
                      cycle(0.02, WarningState::warning, WarningSide::right)};
+    const auto bit = [](can_dbc::RolloverDiagnosis::Code code) {
+        return std::uint64_t{1U} << static_cast<unsigned>(code);
+    };
+    const std::uint64_t lost = bit(can_dbc::RolloverDiagnosis::Code::imu_lost);
+    const std::uint64_t stuck = bit(can_dbc::RolloverDiagnosis::Code::speed_stuck);
+    replay.cycles[2].codes = {lost | stuck, stuck};
+    replay.confirmed_codes = stuck;
     replay.events.warning = sil::EventMoment{0.02, 6.0, 0.1};
     replay.events.warning_side = WarningSide::right;
     replay.events.end_time_s = 0.02;
@@ -60,6 +69,12 @@ TEST(WarningsCsv, HasOneRowForEveryChange) {
     EXPECT_EQ(sil::warnings_csv(three_cycles()), "time_s,state,side\n0,ready,none\n0.02,warning,right\n");
 }
 
+TEST(DiagnosisCsv, HasOneRowForEveryChange) {
+    EXPECT_EQ(sil::diagnosis_csv(three_cycles()),
+              "time_s,degradation,codes_set,codes_confirmed\n0,full,,\n"
+              "0.02,full,imu lost; speed stuck,speed stuck\n");
+}
+
 TEST(IndicesCsv, HasAFieldForEveryColumnInEveryCycle) {
     const auto rows = cells(sil::indices_csv(three_cycles()));
     ASSERT_EQ(rows.size(), 4U);
@@ -80,6 +95,9 @@ TEST(IndicesCsv, HasAFieldForEveryColumnInEveryCycle) {
     EXPECT_EQ(value("state"), "warning");
     EXPECT_EQ(value("state_number"), "3");
     EXPECT_EQ(value("side"), "right");
+    EXPECT_EQ(value("degradation"), "full");
+    EXPECT_EQ(value("codes_set"), "imu lost; speed stuck");
+    EXPECT_EQ(value("codes_confirmed"), "speed stuck");
 }
 
 TEST(ReplaySummary, HasTheKeysOfARunInTheirOrderAndThenItsOwn) {
@@ -103,6 +121,7 @@ TEST(ReplaySummary, HasTheKeysOfARunInTheirOrderAndThenItsOwn) {
     EXPECT_EQ(json["lift_off_source"], "unknown");
     EXPECT_TRUE(json["largest_load_transfer_ratio"].is_null());
     EXPECT_EQ(json["cycles"], 3);
+    EXPECT_EQ(json["confirmed_codes"].dump(), "[\"speed stuck\"]");
     EXPECT_EQ(json["ignored_columns"].dump(), "[\"gear\"]");
 }
 
@@ -120,17 +139,46 @@ sil::DriveReplay outcome(std::optional<double> warning_s, std::optional<double> 
     return replay;
 }
 
+// The wheels have lifted and the vehicle falls to the right.
+sil::DriveReplay lifted(WarningSide side_at_lift_off, std::optional<double> lead_s, bool late = false) {
+    sil::DriveReplay replay = outcome(1.0, 1.1, 1.2);
+    sil::WarningJudgement& judgement = replay.events.judgement;
+    judgement.lifted = true;
+    judgement.falling_side = WarningSide::right;
+    judgement.side_at_lift_off = side_at_lift_off;
+    judgement.lead_s = lead_s;
+    judgement.late = late;
+    return replay;
+}
+
+TEST(Verdict, OfALiftOffIsThatOfTheWarningInForce) {
+    EXPECT_EQ(sil::verdict(lifted(WarningSide::right, 0.2)), Verdict::ahead);
+    EXPECT_EQ(sil::verdict(lifted(WarningSide::right, 0.0)), Verdict::ahead);
+    EXPECT_EQ(sil::verdict(lifted(WarningSide::left, {})), Verdict::wrong_side);
+    EXPECT_EQ(sil::verdict(lifted(WarningSide::left, {}, true)), Verdict::wrong_side);
+    EXPECT_EQ(sil::verdict(lifted(WarningSide::none, {}, true)), Verdict::late);
+    EXPECT_EQ(sil::verdict(lifted(WarningSide::none, {})), Verdict::missed) << "one that came and went";
+    EXPECT_STREQ(to_string(Verdict::wrong_side), "wrong side");
+}
+
 TEST(Verdict, TellsWhatTheWarningWasWorth) {
-    EXPECT_EQ(sil::verdict(outcome(1.0, 1.1, 1.2)), Verdict::ahead);
-    EXPECT_EQ(sil::verdict(outcome(1.2, 1.1, 1.2)), Verdict::late);
-    EXPECT_EQ(sil::verdict(outcome(1.5, 1.1, 1.2)), Verdict::late);
-    EXPECT_EQ(sil::verdict(outcome({}, 1.1, 1.2)), Verdict::missed);
     EXPECT_EQ(sil::verdict(outcome(1.0, 1.1, {})), Verdict::one_wheel_alarm);
-    EXPECT_EQ(sil::verdict(outcome(1.0, {}, {}, 0.95)), Verdict::near_alarm);
-    EXPECT_EQ(sil::verdict(outcome(1.0, {}, {}, 0.85)), Verdict::false_alarm);
+    EXPECT_EQ(sil::verdict(outcome(1.0, {}, {}, 0.9)), Verdict::near_alarm);
+    EXPECT_EQ(sil::verdict(outcome(1.0, {}, {}, 0.899)), Verdict::false_alarm);
     EXPECT_EQ(sil::verdict(outcome(1.0, {}, {}, sil::EcuOutput::not_available)), Verdict::false_alarm);
     EXPECT_EQ(sil::verdict(outcome({}, {}, {})), Verdict::quiet);
     EXPECT_EQ(sil::verdict(outcome({}, 1.1, {})), Verdict::quiet);
+}
+
+TEST(Verdict, IsNotQuietWhileThereCouldBeNoWarning) {
+    sil::DriveReplay replay = outcome({}, {}, {});
+    replay.events.judgement.unavailable_s = 0.01;
+    EXPECT_EQ(sil::verdict(replay), Verdict::unavailable);
+    EXPECT_STREQ(to_string(Verdict::unavailable), "unavailable");
+    replay.lift_off.source = sil::LiftOffSource::unknown;
+    EXPECT_EQ(sil::verdict(replay), Verdict::unavailable);
+    replay.events.warning = sil::EventMoment{};
+    EXPECT_EQ(sil::verdict(replay), Verdict::warning);
 }
 
 TEST(Verdict, SaysNothingOfLiftOffThatIsNotKnown) {
@@ -142,20 +190,27 @@ TEST(Verdict, SaysNothingOfLiftOffThatIsNotKnown) {
 }
 
 TEST(ReplayTable, HasARowForEveryFileAlsoForFailedOnes) {
-    const std::vector<sil::ReplayRow> rows{sil::replay_row("a,b/x.csv", "x", outcome(1.0, 1.25, 1.5, 0.99)),
+    sil::DriveReplay replay = lifted(WarningSide::right, 0.25);
+    replay.events.judgement.wrong_side_s = 0.125;
+    replay.events.judgement.unavailable_s = 1.5;
+    replay.largest_load_transfer_ratio = 0.99;
+    replay.confirmed_codes = three_cycles().confirmed_codes;
+    const std::vector<sil::ReplayRow> rows{sil::replay_row("a,b/x.csv", "x", replay),
                                            sil::failed_row("y.csv", "y")};
     const std::string csv = sil::table_csv(rows);
     EXPECT_EQ(csv,
               "file,drive,warning_time_s,one_wheel_lift_time_s,two_wheel_lift_time_s,lead_time_s,"
-              "largest_load_transfer_ratio,largest_warning_level,verdict\n"
-              "\"a,b/x.csv\",x,1.000,1.250,1.500,0.500,0.9900,,ahead\n"
-              "y.csv,y,,,,,,,failed\n");
+              "wrong_side_duration_s,unavailable_duration_s,largest_load_transfer_ratio,"
+              "largest_warning_level,verdict,confirmed_codes\n"
+              "\"a,b/x.csv\",x,1.000,1.100,1.200,0.250,0.125,1.500,0.9900,,ahead,speed stuck\n"
+              "y.csv,y,,,,,,,,,failed,\n");
+    EXPECT_THAT(sil::table_text(rows), testing::HasSubstr("  1.50    0.990        -  ahead (speed stuck)\n"));
     EXPECT_THAT(sil::table_text(rows), testing::HasSubstr("2 drives: 1 ahead, 1 failed"));
 }
 
 TEST(ReplayTable, ItsColumnsStandBelowTheirNames) {
     std::istringstream lines{
-        sil::table_text({sil::replay_row("x.csv", "a-longer-name", outcome(1.0, 1.25, 1.5))})};
+        sil::table_text({sil::replay_row("x.csv", "a-longer-name", lifted(WarningSide::right, 0.5))})};
     std::string header;
     std::string row;
     std::getline(lines, header);
