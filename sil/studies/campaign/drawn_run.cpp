@@ -1,5 +1,7 @@
 #include "sil/studies/campaign/drawn_run.hpp"
 
+#include <algorithm>
+
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
@@ -8,6 +10,8 @@
 
 namespace sil {
 namespace {
+
+constexpr float least_damping_time_s = 1.01F * 0.005F;  // c_f / K_f that the component admits, and a little
 
 float with_error(double truth, double error) {
     return static_cast<float>(truth * (1.0 + error));
@@ -29,6 +33,9 @@ rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& t
                                &calibration.roll_stiffness_quintic_nmprad5}) {
         *coefficient = with_error(static_cast<double>(*coefficient), draw.stiffness_error);
     }
+    // `identify` writes the least damping that the component admits where it finds less; it grows with the stiffness.
+    calibration.roll_damping_nmsprad = std::max(calibration.roll_damping_nmsprad,
+                                                least_damping_time_s * calibration.roll_stiffness_nmprad);
     return calibration;
 }
 

@@ -100,7 +100,7 @@ std::vector<CampaignManoeuvre> ordinary_manoeuvres() {
 // Who drives a truck turns less hard than who drives a car, and slower.
 CampaignVehicle calmed_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven) {
     const VehicleClass& from = vehicle_classes()[vehicle.in_class];
-    const double nominal_mps = ordinary_driving(1U).initial_speed_mps;
+    const double nominal_mps = campaign_manoeuvre(ordinary_driving_name).initial_speed_mps;
     CampaignVehicle calmed;
     calmed.in_class = from.name;
     calmed.speed_factors = {std::min(1.0, from.max_speed_kmh / 3.6 / nominal_mps)};
