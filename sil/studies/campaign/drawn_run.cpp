@@ -33,9 +33,10 @@ rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& t
                                &calibration.roll_stiffness_quintic_nmprad5}) {
         *coefficient = with_error(static_cast<double>(*coefficient), draw.stiffness_error);
     }
-    // `identify` writes the least damping that the component admits where it finds less; it grows with the stiffness.
-    calibration.roll_damping_nmsprad = std::max(calibration.roll_damping_nmsprad,
-                                                least_damping_time_s * calibration.roll_stiffness_nmprad);
+    // `identify` writes the least damping that the component admits where it finds less; it grows with the
+    // stiffness.
+    calibration.roll_damping_nmsprad =
+        std::max(calibration.roll_damping_nmsprad, least_damping_time_s * calibration.roll_stiffness_nmprad);
     return calibration;
 }
 
