@@ -63,7 +63,8 @@ class IndexRecorder final : public RunObserver {
 CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{settings} {
     for (const CampaignVehicle& vehicle : settings.vehicles) {
         vehicles_.push_back({std::filesystem::path{vehicle.parameters}.stem().string(),
-                             load_vehicle(vehicle.parameters), load_calibration(vehicle.calibration)});
+                             load_vehicle(vehicle.parameters),
+                             load_calibration(vehicle.calibration, settings.changes)});
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         manoeuvres_.push_back(campaign_manoeuvre(manoeuvre.name));

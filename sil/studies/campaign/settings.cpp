@@ -113,7 +113,13 @@ CampaignVehicle parse_campaign_vehicle(const std::string& text) {
 
 std::string to_toml(const CampaignSettings& settings) {
     const CampaignSpread& spread = settings.spread;
-    std::string text = fmt::format("runs = {}\nseed = {}\n\n[spread]\n", settings.runs, settings.seed);
+    std::string text = fmt::format("runs = {}\nseed = {}\n", settings.runs, settings.seed);
+    std::string changes;
+    for (const std::string& change : settings.changes) {
+        changes += (changes.empty() ? "" : ", ") + toml_string(change);
+    }
+    text += changes.empty() ? "" : "changes = [" + changes + "]\n";
+    text += "\n[spread]\n";
     text += "friction_factor = " + pair(spread.friction_factor) + "\n";
     text += "load_share = " + pair(spread.load_share) + "\n";
     text += "load_height_factor = " + pair(spread.load_height_factor) + "\n";

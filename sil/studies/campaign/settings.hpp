@@ -59,6 +59,7 @@ struct CampaignSettings {
     std::uint64_t runs{1U};
     std::uint64_t seed{1U};
     std::vector<CampaignVehicle> vehicles{};
+    std::vector<std::string> changes{};  // "KEY=VALUE" in place of what every calibration says
     std::vector<CampaignManoeuvre> manoeuvres{};
     CampaignSpread spread{};
 };

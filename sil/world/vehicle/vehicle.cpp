@@ -202,8 +202,6 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
                      equations);
     }
 
-    state_.front_lateral_n = evaluation_.tyre_force_body_n.y();
-
     const AxlePose axle = rear_axle_.pose(state_.suspension[2], state_.suspension[3]);
     const double heave_rate = state_.suspension_rate[2];
     const double roll_rate = state_.suspension_rate[3];

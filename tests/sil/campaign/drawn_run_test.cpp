@@ -62,6 +62,18 @@ TEST(DrawnRun, ALoadThatNobodyToldIsNoPartOfTheError) {
     }
 }
 
+TEST(DrawnRun, AChangeTakesThePlaceOfWhatEveryCalibrationSays) {
+    sil::CampaignSettings settings = small_campaign(10U);
+    settings.changes = {"warning_on=0.95", "warning_hold_s=1.5"};
+    const sil::CampaignWorld world{settings};
+    for (std::uint64_t number = 0U; number < 10U; ++number) {
+        EXPECT_EQ(world.prepare(number).calibration.warning_on, 0.95F);
+        EXPECT_EQ(world.prepare(number).calibration.warning_hold_s, 1.5F);
+    }
+    settings.changes = {"warning_own=0.95"};
+    EXPECT_THROW(sil::CampaignWorld{settings}, sil::InputError);
+}
+
 TEST(DrawnRun, AStifferBodyKeepsTheLeastDampingThatTheComponentAdmits) {
     const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
     rsi::Parameters calibration = sil::load_calibration(project_file("firmware/calibrations/large_suv.toml"));

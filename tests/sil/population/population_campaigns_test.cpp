@@ -1,4 +1,5 @@
-// Population campaigns: each vehicle gets manoeuvres as severe for it as for any other, within what its class drives.
+// Population campaigns: each vehicle gets manoeuvres as severe for it as for any other, within what its class
+// drives.
 #include "sil/studies/population/population_campaigns.hpp"
 
 #include <gtest/gtest.h>
@@ -26,8 +27,8 @@ TEST(PopulationCampaigns, NobodyDrivesFasterThanTheClass) {
         ASSERT_EQ(scaled.steering_factors.size(), manoeuvres.size());
         EXPECT_EQ(scaled.in_class, sil::vehicle_classes()[drawn.in_class].name);
         for (std::size_t i = 0U; i < manoeuvres.size(); ++i) {
-            const double fastest =
-                nominal_kmh(manoeuvres[i].name) * scaled.speed_factors[i] * manoeuvres[i].speed_factor.highest;
+            const double fastest = nominal_kmh(manoeuvres[i].name) * scaled.speed_factors[i] *
+                                   manoeuvres[i].speed_factor.highest;
             EXPECT_LE(fastest, sil::vehicle_classes()[drawn.in_class].max_speed_kmh + 1e-9)
                 << drawn.name << " " << manoeuvres[i].name;
         }
@@ -42,9 +43,10 @@ TEST(PopulationCampaigns, AJTurnAsksEveryVehicleForTheSameShareOfItsThreshold) {
         const sil::CampaignVehicle scaled = sil::scaled_vehicle(drawn, drawn.parameters);
         const double speed_mps = 0.8 * scaled.speed_factors[0] * 110.0 / 3.6;
         const double angle_rad = scaled.steering_factors[0] * 360.0 / sil::degrees_per_radian;
-        EXPECT_NEAR(angle_rad,
-                    sil::handwheel_for_rad(drawn.parameters, drawn.properties.threshold_g * sil::g_mps2, speed_mps),
-                    1e-9)
+        EXPECT_NEAR(
+            angle_rad,
+            sil::handwheel_for_rad(drawn.parameters, drawn.properties.threshold_g * sil::g_mps2, speed_mps),
+            1e-9)
             << drawn.name;
         // Beyond 15 rad the firmware takes the angle for a fault of the sensor.
         EXPECT_LT(angle_rad * manoeuvres[0].steering_factor.highest, 13.0 + 1e-9) << drawn.name;

@@ -28,7 +28,8 @@ using testing::HasSubstr;
 
 const std::atomic<bool> never{false};
 
-sil::PopulationRequest request_of(const std::filesystem::path& folder, std::uint64_t vehicles, unsigned jobs) {
+sil::PopulationRequest request_of(const std::filesystem::path& folder, std::uint64_t vehicles,
+                                  unsigned jobs) {
     sil::PopulationRequest request;
     request.vehicles = vehicles;
     request.seed = 11U;
@@ -43,7 +44,8 @@ std::map<std::string, std::string> content_of(const std::filesystem::path& folde
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (entry.is_regular_file()) {
             std::string text = test_support::text_of(entry.path());
-            for (std::size_t at = text.find(folder.string()); at != std::string::npos; at = text.find(folder.string())) {
+            for (std::size_t at = text.find(folder.string()); at != std::string::npos;
+                 at = text.find(folder.string())) {
                 text.replace(at, folder.string().size(), "FOLDER");
             }
             files[std::filesystem::relative(entry.path(), folder).string()] = text;
@@ -120,18 +122,20 @@ TEST_F(Population, TakesUpWhatIsItsOwnOnly) {
 }
 
 TEST_F(Population, ItsCampaignsRunWithTheClassInEveryRow) {
-    EXPECT_FALSE(std::filesystem::exists(folder() / "settings_report_clean.toml")) << "none of three is in it";
+    EXPECT_FALSE(std::filesystem::exists(folder() / "settings_report_clean.toml"))
+        << "none of three is in it";
     for (const sil::CampaignVariant variant : sil::campaign_variants()) {
         sil::CampaignSettings settings = sil::load_campaign(
             folder() / ("settings_choose_" + std::string{sil::variant_name(variant)} + ".toml"));
         ASSERT_EQ(settings.vehicles.size(), 3U);
         EXPECT_EQ(settings.runs, variant == sil::CampaignVariant::ordinary ? 9U : 300U);
-        const bool errors = variant == sil::CampaignVariant::errors || variant == sil::CampaignVariant::ordinary;
+        const bool errors =
+            variant == sil::CampaignVariant::errors || variant == sil::CampaignVariant::ordinary;
         EXPECT_EQ(settings.spread.sensor_noise, errors);
         EXPECT_EQ(settings.spread.cg_height_error, errors ? 0.05 : 0.0);
         EXPECT_EQ(settings.spread.stiffness_error, errors ? 0.10 : 0.0);
-        EXPECT_EQ(settings.spread.load_is_known, variant != sil::CampaignVariant::loaded &&
-                                                     variant != sil::CampaignVariant::unloaded);
+        EXPECT_EQ(settings.spread.load_is_known,
+                  variant != sil::CampaignVariant::loaded && variant != sil::CampaignVariant::unloaded);
         EXPECT_EQ(settings.vehicles[0].parameters.find("vehicles_loaded") != std::string::npos,
                   variant == sil::CampaignVariant::loaded);
         EXPECT_EQ(settings.vehicles[0].calibration.find("calibrations_loaded") != std::string::npos,
@@ -167,7 +171,8 @@ TEST(DrawnVehicles, AllDrive) {
                 sil::ManoeuvreRun run{vehicle, sil::find_manoeuvre(manoeuvre.name), options};
                 while (!run.finished()) {
                     run.step();
-                    ASSERT_TRUE(std::isfinite(run.truth().roll_angle_rad)) << drawn.name << " " << manoeuvre.name;
+                    ASSERT_TRUE(std::isfinite(run.truth().roll_angle_rad))
+                        << drawn.name << " " << manoeuvre.name;
                 }
                 EXPECT_GT(std::abs(run.truth().position_x_m), 5.0) << drawn.name << " " << manoeuvre.name;
             }
@@ -192,8 +197,9 @@ TEST(PopulationCalibration, WhatIdentifyRefusesIsAReasonAndNoCalibration) {
     const sil::Calibrated calibrated = sil::calibrate(data, drives, scratch.path() / "calibration.toml");
     EXPECT_THAT(calibrated.failure, HasSubstr("has no roll angle"));
     EXPECT_FALSE(std::filesystem::exists(scratch.path() / "calibration.toml"));
-    EXPECT_THAT(sil::calibrate(scratch.path() / "none.toml", drives, scratch.path() / "calibration.toml").failure,
-                HasSubstr("none.toml"));
+    EXPECT_THAT(
+        sil::calibrate(scratch.path() / "none.toml", drives, scratch.path() / "calibration.toml").failure,
+        HasSubstr("none.toml"));
 }
 
 TEST(PopulationCalibration, WithoutLoadsTheDrivesAreTheSameButForThem) {

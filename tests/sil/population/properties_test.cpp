@@ -55,10 +55,12 @@ TEST(Properties, AreThoseOfADrive) {
         const sil::DrawnVehicle drawn = sil::draw_vehicle(3U, number);
         const SlowRamp ramp = at_half_transfer(drawn.parameters);
         EXPECT_GE(ramp.ltr, 0.5) << drawn.name;
-        EXPECT_NEAR(ramp.acceleration_g / 0.5, drawn.properties.threshold_g, 0.08 * drawn.properties.threshold_g)
+        EXPECT_NEAR(ramp.acceleration_g / 0.5, drawn.properties.threshold_g,
+                    0.08 * drawn.properties.threshold_g)
             << drawn.name;
         const double driven = sil::handwheel_angle_at_0_3_g_rad(drawn.parameters);
-        EXPECT_NEAR(sil::handwheel_for_rad(drawn.parameters, 0.3 * sil::g_mps2, 22.352), driven, 0.25 * driven)
+        EXPECT_NEAR(sil::handwheel_for_rad(drawn.parameters, 0.3 * sil::g_mps2, 22.352), driven,
+                    0.25 * driven)
             << drawn.name;
     }
 }

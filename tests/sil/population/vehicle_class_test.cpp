@@ -47,7 +47,8 @@ TEST(VehicleClass, WhatIsWrongIsNamed) {
     expect_refused(replaced("mass_kg = [900.0, 1350.0]", "mass_kg = [1350.0, 900.0]"),
                    "\"class.mass_kg\" must be two numbers, [lowest, highest]");
     expect_refused(replaced("mass_kg = [900.0, 1350.0]", "mass_kg = [900.0]"), "\"class.mass_kg\"");
-    expect_refused(replaced("[every_class]\n", "[every_class]\nwings = [1.0, 2.0]\n"), "wings\" is not known");
+    expect_refused(replaced("[every_class]\n", "[every_class]\nwings = [1.0, 2.0]\n"),
+                   "wings\" is not known");
     expect_refused(replaced("[[class]]\n", "[[class]]\nwings = [1.0, 2.0]\n"), "wings\" is not known");
     expect_refused(replaced("max_speed_kmh = 130.0", "max_speed_kmh = 1300.0"), "\"class.max_speed_kmh\"");
     expect_refused(built_in_text().substr(0U, built_in_text().find("[[class]]")), "\"class\"");

@@ -1,4 +1,5 @@
-// Vehicle draw: the same vehicle for the same seed and number, within its class, plausible, and hanging together.
+// Vehicle draw: the same vehicle for the same seed and number, within its class, plausible, and hanging
+// together.
 #include "sil/studies/population/vehicle_draw.hpp"
 
 #include <gtest/gtest.h>
@@ -123,7 +124,8 @@ TEST(VehicleDraw, DimensionsLieBetweenTheEndsOfTheClassAndReachNearThem) {
                 lowest = std::min(lowest, value);
                 highest = std::max(highest, value);
             }
-            EXPECT_GT(highest - lowest, 0.3 * (range.highest - range.lowest)) << from.name << " " << quantity.name;
+            EXPECT_GT(highest - lowest, 0.3 * (range.highest - range.lowest))
+                << from.name << " " << quantity.name;
         }
     }
 }
@@ -173,7 +175,8 @@ TEST(VehicleDraw, LargeVehiclesOfAClassAreHeavyAndLong) {
 TEST(VehicleDraw, EveryVehicleIsPlausibleAndFewDrawsWereNot) {
     unsigned refused = 0U;
     for (const sil::DrawnVehicle& vehicle : population()) {
-        EXPECT_EQ(sil::implausible(vehicle.parameters, sil::vehicle_classes()[vehicle.in_class]), "") << vehicle.name;
+        EXPECT_EQ(sil::implausible(vehicle.parameters, sil::vehicle_classes()[vehicle.in_class]), "")
+            << vehicle.name;
         refused += vehicle.attempt;
     }
     EXPECT_GT(refused, 0U);
@@ -189,8 +192,10 @@ TEST(VehicleDraw, WhatIsImplausibleIsSaid) {
         return sil::implausible(vehicle, from);
     };
     EXPECT_EQ(reason([](auto&) {}), "");
-    EXPECT_NE(reason([](auto& v) { v.geometry.cg_height_m *= 1.4; }).find("static stability"), std::string::npos);
-    EXPECT_NE(reason([](auto& v) { v.inertia.sprung_roll_kgm2 *= 12.0; }).find("roll frequency"), std::string::npos);
+    EXPECT_NE(reason([](auto& v) { v.geometry.cg_height_m *= 1.4; }).find("static stability"),
+              std::string::npos);
+    EXPECT_NE(reason([](auto& v) { v.inertia.sprung_roll_kgm2 *= 12.0; }).find("roll frequency"),
+              std::string::npos);
     EXPECT_NE(reason([](auto& v) {
                   v.front_suspension.spring_damper.damper_bump_nspm = 0.0;
                   v.front_suspension.spring_damper.damper_rebound_nspm = 0.0;
@@ -198,7 +203,8 @@ TEST(VehicleDraw, WhatIsImplausibleIsSaid) {
                   v.rear_suspension.spring_damper.damper_rebound_nspm = 0.0;
               }).find("damping"),
               std::string::npos);
-    EXPECT_NE(reason([](auto& v) { v.steering.compliance_radpn = 1.0e-4; }).find("understeer"), std::string::npos);
+    EXPECT_NE(reason([](auto& v) { v.steering.compliance_radpn = 1.0e-4; }).find("understeer"),
+              std::string::npos);
     EXPECT_NE(reason([](auto& v) {
                   v.front_suspension.anti_roll_bar_npm = 0.0;
                   v.front_suspension.spring_damper.spring_npm = 1000.0;

@@ -1,4 +1,5 @@
-// Steering: the road wheels follow with a lag and give way to the tyres' force, where the vehicle's file says so.
+// Steering: the road wheels follow with a lag and give way to the tyres' force, where the vehicle's file says
+// so.
 #include <gtest/gtest.h>
 #include <cmath>
 
@@ -9,9 +10,8 @@ namespace {
 constexpr double handwheel_rad = 0.2;
 
 sil::ManoeuvreRun turning(const sil::VehicleParameters& parameters, double duration_s) {
-    return {parameters, scenario::manoeuvre(60.0, duration_s, [](double) {
-                return sil::DriverCommand{handwheel_rad};
-            })};
+    return {parameters,
+            scenario::manoeuvre(60.0, duration_s, [](double) { return sil::DriverCommand{handwheel_rad}; })};
 }
 
 TEST(Steering, WithALagTheWheelsCoverTwoThirdsOfAStepInIt) {
@@ -22,7 +22,8 @@ TEST(Steering, WithALagTheWheelsCoverTwoThirdsOfAStepInIt) {
         while (run.truth().time_s < (lag_s > 0.0 ? lag_s : 0.001) - 1e-9) {
             run.step();
         }
-        EXPECT_EQ(run.truth().steering_wheel_angle_rad, handwheel_rad) << "what the sensor at the handwheel sees";
+        EXPECT_EQ(run.truth().steering_wheel_angle_rad, handwheel_rad)
+            << "what the sensor at the handwheel sees";
         const double share = lag_s > 0.0 ? 1.0 - std::exp(-1.0) : 1.0;
         EXPECT_NEAR(run.truth().road_wheel_angle_rad, share * handwheel_rad / parameters.steering.ratio,
                     lag_s > 0.0 ? 2e-4 : 0.0)
@@ -38,8 +39,8 @@ TEST(Steering, ThatGivesWayTurnsTheWheelsBackByTheFrontAxlesForce) {
         run.step();
     }
     const sil::Truth& truth = run.truth();
-    const double front_n = scenario::front_axle_weight_n(parameters) / sil::gravity_mps2 *
-                           truth.lateral_acceleration_mps2;
+    const double front_n =
+        scenario::front_axle_weight_n(parameters) / sil::gravity_mps2 * truth.lateral_acceleration_mps2;
     ASSERT_GT(truth.lateral_acceleration_mps2, 0.5);
     EXPECT_NEAR(handwheel_rad / parameters.steering.ratio - truth.road_wheel_angle_rad, 2.0e-6 * front_n,
                 0.03 * 2.0e-6 * front_n);
