@@ -28,6 +28,7 @@ plot for [i = 1:words(index_names)] "curves.csv" \
      "+" every ::::0 using (100 * warning_false_alarm_share):(100 * warning_warned_100ms_share) \
          with points pointtype 7 pointsize 1.6 linecolor rgb black
 set title "for 0.2 s or more"
+set yrange [0:100.5]
 set xlabel "alarms in runs without wheel lift [%]"
 plot for [i = 1:words(index_names)] "curves.csv" \
          using (share("false_alarm_share", word(index_names, i))):(share("warned_200ms_share", word(index_names, i))) \

@@ -163,9 +163,9 @@ def rollover(name, runs, claims):
     two, one = run.two_wheels(), run.one_wheel()
     crossing = run.first(run["level_published"])
     ssf = run.summary["ssf_crossing_time_s"]
-    warning = default.summary["warning_time_s"]
     claims.hold(f"{name}: RSI, one wheel, two wheels", start < crossing < one < two)
-    claims.hold(f"{name}: the default warning comes before two wheels lift", warning < two)
+    claims.hold(f"{name}: the default warning is in force with the right side as two wheels lift",
+                default.summary["lead_time_s"] is not None)
     values = {
         f"{key}_rsi_s": cycle(crossing),
         f"{key}_rsi_ay": f"{run.at(run.ay, crossing):.3f}",
@@ -306,7 +306,9 @@ def warning_table(runs):
         cells = [seconds(run.one_wheel()), seconds(run.two_wheels())]
         for one in (run, default):
             warning, lead = one.summary["warning_time_s"], one.summary["lead_time_s"]
-            cells.append(cycle(warning) + ("" if lead is None else f" ({lead:.3f})"))
+            cells.append("never" if warning is None else f"{cycle(warning)}, {one.summary['warning_side']}")
+            lifted = one.summary["two_wheel_lift_time_s"] is not None
+            cells.append(f"{lead:.3f}" if lead is not None else "none" if lifted else "-")
         rows.append(f"| {name} | " + " | ".join(cells) + " |")
     return "\n".join(rows)
 
