@@ -165,6 +165,7 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
                                                          input.steering_wheel_angle_rad, step_s);
     evaluation_.road_wheel =
         road_wheel_angle(parameters_.steering, state_.reached_handwheel_rad, state_.front_lateral_n);
+    state_.front_lateral_n = 0.0;  // the wheels add to it
     evaluation_.tyre_force_body_n.setZero();
     const Matrix3& rotation = evaluation_.rotation;
     const Vector3& normal = evaluation_.road_normal =
@@ -265,6 +266,7 @@ void Vehicle::wheel_forces(int wheel, const WheelPose& pose, double drive_torque
 
     equations.add_force(force, point);
     if (pose.axle == nullptr) {
+        state_.front_lateral_n += in_plane.lateral_n;
         equations.add_suspension_force(wheel, force.z() + side(wheel) * pose.outward_slope * force.y());
     } else {
         const Vector3 from_axle = point - pose.axle->centre;

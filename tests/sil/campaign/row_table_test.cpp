@@ -70,7 +70,7 @@ TEST(RowTable, LeavesOutALineThatWasCutOff) {
 TEST(RowTable, NamesLineAndColumnOfWhatIsWrong) {
     const std::string rest = ",,,1,1,,0,0,0,0,1,1,1";
     expect_refused(header + ("5,car,small,turn,much" + rest + ",\n"),
-                   "runs.csv:2:12: column largest_ltr wants a number, not \"much\"");
+                   "runs.csv:2:18: column largest_ltr wants a number, not \"much\"");
     expect_refused(header + ("5,car,small,turn,nan" + rest + ",\n"), "column largest_ltr");
     expect_refused(header + ("5,car,small,turn,1" + rest + "\n"), "runs.csv:2:1: has 17 cells, not 18");
     expect_refused("run,vehicle,class,manoeuvre\n5,car,,turn\n", "there is no column largest_ltr");
