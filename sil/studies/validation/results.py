@@ -6,6 +6,7 @@ import json
 import math
 
 G = 9.80665
+LASTING_S = 0.05  # of a two-wheel lift-off
 
 
 def _number(text):
@@ -77,7 +78,9 @@ class Run:
         return self.lift("front_left", "front_right", "rear_left", "rear_right", begin_s=begin_s)
 
     def two_wheels(self, begin_s=-math.inf):
-        return self.lift("left_side", "right_side", begin_s=begin_s)
+        """Two-wheel lift-off, as everywhere the one that lasts (sil/results/two_wheel_lift.hpp)."""
+        return min((begin for what, begin, end in self.lifts
+                    if what in ("left_side", "right_side") and begin >= begin_s and end - begin >= LASTING_S - 1e-6), default=None)
 
 
 def mean(values):
