@@ -26,6 +26,7 @@ struct CampaignRequest {
     std::optional<std::uint64_t> runs;
     std::optional<std::uint64_t> seed;
     std::vector<std::string> vehicles;
+    std::vector<std::string> changes;
     std::filesystem::path output{"output/campaign"};
     unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
     bool report_only{false};
@@ -49,6 +50,7 @@ CampaignSettings settings_of(const CampaignRequest& request) {
             settings.vehicles.push_back(parse_campaign_vehicle(vehicle));
         }
     }
+    settings.changes.insert(settings.changes.end(), request.changes.begin(), request.changes.end());
     check_campaign(settings);
     return settings;
 }
@@ -132,6 +134,10 @@ void add_campaign(CLI::App& app) {
     add_whole_number(*command, "--seed", request->seed, "Seed of everything drawn (default: the settings')");
     command->add_option("--vehicle", request->vehicles,
                         "VEHICLE_FILE:CALIBRATION_FILE, instead of the settings' vehicles; may be repeated");
+    command
+        ->add_option("--set", request->changes,
+                     "KEY=VALUE in place of what every calibration says; may be repeated")
+        ->allow_extra_args(false);
     command->add_option("--output", request->output, "Folder of the rows; taken up where it was left")
         ->capture_default_str();
     command->add_option("--jobs", request->jobs, "Threads")

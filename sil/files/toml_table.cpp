@@ -233,6 +233,21 @@ std::vector<double> TomlTable::numbers(std::string_view key) {
     return values;
 }
 
+std::vector<std::string> TomlTable::texts(std::string_view key) {
+    const toml::node& node = state_->find(key, "an array of texts");
+    const toml::array* const all = node.as_array();
+    std::vector<std::string> values;
+    for (std::size_t i = 0U; all != nullptr && i < all->size(); ++i) {
+        if (const toml::value<std::string>* const each = all->get(i)->as_string()) {
+            values.push_back(each->get());
+        }
+    }
+    if (all == nullptr || values.size() != all->size()) {
+        state_->fail(node, key, "must be texts in brackets, such as [\"a\", \"b\"]");
+    }
+    return values;
+}
+
 TomlTable TomlTable::table(std::string_view key) {
     state_->find(key, "a table");
     toml::node& node = *state_->table->get(key);

@@ -53,6 +53,8 @@ class TomlTable {
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& choices);
     // All numbers of an array, each finite.
     std::vector<double> numbers(std::string_view key);
+    // All texts of an array.
+    std::vector<std::string> texts(std::string_view key);
     TomlTable table(std::string_view key);
     // The tables of [[key]]; none where the file has no such key.
     std::vector<TomlTable> tables(std::string_view key);

@@ -63,7 +63,8 @@ class IndexRecorder final : public RunObserver {
 CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{settings} {
     for (const CampaignVehicle& vehicle : settings.vehicles) {
         vehicles_.push_back({std::filesystem::path{vehicle.parameters}.stem().string(),
-                             load_vehicle(vehicle.parameters), load_calibration(vehicle.calibration)});
+                             load_vehicle(vehicle.parameters),
+                             load_calibration(vehicle.calibration, settings.changes)});
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         manoeuvres_.push_back(campaign_manoeuvre(manoeuvre.name));
@@ -79,6 +80,7 @@ CampaignRow CampaignWorld::run(std::uint64_t number) const {
     CampaignRow row;
     row.draw = drawn.draw;
     row.vehicle = vehicles_[drawn.draw.vehicle].name;
+    row.in_class = settings_.vehicles[drawn.draw.vehicle].in_class;
     row.manoeuvre = drawn.manoeuvre.name;
     row.speed_kmh = drawn.manoeuvre.initial_speed_mps * drawn.draw.speed_factor * 3.6;
     row.outcome = recorder.outcome();

@@ -88,6 +88,10 @@ CampaignReport make_report(const RowTable& table, std::uint64_t runs_wanted) {
     }
     report.all = judge("all", drawn.runs, drawn.index_names);
     report.vehicles = judge_by(drawn, &RecordedCampaignRun::vehicle);
+    report.classes = judge_by(drawn, &RecordedCampaignRun::in_class);
+    if (report.classes.size() == 1U && report.classes.front().name.empty()) {
+        report.classes.clear();
+    }
     report.manoeuvres = judge_by(drawn, &RecordedCampaignRun::manoeuvre);
     for (std::size_t i = 0U; i < drawn.index_names.size(); ++i) {
         report.curves.push_back(detection_curve(drawn.runs, i));

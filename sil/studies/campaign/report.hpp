@@ -39,7 +39,7 @@ struct TimeAccount {
     std::size_t advisories{0U};
 };
 
-// Some runs: all, those of one vehicle, or those of one manoeuvre.
+// Some runs: all, those of one vehicle, of one class of vehicles, or of one manoeuvre.
 struct RunGroup {
     std::string name{};
     std::size_t runs{0U};
@@ -56,6 +56,7 @@ struct CampaignReport {
     std::uint64_t runs_wanted{0U};  // more than there are: the campaign has not finished
     RunGroup all{};
     std::vector<RunGroup> vehicles{};
+    std::vector<RunGroup> classes{};  // none where no vehicle has one
     std::vector<RunGroup> manoeuvres{};
     std::vector<std::vector<CurvePoint>> curves{};  // of the indices, over all runs
     // Ordinary driving (sil/world/manoeuvres/mixed_driving.hpp) counts by the hour and kilometre, and in no

@@ -290,6 +290,9 @@ std::string text_of_drawn_runs(const CampaignReport& report) {
     text += "## The firmware's warning, and every index with its threshold at 1\n" + table_at_one(all);
     text += "\n## Every index with its threshold where at most 1 % of calm runs alarm\n" + table_of_best(all);
     text += text_of_vehicles(report.vehicles);
+    if (!report.classes.empty()) {
+        text += "\n## The firmware's warning by class of vehicle\n" + table_of_groups(report.classes);
+    }
     text += "\n## The firmware's warning by manoeuvre\n" + table_of_groups(report.manoeuvres);
     return text;
 }
@@ -303,6 +306,7 @@ std::string report_json(const CampaignReport& report) {
     json["confidence"] = report.all.vehicles < fewest_clusters ? "by run" : "by vehicle";
     json["all"] = json_of(report.all);
     json["vehicles"] = json_of(report.vehicles);
+    json["classes"] = json_of(report.classes);
     json["manoeuvres"] = json_of(report.manoeuvres);
     json["ordinary_driving"] = report.ordinary_runs == 0U ? Json(nullptr) : json_of(report.ordinary);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -32,6 +32,7 @@ void put_draw(Cells& cells, const CampaignRow& row) {
     const RunDraw& draw = row.draw;
     cells.count("run", draw.number);
     cells.text("vehicle", row.vehicle);
+    cells.text("class", row.in_class);
     cells.text("manoeuvre", row.manoeuvre);
     cells.count("mirrored", draw.mirrored ? 1U : 0U);
     cells.number("speed_kmh", row.speed_kmh);

@@ -14,7 +14,8 @@ namespace sil {
 
 struct CampaignRow {
     RunDraw draw{};
-    std::string vehicle{};  // its file's name without folder and ending
+    std::string vehicle{};   // its file's name without folder and ending
+    std::string in_class{};  // as the settings say
     std::string manoeuvre{};
     double speed_kmh{0.0};
     Outcome outcome{};

@@ -77,6 +77,7 @@ RecordedCampaignRun run_of(const Row& row, const std::vector<std::string>& names
     RecordedCampaignRun run;
     run.number = static_cast<std::uint64_t>(row.number("run"));
     run.vehicle = row.text("vehicle");
+    run.in_class = row.text("class");
     run.manoeuvre = row.text("manoeuvre");
     run.largest_ltr = row.number("largest_ltr");
     run.two_wheel_lift_time_s = row.time("two_wheel_lift_time_s");

@@ -20,6 +20,7 @@ struct RecordedIndex {
 struct RecordedCampaignRun {
     std::uint64_t number{0U};
     std::string vehicle{};
+    std::string in_class{};  // may be empty
     std::string manoeuvre{};
     double largest_ltr{0.0};
     std::optional<double> two_wheel_lift_time_s{};

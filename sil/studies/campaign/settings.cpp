@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "sil/files/toml_text.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 
@@ -40,6 +42,20 @@ void check_manoeuvre(const CampaignManoeuvre& manoeuvre) {
           "seconds from 0 to 600 (0: the manoeuvre's own)");
 }
 
+void check_vehicle(const CampaignVehicle& vehicle, std::size_t manoeuvres) {
+    const std::string where = "vehicle " + vehicle.parameters + ": ";
+    check(vehicle.in_class.find_first_of(",\"\r\n") == std::string::npos, where + "class",
+          "a text without comma, quotation mark and end of line");
+    const auto check_factors = [&](const std::vector<double>& factors, const std::string& key) {
+        const bool good = std::all_of(factors.begin(), factors.end(),
+                                      [](double factor) { return factor >= 0.05 && factor <= 20.0; });
+        check(good && (factors.empty() || factors.size() == manoeuvres), where + key,
+              "one number from 0.05 to 20 for each manoeuvre, in their order");
+    };
+    check_factors(vehicle.speed_factors, "speed_factors");
+    check_factors(vehicle.steering_factors, "steering_factors");
+}
+
 void check_spread(const CampaignSpread& spread) {
     check_within(spread.friction_factor, 0.05, 3.0, "friction_factor");
     check_within(spread.load_share, 0.0, 1.0, "load_share");
@@ -51,31 +67,16 @@ void check_spread(const CampaignSpread& spread) {
           "from 0 to 1");
 }
 
-// A TOML string; a path may hold a backslash, a quotation mark, even a line feed.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char letter : text) {
-        const auto code = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\') {
-            result += '\\';
-            result += letter;
-        } else if (code < 0x20U || code == 0x7FU) {
-            result += fmt::format("\\u{:04X}", code);
-        } else {
-            result += letter;
-        }
-    }
-    return result + "\"";
-}
-
-// As TOML wants a float: never without a point or an exponent.
-std::string number_text(double value) {
-    const std::string text = fmt::format("{}", value);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
 std::string pair(const Interval& interval) {
-    return fmt::format("[{}, {}]", number_text(interval.lowest), number_text(interval.highest));
+    return fmt::format("[{}, {}]", toml_number(interval.lowest), toml_number(interval.highest));
+}
+
+std::string list(const std::string& key, const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) {
+        text += (text.empty() ? "" : ", ") + toml_number(number);
+    }
+    return numbers.empty() ? text : key + " = [" + text + "]\n";
 }
 
 }  // namespace
@@ -92,6 +93,9 @@ void check_campaign(const CampaignSettings& settings) {
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         check_manoeuvre(manoeuvre);
     }
+    for (const CampaignVehicle& vehicle : settings.vehicles) {
+        check_vehicle(vehicle, settings.manoeuvres.size());
+    }
     check_spread(settings.spread);
 }
 
@@ -101,32 +105,46 @@ CampaignVehicle parse_campaign_vehicle(const std::string& text) {
         throw InputError(fmt::format(
             "--vehicle wants VEHICLE_FILE:CALIBRATION_FILE, two paths with a colon between, not {}", text));
     }
-    return {text.substr(0U, colon), text.substr(colon + 1U)};
+    CampaignVehicle vehicle;
+    vehicle.parameters = text.substr(0U, colon);
+    vehicle.calibration = text.substr(colon + 1U);
+    return vehicle;
 }
 
 std::string to_toml(const CampaignSettings& settings) {
     const CampaignSpread& spread = settings.spread;
-    std::string text = fmt::format("runs = {}\nseed = {}\n\n[spread]\n", settings.runs, settings.seed);
+    std::string text = fmt::format("runs = {}\nseed = {}\n", settings.runs, settings.seed);
+    std::string changes;
+    for (const std::string& change : settings.changes) {
+        changes += (changes.empty() ? "" : ", ") + toml_string(change);
+    }
+    text += changes.empty() ? "" : "changes = [" + changes + "]\n";
+    text += "\n[spread]\n";
     text += "friction_factor = " + pair(spread.friction_factor) + "\n";
     text += "load_share = " + pair(spread.load_share) + "\n";
     text += "load_height_factor = " + pair(spread.load_height_factor) + "\n";
-    text += "cg_height_error = " + number_text(spread.cg_height_error) + "\n";
-    text += "stiffness_error = " + number_text(spread.stiffness_error) + "\n";
-    text += "mass_error = " + number_text(spread.mass_error) + "\n";
-    text += "accelerometer_bias_g = " + number_text(spread.accelerometer_bias_g) + "\n";
+    // Like all that is left out below: only where it says something.
+    text += spread.load_is_known ? "" : "load_is_known = false\n";
+    text += "cg_height_error = " + toml_number(spread.cg_height_error) + "\n";
+    text += "stiffness_error = " + toml_number(spread.stiffness_error) + "\n";
+    text += "mass_error = " + toml_number(spread.mass_error) + "\n";
+    text += "accelerometer_bias_g = " + toml_number(spread.accelerometer_bias_g) + "\n";
     text += fmt::format("sensor_noise = {}\n", spread.sensor_noise);
     text += fmt::format("steering_sensor = {}\n", spread.steering_sensor);
     text += fmt::format("roll_sensor = {}\n", spread.roll_sensor);
     for (const CampaignVehicle& vehicle : settings.vehicles) {
-        text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n", quoted(vehicle.parameters),
-                            quoted(vehicle.calibration));
+        text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n",
+                            toml_string(vehicle.parameters), toml_string(vehicle.calibration));
+        text += vehicle.in_class.empty() ? "" : "class = " + toml_string(vehicle.in_class) + "\n";
+        text +=
+            list("speed_factors", vehicle.speed_factors) + list("steering_factors", vehicle.steering_factors);
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         text +=
             fmt::format("\n[[manoeuvre]]\nname = {}\nweight = {}\nspeed_factor = {}\nsteering_factor = {}\n",
-                        quoted(manoeuvre.name), number_text(manoeuvre.weight), pair(manoeuvre.speed_factor),
-                        pair(manoeuvre.steering_factor));
-        text += "duration_s = " + number_text(manoeuvre.duration_s) + "\n";
+                        toml_string(manoeuvre.name), toml_number(manoeuvre.weight),
+                        pair(manoeuvre.speed_factor), pair(manoeuvre.steering_factor));
+        text += "duration_s = " + toml_number(manoeuvre.duration_s) + "\n";
     }
     return text;
 }

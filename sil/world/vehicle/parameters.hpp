@@ -83,6 +83,10 @@ struct TyreParameters {
 
 struct SteeringParameters {
     double ratio{};  // handwheel angle over road wheel angle
+    double lag_s{};  // by which the road wheels follow the handwheel; 0: at once
+    // By which the road wheels give way to the front axle's lateral force: most of what makes vehicles
+    // understeer.
+    double compliance_radpn{};
 };
 
 struct DrivelineParameters {

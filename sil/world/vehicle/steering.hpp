@@ -1,4 +1,5 @@
-// Steering: both front wheels turn together by the handwheel angle over the ratio.
+// Steering: both front wheels turn together by the handwheel angle over the ratio, at once or with a lag,
+// less what the front axle's lateral force turns them back.
 #pragma once
 
 #include <cmath>
@@ -13,8 +14,19 @@ struct RoadWheelAngle {
     double cosine{1.0};
 };
 
-inline RoadWheelAngle road_wheel_angle(const SteeringParameters& parameters, double handwheel_rad) {
-    const double angle = handwheel_rad / parameters.ratio;
+// The handwheel angle that has reached the wheels a step after `reached_rad` had: column and linkage give
+// way.
+inline double reached_handwheel_rad(const SteeringParameters& parameters, double reached_rad,
+                                    double handwheel_rad, double step_s) {
+    if (parameters.lag_s <= 0.0) {
+        return handwheel_rad;
+    }
+    return reached_rad + (handwheel_rad - reached_rad) * step_s / (parameters.lag_s + step_s);
+}
+
+inline RoadWheelAngle road_wheel_angle(const SteeringParameters& parameters, double handwheel_rad,
+                                       double front_lateral_n) {
+    const double angle = handwheel_rad / parameters.ratio - parameters.compliance_radpn * front_lateral_n;
     return {angle, std::sin(angle), std::cos(angle)};
 }
 

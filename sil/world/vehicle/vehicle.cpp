@@ -118,6 +118,7 @@ void Vehicle::reset(const InitialState& initial) {
     evaluation_ = Evaluation{};
     evaluate(DriverInput{}, nominal_step_s);
     state_.slip = {};
+    state_.front_lateral_n = 0.0;
     truth_ = build_truth(parameters_, front_path_, state_, evaluation_);
 }
 
@@ -160,7 +161,11 @@ Vector3 Vehicle::front_wheel_position(int wheel) const {
 void Vehicle::evaluate(const DriverInput& input, double step_s) {
     evaluation_.rotation = state_.orientation.toRotationMatrix();
     evaluation_.steering_wheel_angle_rad = input.steering_wheel_angle_rad;
-    evaluation_.road_wheel = road_wheel_angle(parameters_.steering, input.steering_wheel_angle_rad);
+    state_.reached_handwheel_rad = reached_handwheel_rad(parameters_.steering, state_.reached_handwheel_rad,
+                                                         input.steering_wheel_angle_rad, step_s);
+    evaluation_.road_wheel =
+        road_wheel_angle(parameters_.steering, state_.reached_handwheel_rad, state_.front_lateral_n);
+    state_.front_lateral_n = 0.0;  // the wheels add to it
     evaluation_.tyre_force_body_n.setZero();
     const Matrix3& rotation = evaluation_.rotation;
     const Vector3& normal = evaluation_.road_normal =
@@ -261,6 +266,7 @@ void Vehicle::wheel_forces(int wheel, const WheelPose& pose, double drive_torque
 
     equations.add_force(force, point);
     if (pose.axle == nullptr) {
+        state_.front_lateral_n += in_plane.lateral_n;
         equations.add_suspension_force(wheel, force.z() + side(wheel) * pose.outward_slope * force.y());
     } else {
         const Vector3 from_axle = point - pose.axle->centre;

@@ -116,6 +116,24 @@ TEST(Draw, ASeedAndANumberGiveTheSameRunAgainAndOthersAnother) {
     EXPECT_NE(draw.cg_height_error, sil::draw_run(settings, 5U).cg_height_error);
 }
 
+TEST(Draw, AVehiclesFactorsScaleItsManoeuvresAndNothingElse) {
+    const sil::CampaignSettings plain = small_campaign(many);
+    sil::CampaignSettings scaled = plain;
+    scaled.vehicles[1].speed_factors = {0.5, 2.0};
+    scaled.vehicles[1].steering_factors = {3.0, 0.25};
+    for (std::uint64_t run = 0U; run < 200U; ++run) {
+        const sil::RunDraw before = sil::draw_run(plain, run);
+        const sil::RunDraw after = sil::draw_run(scaled, run);
+        const bool other = before.vehicle == 1U;
+        EXPECT_EQ(after.speed_factor,
+                  before.speed_factor * (other ? (before.manoeuvre == 0U ? 0.5 : 2.0) : 1.0));
+        EXPECT_EQ(after.steering_factor,
+                  before.steering_factor * (other ? (before.manoeuvre == 0U ? 3.0 : 0.25) : 1.0));
+        EXPECT_EQ(after.friction_factor, before.friction_factor);
+        EXPECT_EQ(after.sensor_seed, before.sensor_seed);
+    }
+}
+
 TEST(Draw, NoTwoRunsShareASensorSeed) {
     const sil::CampaignSettings settings = small_campaign(many);
     std::set<std::uint64_t> seeds;

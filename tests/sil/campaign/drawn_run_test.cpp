@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rsi/parameters.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/campaign/campaign_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
@@ -41,6 +42,50 @@ TEST(DrawnRun, TheFirmwareIsToldTheTruthTimesOnePlusTheError) {
         EXPECT_EQ(run.calibration.track_width_m, nominal.track_width_m);
         EXPECT_EQ(run.calibration.imu_z_m, nominal.imu_z_m);
     }
+}
+
+TEST(DrawnRun, ALoadThatNobodyToldIsNoPartOfTheError) {
+    sil::CampaignSettings settings = small_campaign(20U);
+    settings.spread.load_share = {0.2, 0.3};
+    settings.spread.load_is_known = false;
+    const sil::CampaignWorld world{settings};
+    const rsi::Parameters calibrations[] = {
+        sil::load_calibration(project_file("firmware/calibrations/large_suv.toml")),
+        sil::load_calibration(project_file("firmware/calibrations/ordinary_suv.toml"))};
+    for (std::uint64_t number = 0U; number < 20U; ++number) {
+        const sil::DrawnRun run = world.prepare(number);
+        const rsi::Parameters& nominal = calibrations[run.draw.vehicle];
+        EXPECT_NEAR(static_cast<double>(run.calibration.sprung_mass_kg / nominal.sprung_mass_kg),
+                    1.0 + run.draw.mass_error, float_rounding);
+        EXPECT_NEAR(static_cast<double>(run.calibration.sprung_cg_height_m / nominal.sprung_cg_height_m),
+                    1.0 + run.draw.cg_height_error, float_rounding);
+    }
+}
+
+TEST(DrawnRun, AChangeTakesThePlaceOfWhatEveryCalibrationSays) {
+    sil::CampaignSettings settings = small_campaign(10U);
+    settings.changes = {"warning_on=0.95", "warning_hold_s=1.5"};
+    const sil::CampaignWorld world{settings};
+    for (std::uint64_t number = 0U; number < 10U; ++number) {
+        EXPECT_EQ(world.prepare(number).calibration.warning_on, 0.95F);
+        EXPECT_EQ(world.prepare(number).calibration.warning_hold_s, 1.5F);
+    }
+    settings.changes = {"warning_own=0.95"};
+    EXPECT_THROW(sil::CampaignWorld{settings}, sil::InputError);
+}
+
+TEST(DrawnRun, AStifferBodyKeepsTheLeastDampingThatTheComponentAdmits) {
+    const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
+    rsi::Parameters calibration = sil::load_calibration(project_file("firmware/calibrations/large_suv.toml"));
+    calibration.roll_damping_nmsprad = 0.00505F * calibration.roll_stiffness_nmprad;
+    sil::RunDraw draw;
+    draw.stiffness_error = 0.1;
+    const sil::DrawnRun run = sil::drawn_run(small_campaign(1U), draw, built, calibration, sil::Manoeuvre{});
+    EXPECT_EQ(rsi::validate(run.calibration).accepted, 1);
+    draw.stiffness_error = -0.1;
+    EXPECT_EQ(sil::drawn_run(small_campaign(1U), draw, built, calibration, sil::Manoeuvre{})
+                  .calibration.roll_damping_nmsprad,
+              calibration.roll_damping_nmsprad);
 }
 
 TEST(DrawnRun, ASensorThatIsNotThereSaysNotAvailable) {

@@ -49,6 +49,22 @@ TEST(Report, GroupsByVehicleAndManoeuvre) {
     EXPECT_EQ(report.manoeuvres[1].calm, 2U);
 }
 
+TEST(Report, GroupsByClassWhereVehiclesHaveOne) {
+    sil::RowTable table = four_runs();
+    EXPECT_TRUE(sil::make_report(table, 4U).classes.empty());
+    EXPECT_THAT(sil::report_markdown(sil::make_report(table, 4U)), Not(HasSubstr("by class of vehicle")));
+    for (sil::RecordedCampaignRun& run : table.runs) {
+        run.in_class = run.vehicle == "bus" ? "heavy" : "light";
+    }
+    const sil::CampaignReport report = sil::make_report(table, 4U);
+    ASSERT_EQ(report.classes.size(), 2U);
+    EXPECT_EQ(report.classes[0].name, "heavy");
+    EXPECT_EQ(report.classes[0].lifted, 2U);
+    EXPECT_EQ(report.classes[1].runs, 1U);
+    EXPECT_THAT(sil::report_markdown(report), HasSubstr("by class of vehicle"));
+    EXPECT_EQ(nlohmann::json::parse(sil::report_json(report))["classes"][1]["name"], "light");
+}
+
 TEST(Report, JsonHasCountsSharesAndLeads) {
     const auto json = nlohmann::json::parse(sil::report_json(sil::make_report(four_runs(), 4U)));
     EXPECT_EQ(json["complete"], true);

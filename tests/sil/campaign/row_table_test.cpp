@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 constexpr const char* header =
-    "run,vehicle,manoeuvre,largest_ltr,two_wheel_lift_time_s,brief_two_wheel_lift_time_s,end_time_s,"
+    "run,vehicle,class,manoeuvre,largest_ltr,two_wheel_lift_time_s,brief_two_wheel_lift_time_s,end_time_s,"
     "distance_m,lead_time_s,wrong_side_duration_s,warnings,advisories,unavailable_duration_s,"
     "x_threshold,x_threshold_100ms,x_threshold_200ms,x_lead_time_s\n";
 
@@ -34,12 +34,14 @@ void expect_refused(const std::string& text, const std::string& why) {
 
 TEST(RowTable, ReadsEveryCellAndSortsByRun) {
     const sil::RowTable table =
-        load(std::string{header} + "5,car,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.17\n" +
-             "4,bus,ramp,0.5,,1.5,9,90,,0,0,0,0,0.25,0.25,0.25,\n");
+        load(std::string{header} + "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.17\n" +
+             "4,bus,,ramp,0.5,,1.5,9,90,,0,0,0,0,0.25,0.25,0.25,\n");
     EXPECT_THAT(table.index_names, testing::ElementsAre("x"));
     ASSERT_EQ(table.runs.size(), 2U);
     EXPECT_EQ(table.runs[0].number, 4U);
     EXPECT_EQ(table.runs[0].vehicle, "bus");
+    EXPECT_EQ(table.runs[0].in_class, "");
+    EXPECT_EQ(table.runs[1].in_class, "small");
     EXPECT_EQ(table.runs[0].brief_two_wheel_lift_time_s, 1.5);
     EXPECT_FALSE(table.runs[0].two_wheel_lift_time_s);
     EXPECT_FALSE(table.runs[0].lead_s);
@@ -61,17 +63,17 @@ TEST(RowTable, ReadsEveryCellAndSortsByRun) {
 }
 
 TEST(RowTable, LeavesOutALineThatWasCutOff) {
-    const std::string row = "5,car,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.1";
+    const std::string row = "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.1";
     EXPECT_EQ(load(header + row + "\n" + row).runs.size(), 1U);
 }
 
 TEST(RowTable, NamesLineAndColumnOfWhatIsWrong) {
     const std::string rest = ",,,1,1,,0,0,0,0,1,1,1";
-    expect_refused(header + ("5,car,turn,much" + rest + ",\n"),
-                   "runs.csv:2:12: column largest_ltr wants a number, not \"much\"");
-    expect_refused(header + ("5,car,turn,nan" + rest + ",\n"), "column largest_ltr");
-    expect_refused(header + ("5,car,turn,1" + rest + "\n"), "runs.csv:2:1: has 16 cells, not 17");
-    expect_refused("run,vehicle,manoeuvre\n5,car,turn\n", "there is no column largest_ltr");
+    expect_refused(header + ("5,car,small,turn,much" + rest + ",\n"),
+                   "runs.csv:2:18: column largest_ltr wants a number, not \"much\"");
+    expect_refused(header + ("5,car,small,turn,nan" + rest + ",\n"), "column largest_ltr");
+    expect_refused(header + ("5,car,small,turn,1" + rest + "\n"), "runs.csv:2:1: has 17 cells, not 18");
+    expect_refused("run,vehicle,class,manoeuvre\n5,car,,turn\n", "there is no column largest_ltr");
     expect_refused("", "there are no rows");
 }
 

@@ -52,6 +52,27 @@ TEST(CampaignSettings, TheirTextIsReadBackAsTheSame) {
     EXPECT_EQ(sil::to_toml(load(sil::to_toml(settings))), sil::to_toml(settings));
 }
 
+TEST(CampaignSettings, ClassFactorsAndAnUntoldLoadAreReadBackAsTheSame) {
+    sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
+    const std::string without = sil::to_toml(settings);
+    for (const char* key : {"class", "speed_factors", "steering_factors", "load_is_known", "changes"}) {
+        EXPECT_EQ(without.find(key), std::string::npos) << "said only where it says something: " << key;
+    }
+    settings.vehicles[1].in_class = "light truck";
+    settings.vehicles[1].speed_factors = {0.5, 1.0};
+    settings.vehicles[1].steering_factors = {2.0, 1.0 / 3.0};
+    settings.spread.load_is_known = false;
+    settings.changes = {"warning_on=0.9", "warning_hold_s=1"};
+    const sil::CampaignSettings read = load(sil::to_toml(settings));
+    EXPECT_EQ(read.vehicles[0].in_class, "");
+    EXPECT_EQ(read.vehicles[1].in_class, "light truck");
+    EXPECT_EQ(read.vehicles[1].speed_factors, settings.vehicles[1].speed_factors);
+    EXPECT_EQ(read.vehicles[1].steering_factors, settings.vehicles[1].steering_factors);
+    EXPECT_FALSE(read.spread.load_is_known);
+    EXPECT_EQ(read.changes, settings.changes);
+    EXPECT_EQ(sil::to_toml(read), sil::to_toml(settings));
+}
+
 TEST(CampaignSettings, WhatAFileLeavesOutIsBuiltIn) {
     const sil::CampaignSettings settings = load("seed = 9\n[spread]\nmass_error = 0.02\n");
     EXPECT_EQ(settings.seed, 9U);
@@ -79,6 +100,15 @@ TEST(CampaignSettings, WhatIsWrongIsNamedWithLineAndKey) {
     expect_refused("[vehicle]\nparameters = \"a\"\n", "must be written as [[vehicle]]");
     expect_refused("[[manoeuvre]]\nname = \"pirouette\"\n", "There is no manoeuvre 'pirouette'");
     expect_refused("[[manoeuvre]]\nname = \"straight\"\nweight = 0\n", "weight");
+    expect_refused("changes = \"warning_on=0.9\"\n", "\"changes\" must be texts in brackets");
+    expect_refused("changes = [\"warning_on=0.9\", 1]\n", "\"changes\" must be texts in brackets");
+    const std::string vehicle = "[[vehicle]]\nparameters = \"a\"\ncalibration = \"b\"\n";
+    expect_refused(vehicle + "speed_factors = [1.0]\n", "vehicle a: speed_factors");
+    expect_refused(vehicle + "steering_factors = [1.0]\n", "vehicle a: steering_factors");
+    const std::string turn = "[[manoeuvre]]\nname = \"j-turn-45\"\n";
+    expect_refused(vehicle + "speed_factors = [0.04]\n" + turn, "one number from 0.05 to 20");
+    expect_refused(vehicle + "speed_factors = [20.1]\n" + turn, "one number from 0.05 to 20");
+    expect_refused(vehicle + "class = \"a,b\"\n", "vehicle a: class");
     expect_refused("runs = \n", "mine.toml:1: not valid TOML");
 }
 

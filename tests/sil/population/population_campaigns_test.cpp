@@ -1,0 +1,81 @@
+// Population campaigns: each vehicle gets manoeuvres as severe for it as for any other, within what its class
+// drives.
+#include "sil/studies/population/population_campaigns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sil/units.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+
+namespace {
+
+constexpr std::uint64_t many = 80U;
+
+double nominal_kmh(const std::string& name) {
+    return sil::find_manoeuvre(name).initial_speed_mps * 3.6;
+}
+
+TEST(PopulationCampaigns, NobodyDrivesFasterThanTheClass) {
+    for (std::uint64_t number = 0U; number < many; ++number) {
+        const sil::DrawnVehicle drawn = sil::draw_vehicle(1U, number);
+        const sil::CampaignVehicle scaled = sil::scaled_vehicle(drawn, drawn.parameters);
+        const std::vector<sil::CampaignManoeuvre>& manoeuvres = sil::population_manoeuvres();
+        ASSERT_EQ(scaled.speed_factors.size(), manoeuvres.size());
+        ASSERT_EQ(scaled.steering_factors.size(), manoeuvres.size());
+        EXPECT_EQ(scaled.in_class, sil::vehicle_classes()[drawn.in_class].name);
+        for (std::size_t i = 0U; i < manoeuvres.size(); ++i) {
+            const double fastest = nominal_kmh(manoeuvres[i].name) * scaled.speed_factors[i] *
+                                   manoeuvres[i].speed_factor.highest;
+            EXPECT_LE(fastest, sil::vehicle_classes()[drawn.in_class].max_speed_kmh + 1e-9)
+                << drawn.name << " " << manoeuvres[i].name;
+        }
+    }
+}
+
+TEST(PopulationCampaigns, AJTurnAsksEveryVehicleForTheSameShareOfItsThreshold) {
+    const std::vector<sil::CampaignManoeuvre>& manoeuvres = sil::population_manoeuvres();
+    ASSERT_EQ(manoeuvres[0].name, "j-turn-110");
+    for (std::uint64_t number = 0U; number < many; ++number) {
+        const sil::DrawnVehicle drawn = sil::draw_vehicle(1U, number);
+        const sil::CampaignVehicle scaled = sil::scaled_vehicle(drawn, drawn.parameters);
+        const double speed_mps = 0.8 * scaled.speed_factors[0] * 110.0 / 3.6;
+        const double angle_rad = scaled.steering_factors[0] * 360.0 / sil::degrees_per_radian;
+        EXPECT_NEAR(
+            angle_rad,
+            sil::handwheel_for_rad(drawn.parameters, drawn.properties.threshold_g * sil::g_mps2, speed_mps),
+            1e-9)
+            << drawn.name;
+        // Beyond 15 rad the firmware takes the angle for a fault of the sensor.
+        EXPECT_LT(angle_rad * manoeuvres[0].steering_factor.highest, 13.0 + 1e-9) << drawn.name;
+    }
+}
+
+TEST(PopulationCampaigns, TippierVehiclesTakeACourseOfConesMoreSlowly) {
+    const std::vector<sil::CampaignManoeuvre>& manoeuvres = sil::population_manoeuvres();
+    const auto at = std::find_if(manoeuvres.begin(), manoeuvres.end(),
+                                 [](const auto& m) { return m.name == "double-lane-change"; });
+    ASSERT_NE(at, manoeuvres.end());
+    const auto index = static_cast<std::size_t>(at - manoeuvres.begin());
+    for (std::uint64_t number = 0U; number < many; ++number) {
+        const sil::DrawnVehicle drawn = sil::draw_vehicle(1U, number);
+        const double factor = sil::scaled_vehicle(drawn, drawn.parameters).speed_factors[index];
+        EXPECT_NEAR(factor, std::sqrt(drawn.properties.threshold_g / 0.75), 1e-9) << drawn.name;
+        EXPECT_EQ(sil::scaled_vehicle(drawn, drawn.parameters).steering_factors[index], 1.0);
+    }
+}
+
+TEST(PopulationCampaigns, ManoeuvresAreThoseOfTheCampaign) {
+    std::vector<std::string> names;
+    for (const sil::CampaignManoeuvre& manoeuvre : sil::population_manoeuvres()) {
+        names.push_back(manoeuvre.name);
+    }
+    for (const sil::CampaignManoeuvre& manoeuvre : sil::default_campaign().manoeuvres) {
+        EXPECT_EQ(std::count(names.begin(), names.end(), manoeuvre.name), 1) << manoeuvre.name;
+    }
+    EXPECT_EQ(names.size(), sil::default_campaign().manoeuvres.size());
+}
+
+}  // namespace
