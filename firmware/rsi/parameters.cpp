@@ -86,6 +86,17 @@ Validation validate_vehicle(const Parameters& parameters) {
     return accepted;
 }
 
+// A response within minutes is none: the prediction would hold A still.
+constexpr float slowest_response_radps = 1.0F;
+
+Validation validate_steering(const Parameters& parameters) {
+    const float w = parameters.lateral_response_frequency_radps;
+    if ((w > 0.0F) && (w < slowest_response_radps)) {
+        return refuse("lateral_response_frequency_radps", "must be 0, not known, or at least 1 rad/s");
+    }
+    return accepted;
+}
+
 Validation validate_indicators(const Parameters& parameters) {
     if (parameters.rollover_index_angle_weight + parameters.rollover_index_acceleration_weight > 1.0F) {
         return refuse("rollover_index_acceleration_weight",
@@ -127,6 +138,9 @@ Validation validate(const Parameters& parameters) {
     Validation answer = validate_ranges(parameters);
     if (answer.accepted != 0) {
         answer = validate_vehicle(parameters);
+    }
+    if (answer.accepted != 0) {
+        answer = validate_steering(parameters);
     }
     if (answer.accepted != 0) {
         answer = validate_indicators(parameters);

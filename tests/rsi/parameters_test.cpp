@@ -136,6 +136,18 @@ TEST(Parameters, ThereMustBeARollAngleThatLiftsTheInnerWheels) {
     expect_refused(parameters, "roll_stiffness_nmprad");
 }
 
+TEST(Parameters, ALateralResponseIsUnknownOrFastEnoughToBeOne) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    for (const float accepted_radps : {0.0F, -0.0F, 1.0F, 60.0F}) {
+        parameters.lateral_response_frequency_radps = accepted_radps;
+        EXPECT_EQ(rsi::validate(parameters).accepted, 1) << accepted_radps;
+    }
+    for (const float refused_radps : {std::nextafterf(0.0F, 1.0F), 0.5F, std::nextafterf(1.0F, 0.0F)}) {
+        parameters.lateral_response_frequency_radps = refused_radps;
+        expect_refused(parameters, "lateral_response_frequency_radps");
+    }
+}
+
 TEST(Parameters, TheRolloverIndexsWeightsMustLeaveRoomForTheThird) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.rollover_index_angle_weight = 0.75F;
