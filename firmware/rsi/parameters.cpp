@@ -105,6 +105,35 @@ Validation validate_indicators(const Parameters& parameters) {
     return accepted;
 }
 
+// Every level is 1 where the inner wheels lift: the present load transfer's to the point, that of the others,
+// which look ahead or judge by less, up to a fifth above it before.
+constexpr float largest_warning_level = 1.2F;
+// From a load transfer of 0.9 to the lift of the wheels many vehicles need no more.
+constexpr float longest_confirmation_s = 0.2F;
+// Longer, and one lost frame takes a whole manoeuvre from the warning.
+constexpr float longest_recovery_s = 2.0F;
+
+// What could not warn before the wheels lift, or could hardly ever.
+Validation validate_timeliness(const Parameters& parameters) {
+    if (parameters.warning_on > largest_warning_level) {
+        return refuse("warning_on",
+                      "must not exceed 1.2: every level is about 1 when the inner wheels lift, so no "
+                      "warning would come before");
+    }
+    if ((parameters.warning_indicator == RSI_INDICATOR_LOAD_TRANSFER) && (parameters.warning_on > 1.0F)) {
+        return refuse("warning_on", "must not exceed 1: the load transfer is 1 when the inner wheels lift");
+    }
+    if (parameters.warning_confirmation_s > longest_confirmation_s) {
+        return refuse("warning_confirmation_s",
+                      "must not exceed 0.2 s: the wheels would lift before the warning is confirmed");
+    }
+    if (parameters.recovery_s > longest_recovery_s) {
+        return refuse("recovery_s",
+                      "must not exceed 2 s: a lost frame would silence the warning for a whole manoeuvre");
+    }
+    return accepted;
+}
+
 Validation validate_warning(const Parameters& parameters) {
     if (parameters.advisory_off > parameters.advisory_on) {
         return refuse("advisory_off", "must not exceed advisory_on");
@@ -147,6 +176,9 @@ Validation validate(const Parameters& parameters) {
     }
     if (answer.accepted != 0) {
         answer = validate_warning(parameters);
+    }
+    if (answer.accepted != 0) {
+        answer = validate_timeliness(parameters);
     }
     return answer;
 }
