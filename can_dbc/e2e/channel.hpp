@@ -11,10 +11,11 @@
 namespace can_dbc::e2e {
 
 // A profile is a struct of static functions and constants:
-//   counter_range                                          the counter is 0 to counter_range - 1
-//   protect(payload, data_id, counter)                     writes counter and CRC into an array that holds
-//   its signals verify(payload, length, expected_length, data_id)      what is wrong with a payload, but for
-//   the sequence counter(payload)                                       of a payload that has been verified
+//
+// - `counter_range`: the counter is 0 to counter_range - 1
+// - `protect(payload, data_id, counter)`: writes counter and CRC into an array that holds its signals
+// - `verify(payload, length, expected_length, data_id)`: what is wrong with a payload, but for the sequence
+// - `counter(payload)`: of a payload that has been verified
 
 // Protects the frames of one sender and one data identifier, counting them. The caller owns it, one a
 // message.

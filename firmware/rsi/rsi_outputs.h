@@ -1,33 +1,41 @@
-/* The outputs of the component: the one table of them, included by rsi.h.
- *
- * rsi.h makes rsi_outputs and rsi_indicator of it, rsi/output_table.hpp the values at reset, the checks and
- * the levels. A row is one of
+/* The outputs of the component: the one table of them, included by rsi.h. */
+/* clang-format off: it would fill the lists below into paragraphs */
+/* rsi.h makes rsi_outputs and rsi_indicator of it, rsi/output_table.hpp the values at reset, the checks and the
+ * levels. A row is one of
  *
  *   CODE(name, reset, largest, risk, meaning)
  *       int32_t; 0 to `largest`.
  *   NUMBER(name, unit, mirror, presence, risk, meaning)
  *       float; NaN at reset and wherever it could not be computed.
  *   INDEX(name, unit, mirror, CHOICE, number, choice, scale, side, meaning)
- *       float, always present: a measure of the risk that can drive the warning. RSI_INDICATOR_CHOICE =
- * number and the name `choice` select it. The numbers count from 0; a number that was once given keeps its
- * index, for it stands in calibrations that are flashed.
+ *       float, always present: a measure of the risk that can drive the warning. RSI_INDICATOR_CHOICE = number
+ *       and the name `choice` select it. The numbers count from 0; a number that was once given keeps its index,
+ *       for it stands in calibrations that are flashed.
  *
- *   mirror    turns: the sign changes when left and right are exchanged (ISO 8855: positive to the left);
- * stays: not presence  always: a number whenever there is a roll angle; estimate: the same, and held to a
- * range as well; sometimes: not of every calibration, or not in every sample risk      statement: part of
- * what is said of the risk, and back at reset when that is taken back; detail: not scale     how the level (0
- * without risk, 1 warns) comes from the index: same, magnitude, per_ssf (magnitude over c_w / (2 h), the
- * static stability factor), complement (1 less the index), limit_over (time_to_rollover_limit_s over the
- * index) side      what has the sign of the turn, so that the vehicle would fall to the other side: own (the
- * index), force (A), acceleration (a_y), predicted (the predicted load transfer), roll (the roll angle)
+ * mirror, when left and right are exchanged:
+ *   turns       the sign changes (ISO 8855: positive to the left)
+ *   stays       it does not
+ * presence:
+ *   always      a number whenever there is a roll angle
+ *   estimate    the same, and held to a range as well
+ *   sometimes   not of every calibration, or not in every sample
+ * risk:
+ *   statement   part of what is said of the risk, and back at reset when that is taken back
+ *   detail      not
+ * scale, how the level (0 without risk, 1 warns) comes from the index:
+ *   same, magnitude
+ *   per_ssf     magnitude over c_w / (2 h), the static stability factor
+ *   complement  1 less the index
+ *   limit_over  time_to_rollover_limit_s over the index
+ * side, what has the sign of the turn, so that the vehicle would fall to the other side:
+ *   own (the index), force (A), acceleration (a_y), predicted (the predicted load transfer), roll (the roll angle)
  *
- * A row more is a field more of rsi_outputs and, of an index, a choice more for warning_indicator; the
- * parameters keep their layout.
+ * A row more is a field more of rsi_outputs and, of an index, a choice more for warning_indicator; the parameters
+ * keep their layout.
  */
 #ifndef RSI_RSI_OUTPUTS_H
 #define RSI_RSI_OUTPUTS_H
 
-/* clang-format off */
 #define RSI_OUTPUTS(CODE, NUMBER, INDEX) \
     CODE(state, RSI_STATE_UNAVAILABLE, RSI_STATE_WARNING, statement, \
          "rsi_state: what is said of the risk") \

@@ -1,11 +1,12 @@
 // Lets a script use the codec: reads one request a line and answers each with one line.
 //
-//   encode FRAME SIGNAL=VALUE ...   the payload in hexadecimal; signals not named keep their start values
-//   decode FRAME HEX                SIGNAL=VALUE:STATUS ..., status 0 valid, 1 not available, 2 out of range
-//   protect11 DATA_ID COUNTER HEX   eight bytes with end-to-end protection, profile 11
-//   protect05 OFFSET DATA_ID COUNTER HEX   the same with profile 5; offset and length as in
-//   `profile_05_answer` crc8 HEX                        plain CRC-8 SAE J1850 as a decimal number crc16 HEX
-//   CRC-16/CCITT-FALSE as a decimal number
+// - `encode FRAME SIGNAL=VALUE ...`: the payload in hexadecimal; signals not named keep their start values
+// - `decode FRAME HEX`: SIGNAL=VALUE:STATUS ..., status 0 valid, 1 not available, 2 out of range
+// - `protect11 DATA_ID COUNTER HEX`: eight bytes with end-to-end protection, profile 11
+// - `protect05 OFFSET DATA_ID COUNTER HEX`: the same with profile 5; offset and length as in
+//   `profile_05_answer`
+// - `crc8 HEX`: plain CRC-8 SAE J1850 as a decimal number
+// - `crc16 HEX`: CRC-16/CCITT-FALSE as a decimal number
 #include <array>
 #include <cstdint>
 #include <cstdio>
