@@ -36,11 +36,11 @@ void cut_by_acceleration(const Cycles& cycles, const VehicleData& vehicle, const
         const auto [parallel, normal] =
             road_forces(lateral[k] - offsets.lateral_mps2, vertical[k], roll[k] - offsets.roll_angle_rad);
         if (std::abs(parallel) > limit * normal) {
-            earlier(
-                cycles[k].sample.time_s,
-                fmt::format("{:.2f} g is reached, {:.0f} % of the track's half over the CG's height, and "
-                            "without wheel loads nobody knows whether a wheel has lifted",
-                            limit, 100.0 * options.lift_share), true);
+            earlier(cycles[k].sample.time_s,
+                    fmt::format("{:.2f} g is reached, {:.0f} % of the track's half over the CG's height, and "
+                                "without wheel loads nobody knows whether a wheel has lifted",
+                                limit, 100.0 * options.lift_share),
+                    true);
             return;
         }
     }

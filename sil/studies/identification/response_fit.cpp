@@ -53,8 +53,8 @@ class Response {
     }
 
     double operator()(const Forecast& from) const {
-        return within_reach(from, from.demand + from_difference_ * (from.force - from.demand) +
-                                      from_rate_s_ * from.rate);
+        return within_reach(
+            from, from.demand + from_difference_ * (from.force - from.demand) + from_rate_s_ * from.rate);
     }
 
  private:
@@ -134,8 +134,8 @@ class ResponseProblem {
     }
 
     static bool inside(const Logarithms& at) {
-        return at[0] > lowest()[0] + finest && at[0] < highest()[0] - finest && at[1] > lowest()[1] + finest &&
-               at[1] < highest()[1] - finest;
+        return at[0] > lowest()[0] + finest && at[0] < highest()[0] - finest &&
+               at[1] > lowest()[1] + finest && at[1] < highest()[1] - finest;
     }
 
     double mean_square_of(const Logarithms& at) const {
@@ -144,7 +144,8 @@ class ResponseProblem {
 
     // Twice the negative logarithm of the probability.
     double misfit(const Logarithms& at) const {
-        const double independent = static_cast<double>(forecasts_.size()) * sample_time_s / forecast_correlation_s;
+        const double independent =
+            static_cast<double>(forecasts_.size()) * sample_time_s / forecast_correlation_s;
         const double w = (at[0] - std::log(usual_frequency_radps)) / frequency_scatter;
         const double zeta = (at[1] - std::log(usual_damping)) / damping_scatter;
         return independent * mean_square_of(at) / variance_ + w * w + zeta * zeta;

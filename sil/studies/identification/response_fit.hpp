@@ -11,12 +11,12 @@ namespace sil {
 
 // A'' = w^2 (a_d - A) - 2 zeta w A', a_d = V^2 delta / (L + K_us V^2) within what the tyres give.
 //
-// Fitted is what the component needs: the forecast of A over `response_horizon_s` that starts from A and A' as
-// the component filters them, with the steering held. So w and zeta bear these lags, and what the driver does
-// next; they are no eigenvalues of the vehicle.
+// Fitted is what the component needs: the forecast of A over `response_horizon_s` that starts from A and A'
+// as the component filters them, with the steering held. So w and zeta bear these lags, and what the driver
+// does next; they are no eigenvalues of the vehicle.
 struct ResponseFit {
-    double frequency_radps{};  // w
-    double damping{};          // zeta
+    double frequency_radps{};   // w
+    double damping{};           // zeta
     double frequency_factor{};  // standard error of w as a factor
     double damping_factor{};
     double rms_mps2{};        // of the forecast
@@ -44,7 +44,8 @@ struct SteeringModel {
 
 double steering_demand_mps2(const SteeringModel& model, const RollSample& sample);
 
-// From ramps and dynamic drives alike, where the steering asks for no more than 0.5 g. Nothing when no drive has steering, speed and yaw rate.
+// From ramps and dynamic drives alike, where the steering asks for no more than 0.5 g. Nothing when no drive
+// has steering, speed and yaw rate.
 std::optional<ResponseFit> fit_response(const SteeringModel& model, const std::vector<PreparedDrive>& ramps,
                                         const std::vector<PreparedDrive>& dynamics);
 

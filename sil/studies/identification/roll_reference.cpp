@@ -77,8 +77,9 @@ BankFollowed bank_followed(const VehicleData& vehicle, const RollFit& roll, cons
 std::optional<std::string> roll_reference_doubt(const VehicleData& vehicle, const RollFit& roll,
                                                 const PreparedDrive& drive) {
     if (straight_shows_bank(drive.offsets)) {
-        return fmt::format("on the straight the roll angle and the accelerometer show the same bank, {:+.1f} deg",
-                           drive.offsets.roll_angle_rad * degrees_per_radian);
+        return fmt::format(
+            "on the straight the roll angle and the accelerometer show the same bank, {:+.1f} deg",
+            drive.offsets.roll_angle_rad * degrees_per_radian);
     }
     if (!drive.has_steering) {
         return std::nullopt;
@@ -86,7 +87,8 @@ std::optional<std::string> roll_reference_doubt(const VehicleData& vehicle, cons
     const BankFollowed followed = bank_followed(vehicle, roll, drive);
     if (followed.bank_rms_rad > clear_bank_rad && followed.share > bank_share &&
         followed.correlation > bank_correlation) {
-        return fmt::format("the roll angle moves with the road's bank, by {:.0f} % of it", 100.0 * followed.share);
+        return fmt::format("the roll angle moves with the road's bank, by {:.0f} % of it",
+                           100.0 * followed.share);
     }
     return std::nullopt;
 }

@@ -17,7 +17,8 @@ constexpr double clear_turn_mps2 = 0.1 * g_mps2;
 constexpr double largest_unit_error = 3.0;  // beyond any slip, slope or drift; a wrong unit makes 9.8 or 57
 constexpr double moderate_turn_mps2 = 0.5 * g_mps2;
 constexpr double largest_acceleration_mps2 = 1.5 * g_mps2;
-constexpr double least_gradient_deg = 0.4;  // deg/g; half of the stiffest vehicle's, a wrong unit makes 0.2 at most
+constexpr double least_gradient_deg =
+    0.4;  // deg/g; half of the stiffest vehicle's, a wrong unit makes 0.2 at most
 constexpr double largest_gradient_deg = 40.0;
 constexpr double clear_correlation = 0.5;
 constexpr double tipping_roll_rad = 0.35;  // what comes later are blows
@@ -83,10 +84,10 @@ class SignsAndUnits {
             count += std::abs(lateral[k]) > largest_acceleration_mps2 ? 1U : 0U;
         }
         if (count >= shortest_turn) {
-            throw IdentificationError(
-                fmt::format("{}: the lateral acceleration stays beyond {:.1f} g for {:.1f} s, which no tyre gives. "
-                            "Check the unit that the column's name says: 9.8 comes from m/s^2 in a column named _g",
-                            drive_.name, largest_acceleration_mps2 / g_mps2, sample_time_s * static_cast<double>(count)));
+            throw IdentificationError(fmt::format(
+                "{}: the lateral acceleration stays beyond {:.1f} g for {:.1f} s, which no tyre gives. "
+                "Check the unit that the column's name says: 9.8 comes from m/s^2 in a column named _g",
+                drive_.name, largest_acceleration_mps2 / g_mps2, sample_time_s * static_cast<double>(count)));
         }
     }
 
@@ -97,19 +98,20 @@ class SignsAndUnits {
                !(drive_.one_wheel_lift_s && cycles_[end].sample.time_s > *drive_.one_wheel_lift_s)) {
             ++end;
         }
-        const Agreement rolled = agreement(lateral, roll, [&](std::size_t k) {
-            return k < end && std::abs(lateral[k]) > clear_turn_mps2;
-        });
+        const Agreement rolled = agreement(
+            lateral, roll, [&](std::size_t k) { return k < end && std::abs(lateral[k]) > clear_turn_mps2; });
         if (rolled.count < shortest_turn || std::abs(rolled.correlation) < clear_correlation) {
             return;
         }
         const double gradient = std::abs(rolled.slope) * g_mps2 * degrees_per_radian;
         if (gradient < least_gradient_deg || gradient > largest_gradient_deg) {
-            throw IdentificationError(fmt::format(
-                "{}: the roll angle is {:.2g} deg per g of lateral acceleration, and vehicles have 1 to 12. Check "
-                "the unit that the column's name says: rad in a column named roll_angle_deg makes 57 times too "
-                "little, deg in one named roll_angle_rad 57 times too much",
-                drive_.name, gradient));
+            throw IdentificationError(
+                fmt::format("{}: the roll angle is {:.2g} deg per g of lateral acceleration, and vehicles "
+                            "have 1 to 12. Check "
+                            "the unit that the column's name says: rad in a column named roll_angle_deg "
+                            "makes 57 times too "
+                            "little, deg in one named roll_angle_rad 57 times too much",
+                            drive_.name, gradient));
         }
     }
 
