@@ -1,5 +1,5 @@
 # What `cmake --install` puts where, for find_package(rsi) in somebody else's project; docs/integration.md.
-#   rsi::rsi            the component, with its C face and its C++ one
+#   rsi::rsi            the component, with its C interface and its C++ one
 #   rsi::application    around it the frames: end-to-end check, freshness, encoding, diagnosis, parameter section
 #   rsi::can_dbc, rsi::hal_interface    headers that the application stands on
 include(GNUInstallDirs)

@@ -22,7 +22,7 @@ constexpr std::array<Remainder, 256> make_crc_table(Remainder polynomial) {
             const bool top = ((remainder >> (width - 1U)) & 1U) != 0U;
             remainder = top ? (remainder << 1U) ^ polynomial : remainder << 1U;
         }
-        table[index] = static_cast<Remainder>(remainder & ((1U << width) - 1U));
+        table[index] = static_cast<Remainder>(remainder);  // its lowest bits
     }
     return table;
 }

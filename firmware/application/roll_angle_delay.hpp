@@ -14,7 +14,7 @@ namespace application {
 // the clock, because when all senders pause together nothing is late. While the IMU itself is silent or its
 // frames are damaged there is nothing to compare with: the judgement waits for it, unless it takes so long
 // that its sender may have started anew. A roll angle's sender that itself has paused looks as a delay does:
-// it is believed again when the roll rate shows that its angle is in time.
+// it is used again when the roll rate shows that its angle is in time.
 class RollAngleDelay {
  public:
     // One cycle: counter and value of the newest good frames, new or not.

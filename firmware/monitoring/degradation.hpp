@@ -13,7 +13,7 @@ enum class Degradation : std::uint8_t {
     full,              // all that matters is there
     roll_sensor_lost,  // the observer stands in for the roll sensor
     motion_lost,       // without speed or yaw rate: nothing stands in for the roll sensor if it fails too
-    internal_fault,    // the control unit does not trust itself; no statement on the risk
+    internal_fault,    // the control unit has found itself faulty; no statement on the risk
 };
 
 // Of a cycle that made these outputs of these inputs.

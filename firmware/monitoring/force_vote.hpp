@@ -8,8 +8,8 @@
 
 namespace monitoring {
 
-// A bank of the road and a slide part the yaw rate from the other two, a roll sensor that lies parts itself;
-// only an accelerometer that lies stands against both. Over 814 drawn runs of three vehicles it did so by 2.1
+// A bank of the road or a slide separates the yaw rate from the other two, a wrong roll angle separates itself;
+// only a wrong lateral acceleration contradicts both. Over 814 drawn runs of three vehicles it did so by 2.1
 // m/s^2 at most, with a lag of 0.3 s.
 class ForceVote {
  public:
@@ -36,7 +36,7 @@ class ForceVote {
         return known_ && (against_yaw_mps2_ * against_roll_mps2_ > 0.0F) && (least > 3.0F) &&
                (rsi::absolute(others_mps2_) < 0.5F * least);
     }
-    // Half of what would make it lie: the yaw rate alone may be ahead in a weave.
+    // Half of what counts as a contradiction: the yaw rate alone may be ahead in a weave.
     bool roll_angle_agrees() const noexcept {
         return known_ && rsi::is_within_magnitude(against_roll_mps2_, 1.5F);
     }

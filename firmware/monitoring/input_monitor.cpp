@@ -5,7 +5,7 @@
 namespace monitoring {
 namespace {
 
-// Of the observer: it takes half of what the component's own check tolerates to be believed again.
+// Of the observer: reliable again within half of what the component's own check tolerates.
 constexpr float agreement_rad = 0.025F;
 
 // No road is as steep (45 %, several times what is built), and the sensor ends at 0.785 rad.
@@ -143,7 +143,7 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
 }
 
-// An angle that is held back accuses nobody, but without it a contradiction could not heal.
+// An angle that is held back cannot confirm a contradiction, but only with it can one heal.
 void InputMonitor::check_roll(const rsi::Inputs& inputs, float late_roll_angle_rad,
                               DiagnosticMemory& memory) noexcept {
     const bool before = roll_contradicts(memory);
@@ -170,7 +170,7 @@ bool InputMonitor::roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept
     return !rsi::is_within_magnitude(force, clear_force_mps2) && (force * inputs.roll_angle_rad < 0.0F);
 }
 
-// In a warning wheels lift and come down: no time to accuse anybody, nor to clear.
+// In a warning wheels lift and come down: nothing is confirmed or cleared meanwhile.
 void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
                                   DiagnosticMemory& memory) noexcept {
     vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
@@ -192,7 +192,7 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     force_vote_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, inputs.roll_angle_rad,
                        turn_consistency_.spins());
     if (!turn_consistency_.known()) {
-        // Too slow to accuse anybody. Without this a vehicle at rest could not clear them.
+        // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {
             memory.report(yaw_rate, false);
             memory.report(lateral, false);
@@ -211,8 +211,8 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
 }
 
 // The observer makes the roll angle of the lateral force and the roll rate. Where it contradicts the roll
-// sensor, one of the sensors lies: the accelerometer, if it contradicts the yaw rate too, else the roll
-// sensor. The component's check, confirmed for 0.3 s, knows when the observer is to be believed.
+// sensor, one of the sensors is wrong: the accelerometer, if it contradicts the yaw rate too, else the
+// roll sensor. The component's own check, confirmed for 0.3 s, decides when the observer is reliable.
 void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs& before,
                                   DiagnosticMemory& memory) noexcept {
     constexpr DiagnosticCode roll_sensor = DiagnosticCode::roll_sensor_contradicts_observer;

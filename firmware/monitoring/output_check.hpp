@@ -1,4 +1,4 @@
-// Output check: whether what the component has computed can be told.
+// Output check: whether what the component has computed can be published.
 #pragma once
 
 #include "rsi/numeric/bounded.hpp"

@@ -13,7 +13,7 @@ namespace monitoring {
 // alone for 0.09 s at most, the yaw rate for 0.69 s.
 class TurnSigns {
  public:
-    // One sample; what is not finite, or too small to have a sign, contradicts nobody.
+    // One sample; what is not finite, or too small to have a sign, contradicts nothing.
     void update(float lateral_force_mps2, float yaw_acceleration_mps2, float roll_angle_rad) noexcept {
         const float clear =
             rsi::smaller(rsi::absolute(lateral_force_mps2), rsi::absolute(yaw_acceleration_mps2));

@@ -1,4 +1,4 @@
-// The C face over the C++ component: the caller's storage holds the object.
+// The C interface over the C++ component: the caller's storage holds the object.
 #include <new>
 #include <type_traits>
 
@@ -7,7 +7,7 @@
 static_assert(sizeof(rsi::Component) <= sizeof(rsi_component), "raise RSI_COMPONENT_SIZE in rsi.h");
 static_assert(alignof(rsi::Component) <= alignof(rsi_component),
               "rsi_component is not aligned for the component");
-static_assert(std::is_trivially_destructible_v<rsi::Component>, "the C face never destroys a component");
+static_assert(std::is_trivially_destructible_v<rsi::Component>, "the C interface never destroys a component");
 
 namespace {
 

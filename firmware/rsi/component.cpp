@@ -33,15 +33,6 @@ void write_estimate(const RollCentreEstimate& estimate, Outputs& outputs) {
     outputs.estimate_frozen = estimate.frozen ? 1 : 0;
 }
 
-void write_comparison(const ClassicIndexValues& values, Outputs& outputs) {
-    outputs.static_stability_level = values.static_stability_level;
-    outputs.dynamic_stability_index = values.dynamic_stability_index;
-    outputs.dynamic_stability_index_late = values.dynamic_stability_index_late;
-    outputs.energy_margin = values.energy_margin;
-    outputs.rollover_index = values.rollover_index;
-    outputs.time_to_rollover_s = values.time_to_rollover_s;
-}
-
 }  // namespace
 
 Validation Component::init(const Parameters& parameters) {
@@ -60,8 +51,8 @@ void Component::reset(const Parameters& parameters) {
     if (initialised_) {
         running_ = false;
         overturned_ = false;
-        measurement_.init_again(parameters);
-        comparison_.init_again(parameters);
+        measurement_.reinitialise(parameters);
+        comparison_.reinitialise(parameters);
         start(parameters);
     }
 }
@@ -135,7 +126,7 @@ void Component::start(const Parameters& parameters) {
     outputs.predicted_rsi = larger(outputs.rsi_extended, predicted.rsi_extended);
 
     // For comparison: the paper's other indices.
-    write_comparison(comparison_.evaluate(measured, motion), outputs);
+    comparison_.evaluate(measured, motion, outputs);
 
     // Warn.
     warn(measured, outputs);
@@ -146,8 +137,8 @@ void Component::start(const Parameters& parameters) {
     fixed_.advance(model_);
 }
 
-// An overturned vehicle is warned of whatever the indicator says, an indicator without a number of nothing.
-// While it lies on its side nothing is learnt: all starts anew with every sample until it stands again.
+// An overturned vehicle sets the warning, whatever the indicator. Without a level there is no statement. Nothing is
+// learnt while the vehicle lies on its side: every sample starts the component anew until it stands again.
 void Component::warn(const Measurement& measured, Outputs& outputs) {
     const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
     outputs.warning_level = indicated.level;

@@ -1,4 +1,4 @@
-// Rollover-warning component: the C++ face. rsi.h documents parameters, inputs and outputs.
+// Rollover-warning component: the C++ interface. rsi.h documents parameters, inputs and outputs.
 #pragma once
 
 #include "rsi/comparison/classic_indices.hpp"
@@ -25,8 +25,8 @@ class Component {
     // every step says "unavailable" until an init succeeds.
     [[gnu::cold]] Validation init(const Parameters& parameters);
 
-    // All anew from `parameters`, which must be those that init has accepted, but for what init finds by
-    // iterating (the observer's settled gains, the critical roll angle). Costs no more than a step, so it
+    // Reinitialises from `parameters`, which must be those that init has accepted, and keeps what init computes by
+    // iteration (the observer's settled gains, the critical roll angle). Costs no more than a step, so it
     // fits into a cycle; init does not. Without an accepted init it does nothing.
     [[gnu::cold]] void reset(const Parameters& parameters);
 

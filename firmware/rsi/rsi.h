@@ -1,4 +1,4 @@
-/* Rollover-warning component: the C face, and the one definition of its parameters, inputs and outputs.
+/* Rollover-warning component: the C interface, and the one definition of its parameters, inputs and outputs.
  *
  * The component takes body-fixed sensor values at 100 Hz, estimates how the suspension's roll centre moves,
  * computes the roll stability indicator (RSI: the lateral acceleration at which the inner wheels lift) and

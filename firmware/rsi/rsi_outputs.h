@@ -1,5 +1,5 @@
 /* The outputs of the component: the one table of them, included by rsi.h. */
-/* clang-format off: it would fill the lists below into paragraphs */
+/* clang-format off */
 /* rsi.h makes rsi_outputs and rsi_indicator of it, rsi/output_table.hpp the values at reset, the checks and the
  * levels. A row is one of
  *
@@ -30,8 +30,8 @@
  * side, what has the sign of the turn, so that the vehicle would fall to the other side:
  *   own (the index), force (A), acceleration (a_y), predicted (the predicted load transfer), roll (the roll angle)
  *
- * A row more is a field more of rsi_outputs and, of an index, a choice more for warning_indicator; the parameters
- * keep their layout.
+ * A new row adds a field to rsi_outputs and, for an index, a choice to warning_indicator. The layout of the
+ * parameters stays.
  */
 #ifndef RSI_RSI_OUTPUTS_H
 #define RSI_RSI_OUTPUTS_H

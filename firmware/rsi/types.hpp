@@ -1,4 +1,4 @@
-// The C face's plain structures under their C++ names.
+// The C interface's plain structures under their C++ names.
 #pragma once
 
 #include "rsi/rsi.h"

@@ -63,6 +63,31 @@ TEST(TheSentIndicator, IsTheOneThatTheParametersChoose) {
     EXPECT_GT(published.last().warning.value.warning_level, 0.2F);
 }
 
+// In the units of the frame.
+TEST(AConfirmedCode, CarriesWhatTheSensorsSaidWhenItWasConfirmedFirst) {
+    Bench bench;
+    bench.run_until_ready();
+    Motion motion;
+    motion.imu.lateral_acceleration_mps2 = 3.0F;
+    motion.imu.roll_rate_deg_per_s = 0.5F;
+    motion.roll_angle.roll_angle_deg = 4.0F;
+    motion.vehicle_motion.yaw_rate_deg_per_s = 7.7F;
+    bench.drive(motion);
+    bench.run_for(0.5);
+    const auto confirmed = [](const Cycle& cycle) {
+        return cycle.diagnosis.value.code_status == can_dbc::RolloverDiagnosis::CodeStatus::confirmed;
+    };
+    for (int cycle = 0; cycle < 300 && !confirmed(bench.last()); ++cycle) {
+        bench.tamper(Sensor::vehicle_motion, [](hal::CanFrame& frame) { frame.data[7] ^= 1U; });
+        bench.run_cycles(1);
+    }
+    ASSERT_TRUE(confirmed(bench.last()));
+    const can_dbc::RolloverDiagnosis& diagnosis = bench.last().diagnosis.value;
+    EXPECT_NEAR(diagnosis.first_lateral_acceleration_mps2, 3.0F, 0.1F);
+    EXPECT_NEAR(diagnosis.first_roll_rate_deg_per_s, 0.5F, 0.26F);
+    EXPECT_NEAR(diagnosis.first_roll_angle_deg, 4.0F, 0.2F);
+}
+
 TEST(MissedCycles, AreFlaggedInTheirCycleAndCountedForEver) {
     Bench bench;
     bench.run_until_ready();

@@ -1,4 +1,4 @@
-/* A C program's way of using the component, for the test of the C face. */
+/* A C program's way of using the component, for the test of the C interface. */
 #ifndef TESTS_UNIT_C_FACE_RUN_H
 #define TESTS_UNIT_C_FACE_RUN_H
 

@@ -1,4 +1,4 @@
-// The C face, called from C, against the C++ face: the same bits.
+// The C interface, called from C, against the C++ interface: the same bits.
 #include <gtest/gtest.h>
 
 #include <vector>

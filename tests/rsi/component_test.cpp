@@ -1,12 +1,15 @@
-// The component as a whole, through its C++ face.
+// The component as a whole, through its C++ interface.
 #include "rsi/component.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
+#include "rsi/measurement/observer_gains.hpp"
 #include "tests/rsi/support/body_kinematics.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/output_fields.hpp"
@@ -445,6 +448,36 @@ TEST(Component, AResetLeavesNothingOfBefore) {
             ASSERT_EQ(std::memcmp(&of_driven, &of_fresh, sizeof of_fresh), 0) << k;
         }
     }
+}
+
+// Each byte in turn. What init computes by iteration is kept, so damage to it stays: the observer's gains and one angle.
+TEST(Component, AResetRepairsAllOfTheComponentButWhatItKeeps) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    rsi::Component sound;
+    ASSERT_EQ(sound.init(parameters).accepted, 1);
+    const rsi::Component as_initialised = sound;
+    const auto answer = [](rsi::Component& component) {
+        std::vector<rsi_outputs> outputs(30U);
+        rsi_test::RandomManoeuvre drive(rsi_test::large_suv(), 53U, true);
+        for (rsi_outputs& each : outputs) {
+            component.step(drive.next(), each);
+        }
+        return outputs;
+    };
+    sound.reset(parameters);
+    const std::vector<rsi_outputs> expected = answer(sound);
+    std::size_t kept = 0U;
+    for (std::size_t byte = 0U; byte < sizeof(rsi::Component); ++byte) {
+        std::array<unsigned char, sizeof(rsi::Component)> memory{};
+        std::memcpy(memory.data(), &as_initialised, memory.size());
+        memory[byte] ^= 0x15U;
+        rsi::Component damaged;
+        std::memcpy(static_cast<void*>(&damaged), memory.data(), memory.size());
+        damaged.reset(parameters);
+        const std::vector<rsi_outputs> answered = answer(damaged);
+        kept += std::memcmp(answered.data(), expected.data(), expected.size() * sizeof(rsi_outputs)) == 0 ? 0U : 1U;
+    }
+    EXPECT_LE(kept, sizeof(rsi::ObserverGains) + sizeof(float));
 }
 
 TEST(Component, AResetForgetsThatItHasOverturned) {

@@ -1,4 +1,4 @@
-# The structures of the C face, by a C compiler with either size of enumerations: on the host for the unit tests, on the
+# The structures of the C interface, by a C compiler with either size of enumerations: on the host for the unit tests, on the
 # controllers because what does not compile there is a difference.
 foreach(enums with_short_enums without_short_enums)
     add_library(layout_${enums} OBJECT ${CMAKE_CURRENT_LIST_DIR}/enum_layout.c)

@@ -80,6 +80,24 @@ TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
     }
 }
 
+TEST(IndicatorLevel, TheSideIsThatOfItsOwnSignalAndOfNoOther) {
+    const auto turned = [](rsi_indicator indicator, float force, float acceleration, float predicted, float roll) {
+        rsi_outputs outputs = all_different();
+        outputs.road_parallel_force_mps2 = force;
+        outputs.lateral_acceleration_mps2 = acceleration;
+        outputs.predicted_load_transfer_ratio = predicted;
+        return indicated(outputs, driven_by(indicator), roll).direction < 0.0F;
+    };
+    EXPECT_TRUE(turned(RSI_INDICATOR_EXTENDED, -1.0F, 1.0F, 1.0F, 1.0F));
+    EXPECT_FALSE(turned(RSI_INDICATOR_EXTENDED, 1.0F, -1.0F, -1.0F, -1.0F));
+    EXPECT_TRUE(turned(RSI_INDICATOR_STATIC_STABILITY_FACTOR, 1.0F, -1.0F, 1.0F, 1.0F));
+    EXPECT_FALSE(turned(RSI_INDICATOR_STATIC_STABILITY_FACTOR, -1.0F, 1.0F, -1.0F, -1.0F));
+    EXPECT_TRUE(turned(RSI_INDICATOR_PREDICTED_RSI, 1.0F, 1.0F, -1.0F, 1.0F));
+    EXPECT_FALSE(turned(RSI_INDICATOR_PREDICTED_RSI, -1.0F, -1.0F, 1.0F, -1.0F));
+    EXPECT_TRUE(turned(RSI_INDICATOR_ENERGY, 1.0F, 1.0F, 1.0F, -1.0F));
+    EXPECT_FALSE(turned(RSI_INDICATOR_ENERGY, -1.0F, -1.0F, -1.0F, 1.0F));
+}
+
 TEST(IndicatorLevel, IsTheSameOnTheOtherSide) {
     const rsi_outputs left = all_different();
     rsi_outputs right = left;

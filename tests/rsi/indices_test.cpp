@@ -328,7 +328,8 @@ TEST(ClassicIndices, EndAtTheirBounds) {
         rsi::RollMotion motion;
         motion.lateral_acceleration_mps2 = side * 60.0F;
         motion.roll_acceleration_radps2 = side * -5000.0F;
-        const rsi::ClassicIndexValues values = indices.evaluate(measured, motion);
+        rsi_outputs values{};
+        indices.evaluate(measured, motion, values);
         EXPECT_EQ(values.static_stability_level, 20.0F);
         EXPECT_EQ(values.dynamic_stability_index, side * 20.0F);
         EXPECT_EQ(values.dynamic_stability_index_late, side * -20.0F);
@@ -343,9 +344,12 @@ TEST(ClassicIndices, NoTimeIsLeftAtTheStaticStabilityFactorItself) {
     indices.init(parameters);
     rsi::Measurement measured;
     measured.tan_roll_angle = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
-    EXPECT_EQ(indices.evaluate(measured, rsi::RollMotion{}).time_to_rollover_s, 0.0F);
+    rsi_outputs outputs{};
+    indices.evaluate(measured, rsi::RollMotion{}, outputs);
+    EXPECT_EQ(outputs.time_to_rollover_s, 0.0F);
     measured.tan_roll_angle *= 0.999F;
-    EXPECT_EQ(indices.evaluate(measured, rsi::RollMotion{}).time_to_rollover_s, 10.0F);
+    indices.evaluate(measured, rsi::RollMotion{}, outputs);
+    EXPECT_EQ(outputs.time_to_rollover_s, 10.0F);
 }
 
 // k phi - T_0 - q tan phi is zero at the wanted angle by the choice of the track.

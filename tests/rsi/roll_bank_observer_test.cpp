@@ -463,6 +463,22 @@ TEST(RollSensorCheck, WantsTheWholeTimeAfterAReset) {
     EXPECT_TRUE(check.disagrees());
 }
 
+TEST(RollSensorCheck, TheSensorAgreesAgainWithinHalfOfTheLimitOnly) {
+    rsi::RollSensorCheck check;
+    check.init(rsi_test::large_suv());  // 0.05 rad
+    for (int k = 0; k < 31; ++k) {
+        check.update(0.051F);
+    }
+    for (int k = 0; k < 100; ++k) {
+        check.update(0.0251F);
+    }
+    EXPECT_TRUE(check.disagrees());
+    for (int k = 0; k < 31; ++k) {
+        check.update(0.0249F);
+    }
+    EXPECT_FALSE(check.disagrees());
+}
+
 // To the nearest of 10 ms.
 TEST(RollSensorCheck, ItsTimeIsRoundedToSamples) {
     for (const float time_s : {0.2957F, 0.3043F}) {

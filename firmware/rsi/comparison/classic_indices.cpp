@@ -17,11 +17,11 @@ constexpr float smallest_product = 1.0e-20F;
 
 void ClassicIndices::init(const Parameters& parameters) {
     energy_.init(parameters);
-    init_again(parameters);
+    reinitialise(parameters);
 }
 
-void ClassicIndices::init_again(const Parameters& parameters) {
-    energy_.init_again(parameters);
+void ClassicIndices::reinitialise(const Parameters& parameters) {
+    energy_.reinitialise(parameters);
     static_stability_factor_ = static_stability_factor(parameters);
     static_stability_gain_ = 1.0F / (gravity_mps2 * static_stability_factor_);
     inertia_share_s2prad_ = parameters.roll_inertia_kgm2 /
@@ -35,19 +35,17 @@ void ClassicIndices::init_again(const Parameters& parameters) {
     gate_slope_radps_ = parameters.rollover_index_slope_radps;
 }
 
-ClassicIndexValues ClassicIndices::evaluate(const Measurement& measured, const RollMotion& motion) const {
-    ClassicIndexValues values;
-    values.static_stability_level =
+void ClassicIndices::evaluate(const Measurement& measured, const RollMotion& motion, Outputs& outputs) const {
+    outputs.static_stability_level =
         smaller(absolute(measured.lateral_acceleration_mps2) * static_stability_gain_, largest_index);
     // (27): a_y/g -+ Ixx phi''/(m_s g h). Roll that speeds up outwards takes load transfer away: minus.
     const float force_share = motion.lateral_acceleration_mps2 * (1.0F / gravity_mps2);
     const float inertia_share = inertia_share_s2prad_ * motion.roll_acceleration_radps2;
-    values.dynamic_stability_index = clamp_magnitude(force_share - inertia_share, largest_index);
-    values.dynamic_stability_index_late = clamp_magnitude(force_share + inertia_share, largest_index);
-    values.energy_margin = energy_.evaluate(measured);
-    values.rollover_index = rollover_index(measured);
-    values.time_to_rollover_s = time_to_rollover_s(measured);
-    return values;
+    outputs.dynamic_stability_index = clamp_magnitude(force_share - inertia_share, largest_index);
+    outputs.dynamic_stability_index_late = clamp_magnitude(force_share + inertia_share, largest_index);
+    outputs.energy_margin = energy_.evaluate(measured);
+    outputs.rollover_index = rollover_index(measured);
+    outputs.time_to_rollover_s = time_to_rollover_s(measured);
 }
 
 // (29): C_1 (|phi|/phi_th + |phi'|/phi'_th) + C_2 |a_y|/a_yc + (1 - C_1 - C_2) |phi|/sqrt(phi^2 + phi'^2)

@@ -7,26 +7,17 @@
 
 namespace rsi {
 
-// rsi.h says what each is; the formulas are in classic_indices.cpp.
-struct ClassicIndexValues {
-    float static_stability_level{0.0F};
-    float dynamic_stability_index{0.0F};
-    float dynamic_stability_index_late{0.0F};
-    float energy_margin{1.0F};
-    float rollover_index{0.0F};
-    float time_to_rollover_s{10.0F};
-};
-
 class ClassicIndices {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
 
     // As init, but keeps what is found by iterating.
-    [[gnu::cold]] void init_again(const Parameters& parameters);
+    [[gnu::cold]] void reinitialise(const Parameters& parameters);
 
-    // The indices without a derivative take the measurement as it is, those with phi'' take the motion, whose
-    // signals all have the same delay.
-    ClassicIndexValues evaluate(const Measurement& measured, const RollMotion& motion) const;
+    // Writes its indices; rsi_outputs.h says what each is, classic_indices.cpp has the formulas. Those without a
+    // derivative take the measurement as it is, those with phi'' the motion, whose signals all have the same
+    // delay.
+    void evaluate(const Measurement& measured, const RollMotion& motion, Outputs& outputs) const;
 
  private:
     float rollover_index(const Measurement& measured) const;

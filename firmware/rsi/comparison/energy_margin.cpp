@@ -10,10 +10,10 @@ namespace rsi {
 
 void EnergyMargin::init(const Parameters& parameters) {
     critical_roll_angle_rad_ = rsi::critical_roll_angle_rad(parameters);
-    init_again(parameters);
+    reinitialise(parameters);
 }
 
-void EnergyMargin::init_again(const Parameters& parameters) {
+void EnergyMargin::reinitialise(const Parameters& parameters) {
     const float H = roll_arm_m(parameters);
     const float K_f = parameters.roll_stiffness_nmprad;
     const float m_s = parameters.sprung_mass_kg;

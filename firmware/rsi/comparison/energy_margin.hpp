@@ -13,7 +13,7 @@ class EnergyMargin {
     [[gnu::cold]] void init(const Parameters& parameters);
 
     // As init, but keeps the critical angle, which is found by iterating.
-    [[gnu::cold]] void init_again(const Parameters& parameters);
+    [[gnu::cold]] void reinitialise(const Parameters& parameters);
 
     // 1 at rest, 0 at the critical energy, not below -20.
     float evaluate(const Measurement& measured) const;

@@ -63,16 +63,16 @@ RoadForces assume_no_heave(float lateral, float sine, float cosine, const Bank& 
 
 void MeasurementStage::init(const Parameters& parameters) {
     observer_.init(parameters);
-    init_again(parameters);
+    reinitialise(parameters);
 }
 
-void MeasurementStage::init_again(const Parameters& parameters) {
+void MeasurementStage::reinitialise(const Parameters& parameters) {
     imu_x_m_ = parameters.imu_x_m;
     imu_y_m_ = parameters.imu_y_m;
     imu_z_m_ = parameters.imu_z_m;
     roll_acceleration_.init(parameters.angular_acceleration_lag_s);
     yaw_acceleration_.init(parameters.angular_acceleration_lag_s);
-    observer_.init_again(parameters);
+    observer_.reinitialise(parameters);
     check_.init(parameters);
 }
 

@@ -41,7 +41,7 @@ class MeasurementStage {
     [[gnu::cold]] void init(const Parameters& parameters);
 
     // As init, but keeps the observer's settled gains.
-    [[gnu::cold]] void init_again(const Parameters& parameters);
+    [[gnu::cold]] void reinitialise(const Parameters& parameters);
 
     void reset();
 

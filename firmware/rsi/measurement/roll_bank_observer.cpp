@@ -35,7 +35,7 @@ constexpr float initial_roll_variance_rad2 = square(0.05F);
 constexpr float initial_bank_variance_rad2 = square(0.1F);
 constexpr float smallest_roll_variance_rad2 = 1.0e-9F;
 
-// What the model and the measurements are worth, tuned on simulated drives; variances of one step.
+// Noise of the model and of the measurements, tuned on simulated drives; variances of one step.
 ObserverNoise noise_of(const Parameters& parameters) {
     ObserverNoise noise{};
     noise.roll_rad2 = 9.0e-5F * T;
@@ -63,21 +63,21 @@ float short_secant(float x) {
 }  // namespace
 
 void RollBankObserver::init(const Parameters& parameters) {
-    init_again(parameters);
+    reinitialise(parameters);
     const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
     const float c = damping_over_inertia_ + 0.5F * T * k;
     const float step = T / (1.0F + 0.5F * T * c);
     gains_ = steady_observer_gains(UprightRoll{step * k, step * c}, noise_of(parameters));
 }
 
-void RollBankObserver::init_again(const Parameters& parameters) {
+void RollBankObserver::reinitialise(const Parameters& parameters) {
     const float H = roll_arm_m(parameters);
     const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
     stiffness_over_inertia_.init(parameters, inverse_inertia);
     movement_to_acceleration_ = parameters.sprung_mass_kg * inverse_inertia;
     force_to_acceleration_ = movement_to_acceleration_ * H;
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia;
-    tipping_force_mps2_ = 0.5F * gravity_mps2 * parameters.track_width_m / parameters.sprung_cg_height_m;
+    tipping_force_mps2_ = gravity_mps2 * static_stability_factor(parameters);
     yaw_acceleration_.init(yaw_acceleration_lag_s);
     assume_movement(0.0F);
     reset();

@@ -18,7 +18,7 @@ namespace rsi {
 // Two scalar measurements: the gyro, p = w, and the kinematics of the turn,
 // f_yb - r V = g sin(phi + b) + v_y', where the unknown v_y' counts as noise that grows with |r'|, and with
 // an innovation that no road explains. The covariance is that of the steady filter (observer_gains), but for
-// the variances of phi and of the bank, which stay alive: they say what is known, and carry the start, a
+// the variances of phi and of the bank, which are updated in every step: they say what is known, and carry the start, a
 // standstill, a slide and the bump stops into the gains. While the inner wheels are up, the suspension says
 // nothing and the gyro alone moves phi.
 class RollBankObserver {
@@ -26,7 +26,7 @@ class RollBankObserver {
     [[gnu::cold]] void init(const Parameters& parameters);
 
     // As init, but keeps the settled gains, which are found by iterating.
-    [[gnu::cold]] void init_again(const Parameters& parameters);
+    [[gnu::cold]] void reinitialise(const Parameters& parameters);
 
     // Forgets everything; the next update starts anew.
     void reset() { running_ = false; }

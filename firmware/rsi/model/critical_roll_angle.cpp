@@ -17,7 +17,7 @@ constexpr int newton_steps = 16;
 float critical_roll_angle_rad(const Parameters& parameters) {
     const float H = roll_arm_m(parameters);
     const float k = parameters.roll_stiffness_nmprad / (parameters.sprung_mass_kg * gravity_mps2 * H);
-    const float T_0 = 0.5F * parameters.track_width_m / parameters.sprung_cg_height_m;
+    const float T_0 = static_stability_factor(parameters);
     const float q = parameters.fixed_roll_centre_height_m / parameters.sprung_cg_height_m;
     float phi = 0.0F;
     float residual = -T_0;

@@ -1,6 +1,6 @@
 // Vectors and matrices: Eigen's, of fixed size.
 //
-// Without alignment of their own, so that a structure that holds them has one layout whatever Eigen is told.
+// Without alignment of their own, so that a structure that holds them has one layout whatever options Eigen is compiled with.
 // Their arithmetic stands in source files, which are compiled with EIGEN_DONT_VECTORIZE: vector units sum in
 // another order and may fuse a*b+c, and the bits would differ from target to target.
 // Eigen's other options are set here, and not by flags, so that no build can leave one out: no allocation,

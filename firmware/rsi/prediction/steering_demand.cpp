@@ -22,7 +22,7 @@ DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& 
         return DemandedForce{};
     }
     const float speed_squared = inputs.speed_mps * inputs.speed_mps;
-    // An oversteering vehicle near or past its critical speed asks for anything; the tyres bound it.
+    // An oversteering vehicle near or past its critical speed has an unbounded demand; the tyres bound it.
     const float divisor_m =
         larger(wheelbase_m_ + understeer_gradient_s2pm_ * speed_squared, 0.1F * wheelbase_m_);
     const float demanded = speed_squared * inputs.steering_wheel_angle_rad / divisor_m;

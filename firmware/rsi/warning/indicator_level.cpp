@@ -1,5 +1,6 @@
 #include "rsi/warning/indicator_level.hpp"
 
+#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {
@@ -13,7 +14,7 @@ float at_most_20(float level) {
 
 void WarningIndicator::init(const Parameters& parameters) {
     indicator_ = parameters.warning_indicator;
-    static_stability_inverse_ = 2.0F * parameters.sprung_cg_height_m / parameters.track_width_m;
+    static_stability_inverse_ = 1.0F / static_stability_factor(parameters);
     time_to_rollover_limit_s_ = parameters.time_to_rollover_limit_s;
 }
 

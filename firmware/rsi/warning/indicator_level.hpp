@@ -31,7 +31,7 @@ class WarningIndicator {
     float time_to_rollover_limit_s_{1.0F};
 };
 
-// The level alone, for who looks at many indicators.
+// The level alone, to compare many indicators.
 float indicator_level(const Outputs& outputs, const Parameters& parameters);
 
 }  // namespace rsi

@@ -1,6 +1,6 @@
 // The component's step over any sequence of inputs, with any calibration: whatever comes, every output is
 // defined, the state is one that the warning's rules allow, and without the necessary inputs it is
-// "unavailable". Some inputs run a twin beside it: one in storage that held other data (through the C face),
+// "unavailable". Some inputs run a twin beside it: one in storage that held other data (through the C interface),
 // or one that sees the mirrored drive.
 #include <cmath>
 #include <cstdint>
@@ -193,7 +193,7 @@ class Judge {
     int steps_at_warning_level_{0};
 };
 
-// The same component through the C face, in storage that held something else before.
+// The same component through the C interface, in storage that held something else before.
 class StorageTwin {
  public:
     explicit StorageTwin(const rsi_parameters& parameters) {
@@ -213,7 +213,7 @@ class StorageTwin {
             same =
                 same && rsi_test::bits_of(outputs.*field.member) == rsi_test::bits_of(expected.*field.member);
         }
-        require(same, "the C face gives the same bits, whatever its storage held");
+        require(same, "the C interface gives the same bits, whatever its storage held");
     }
 
  private:
