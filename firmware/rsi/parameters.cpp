@@ -86,10 +86,50 @@ Validation validate_vehicle(const Parameters& parameters) {
     return accepted;
 }
 
+// A response within minutes is none: the prediction would hold A still.
+constexpr float slowest_response_radps = 1.0F;
+
+Validation validate_steering(const Parameters& parameters) {
+    const float w = parameters.lateral_response_frequency_radps;
+    if ((w > 0.0F) && (w < slowest_response_radps)) {
+        return refuse("lateral_response_frequency_radps", "must be 0, not known, or at least 1 rad/s");
+    }
+    return accepted;
+}
+
 Validation validate_indicators(const Parameters& parameters) {
     if (parameters.rollover_index_angle_weight + parameters.rollover_index_acceleration_weight > 1.0F) {
         return refuse("rollover_index_acceleration_weight",
                       "must not exceed 1 less rollover_index_angle_weight");
+    }
+    return accepted;
+}
+
+// Every level is 1 where the inner wheels lift: the present load transfer's to the point, that of the others,
+// which look ahead or judge by less, up to a fifth above it before.
+constexpr float largest_warning_level = 1.2F;
+// From a load transfer of 0.9 to the lift of the wheels many vehicles need no more.
+constexpr float longest_confirmation_s = 0.2F;
+// Longer, and one lost frame takes a whole manoeuvre from the warning.
+constexpr float longest_recovery_s = 2.0F;
+
+// What could not warn before the wheels lift, or could hardly ever.
+Validation validate_timeliness(const Parameters& parameters) {
+    if (parameters.warning_on > largest_warning_level) {
+        return refuse("warning_on",
+                      "must not exceed 1.2: every level is about 1 when the inner wheels lift, so no "
+                      "warning would come before");
+    }
+    if ((parameters.warning_indicator == RSI_INDICATOR_LOAD_TRANSFER) && (parameters.warning_on > 1.0F)) {
+        return refuse("warning_on", "must not exceed 1: the load transfer is 1 when the inner wheels lift");
+    }
+    if (parameters.warning_confirmation_s > longest_confirmation_s) {
+        return refuse("warning_confirmation_s",
+                      "must not exceed 0.2 s: the wheels would lift before the warning is confirmed");
+    }
+    if (parameters.recovery_s > longest_recovery_s) {
+        return refuse("recovery_s",
+                      "must not exceed 2 s: a lost frame would silence the warning for a whole manoeuvre");
     }
     return accepted;
 }
@@ -129,10 +169,16 @@ Validation validate(const Parameters& parameters) {
         answer = validate_vehicle(parameters);
     }
     if (answer.accepted != 0) {
+        answer = validate_steering(parameters);
+    }
+    if (answer.accepted != 0) {
         answer = validate_indicators(parameters);
     }
     if (answer.accepted != 0) {
         answer = validate_warning(parameters);
+    }
+    if (answer.accepted != 0) {
+        answer = validate_timeliness(parameters);
     }
     return answer;
 }

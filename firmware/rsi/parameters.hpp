@@ -28,7 +28,7 @@ struct SelectionField {
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.
-inline constexpr std::array<ParameterField, 55> parameter_fields{{
+inline constexpr std::array<ParameterField, 57> parameter_fields{{
     {"sprung_mass_kg", &Parameters::sprung_mass_kg, 100.0F, 60000.0F},
     {"sprung_cg_height_m", &Parameters::sprung_cg_height_m, 0.2F, 4.0F},
     {"track_width_m", &Parameters::track_width_m, 0.8F, 3.0F},
@@ -44,6 +44,8 @@ inline constexpr std::array<ParameterField, 55> parameter_fields{{
     {"steering_ratio", &Parameters::steering_ratio, 1.0F, 60.0F},
     {"understeer_gradient_s2pm", &Parameters::understeer_gradient_s2pm, -0.01F, 0.1F},
     {"largest_lateral_acceleration_mps2", &Parameters::largest_lateral_acceleration_mps2, 1.0F, 20.0F},
+    {"lateral_response_frequency_radps", &Parameters::lateral_response_frequency_radps, 0.0F, 60.0F},
+    {"lateral_response_damping", &Parameters::lateral_response_damping, 0.2F, 3.0F},
     {"imu_x_m", &Parameters::imu_x_m, -10.0F, 10.0F},
     {"imu_y_m", &Parameters::imu_y_m, -2.0F, 2.0F},
     {"imu_z_m", &Parameters::imu_z_m, -3.0F, 3.0F},

@@ -87,6 +87,9 @@ typedef struct {
     float steering_ratio;                    /* angle of the steering wheel over that of the front wheels */
     float understeer_gradient_s2pm;          /* K_us, > 0 for an understeering vehicle */
     float largest_lateral_acceleration_mps2; /* the tyres give no more */
+    /* How A follows a_d, A'' = w^2 (a_d - A) - 2 zeta w A'; prepared for the prediction. */
+    float lateral_response_frequency_radps; /* w; 0 if not known */
+    float lateral_response_damping;         /* zeta; without meaning where w is not known */
 
     /* Where the IMU sits, from the sprung mass's centre of gravity in body axes */
     float imu_x_m;

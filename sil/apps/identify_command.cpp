@@ -32,6 +32,7 @@ struct IdentifyRequest {
     std::vector<std::string> dynamics;
     std::filesystem::path output;
     double until_s{1.0e9};
+    bool fit_cg_height{false};
     std::string simulated_vehicle;
     SensorFlaws sensors;
     bool no_pictures{false};
@@ -109,8 +110,9 @@ void identify_vehicle(IdentifyRequest& request) {
     prepare_folder(request.output);
     refuse_unclear(request);
     const VehicleData vehicle = load_vehicle_data(request.vehicle_data, request.settings);
-    PreparationOptions options;
-    options.until_s = request.until_s;
+    IdentificationOptions options;
+    options.preparation.until_s = request.until_s;
+    options.fit_cg_height = request.fit_cg_height;
     if (!request.simulated_vehicle.empty()) {
         simulate_drives(request);
     }
@@ -160,6 +162,9 @@ void add_identify_command(CLI::App& app) {
     identify
         ->add_option("--until", request->until_s, "Use no sample later than this, in s on the drives' clocks")
         ->check(number_within(0.0, 1.0e9));
+    identify->add_flag(
+        "--fit-cg-height", request->fit_cg_height,
+        "Where the wheel loads contradict the CG height, fit it to them; otherwise it stays as given");
     identify->add_option("--simulate", request->simulated_vehicle,
                          "Drive this simulated vehicle (TOML) in place of --ramp and --dynamic");
     identify->add_flag("--noise", request->sensors.noise, "Simulated sensors with noise");

@@ -136,6 +136,18 @@ TEST(Parameters, ThereMustBeARollAngleThatLiftsTheInnerWheels) {
     expect_refused(parameters, "roll_stiffness_nmprad");
 }
 
+TEST(Parameters, ALateralResponseIsUnknownOrFastEnoughToBeOne) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    for (const float accepted_radps : {0.0F, -0.0F, 1.0F, 60.0F}) {
+        parameters.lateral_response_frequency_radps = accepted_radps;
+        EXPECT_EQ(rsi::validate(parameters).accepted, 1) << accepted_radps;
+    }
+    for (const float refused_radps : {std::nextafterf(0.0F, 1.0F), 0.5F, std::nextafterf(1.0F, 0.0F)}) {
+        parameters.lateral_response_frequency_radps = refused_radps;
+        expect_refused(parameters, "lateral_response_frequency_radps");
+    }
+}
+
 TEST(Parameters, TheRolloverIndexsWeightsMustLeaveRoomForTheThird) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.rollover_index_angle_weight = 0.75F;
@@ -174,6 +186,38 @@ TEST(Parameters, AWarningLevelThatThePublishedIndicatorCannotReachIsRefused) {
     expect_refused(parameters, "warning_on");
     parameters.warning_indicator = RSI_INDICATOR_BANK_FREE;
     EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+}
+
+TEST(Parameters, AWarningLevelThatNoIndicatorReachesBeforeTheLiftIsRefused) {
+    for (std::int32_t indicator = 0; indicator < rsi::selection_fields[1].choice_count; ++indicator) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.warning_indicator = indicator;
+        const bool ends_at_one =
+            indicator == RSI_INDICATOR_PUBLISHED || indicator == RSI_INDICATOR_LOAD_TRANSFER;
+        const float highest = ends_at_one ? 1.0F : 1.2F;
+        parameters.warning_on = highest;
+        EXPECT_EQ(rsi::validate(parameters).accepted, 1) << indicator;
+        parameters.warning_on = std::nextafterf(highest, 2.0F);
+        expect_refused(parameters, "warning_on");
+        parameters.warning_on = 20.0F;
+        expect_refused(parameters, "warning_on");
+    }
+}
+
+TEST(Parameters, AConfirmationThatSwallowsTheWarningIsRefused) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.warning_confirmation_s = 0.2F;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+    parameters.warning_confirmation_s = std::nextafterf(0.2F, 1.0F);
+    expect_refused(parameters, "warning_confirmation_s");
+}
+
+TEST(Parameters, ARecoveryThatSilencesTheWarningForAManoeuvreIsRefused) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.recovery_s = 2.0F;
+    EXPECT_EQ(rsi::validate(parameters).accepted, 1);
+    parameters.recovery_s = std::nextafterf(2.0F, 3.0F);
+    expect_refused(parameters, "recovery_s");
 }
 
 TEST(Parameters, AStiffnessCurveThatFallsTooFarIsRefusedByTheCoefficientThatBendsIt) {

@@ -34,6 +34,8 @@ static inline rsi_parameters rsi_test_large_suv(void) {
     parameters.steering_ratio = 20.0F;
     parameters.understeer_gradient_s2pm = 0.003F;
     parameters.largest_lateral_acceleration_mps2 = 10.8F;
+    parameters.lateral_response_frequency_radps = 0.0F;
+    parameters.lateral_response_damping = 0.7F;
     parameters.roll_centre_prior_deviation_m = 0.08F;
     parameters.roll_centre_limit_m = 0.25F;
     parameters.roll_centre_reversion_s = 1.0F;

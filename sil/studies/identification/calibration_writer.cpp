@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "calibration_template.hpp"
+#include "sil/studies/identification/calibration_default.hpp"
 
 namespace sil {
 namespace {
@@ -37,12 +38,6 @@ std::string head(const Identification& result) {
            "# Values without a remark are defaults, the same for every vehicle. Every key is needed; "
            "rsi/rsi.h says\n"
            "# what each one is, rsi/parameters.hpp which range it has.\n";
-}
-
-std::string_view key_in(std::string_view line) {
-    const std::size_t end = line.find(" = ");
-    return line.empty() || line.front() == '#' || end == std::string_view::npos ? std::string_view{}
-                                                                                : line.substr(0U, end);
 }
 
 }  // namespace

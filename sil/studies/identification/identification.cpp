@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "sil/studies/identification/calibration_default.hpp"
+#include "sil/studies/identification/tyre_limit.hpp"
 #include "sil/studies/identification/warnings.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
 namespace {
 
-constexpr double largest_lateral_mps2 = 1.1 * g_mps2;
 constexpr double smallest_damping_time_s = 0.005;  // c_f / K_f that the component admits
 
 std::vector<PreparedDrive> prepare_all(const std::vector<Drive>& drives, const VehicleData& vehicle,
@@ -23,8 +25,14 @@ std::vector<PreparedDrive> prepare_all(const std::vector<Drive>& drives, const V
     return prepared;
 }
 
-double assumed_roll_centre_m(const VehicleData& vehicle) {
-    return std::min(usual_roll_centre_m, 0.5 * vehicle.sprung_cg_height_m);
+// Where nothing tells it. The ratios to H = h - h_rc are fitted, so a lower roll centre makes the computed
+// load transfer larger: on the road, no suspension's lift-off is missed.
+constexpr double assumed_roll_centre_m = 0.0;
+
+// Where most lie, between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to 0.5 m): for the
+// rules of thumb in the roll fit, which are of absolute size.
+double usual_roll_centre_m(const VehicleData& vehicle) {
+    return std::min(0.2, 0.5 * vehicle.sprung_cg_height_m);
 }
 
 void use_loads(Identification& result) {
@@ -33,8 +41,13 @@ void use_loads(Identification& result) {
         match_dynamic_loads(result.vehicle, result.roll, result.ramps, result.dynamics, loads);
     }
     result.roll_centre_height_m = loads.roll_centre_height_m;
-    result.roll_centre_origin = fmt::format(
-        "effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %", loads.deviation_m);
+    result.roll_centre_origin =
+        loads.agreeing_cg_height_m == result.given_cg_height_m ||
+                loads.cg_height_m != result.given_cg_height_m
+            ? fmt::format("effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %",
+                          loads.deviation_m)
+            : fmt::format("the nearest to {:.3f}, for which the wheel loads speak",
+                          loads.roll_centre_at_given_height_m);
     if (loads.cg_height_m != result.given_cg_height_m) {
         result.vehicle.sprung_cg_height_m = loads.cg_height_m;
         result.cg_height_origin =
@@ -42,19 +55,19 @@ void use_loads(Identification& result) {
     }
 }
 
-void choose_roll_centre(Identification& result) {
+void choose_roll_centre(Identification& result, bool fit_cg_height) {
     VehicleData& vehicle = result.vehicle;
     result.given_cg_height_m = vehicle.sprung_cg_height_m;
     result.cg_height_origin = "vehicle data";
-    result.loads = fit_loads(vehicle, result.ramps);
+    result.loads = fit_loads(vehicle, result.ramps, fit_cg_height);
     if (vehicle.roll_centre_height_m) {
         result.roll_centre_height_m = *vehicle.roll_centre_height_m;
         result.roll_centre_origin = "vehicle data";
     } else if (result.loads && !result.loads->contradicts_data) {
         use_loads(result);
     } else {
-        result.roll_centre_height_m = assumed_roll_centre_m(vehicle);
-        result.roll_centre_origin = "ASSUMED: neither data sheet nor wheel loads tell it";
+        result.roll_centre_height_m = assumed_roll_centre_m;
+        result.roll_centre_origin = "ASSUMED, the lowest: neither data sheet nor wheel loads tell it";
     }
     result.roll = result.roll.with_arm(vehicle.sprung_cg_height_m - result.roll_centre_height_m);
     for (const auto* drives : {&result.ramps, &result.dynamics}) {
@@ -62,16 +75,6 @@ void choose_roll_centre(Identification& result) {
             result.load_transfer.push_back(residual);
         }
     }
-}
-
-double largest_parallel(const Identification& result) {
-    double largest = 0.0;
-    for (const auto* drives : {&result.ramps, &result.dynamics}) {
-        for (const PreparedDrive& drive : *drives) {
-            largest = std::max(largest, drive.largest_parallel_mps2);
-        }
-    }
-    return largest;
 }
 
 std::string fitted(const Estimate& estimate, const char* format) {
@@ -128,28 +131,48 @@ void add_steering(Identification& result) {
                           vehicle.understeer_gradient_s2pm.value_or(usual_understeer_gradient_s2pm),
                           vehicle.understeer_gradient_s2pm ? "vehicle data" : "ASSUMED"});
     }
-    const double seen = 1.05 * largest_parallel(result);
-    values.push_back({"largest_lateral_acceleration_mps2", std::max(largest_lateral_mps2, seen),
-                      seen > largest_lateral_mps2 ? "5 % above the largest seen" : "1.1 g: a dry road"});
+    const TyreLimit limit =
+        tyre_limit(vehicle, result.steering ? &*result.steering : nullptr, result.ramps, result.dynamics);
+    values.push_back({"largest_lateral_acceleration_mps2", limit.largest_mps2, limit.origin});
+}
+
+// How the lateral force follows the steering, by the model of the values so far.
+void add_response(Identification& result) {
+    const auto value_of = [&result](std::string_view key) {
+        return std::find_if(result.values.begin(), result.values.end(),
+                            [key](const IdentifiedValue& value) { return value.key == key; })
+            ->value;
+    };
+    if (result.steering) {
+        result.response = fit_response(
+            SteeringModel{result.vehicle.wheelbase_m, value_of("steering_ratio"),
+                          value_of("understeer_gradient_s2pm"), value_of("largest_lateral_acceleration_mps2"),
+                          calibration_default("prediction_filter_lag_s")},
+            result.ramps, result.dynamics);
+    }
+    auto& values = result.values;
+    if (result.response && result.response->helps()) {
+        const ResponseFit& response = *result.response;
+        values.push_back({"lateral_response_frequency_radps", response.frequency_radps,
+                          fmt::format("fitted, within a factor of {:.2f}", response.frequency_factor)});
+        values.push_back({"lateral_response_damping", response.damping,
+                          fmt::format("fitted, within a factor of {:.2f}", response.damping_factor)});
+    } else {
+        values.push_back({"lateral_response_frequency_radps", 0.0, "not known: the drives do not show it"});
+        values.push_back({"lateral_response_damping", calibration_default("lateral_response_damping"),
+                          "without meaning as long as the frequency is not known"});
+    }
 }
 
 // Where the printed threshold is reached in a slow turn: A/N = T on the fitted curve.
 void add_rollover_index(Identification& result) {
     const VehicleData& vehicle = result.vehicle;
     const RollFit& roll = result.roll;
-    const double weight_moment = vehicle.sprung_mass_kg * roll.arm_m * g_mps2;
-    double low = 0.0, high = 0.5;
-    for (int k = 0; k < 50; ++k) {
-        const double phi = 0.5 * (low + high);
-        const double acceleration = roll.moment_nm(phi) / weight_moment - std::tan(phi);  // in g
-        const double threshold =
-            (0.5 * vehicle.track_width_m - roll.arm_m * std::tan(phi)) / vehicle.sprung_cg_height_m;
-        (acceleration < threshold ? low : high) = phi;
-    }
+    const double angle = rollover_angle_rad(vehicle, roll);
     const double acceleration =
-        g_mps2 * (0.5 * vehicle.track_width_m - roll.arm_m * std::tan(low)) / vehicle.sprung_cg_height_m;
+        g_mps2 * (0.5 * vehicle.track_width_m - roll.arm_m * std::tan(angle)) / vehicle.sprung_cg_height_m;
     result.values.push_back(
-        {"rollover_index_roll_angle_rad", low, "roll angle at the threshold in a slow turn"});
+        {"rollover_index_roll_angle_rad", angle, "roll angle at the threshold in a slow turn"});
     result.values.push_back({"rollover_index_acceleration_mps2", acceleration,
                              "lateral acceleration at the threshold in a slow turn"});
 }
@@ -157,7 +180,7 @@ void add_rollover_index(Identification& result) {
 }  // namespace
 
 Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ramps,
-                        const std::vector<Drive>& dynamics, const PreparationOptions& options) {
+                        const std::vector<Drive>& dynamics, const IdentificationOptions& options) {
     if (ramps.empty() || dynamics.empty()) {
         throw IdentificationError(
             "a slow ramp and a dynamic drive are both needed: the one gives the stiffness, the other damping "
@@ -166,16 +189,17 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
     }
     Identification result;
     result.vehicle = vehicle;
-    result.ramps = prepare_all(ramps, vehicle, options);
-    result.dynamics = prepare_all(dynamics, vehicle, options);
-    const double assumed_arm_m =
-        vehicle.sprung_cg_height_m - vehicle.roll_centre_height_m.value_or(assumed_roll_centre_m(vehicle));
-    result.roll = fit_roll(vehicle, assumed_arm_m, result.ramps, result.dynamics);
-    choose_roll_centre(result);
+    result.ramps = prepare_all(ramps, vehicle, options.preparation);
+    result.dynamics = prepare_all(dynamics, vehicle, options.preparation);
+    const double usual_arm_m =
+        vehicle.sprung_cg_height_m - vehicle.roll_centre_height_m.value_or(usual_roll_centre_m(vehicle));
+    result.roll = fit_roll(vehicle, usual_arm_m, result.ramps, result.dynamics);
+    choose_roll_centre(result, options.fit_cg_height);
     result.steering = fit_steering(vehicle, result.ramps);
     add_vehicle(result);
     add_roll(result);
     add_steering(result);
+    add_response(result);
     add_rollover_index(result);
     result.warnings = identification_warnings(result);
     return result;

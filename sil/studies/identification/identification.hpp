@@ -7,6 +7,7 @@
 
 #include "sil/studies/identification/load_fit.hpp"
 #include "sil/studies/identification/prepared_drive.hpp"
+#include "sil/studies/identification/response_fit.hpp"
 #include "sil/studies/identification/roll_fit.hpp"
 #include "sil/studies/identification/steering_fit.hpp"
 #include "sil/studies/identification/vehicle_data.hpp"
@@ -30,14 +31,20 @@ struct Identification {
     std::optional<LoadFit> loads;
     std::vector<DriveResidual> load_transfer;  // with the values of the calibration; drives with wheel loads
     std::optional<SteeringFit> steering;
+    std::optional<ResponseFit> response;
     double roll_centre_height_m{};
     std::string roll_centre_origin;
     std::vector<IdentifiedValue> values;  // all that depend on the vehicle
     std::vector<std::string> warnings;    // what the user should know, in plain words
 };
 
+struct IdentificationOptions {
+    PreparationOptions preparation{};
+    bool fit_cg_height{false};  // where the wheel loads contradict the vehicle data's; otherwise it stays
+};
+
 // Throws IdentificationError when a drive is of no use, and says what to do.
 Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ramps,
-                        const std::vector<Drive>& dynamics, const PreparationOptions& options = {});
+                        const std::vector<Drive>& dynamics, const IdentificationOptions& options = {});
 
 }  // namespace sil

@@ -12,7 +12,8 @@ namespace {
 constexpr double slow_radps = 0.05;  // faster, and inertia has its part in the loads
 constexpr double cg_height_uncertainty = 0.01;
 constexpr double lowest_roll_centre_m = 0.0;
-constexpr double highest_roll_centre_m = 0.5;
+constexpr double highest_roll_centre_m = 1.2;
+constexpr double highest_roll_centre_share = 0.7;  // of the CG height
 constexpr double largest_cg_change = 0.06;
 // Tyres carry their load with about this deflection.
 constexpr double usual_tyre_deflection_m = 0.02;
@@ -92,6 +93,10 @@ double arm_without_tyres(const VehicleData& vehicle, const std::vector<PreparedD
         .slope();
 }
 
+double highest_roll_centre(const VehicleData& vehicle) {
+    return std::min(highest_roll_centre_m, highest_roll_centre_share * vehicle.sprung_cg_height_m);
+}
+
 // h that the loads of the slow turns speak for when the roll centre lies at `roll_centre_m`.
 double matched_cg_height_m(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
                            double roll_centre_m) {
@@ -108,7 +113,8 @@ double matched_cg_height_m(const VehicleData& vehicle, const std::vector<Prepare
 
 }  // namespace
 
-std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps) {
+std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
+                                 bool fit_cg_height) {
     const bool any = std::any_of(ramps.begin(), ramps.end(),
                                  [](const PreparedDrive& drive) { return drive.has_wheel_loads; });
     if (!any) {
@@ -121,12 +127,13 @@ std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<P
     fit.roll_centre_at_given_height_m = h - arm_m;
     fit.deviation_m = std::abs(other_arm_m - arm_m - cg_height_uncertainty * h);
     fit.suspension_roll_centre_m = h - arm_without_tyres(vehicle, ramps);
-    fit.roll_centre_height_m = std::clamp(fit.roll_centre_at_given_height_m, lowest_roll_centre_m,
-                                          std::min(highest_roll_centre_m, 0.7 * h));
-    fit.cg_height_m = fit.roll_centre_height_m == fit.roll_centre_at_given_height_m
-                          ? h
-                          : matched_cg_height_m(vehicle, ramps, fit.roll_centre_height_m);
-    fit.contradicts_data = std::abs(fit.cg_height_m / h - 1.0) > largest_cg_change;
+    fit.roll_centre_height_m =
+        std::clamp(fit.roll_centre_at_given_height_m, lowest_roll_centre_m, highest_roll_centre(vehicle));
+    fit.agreeing_cg_height_m = fit.roll_centre_height_m == fit.roll_centre_at_given_height_m
+                                   ? h
+                                   : matched_cg_height_m(vehicle, ramps, fit.roll_centre_height_m);
+    fit.contradicts_data = std::abs(fit.agreeing_cg_height_m / h - 1.0) > largest_cg_change;
+    fit.cg_height_m = fit_cg_height ? fit.agreeing_cg_height_m : h;
     return fit;
 }
 
@@ -134,12 +141,13 @@ void match_dynamic_loads(const VehicleData& vehicle, const RollFit& roll,
                          const std::vector<PreparedDrive>& ramps, const std::vector<PreparedDrive>& dynamics,
                          LoadFit& fit) {
     double least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k <= 50; ++k) {
+    const double highest_m = highest_roll_centre(vehicle);
+    for (int k = 0; lowest_roll_centre_m + 0.01 * k <= highest_m; ++k) {
         const double roll_centre_m = lowest_roll_centre_m + 0.01 * k;
         VehicleData matched = vehicle;
         matched.sprung_cg_height_m = matched_cg_height_m(vehicle, ramps, roll_centre_m);
         const double change = matched.sprung_cg_height_m / vehicle.sprung_cg_height_m - 1.0;
-        if (std::abs(change) > largest_cg_change || roll_centre_m > 0.7 * vehicle.sprung_cg_height_m) {
+        if (std::abs(change) > largest_cg_change) {
             continue;
         }
         double squares = 0.0;

@@ -14,20 +14,22 @@ namespace sil {
 // with the body's CG moving sideways by H tan phi. This H is the effective one, tyres included: with it the
 // component's load transfer alpha A + M(phi) + c phi', alpha = m_s h_rc + m_u h_u, is that of the wheels.
 //
-// Where that asks for a roll centre outside 0 to 0.5 m, something else moves the CG sideways with the force:
-// tyres that give way do. Then the nearest roll centre is taken, and the CG height that the loads speak for
-// with it.
+// Where that asks for a roll centre below the road or higher than any suspension has it, something else moves
+// the CG sideways with the force: tyres that give way do. Then the nearest roll centre is taken. The CG
+// height that the loads speak for with it is the user's to decide on: it is fitted only on request.
 struct LoadFit {
     double roll_centre_at_given_height_m{};  // h_rc with the CG height of the vehicle data
     double deviation_m{};                    // of it, for a CG height known to 1 %
     double suspension_roll_centre_m{};       // the same without the tyres' roll: about h_rc of equation (24)
     double roll_centre_height_m{};           // what the component is given
+    double agreeing_cg_height_m{};           // what the loads speak for with that roll centre
     double cg_height_m{};                    // what the component is given
     bool contradicts_data{false};            // the CG height would have to change by more than 6 %
 };
 
 // Uses the ramps that have wheel loads; nothing when none has.
-std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps);
+std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps,
+                                 bool fit_cg_height);
 
 // Moves roll centre and CG height of a `fit` that had to leave the given CG height, together so that the slow
 // turns still agree, to where the dynamic drives' wheel loads agree best: there A and phi do not move as one.
@@ -42,9 +44,5 @@ std::vector<DriveResidual> load_transfer_residuals(const VehicleData& vehicle, c
 
 // alpha A + M(phi) + c phi', N m.
 double component_load_moment_nm(const VehicleData& vehicle, const RollFit& roll, const RollSample& sample);
-
-// Where most roll centres lie: between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to
-// 0.5 m).
-inline constexpr double usual_roll_centre_m = 0.2;
 
 }  // namespace sil

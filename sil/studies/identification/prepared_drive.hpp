@@ -3,28 +3,20 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "sil/studies/drives/drive.hpp"
+#include "sil/studies/identification/drive_signals.hpp"
 #include "sil/studies/identification/vehicle_data.hpp"
 
 namespace sil {
-
-// What a drive lacks to be of use; ready to be shown.
-class IdentificationError : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
 
 struct PreparationOptions {
     double filter_lag_s{0.03};
     double until_s{1.0e9};    // on the drive's clock; what comes later is not used
     double lift_share{0.85};  // without wheel loads: |A/N| stays below this share of c_w / (2 h)
 };
-
-inline constexpr double sample_time_s = 0.01;
 
 // One sample. Letters are those of docs/theory.md.
 struct RollSample {
@@ -57,8 +49,9 @@ struct PreparedDrive {
     std::string name;
     std::vector<RollSample> samples;
     SensorOffsets offsets;
-    std::optional<double> cut_s;  // nothing later was used
-    std::string cut_reason;       // in words, empty when nothing was cut
+    std::optional<double> cut_s;       // nothing later was used
+    std::string cut_reason;            // in words, empty when nothing was cut
+    bool cut_by_load_transfer{false};  // where a wheel lifts or is near it
     bool has_wheel_loads{false};
     bool has_steering{false};  // steering, speed and yaw rate
     double largest_parallel_mps2{0.0};

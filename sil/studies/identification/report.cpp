@@ -84,6 +84,13 @@ std::string identification_report(const Identification& result) {
     text += line("inertia Ixx", roll.inertia_kgm2, 1.0, "kg m^2", 0);
     text += line("dynamic drives stiffer by", roll.dynamic_stiffness_difference_nmprad, 1000.0,
                  "kN m/rad (not in the calibration)", 2);
+    if (roll.needed_up_to_rad > roll.data_end_rad) {
+        text += fmt::format(
+            "  the curve is known up to {:.2f} deg and extrapolated to {:.2f} deg, where its slope is {:.2f} "
+            "times that at the end of the data\n",
+            roll.data_end_rad * degrees_per_radian, roll.needed_up_to_rad * degrees_per_radian,
+            roll.slope_nmprad(roll.needed_up_to_rad) / roll.slope_nmprad(roll.data_end_rad));
+    }
     text += fmt::format("  condition number {:.0f}\n", roll.condition_number) + residuals_text(roll.drives);
     if (!result.loads) {
         text += "  Only K/H, c/H and Ixx/H are known from these drives; wheel loads would give H.\n";
@@ -110,6 +117,15 @@ std::string identification_report(const Identification& result) {
         text += fmt::format(
             "  R2 {:.4f}, residual {:.3f} deg at the front wheels; the yaw rate lags by {:.2f} s\n",
             steering.r_squared, steering.rms_rad * degrees_per_radian, steering.lag_s);
+    }
+    if (result.response) {
+        const ResponseFit& response = *result.response;
+        text += fmt::format(
+            "\nLateral response: A'' = w^2 (a_d - A) - 2 zeta w A', a_d from the steering\n"
+            "  w {:.2f} rad/s, within a factor of {:.2f}; zeta {:.2f}, within a factor of {:.2f}\n"
+            "  forecast of {:.1f} s: {:.3f} m/s^2 rms; along the trend {:.3f} m/s^2\n",
+            response.frequency_radps, response.frequency_factor, response.damping, response.damping_factor,
+            response_horizon_s, response.rms_mps2, response.trend_rms_mps2);
     }
     text += result.warnings.empty() ? "\nNothing to warn of.\n" : "\nWarnings\n";
     for (const std::string& warning : result.warnings) {
@@ -156,8 +172,7 @@ std::string fit_csv(const Identification& result) {
 }
 
 std::string curve_csv(const Identification& result) {
-    const double limit_rad =
-        1.2 * rollover_angle_rad(result.vehicle, result.roll.arm_m, result.roll.stiffness_nmprad.value);
+    const double limit_rad = 1.2 * rollover_angle_rad(result.vehicle, result.roll);
     std::string text = "roll_angle_deg,moment_nm,linear_moment_nm\n";
     for (int k = -100; k <= 100; ++k) {
         const double phi = 0.01 * k * limit_rad;

@@ -28,9 +28,25 @@ constexpr double offset_otherwise_g = 0.06;
 // Stops and bump rubbers stiffen a suspension; none grows soft.
 constexpr double least_slope_share = 0.5;
 constexpr double beyond_rollover = 1.5;
+// Where no drive shows the curve, its slope stays within these shares of the one where the data end, up to
+// the largest angle at which the component still needs it: a little beyond the lift of the inner wheels, so
+// far as a prediction looks. Further on every answer is "warn".
+constexpr double beyond_lift = 1.2;
+constexpr double least_slope_beyond_data = 0.5;
+constexpr double largest_slope_beyond_data = 2.0;
 constexpr int reweightings = 4;
 
 enum Unknown : Eigen::Index { k_f, k_2, k_4, c, ixx, dk, first_offset };
+
+// What the stiffness curve may be.
+struct Curve {
+    double freedom{1.0};  // scales how far it may bend; 0 is a line
+    bool quintic{true};   // otherwise K_4 is zero
+    // From where the data end to the second angle the slope shall stay, the more the larger `hold` is.
+    double data_end_rad{0.0};
+    double limit_rad{0.0};
+    double hold{0.0};
+};
 
 class RollProblem {
  public:
@@ -46,16 +62,15 @@ class RollProblem {
         rough_stiffness_nmprad_ = rough_stiffness();
     }
 
-    // `freedom` scales what the curve may be; 0 is a line. Without `quintic` K_4 stays zero.
-    RollFit solve(double curve_freedom, bool quintic) {
-        quintic_ = quintic;
+    RollFit solve(const Curve& curve) {
+        curve_ = curve;
         std::vector<double> deviation_nm(drives_.size(), 0.0);
         for (std::size_t i = 0U; i < drives_.size(); ++i) {
             deviation_nm[i] = 0.05 * moment_rms(*drives_[i].drive);
         }
         LinearFit linear;
         for (int pass = 0; pass < reweightings; ++pass) {
-            linear = solve_once(deviation_nm, curve_freedom);
+            linear = solve_once(deviation_nm);
             for (std::size_t i = 0U; i < drives_.size(); ++i) {
                 deviation_nm[i] =
                     std::max(residual(i, linear).rms, model_error_share * moment_rms(*drives_[i].drive));
@@ -89,7 +104,7 @@ class RollProblem {
         return mass_arm_kgm_ * std::sqrt(sum / static_cast<double>(drive.samples.size()));
     }
 
-    std::vector<Prior> priors(double curve_freedom) const {
+    std::vector<Prior> priors(double freedom) const {
         const double k = rough_stiffness_nmprad_;
         const double square = curve_reference_rad * curve_reference_rad;
         const double inertia = vehicle_.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle_));
@@ -98,8 +113,8 @@ class RollProblem {
         const double damping = 2.0 * 0.3 * std::sqrt(held * inertia);
         std::vector<Prior> priors{
             {k, k},
-            {0.0, curve_freedom * curve_share * k / square},
-            {0.0, (quintic_ ? curve_freedom : 1.0e-9) * curve_share * k / (square * square)},
+            {0.0, freedom * curve_share * k / square},
+            {0.0, (curve_.quintic ? freedom : 1.0e-9) * curve_share * k / (square * square)},
             {damping, damping},
             {inertia, inertia_share * inertia},
             {0.0, dynamic_stiffness_share * k}};
@@ -125,15 +140,33 @@ class RollProblem {
         return psi;
     }
 
-    LinearFit solve_once(const std::vector<double>& deviation_nm, double curve_freedom) const {
-        LinearProblem problem{priors(curve_freedom)};
+    LinearFit solve_once(const std::vector<double>& deviation_nm) const {
+        LinearProblem problem{priors(curve_.freedom)};
         for (std::size_t i = 0U; i < drives_.size(); ++i) {
             for (const RollSample& sample : drives_[i].drive->samples) {
                 problem.add(psi(i, sample), mass_arm_kgm_ * sample.overturning_mps2, deviation_nm[i],
                             sample_time_s / correlation_s);
             }
         }
+        if (curve_.hold > 0.0) {
+            hold_slope(problem);
+        }
         return problem.solve();
+    }
+
+    // As if the slope beyond the data had been seen to be that at their end.
+    void hold_slope(LinearProblem& problem) const {
+        constexpr int count = 5;
+        const double end = curve_.data_end_rad * curve_.data_end_rad;
+        for (int k = 1; k <= count; ++k) {
+            const double angle = curve_.data_end_rad + k * (curve_.limit_rad - curve_.data_end_rad) / count;
+            const double square = angle * angle;
+            Eigen::VectorXd psi =
+                Eigen::VectorXd::Zero(first_offset + static_cast<Eigen::Index>(drives_.size()));
+            psi[k_2] = 3.0 * (square - end);
+            psi[k_4] = 5.0 * (square * square - end * end);
+            problem.add(psi, 0.0, rough_stiffness_nmprad_, curve_.hold);
+        }
     }
 
     DriveResidual residual(std::size_t drive, const LinearFit& linear) const {
@@ -163,7 +196,7 @@ class RollProblem {
         fit.arm_m = arm_m_;
         fit.stiffness_nmprad = estimate(k_f);
         fit.stiffness_cubic_nmprad3 = estimate(k_2);
-        fit.stiffness_quintic_nmprad5 = quintic_ ? estimate(k_4) : Estimate{};
+        fit.stiffness_quintic_nmprad5 = curve_.quintic ? estimate(k_4) : Estimate{};
         fit.damping_nmsprad = estimate(c);
         fit.inertia_kgm2 = estimate(ixx);
         fit.dynamic_stiffness_difference_nmprad = estimate(dk);
@@ -178,7 +211,7 @@ class RollProblem {
     double mass_arm_kgm_;
     double arm_m_;
     double rough_stiffness_nmprad_{};
-    bool quintic_{true};
+    Curve curve_{};
     std::vector<Member> drives_;
 };
 
@@ -189,6 +222,29 @@ bool rises_up_to(const RollFit& fit, double limit_rad) {
         }
     }
     return true;
+}
+
+bool stays_plausible(const RollFit& fit, double limit_rad) {
+    const double at_end = fit.slope_nmprad(fit.data_end_rad);
+    for (int k = 1; k <= 100 && limit_rad > fit.data_end_rad; ++k) {
+        const double angle = fit.data_end_rad + 0.01 * k * (limit_rad - fit.data_end_rad);
+        const double share = fit.slope_nmprad(angle) / at_end;
+        if (share < least_slope_beyond_data || share > largest_slope_beyond_data) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double largest_angle_rad(const std::vector<PreparedDrive>& ramps,
+                         const std::vector<PreparedDrive>& dynamics) {
+    double largest = 0.0;
+    for (const auto* drives : {&ramps, &dynamics}) {
+        for (const PreparedDrive& drive : *drives) {
+            largest = std::max(largest, drive.largest_roll_angle_rad);
+        }
+    }
+    return largest;
 }
 
 // A body leans out of the turn: with roll angle and lateral acceleration in ISO 8855 signs both grow
@@ -299,21 +355,36 @@ RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<Pre
                  const std::vector<PreparedDrive>& dynamics) {
     refuse_without_excitation(ramps, dynamics);
     RollProblem problem{vehicle, arm_m, ramps, dynamics};
-    RollFit fit = problem.solve(1.0, true);
-    const bool quintic = fit.stiffness_quintic_nmprad5.value > 0.0;
-    if (!quintic) {
-        fit = problem.solve(1.0, false);
+    Curve curve;
+    curve.data_end_rad = largest_angle_rad(ramps, dynamics);
+    const auto solve = [&] {
+        RollFit fit = problem.solve(curve);
+        fit.data_end_rad = curve.data_end_rad;
+        return fit;
+    };
+    RollFit fit = solve();
+    curve.quintic = fit.stiffness_quintic_nmprad5.value > 0.0;
+    if (!curve.quintic) {
+        fit = solve();
     }
-    double freedom = 1.0;
-    for (int pass = 0; pass < 20; ++pass) {
-        const double rollover_rad = rollover_angle_rad(vehicle, arm_m, fit.stiffness_nmprad.value);
-        if (rises_up_to(fit, beyond_rollover * rollover_rad)) {
+    bool flattened = false, held = false;
+    for (int pass = 0; pass < 30; ++pass) {
+        const double lift_rad = rollover_angle_rad(vehicle, fit);
+        curve.limit_rad = beyond_lift * lift_rad;
+        if (!rises_up_to(fit, beyond_rollover * lift_rad)) {
+            flattened = true;
+            curve.freedom *= 0.6;
+        } else if (!stays_plausible(fit, curve.limit_rad)) {
+            held = true;
+            curve.hold = curve.hold > 0.0 ? 3.0 * curve.hold : 1.0;
+        } else {
             break;
         }
-        freedom *= 0.6;
-        fit = problem.solve(freedom, quintic);
-        fit.curve_flattened = true;
+        fit = solve();
     }
+    fit.curve_flattened = flattened;
+    fit.curve_held = held;
+    fit.needed_up_to_rad = beyond_lift * rollover_angle_rad(vehicle, fit);
     return fit;
 }
 
@@ -322,15 +393,15 @@ double usual_roll_inertia_kgm2(const VehicleData& vehicle) {
     return vehicle.sprung_mass_kg * radius_m * radius_m;
 }
 
-// K phi = m_s H g [T(phi) + tan phi], T(phi) = (c_w/2 - H tan phi)/h; the left side rises faster.
-double rollover_angle_rad(const VehicleData& vehicle, double arm_m, double stiffness_nmprad) {
-    const double weight_moment_nm = vehicle.sprung_mass_kg * arm_m * g_mps2;
+// M(phi) = m_s H g [T(phi) + tan phi], T(phi) = (c_w/2 - H tan phi)/h; the left side rises faster.
+double rollover_angle_rad(const VehicleData& vehicle, const RollFit& fit) {
+    const double weight_moment_nm = vehicle.sprung_mass_kg * fit.arm_m * g_mps2;
     double low = 0.0, high = 0.6;
     for (int k = 0; k < 50; ++k) {
         const double phi = 0.5 * (low + high);
         const double threshold =
-            (0.5 * vehicle.track_width_m - arm_m * std::tan(phi)) / vehicle.sprung_cg_height_m;
-        (stiffness_nmprad * phi < weight_moment_nm * (threshold + std::tan(phi)) ? low : high) = phi;
+            (0.5 * vehicle.track_width_m - fit.arm_m * std::tan(phi)) / vehicle.sprung_cg_height_m;
+        (fit.moment_nm(phi) < weight_moment_nm * (threshold + std::tan(phi)) ? low : high) = phi;
     }
     return low;
 }

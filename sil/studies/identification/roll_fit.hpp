@@ -33,7 +33,10 @@ struct RollFit {
     Estimate dynamic_stiffness_difference_nmprad;  // by which the dynamic drives are stiffer than the ramps
     double condition_number{};
     std::vector<DriveResidual> drives;  // ramps first; in N m
+    double data_end_rad{};              // the largest roll angle of the drives; the curve beyond is a guess
+    double needed_up_to_rad{};          // by the component: a little beyond the lift of the inner wheels
     bool curve_flattened{false};        // the curve had to be held back to rise up to rollover
+    bool curve_held{false};             // its slope beyond the data had to be
 
     double moment_nm(double roll_angle_rad) const;
     double slope_nmprad(double roll_angle_rad) const;
@@ -48,7 +51,7 @@ RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<Pre
 // The rule of thumb for Ixx of the sprung mass: radius of gyration 0.42 c_w.
 double usual_roll_inertia_kgm2(const VehicleData& vehicle);
 
-// Roll angle at which the body, on a linear suspension, has lost its inner wheels' load, (28).
-double rollover_angle_rad(const VehicleData& vehicle, double arm_m, double stiffness_nmprad);
+// Roll angle at which the inner wheels have lost their load in a slow turn, (28) with the curve.
+double rollover_angle_rad(const VehicleData& vehicle, const RollFit& fit);
 
 }  // namespace sil

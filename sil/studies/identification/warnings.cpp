@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sil/studies/identification/identification.hpp"
+#include "sil/studies/identification/roll_reference.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -15,6 +16,11 @@ constexpr double weak_share = 0.5;  // of what the rule of thumb leaves open
 // Of the rule of thumb; the fitted inertia of a body on its tyres is rather smaller than that of a rigid one.
 constexpr double least_inertia_share = 0.4;
 constexpr double largest_inertia_share = 1.3;
+// Radius of gyration over track width, of bodies that are given: beyond the largest scatter of vehicles.
+constexpr double least_gyration_share = 0.25;
+constexpr double largest_gyration_share = 0.65;
+// s^2/m: heavy vehicles have up to half of it.
+constexpr double largest_understeer_gradient = 0.015;
 
 class Warnings {
  public:
@@ -26,6 +32,8 @@ class Warnings {
         about_dynamics();
         about_roll_centre();
         about_steering();
+        about_response();
+        about_roll_reference();
         about_offsets();
         return std::move(warnings_);
     }
@@ -56,6 +64,7 @@ class Warnings {
                 "as a line; steer on to {:.2f} g for the whole curve",
                 reach_mps2 / g_mps2, reach_rad * degrees_per_radian, 0.8 * lift_g);
         }
+        about_extrapolation();
         if (result_.roll.curve_flattened) {
             warn(
                 "the stiffness curve that fits best would fall before the vehicle rolls over; it was held "
@@ -75,6 +84,19 @@ class Warnings {
                 "the fitted stiffness does not hold the body up, and the component will refuse it: check "
                 "masses, CG "
                 "height and the sign of the roll angle");
+        }
+    }
+
+    void about_extrapolation() {
+        const RollFit& roll = result_.roll;
+        if (roll.curve_held) {
+            warn(
+                "the drives show the stiffness up to {:.1f} deg of roll, and what fits best there would run "
+                "away "
+                "beyond, before {:.1f} deg, where the component still needs it: its slope is held between "
+                "half "
+                "and twice that at the end of the data. A ramp that goes further would show it",
+                roll.data_end_rad * degrees_per_radian, roll.needed_up_to_rad * degrees_per_radian);
         }
     }
 
@@ -111,6 +133,9 @@ class Warnings {
     // A wrong sign of imu_z_m hides in Ixx: both act with the roll acceleration.
     void about_inertia() {
         const VehicleData& vehicle = result_.vehicle;
+        if (vehicle.roll_inertia_kgm2) {
+            about_given_inertia(*vehicle.roll_inertia_kgm2);
+        }
         const double fitted = result_.roll.inertia_kgm2.value;
         const double usual = vehicle.roll_inertia_kgm2.value_or(usual_roll_inertia_kgm2(vehicle));
         if (fitted > least_inertia_share * usual && fitted < largest_inertia_share * usual) {
@@ -127,16 +152,31 @@ class Warnings {
             fitted, usual, other_sign);
     }
 
+    void about_given_inertia(double given_kgm2) {
+        const VehicleData& vehicle = result_.vehicle;
+        const double radius_m = std::sqrt(given_kgm2 / vehicle.sprung_mass_kg);
+        const double share = radius_m / vehicle.track_width_m;
+        if (share < least_gyration_share || share > largest_gyration_share) {
+            warn(
+                "roll_inertia_kgm2 of the vehicle data, {:.0f} kg m2, means a radius of gyration of {:.2f} "
+                "m, "
+                "{:.2f} track widths; bodies have 0.35 to 0.55. The fit leans on it: correct it (about the "
+                "roll axis of the sprung mass, in kg m2), or leave it out",
+                given_kgm2, radius_m, share);
+        }
+    }
+
     void about_roll_centre() {
         const VehicleData& vehicle = result_.vehicle;
         if (!result_.loads && !vehicle.roll_centre_height_m) {
             warn(
                 "without wheel loads a test drive gives only K/H, c/H and Ixx/H with H = h - h_rc: h_rc = "
-                "{:.2f} m is "
-                "assumed, and K, c and Ixx belong to it. Give roll_centre_height_m if you know it (0 to 0.15 "
-                "m "
-                "with independent suspensions, 0.3 to 0.5 m with rigid axles)",
-                result_.roll_centre_height_m);
+                "{:.2f} m is taken, the lowest, with which no lift-off is missed. It costs early warnings: "
+                "if "
+                "the roll centre lies at {:.2f} m, the component sees {:.0f} % more load transfer than there "
+                "is. Give roll_centre_height_m if you know it (0 to 0.15 m with independent suspensions, 0.3 "
+                "to 0.5 m with rigid axles, up to 0.9 m in trucks and buses)",
+                result_.roll_centre_height_m, rigid_axle_m(), 100.0 * cost_of_low_roll_centre());
         }
         if (!result_.loads) {
             return;
@@ -149,7 +189,18 @@ class Warnings {
                 "sprung CG at {:.3f} m, the vehicle data say {:.3f} m, and nothing was fitted to the loads: "
                 "check "
                 "height, masses and track width",
-                loads.roll_centre_height_m, loads.cg_height_m, result_.given_cg_height_m);
+                loads.roll_centre_height_m, loads.agreeing_cg_height_m, result_.given_cg_height_m);
+        } else if (loads.agreeing_cg_height_m != result_.given_cg_height_m &&
+                   loads.cg_height_m == result_.given_cg_height_m && !vehicle.roll_centre_height_m) {
+            warn(
+                "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
+                "that "
+                "give sideways do that. {:.2f} m is taken, and the CG height stays at {:.3f} m. A CG height "
+                "of "
+                "{:.3f} m would agree with the wheel loads: measure it again, or let it be fitted with "
+                "--fit-cg-height",
+                loads.roll_centre_at_given_height_m, loads.roll_centre_height_m, result_.given_cg_height_m,
+                loads.agreeing_cg_height_m);
         } else if (loads.cg_height_m != result_.given_cg_height_m && !vehicle.roll_centre_height_m) {
             warn(
                 "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
@@ -167,7 +218,73 @@ class Warnings {
         }
     }
 
+    double rigid_axle_m() const { return std::min(0.5, 0.5 * result_.vehicle.sprung_cg_height_m); }
+
+    // What more of the load transfer the component sees at lift-off than a vehicle has whose roll centre is
+    // that of a rigid axle: m_s h_rc g phi of (m_s h + m_u h_u) A + m_s (h - h_rc) g phi.
+    double cost_of_low_roll_centre() const {
+        const VehicleData& vehicle = result_.vehicle;
+        const double lift_rad = rollover_angle_rad(vehicle, result_.roll);
+        const double lean_nm = vehicle.sprung_mass_kg * g_mps2 * std::tan(lift_rad);
+        const double whole_nm = 0.5 * vehicle.total_mass_kg * g_mps2 * vehicle.track_width_m;
+        return rigid_axle_m() * lean_nm / (whole_nm - rigid_axle_m() * lean_nm);
+    }
+
+    void about_gradient() {
+        const SteeringFit& steering = *result_.steering;
+        const double gradient = steering.understeer_gradient_s2pm.value;
+        if (gradient < 0.0) {
+            warn(
+                "the understeer gradient is {:.5f} s2/m: negative, so the vehicle would be unstable above "
+                "{:.0f} "
+                "km/h. Check steering_ratio ({:.1f}), the unit of the steering-wheel angle (of the "
+                "handwheel, "
+                "not of the front wheels) and of yaw rate and speed",
+                gradient, std::sqrt(-result_.vehicle.wheelbase_m / gradient) * 3.6, steering.ratio.value);
+        } else if (gradient > largest_understeer_gradient) {
+            warn(
+                "the understeer gradient is {:.5f} s2/m, vehicles have 0.001 to 0.006: check steering_ratio "
+                "({:.1f}) and the unit of the steering-wheel angle, of yaw rate and of speed",
+                gradient, steering.ratio.value);
+        }
+    }
+
+    void about_response() {
+        if (result_.steering && (!result_.response || !result_.response->helps())) {
+            warn(
+                "how the lateral acceleration follows the steering does not show in the drives: the "
+                "component "
+                "will look ahead along the trend alone. A step steer or a lane change with a recorded "
+                "steering-wheel angle shows it");
+        } else if (result_.response && result_.response->at_a_bound) {
+            warn(
+                "the lateral response comes out at a bound of what is searched ({:.1f} rad/s, damping "
+                "{:.2f}): "
+                "check that steering-wheel angle and accelerometer are of one clock",
+                result_.response->frequency_radps, result_.response->damping);
+        }
+    }
+
+    void about_roll_reference() {
+        for (const auto* drives : {&result_.ramps, &result_.dynamics}) {
+            for (const PreparedDrive& drive : *drives) {
+                if (const auto doubt = roll_reference_doubt(result_.vehicle, result_.roll, drive)) {
+                    warn(
+                        "{}: {}. The roll angle seems to be one against gravity, as an attitude sensor gives "
+                        "it; "
+                        "fitted and used is the angle of the body relative to the road. Drive on a level "
+                        "road, "
+                        "and take the angle from ride-height sensors",
+                        drive.name, *doubt);
+                }
+            }
+        }
+    }
+
     void about_steering() {
+        if (result_.steering) {
+            about_gradient();
+        }
         if (!result_.steering) {
             warn(
                 "no ramp has steering-wheel angle, yaw rate and speed between 0.1 and 0.4 g: steering ratio "

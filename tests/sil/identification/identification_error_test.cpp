@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sil/studies/identification/identification.hpp"
+#include "sil/studies/identification/warnings.hpp"
 #include "tests/sil/identification/known_body.hpp"
 
 namespace {
@@ -126,6 +129,26 @@ TEST(UselessDrive, BlowsAfterAWheelHasLiftedAreNoWrongUnit) {
     EXPECT_EQ(refusal(ramp, good_steps()), "accepted");
 }
 
+TEST(UselessDrive, ARollAngleInAnotherUnitIsRefusedForThat) {
+    for (const double factor : {1.0 / 57.3, 57.3}) {
+        EXPECT_THAT(refusal(scaled(good_ramp(), &sil::DriveSample::roll_angle_rad, factor), good_steps()),
+                    AllOf(HasSubstr("known_body: the roll angle is"), HasSubstr("deg per g"),
+                          HasSubstr("rad in a column named roll_angle_deg")))
+            << factor;
+    }
+}
+
+TEST(UselessDrive, WithoutYawRateTheSizeOfTheAccelerationTellsItsUnit) {
+    sil::Drive wrong = scaled(good_ramp(), &sil::DriveSample::lateral_specific_force_mps2, 9.80665);
+    sil::Drive right = good_ramp();
+    for (sil::Drive* drive : {&wrong, &right}) {
+        *drive = scaled(*drive, &sil::DriveSample::yaw_rate_radps, sil::DriveSample::not_available);
+    }
+    EXPECT_THAT(refusal(wrong, good_steps()),
+                AllOf(HasSubstr("which no tyre gives"), HasSubstr("m/s^2 in a column named _g")));
+    EXPECT_EQ(refusal(right, good_steps()), "accepted");
+}
+
 std::vector<std::string> doubts(double imu_z_m, double inertia_kgm2) {
     KnownBody body;
     body.inertia_kgm2 = inertia_kgm2;
@@ -144,6 +167,88 @@ TEST(DoubtfulDrive, AWrongSignOfTheImusHeightIsDoubtedByTheInertiaThatItMakes) {
         EXPECT_THAT(doubts(body.imu_z_m, usual_kgm2), testing::Not(testing::Contains(HasSubstr("Ixx is "))))
             << usual_kgm2;
     }
+}
+
+// Each limit of a warning, one step inside and one outside.
+class WarningLimit : public testing::Test {
+ protected:
+    static const sil::Identification& good() {
+        static const sil::Identification result =
+            sil::identify(identification_test::data_sheet_of(KnownBody{}), {good_ramp()}, {good_steps()});
+        return result;
+    }
+
+    static bool warns(const sil::Identification& result, const char* text) {
+        const auto warnings = sil::identification_warnings(result);
+        return std::any_of(warnings.begin(), warnings.end(), [text](const std::string& warning) {
+            return warning.find(text) != std::string::npos;
+        });
+    }
+};
+
+TEST_F(WarningLimit, HalfOfWhatTheRuleOfThumbLeavesOpenIsWeak) {
+    for (const bool weak : {false, true}) {
+        const double share = weak ? 0.51 : 0.49;
+        sil::Identification result = good();
+        result.roll.inertia_kgm2.deviation = share * result.roll.inertia_kgm2.prior_deviation;
+        EXPECT_EQ(warns(result, "Ixx is weakly excited"), weak);
+        result = good();
+        result.roll.damping_nmsprad.deviation = share * result.roll.damping_nmsprad.prior_deviation;
+        EXPECT_EQ(warns(result, "the damping is weakly excited"), weak);
+    }
+}
+
+TEST_F(WarningLimit, FivePerCentStifferOrSofterInTheDynamicDriveIsSaid) {
+    for (const double side : {-1.0, 1.0}) {
+        for (const bool said : {false, true}) {
+            sil::Identification result = good();
+            result.roll.dynamic_stiffness_difference_nmprad.value =
+                side * (said ? 0.051 : 0.049) * result.roll.stiffness_nmprad.value;
+            EXPECT_EQ(warns(result, side > 0.0 ? "% stiffer than" : "% softer than"), said) << side;
+        }
+    }
+}
+
+TEST_F(WarningLimit, AnInertiaBeyondARuleOfThumbIsDoubted) {
+    const double usual = sil::usual_roll_inertia_kgm2(good().vehicle);
+    for (const double share : {0.39, 0.41, 1.29, 1.31}) {
+        sil::Identification result = good();
+        result.roll.inertia_kgm2.value = share * usual;
+        EXPECT_EQ(warns(result, "Ixx is "), share < 0.4 || share > 1.3) << share;
+    }
+}
+
+// Radius of gyration of a quarter of the track width to 0.65 of it.
+TEST_F(WarningLimit, AGivenInertiaThatNoBodyHasIsDoubted) {
+    const sil::VehicleData& vehicle = good().vehicle;
+    for (const double share : {0.24, 0.26, 0.64, 0.66}) {
+        sil::Identification result = good();
+        result.vehicle.roll_inertia_kgm2 =
+            vehicle.sprung_mass_kg * share * share * vehicle.track_width_m * vehicle.track_width_m;
+        EXPECT_EQ(warns(result, "radius of gyration"), share < 0.25 || share > 0.65) << share;
+    }
+}
+
+TEST_F(WarningLimit, ANegativeOrAbsurdUndersteerGradientIsDoubted) {
+    for (const double gradient : {-0.0001, 0.0, 0.0149, 0.0151}) {
+        sil::Identification result = good();
+        result.steering->understeer_gradient_s2pm.value = gradient;
+        EXPECT_EQ(warns(result, "the understeer gradient is"), gradient < 0.0 || gradient > 0.015)
+            << gradient;
+    }
+}
+
+TEST_F(WarningLimit, AResponseThatForecastsNoBetterThanTheTrendIsNone) {
+    sil::Identification result = good();
+    ASSERT_TRUE(result.response);
+    result.response->at_a_bound = false;
+    result.response->rms_mps2 = 0.99 * result.response->trend_rms_mps2;
+    EXPECT_FALSE(warns(result, "does not show in the drives"));
+    result.response->rms_mps2 = 1.01 * result.response->trend_rms_mps2;
+    EXPECT_TRUE(warns(result, "does not show in the drives"));
+    result.response->rms_mps2 = 0.0;
+    result.response->at_a_bound = true;
+    EXPECT_TRUE(warns(result, "at a bound of what is searched"));
 }
 
 TEST(DoubtfulDrive, WithoutSteeringTheGradientIsAssumedAndSaidSo) {

@@ -17,11 +17,22 @@ struct RollState {
     double acceleration{};
 };
 
-// m_s H (A + g tan phi) = M(phi) + c phi' + Ixx phi''
-double roll_acceleration(const KnownBody& body, const RollState& state, double lateral_mps2) {
+// Along the road and normal to it.
+struct Force {
+    double parallel_mps2{};
+    double normal_mps2{};
+};
+
+Force on_the_road(double lateral_mps2, double bank_rad) {
+    return {lateral_mps2 * std::cos(bank_rad) + sil::g_mps2 * std::sin(bank_rad),
+            sil::g_mps2 * std::cos(bank_rad) - lateral_mps2 * std::sin(bank_rad)};
+}
+
+// m_s H (A + N tan phi) = M(phi) + c phi' + Ixx phi''
+double roll_acceleration(const KnownBody& body, const RollState& state, const Force& force) {
     const double arm_m = body.sprung_cg_height_m - body.roll_centre_height_m;
     const double tipping_nm =
-        body.sprung_mass_kg * arm_m * (lateral_mps2 + sil::g_mps2 * std::tan(state.angle));
+        body.sprung_mass_kg * arm_m * (force.parallel_mps2 + force.normal_mps2 * std::tan(state.angle));
     return (tipping_nm - body.moment_nm(state.angle) - body.damping_nmsprad * state.rate) / body.inertia_kgm2;
 }
 
@@ -38,14 +49,14 @@ void set_wheel_loads(const KnownBody& body, const RollState& state, double later
 }
 
 // The IMU's forces from those at the CG, with the rigid body's kinematics and no pitch.
-void set_forces(const KnownBody& body, const RollState& state, double lateral_mps2, double yaw_rate,
+void set_forces(const KnownBody& body, const RollState& state, const Force& force, double yaw_rate,
                 double yaw_acceleration, sil::DriveSample& sample) {
     const double sine = std::sin(state.angle), cosine = std::cos(state.angle);
     const double p = state.rate, r = yaw_rate;
-    sample.lateral_specific_force_mps2 = lateral_mps2 * cosine + sil::g_mps2 * sine +
+    sample.lateral_specific_force_mps2 = force.parallel_mps2 * cosine + force.normal_mps2 * sine +
                                          yaw_acceleration * body.imu_x_m - state.acceleration * body.imu_z_m -
                                          (p * p + r * r) * body.imu_y_m;
-    sample.vertical_specific_force_mps2 = -lateral_mps2 * sine + sil::g_mps2 * cosine +
+    sample.vertical_specific_force_mps2 = -force.parallel_mps2 * sine + force.normal_mps2 * cosine +
                                           state.acceleration * body.imu_y_m +
                                           p * (r * body.imu_x_m - p * body.imu_z_m);
 }
@@ -70,25 +81,28 @@ sil::Drive drive_of(const KnownBody& body, double duration_s,
     for (int k = 0; step_s * k < duration_s; ++k) {
         const double time_s = step_s * k;
         const double lateral = lateral_mps2(time_s);
-        state.acceleration = roll_acceleration(body, state, lateral);
+        const double bank = recording.bank_rad ? recording.bank_rad(time_s) : 0.0;
+        const Force force = on_the_road(lateral, bank);
+        state.acceleration = roll_acceleration(body, state, force);
         if (k % steps_a_sample == 0) {
             sil::DriveSample sample;
             sample.time_s = time_s;
             sample.speed_mps = body.speed_mps;
             sample.roll_rate_radps = state.rate + recording.roll_rate_offset_radps;
-            sample.roll_angle_rad = state.angle + recording.roll_offset_rad;
+            sample.roll_angle_rad =
+                state.angle + recording.roll_offset_rad + (recording.roll_against_gravity ? bank : 0.0);
             sample.yaw_rate_radps = lateral / body.speed_mps;
             const double yaw_acceleration =
                 (lateral_mps2(time_s + 1.0e-3) - lateral_mps2(time_s - 1.0e-3)) / 2.0e-3 / body.speed_mps;
-            set_forces(body, state, lateral, sample.yaw_rate_radps, yaw_acceleration, sample);
+            set_forces(body, state, force, sample.yaw_rate_radps, yaw_acceleration, sample);
             sample.lateral_specific_force_mps2 += recording.lateral_offset_mps2;
             if (recording.steering) {
                 sample.steering_wheel_angle_rad =
-                    body.steering_ratio * lateral *
+                    body.steering_ratio * (recording.demand_mps2 ? recording.demand_mps2(time_s) : lateral) *
                     (body.wheelbase_m / (body.speed_mps * body.speed_mps) + body.understeer_gradient_s2pm);
             }
             if (recording.wheel_loads) {
-                set_wheel_loads(body, state, lateral, sample);
+                set_wheel_loads(body, state, force.parallel_mps2, sample);
             }
             drive.samples.push_back(sample);
         }

@@ -37,9 +37,12 @@ struct Recording {
     double lateral_offset_mps2{0.0};
     double roll_offset_rad{0.0};
     double roll_rate_offset_radps{0.0};
+    std::function<double(double)> demand_mps2{};  // what the steering asks for; empty: what comes
+    std::function<double(double)> bank_rad{};     // left side up is positive; empty: level
+    bool roll_against_gravity{false};             // as an attitude sensor gives the roll angle
 };
 
-// `lateral_mps2` is A over the time; the road is level and smooth, so N is g.
+// `lateral_mps2` is what the path asks for over the time: A where the road is level.
 sil::Drive drive_of(const KnownBody& body, double duration_s,
                     const std::function<double(double)>& lateral_mps2, const Recording& recording = {});
 

@@ -16,9 +16,10 @@ using testing::HasSubstr;
 using testing::Not;
 
 sil::Identification identified(const KnownBody& body, const sil::VehicleData& data,
-                               const Recording& recording = {}) {
+                               const Recording& recording = {},
+                               const sil::IdentificationOptions& options = {}) {
     return sil::identify(data, {identification_test::ramp_of(body, 5.5, recording)},
-                         {identification_test::steps_of(body, recording)});
+                         {identification_test::steps_of(body, recording)}, options);
 }
 
 void expect_body(const KnownBody& body, const sil::Identification& result, double share) {
@@ -151,8 +152,7 @@ TEST(KnownBodyTest, TheFittedCurveRisesUpToRollover) {
     body.stiffness_nmprad = 120.0e3;
     body.stiffness_cubic_nmprad3 = -7.0e6;
     const sil::Identification result = identified(body, identification_test::data_sheet_of(body));
-    const double limit_rad =
-        sil::rollover_angle_rad(result.vehicle, result.roll.arm_m, result.roll.stiffness_nmprad.value);
+    const double limit_rad = sil::rollover_angle_rad(result.vehicle, result.roll);
     for (double phi = 0.0; phi < limit_rad; phi += 0.002) {
         EXPECT_GT(result.roll.slope_nmprad(phi), 0.0) << phi;
     }
@@ -163,12 +163,101 @@ TEST(KnownBodyTest, MatchesTheCgHeightWhenTheWheelLoadsAskForAnImpossibleRollCen
     const KnownBody body;
     sil::VehicleData data = identification_test::data_sheet_of(body);
     data.sprung_cg_height_m = 0.96 * body.sprung_cg_height_m;
-    const sil::Identification result = identified(body, data);
+    sil::IdentificationOptions options;
+    options.fit_cg_height = true;
+    const sil::Identification result = identified(body, data, {}, options);
     EXPECT_GT(result.vehicle.sprung_cg_height_m, data.sprung_cg_height_m);
     EXPECT_GE(result.roll_centre_height_m, 0.0);
     for (const sil::DriveResidual& drive : result.load_transfer) {
         EXPECT_LT(drive.rms, 0.02) << drive.name;
     }
+}
+
+// The user has measured it; what the loads ask for is said.
+TEST(KnownBodyTest, LeavesTheCgHeightAloneUnlessAskedTo) {
+    const KnownBody body;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.sprung_cg_height_m = 0.96 * body.sprung_cg_height_m;
+    const sil::Identification result = identified(body, data);
+    EXPECT_DOUBLE_EQ(result.vehicle.sprung_cg_height_m, data.sprung_cg_height_m);
+    EXPECT_DOUBLE_EQ(result.roll_centre_height_m, 0.0);
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("--fit-cg-height")));
+    EXPECT_EQ(result.cg_height_origin, "vehicle data");
+}
+
+// A bus with rigid axles: its roll centre is its roll centre, and no height need be fitted.
+KnownBody bus(double roll_centre_height_m) {
+    KnownBody body;
+    body.sprung_cg_height_m = 1.9;
+    body.roll_centre_height_m = roll_centre_height_m;
+    body.track_width_m = 2.4;
+    return body;
+}
+
+TEST(KnownBodyTest, FindsTheRollCentreOfRigidAxles) {
+    for (const double height_m : {0.6, 0.9, 1.19}) {
+        const KnownBody body = bus(height_m);
+        const sil::Identification result = identified(body, identification_test::data_sheet_of(body));
+        EXPECT_NEAR(result.roll_centre_height_m, height_m, 0.005);
+        EXPECT_DOUBLE_EQ(result.vehicle.sprung_cg_height_m, body.sprung_cg_height_m);
+    }
+    const KnownBody too_high = bus(1.23);
+    EXPECT_DOUBLE_EQ(identified(too_high, identification_test::data_sheet_of(too_high)).roll_centre_height_m,
+                     1.2);
+}
+
+TEST(KnownBodyTest, TheRollCentreStaysBelowSevenTenthsOfTheCgHeight) {
+    KnownBody body;
+    body.roll_centre_height_m = 0.68 * body.sprung_cg_height_m;
+    EXPECT_NEAR(identified(body, identification_test::data_sheet_of(body)).roll_centre_height_m,
+                body.roll_centre_height_m, 0.003);
+    body.roll_centre_height_m = 0.72 * body.sprung_cg_height_m;
+    EXPECT_DOUBLE_EQ(identified(body, identification_test::data_sheet_of(body)).roll_centre_height_m,
+                     0.7 * body.sprung_cg_height_m);
+}
+
+TEST(KnownBodyTest, WithoutWheelLoadsTakesTheRollCentreThatMissesNothingAndSaysWhatItCosts) {
+    const KnownBody body;
+    Recording recording;
+    recording.wheel_loads = false;
+    const sil::VehicleData data = identification_test::data_sheet_of(body);
+    const sil::Identification result = identified(body, data, recording);
+    EXPECT_DOUBLE_EQ(result.roll_centre_height_m, 0.0);
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("It costs early warnings")));
+    // In a slow turn no roll centre on or above the road gives more load transfer.
+    for (const double height_m : {0.0, 0.2, 0.5}) {
+        sil::VehicleData given = data;
+        given.roll_centre_height_m = height_m;
+        const sil::Identification other = identified(body, given, recording);
+        const sil::RollSample& sample = result.ramps.front().samples[1200];
+        EXPECT_LE(sil::component_load_moment_nm(given, other.roll, sample),
+                  1.0001 * sil::component_load_moment_nm(data, result.roll, sample))
+            << height_m;
+    }
+}
+
+// 2 deg of roll say nothing about 6 deg.
+TEST(KnownBodyTest, TheCurveStaysPlausibleBeyondTheData) {
+    KnownBody body;
+    body.stiffness_cubic_nmprad3 = 1.2e7;
+    const sil::VehicleData data = identification_test::data_sheet_of(body);
+    const sil::Identification result =
+        sil::identify(data, {identification_test::ramp_of(body, 3.2)}, {identification_test::steps_of(body)});
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("held between half")));
+    const double at_end = result.roll.slope_nmprad(result.roll.data_end_rad);
+    const double lift_rad = sil::rollover_angle_rad(data, result.roll);
+    EXPECT_LT(result.roll.data_end_rad, 0.5 * lift_rad);
+    EXPECT_NEAR(result.roll.needed_up_to_rad, 1.2 * lift_rad, 0.001);
+    for (double phi = result.roll.data_end_rad; phi < 1.2 * lift_rad; phi += 0.001) {
+        EXPECT_GE(result.roll.slope_nmprad(phi), 0.5 * at_end) << phi;
+        EXPECT_LE(result.roll.slope_nmprad(phi), 2.0 * at_end) << phi;
+    }
+}
+
+TEST(KnownBodyTest, ACurveThatTheDataShowIsNotHeld) {
+    const KnownBody body;
+    EXPECT_THAT(identified(body, identification_test::data_sheet_of(body)).warnings,
+                Not(Contains(HasSubstr("held between half"))));
 }
 
 TEST(KnownBodyTest, SaysThatCgHeightAndWheelLoadsContradictEachOther) {

@@ -81,8 +81,8 @@ TEST_F(CalibrationFile, EveryNumberReachesItsOwnField) {
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
         SCOPED_TRACE(field.name);
         const rsi::Parameters good = sil::load_calibration((calibrations / "large_suv.toml").string());
-        // A little more than before; the file's numbers stay within what the component accepts.
-        const float changed = good.*field.member > 0.0F ? good.*field.member * 0.9999F : 0.001F;
+        // A little less than before, and 1 in place of 0: within what the component accepts.
+        const float changed = good.*field.member > 0.0F ? good.*field.member * 0.9999F : 1.0F;
         replace(field.name, std::string{field.name} + " = " + std::to_string(changed));
         test_support::write_text(path_, text_);
         const rsi::Parameters loaded = sil::load_calibration(path_.string());
