@@ -44,6 +44,28 @@ std::string moment_line(const char* what, const std::optional<EventMoment>& mome
                        moment->lateral_acceleration_mps2 / g_mps2);
 }
 
+std::string lead_text(const WarningJudgement& judgement) {
+    if (!judgement.lifted) {
+        return "none: no two wheels of a side have lifted";
+    }
+    const char* falling = to_string(judgement.falling_side);
+    if (judgement.lead_s) {
+        return fmt::format("{:7.3f} s before two-wheel lift-off, {} side", *judgement.lead_s, falling);
+    }
+    const char* named = to_string(judgement.side_at_lift_off);
+    if (judgement.side_at_lift_off != WarningSide::none) {
+        return fmt::format("none: the warning names the {} side, the vehicle falls to the {}", named,
+                           falling);
+    }
+    return fmt::format("none: no warning when the vehicle falls to the {}{}", falling,
+                       judgement.late ? ", one after it" : "");
+}
+
+std::string load_transfer_text(const WarningJudgement& judgement) {
+    return fmt::format("{:7.3f}, {}", judgement.largest_load_transfer_ratio,
+                       judgement.lifted ? "two wheels lifted" : to_string(judgement.band()));
+}
+
 // Names of the one-bit diagnostic flags that are set.
 std::string flags_of(const can_dbc::RolloverStatus& status) {
     std::string names;
@@ -86,10 +108,11 @@ void Account::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& e
 }
 
 void Account::report_state(const Truth& truth, const EcuOutput& output) {
-    if (output.state() == state_) {
+    if (output.state() == state_ && output.side() == side_) {
         return;
     }
     state_ = output.state();
+    side_ = output.side();
     const std::string side =
         output.side() == WarningSide::none ? "" : fmt::format(", {} side", to_string(output.side()));
     print_event(truth.time_s, fmt::format("ECU: {}{}", to_string(output.state()), side));
@@ -113,15 +136,14 @@ void Account::report_diagnostics(const Truth& truth, const can_dbc::RolloverStat
 void Account::end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent,
                   std::uint64_t missed_cycles) {
     print_line("");
-    print_line(moment_line("warning", events.warning) +
+    print_line(moment_line("first warning", events.warning) +
                (events.warning ? fmt::format(", {} side", to_string(events.warning_side)) : ""));
     print_line(moment_line("one-wheel lift-off", events.one_wheel_lift));
     print_line(moment_line("two-wheel lift-off", events.two_wheel_lift));
     print_line(moment_line("SSF crossing", events.ssf_crossing));
-    const std::optional<double> lead = events.lead_time_s();
-    print_line(
-        lead ? fmt::format("  {:<22} {:7.3f} s before two-wheel lift-off", "lead time", *lead)
-             : fmt::format("  {:<22} none: warning and two-wheel lift-off did not both happen", "lead time"));
+    print_line(fmt::format("  {:<22} {}", "lead time", lead_text(events.judgement)));
+    print_line(fmt::format("  {:<22} {:7.3f} s", "on the wrong side", events.judgement.wrong_side_s));
+    print_line(fmt::format("  {:<22} {}", "largest |LTR|", load_transfer_text(events.judgement)));
     print_line(fmt::format("  {:<22} {:.3f} g; final roll {:+.2f} deg", "largest |a_y|",
                            events.largest_lateral_acceleration_mps2 / g_mps2,
                            events.final_roll_angle_rad * degrees_per_radian));

@@ -21,6 +21,7 @@ class Account {
 
     double next_line_s_{0.0};
     WarningState state_{WarningState::unavailable};
+    WarningSide side_{WarningSide::none};
     bool one_wheel_told_{false};
     bool two_wheel_told_{false};
     bool ssf_told_{false};

@@ -38,7 +38,7 @@ bool is_interrupted() {
 }
 
 const std::vector<std::string>& replay_contents() {
-    static const std::vector<std::string> names{"indices.csv",  "warnings.csv", "events.gp",
+    static const std::vector<std::string> names{"indices.csv",  "warnings.csv", "diagnosis.csv", "events.gp",
                                                 "summary.json", "replay.svg",   "replay.png"};
     return names;
 }
@@ -79,7 +79,7 @@ class Replayer {
  public:
     explicit Replayer(const ReplayRequest& request)
         : request_{request},
-          parameters_{load_calibration(request.parameters.string())},
+          parameters_{load_calibration(request.parameters.string(), request.changes)},
           names_{drive_names(request.files)} {}
 
     void run() {
@@ -151,6 +151,7 @@ class Replayer {
     void write(const std::filesystem::path& folder, const ReplaySource& source, const DriveReplay& replay) {
         write_file_atomically(folder / "indices.csv", indices_csv(replay));
         write_file_atomically(folder / "warnings.csv", warnings_csv(replay));
+        write_file_atomically(folder / "diagnosis.csv", diagnosis_csv(replay));
         write_event_marks(replay.events, static_stability_factor(parameters_),
                           fmt::format("{}, {}", source.drive, source.parameters), folder / "events.gp");
         write_file_atomically(folder / "summary.json", replay_summary_json(source, replay, parameters_));
@@ -184,6 +185,10 @@ void add_replay_command(CLI::App& app, ReplayRequest& request) {
     replay->add_option("files", request.files, "Drives as CSV (docs/drives.md) or candump logs")->required();
     replay->add_option("--parameters", request.parameters, "Parameter file of the component (TOML)")
         ->required();
+    replay
+        ->add_option("--set", request.changes,
+                     "KEY=VALUE in place of what the parameter file says; may be repeated")
+        ->allow_extra_args(false);
     replay->add_option("--output", request.output, "Folder for the results")->required();
     replay->add_flag("--no-pictures", request.without_pictures, "Leave out the pictures");
     replay->callback([&request] { run_replay(request); });

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace sil {
@@ -10,6 +11,7 @@ namespace sil {
 struct ReplayRequest {
     std::vector<std::filesystem::path> files;  // CSV drives and candump logs
     std::filesystem::path parameters;
+    std::vector<std::string> changes;  // of the parameters, as "key=value"
     std::filesystem::path output;
     bool without_pictures{false};
 };

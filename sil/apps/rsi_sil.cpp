@@ -14,6 +14,7 @@
 #include "sil/apps/faults_command.hpp"
 #include "sil/apps/identify_command.hpp"
 #include "sil/apps/parameters_command.hpp"
+#include "sil/apps/population_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/results/bus_timing.hpp"
@@ -105,6 +106,7 @@ int main(int argc, char** argv) {
     add_timing(app, log);
     sil::add_replay_command(app, replay);
     sil::add_campaign(app);
+    sil::add_population_command(app);
     sil::add_faults_command(app);
     sil::add_identify_command(app);
     sil::add_parameters_command(app);

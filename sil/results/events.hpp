@@ -4,34 +4,25 @@
 #include <optional>
 
 #include "sil/results/ecu_output.hpp"
+#include "sil/results/two_wheel_lift.hpp"
+#include "sil/results/warning_judgement.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {
-
-// The vehicle's true state at the moment of an event.
-struct EventMoment {
-    double time_s{0.0};
-    double lateral_acceleration_mps2{0.0};  // horizontal, at the CG, > 0 in a left turn
-    double roll_angle_rad{0.0};             // relative to the road
-};
 
 struct RunEvents {
     std::optional<EventMoment> one_wheel_lift;   // the first time that any wheel carries no load
     std::optional<EventMoment> front_axle_lift;  // the same on the front axle: |LTR| of this axle is 1
     std::optional<EventMoment> rear_axle_lift;   // the same on the rear axle
-    std::optional<EventMoment> two_wheel_lift;   // the first time that both wheels of one side carry none
-    std::optional<EventMoment> ssf_crossing;     // the first time that |a_y| >= SSF g, SSF = c_w/(2h)
-    std::optional<EventMoment> warning;          // the first frame whose state is `warning`
-    WarningSide warning_side{WarningSide::none};
+    std::optional<EventMoment> two_wheel_lift;  // the beginning of the first lasting one (two_wheel_lift.hpp)
+    std::optional<EventMoment> ssf_crossing;    // the first time that |a_y| >= SSF g, SSF = c_w/(2h)
+    std::optional<EventMoment> warning;         // the first frame whose state is `warning`, for information
+    WarningSide warning_side{WarningSide::none};  // that it named
+    WarningJudgement judgement;                   // what the warning was worth
 
     double largest_lateral_acceleration_mps2{0.0};  // largest |a_y|
-    double largest_load_transfer_ratio{0.0};        // largest |LTR|, (26), of the wheel loads
     double final_roll_angle_rad{0.0};               // relative to the road, of the last truth
     double end_time_s{0.0};                         // of the last truth
-
-    // From the warning to two-wheel lift-off; negative when the warning came too late. Empty unless both
-    // happened.
-    std::optional<double> lead_time_s() const;
 };
 
 class EventObserver {
@@ -49,9 +40,13 @@ class EventObserver {
     const RunEvents& events() const { return events_; }
 
  private:
+    void observe_lift(const Truth& truth);
+
     double ssf_acceleration_mps2_;
     double start_time_s_;
     EventMoment latest_;
+    TwoWheelLiftObserver two_wheel_lift_;
+    WarningJudge judge_;
     RunEvents events_;
 };
 

@@ -30,11 +30,20 @@ Json time_of(const std::optional<EventMoment>& event) {
     return event ? number(event->time_s) : Json(nullptr);
 }
 
-Json side_of(const RunEvents& events) {
-    if (!events.warning || events.warning_side == WarningSide::none) {
-        return nullptr;
-    }
-    return to_string(events.warning_side);
+Json side(WarningSide side) {
+    return side == WarningSide::none ? Json(nullptr) : Json(to_string(side));
+}
+
+void add_judgement(Json& json, const WarningJudgement& judgement) {
+    json["falling_side"] = side(judgement.falling_side);
+    json["side_at_lift_off"] = side(judgement.side_at_lift_off);
+    json["wrong_side_duration_s"] = number(judgement.wrong_side_s);
+    json["load_transfer_band"] = judgement.lifted ? "lift" : to_string(judgement.band());
+    json["warnings"] = judgement.warnings;
+    json["advisories"] = judgement.advisories;
+    json["warning_duration_s"] = number(judgement.warning_s);
+    json["advisory_duration_s"] = number(judgement.advisory_s);
+    json["unavailable_duration_s"] = number(judgement.unavailable_s);
 }
 
 Json acceleration_of(const std::optional<EventMoment>& event) {
@@ -72,12 +81,12 @@ std::string summary_json(const Summary& summary) {
     json["quantisation_g"] = summary.quantisation_g;
     json["versions"] = json_of(summary.versions);
     json["warning_time_s"] = time_of(events.warning);
-    json["warning_side"] = side_of(events);
+    json["warning_side"] = side(events.warning_side);
     json["warning_ay_g"] = acceleration_of(events.warning);
     json["one_wheel_lift_time_s"] = time_of(events.one_wheel_lift);
     json["two_wheel_lift_time_s"] = time_of(events.two_wheel_lift);
     json["ssf_crossing_time_s"] = time_of(events.ssf_crossing);
-    json["lead_time_s"] = number(events.lead_time_s());
+    json["lead_time_s"] = number(events.judgement.lead_s);
     json["max_ay_g"] = number(events.largest_lateral_acceleration_mps2 / g_mps2);
     json["final_roll_deg"] = number(events.final_roll_angle_rad * degrees_per_radian);
     json["frames_sent"] = summary.frames_sent;
@@ -85,8 +94,9 @@ std::string summary_json(const Summary& summary) {
     json["in_process"] = summary.in_process;
     json["front_axle_lift_time_s"] = time_of(events.front_axle_lift);
     json["rear_axle_lift_time_s"] = time_of(events.rear_axle_lift);
-    json["max_load_transfer_ratio"] = number(events.largest_load_transfer_ratio);
+    json["max_load_transfer_ratio"] = number(events.judgement.largest_load_transfer_ratio);
     json["index_times_s"] = index_times(summary);
+    add_judgement(json, events.judgement);
     // Names come from the command line: bytes that are not UTF-8 are replaced and never thrown about.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -38,7 +38,13 @@ struct Summary {
 //   warning_time_s, warning_side ("left", "right"), warning_ay_g, one_wheel_lift_time_s,
 //   two_wheel_lift_time_s, ssf_crossing_time_s, lead_time_s, max_ay_g, final_roll_deg, frames_sent,
 //   frames_received, in_process, front_axle_lift_time_s, rear_axle_lift_time_s, max_load_transfer_ratio,
-//   index_times_s {published, bank_free, ... as the calibration's warning_indicator}.
+//   index_times_s {published, bank_free, ... as the calibration's warning_indicator}, falling_side,
+//   side_at_lift_off, wrong_side_duration_s, load_transfer_band, warnings, advisories, warning_duration_s,
+//   advisory_duration_s, unavailable_duration_s.
+// warning_time_s and warning_side are those of the first warning, whatever came of it. lead_time_s and what
+// follows index_times_s are the judgement (sil/results/warning_judgement.hpp): lead_time_s is null unless a
+// warning of the falling side is in force at two-wheel lift-off; load_transfer_band is "below 0.7",
+// "0.7 to 0.8", "0.8 to 0.9", "0.9 to lift" or "lift"; the start-up is not unavailable.
 // index_times_s: when each index was first at the level at which it says "warn" (1, rsi::indicator_level), to
 // the cycle; null as a whole unless the run was in process. front_axle_lift and rear_axle_lift are the first
 // lift-off of a wheel of that axle, of the true wheel loads, as is max_load_transfer_ratio, a magnitude.

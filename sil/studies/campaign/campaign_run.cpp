@@ -6,28 +6,32 @@
 #include <stdexcept>
 
 #include "sil/files/calibration_file.hpp"
+#include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
-#include "sil/studies/campaign/peaks.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {
 namespace {
 
-// Keeps every level of every cycle: which of them count is known only when two-wheel lift-off is.
-class LevelRecorder final : public RunObserver {
+// Keeps what every index says in every cycle: which of them count is known only when two-wheel lift-off is.
+class IndexRecorder final : public RunObserver {
  public:
-    LevelRecorder(const rsi::Outputs& outputs, const rsi::Parameters& parameters)
-        : outputs_{outputs}, parameters_{parameters} {
-        levels_.resize(campaign_indices().size());
+    IndexRecorder(const InProcessRun& run, const rsi::Parameters& parameters)
+        : run_{run}, parameters_{parameters} {
+        courses_.resize(campaign_indices().size());
     }
 
     void cycle(const Truth& truth, const SensorSample&, const EcuFrames&, const RunEvents&) override {
-        const IndexSample sample{outputs_, truth, parameters_};
-        times_s_.push_back(truth.time_s);
-        for (std::size_t i = 0U; i < levels_.size(); ++i) {
-            levels_[i].push_back(campaign_indices()[i].level(sample));
+        const rsi::Outputs& outputs = run_.outputs();
+        const bool by_sensor = outputs.roll_source == RSI_ROLL_SENSOR;
+        const IndexSample sample{outputs, truth, parameters_,
+                                 by_sensor ? run_.inputs().roll_angle_rad : outputs.observed_roll_angle_rad};
+        for (std::size_t i = 0U; i < courses_.size(); ++i) {
+            courses_[i].times_s.push_back(truth.time_s);
+            courses_[i].risks.push_back(campaign_indices()[i].risk(sample));
         }
     }
 
@@ -39,24 +43,21 @@ class LevelRecorder final : public RunObserver {
     }
     bool settled() const override { return outcome_.settled(); }
 
-    Outcome outcome() const { return outcome_.outcome(); }
+    const Outcome& outcome() const { return outcome_.outcome(); }
 
-    std::vector<IndexPeaks> peaks() const {
-        const auto cycles = static_cast<std::size_t>(
-            std::lround(static_cast<double>(parameters_.warning_confirmation_s) / cycle_time_s));
-        std::vector<IndexPeaks> all;
-        for (const std::vector<double>& levels : levels_) {
-            all.push_back(peaks_of(times_s_, levels, cycles, outcome().two_wheel_lift_time_s));
+    std::vector<IndexScore> scores() const {
+        std::vector<IndexScore> all;
+        for (const IndexCourse& course : courses_) {
+            all.push_back(score_of(course, parameters_, outcome_.lift_off()));
         }
         return all;
     }
 
  private:
-    const rsi::Outputs& outputs_;
+    const InProcessRun& run_;
     const rsi::Parameters& parameters_;
     OutcomeObserver outcome_{};
-    std::vector<double> times_s_{};
-    std::vector<std::vector<double>> levels_{};
+    std::vector<IndexCourse> courses_{};
 };
 
 }  // namespace
@@ -67,26 +68,29 @@ CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{setti
                              load_vehicle(vehicle.parameters), load_calibration(vehicle.calibration)});
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
-        manoeuvres_.push_back(find_manoeuvre(manoeuvre.name));
+        manoeuvres_.push_back(manoeuvre.name == ordinary_driving_name ? ordinary_driving(1U)
+                                                                      : find_manoeuvre(manoeuvre.name));
     }
 }
 
 CampaignRow CampaignWorld::run(std::uint64_t number) const {
     const DrawnRun drawn = prepare(number);
     InProcessRun run{drawn.vehicle, drawn.manoeuvre, drawn.options, drawn.sensors, drawn.calibration};
-    LevelRecorder recorder{run.outputs(), drawn.calibration};
+    IndexRecorder recorder{run, drawn.calibration};
     run.run(recorder);
 
     CampaignRow row;
     row.draw = drawn.draw;
     row.vehicle = vehicles_[drawn.draw.vehicle].name;
+    row.in_class = settings_.vehicles[drawn.draw.vehicle].in_class;
     row.manoeuvre = drawn.manoeuvre.name;
     row.speed_kmh = drawn.manoeuvre.initial_speed_mps * drawn.draw.speed_factor * 3.6;
     row.outcome = recorder.outcome();
     if (run.events().warning) {
         row.warning_time_s = run.events().warning->time_s;
     }
-    row.indices = recorder.peaks();
+    row.judgement = run.events().judgement;
+    row.indices = recorder.scores();
     return row;
 }
 

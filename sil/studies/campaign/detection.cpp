@@ -3,46 +3,68 @@
 #include <algorithm>
 #include <functional>
 
-#include "sil/studies/campaign/times.hpp"
-
 namespace sil {
 namespace {
 
-using TimeOf = std::function<std::optional<double>(const RecordedCampaignRun&)>;
-
-void add_lifted(Detection& detection, double lift_time_s, const std::optional<double>& time_s) {
-    const double lead_s = time_s ? lift_time_s - *time_s : -1.0;
-    detection.warned.add(lead_s >= -rounding_s);
-    detection.warned_100ms.add(lead_s >= early_s - rounding_s);
-    if (time_s) {
-        detection.lead_times_s.push_back(lead_s);
-    }
+std::size_t band_index(const RecordedCampaignRun& run) {
+    return static_cast<std::size_t>(load_band(run.largest_ltr));
 }
 
-Detection detection_of(const std::vector<RecordedCampaignRun>& runs, const TimeOf& time_of) {
-    Detection detection;
+// What one warning did in one run.
+struct Statement {
+    bool warned{false};
+    bool warned_100ms{false};
+    bool warned_200ms{false};
+    bool alarm{false};
+};
+
+Statement of_lead(const std::optional<double>& lead_s, bool alarm) {
+    return {is_warned(lead_s), is_warned(lead_s, early_s), is_warned(lead_s, very_early_s), alarm};
+}
+
+template <typename StatementOf>
+Detection detection_of(const std::vector<RecordedCampaignRun>& runs, const StatementOf& statement_of) {
+    ShareByVehicle warned;
+    ShareByVehicle warned_100ms;
+    ShareByVehicle warned_200ms;
+    ShareByVehicle false_alarms;
+    std::array<ShareByVehicle, band_count> alarms;
     for (const RecordedCampaignRun& run : runs) {
-        const std::optional<double> time_s = time_of(run);
-        switch (kind_of(run)) {
-            case RunKind::lifted:
-                add_lifted(detection, *run.two_wheel_lift_time_s, time_s);
-                break;
-            case RunKind::calm:
-                detection.false_alarms.add(time_s.has_value());
-                if (run.largest_ltr >= hard_ltr) {
-                    detection.hard_false_alarms.add(time_s.has_value());
-                }
-                break;
-            case RunKind::between:
-                detection.alarms_between.add(time_s.has_value());
-                break;
+        const Statement statement = statement_of(run);
+        if (is_lifted(run)) {
+            warned.add(run.vehicle, statement.warned);
+            warned_100ms.add(run.vehicle, statement.warned_100ms);
+            warned_200ms.add(run.vehicle, statement.warned_200ms);
+            continue;
+        }
+        alarms[band_index(run)].add(run.vehicle, statement.alarm);
+        if (is_calm(run)) {
+            false_alarms.add(run.vehicle, statement.alarm);
         }
     }
+    Detection detection;
+    detection.warned = warned.share();
+    detection.warned_100ms = warned_100ms.share();
+    detection.warned_200ms = warned_200ms.share();
+    detection.false_alarms = false_alarms.share();
+    std::transform(alarms.begin(), alarms.end(), detection.alarms.begin(),
+                   [](const ShareByVehicle& share) { return share.share(); });
     return detection;
 }
 
-// The peaks that decide at which thresholds runs of one kind are warned of, sorted.
-struct SortedPeaks {
+template <typename LeadOf>
+std::vector<double> leads_of(const std::vector<RecordedCampaignRun>& runs, const LeadOf& lead_of) {
+    std::vector<double> leads_s;
+    for (const RecordedCampaignRun& run : runs) {
+        if (is_lifted(run)) {
+            leads_s.push_back(lead_of(run).value_or(0.0));
+        }
+    }
+    return leads_s;
+}
+
+// The thresholds up to which runs of one kind are warned of, sorted.
+struct SortedThresholds {
     std::vector<double> values{};
 
     void sort() { std::sort(values.begin(), values.end()); }
@@ -54,53 +76,84 @@ struct SortedPeaks {
 
 }  // namespace
 
-RunKind kind_of(const RecordedCampaignRun& run) {
-    if (run.two_wheel_lift_time_s) {
-        return RunKind::lifted;
-    }
-    return run.largest_ltr < calm_ltr ? RunKind::calm : RunKind::between;
+bool is_lifted(const RecordedCampaignRun& run) {
+    return run.two_wheel_lift_time_s.has_value();
+}
+
+bool is_calm(const RecordedCampaignRun& run) {
+    return !is_lifted(run) && load_band(run.largest_ltr) != LoadBand::from_0_9;
 }
 
 Detection detection_of_warning(const std::vector<RecordedCampaignRun>& runs) {
-    return detection_of(runs, [](const RecordedCampaignRun& run) { return run.warning_time_s; });
+    Detection detection = detection_of(
+        runs, [](const RecordedCampaignRun& run) { return of_lead(run.lead_s, run.warnings > 0U); });
+    detection.lead_times_s = leads_of(runs, [](const RecordedCampaignRun& run) { return run.lead_s; });
+    return detection;
 }
 
 Detection detection_of_index(const std::vector<RecordedCampaignRun>& runs, std::size_t index) {
-    return detection_of(runs, [index](const RecordedCampaignRun& run) { return run.indices[index].time_s; });
+    Detection detection = detection_of(runs, [index](const RecordedCampaignRun& run) {
+        return of_lead(run.indices[index].lead_s, run.indices[index].threshold >= 1.0);
+    });
+    detection.lead_times_s =
+        leads_of(runs, [index](const RecordedCampaignRun& run) { return run.indices[index].lead_s; });
+    return detection;
+}
+
+Detection detection_at(const std::vector<RecordedCampaignRun>& runs, std::size_t index, double threshold) {
+    return detection_of(runs, [index, threshold](const RecordedCampaignRun& run) {
+        const RecordedIndex& recorded = run.indices[index];
+        return Statement{recorded.threshold >= threshold, recorded.threshold_100ms >= threshold,
+                         recorded.threshold_200ms >= threshold, recorded.threshold >= threshold};
+    });
 }
 
 std::vector<CurvePoint> detection_curve(const std::vector<RecordedCampaignRun>& runs, std::size_t index) {
-    SortedPeaks calm;
-    SortedPeaks between;
-    SortedPeaks lifted;
-    SortedPeaks lifted_100ms;
+    SortedThresholds calm;
+    std::array<SortedThresholds, band_count> bands;
+    SortedThresholds lifted;
+    SortedThresholds lifted_100ms;
+    SortedThresholds lifted_200ms;
     for (const RecordedCampaignRun& run : runs) {
         const RecordedIndex& recorded = run.indices[index];
-        switch (kind_of(run)) {
-            case RunKind::calm:
-                calm.values.push_back(recorded.peak);
-                break;
-            case RunKind::between:
-                between.values.push_back(recorded.peak);
-                break;
-            case RunKind::lifted:
-                lifted.values.push_back(recorded.peak);
-                lifted_100ms.values.push_back(recorded.peak_100ms_before);
-                break;
+        if (is_lifted(run)) {
+            lifted.values.push_back(recorded.threshold);
+            lifted_100ms.values.push_back(recorded.threshold_100ms);
+            lifted_200ms.values.push_back(recorded.threshold_200ms);
+            continue;
+        }
+        bands[band_index(run)].values.push_back(recorded.threshold);
+        if (is_calm(run)) {
+            calm.values.push_back(recorded.threshold);
         }
     }
     std::vector<double> thresholds;
-    for (SortedPeaks* peaks : {&calm, &between, &lifted, &lifted_100ms}) {
-        peaks->sort();
-        thresholds.insert(thresholds.end(), peaks->values.begin(), peaks->values.end());
+    const auto take = [&thresholds](SortedThresholds& kind) {
+        kind.sort();
+        thresholds.insert(thresholds.end(), kind.values.begin(), kind.values.end());
+    };
+    for (SortedThresholds* kind : {&calm, &lifted, &lifted_100ms, &lifted_200ms}) {
+        take(*kind);
     }
+    std::for_each(bands.begin(), bands.end(), take);
     std::sort(thresholds.begin(), thresholds.end(), std::greater<>{});
     thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
+    // 0 is no threshold: the run is warned of at none.
+    while (!thresholds.empty() && thresholds.back() <= 0.0) {
+        thresholds.pop_back();
+    }
 
     std::vector<CurvePoint> curve;
     for (const double threshold : thresholds) {
-        curve.push_back({threshold, calm.at(threshold), between.at(threshold), lifted.at(threshold),
-                         lifted_100ms.at(threshold)});
+        CurvePoint point;
+        point.threshold = threshold;
+        point.false_alarms = calm.at(threshold);
+        std::transform(bands.begin(), bands.end(), point.alarms.begin(),
+                       [threshold](const SortedThresholds& band) { return band.at(threshold); });
+        point.warned = lifted.at(threshold);
+        point.warned_100ms = lifted_100ms.at(threshold);
+        point.warned_200ms = lifted_200ms.at(threshold);
+        curve.push_back(point);
     }
     return curve;
 }
@@ -112,7 +165,8 @@ std::optional<CurvePoint> best_at(const std::vector<CurvePoint>& curve, double l
         const bool allowed =
             point.false_alarms.total > 0U && point.warned.total > 0U && point.false_alarms.value() <= limit;
         const bool better = !best || point.warned.count > best->warned.count ||
-                            point.warned_100ms.count > best->warned_100ms.count;
+                            point.warned_100ms.count > best->warned_100ms.count ||
+                            point.warned_200ms.count > best->warned_200ms.count;
         if (allowed && better) {
             best = point;
         }

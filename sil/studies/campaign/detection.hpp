@@ -1,33 +1,33 @@
-// Detection: how well a warning tells runs that lift two wheels from runs that lift none.
+// Detection: how well a warning tells runs that lift two wheels from runs that do not.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "sil/results/warning_judgement.hpp"
 #include "sil/studies/campaign/row_table.hpp"
 #include "sil/studies/campaign/statistics.hpp"
 
 namespace sil {
 
-// A run is calm while its largest |LTR| stays below this: no wheel lifts.
-inline constexpr double calm_ltr = 0.9;
-// Calm runs from here on are hard to tell from others; the rest of them say little about an index.
-inline constexpr double hard_ltr = 0.7;
+inline constexpr std::size_t band_count = sizeof(load_bands) / sizeof(load_bands[0]);
 
-enum class RunKind { calm, between, lifted };
+bool is_lifted(const RecordedCampaignRun& run);
 
-// `lifted`: both wheels of one side carried nothing for 50 ms or more. `between`: neither that nor calm.
-RunKind kind_of(const RecordedCampaignRun& run);
+// A run is calm when its largest |LTR| stays below 0.9: no wheel lifts.
+bool is_calm(const RecordedCampaignRun& run);
 
 // What came of one warning over many runs.
 struct Detection {
-    Share warned{};                      // of two-wheel lift-offs, before they happen or as they do
-    Share warned_100ms{};                // 0.1 s before them or earlier
-    Share false_alarms{};                // of calm runs
-    Share hard_false_alarms{};           // of calm runs with a largest |LTR| of hard_ltr or more
-    Share alarms_between{};              // of the runs in between
-    std::vector<double> lead_times_s{};  // of all two-wheel lift-offs that were warned of, negative if late
+    Share warned{};                          // of two-wheel lift-offs: is_warned(lead)
+    Share warned_100ms{};                    // with a lead of at least early_s
+    Share warned_200ms{};                    // very_early_s
+    Share false_alarms{};                    // of calm runs
+    std::array<Share, band_count> alarms{};  // of the runs of each LoadBand
+    // Of all two-wheel lift-offs, 0 for those that were not warned of.
+    std::vector<double> lead_times_s{};
 };
 
 // Of the firmware's warning state.
@@ -36,12 +36,16 @@ Detection detection_of_warning(const std::vector<RecordedCampaignRun>& runs);
 // Of an index with its threshold at 1.
 Detection detection_of_index(const std::vector<RecordedCampaignRun>& runs, std::size_t index);
 
+// Of an index with another threshold; its leads are not known.
+Detection detection_at(const std::vector<RecordedCampaignRun>& runs, std::size_t index, double threshold);
+
 struct CurvePoint {
     double threshold{0.0};  // alarm from here on
     Share false_alarms{};
-    Share alarms_between{};
+    std::array<Share, band_count> alarms{};
     Share warned{};
     Share warned_100ms{};
+    Share warned_200ms{};
 };
 
 // An index over thresholds, from the highest, which warns of the fewest runs, downwards: one point for each

@@ -62,6 +62,11 @@ std::size_t weighted_manoeuvre(const std::vector<CampaignManoeuvre>& manoeuvres,
     return manoeuvres.size() - 1U;
 }
 
+// A vehicle's own factor for a manoeuvre.
+double factor_of(const std::vector<double>& factors, std::size_t manoeuvre) {
+    return factors.empty() ? 1.0 : factors[manoeuvre];
+}
+
 }  // namespace
 
 RunDraw draw_run(const CampaignSettings& settings, std::uint64_t number) {
@@ -74,8 +79,11 @@ RunDraw draw_run(const CampaignSettings& settings, std::uint64_t number) {
     draw.manoeuvre = weighted_manoeuvre(settings.manoeuvres, random.unit(Quantity::manoeuvre));
     const CampaignManoeuvre& manoeuvre = settings.manoeuvres[draw.manoeuvre];
     draw.mirrored = random.unit(Quantity::direction) < 0.5;
-    draw.speed_factor = random.within(Quantity::speed_factor, manoeuvre.speed_factor);
-    draw.steering_factor = random.within(Quantity::steering_factor, manoeuvre.steering_factor);
+    const CampaignVehicle& vehicle = settings.vehicles[draw.vehicle];
+    draw.speed_factor = random.within(Quantity::speed_factor, manoeuvre.speed_factor) *
+                        factor_of(vehicle.speed_factors, draw.manoeuvre);
+    draw.steering_factor = random.within(Quantity::steering_factor, manoeuvre.steering_factor) *
+                           factor_of(vehicle.steering_factors, draw.manoeuvre);
     draw.friction_factor = random.within(Quantity::friction_factor, spread.friction_factor);
     draw.load_share = random.within(Quantity::load_share, spread.load_share);
     draw.load_height_factor = random.within(Quantity::load_height_factor, spread.load_height_factor);

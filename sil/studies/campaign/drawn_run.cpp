@@ -1,6 +1,7 @@
 #include "sil/studies/campaign/drawn_run.hpp"
 
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/load.hpp"
@@ -13,10 +14,16 @@ float with_error(double truth, double error) {
 }
 
 // Mass and CG height are wrong by the drawn shares of what they are in this run, load included: whatever the
-// load changes is a part of the error and not on top of it.
-rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& truth, const RunDraw& draw) {
-    calibration.sprung_mass_kg = with_error(truth.mass.sprung_kg, draw.mass_error);
-    calibration.sprung_cg_height_m = with_error(truth.geometry.cg_height_m, draw.cg_height_error);
+// load changes is a part of the error and not on top of it. Unless the settings say that nobody told the
+// load.
+rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& truth,
+                         const CampaignSpread& spread, const RunDraw& draw) {
+    const double mass_kg =
+        spread.load_is_known ? truth.mass.sprung_kg : static_cast<double>(calibration.sprung_mass_kg);
+    const double height_m = spread.load_is_known ? truth.geometry.cg_height_m
+                                                 : static_cast<double>(calibration.sprung_cg_height_m);
+    calibration.sprung_mass_kg = with_error(mass_kg, draw.mass_error);
+    calibration.sprung_cg_height_m = with_error(height_m, draw.cg_height_error);
     // The whole curve of the roll stiffness by the same share.
     for (float* coefficient : {&calibration.roll_stiffness_nmprad, &calibration.roll_stiffness_cubic_nmprad3,
                                &calibration.roll_stiffness_quintic_nmprad5}) {
@@ -48,7 +55,8 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
                    const rsi::Parameters& calibration, const Manoeuvre& manoeuvre) {
     DrawnRun run;
     run.draw = draw;
-    run.manoeuvre = manoeuvre;
+    // Who drives by chance drives otherwise in every run.
+    run.manoeuvre = manoeuvre.name == ordinary_driving_name ? ordinary_driving(draw.sensor_seed) : manoeuvre;
     run.vehicle = vehicle;
     // What the manoeuvre changes in the vehicle belongs to the truth that load and errors are counted from.
     if (manoeuvre.adapt_vehicle) {
@@ -58,7 +66,7 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
     run.vehicle = with_load(run.vehicle, draw.load_share * run.vehicle.mass.sprung_kg,
                             draw.load_height_factor * run.vehicle.geometry.cg_height_m);
     run.vehicle = with_friction(run.vehicle, draw.friction_factor);
-    run.calibration = mistaken(calibration, run.vehicle, draw);
+    run.calibration = mistaken(calibration, run.vehicle, settings.spread, draw);
     run.options.mirrored = draw.mirrored;
     run.options.speed_factor = draw.speed_factor;
     run.options.steering_factor = draw.steering_factor;

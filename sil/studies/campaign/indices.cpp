@@ -11,22 +11,26 @@
 namespace sil {
 namespace {
 
-std::function<double(const IndexSample&)> level_of(std::int32_t indicator) {
+std::function<rsi::RiskLevel(const IndexSample&)> risk_of(std::int32_t indicator) {
     return [indicator](const IndexSample& sample) {
         rsi::Parameters parameters = sample.parameters;
         parameters.warning_indicator = indicator;
-        return static_cast<double>(rsi::indicator_level(sample.outputs, parameters));
+        rsi::WarningIndicator reader;
+        reader.init(parameters);
+        const rsi::IndicatedRisk risk = reader.evaluate(sample.outputs, sample.roll_angle_rad);
+        return rsi::RiskLevel{risk.level, risk.direction};
     };
 }
 
-double true_load_transfer(const IndexSample& sample) {
-    return std::abs(true_load_transfer_ratio(sample.truth));
+rsi::RiskLevel true_load_transfer(const IndexSample& sample) {
+    const auto ratio = static_cast<float>(true_load_transfer_ratio(sample.truth));
+    return {std::abs(ratio), ratio};
 }
 
 std::vector<Index> all_indices() {
     std::vector<Index> indices;
     for (const char* name : rsi::indicator_choices) {
-        indices.push_back({name, level_of(static_cast<std::int32_t>(indices.size()))});
+        indices.push_back({name, risk_of(static_cast<std::int32_t>(indices.size()))});
     }
     indices.push_back({"true_load_transfer", true_load_transfer});
     return indices;

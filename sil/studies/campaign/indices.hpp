@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rsi/types.hpp"
+#include "rsi/warning/warning_state_machine.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {
@@ -15,11 +16,15 @@ struct IndexSample {
     const rsi::Outputs& outputs;
     const Truth& truth;
     const rsi::Parameters& parameters;  // of the firmware, wrong as they may be
+    float roll_angle_rad{0.0F};         // that the firmware uses; for the side of some
 };
 
 struct Index {
-    std::string name;                                 // of its columns
-    std::function<double(const IndexSample&)> level;  // 0 and above; NaN where there is none
+    std::string name;  // of its columns
+    // The level, 0 and above, NaN where there is none, and the side.
+    std::function<rsi::RiskLevel(const IndexSample&)> risk;
+
+    double level(const IndexSample& sample) const { return static_cast<double>(risk(sample).indicator); }
 };
 
 // In the order of their columns: every indicator that the firmware can be told to warn by, under the name

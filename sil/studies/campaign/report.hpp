@@ -2,6 +2,7 @@
 // data.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -15,30 +16,54 @@ namespace sil {
 // At which shares of false alarms the report looks up what an index could do.
 inline constexpr double false_alarm_limits[] = {0.001, 0.005, 0.01, 0.02, 0.05};
 
+// An index with the threshold that is best at one of false_alarm_limits.
+struct BestThreshold {
+    double threshold{0.0};
+    Detection detection{};
+};
+
 // One index, or the firmware's warning, over some runs.
 struct Judgement {
     std::string name{};
-    Detection detection{};                          // the warning itself, or the index at threshold 1
-    std::vector<std::optional<CurvePoint>> best{};  // at false_alarm_limits; empty for the warning
+    Detection detection{};                             // the warning itself, or the index at threshold 1
+    std::vector<std::optional<BestThreshold>> best{};  // at false_alarm_limits; empty for the warning
+};
+
+// What the firmware's warning did over the time of some runs.
+struct TimeAccount {
+    double duration_s{0.0};
+    double distance_m{0.0};
+    double wrong_side_s{0.0};
+    double unavailable_s{0.0};
+    std::size_t alarms{0U};
+    std::size_t advisories{0U};
 };
 
 // Some runs: all, those of one vehicle, or those of one manoeuvre.
 struct RunGroup {
     std::string name{};
     std::size_t runs{0U};
+    std::size_t vehicles{0U};
     std::size_t calm{0U};
-    std::size_t between{0U};
+    std::array<std::size_t, band_count> bands{};  // runs without two-wheel lift-off by LoadBand
     std::size_t lifted{0U};
-    std::size_t brief_lifts{0U};          // runs without a lasting two-wheel lift-off but with a brief one
+    std::size_t brief_lifts{0U};  // runs without a lasting two-wheel lift-off but with a brief one
+    TimeAccount time{};
     std::vector<Judgement> judgements{};  // the warning first, then the indices
 };
 
 struct CampaignReport {
-    std::uint64_t runs_wanted{0U};  // more than all.runs: the campaign has not finished
+    std::uint64_t runs_wanted{0U};  // more than there are: the campaign has not finished
     RunGroup all{};
     std::vector<RunGroup> vehicles{};
     std::vector<RunGroup> manoeuvres{};
     std::vector<std::vector<CurvePoint>> curves{};  // of the indices, over all runs
+    // Ordinary driving (sil/world/manoeuvres/mixed_driving.hpp) counts by the hour and kilometre, and in no
+    // share above.
+    std::size_t ordinary_runs{0U};
+    TimeAccount ordinary{};
+
+    bool complete() const { return all.runs + ordinary_runs >= runs_wanted; }
 };
 
 CampaignReport make_report(const RowTable& table, std::uint64_t runs_wanted);

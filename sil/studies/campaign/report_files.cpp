@@ -16,18 +16,20 @@ namespace {
 std::string curve_lines(const std::string& name, const std::vector<CurvePoint>& curve) {
     const auto place = [](const CurvePoint& point) {
         constexpr double steps = 5000.0;
-        return std::make_tuple(std::lround(steps * point.false_alarms.value()),
-                               std::lround(steps * point.warned.value()),
-                               std::lround(steps * point.warned_100ms.value()));
+        return std::make_tuple(
+            std::lround(steps * point.false_alarms.value()), std::lround(steps * point.warned.value()),
+            std::lround(steps * point.warned_100ms.value()), std::lround(steps * point.warned_200ms.value()));
     };
     std::string text;
     for (std::size_t i = 0U; i < curve.size(); ++i) {
         if (i == 0U || i + 1U == curve.size() || place(curve[i]) != place(curve[i - 1U])) {
             const CurvePoint& point = curve[i];
             CsvRow row;
-            row.text(name).number(point.threshold, 6);
-            for (const Share& share :
-                 {point.false_alarms, point.alarms_between, point.warned, point.warned_100ms}) {
+            row.text(name).number(point.threshold, 6).fixed(point.false_alarms.value(), 6);
+            for (const Share& share : point.alarms) {
+                row.fixed(share.value(), 6);
+            }
+            for (const Share& share : {point.warned, point.warned_100ms, point.warned_200ms}) {
                 row.fixed(share.value(), 6);
             }
             text += row.line() + "\n";
@@ -38,19 +40,22 @@ std::string curve_lines(const std::string& name, const std::vector<CurvePoint>& 
 
 std::string curves_csv(const CampaignReport& report) {
     std::string text =
-        "index,threshold,false_alarm_share,alarm_between_share,warned_share,warned_100ms_share\n";
+        "index,threshold,false_alarm_share,alarm_share_below_0.7,alarm_share_from_0.7,alarm_share_from_0.8,"
+        "alarm_share_from_0.9,warned_share,warned_100ms_share,warned_200ms_share\n";
     for (std::size_t i = 0U; i < report.curves.size(); ++i) {
         text += curve_lines(report.all.judgements[i + 1U].name, report.curves[i]);
     }
     return text;
 }
 
-// The share of two-wheel lift-offs with at least this lead.
+// The share of two-wheel lift-offs with at least this lead, down to 0.
 std::string leads_csv(const CampaignReport& report) {
     std::string text = "index,lead_time_s,share_with_at_least\n";
     for (const Judgement& judgement : report.all.judgements) {
         std::vector<double> leads_s = judgement.detection.lead_times_s;
         std::sort(leads_s.begin(), leads_s.end(), std::greater<>{});
+        const auto missed = std::find(leads_s.begin(), leads_s.end(), 0.0);
+        leads_s.erase(missed, leads_s.end());
         for (std::size_t i = 0U; i < leads_s.size(); ++i) {
             const double share = static_cast<double>(i + 1U) / static_cast<double>(report.all.lifted);
             text += CsvRow{}.text(judgement.name).fixed(leads_s[i], 3).fixed(share, 6).line() + "\n";
@@ -71,9 +76,11 @@ std::string picture_settings(const CampaignReport& report) {
     return fmt::format(
         "# What the pictures of a campaign need besides curves.csv and leads.csv.\n"
         "index_names = \"{}\"\nwarning_false_alarm_share = {}\nwarning_warned_share = {}\n"
-        "warning_warned_100ms_share = {}\nruns = {}\nlifted_runs = {}\ncalm_runs = {}\n",
+        "warning_warned_100ms_share = {}\nwarning_warned_200ms_share = {}\nruns = {}\nlifted_runs = "
+        "{}\ncalm_runs = {}\n",
         names, number(warning.false_alarms.value()), number(warning.warned.value()),
-        number(warning.warned_100ms.value()), report.all.runs, report.all.lifted, report.all.calm);
+        number(warning.warned_100ms.value()), number(warning.warned_200ms.value()), report.all.runs,
+        report.all.lifted, report.all.calm);
 }
 
 }  // namespace

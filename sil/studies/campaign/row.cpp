@@ -32,6 +32,7 @@ void put_draw(Cells& cells, const CampaignRow& row) {
     const RunDraw& draw = row.draw;
     cells.count("run", draw.number);
     cells.text("vehicle", row.vehicle);
+    cells.text("class", row.in_class);
     cells.text("manoeuvre", row.manoeuvre);
     cells.count("mirrored", draw.mirrored ? 1U : 0U);
     cells.number("speed_kmh", row.speed_kmh);
@@ -59,23 +60,34 @@ void put_outcome(Cells& cells, const CampaignRow& row) {
     cells.number("largest_roll_deg", outcome.largest_roll_angle_rad * degrees_per_radian);
     cells.count("rolled_over", outcome.rolled_over ? 1U : 0U);
     cells.time("end_time_s", outcome.end_time_s);
+    cells.number("distance_m", outcome.distance_m);
+}
+
+void put_judgement(Cells& cells, const CampaignRow& row) {
+    const WarningJudgement& judgement = row.judgement;
+    const auto side = [](WarningSide value) { return value == WarningSide::none ? "" : to_string(value); };
     cells.time("warning_time_s", row.warning_time_s);
-    std::optional<double> lead_s;
-    if (row.warning_time_s && outcome.two_wheel_lift_time_s) {
-        lead_s = *outcome.two_wheel_lift_time_s - *row.warning_time_s;
-    }
-    cells.time("lead_time_s", lead_s);
+    cells.text("falling_side", side(judgement.falling_side));
+    cells.text("side_at_lift_off", side(judgement.side_at_lift_off));
+    cells.time("lead_time_s", judgement.lead_s);
+    cells.time("wrong_side_duration_s", judgement.wrong_side_s);
+    cells.count("warnings", judgement.warnings);
+    cells.count("advisories", judgement.advisories);
+    cells.time("warning_duration_s", judgement.warning_s);
+    cells.time("advisory_duration_s", judgement.advisory_s);
+    cells.time("unavailable_duration_s", judgement.unavailable_s);
 }
 
 void put_indices(Cells& cells, const CampaignRow& row) {
-    static const IndexPeaks nothing;
+    static const IndexScore nothing;
     const std::vector<Index>& indices = campaign_indices();
     for (std::size_t i = 0U; i < indices.size(); ++i) {
-        const IndexPeaks& peaks = i < row.indices.size() ? row.indices[i] : nothing;
+        const IndexScore& score = i < row.indices.size() ? row.indices[i] : nothing;
         const std::string name = indices[i].name;
-        cells.number(name + "_peak", peaks.whole);
-        cells.number(name + "_peak_100ms_before", peaks.before_100ms);
-        cells.time(name + "_time_s", peaks.first_time_s);
+        cells.number(name + "_threshold", score.threshold);
+        cells.number(name + "_threshold_100ms", score.threshold_100ms);
+        cells.number(name + "_threshold_200ms", score.threshold_200ms);
+        cells.time(name + "_lead_time_s", score.lead_s);
     }
 }
 
@@ -83,6 +95,7 @@ std::string line_of(const CampaignRow& row, bool names) {
     Cells cells{names};
     put_draw(cells, row);
     put_outcome(cells, row);
+    put_judgement(cells, row);
     put_indices(cells, row);
     return cells.line();
 }

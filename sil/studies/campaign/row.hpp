@@ -5,20 +5,23 @@
 #include <string>
 #include <vector>
 
+#include "sil/results/warning_judgement.hpp"
 #include "sil/studies/campaign/draw.hpp"
+#include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/outcome.hpp"
-#include "sil/studies/campaign/peaks.hpp"
 
 namespace sil {
 
 struct CampaignRow {
     RunDraw draw{};
-    std::string vehicle{};  // its file's name without folder and ending
+    std::string vehicle{};   // its file's name without folder and ending
+    std::string in_class{};  // as the settings say
     std::string manoeuvre{};
     double speed_kmh{0.0};
     Outcome outcome{};
-    std::optional<double> warning_time_s{};  // of the firmware's state machine
-    std::vector<IndexPeaks> indices{};       // in the order of campaign_indices()
+    std::optional<double> warning_time_s{};  // of the firmware's first warning
+    WarningJudgement judgement{};            // of the firmware's warning
+    std::vector<IndexScore> indices{};       // in the order of campaign_indices()
 };
 
 // The columns of all rows, without the end of the line. docs/drives.md says what they mean.

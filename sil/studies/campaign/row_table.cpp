@@ -60,9 +60,9 @@ class Row {
     std::vector<CsvField> cells_{};
 };
 
-// Every column NAME_peak_100ms_before is of an index.
+// Every column NAME_threshold_100ms is of an index.
 std::vector<std::string> index_names(const std::vector<std::string>& columns) {
-    constexpr std::string_view ending = "_peak_100ms_before";
+    constexpr std::string_view ending = "_threshold_100ms";
     std::vector<std::string> names;
     for (const std::string& column : columns) {
         if (column.size() > ending.size() &&
@@ -81,10 +81,16 @@ RecordedCampaignRun run_of(const Row& row, const std::vector<std::string>& names
     run.largest_ltr = row.number("largest_ltr");
     run.two_wheel_lift_time_s = row.time("two_wheel_lift_time_s");
     run.brief_two_wheel_lift_time_s = row.time("brief_two_wheel_lift_time_s");
-    run.warning_time_s = row.time("warning_time_s");
+    run.end_time_s = row.number("end_time_s");
+    run.distance_m = row.number("distance_m");
+    run.lead_s = row.time("lead_time_s");
+    run.wrong_side_s = row.number("wrong_side_duration_s");
+    run.warnings = static_cast<unsigned>(row.number("warnings"));
+    run.advisories = static_cast<unsigned>(row.number("advisories"));
+    run.unavailable_s = row.number("unavailable_duration_s");
     for (const std::string& name : names) {
-        run.indices.push_back({row.number(name + "_peak"), row.number(name + "_peak_100ms_before"),
-                               row.time(name + "_time_s")});
+        run.indices.push_back({row.number(name + "_threshold"), row.number(name + "_threshold_100ms"),
+                               row.number(name + "_threshold_200ms"), row.time(name + "_lead_time_s")});
     }
     return run;
 }

@@ -9,10 +9,12 @@
 
 namespace sil {
 
+// See IndexScore.
 struct RecordedIndex {
-    double peak{0.0};                // up to two-wheel lift-off
-    double peak_100ms_before{0.0};   // up to 0.1 s before it
-    std::optional<double> time_s{};  // first at level 1
+    double threshold{0.0};
+    double threshold_100ms{0.0};
+    double threshold_200ms{0.0};
+    std::optional<double> lead_s{};  // with the threshold at 1
 };
 
 struct RecordedCampaignRun {
@@ -22,7 +24,14 @@ struct RecordedCampaignRun {
     double largest_ltr{0.0};
     std::optional<double> two_wheel_lift_time_s{};
     std::optional<double> brief_two_wheel_lift_time_s{};
-    std::optional<double> warning_time_s{};
+    double end_time_s{0.0};
+    double distance_m{0.0};
+    // Of the firmware's warning; see WarningJudgement.
+    std::optional<double> lead_s{};
+    double wrong_side_s{0.0};
+    unsigned warnings{0U};
+    unsigned advisories{0U};
+    double unavailable_s{0.0};
     std::vector<RecordedIndex> indices{};  // in the order of RowTable::index_names
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -37,6 +38,20 @@ void check_manoeuvre(const CampaignManoeuvre& manoeuvre) {
     check_within(manoeuvre.steering_factor, 0.0, 10.0, where + "steering_factor");
     check(manoeuvre.duration_s >= 0.0 && manoeuvre.duration_s <= 600.0, where + "duration_s",
           "seconds from 0 to 600 (0: the manoeuvre's own)");
+}
+
+void check_vehicle(const CampaignVehicle& vehicle, std::size_t manoeuvres) {
+    const std::string where = "vehicle " + vehicle.parameters + ": ";
+    check(vehicle.in_class.find_first_of(",\"\r\n") == std::string::npos, where + "class",
+          "a text without comma, quotation mark and end of line");
+    const auto check_factors = [&](const std::vector<double>& factors, const std::string& key) {
+        const bool good = std::all_of(factors.begin(), factors.end(),
+                                      [](double factor) { return factor >= 0.05 && factor <= 20.0; });
+        check(good && (factors.empty() || factors.size() == manoeuvres), where + key,
+              "one number from 0.05 to 20 for each manoeuvre, in their order");
+    };
+    check_factors(vehicle.speed_factors, "speed_factors");
+    check_factors(vehicle.steering_factors, "steering_factors");
 }
 
 void check_spread(const CampaignSpread& spread) {
@@ -77,6 +92,14 @@ std::string pair(const Interval& interval) {
     return fmt::format("[{}, {}]", number_text(interval.lowest), number_text(interval.highest));
 }
 
+std::string list(const std::string& key, const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) {
+        text += (text.empty() ? "" : ", ") + number_text(number);
+    }
+    return numbers.empty() ? text : key + " = [" + text + "]\n";
+}
+
 }  // namespace
 
 void check_campaign(const CampaignSettings& settings) {
@@ -87,6 +110,9 @@ void check_campaign(const CampaignSettings& settings) {
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         check_manoeuvre(manoeuvre);
     }
+    for (const CampaignVehicle& vehicle : settings.vehicles) {
+        check_vehicle(vehicle, settings.manoeuvres.size());
+    }
     check_spread(settings.spread);
 }
 
@@ -96,7 +122,10 @@ CampaignVehicle parse_campaign_vehicle(const std::string& text) {
         throw InputError(fmt::format(
             "--vehicle wants VEHICLE_FILE:CALIBRATION_FILE, two paths with a colon between, not {}", text));
     }
-    return {text.substr(0U, colon), text.substr(colon + 1U)};
+    CampaignVehicle vehicle;
+    vehicle.parameters = text.substr(0U, colon);
+    vehicle.calibration = text.substr(colon + 1U);
+    return vehicle;
 }
 
 std::string to_toml(const CampaignSettings& settings) {
@@ -105,6 +134,8 @@ std::string to_toml(const CampaignSettings& settings) {
     text += "friction_factor = " + pair(spread.friction_factor) + "\n";
     text += "load_share = " + pair(spread.load_share) + "\n";
     text += "load_height_factor = " + pair(spread.load_height_factor) + "\n";
+    // Like all that is left out below: only where it says something.
+    text += spread.load_is_known ? "" : "load_is_known = false\n";
     text += "cg_height_error = " + number_text(spread.cg_height_error) + "\n";
     text += "stiffness_error = " + number_text(spread.stiffness_error) + "\n";
     text += "mass_error = " + number_text(spread.mass_error) + "\n";
@@ -115,6 +146,9 @@ std::string to_toml(const CampaignSettings& settings) {
     for (const CampaignVehicle& vehicle : settings.vehicles) {
         text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n", quoted(vehicle.parameters),
                             quoted(vehicle.calibration));
+        text += vehicle.in_class.empty() ? "" : "class = " + quoted(vehicle.in_class) + "\n";
+        text +=
+            list("speed_factors", vehicle.speed_factors) + list("steering_factors", vehicle.steering_factors);
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         text +=

@@ -21,6 +21,11 @@ struct Interval {
 struct CampaignVehicle {
     std::string parameters;
     std::string calibration;
+    std::string in_class{};  // a group of the report; may be empty
+    // One for each manoeuvre, in their order: what is right for one vehicle is calm or wild for another.
+    // Times the drawn factors; empty: 1.
+    std::vector<double> speed_factors{};
+    std::vector<double> steering_factors{};
 };
 
 // One manoeuvre of the catalogue and how it is varied.
@@ -37,7 +42,10 @@ struct CampaignSpread {
     Interval friction_factor{1.0, 1.0};     // of the tyres
     Interval load_share{};                  // of the sprung mass, added as a point load
     Interval load_height_factor{1.0, 1.0};  // height of the load over the height of the sprung CG
-    double cg_height_error{0.0};            // share by which the calibration's value may be wrong, either way
+    // What the errors of mass and CG height are counted from: true values, load included, or those of the
+    // calibration, so that what the load changes comes on top.
+    bool load_is_known{true};
+    double cg_height_error{0.0};  // share by which the calibration's value may be wrong, either way
     double stiffness_error{0.0};
     double mass_error{0.0};
     double accelerometer_bias_g{0.0};

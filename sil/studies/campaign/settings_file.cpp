@@ -34,6 +34,10 @@ void read(TomlTable& table, std::string_view key, Interval& value) {
     }
 }
 
+void read(TomlTable& table, std::string_view key, std::vector<double>& value) {
+    value = table.has(key) ? table.numbers(key) : value;
+}
+
 CampaignManoeuvre read_manoeuvre(TomlTable table) {
     CampaignManoeuvre manoeuvre;
     manoeuvre.name = table.text("name");
@@ -47,6 +51,9 @@ CampaignManoeuvre read_manoeuvre(TomlTable table) {
 
 CampaignVehicle read_vehicle(TomlTable table) {
     CampaignVehicle vehicle{table.text("parameters"), table.text("calibration")};
+    vehicle.in_class = table.has("class") ? table.text("class") : std::string{};
+    read(table, "speed_factors", vehicle.speed_factors);
+    read(table, "steering_factors", vehicle.steering_factors);
     table.refuse_unknown_keys();
     return vehicle;
 }
@@ -55,6 +62,7 @@ void read_spread(TomlTable table, CampaignSpread& spread) {
     read(table, "friction_factor", spread.friction_factor);
     read(table, "load_share", spread.load_share);
     read(table, "load_height_factor", spread.load_height_factor);
+    read(table, "load_is_known", spread.load_is_known);
     read(table, "cg_height_error", spread.cg_height_error);
     read(table, "stiffness_error", spread.stiffness_error);
     read(table, "mass_error", spread.mass_error);

@@ -6,22 +6,51 @@
 
 namespace sil {
 
-ConfidenceInterval wilson_interval(std::size_t count, std::size_t total) {
-    if (total == 0U) {
+ConfidenceInterval wilson_interval(double count, double total) {
+    if (!(total > 0.0)) {
         return {};
     }
     constexpr double z = 1.959963984540054;  // of the normal distribution, 2.5 % on either side
-    const auto n = static_cast<double>(total);
-    const double p = static_cast<double>(count) / n;
-    const double centre = p + z * z / (2.0 * n);
-    const double half_width = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-    const double scale = 1.0 + z * z / n;
+    const double p = count / total;
+    const double centre = p + z * z / (2.0 * total);
+    const double half_width = z * std::sqrt(p * (1.0 - p) / total + z * z / (4.0 * total * total));
+    const double scale = 1.0 + z * z / total;
     return {std::max(0.0, (centre - half_width) / scale), std::min(1.0, (centre + half_width) / scale)};
 }
 
 double Share::value() const {
     return total == 0U ? std::numeric_limits<double>::quiet_NaN()
                        : static_cast<double>(count) / static_cast<double>(total);
+}
+
+ConfidenceInterval Share::confidence() const {
+    const double trials = independent > 0.0 ? independent : static_cast<double>(total);
+    return total == 0U ? ConfidenceInterval{} : wilson_interval(value() * trials, trials);
+}
+
+Share ShareByVehicle::share() const {
+    Share all;
+    for (const auto& [vehicle, share] : vehicles_) {
+        all.count += share.count;
+        all.total += share.total;
+    }
+    if (vehicles_.size() < fewest_clusters) {
+        return all;
+    }
+    const auto vehicles = static_cast<double>(vehicles_.size());
+    const auto total = static_cast<double>(all.total);
+    const double p = all.value();
+    double squares = 0.0;
+    for (const auto& [vehicle, share] : vehicles_) {
+        const double residual = static_cast<double>(share.count) - p * static_cast<double>(share.total);
+        squares += residual * residual;
+    }
+    const double variance = vehicles / (vehicles - 1.0) * squares / (total * total);
+    all.independent =
+        all.count == 0U || all.count == all.total
+            ? vehicles
+            : std::clamp(p * (1.0 - p) / std::max(variance, std::numeric_limits<double>::min()), 1.0, total);
+    return all;
 }
 
 std::optional<double> quantile(std::vector<double> values, double share) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace sil {
@@ -14,12 +16,14 @@ struct ConfidenceInterval {
 
 // Wilson's score interval of a binomial share, 95 % (E. B. Wilson, JASA 22, 1927); `count` of `total`. From 0
 // to 1 when the total is 0.
-ConfidenceInterval wilson_interval(std::size_t count, std::size_t total);
+ConfidenceInterval wilson_interval(double count, double total);
 
 // So many of so many.
 struct Share {
     std::size_t count{0U};
     std::size_t total{0U};
+    // As many independent trials say as much; 0: all of them are independent.
+    double independent{0.0};
 
     void add(bool counts) {
         count += counts ? 1U : 0U;
@@ -27,7 +31,23 @@ struct Share {
     }
     // NaN when the total is 0.
     double value() const;
-    ConfidenceInterval confidence() const { return wilson_interval(count, total); }
+    ConfidenceInterval confidence() const;
+};
+
+// From so many vehicles on, their runs are not taken for independent.
+inline constexpr std::size_t fewest_clusters = 10U;
+
+// A share of runs by vehicle. The runs of one vehicle are alike, so what counts for the interval are the
+// vehicles: the variance of the ratio estimator over them gives the number of independent runs that would
+// have it (the design effect of survey sampling; Wilson's interval with it). Where all runs or none count
+// there is no variance to see, and as many are taken as there are vehicles.
+class ShareByVehicle {
+ public:
+    void add(const std::string& vehicle, bool counts) { vehicles_[vehicle].add(counts); }
+    Share share() const;
+
+ private:
+    std::map<std::string, Share> vehicles_{};
 };
 
 // The value below which `share` (0 to 1) of the values lie, linear between neighbours: the smallest value at

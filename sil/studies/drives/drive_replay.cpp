@@ -1,9 +1,11 @@
 #include "sil/studies/drives/drive_replay.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hal/memory/frame_replay.hpp"
+#include "monitoring/diagnostic_code.hpp"
 #include "sil/studies/drives/frame_samples.hpp"
 #include "sil/studies/drives/resample.hpp"
 #include "sil/world/simulation/ecu_frames.hpp"
@@ -15,7 +17,8 @@
 namespace sil {
 namespace {
 
-// What EventObserver wants to know; the wheels stay on the road, because lift-off is found elsewhere.
+// What EventObserver wants to know; the wheels stay on the road, because lift-off is found elsewhere, and the
+// warning is judged by it.
 Truth known_truth(const ReplayCycle& cycle) {
     Truth truth;
     truth.time_s = cycle.sample.time_s;
@@ -24,6 +27,46 @@ Truth known_truth(const ReplayCycle& cycle) {
     truth.wheel_load_n.fill(1.0);
     return truth;
 }
+
+constexpr std::size_t code_count = monitoring::diagnostic_code_count;
+static_assert(code_count <= 64U, "a set of codes has 64 bits");
+
+// The frames tell of one code a cycle, round and round: one that is no longer told of is gone.
+class CodeListener {
+ public:
+    void take(const can_dbc::RolloverDiagnosis& diagnosis) {
+        using Status = can_dbc::RolloverDiagnosis::CodeStatus;
+        ++now_;
+        const auto told = static_cast<std::size_t>(diagnosis.code);
+        if (told == 0U) {
+            told_.fill({});
+            return;
+        }
+        told_.at(told) = {now_, diagnosis.code_status == Status::set,
+                          diagnosis.code_status == Status::confirmed};
+    }
+
+    DiagnosticCodes codes() const {
+        DiagnosticCodes codes;
+        for (std::size_t code = 1U; code < code_count; ++code) {
+            const Told& told = told_[code];
+            const std::uint64_t bit = std::uint64_t{1U} << code;
+            const bool recent = now_ - told.at <= code_count;
+            codes.set |= recent && (told.set || told.confirmed) ? bit : 0U;
+            codes.confirmed |= recent && told.confirmed ? bit : 0U;
+        }
+        return codes;
+    }
+
+ private:
+    struct Told {
+        std::size_t at{0U};
+        bool set{false};
+        bool confirmed{false};
+    };
+    std::array<Told, code_count> told_{};
+    std::size_t now_{0U};
+};
 
 // Steps the firmware and keeps what it says.
 class Recorder {
@@ -42,7 +85,11 @@ class Recorder {
         bool has_answer = false;
         hal::CanFrame frame;
         while (ecu_.world_bus().receive(frame) == hal::ReceiveResult::frame) {
-            has_answer = frames_.take(frame) == EcuFrameKind::warning || has_answer;
+            const EcuFrameKind kind = frames_.take(frame);
+            has_answer = has_answer || kind == EcuFrameKind::warning;
+            if (kind == EcuFrameKind::diagnosis) {
+                codes_.take(frames_.diagnosis());
+            }
         }
         ReplayCycle cycle;
         cycle.sample = sample;
@@ -50,9 +97,13 @@ class Recorder {
         cycle.ecu = frames_.output();
         cycle.load_transfer_ratio = load_transfer_ratio(sample);
         cycle.warning_level = static_cast<double>(cycle.outputs.warning_level);
+        cycle.codes = codes_.codes();
+        result_.confirmed_codes |= cycle.codes.confirmed;
         events_.observe(known_truth(cycle));
+        judge_.observe(sample.time_s, cycle.load_transfer_ratio);
         if (has_answer) {
             events_.observe(cycle.ecu, sample.time_s);
+            judge_.observe(cycle.ecu.state(), cycle.ecu.side(), sample.time_s);
         }
         result_.silent_cycles += has_frames ? 0U : 1U;
         result_.cycles.push_back(cycle);
@@ -63,6 +114,10 @@ class Recorder {
         result_.lift_off = lift_off;
         result_.events.one_wheel_lift = moment(lift_off.one_wheel_s);
         result_.events.two_wheel_lift = moment(lift_off.two_wheel_s);
+        if (result_.events.two_wheel_lift) {
+            judge_.lift_off({*result_.events.two_wheel_lift, falling_side(lift_off)});
+        }
+        result_.events.judgement = judge_.judgement();
         result_.frames_sent = frames_sent;
         result_.frames_received = frames_.frames_received();
         find_largest();
@@ -86,6 +141,13 @@ class Recorder {
         return result;
     }
 
+    // Without wheel loads the vehicle falls to the outside of its turn.
+    WarningSide falling_side(const LiftOff& lift_off) const {
+        return lift_off.falling_side != WarningSide::none
+                   ? lift_off.falling_side
+                   : loaded_side(result_.events.two_wheel_lift->lateral_acceleration_mps2);
+    }
+
     void find_largest() {
         const std::optional<double>& end_s = result_.lift_off.two_wheel_s;
         for (const ReplayCycle& cycle : result_.cycles) {
@@ -103,6 +165,8 @@ class Recorder {
     InProcessEcu ecu_;
     EcuFrames frames_;
     EventObserver events_;
+    WarningJudge judge_;
+    CodeListener codes_;
     DriveReplay result_;
 };
 
@@ -111,6 +175,17 @@ double seconds(hal::Time time) {
 }
 
 }  // namespace
+
+std::string code_names(std::uint64_t codes) {
+    std::string names;
+    for (std::size_t code = 1U; code < code_count; ++code) {
+        if (((codes >> code) & 1U) != 0U) {
+            names += (names.empty() ? "" : "; ") + std::string{can_dbc::RolloverDiagnosis::name_of(
+                                                       static_cast<can_dbc::RolloverDiagnosis::Code>(code))};
+        }
+    }
+    return names;
+}
 
 DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
                          const Interruption& interrupted) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "rsi/types.hpp"
@@ -16,11 +17,21 @@
 
 namespace sil {
 
+// Sets of diagnostic codes, one bit for each.
+struct DiagnosticCodes {
+    std::uint64_t set{0U};  // the fault is there, or not yet gone for long enough; confirmed ones included
+    std::uint64_t confirmed{0U};
+};
+
+// "imu lost; speed stuck"; empty without codes.
+std::string code_names(std::uint64_t codes);
+
 // One cycle of 10 ms.
 struct ReplayCycle {
     DriveSample sample;      // what was sent, before it became frames; of a log: what its frames say
     rsi::Outputs outputs{};  // what the component computed
     EcuOutput ecu;           // what the ECU's frames said
+    DiagnosticCodes codes;   // as far as its frames have told, one code a frame
     double load_transfer_ratio{EcuOutput::not_available};  // of the wheel loads
     double warning_level{EcuOutput::not_available};  // of the indicator that drives the warning; 1: warn
 };
@@ -30,6 +41,7 @@ struct DriveReplay {
     // The lateral acceleration is the one that the component measured, the roll angle the sensor's.
     RunEvents events;
     LiftOff lift_off;
+    std::uint64_t confirmed_codes{0U};  // at any time
     // Before two-wheel lift-off where there is one; NaN when there was no value.
     double largest_load_transfer_ratio{EcuOutput::not_available};  // |LTR|
     double largest_warning_level{EcuOutput::not_available};

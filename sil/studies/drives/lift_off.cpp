@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "sil/results/two_wheel_lift.hpp"
+
 namespace sil {
 namespace {
 
@@ -32,6 +34,19 @@ double static_wheel_load_n(const Drive& drive) {
     return *middle / wheel_count;
 }
 
+// By the loads at the given time, if there are any.
+WarningSide given_side(const Drive& drive) {
+    WarningSide side = WarningSide::none;
+    for (const DriveSample& sample : drive.samples) {
+        if (!drive.two_wheel_lift_s || sample.time_s > *drive.two_wheel_lift_s + time_rounding_s) {
+            break;
+        }
+        const WarningSide loaded = loaded_side(load_transfer_ratio(sample));
+        side = loaded == WarningSide::none ? side : loaded;
+    }
+    return side;
+}
+
 }  // namespace
 
 const char* to_string(LiftOffSource source) {
@@ -48,13 +63,14 @@ const char* to_string(LiftOffSource source) {
 
 LiftOff find_lift_off(const Drive& drive) {
     if (drive.lift_off_given) {
-        return {LiftOffSource::given, drive.one_wheel_lift_s, drive.two_wheel_lift_s};
+        return {LiftOffSource::given, drive.one_wheel_lift_s, drive.two_wheel_lift_s, given_side(drive)};
     }
     const double threshold_n = lifted_share * static_wheel_load_n(drive);
     if (std::isnan(threshold_n)) {
         return {};
     }
-    LiftOff result{LiftOffSource::wheel_loads, {}, {}};
+    LiftOff result{LiftOffSource::wheel_loads, {}, {}, {}};
+    TwoWheelLiftObserver two_wheels;
     for (const DriveSample& sample : drive.samples) {
         const auto lifted = [&](std::size_t wheel) { return sample.wheel_load_n[wheel] < threshold_n; };
         const bool left_front = lifted(front_left), right_front = lifted(front_right);
@@ -62,10 +78,12 @@ LiftOff find_lift_off(const Drive& drive) {
         if (!result.one_wheel_s && (left_front || right_front || left_rear || right_rear)) {
             result.one_wheel_s = sample.time_s;
         }
-        if ((left_front && left_rear) || (right_front && right_rear)) {
-            result.two_wheel_s = sample.time_s;
-            break;
-        }
+        two_wheels.observe({sample.time_s, sample.lateral_specific_force_mps2, sample.roll_angle_rad},
+                           left_front && left_rear, right_front && right_rear);
+    }
+    if (two_wheels.lift_off()) {
+        result.two_wheel_s = two_wheels.lift_off()->moment.time_s;
+        result.falling_side = two_wheels.lift_off()->side;
     }
     return result;
 }

@@ -30,7 +30,11 @@ constexpr CsvColumn<Cycle> input_columns[] = {
 };
 // clang-format on
 
-constexpr const char* word_columns[] = {"state", "side"};
+constexpr const char* word_columns[] = {"state", "side", "degradation", "codes_set", "codes_confirmed"};
+
+const char* degradation(const Cycle& cycle) {
+    return can_dbc::RolloverDiagnosis::name_of(cycle.ecu.of<can_dbc::RolloverDiagnosis>().degradation);
+}
 
 }  // namespace
 
@@ -60,7 +64,9 @@ std::string indices_csv(const DriveReplay& replay) {
         for (const rsi::CodeOutput& code : rsi::code_outputs) {
             row.number(static_cast<double>(cycle.outputs.*code.member), digits);
         }
-        text += row.text(to_string(cycle.ecu.state())).text(to_string(cycle.ecu.side())).line() + "\n";
+        row.text(to_string(cycle.ecu.state())).text(to_string(cycle.ecu.side())).text(degradation(cycle));
+        row.text(code_names(cycle.codes.set)).text(code_names(cycle.codes.confirmed));
+        text += row.line() + "\n";
     }
     return text;
 }
@@ -76,6 +82,23 @@ std::string warnings_csv(const DriveReplay& replay) {
             text += row.text(to_string(cycle.ecu.side())).line() + "\n";
         }
         previous = &cycle.ecu;
+    }
+    return text;
+}
+
+std::string diagnosis_csv(const DriveReplay& replay) {
+    std::string text = "time_s,degradation,codes_set,codes_confirmed\n";
+    std::string previous;
+    for (const ReplayCycle& cycle : replay.cycles) {
+        const std::string words = CsvRow{}
+                                      .text(degradation(cycle))
+                                      .text(code_names(cycle.codes.set))
+                                      .text(code_names(cycle.codes.confirmed))
+                                      .line();
+        if (words != previous) {
+            text += CsvRow{}.number(cycle.sample.time_s, digits).line() + "," + words + "\n";
+        }
+        previous = words;
     }
     return text;
 }

@@ -1,4 +1,5 @@
-// Replay CSV: every index over time, and every change of the warning, of a replayed drive.
+// Replay CSV: every index over time, and every change of the warning and of the diagnosis, of a replayed
+// drive.
 #pragma once
 
 #include <string>
@@ -9,8 +10,9 @@
 namespace sil {
 
 // Names of the columns of indices.csv, in their order; quantity and unit as in signals.csv. "sensor_" is what
-// the sensors said, "state" and "side" what the ECU's frames said, measured_load_transfer_ratio is of the
-// wheel loads; everything else are the component's outputs under their own names.
+// the sensors said, "state", "side", "degradation" and the diagnostic codes what the ECU's frames said,
+// measured_load_transfer_ratio is of the wheel loads; everything else are the component's outputs under their
+// own names.
 std::vector<std::string> indices_csv_columns();
 
 // Header and one row a cycle. What is not available is an empty field.
@@ -18,5 +20,9 @@ std::string indices_csv(const DriveReplay& replay);
 
 // time_s,state,side: the first cycle and every one at which state or side is another than before.
 std::string warnings_csv(const DriveReplay& replay);
+
+// time_s,degradation,codes_set,codes_confirmed: the first cycle and every one at which one of them is another
+// than before. The codes by their names, with a semicolon between; a confirmed one is set too.
+std::string diagnosis_csv(const DriveReplay& replay);
 
 }  // namespace sil

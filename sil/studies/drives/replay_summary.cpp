@@ -59,6 +59,12 @@ std::string replay_summary_json(const ReplaySource& source, const DriveReplay& r
     json["end_time_s"] = number(replay.events.end_time_s);
     json["cycles"] = replay.cycles.size();
     json["silent_cycles"] = replay.silent_cycles;
+    json["confirmed_codes"] = Json::array();
+    for (std::size_t code = 1U; code < 64U; ++code) {
+        if (((replay.confirmed_codes >> code) & 1U) != 0U) {
+            json["confirmed_codes"].push_back(code_names(std::uint64_t{1U} << code));
+        }
+    }
     json["ignored_columns"] = source.ignored_columns;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -21,7 +21,7 @@ struct ReplaySource {
 // quantisation_g) is null. Lateral accelerations are measured ones, the roll angle is the sensor's. Then:
 //   file, kind, verdict, lift_off_source ("given", "wheel loads", "unknown"), one_wheel_lead_time_s,
 //   largest_load_transfer_ratio, largest_warning_level (both before two-wheel lift-off), warning_indicator,
-//   start_time_s, end_time_s, cycles, silent_cycles, ignored_columns.
+//   start_time_s, end_time_s, cycles, silent_cycles, confirmed_codes (at any time), ignored_columns.
 std::string replay_summary_json(const ReplaySource& source, const DriveReplay& replay,
                                 const rsi::Parameters& parameters);
 

@@ -31,7 +31,10 @@ ReplayRow replay_row(const std::string& file, const std::string& drive, const Dr
     row.warning_s = time_of(events.warning);
     row.one_wheel_lift_s = time_of(events.one_wheel_lift);
     row.two_wheel_lift_s = time_of(events.two_wheel_lift);
-    row.lead_s = events.lead_time_s();
+    row.lead_s = events.judgement.lead_s;
+    row.wrong_side_s = events.judgement.wrong_side_s;
+    row.unavailable_s = events.judgement.unavailable_s;
+    row.confirmed_codes = code_names(replay.confirmed_codes);
     row.largest_load_transfer_ratio = replay.largest_load_transfer_ratio;
     row.largest_warning_level = replay.largest_warning_level;
     row.verdict = to_string(verdict(replay));
@@ -49,14 +52,17 @@ ReplayRow failed_row(const std::string& file, const std::string& drive) {
 std::string table_csv(const std::vector<ReplayRow>& rows) {
     std::string text =
         "file,drive,warning_time_s,one_wheel_lift_time_s,two_wheel_lift_time_s,lead_time_s,"
-        "largest_load_transfer_ratio,largest_warning_level,verdict\n";
+        "wrong_side_duration_s,unavailable_duration_s,largest_load_transfer_ratio,largest_warning_level,"
+        "verdict,confirmed_codes\n";
     for (const ReplayRow& row : rows) {
         CsvRow cells;
         cells.text(row.file).text(row.drive);
-        for (const auto& time_s : {row.warning_s, row.one_wheel_lift_s, row.two_wheel_lift_s, row.lead_s}) {
+        for (const auto& time_s : {row.warning_s, row.one_wheel_lift_s, row.two_wheel_lift_s, row.lead_s,
+                                   row.wrong_side_s, row.unavailable_s}) {
             cells.fixed(time_s, 3);
         }
-        cells.fixed(row.largest_load_transfer_ratio, 4).fixed(row.largest_warning_level, 4).text(row.verdict);
+        cells.fixed(row.largest_load_transfer_ratio, 4).fixed(row.largest_warning_level, 4);
+        cells.text(row.verdict).text(row.confirmed_codes);
         text += cells.line() + "\n";
     }
     return text;
@@ -69,15 +75,17 @@ std::string table_text(const std::vector<ReplayRow>& rows) {
         width = std::max(width, row.drive.size());
         ++counts[row.verdict];
     }
-    std::string text =
-        fmt::format("{:<{}}  {:>9}  {:>9}  {:>9}  {:>8}  {:>7}  {:>7}  {}\n", "drive", width, "warning s",
-                    "1 wheel s", "2 wheels s", "lead s", "|LTR|", "level", "verdict");
+    std::string text = fmt::format("{:<{}}  {:>9}  {:>9}  {:>10}  {:>8}  {:>7}  {:>7}  {:>7}  {:>7}  {}\n",
+                                   "drive", width, "warning s", "1 wheel s", "2 wheels s", "lead s",
+                                   "wrong s", "none s", "|LTR|", "level", "verdict");
     for (const ReplayRow& row : rows) {
-        fmt::format_to(std::back_inserter(text), "{:<{}}  {:>9}  {:>9}  {:>10}  {:>8}  {:>7}  {:>7}  {}\n",
-                       row.drive, width, number(row.warning_s, 2), number(row.one_wheel_lift_s, 2),
-                       number(row.two_wheel_lift_s, 2), number(row.lead_s, 2),
-                       number(row.largest_load_transfer_ratio, 3), number(row.largest_warning_level, 3),
-                       row.verdict);
+        fmt::format_to(std::back_inserter(text),
+                       "{:<{}}  {:>9}  {:>9}  {:>10}  {:>8}  {:>7}  {:>7}  {:>7}  {:>7}  {}{}\n", row.drive,
+                       width, number(row.warning_s, 2), number(row.one_wheel_lift_s, 2),
+                       number(row.two_wheel_lift_s, 2), number(row.lead_s, 2), number(row.wrong_side_s, 2),
+                       number(row.unavailable_s, 2), number(row.largest_load_transfer_ratio, 3),
+                       number(row.largest_warning_level, 3), row.verdict,
+                       row.confirmed_codes.empty() ? "" : " (" + row.confirmed_codes + ")");
     }
     text += fmt::format("{} drives:", rows.size());
     const char* separator = " ";

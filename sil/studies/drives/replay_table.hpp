@@ -15,7 +15,10 @@ struct ReplayRow {
     std::optional<double> warning_s;
     std::optional<double> one_wheel_lift_s;
     std::optional<double> two_wheel_lift_s;
-    std::optional<double> lead_s;
+    std::optional<double> lead_s;         // of a warning of the falling side
+    std::optional<double> wrong_side_s;   // time on the wrong side
+    std::optional<double> unavailable_s;  // beyond the start-up
+    std::string confirmed_codes;          // at any time
     double largest_load_transfer_ratio{EcuOutput::not_available};
     double largest_warning_level{EcuOutput::not_available};
     std::string verdict;  // see verdict.hpp; "failed" for a file that could not be replayed
@@ -25,7 +28,8 @@ ReplayRow replay_row(const std::string& file, const std::string& drive, const Dr
 ReplayRow failed_row(const std::string& file, const std::string& drive);
 
 // file, drive, warning_time_s, one_wheel_lift_time_s, two_wheel_lift_time_s, lead_time_s,
-// largest_load_transfer_ratio, largest_warning_level, verdict. What is not known or did not happen is empty.
+// wrong_side_duration_s, unavailable_duration_s, largest_load_transfer_ratio, largest_warning_level, verdict,
+// confirmed_codes. What is not known or did not happen is empty.
 std::string table_csv(const std::vector<ReplayRow>& rows);
 
 // The same in columns of even width, and a line that counts the verdicts.

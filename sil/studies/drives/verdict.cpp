@@ -1,36 +1,51 @@
 #include "sil/studies/drives/verdict.hpp"
 
+#include <cmath>
+
 namespace sil {
 namespace {
 
-constexpr double near_lift_ratio = 0.9;
+Verdict of_a_lift_off(const WarningJudgement& judgement) {
+    if (is_warned(judgement.lead_s)) {
+        return Verdict::ahead;
+    }
+    if (judgement.side_at_lift_off != WarningSide::none) {
+        return Verdict::wrong_side;
+    }
+    return judgement.late ? Verdict::late : Verdict::missed;
+}
 
 }  // namespace
 
 Verdict verdict(const DriveReplay& replay) {
     const RunEvents& events = replay.events;
-    if (replay.lift_off.source == LiftOffSource::unknown) {
-        return events.warning ? Verdict::warning : Verdict::no_warning;
+    if (events.judgement.lifted) {
+        return of_a_lift_off(events.judgement);
     }
-    if (events.two_wheel_lift) {
-        if (!events.warning) {
-            return Verdict::missed;
-        }
-        return events.warning->time_s < events.two_wheel_lift->time_s ? Verdict::ahead : Verdict::late;
-    }
+    const bool known = replay.lift_off.source != LiftOffSource::unknown;
     if (!events.warning) {
-        return Verdict::quiet;
+        if (events.judgement.unavailable_s > 0.0) {
+            return Verdict::unavailable;
+        }
+        return known ? Verdict::quiet : Verdict::no_warning;
+    }
+    if (!known) {
+        return Verdict::warning;
     }
     if (events.one_wheel_lift) {
         return Verdict::one_wheel_alarm;
     }
-    return replay.largest_load_transfer_ratio >= near_lift_ratio ? Verdict::near_alarm : Verdict::false_alarm;
+    const bool near = load_band(replay.largest_load_transfer_ratio) == LoadBand::from_0_9;
+    return near && std::isfinite(replay.largest_load_transfer_ratio) ? Verdict::near_alarm
+                                                                     : Verdict::false_alarm;
 }
 
 const char* to_string(Verdict verdict) {
     switch (verdict) {
         case Verdict::ahead:
             return "ahead";
+        case Verdict::wrong_side:
+            return "wrong side";
         case Verdict::late:
             return "late";
         case Verdict::missed:
@@ -41,6 +56,8 @@ const char* to_string(Verdict verdict) {
             return "near alarm";
         case Verdict::false_alarm:
             return "false alarm";
+        case Verdict::unavailable:
+            return "unavailable";
         case Verdict::quiet:
             return "quiet";
         case Verdict::warning:

@@ -6,12 +6,14 @@
 namespace sil {
 
 enum class Verdict : unsigned char {
-    ahead,            // two wheels lifted; the warning came before
-    late,             // two wheels lifted; the warning came with it or after
-    missed,           // two wheels lifted without a warning
+    ahead,            // two wheels lifted; a warning of the side that falls was in force
+    wrong_side,       // two wheels lifted; the warning in force named the other side
+    late,             // two wheels lifted; the right warning came after
+    missed,           // two wheels lifted without a warning, or after one that came and went
     one_wheel_alarm,  // a wheel lifted, but not two of a side; there was a warning
     near_alarm,       // no wheel lifted, but the largest |LTR| reached 0.9; there was a warning
     false_alarm,      // no wheel lifted; there was a warning, and |LTR| is below 0.9 or not known
+    unavailable,      // no two wheels lifted (or not known) and no warning; for some time there could be none
     quiet,            // no two wheels lifted and no warning
     warning,          // there was a warning; whether wheels lifted is not known
     no_warning        // there was none; whether wheels lifted is not known

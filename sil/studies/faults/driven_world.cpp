@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sil/studies/faults/mixed_driving.hpp"
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/simulation/pace.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "sil/studies/faults/chance.hpp"
+#include "sil/chance.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
 #include "sil/world/vehicle/parameters.hpp"

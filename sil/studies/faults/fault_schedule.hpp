@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sil/studies/faults/chance.hpp"
+#include "sil/chance.hpp"
 #include "sil/studies/faults/fault.hpp"
 
 namespace sil {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "sil/results/two_wheel_lift.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
@@ -40,10 +41,14 @@ Recording record(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre) {
     ManoeuvreRun plant{vehicle, manoeuvre};
     SensorSuite sensors = make_sensors(vehicle);
     Recording recording;
+    TwoWheelLiftObserver two_wheels;
     sensors.observe(plant.truth());
     for (;;) {
-        if (!recording.two_wheel_lift && two_wheels_have_lifted(plant.truth())) {
-            recording.two_wheel_lift = recording.samples.size();
+        const Truth& truth = plant.truth();
+        two_wheels.observe({truth.time_s, truth.lateral_acceleration_mps2, truth.roll_angle_rad},
+                           left_side_has_lifted(truth), right_side_has_lifted(truth));
+        if (two_wheels.lift_off()) {
+            recording.two_wheel_lift = cycles(two_wheels.lift_off()->moment.time_s);
         }
         recording.samples.push_back(sensors.report(plant.truth()));
         if (plant.finished() || std::abs(plant.truth().roll_angle_rad) > rolled_over_rad) {

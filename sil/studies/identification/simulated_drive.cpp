@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "sil/units.hpp"
-#include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
 
 namespace sil {
@@ -30,8 +29,9 @@ DriveSample recorded(const SensorSample& sensors, const Truth& truth) {
 
 }  // namespace
 
-Drive simulate_drive(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre, const SensorFlaws& flaws) {
-    ManoeuvreRun run{vehicle, manoeuvre};
+Drive simulate_drive(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre, const SensorFlaws& flaws,
+                     const RunOptions& options) {
+    ManoeuvreRun run{vehicle, manoeuvre, options};
     SensorSuite sensors{mounted_sensors(vehicle, flaws)};
     Drive drive;
     drive.name = manoeuvre.name;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sil/studies/drives/drive.hpp"
-#include "sil/world/manoeuvres/manoeuvre.hpp"
+#include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
@@ -12,7 +12,8 @@ namespace sil {
 
 // Drives the manoeuvre to its end. Sensors as `flaws` says, the IMU where the vehicle has it, wheel loads
 // true.
-Drive simulate_drive(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre, const SensorFlaws& flaws);
+Drive simulate_drive(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre, const SensorFlaws& flaws,
+                     const RunOptions& options = {});
 
 // As a drive CSV (docs/drives.md).
 std::string drive_csv(const Drive& drive);

@@ -42,10 +42,10 @@ SpringDamperParameters read_spring_damper(TomlTable& table) {
     p.spring_npm = table.number("spring_npm", {1.0e3, 2.0e6});
     p.jounce_clearance_m = table.number("jounce_clearance_m", {0.0, 1.0});
     p.rebound_clearance_m = table.number("rebound_clearance_m", {0.0, 1.0});
-    p.jounce_stop_npm2 = table.number("jounce_stop_npm2", {0.0, 5.0e6});
-    p.rebound_stop_npm2 = table.number("rebound_stop_npm2", {0.0, 5.0e6});
-    p.damper_bump_nspm = table.number("damper_bump_nspm", {0.0, 50.0e3});
-    p.damper_rebound_nspm = table.number("damper_rebound_nspm", {0.0, 50.0e3});
+    p.jounce_stop_npm2 = table.number("jounce_stop_npm2", {0.0, 50.0e6});
+    p.rebound_stop_npm2 = table.number("rebound_stop_npm2", {0.0, 50.0e6});
+    p.damper_bump_nspm = table.number("damper_bump_nspm", {0.0, 500.0e3});
+    p.damper_rebound_nspm = table.number("damper_rebound_nspm", {0.0, 500.0e3});
     return p;
 }
 
@@ -66,7 +66,7 @@ RearSuspensionParameters read_rear_suspension(TomlTable table) {
     p.spring_damper = read_spring_damper(table);
     p.spring_half_base_m = table.number("spring_half_base_m", {0.1, 2.0});
     p.damper_half_base_m = table.number("damper_half_base_m", {0.1, 2.0});
-    p.anti_roll_bar_nmprad = table.number("anti_roll_bar_nmprad", {0.0, 1.0e6});
+    p.anti_roll_bar_nmprad = table.number("anti_roll_bar_nmprad", {0.0, 10.0e6});
     p.panhard_pivot_m = table.number("panhard_pivot_m", {-0.5, 0.5});
     p.panhard_slope = table.number("panhard_slope", {-0.5, 0.5});
     p.panhard_length_m = table.number("panhard_length_m", {0.2, 3.0});
@@ -97,6 +97,7 @@ TyreParameters read_tyre(TomlTable table) {
 SteeringParameters read_steering(TomlTable table) {
     SteeringParameters p;
     p.ratio = table.number("ratio", {1.0, 60.0});
+    p.lag_s = table.has("lag_s") ? table.number("lag_s", {0.0, 1.0}) : 0.0;
     table.refuse_unknown_keys();
     return p;
 }

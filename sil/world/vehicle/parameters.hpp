@@ -83,6 +83,7 @@ struct TyreParameters {
 
 struct SteeringParameters {
     double ratio{};  // handwheel angle over road wheel angle
+    double lag_s{};  // by which the road wheels follow the handwheel; 0: at once
 };
 
 struct DrivelineParameters {

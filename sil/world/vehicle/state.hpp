@@ -19,6 +19,7 @@ struct State {
     std::array<double, 4> suspension_rate{};
     std::array<double, wheel_count> wheel_spin_radps{};  // > 0 when rolling forward
     std::array<TyreSlip, wheel_count> slip{};
+    double reached_handwheel_rad{0.0};  // the handwheel angle that the road wheels follow
 };
 
 }  // namespace sil

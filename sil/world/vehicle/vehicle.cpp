@@ -160,7 +160,9 @@ Vector3 Vehicle::front_wheel_position(int wheel) const {
 void Vehicle::evaluate(const DriverInput& input, double step_s) {
     evaluation_.rotation = state_.orientation.toRotationMatrix();
     evaluation_.steering_wheel_angle_rad = input.steering_wheel_angle_rad;
-    evaluation_.road_wheel = road_wheel_angle(parameters_.steering, input.steering_wheel_angle_rad);
+    state_.reached_handwheel_rad = reached_handwheel_rad(parameters_.steering, state_.reached_handwheel_rad,
+                                                         input.steering_wheel_angle_rad, step_s);
+    evaluation_.road_wheel = road_wheel_angle(parameters_.steering, state_.reached_handwheel_rad);
     evaluation_.tyre_force_body_n.setZero();
     const Matrix3& rotation = evaluation_.rotation;
     const Vector3& normal = evaluation_.road_normal =

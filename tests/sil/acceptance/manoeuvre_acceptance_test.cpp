@@ -40,7 +40,7 @@ TEST(JTurn110, IsWarnedOfBeforeTwoWheelsLift) {
     ASSERT_TRUE(run.events.two_wheel_lift.has_value());
     ASSERT_TRUE(run.events.ssf_crossing.has_value());
     EXPECT_EQ(run.events.warning_side, sil::WarningSide::right);
-    EXPECT_GE(run.events.lead_time_s().value(), 0.3);
+    EXPECT_GE(run.events.judgement.lead_s.value(), 0.3);
     EXPECT_GT(run.events.ssf_crossing->time_s, run.events.two_wheel_lift->time_s);
 }
 
@@ -54,7 +54,7 @@ TEST(JTurn110, IsWarnedOfByThePublishedIndicatorWhereThePaperSays) {
     ASSERT_TRUE(run.events.two_wheel_lift.has_value());
     EXPECT_GE(run.events.warning->lateral_acceleration_mps2, 0.70 * g_mps2);
     EXPECT_LE(run.events.warning->lateral_acceleration_mps2, 0.75 * g_mps2);
-    EXPECT_GE(run.events.lead_time_s().value(), 0.2);
+    EXPECT_GE(run.events.judgement.lead_s.value(), 0.2);
 }
 
 TEST(JTurn110, KeepsWarningUntilTheVehicleLiesOnItsSide) {
@@ -95,8 +95,8 @@ TEST(JTurn110, IsWarnedOfInTimeWithSensorNoise) {
         settings.seed = seed;
         const RunResult run = drive(settings);
 
-        ASSERT_TRUE(run.events.lead_time_s().has_value()) << "seed " << seed;
-        EXPECT_GE(*run.events.lead_time_s(), 0.2) << "seed " << seed;
+        ASSERT_TRUE(run.events.judgement.lead_s.has_value()) << "seed " << seed;
+        EXPECT_GE(*run.events.judgement.lead_s, 0.2) << "seed " << seed;
         EXPECT_EQ(run.events.warning_side, sil::WarningSide::right) << "seed " << seed;
     }
 }

@@ -43,7 +43,7 @@ TEST(Readme, ShowsTheFiguresOfTheLockStepRun) {
                 half_a_millisecond);
     EXPECT_NEAR(number_before(" s  >> static stability factor"), run.events.ssf_crossing->time_s,
                 half_a_millisecond);
-    EXPECT_NEAR(number_before(" s before two-wheel lift-off"), run.events.lead_time_s().value(),
+    EXPECT_NEAR(number_before(" s before two-wheel lift-off"), run.events.judgement.lead_s.value(),
                 half_a_millisecond);
 }
 

@@ -17,67 +17,90 @@ void expect_share(const sil::Share& share, std::size_t count, std::size_t total)
     EXPECT_EQ(share.total, total);
 }
 
-HandMadeRun lifted(std::optional<double> warning_time_s) {
+HandMadeRun lifted(std::optional<double> lead_s) {
     HandMadeRun run;
     run.lift_time_s = 3.0;
-    run.warning_time_s = warning_time_s;
+    run.lead_s = lead_s;
+    run.warnings = 1U;  // that it began is not enough
     return run;
 }
 
-HandMadeRun upright(double largest_ltr, std::optional<double> warning_time_s) {
+HandMadeRun upright(double largest_ltr, bool alarm) {
     HandMadeRun run;
     run.largest_ltr = largest_ltr;
-    run.warning_time_s = warning_time_s;
+    run.warnings = alarm ? 1U : 0U;
     return run;
 }
 
 TEST(Detection, RunsAreCalmBelowALoadTransferOfNineTenths) {
-    EXPECT_EQ(sil::kind_of(recorded(upright(0.899, {}))), sil::RunKind::calm);
-    EXPECT_EQ(sil::kind_of(recorded(upright(0.9, {}))), sil::RunKind::between);
-    EXPECT_EQ(sil::kind_of(recorded(upright(1.0, {}))), sil::RunKind::between);
-    EXPECT_EQ(sil::kind_of(recorded(lifted({}))), sil::RunKind::lifted);
+    EXPECT_TRUE(sil::is_calm(recorded(upright(0.899, false))));
+    EXPECT_FALSE(sil::is_calm(recorded(upright(0.9, false))));
+    EXPECT_FALSE(sil::is_calm(recorded(lifted({}))));
+    EXPECT_TRUE(sil::is_lifted(recorded(lifted({}))));
+    EXPECT_FALSE(sil::is_lifted(recorded(upright(1.0, false))));
 }
 
-TEST(Detection, CountsWarningsBeforeLiftOffAndAlarmsApart) {
+TEST(Detection, CountsLeadsOfLiftOffsAndAlarmsByBand) {
     const std::vector<sil::RecordedCampaignRun> runs{
-        recorded(lifted(2.5)),        // 0.5 s ahead
-        recorded(lifted(2.9)),        // 0.1 s
-        recorded(lifted(2.92)),       // 0.08 s
-        recorded(lifted(3.0)),        // as it happens
-        recorded(lifted(3.04)),       // too late
-        recorded(lifted({})),         // never
-        recorded(upright(0.5, 1.0)),  // false alarm
-        recorded(upright(0.8, {})),  recorded(upright(0.85, {})), recorded(upright(0.95, 2.0)),  // in between
-        recorded(upright(0.95, {})),
+        recorded(lifted(0.5)),          recorded(lifted(0.2)),         recorded(lifted(0.19)),
+        recorded(lifted(0.1)),          recorded(lifted(0.09)),        recorded(lifted(0.0)),
+        recorded(lifted({})),           recorded(upright(0.5, true)),  recorded(upright(0.6, false)),
+        recorded(upright(0.7, true)),   recorded(upright(0.8, false)), recorded(upright(0.85, true)),
+        recorded(upright(0.89, false)), recorded(upright(0.95, true)),
     };
     const sil::Detection detection = sil::detection_of_warning(runs);
-    expect_share(detection.warned, 4U, 6U);
-    expect_share(detection.warned_100ms, 2U, 6U);
-    expect_share(detection.false_alarms, 1U, 3U);
-    expect_share(detection.hard_false_alarms, 0U, 2U);
-    expect_share(detection.alarms_between, 1U, 2U);
-    EXPECT_THAT(detection.lead_times_s,
-                testing::ElementsAre(testing::DoubleNear(0.5, 1e-9), testing::DoubleNear(0.1, 1e-9),
-                                     testing::DoubleNear(0.08, 1e-9), testing::DoubleNear(0.0, 1e-9),
-                                     testing::DoubleNear(-0.04, 1e-9)));
+    expect_share(detection.warned, 6U, 7U);
+    expect_share(detection.warned_100ms, 4U, 7U);
+    expect_share(detection.warned_200ms, 2U, 7U);
+    expect_share(detection.false_alarms, 3U, 6U);
+    expect_share(detection.alarms[0], 1U, 2U);
+    expect_share(detection.alarms[1], 1U, 1U);
+    expect_share(detection.alarms[2], 1U, 3U);
+    expect_share(detection.alarms[3], 1U, 1U);
+    EXPECT_THAT(detection.lead_times_s, testing::ElementsAre(0.5, 0.2, 0.19, 0.1, 0.09, 0.0, 0.0));
 }
 
-sil::RecordedCampaignRun with_peak(std::optional<double> lift_time_s, double ltr, double peak, double early) {
+sil::RecordedCampaignRun with(std::optional<double> lift_time_s, double ltr, double threshold, double early,
+                              double very_early, std::optional<double> lead_s = {}) {
     HandMadeRun run;
     run.lift_time_s = lift_time_s;
     run.largest_ltr = ltr;
-    run.peak = peak;
-    run.peak_100ms_before = early;
+    run.threshold = threshold;
+    run.threshold_100ms = early;
+    run.threshold_200ms = very_early;
+    run.index_lead_s = lead_s;
     return recorded(run);
 }
 
-std::vector<sil::RecordedCampaignRun> five_peaks() {
-    return {with_peak(3.0, 1.0, 1.4, 1.1), with_peak(3.0, 1.0, 1.2, 0.7), with_peak({}, 0.95, 1.3, 1.3),
-            with_peak({}, 0.5, 1.1, 1.1), with_peak({}, 0.5, 0.6, 0.6)};
+std::vector<sil::RecordedCampaignRun> five_runs() {
+    return {with(3.0, 1.0, 1.4, 1.1, 0.6, 0.12), with(3.0, 1.0, 1.2, 0.7, 0.0, 0.01),
+            with({}, 0.95, 1.3, 1.3, 1.3), with({}, 0.5, 1.1, 1.1, 1.1), with({}, 0.5, 0.6, 0.6, 0.6)};
+}
+
+TEST(Detection, OfAnIndexIsThatAtOne) {
+    const sil::Detection detection = sil::detection_of_index(five_runs(), 0U);
+    expect_share(detection.warned, 2U, 2U);
+    expect_share(detection.warned_100ms, 1U, 2U);
+    expect_share(detection.false_alarms, 1U, 2U);
+    expect_share(detection.alarms[3], 1U, 1U);
+    EXPECT_THAT(detection.lead_times_s, testing::ElementsAre(0.12, 0.01));
+    const std::vector<sil::RecordedCampaignRun> at_limit{with({}, 0.5, 1.0, 1.0, 1.0),
+                                                         with({}, 0.5, 0.99, 0.99, 0.99)};
+    expect_share(sil::detection_of_index(at_limit, 0U).false_alarms, 1U, 2U);
+}
+
+TEST(Detection, OfAnIndexAtAnotherThreshold) {
+    const sil::Detection detection = sil::detection_at(five_runs(), 0U, 0.6);
+    expect_share(detection.warned, 2U, 2U);
+    expect_share(detection.warned_100ms, 2U, 2U);
+    expect_share(detection.warned_200ms, 1U, 2U);
+    expect_share(detection.false_alarms, 2U, 2U);
+    expect_share(sil::detection_at(five_runs(), 0U, 1.3).alarms[3], 1U, 1U);
+    expect_share(sil::detection_at(five_runs(), 0U, 1.31).alarms[3], 0U, 1U);
 }
 
 TEST(DetectionCurve, HasAPointForEachThresholdFromTheHighest) {
-    const std::vector<sil::CurvePoint> curve = sil::detection_curve(five_peaks(), 0U);
+    const std::vector<sil::CurvePoint> curve = sil::detection_curve(five_runs(), 0U);
     std::vector<double> thresholds;
     for (const sil::CurvePoint& point : curve) {
         thresholds.push_back(point.threshold);
@@ -86,30 +109,36 @@ TEST(DetectionCurve, HasAPointForEachThresholdFromTheHighest) {
     expect_share(curve[0].warned, 1U, 2U);
     expect_share(curve[0].warned_100ms, 0U, 2U);
     expect_share(curve[0].false_alarms, 0U, 2U);
-    expect_share(curve[1].alarms_between, 1U, 1U);
+    expect_share(curve[1].alarms[3], 1U, 1U);
     expect_share(curve[2].warned, 2U, 2U);
     expect_share(curve[3].warned_100ms, 1U, 2U);
     expect_share(curve[3].false_alarms, 1U, 2U);
+    expect_share(curve[3].alarms[0], 1U, 2U);
     expect_share(curve[5].warned_100ms, 2U, 2U);
+    expect_share(curve[5].warned_200ms, 1U, 2U);
     expect_share(curve[5].false_alarms, 2U, 2U);
 }
 
 TEST(DetectionCurve, BestIsTheMostDetectionWithinTheAllowedFalseAlarms) {
-    const std::vector<sil::CurvePoint> curve = sil::detection_curve(five_peaks(), 0U);
+    const std::vector<sil::CurvePoint> curve = sil::detection_curve(five_runs(), 0U);
     EXPECT_EQ(sil::best_at(curve, 0.01)->threshold, 1.2);
     EXPECT_EQ(sil::best_at(curve, 0.5)->threshold, 0.7);
-    EXPECT_EQ(sil::best_at(curve, 1.0)->threshold, 0.7) << "0.6 has more false alarms and nothing else";
+    EXPECT_EQ(sil::best_at(curve, 1.0)->threshold, 0.6);
+    std::vector<sil::RecordedCampaignRun> never_200ms = five_runs();
+    never_200ms[0].indices[0].threshold_200ms = 0.0;
+    EXPECT_EQ(sil::best_at(sil::detection_curve(never_200ms, 0U), 1.0)->threshold, 0.7)
+        << "0.6 has more false alarms and nothing else";
 }
 
 TEST(DetectionCurve, WithoutCalmRunsOrLiftOffsNothingIsBest) {
-    EXPECT_FALSE(sil::best_at(sil::detection_curve({with_peak(3.0, 1.0, 1.4, 1.1)}, 0U), 0.01));
-    EXPECT_FALSE(sil::best_at(sil::detection_curve({with_peak({}, 0.5, 1.4, 1.1)}, 0U), 0.01));
+    EXPECT_FALSE(sil::best_at(sil::detection_curve({with(3.0, 1.0, 1.4, 1.1, 0.6)}, 0U), 0.01));
+    EXPECT_FALSE(sil::best_at(sil::detection_curve({with({}, 0.5, 1.4, 1.1, 0.6)}, 0U), 0.01));
     EXPECT_FALSE(sil::best_at({}, 0.01));
 }
 
 TEST(DetectionCurve, AnIndexThatSaturatesHasNoThresholdForFewFalseAlarms) {
     EXPECT_FALSE(sil::best_at(
-        sil::detection_curve({with_peak(3.0, 1.0, 1.0, 1.0), with_peak({}, 0.5, 1.0, 1.0)}, 0U), 0.01));
+        sil::detection_curve({with(3.0, 1.0, 1.0, 1.0, 1.0), with({}, 0.5, 1.0, 1.0, 1.0)}, 0U), 0.01));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "rsi/warning/indicator_level.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/campaign/drawn_run.hpp"
+#include "sil/studies/campaign/index_score.hpp"
+#include "sil/studies/campaign/indices.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/sensors/sensor_options.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
@@ -70,6 +72,51 @@ TEST(CampaignIndex, IsNewInEverySample) {
         repeated += (shown[k] == shown[k - 1U]) ? 1U : 0U;
     }
     EXPECT_LT(repeated, shown.size() / 5U);
+}
+
+// The warning of a hard turn, cycle by cycle, and what the campaign makes of its indicator.
+class WarningRecorder final : public sil::RunObserver {
+ public:
+    WarningRecorder(const sil::InProcessRun& run, const rsi::Parameters& calibration)
+        : run_{run}, calibration_{calibration} {}
+
+    void cycle(const sil::Truth& truth, const sil::SensorSample&, const sil::EcuFrames&,
+               const sil::RunEvents&) override {
+        const auto index = static_cast<std::size_t>(calibration_.warning_indicator);
+        const sil::IndexSample sample{run_.outputs(), truth, calibration_, run_.inputs().roll_angle_rad};
+        course.times_s.push_back(truth.time_s);
+        course.risks.push_back(sil::campaign_indices()[index].risk(sample));
+    }
+
+    sil::IndexCourse course{};
+
+ private:
+    const sil::InProcessRun& run_;
+    const rsi::Parameters& calibration_;
+};
+
+// At the firmware's own threshold the copy of its state machine must have its very lead.
+TEST(CampaignIndex, WarnsAsTheFirmwareThatWarnsByIt) {
+    const sil::CampaignVehicle vehicle = testing_campaign::small_campaign(1U).vehicles.front();
+    int warned = 0;
+    for (const char* manoeuvre : {"j-turn-110", "fishhook-1a"}) {
+        for (std::int32_t indicator = 0; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER; ++indicator) {
+            rsi::Parameters calibration = sil::load_calibration(vehicle.calibration);
+            calibration.warning_indicator = indicator;
+            sil::InProcessRun run{sil::load_vehicle(vehicle.parameters), sil::find_manoeuvre(manoeuvre),
+                                  sil::RunOptions{}, sil::SensorOptions{}, calibration};
+            WarningRecorder recorder{run, calibration};
+            const sil::RunEvents& events = run.run(recorder);
+            ASSERT_TRUE(events.two_wheel_lift);
+            const std::optional<double> lead_s =
+                sil::index_lead_s(recorder.course, calibration, static_cast<double>(calibration.warning_on),
+                                  {*events.two_wheel_lift, events.judgement.falling_side});
+            EXPECT_NEAR(lead_s.value_or(-1.0), events.judgement.lead_s.value_or(-1.0), 1.0e-9)
+                << manoeuvre << " " << indicator;
+            warned += lead_s ? 1 : 0;
+        }
+    }
+    EXPECT_GE(warned, 10);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class Outcome : public ::testing::Test {
             observer_.observe(truth);
         }
     }
-    sil::Outcome outcome() const { return observer_.outcome(); }
+    const sil::Outcome& outcome() const { return observer_.outcome(); }
     bool settled() const { return observer_.settled(); }
 
     static constexpr Loads level{5000.0, 5000.0, 5000.0, 5000.0};
@@ -99,6 +99,40 @@ TEST_F(Outcome, IsSettledOnlyWellAfterTwoWheelLiftOffOrOnTheSide) {
     steps(1, left_up, -1.05);
     EXPECT_TRUE(outcome().rolled_over);
     EXPECT_NEAR(outcome().end_time_s, 1.111, 1.0e-9);
+}
+
+TEST_F(Outcome, IsSettledASecondAfterLiftOffAndNotBefore) {
+    steps(1000, left_up);  // from 0.001 to 1.000 s
+    EXPECT_FALSE(settled());
+    steps(2, left_up);
+    EXPECT_TRUE(settled());
+}
+
+TEST_F(Outcome, HasRolledOverBeyondOneRadianEitherWay) {
+    steps(1, level, 1.0);
+    EXPECT_FALSE(outcome().rolled_over);
+    EXPECT_FALSE(settled());
+    steps(1, level, 1.001);
+    EXPECT_TRUE(outcome().rolled_over);
+    EXPECT_TRUE(settled());
+}
+
+TEST_F(Outcome, HasNotRolledOverAtALargeAngleOnTwoWheels) {
+    steps(1, left_up, -0.999);
+    EXPECT_FALSE(outcome().rolled_over);
+    steps(1, left_up, -1.001);
+    EXPECT_TRUE(outcome().rolled_over);
+}
+
+TEST(OutcomeObserver, AddsUpTheWay) {
+    sil::OutcomeObserver observer;
+    sil::Truth truth;
+    truth.speed_mps = 20.0;
+    for (int step = 1; step <= 500; ++step) {
+        truth.time_s = 0.001 * step;
+        observer.observe(truth);
+    }
+    EXPECT_NEAR(observer.outcome().distance_m, 10.0, 1.0e-9);
 }
 
 TEST_F(Outcome, OfALongCalmRunIsNeverSettled) {

@@ -22,8 +22,8 @@ int draw(const std::filesystem::path& folder) {
 }
 
 sil::RowTable table() {
-    const HandMadeRun lifted{3.0, 1.0, 2.5, 1.4, 1.1, 2.4};
-    const HandMadeRun calm{{}, 0.5, {}, 0.4, 0.4, {}};
+    const HandMadeRun lifted{3.0, 1.0, 0.5, 1U, 1.4, 1.1, 0.9, 0.6};
+    const HandMadeRun calm{{}, 0.5, {}, 0U, 0.4, 0.4, 0.4, {}};
     return {{"a_level"}, {recorded(lifted), recorded(calm)}};
 }
 

@@ -13,8 +13,9 @@ namespace {
 using testing::HasSubstr;
 
 constexpr const char* header =
-    "run,vehicle,manoeuvre,largest_ltr,two_wheel_lift_time_s,brief_two_wheel_lift_time_s,warning_time_s,"
-    "x_peak,x_peak_100ms_before,x_time_s\n";
+    "run,vehicle,manoeuvre,largest_ltr,two_wheel_lift_time_s,brief_two_wheel_lift_time_s,end_time_s,"
+    "distance_m,lead_time_s,wrong_side_duration_s,warnings,advisories,unavailable_duration_s,"
+    "x_threshold,x_threshold_100ms,x_threshold_200ms,x_lead_time_s\n";
 
 sil::RowTable load(const std::string& text) {
     const test_support::ScratchFolder folder;
@@ -32,33 +33,44 @@ void expect_refused(const std::string& text, const std::string& why) {
 }
 
 TEST(RowTable, ReadsEveryCellAndSortsByRun) {
-    const sil::RowTable table = load(std::string{header} + "5,car,turn,1,3.25,,3.1,1.5,0.75,3.08\n" +
-                                     "4,bus,ramp,0.5,,1.5,,0.25,0.25,\n");
+    const sil::RowTable table =
+        load(std::string{header} + "5,car,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.17\n" +
+             "4,bus,ramp,0.5,,1.5,9,90,,0,0,0,0,0.25,0.25,0.25,\n");
     EXPECT_THAT(table.index_names, testing::ElementsAre("x"));
     ASSERT_EQ(table.runs.size(), 2U);
     EXPECT_EQ(table.runs[0].number, 4U);
     EXPECT_EQ(table.runs[0].vehicle, "bus");
     EXPECT_EQ(table.runs[0].brief_two_wheel_lift_time_s, 1.5);
     EXPECT_FALSE(table.runs[0].two_wheel_lift_time_s);
-    EXPECT_FALSE(table.runs[0].indices[0].time_s);
-    EXPECT_EQ(table.runs[1].manoeuvre, "turn");
-    EXPECT_EQ(table.runs[1].two_wheel_lift_time_s, 3.25);
-    EXPECT_EQ(table.runs[1].warning_time_s, 3.1);
-    EXPECT_EQ(table.runs[1].indices[0].peak, 1.5);
-    EXPECT_EQ(table.runs[1].indices[0].peak_100ms_before, 0.75);
-    EXPECT_EQ(table.runs[1].indices[0].time_s, 3.08);
+    EXPECT_FALSE(table.runs[0].lead_s);
+    EXPECT_FALSE(table.runs[0].indices[0].lead_s);
+    const sil::RecordedCampaignRun& lifted = table.runs[1];
+    EXPECT_EQ(lifted.manoeuvre, "turn");
+    EXPECT_EQ(lifted.two_wheel_lift_time_s, 3.25);
+    EXPECT_EQ(lifted.end_time_s, 4.5);
+    EXPECT_EQ(lifted.distance_m, 80.0);
+    EXPECT_EQ(lifted.lead_s, 0.15);
+    EXPECT_EQ(lifted.wrong_side_s, 0.02);
+    EXPECT_EQ(lifted.warnings, 2U);
+    EXPECT_EQ(lifted.advisories, 3U);
+    EXPECT_EQ(lifted.unavailable_s, 0.04);
+    EXPECT_EQ(lifted.indices[0].threshold, 1.5);
+    EXPECT_EQ(lifted.indices[0].threshold_100ms, 0.75);
+    EXPECT_EQ(lifted.indices[0].threshold_200ms, 0.5);
+    EXPECT_EQ(lifted.indices[0].lead_s, 0.17);
 }
 
 TEST(RowTable, LeavesOutALineThatWasCutOff) {
-    const std::string row = "5,car,turn,1,3.25,,3.1,1.5,0.75,3.0";
+    const std::string row = "5,car,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.1";
     EXPECT_EQ(load(header + row + "\n" + row).runs.size(), 1U);
 }
 
 TEST(RowTable, NamesLineAndColumnOfWhatIsWrong) {
-    expect_refused(std::string{header} + "5,car,turn,much,,,,1,1,\n",
+    const std::string rest = ",,,1,1,,0,0,0,0,1,1,1";
+    expect_refused(header + ("5,car,turn,much" + rest + ",\n"),
                    "runs.csv:2:12: column largest_ltr wants a number, not \"much\"");
-    expect_refused(std::string{header} + "5,car,turn,nan,,,,1,1,\n", "column largest_ltr");
-    expect_refused(std::string{header} + "5,car,turn,1,,,,1,1\n", "runs.csv:2:1: has 9 cells, not 10");
+    expect_refused(header + ("5,car,turn,nan" + rest + ",\n"), "column largest_ltr");
+    expect_refused(header + ("5,car,turn,1" + rest + "\n"), "runs.csv:2:1: has 16 cells, not 17");
     expect_refused("run,vehicle,manoeuvre\n5,car,turn\n", "there is no column largest_ltr");
     expect_refused("", "there are no rows");
 }

@@ -24,8 +24,9 @@ sil::RecordedCampaignRun recorded(const HandMadeRun& run) {
     result.manoeuvre = run.manoeuvre;
     result.two_wheel_lift_time_s = run.lift_time_s;
     result.largest_ltr = run.lift_time_s ? 1.0 : run.largest_ltr;
-    result.warning_time_s = run.warning_time_s;
-    result.indices = {{run.peak, run.peak_100ms_before, run.index_time_s}};
+    result.lead_s = run.lead_s;
+    result.warnings = run.warnings;
+    result.indices = {{run.threshold, run.threshold_100ms, run.threshold_200ms, run.index_lead_s}};
     return result;
 }
 

@@ -16,15 +16,16 @@ std::string project_file(const std::string& path);
 // Both vehicles; hard and soft J-turns of three seconds.
 sil::CampaignSettings small_campaign(std::uint64_t runs);
 
-// A run whose only index, with threshold 1, came as high as `peak`, and as high as `peak_100ms_before` up to
-// 0.1 s before two-wheel lift-off.
+// A run whose only index warns with these thresholds and below (sil/studies/campaign/index_score.hpp).
 struct HandMadeRun {
     std::optional<double> lift_time_s{};
     double largest_ltr{0.5};
-    std::optional<double> warning_time_s{};
-    double peak{0.0};
-    double peak_100ms_before{0.0};
-    std::optional<double> index_time_s{};
+    std::optional<double> lead_s{};  // of the firmware's warning
+    unsigned warnings{0U};
+    double threshold{0.0};
+    double threshold_100ms{0.0};
+    double threshold_200ms{0.0};
+    std::optional<double> index_lead_s{};
     std::string vehicle{"car"};
     std::string manoeuvre{"turn"};
 };

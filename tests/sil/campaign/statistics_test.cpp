@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace {
 
 void expect_interval(std::size_t count, std::size_t total, double lowest, double highest) {
-    const sil::ConfidenceInterval interval = sil::wilson_interval(count, total);
+    const sil::ConfidenceInterval interval =
+        sil::wilson_interval(static_cast<double>(count), static_cast<double>(total));
     EXPECT_NEAR(interval.lowest, lowest, 0.00005) << count << " of " << total;
     EXPECT_NEAR(interval.highest, highest, 0.00005) << count << " of " << total;
 }
@@ -22,8 +24,8 @@ TEST(Wilson, GivesTheIntervalsOfNewcombesTable) {
 }
 
 TEST(Wilson, IsSymmetricInSuccessAndFailure) {
-    const sil::ConfidenceInterval some = sil::wilson_interval(3U, 40U);
-    const sil::ConfidenceInterval others = sil::wilson_interval(37U, 40U);
+    const sil::ConfidenceInterval some = sil::wilson_interval(3.0, 40.0);
+    const sil::ConfidenceInterval others = sil::wilson_interval(37.0, 40.0);
     EXPECT_NEAR(some.lowest, 1.0 - others.highest, 1.0e-12);
     EXPECT_NEAR(some.highest, 1.0 - others.lowest, 1.0e-12);
 }
@@ -31,6 +33,47 @@ TEST(Wilson, IsSymmetricInSuccessAndFailure) {
 TEST(Wilson, SaysNothingAboutNoRuns) {
     expect_interval(0U, 0U, 0.0, 1.0);
     EXPECT_TRUE(std::isnan(sil::Share{}.value()));
+}
+
+// So many vehicles, of whose ten runs each so many count.
+sil::Share of_vehicles(int vehicles, int counting, int offset = 0) {
+    sil::ShareByVehicle shares;
+    for (int vehicle = 0; vehicle < vehicles; ++vehicle) {
+        const int own = counting + (vehicle % 2 == 0 ? offset : -offset);
+        for (int run = 0; run < 10; ++run) {
+            shares.add(std::to_string(vehicle), run < own);
+        }
+    }
+    return shares.share();
+}
+
+TEST(ShareByVehicle, TakesTheRunsOfFewVehiclesForIndependent) {
+    const sil::Share nine = of_vehicles(9, 7, 3);
+    EXPECT_EQ(nine.total, 90U);
+    EXPECT_EQ(nine.independent, 0.0);
+    EXPECT_GT(of_vehicles(10, 7, 3).independent, 0.0);
+}
+
+TEST(ShareByVehicle, CountsVehiclesThatAreAllOrNothing) {
+    // Half of twenty vehicles always, half never: as twenty throws of a coin, less the one that finds the
+    // mean.
+    const sil::Share share = of_vehicles(20, 5, 5);
+    EXPECT_DOUBLE_EQ(share.value(), 0.5);
+    EXPECT_NEAR(share.independent, 19.0, 1.0e-9);
+    EXPECT_NEAR(share.confidence().lowest, sil::wilson_interval(9.5, 19.0).lowest, 1.0e-12);
+}
+
+TEST(ShareByVehicle, CountsRunsWhereVehiclesAreAlike) {
+    EXPECT_EQ(of_vehicles(20, 5).independent, 200.0);
+    // By the formula: residuals of 1 in 20 vehicles, so the variance is 20/19 * 20/200^2.
+    EXPECT_NEAR(of_vehicles(20, 5, 1).independent, 200.0, 1.0e-9);
+    EXPECT_NEAR(of_vehicles(20, 5, 3).independent, 0.25 / (20.0 / 19.0 * 180.0 / 40000.0), 1.0e-9);
+}
+
+TEST(ShareByVehicle, OfAllOrNoneThereAreAsManyTrialsAsVehicles) {
+    EXPECT_EQ(of_vehicles(20, 10).independent, 20.0);
+    EXPECT_EQ(of_vehicles(20, 0).independent, 20.0);
+    EXPECT_NEAR(of_vehicles(20, 0).confidence().highest, 0.1611, 0.00005);
 }
 
 TEST(Quantile, LiesBetweenTheNeighbours) {

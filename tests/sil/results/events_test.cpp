@@ -26,6 +26,12 @@ sil::Truth truth_with_loads(double time_s, const std::array<double, 4>& loads_n)
     return truth;
 }
 
+// These loads for the time that makes a lift-off of it.
+void lift(sil::EventObserver& observer, double time_s, const std::array<double, 4>& loads_n) {
+    observer.observe(truth_with_loads(time_s, loads_n));
+    observer.observe(truth_with_loads(time_s + 0.05, loads_n));
+}
+
 sil::EcuOutput output_of(sil::WarningState state, sil::WarningSide side = sil::WarningSide::none) {
     sil::EcuOutput output;
     output.warning().state = state;
@@ -44,7 +50,7 @@ TEST(EventObserver, InAQuietRunNothingHappens) {
     EXPECT_FALSE(events.two_wheel_lift);
     EXPECT_FALSE(events.ssf_crossing);
     EXPECT_FALSE(events.warning);
-    EXPECT_FALSE(events.lead_time_s());
+    EXPECT_FALSE(events.judgement.lead_s);
     EXPECT_EQ(events.warning_side, sil::WarningSide::none);
     EXPECT_DOUBLE_EQ(events.largest_lateral_acceleration_mps2, 0.5 * g_mps2);
     EXPECT_EQ(events.final_roll_angle_rad, -0.04);
@@ -55,7 +61,7 @@ TEST(EventObserver, EachAxleHasItsOwnFirstLiftOff) {
     sil::EventObserver observer(ssf);
     observer.observe(truth_with_loads(1.0, {0.0, 5.0, 1.0, 5.0}));
     observer.observe(truth_with_loads(1.2, {1.0, 5.0, 5.0, 0.0}));
-    observer.observe(truth_with_loads(1.3, {0.0, 5.0, 0.0, 5.0}));
+    lift(observer, 1.3, {0.0, 5.0, 0.0, 5.0});
     const sil::RunEvents& events = observer.events();
     ASSERT_TRUE(events.front_axle_lift && events.rear_axle_lift && events.one_wheel_lift &&
                 events.two_wheel_lift);
@@ -70,7 +76,7 @@ TEST(EventObserver, TheLargestLoadTransferIsOfEitherSideAndNotOfAVehicleInTheAir
     observer.observe(truth_with_loads(1.0, {1.0, 2.0, 1.0, 2.0}));  // 1/3, a left turn
     observer.observe(truth_with_loads(1.1, {3.0, 1.0, 3.0, 1.0}));  // -1/2, a right turn
     observer.observe(truth_with_loads(1.2, {0.0, 0.0, 0.0, 0.0}));
-    EXPECT_DOUBLE_EQ(observer.events().largest_load_transfer_ratio, 0.5);
+    EXPECT_DOUBLE_EQ(observer.events().judgement.largest_load_transfer_ratio, 0.5);
 }
 
 TEST(TrueIndices, TheLoadTransferIsPositiveInALeftTurnAndOneWhereTheSideHasLifted) {
@@ -103,7 +109,7 @@ TEST(EventObserver, TwoWheelLiftNeedsBothWheelsOfOneSideAtTheSameTime) {
     observer.observe(truth_with_loads(1.1, {0.0, 0.0, 9.0, 9.0}));  // front axle
     observer.observe(truth_with_loads(1.2, {9.0, 9.0, 0.0, 9.0}));  // rear left, front left down again
     EXPECT_FALSE(observer.events().two_wheel_lift);
-    observer.observe(truth_with_loads(1.3, {0.0, 9.0, 0.0, 9.0}));
+    lift(observer, 1.3, {0.0, 9.0, 0.0, 9.0});
     ASSERT_TRUE(observer.events().two_wheel_lift);
     EXPECT_EQ(observer.events().two_wheel_lift->time_s, 1.3);
     EXPECT_EQ(observer.events().one_wheel_lift->time_s, 1.0);
@@ -111,9 +117,21 @@ TEST(EventObserver, TwoWheelLiftNeedsBothWheelsOfOneSideAtTheSameTime) {
 
 TEST(EventObserver, TwoWheelLiftOnTheRightSideCountsToo) {
     sil::EventObserver observer(ssf);
-    observer.observe(truth_with_loads(2.0, {9.0, 0.0, 9.0, 0.0}));
+    lift(observer, 2.0, {9.0, 0.0, 9.0, 0.0});
     ASSERT_TRUE(observer.events().two_wheel_lift);
     EXPECT_EQ(observer.events().two_wheel_lift->time_s, 2.0);
+    EXPECT_EQ(observer.events().judgement.falling_side, sil::WarningSide::left);
+}
+
+TEST(EventObserver, ALiftThatDoesNotLastIsNoTwoWheelLift) {
+    sil::EventObserver observer(ssf);
+    observer.observe(truth_with_loads(2.0, {9.0, 0.0, 9.0, 0.0}));
+    observer.observe(truth_with_loads(2.049, {9.0, 0.0, 9.0, 0.0}));
+    EXPECT_FALSE(observer.events().two_wheel_lift);
+    EXPECT_FALSE(observer.events().judgement.lifted);
+    observer.observe(truth_with_loads(2.050, {9.0, 0.0, 9.0, 0.0}));
+    EXPECT_TRUE(observer.events().two_wheel_lift);
+    EXPECT_TRUE(observer.events().judgement.lifted);
 }
 
 TEST(EventObserver, LiftBeforeTheStartDoesNotCount) {
@@ -157,19 +175,25 @@ TEST(EventObserver, TheFirstWarningCountsWithTheTruthOfItsMoment) {
     EXPECT_EQ(observer.events().warning_side, sil::WarningSide::right);
 }
 
-TEST(EventObserver, LeadTimeRunsFromTheWarningToTwoWheelLiftAndHasASign) {
-    sil::EventObserver early(ssf);
-    early.observe(output_of(sil::WarningState::warning), 1.5);
-    EXPECT_FALSE(early.events().lead_time_s());
-    early.observe(truth_with_loads(2.0, {0.0, 9.0, 0.0, 9.0}));
-    ASSERT_TRUE(early.events().lead_time_s());
-    EXPECT_DOUBLE_EQ(*early.events().lead_time_s(), 0.5);
+// What counts as a lead is told by warning_judgement_test.cpp.
+TEST(EventObserver, JudgesTheWarningByTheTrueWheelLoads) {
+    sil::EventObserver observer(ssf);
+    observer.observe(truth_with_loads(1.0, {1.0, 9.0, 1.0, 9.0}));
+    observer.observe(output_of(sil::WarningState::warning, sil::WarningSide::left), 1.0);
+    observer.observe(truth_with_loads(1.3, {1.0, 9.0, 1.0, 9.0}));
+    observer.observe(output_of(sil::WarningState::warning, sil::WarningSide::right), 1.5);
+    lift(observer, 2.0, {0.0, 9.0, 0.0, 9.0});
+    const sil::WarningJudgement& judgement = observer.events().judgement;
+    EXPECT_DOUBLE_EQ(judgement.lead_s.value(), 0.5);
+    EXPECT_EQ(judgement.falling_side, sil::WarningSide::right);
+    EXPECT_EQ(observer.events().warning_side, sil::WarningSide::left) << "the first one's, for information";
 
     sil::EventObserver late(ssf);
-    late.observe(truth_with_loads(2.0, {0.0, 9.0, 0.0, 9.0}));
-    EXPECT_FALSE(late.events().lead_time_s());
-    late.observe(output_of(sil::WarningState::warning), 2.25);
-    EXPECT_DOUBLE_EQ(*late.events().lead_time_s(), -0.25);
+    lift(late, 2.0, {0.0, 9.0, 0.0, 9.0});
+    late.observe(output_of(sil::WarningState::warning, sil::WarningSide::right), 2.25);
+    EXPECT_FALSE(late.events().judgement.lead_s);
+    EXPECT_TRUE(late.events().judgement.late);
+    EXPECT_EQ(late.events().warning->time_s, 2.25);
 }
 
 }  // namespace

@@ -48,7 +48,18 @@ sil::Summary rollover_run() {
     summary.events.one_wheel_lift = sil::EventMoment{1.82, 0.0, 0.0};
     summary.events.front_axle_lift = sil::EventMoment{1.95, 0.0, 0.0};
     summary.events.rear_axle_lift = sil::EventMoment{1.82, 0.0, 0.0};
-    summary.events.largest_load_transfer_ratio = 0.999;
+    sil::WarningJudgement& judgement = summary.events.judgement;
+    judgement.lifted = true;
+    judgement.falling_side = sil::WarningSide::right;
+    judgement.side_at_lift_off = sil::WarningSide::right;
+    judgement.lead_s = 0.252;
+    judgement.wrong_side_s = 0.11;
+    judgement.warning_s = 0.45;
+    judgement.advisory_s = 0.2;
+    judgement.unavailable_s = 0.3;
+    judgement.warnings = 2U;
+    judgement.advisories = 3U;
+    judgement.largest_load_transfer_ratio = 0.999;
     summary.events.two_wheel_lift = sil::EventMoment{2.052, 0.0, 0.0};
     summary.events.ssf_crossing = sil::EventMoment{2.095, 0.0, 0.0};
     summary.events.largest_lateral_acceleration_mps2 = 0.85 * g_mps2;
@@ -81,7 +92,16 @@ TEST(SummaryJson, HasExactlyTheAgreedKeysInTheirOrder) {
                                             "front_axle_lift_time_s",
                                             "rear_axle_lift_time_s",
                                             "max_load_transfer_ratio",
-                                            "index_times_s"};
+                                            "index_times_s",
+                                            "falling_side",
+                                            "side_at_lift_off",
+                                            "wrong_side_duration_s",
+                                            "load_transfer_band",
+                                            "warnings",
+                                            "advisories",
+                                            "warning_duration_s",
+                                            "advisory_duration_s",
+                                            "unavailable_duration_s"};
     for (const sil::Summary& summary : {quiet_run(), rollover_run()}) {
         std::vector<std::string> keys;
         const ordered_json json = ordered_json::parse(sil::summary_json(summary));
@@ -94,13 +114,16 @@ TEST(SummaryJson, HasExactlyTheAgreedKeysInTheirOrder) {
 
 TEST(SummaryJson, WhatDidNotHappenIsNull) {
     const ordered_json json = ordered_json::parse(sil::summary_json(quiet_run()));
-    for (const char* key : {"warning_time_s", "warning_side", "warning_ay_g", "one_wheel_lift_time_s",
-                            "two_wheel_lift_time_s", "ssf_crossing_time_s", "lead_time_s",
-                            "front_axle_lift_time_s", "rear_axle_lift_time_s", "index_times_s"}) {
+    for (const char* key :
+         {"warning_time_s", "warning_side", "warning_ay_g", "one_wheel_lift_time_s", "two_wheel_lift_time_s",
+          "ssf_crossing_time_s", "lead_time_s", "front_axle_lift_time_s", "rear_axle_lift_time_s",
+          "index_times_s", "falling_side", "side_at_lift_off"}) {
         EXPECT_TRUE(json.at(key).is_null()) << key;
     }
     EXPECT_EQ(json.at("max_ay_g"), 0.0);
     EXPECT_EQ(json.at("frames_sent"), 0);
+    EXPECT_EQ(json.at("load_transfer_band"), "below 0.7");
+    EXPECT_EQ(json.at("wrong_side_duration_s"), 0.0);
 }
 
 TEST(SummaryJson, GivesTheEventsInTheirUnits) {
@@ -111,7 +134,16 @@ TEST(SummaryJson, GivesTheEventsInTheirUnits) {
     EXPECT_EQ(json.at("one_wheel_lift_time_s"), 1.82);
     EXPECT_EQ(json.at("two_wheel_lift_time_s"), 2.052);
     EXPECT_EQ(json.at("ssf_crossing_time_s"), 2.095);
-    EXPECT_EQ(json.at("lead_time_s"), 0.362);
+    EXPECT_EQ(json.at("lead_time_s"), 0.252);
+    EXPECT_EQ(json.at("falling_side"), "right");
+    EXPECT_EQ(json.at("side_at_lift_off"), "right");
+    EXPECT_EQ(json.at("wrong_side_duration_s"), 0.11);
+    EXPECT_EQ(json.at("load_transfer_band"), "lift");
+    EXPECT_EQ(json.at("warnings"), 2);
+    EXPECT_EQ(json.at("advisories"), 3);
+    EXPECT_EQ(json.at("warning_duration_s"), 0.45);
+    EXPECT_EQ(json.at("advisory_duration_s"), 0.2);
+    EXPECT_EQ(json.at("unavailable_duration_s"), 0.3);
     EXPECT_EQ(json.at("max_ay_g"), 0.85);
     EXPECT_EQ(json.at("final_roll_deg"), -90.0);
     EXPECT_EQ(json.at("frames_sent"), 900);
@@ -203,6 +235,7 @@ TEST(EventMarks, GiveGnuplotEveryEventOrNaN) {
     EXPECT_NE(rollover.find("\nwarning_ay_g = -0.72\n"), std::string::npos);
     EXPECT_NE(rollover.find("\none_wheel_lift_time_s = 1.82\n"), std::string::npos);
     EXPECT_NE(rollover.find("\nssf_crossing_time_s = 2.095\n"), std::string::npos);
+    EXPECT_NE(rollover.find("\nwarning_roll_deg = -5.15662016\n"), std::string::npos);  // 0.09 rad
 }
 
 TEST(EventMarks, DoNotShowTheRoundingOfSums) {

@@ -1,9 +1,9 @@
-#include "sil/studies/faults/mixed_driving.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "sil/studies/faults/chance.hpp"
+#include "sil/chance.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
@@ -11,7 +11,14 @@ namespace sil {
 namespace {
 
 constexpr double largest_handwheel_rad = 6.0;
-constexpr double share_of_hard_turns = 0.4;
+
+// How hard a driver turns.
+struct Temper {
+    double share_of_hard_turns;
+    double most_g;  // in the others
+};
+constexpr Temper mixed{0.4, 0.5};
+constexpr Temper ordinary{0.0, 0.4};
 
 enum class Segment : std::uint8_t { straight, turn, lane_change, weave };
 
@@ -42,8 +49,8 @@ struct Course {
 
 class MixedDriver final : public Driver {
  public:
-    MixedDriver(std::uint64_t seed, double handwheel_at_0_3_g_rad)
-        : chance_{seed}, handwheel_at_0_3_g_rad_{handwheel_at_0_3_g_rad} {}
+    MixedDriver(const Temper& temper, std::uint64_t seed, double handwheel_at_0_3_g_rad)
+        : temper_{temper}, chance_{seed}, handwheel_at_0_3_g_rad_{handwheel_at_0_3_g_rad} {}
 
     DriverCommand command(const Truth& truth) override {
         if (truth.time_s >= course_.begin_s + course_.duration_s) {
@@ -71,8 +78,9 @@ class MixedDriver final : public Driver {
         course.ramp_s = chance_.between(0.3, 2.0);
         course.period_s = chance_.between(2.0, 5.0);
         course.speed_share = chance_.between(0.3, 1.0);
-        const bool hard = chance_.between(0.0, 1.0) < share_of_hard_turns;
-        const double acceleration_g = hard ? chance_.between(0.5, 0.9) : chance_.between(0.02, 0.5);
+        const bool hard = chance_.between(0.0, 1.0) < temper_.share_of_hard_turns;
+        const double acceleration_g =
+            hard ? chance_.between(0.5, 0.9) : chance_.between(0.02, temper_.most_g);
         course.acceleration_mps2 = (chance_.below(2U) == 0U ? 1.0 : -1.0) * acceleration_g * g_mps2;
         switch (course.segment) {
             case Segment::straight:
@@ -91,23 +99,32 @@ class MixedDriver final : public Driver {
         return course;
     }
 
+    Temper temper_;
     Chance chance_;
     double handwheel_at_0_3_g_rad_;
     Course course_{};
 };
 
-}  // namespace
-
-Manoeuvre mixed_driving(std::uint64_t seed, double duration_s) {
+Manoeuvre driving(const Temper& temper, const char* name, std::uint64_t seed, double duration_s) {
     Manoeuvre manoeuvre;
-    manoeuvre.name = "mixed-driving";
+    manoeuvre.name = name;
     manoeuvre.duration_s = duration_s;
     manoeuvre.initial_speed_mps = from_kmh(110.0);
     manoeuvre.make_road = flat_road();
-    manoeuvre.make_driver = [seed](const VehicleParameters& parameters) {
-        return std::make_unique<MixedDriver>(seed, handwheel_angle_at_0_3_g_rad(parameters));
+    manoeuvre.make_driver = [temper, seed](const VehicleParameters& parameters) {
+        return std::make_unique<MixedDriver>(temper, seed, handwheel_angle_at_0_3_g_rad(parameters));
     };
     return manoeuvre;
+}
+
+}  // namespace
+
+Manoeuvre mixed_driving(std::uint64_t seed, double duration_s) {
+    return driving(mixed, "mixed-driving", seed, duration_s);
+}
+
+Manoeuvre ordinary_driving(std::uint64_t seed, double duration_s) {
+    return driving(ordinary, ordinary_driving_name, seed, duration_s);
 }
 
 }  // namespace sil

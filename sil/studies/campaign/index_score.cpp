@@ -1,0 +1,106 @@
+#include "sil/studies/campaign/index_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "sil/results/warning_judgement.hpp"
+
+namespace sil {
+namespace {
+
+constexpr double ratio_of_thresholds = 1.01;
+
+// The state machine behind one index.
+class IndexWarning {
+ public:
+    IndexWarning(const rsi::Parameters& calibration, double threshold)
+        : scale_{static_cast<float>(static_cast<double>(calibration.warning_on) / threshold)} {
+        machine_.init(calibration);
+    }
+
+    void update(const rsi::RiskLevel& risk) { machine_.update({risk.indicator * scale_, risk.side}); }
+    WarningState state() const { return static_cast<WarningState>(machine_.state()); }
+    WarningSide side() const { return static_cast<WarningSide>(machine_.side()); }
+
+ private:
+    rsi::WarningStateMachine machine_{};
+    float scale_;
+};
+
+bool alarms(const IndexCourse& course, const rsi::Parameters& calibration, double threshold) {
+    IndexWarning warning{calibration, threshold};
+    return std::any_of(course.risks.begin(), course.risks.end(), [&warning](const rsi::RiskLevel& risk) {
+        warning.update(risk);
+        return warning.state() == WarningState::warning;
+    });
+}
+
+// The highest level until then. At a threshold above it nothing can have begun to warn.
+double peak_until(const IndexCourse& course, double time_s) {
+    double peak = 0.0;
+    for (std::size_t k = 0U; k < course.risks.size() && course.times_s[k] <= time_s + time_rounding_s; ++k) {
+        const auto level = static_cast<double>(course.risks[k].indicator);
+        peak = level > peak ? level : peak;  // NaN is no level
+    }
+    return peak;
+}
+
+// The largest threshold, at most `limit`, at which `warns`; 0 when there is none.
+double largest_at_which(const std::function<bool(double)>& warns, double limit) {
+    const double from = std::clamp(limit, 0.5 * smallest_threshold, largest_threshold);
+    auto power = std::lround(std::ceil(std::log(from) / std::log(ratio_of_thresholds)));
+    for (;; --power) {
+        const double threshold = std::pow(ratio_of_thresholds, static_cast<double>(power));
+        if (threshold < smallest_threshold) {
+            return 0.0;
+        }
+        if (threshold <= largest_threshold && warns(threshold)) {
+            return threshold;
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<double> index_lead_s(const IndexCourse& course, const rsi::Parameters& calibration,
+                                   double threshold, const TwoWheelLiftOff& lift_off) {
+    IndexWarning warning{calibration, threshold};
+    WarningInForce in_force;
+    for (std::size_t k = 0U; k < course.risks.size(); ++k) {
+        if (course.times_s[k] > lift_off.moment.time_s + time_rounding_s) {
+            break;
+        }
+        warning.update(course.risks[k]);
+        in_force.observe(warning.state(), warning.side(), course.times_s[k]);
+    }
+    return in_force.lead_s(lift_off.moment.time_s, lift_off.side);
+}
+
+IndexScore score_of(const IndexCourse& course, const rsi::Parameters& calibration,
+                    const std::optional<TwoWheelLiftOff>& lift_off) {
+    IndexScore score;
+    if (!lift_off) {
+        const double peak = course.times_s.empty() ? 0.0 : peak_until(course, course.times_s.back());
+        score.threshold =
+            largest_at_which([&](double threshold) { return alarms(course, calibration, threshold); }, peak);
+        score.threshold_100ms = score.threshold;
+        score.threshold_200ms = score.threshold;
+        return score;
+    }
+    const auto largest_with_lead = [&](double wanted_s, double limit) {
+        return largest_at_which(
+            [&](double threshold) {
+                return is_warned(index_lead_s(course, calibration, threshold, *lift_off), wanted_s);
+            },
+            std::min(limit, peak_until(course, lift_off->moment.time_s - wanted_s)));
+    };
+    score.threshold = largest_with_lead(0.0, largest_threshold);
+    score.threshold_100ms = score.threshold > 0.0 ? largest_with_lead(early_s, score.threshold) : 0.0;
+    score.threshold_200ms =
+        score.threshold_100ms > 0.0 ? largest_with_lead(very_early_s, score.threshold_100ms) : 0.0;
+    score.lead_s = index_lead_s(course, calibration, 1.0, *lift_off);
+    return score;
+}
+
+}  // namespace sil

@@ -1,0 +1,44 @@
+// Index score: up to which threshold an index would have warned of a run, by the rules of the firmware's own
+// warning.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rsi/types.hpp"
+#include "rsi/warning/warning_state_machine.hpp"
+#include "sil/results/two_wheel_lift.hpp"
+
+namespace sil {
+
+// What an index says over a run, cycle by cycle: its level, 1 where it says "warn", and its side.
+struct IndexCourse {
+    std::vector<double> times_s{};
+    std::vector<rsi::RiskLevel> risks{};
+};
+
+// Thresholds are powers of 1.01, so 1 is one of them; 0: at none of them.
+struct IndexScore {
+    // The largest threshold at which the index warns. Of a run with two-wheel lift-off: as it happens, the
+    // warning in force names the falling side, for at least so long. Of any other: there is an alarm; then
+    // all three are the same.
+    double threshold{0.0};
+    double threshold_100ms{0.0};
+    double threshold_200ms{0.0};
+    std::optional<double> lead_s{};  // with the threshold at 1
+};
+
+inline constexpr double smallest_threshold = 0.2;
+inline constexpr double largest_threshold = 5.0;
+
+// A copy of the firmware's state machine warns by the index in place of the firmware's own, with the levels
+// and times of the calibration; at `threshold` the index warns where the firmware's would at warning_on.
+// A smaller threshold is taken to warn of whatever a larger one warns of.
+IndexScore score_of(const IndexCourse& course, const rsi::Parameters& calibration,
+                    const std::optional<TwoWheelLiftOff>& lift_off);
+
+// The lead of that warning over two-wheel lift-off; empty unless it is in force with the falling side.
+std::optional<double> index_lead_s(const IndexCourse& course, const rsi::Parameters& calibration,
+                                   double threshold, const TwoWheelLiftOff& lift_off);
+
+}  // namespace sil

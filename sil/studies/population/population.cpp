@@ -1,0 +1,327 @@
+// Population: threads that take the next missing vehicle until none is left.
+#include "sil/studies/population/population.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "sil/files/csv_reader.hpp"
+#include "sil/files/csv_writer.hpp"
+#include "sil/files/whole_file.hpp"
+#include "sil/results/versions.hpp"
+#include "sil/studies/campaign/row_file.hpp"
+#include "sil/studies/population/calibrated_vehicle.hpp"
+#include "sil/studies/population/population_campaigns.hpp"
+#include "sil/studies/population/vehicle_draw.hpp"
+#include "sil/studies/population/vehicle_writer.hpp"
+
+namespace sil {
+namespace {
+
+struct FinishedVehicle {
+    DrawnVehicle drawn{};
+    double largest_ramp_ltr{0.0};
+    Calibrated with_loads{};
+    Calibrated without_loads{};
+    Calibrated of_loaded_vehicle{};
+};
+
+// CSV cells hold no comma and no quotation mark, so that every reader splits a row at its commas.
+std::string plain(std::string text) {
+    for (char& letter : text) {
+        letter = letter == ','                                ? ';'
+                 : letter == '"'                              ? '\''
+                 : static_cast<unsigned char>(letter) < 0x20U ? ' '
+                                                              : letter;
+    }
+    return text;
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+    std::string all;
+    for (const std::string& text : texts) {
+        all += (all.empty() ? "" : " | ") + text;
+    }
+    return plain(all);
+}
+
+class Cells {
+ public:
+    explicit Cells(bool names) : names_{names} {}
+    void text(const std::string& name, const std::string& value) { row_.text(names_ ? name : value); }
+    void count(const std::string& name, std::uint64_t value) { names_ ? row_.text(name) : row_.count(value); }
+    void number(const std::string& name, double value) { names_ ? row_.text(name) : row_.number(value, 5); }
+    const std::string& line() const { return row_.line(); }
+
+ private:
+    bool names_;
+    CsvRow row_{};
+};
+
+void put_calibration(Cells& cells, const std::string& name, const Calibrated& calibrated) {
+    cells.text(name, calibrated.failure.empty() ? "calibrated" : "failed: " + plain(calibrated.failure));
+    cells.text(name + "_warnings", joined(calibrated.warnings));
+}
+
+std::string line_of(const FinishedVehicle& vehicle, bool names) {
+    const DrawnVehicle& drawn = vehicle.drawn;
+    const VehicleParameters& v = drawn.parameters;
+    const VehicleProperties& p = drawn.properties;
+    Cells cells{names};
+    cells.count("number", drawn.number);
+    cells.text("vehicle", drawn.name);
+    cells.text("class", vehicle_classes()[drawn.in_class].name);
+    cells.text("half", half_name(drawn.half));
+    cells.count("refused_draws", drawn.attempt);
+    cells.count("rigid_front", drawn.rigid_front ? 1U : 0U);
+    cells.count("rigid_rear", drawn.rigid_rear ? 1U : 0U);
+    cells.number("mass_kg", total_mass_kg(v));
+    cells.number("wheelbase_m", v.geometry.front_axle_to_cg_m + v.geometry.rear_axle_to_cg_m);
+    cells.number("track_width_m", v.geometry.track_width_m);
+    cells.number("cg_height_m", p.cg_height_m);
+    cells.number("sprung_cg_height_m", v.geometry.cg_height_m);
+    cells.number("static_stability_factor", p.static_stability_factor);
+    cells.number("roll_centre_height_m", p.roll_centre_height_m);
+    cells.number("roll_inertia_kgm2", v.inertia.sprung_roll_kgm2);
+    cells.number("roll_stiffness_nmprad", p.roll_stiffness_nmprad);
+    cells.number("roll_gradient_degpg", p.roll_gradient_degpg);
+    cells.number("roll_frequency_hz", p.roll_frequency_hz);
+    cells.number("roll_damping_ratio", p.roll_damping_ratio);
+    cells.number("threshold_g", p.threshold_g);
+    cells.number("grip", p.grip);
+    cells.number("understeer_gradient_s2pm", p.understeer_gradient_s2pm);
+    cells.number("steering_ratio", v.steering.ratio);
+    cells.number("steering_lag_s", v.steering.lag_s);
+    cells.number("relaxation_length_m", v.tyre.relaxation_length_m);
+    cells.number("largest_ramp_ltr", vehicle.largest_ramp_ltr);
+    put_calibration(cells, "with_wheel_loads", vehicle.with_loads);
+    put_calibration(cells, "without_wheel_loads", vehicle.without_loads);
+    put_calibration(cells, "loaded", vehicle.of_loaded_vehicle);
+    return cells.line();
+}
+
+FinishedVehicle make_vehicle(const PopulationRequest& request, std::uint64_t number) {
+    FinishedVehicle made;
+    made.drawn = draw_vehicle(request.seed, number);
+    const DrawnVehicle& drawn = made.drawn;
+    const std::filesystem::path& folder = request.output;
+    const VehicleParameters with_load = loaded(drawn.parameters, vehicle_classes()[drawn.in_class].load);
+    const auto write = [&](const VehicleParameters& vehicle, bool is_loaded) {
+        write_file_atomically(
+            vehicle_file(folder, drawn, is_loaded),
+            vehicle_toml(vehicle, fmt::format("{}, vehicle {} of the population with seed {}{}. SI units.",
+                                              vehicle_classes()[drawn.in_class].name, number, request.seed,
+                                              is_loaded ? ", loaded" : "")));
+        write_file_atomically(data_file(folder, drawn, is_loaded), vehicle_data_toml(vehicle));
+    };
+    write(drawn.parameters, false);
+    write(with_load, true);
+    const auto calibrated = [&](const IdentificationDrives& drives, CalibrationKind kind) {
+        return calibrate(data_file(folder, drawn, kind == CalibrationKind::of_loaded_vehicle), drives,
+                         calibration_file(folder, drawn, kind));
+    };
+    // Two seeds a pair of drives, two pairs a vehicle.
+    const std::uint64_t sensor_seed = 4U * number + 1U;
+    try {
+        const IdentificationDrives drives = identification_drives(drawn.parameters, sensor_seed);
+        made.largest_ramp_ltr = drives.largest_ramp_ltr;
+        made.with_loads = calibrated(drives, CalibrationKind::with_loads);
+        made.without_loads = calibrated(drives.without_loads(), CalibrationKind::without_loads);
+    } catch (const std::runtime_error& error) {
+        made.with_loads.failure = made.without_loads.failure = error.what();
+    }
+    try {
+        made.of_loaded_vehicle = calibrated(identification_drives(with_load, sensor_seed + 2U),
+                                            CalibrationKind::of_loaded_vehicle);
+    } catch (const std::runtime_error& error) {
+        made.of_loaded_vehicle.failure = error.what();
+    }
+    return made;
+}
+
+class Workers {
+ public:
+    Workers(const PopulationRequest& request, RowFile& file, const std::atomic<bool>& stop,
+            const PopulationListener& listener)
+        : request_{request}, file_{file}, stop_{stop}, listener_{listener} {
+        progress_.total = request.vehicles;
+        for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
+            if (file.finished_runs().count(number) == 0U) {
+                missing_.push_back(number);
+            }
+        }
+        progress_.begun_with = progress_.finished = request.vehicles - missing_.size();
+    }
+
+    PopulationProgress work() {
+        std::vector<std::thread> threads;
+        while (threads.size() < request_.jobs) {
+            threads.emplace_back([this] { work_alone(); });
+        }
+        for (std::thread& thread : threads) {
+            thread.join();
+        }
+        if (failure_) {
+            std::rethrow_exception(failure_);
+        }
+        return progress_;
+    }
+
+ private:
+    void work_alone() {
+        while (!stop_ && !failed_) {
+            const std::size_t index = next_++;
+            if (index >= missing_.size()) {
+                return;
+            }
+            try {
+                keep(make_vehicle(request_, missing_[index]));
+            } catch (...) {
+                const std::lock_guard<std::mutex> lock{mutex_};
+                failure_ = std::current_exception();
+                failed_ = true;
+            }
+        }
+    }
+
+    void keep(const FinishedVehicle& vehicle) {
+        const std::lock_guard<std::mutex> lock{mutex_};
+        file_.append(vehicle.drawn.number, line_of(vehicle, false));
+        ++progress_.finished;
+        progress_.elapsed_s =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        if (listener_) {
+            listener_(progress_);
+        }
+    }
+
+    const PopulationRequest& request_;
+    RowFile& file_;
+    const std::atomic<bool>& stop_;
+    const PopulationListener& listener_;
+    const std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
+    std::vector<std::uint64_t> missing_{};
+    std::atomic<std::size_t> next_{0U};
+    std::atomic<bool> failed_{false};
+    std::mutex mutex_;  // of all below
+    PopulationProgress progress_{};
+    std::exception_ptr failure_{};
+};
+
+// What the files in the folder are of, so that those of different seeds or programs do not get mixed.
+void prepare_folder(const PopulationRequest& request) {
+    for (const char* name : {"vehicles", "vehicles_loaded", "data", "data_loaded", "calibrations",
+                             "calibrations_without_loads", "calibrations_loaded"}) {
+        std::error_code error;
+        std::filesystem::create_directories(request.output / name, error);
+        if (error) {
+            throw InputError(
+                fmt::format("{}: cannot be made: {}", (request.output / name).string(), error.message()));
+        }
+    }
+    const Versions versions = built_versions();
+    const std::string wanted = fmt::format(
+        "# The population whose vehicles are beside; `rsi-sil population` wrote it.\n"
+        "seed = {}\ncomponent = \"{}\"\ngit_revision = \"{}\"\n",
+        request.seed, versions.component, versions.git_revision);
+    const std::filesystem::path file = request.output / "population.toml";
+    if (!std::filesystem::exists(file)) {
+        write_file_atomically(file, wanted);
+    } else if (read_whole_file(file) != wanted) {
+        throw InputError(fmt::format(
+            "{} is of another seed or another revision of this program; use another output folder",
+            file.string()));
+    }
+}
+
+void write_settings(const PopulationRequest& request) {
+    for (const PopulationHalf half : {PopulationHalf::choose, PopulationHalf::report}) {
+        std::vector<DrawnVehicle> vehicles;
+        for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
+            DrawnVehicle vehicle = draw_vehicle(request.seed, number);
+            if (vehicle.half == half) {
+                vehicles.push_back(std::move(vehicle));
+            }
+        }
+        for (const CampaignVariant variant : campaign_variants()) {
+            const CampaignSettings settings =
+                population_campaign(request.output, vehicles, variant, request.seed);
+            const std::filesystem::path file =
+                request.output / fmt::format("settings_{}_{}.toml", half_name(half), variant_name(variant));
+            if (settings.vehicles.empty()) {
+                std::filesystem::remove(file);
+                continue;
+            }
+            write_file_atomically(
+                file,
+                fmt::format(
+                    "# {} of {} vehicles of this half are calibrated. `rsi-sil population` wrote it.\n{}",
+                    settings.vehicles.size(), vehicles.size(), to_toml(settings)));
+        }
+    }
+}
+
+}  // namespace
+
+PopulationProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,
+                                   const PopulationListener& listener) {
+    prepare_folder(request);
+    RowFile file{request.output / "vehicles.csv", line_of({}, true)};
+    const PopulationProgress progress = Workers{request, file, stop, listener}.work();
+    if (progress.finished >= progress.total) {
+        file.finish();
+        write_settings(request);
+    }
+    return progress;
+}
+
+std::string describe_population(const std::filesystem::path& population) {
+    const std::string text = read_whole_file(population / "vehicles.csv");
+    CsvLines lines{text};
+    CsvLine line;
+    std::vector<CsvField> cells;
+    lines.next(line);
+    split_fields(line.text, cells);
+    std::vector<std::string> names;
+    for (const CsvField& cell : cells) {
+        names.emplace_back(cell.text);
+    }
+    const auto column = [&names](const char* name) {
+        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    std::map<std::string, std::array<std::uint64_t, 4>> classes;
+    std::string failures;
+    const std::array<const char*, 3> kinds{"with_wheel_loads", "without_wheel_loads", "loaded"};
+    while (lines.next(line) && line.is_ended) {
+        split_fields(line.text, cells);
+        auto& counts = classes[std::string{cells.at(column("class")).text}];
+        ++counts[0];
+        for (std::size_t kind = 0U; kind < kinds.size(); ++kind) {
+            const std::string_view result = cells.at(column(kinds[kind])).text;
+            if (result == "calibrated") {
+                ++counts[kind + 1U];
+            } else {
+                failures +=
+                    fmt::format("{}, {}: {}\n", cells.at(column("vehicle")).text, kinds[kind], result);
+            }
+        }
+    }
+    std::string report = "class          vehicles  calibrated  without wheel loads  loaded\n";
+    for (const auto& [name, counts] : classes) {
+        report += fmt::format("{:<14} {:>8}  {:>10}  {:>19}  {:>6}\n", name, counts[0], counts[1], counts[2],
+                              counts[3]);
+    }
+    return report + failures +
+           fmt::format("All of it is in {}. Try: rsi-sil campaign --settings {} --output FOLDER\n",
+                       (population / "vehicles.csv").string(),
+                       (population / "settings_report_errors.toml").string());
+}
+
+}  // namespace sil

@@ -1,0 +1,192 @@
+#include "sil/studies/population/population_campaigns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sil/units.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
+
+namespace sil {
+namespace {
+
+constexpr std::uint64_t runs_a_vehicle = 100U;
+constexpr double reference_threshold_g = 0.75;
+// The firmware takes an angle beyond 15 rad for a fault of the sensor.
+constexpr double largest_handwheel_rad = 13.0;
+
+// What a manoeuvre's steering is counted in, and so what it needs to be as severe for any vehicle.
+enum class Steering {
+    angle,         // degrees at the handwheel, the same for every vehicle
+    acceleration,  // the vehicle's own angle for 0.3 g
+    path,          // whatever the path needs: only speed makes it severe
+    straight,      // never severe
+};
+
+struct ScaledManoeuvre {
+    CampaignManoeuvre drawn;
+    Steering steering;
+    // Where a factor of 1 gives the acceleration that lifts the inner wheels: at this factor of the speed.
+    double limit_speed_factor;
+    double angle_rad;       // `angle` only: at the handwheel, with a factor of 1
+    double acceleration_g;  // `acceleration` only: at 50 mph with a factor of 1
+};
+
+constexpr double degrees(double value) {
+    return value / degrees_per_radian;
+}
+
+// Steering factors are shares of what lifts the inner wheels in a slow turn; a manoeuvre's own swing adds to
+// that.
+const std::vector<ScaledManoeuvre>& scaled_manoeuvres() {
+    static const std::vector<ScaledManoeuvre> list{
+        {{"j-turn-110", 1.0, {0.55, 1.1}, {0.4, 2.0}, 0.0}, Steering::angle, 0.8, degrees(360.0), 0.0},
+        {{"j-turn-45", 1.0, {1.0, 2.4}, {0.4, 1.6}, 0.0}, Steering::angle, 1.6, degrees(360.0), 0.0},
+        {{"j-turn-banked", 0.5, {0.3, 0.75}, {0.9, 1.1}, 0.0}, Steering::path, 0.0, 0.0, 0.0},
+        {{"fishhook-1a", 1.0, {0.55, 1.1}, {0.4, 1.4}, 0.0}, Steering::acceleration, 0.8, 0.0, 6.5 * 0.3},
+        {{"fishhook-1b", 1.0, {0.55, 1.1}, {0.4, 1.3}, 0.0}, Steering::acceleration, 0.8, 0.0, 6.5 * 0.3},
+        {{"sine-with-dwell", 1.0, {0.7, 1.3}, {0.6, 3.0}, 0.0}, Steering::angle, 0.95, degrees(285.0), 0.0},
+        {{"double-lane-change", 1.0, {0.55, 1.3}, {0.9, 1.1}, 0.0}, Steering::path, 0.0, 0.0, 0.0},
+        {{"slalom", 1.0, {0.7, 1.3}, {0.4, 1.8}, 15.0}, Steering::angle, 0.95, degrees(42.0), 0.0},
+        {{"step-steer", 1.0, {0.65, 1.3}, {0.35, 1.2}, 0.0}, Steering::acceleration, 0.95, 0.0, 0.4},
+        {{"braking-in-turn", 1.0, {0.65, 1.2}, {0.35, 1.2}, 0.0}, Steering::acceleration, 0.9, 0.0, 0.5},
+        {{"rough-turn", 1.0, {0.6, 1.2}, {0.2, 0.8}, 12.0}, Steering::acceleration, 0.9, 0.0, 0.3},
+        {{"slow-ramp", 0.25, {0.7, 1.4}, {1.0, 1.0}, 60.0}, Steering::straight, 0.0, 0.0, 0.0},
+        {{"rough-road", 0.3, {0.4, 1.3}, {1.0, 1.0}, 12.0}, Steering::straight, 0.0, 0.0, 0.0},
+        {{"one-sided-bump", 0.3, {0.4, 2.0}, {1.0, 1.0}, 0.0}, Steering::straight, 0.0, 0.0, 0.0},
+        {{"banked-straight", 0.3, {0.4, 1.3}, {1.0, 1.0}, 12.0}, Steering::straight, 0.0, 0.0, 0.0},
+        {{"straight", 0.2, {0.3, 1.2}, {1.0, 1.0}, 8.0}, Steering::straight, 0.0, 0.0, 0.0},
+    };
+    return list;
+}
+
+struct Factors {
+    double speed{1.0};
+    double steering{1.0};
+};
+
+Factors factors_for(const ScaledManoeuvre& manoeuvre, const VehicleParameters& vehicle,
+                    double max_speed_mps) {
+    const double nominal_mps = find_manoeuvre(manoeuvre.drawn.name).initial_speed_mps;
+    const double threshold_g = properties(vehicle).threshold_g;
+    Factors factors;
+    if (manoeuvre.steering == Steering::path) {
+        factors.speed = std::sqrt(threshold_g / reference_threshold_g);
+    }
+    factors.speed =
+        std::min(factors.speed, max_speed_mps / (nominal_mps * manoeuvre.drawn.speed_factor.highest));
+    const double limit_mps = manoeuvre.limit_speed_factor * factors.speed * nominal_mps;
+    if (manoeuvre.steering == Steering::angle || manoeuvre.steering == Steering::acceleration) {
+        const double wanted_rad = handwheel_for_rad(vehicle, threshold_g * g_mps2, limit_mps);
+        constexpr double fifty_mph_mps = 22.352;
+        const double unscaled_rad =
+            manoeuvre.steering == Steering::angle
+                ? manoeuvre.angle_rad
+                : handwheel_for_rad(vehicle, manoeuvre.acceleration_g * g_mps2, fifty_mph_mps);
+        const double most_rad = largest_handwheel_rad / manoeuvre.drawn.steering_factor.highest;
+        factors.steering = std::min(wanted_rad, most_rad) / unscaled_rad;
+    }
+    return factors;
+}
+
+}  // namespace
+
+const std::vector<CampaignVariant>& campaign_variants() {
+    static const std::vector<CampaignVariant> all{CampaignVariant::clean, CampaignVariant::errors,
+                                                  CampaignVariant::without_wheel_loads,
+                                                  CampaignVariant::loaded, CampaignVariant::unloaded};
+    return all;
+}
+
+const char* variant_name(CampaignVariant variant) {
+    switch (variant) {
+        case CampaignVariant::clean:
+            return "clean";
+        case CampaignVariant::errors:
+            return "errors";
+        case CampaignVariant::without_wheel_loads:
+            return "without_wheel_loads";
+        case CampaignVariant::loaded:
+            return "loaded";
+        case CampaignVariant::unloaded:
+            return "unloaded";
+    }
+    return "";
+}
+
+std::filesystem::path vehicle_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
+                                   bool loaded) {
+    return population / (loaded ? "vehicles_loaded" : "vehicles") / (vehicle.name + ".toml");
+}
+
+std::filesystem::path data_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
+                                bool loaded) {
+    return population / (loaded ? "data_loaded" : "data") / (vehicle.name + ".toml");
+}
+
+std::filesystem::path calibration_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
+                                       CalibrationKind kind) {
+    const char* const folder = kind == CalibrationKind::with_loads      ? "calibrations"
+                               : kind == CalibrationKind::without_loads ? "calibrations_without_loads"
+                                                                        : "calibrations_loaded";
+    return population / folder / (vehicle.name + ".toml");
+}
+
+const std::vector<CampaignManoeuvre>& population_manoeuvres() {
+    static const std::vector<CampaignManoeuvre> all = [] {
+        std::vector<CampaignManoeuvre> list;
+        for (const ScaledManoeuvre& manoeuvre : scaled_manoeuvres()) {
+            list.push_back(manoeuvre.drawn);
+        }
+        return list;
+    }();
+    return all;
+}
+
+CampaignVehicle scaled_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven) {
+    const VehicleClass& from = vehicle_classes()[vehicle.in_class];
+    CampaignVehicle scaled;
+    scaled.in_class = from.name;
+    for (const ScaledManoeuvre& manoeuvre : scaled_manoeuvres()) {
+        const Factors factors = factors_for(manoeuvre, driven, from.max_speed_kmh / 3.6);
+        scaled.speed_factors.push_back(factors.speed);
+        scaled.steering_factors.push_back(factors.steering);
+    }
+    return scaled;
+}
+
+CampaignSettings population_campaign(const std::filesystem::path& population,
+                                     const std::vector<DrawnVehicle>& vehicles, CampaignVariant variant,
+                                     std::uint64_t seed) {
+    const bool driven_loaded = variant == CampaignVariant::loaded;
+    const CalibrationKind kind = variant == CampaignVariant::without_wheel_loads
+                                     ? CalibrationKind::without_loads
+                                 : variant == CampaignVariant::unloaded ? CalibrationKind::of_loaded_vehicle
+                                                                        : CalibrationKind::with_loads;
+    CampaignSettings settings;
+    settings.seed = seed;
+    settings.manoeuvres = population_manoeuvres();
+    settings.spread.friction_factor = {0.7, 1.2};
+    settings.spread.load_is_known =
+        variant != CampaignVariant::loaded && variant != CampaignVariant::unloaded;
+    if (variant == CampaignVariant::errors) {
+        settings.spread.sensor_noise = true;
+        settings.spread.cg_height_error = 0.05;
+        settings.spread.stiffness_error = 0.10;
+    }
+    for (const DrawnVehicle& vehicle : vehicles) {
+        const std::filesystem::path calibration = calibration_file(population, vehicle, kind);
+        if (!std::filesystem::exists(calibration)) {
+            continue;  // identification failed, as vehicles.csv says
+        }
+        const std::filesystem::path file = vehicle_file(population, vehicle, driven_loaded);
+        CampaignVehicle scaled = scaled_vehicle(vehicle, load_vehicle(file));
+        scaled.parameters = file.string();
+        scaled.calibration = calibration.string();
+        settings.vehicles.push_back(scaled);
+    }
+    settings.runs = runs_a_vehicle * std::max<std::uint64_t>(1U, settings.vehicles.size());
+    return settings;
+}
+
+}  // namespace sil

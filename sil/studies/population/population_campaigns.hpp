@@ -1,0 +1,47 @@
+// Population campaigns: which runs a half of the population is judged by, as settings of `rsi-sil campaign`.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sil/studies/campaign/settings.hpp"
+#include "sil/studies/population/vehicle_draw.hpp"
+
+namespace sil {
+
+// What a campaign gives the firmware to know.
+enum class CampaignVariant {
+    clean,                // calibrated with wheel loads, no errors
+    errors,               // the same with noise, CG height and roll stiffness wrong
+    without_wheel_loads,  // calibrated without, no further errors
+    loaded,               // calibrated empty, driven with the class's load
+    unloaded,             // calibrated with that load, driven without
+};
+
+const std::vector<CampaignVariant>& campaign_variants();
+const char* variant_name(CampaignVariant variant);
+
+// Folders of a population, below its own.
+std::filesystem::path vehicle_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
+                                   bool loaded);
+std::filesystem::path data_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
+                                bool loaded);
+enum class CalibrationKind { with_loads, without_loads, of_loaded_vehicle };
+std::filesystem::path calibration_file(const std::filesystem::path& population, const DrawnVehicle& vehicle,
+                                       CalibrationKind kind);
+
+// Settings with those of `vehicles` whose files are there; 100 runs a vehicle.
+CampaignSettings population_campaign(const std::filesystem::path& population,
+                                     const std::vector<DrawnVehicle>& vehicles, CampaignVariant variant,
+                                     std::uint64_t seed);
+
+// The manoeuvres of these campaigns, made for a vehicle that lifts its inner wheels at
+// `reference_threshold_g`.
+const std::vector<CampaignManoeuvre>& population_manoeuvres();
+
+// The vehicle with its class and with factors that make each manoeuvre of population_manoeuvres() as severe
+// for it as it is for any other, at speeds that its class reaches.
+CampaignVehicle scaled_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven);
+
+}  // namespace sil

@@ -1,0 +1,108 @@
+#include "sil/studies/population/properties.hpp"
+
+#include <cmath>
+
+#include "sil/units.hpp"
+#include "sil/world/vehicle/tyre.hpp"
+
+namespace sil {
+namespace {
+
+double wheelbase_m(const VehicleParameters& v) {
+    return v.geometry.front_axle_to_cg_m + v.geometry.rear_axle_to_cg_m;
+}
+
+double front_share(const VehicleParameters& v) {
+    return v.geometry.rear_axle_to_cg_m / wheelbase_m(v);
+}
+
+double front_wheel_load_n(const VehicleParameters& v) {
+    return 0.5 * g_mps2 * (v.mass.sprung_kg * front_share(v) + 2.0 * v.mass.front_unsprung_kg);
+}
+
+double rear_wheel_load_n(const VehicleParameters& v) {
+    return 0.5 * g_mps2 * (v.mass.sprung_kg * (1.0 - front_share(v)) + v.mass.rear_axle_kg);
+}
+
+double roll_centre_height_m(const VehicleParameters& v) {
+    const double front = 0.5 * v.geometry.track_width_m * v.front_suspension.path_slope_0;
+    const double rear_deflection = rear_wheel_load_n(v) / v.tyre.vertical_stiffness_npm;
+    const double rear = v.geometry.wheel_radius_m - rear_deflection + v.rear_suspension.panhard_pivot_m;
+    return front_share(v) * front + (1.0 - front_share(v)) * rear;
+}
+
+double roll_stiffness_nmprad(const VehicleParameters& v) {
+    const double track = v.geometry.track_width_m;
+    const double base = v.rear_suspension.spring_half_base_m;
+    return track * track *
+               (0.5 * v.front_suspension.spring_damper.spring_npm + v.front_suspension.anti_roll_bar_npm) +
+           2.0 * base * base * v.rear_suspension.spring_damper.spring_npm +
+           v.rear_suspension.anti_roll_bar_nmprad;
+}
+
+double mean_damper_nspm(const SpringDamperParameters& p) {
+    return 0.5 * (p.damper_bump_nspm + p.damper_rebound_nspm);
+}
+
+double roll_damping_nmsprad(const VehicleParameters& v) {
+    const double track = v.geometry.track_width_m;
+    const double base = v.rear_suspension.damper_half_base_m;
+    return 0.5 * track * track * mean_damper_nspm(v.front_suspension.spring_damper) +
+           2.0 * base * base * mean_damper_nspm(v.rear_suspension.spring_damper);
+}
+
+// Slip angles of both axles; the front wheels lean with the body, and their camber thrust with them.
+double understeer_gradient(const VehicleParameters& v, double roll_rad_pg) {
+    const Tyre tyre{v.tyre, 1.0};
+    const double front_n = front_wheel_load_n(v);
+    const double rear_n = rear_wheel_load_n(v);
+    const double front_per_load = tyre.cornering_stiffness_nprad(front_n) / front_n;
+    const double rear_per_load = tyre.cornering_stiffness_nprad(rear_n) / rear_n;
+    const double jounce_m_pg = 0.5 * v.geometry.track_width_m * roll_rad_pg;
+    const double lean_pg = roll_rad_pg - v.front_suspension.camber_gain_radpm * jounce_m_pg;
+    const double front_slip_pg = (1.0 + v.tyre.camber_thrust_prad * lean_pg) / front_per_load;
+    return (front_slip_pg - 1.0 / rear_per_load) / g_mps2;
+}
+
+}  // namespace
+
+VehicleProperties properties(const VehicleParameters& v) {
+    const double track = v.geometry.track_width_m;
+    const double mass = total_mass_kg(v);
+    const double sprung = v.mass.sprung_kg;
+    const double h = v.geometry.cg_height_m;
+    VehicleProperties p;
+    p.cg_height_m = (sprung * h + (mass - sprung) * v.geometry.wheel_radius_m) / mass;
+    p.static_stability_factor = 0.5 * track / p.cg_height_m;
+    p.roll_centre_height_m = roll_centre_height_m(v);
+    p.roll_arm_m = h - p.roll_centre_height_m;
+    p.roll_stiffness_nmprad = roll_stiffness_nmprad(v);
+    const double tipping_nm = sprung * g_mps2 * p.roll_arm_m;
+    const double net_nmprad = p.roll_stiffness_nmprad - tipping_nm;
+    const double roll_rad_pg = tipping_nm / net_nmprad;
+    p.roll_gradient_degpg = roll_rad_pg * degrees_per_radian;
+    const double inertia = v.inertia.sprung_roll_kgm2 + sprung * p.roll_arm_m * p.roll_arm_m;
+    const double angular = std::sqrt(net_nmprad / inertia);
+    p.roll_frequency_hz = angular / (2.0 * pi);
+    p.roll_damping_ratio = 0.5 * roll_damping_nmsprad(v) / (inertia * angular);
+    // Roll of suspension and tyres moves the CG outwards.
+    const double tyres_nmprad = track * track * v.tyre.vertical_stiffness_npm;
+    const double tyres_rad_pg =
+        mass * g_mps2 * p.cg_height_m / (tyres_nmprad - mass * g_mps2 * p.cg_height_m);
+    const double outwards_m_pg = sprung / mass * p.roll_arm_m * roll_rad_pg + p.cg_height_m * tyres_rad_pg;
+    p.threshold_g = 0.5 * track / (p.cg_height_m + outwards_m_pg);
+    p.understeer_gradient_s2pm = understeer_gradient(v, roll_rad_pg);
+    const double share = front_share(v);
+    const Tyre front{v.tyre, v.tyre.front_friction_factor};
+    const Tyre rear{v.tyre, v.tyre.rear_friction_factor};
+    p.grip = share * front.friction(2.0 * front_wheel_load_n(v)) +
+             (1.0 - share) * rear.friction(2.0 * rear_wheel_load_n(v));
+    return p;
+}
+
+double handwheel_for_rad(const VehicleParameters& v, double acceleration_mps2, double speed_mps) {
+    const double gradient = properties(v).understeer_gradient_s2pm;
+    return v.steering.ratio * acceleration_mps2 * (wheelbase_m(v) / (speed_mps * speed_mps) + gradient);
+}
+
+}  // namespace sil

@@ -1,0 +1,91 @@
+// Vehicle class: between which ends the vehicles of one class lie.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sil/studies/campaign/settings.hpp"
+#include "sil/world/vehicle/parameters.hpp"
+
+namespace sil {
+
+// What such a vehicle carries at times and does not tell the firmware.
+struct ClassLoad {
+    double mass_kg{0.0};  // either this at a height above the road
+    double height_m{0.0};
+    double mass_share{0.0};     // or this share of the total mass
+    double height_factor{0.0};  // times the height of the sprung CG
+};
+
+// Field names are the keys of classes.toml, which says what they are and why.
+struct VehicleClass {
+    std::string name{};
+    double max_speed_kmh{};
+    ClassLoad load{};
+
+    Interval mass_kg{};
+    Interval wheelbase_m{};
+    Interval track_width_m{};
+    Interval static_stability_factor{};  // half the track over the CG height of the whole vehicle
+    Interval front_load_share{};
+    Interval unsprung_share{};
+    Interval wheel_radius_m{};
+    Interval roll_gyration_of_track{};
+    Interval pitch_gyration_of_wheelbase{};
+    Interval yaw_gyration_of_wheelbase{};
+    Interval rigid_front_share{};  // of the vehicles; both ends alike
+    Interval rigid_rear_share{};
+    Interval independent_roll_centre_m{};
+    Interval rigid_front_roll_centre_m{};
+    Interval rigid_rear_roll_centre_m{};
+    Interval front_ride_frequency_hz{};
+    Interval rear_over_front_frequency{};
+    Interval rigid_spring_base_of_track{};
+    Interval roll_gradient_degpg{};  // of the body on its suspension
+    Interval front_roll_stiffness_share{};
+    Interval bump_damping_ratio{};
+    Interval rebound_over_bump{};
+    Interval early_stop_share{};  // of the axles
+    Interval early_clearance_m{};
+    Interval clearance_m{};
+    Interval stop_over_spring_pm{};
+    Interval tyre_deflection_m{};        // under the static load
+    Interval cornering_per_load_prad{};  // cornering stiffness over load, both static
+    Interval
+        cornering_peak_over_load{};  // the load of the largest cornering stiffness over the larger static one
+    Interval understeer_gradient_s2pm{};  // nothing is drawn from it; it refuses what handles as no such
+                                          // vehicle does
+    Interval relaxation_length_m{};
+    Interval camber_thrust_prad{};
+    Interval
+        grip_over_threshold{};  // friction over the lateral acceleration in g that lifts the inner wheels
+    Interval friction{};        // what the class's tyres have; it bounds the former
+    Interval friction_loss{};
+    Interval front_friction_factor{};
+    Interval rear_friction_factor{};
+    Interval shape{};
+    Interval curvature{};
+    Interval slip_stiffness_ratio{};
+    Interval rolling_resistance{};
+    Interval steering_ratio{};
+    Interval steering_lag_s{};
+    Interval imu_height_m{};
+    Interval imu_forward_of_wheelbase{};  // of the CG
+    Interval imu_left_m{};
+    Interval body_height_m{};
+    Interval length_over_wheelbase{};
+    Interval drag_area_m2{};
+    Interval front_drive_share{};
+};
+
+// Throws InputError with file, line and key for anything that cannot be read, is missing or unknown.
+std::vector<VehicleClass> parse_vehicle_classes(std::string_view text, const std::string& name);
+
+// Those of sil/studies/population/classes.toml.
+const std::vector<VehicleClass>& vehicle_classes();
+
+// The vehicle with the load that its class carries at times.
+VehicleParameters loaded(const VehicleParameters& vehicle, const ClassLoad& load);
+
+}  // namespace sil

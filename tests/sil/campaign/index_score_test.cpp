@@ -1,0 +1,126 @@
+// Index score: at which threshold an index still warns, of the right side and in time.
+#include "sil/studies/campaign/index_score.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sil/files/calibration_file.hpp"
+#include "tests/sil/campaign/small_campaign.hpp"
+
+namespace index_score_test {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+// Warns after two cycles at the level, ready after one, holds nothing; advisory out of the way.
+rsi::Parameters plain_calibration() {
+    rsi::Parameters calibration =
+        sil::load_calibration(testing_campaign::project_file("firmware/calibrations/large_suv.toml"));
+    calibration.warning_on = 0.9F;
+    calibration.warning_off = 0.9F;
+    calibration.advisory_on = 0.8F;
+    calibration.advisory_off = 0.8F;
+    calibration.warning_confirmation_s = 0.02F;
+    calibration.warning_hold_s = 0.0F;
+    calibration.advisory_hold_s = 0.0F;
+    calibration.recovery_s = 0.01F;
+    return calibration;
+}
+
+// In cycles of 10 ms.
+class Course {
+ public:
+    Course& add(int cycles, float level, float side = 1.0F) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            course_.times_s.push_back(0.01 * static_cast<double>(course_.times_s.size()));
+            course_.risks.push_back({level, side});
+        }
+        return *this;
+    }
+    double now_s() const { return course_.times_s.back(); }
+
+    sil::IndexScore score() const { return sil::score_of(course_, plain_calibration(), {}); }
+    // The wheels lift at the latest cycle.
+    sil::IndexScore lifted(sil::WarningSide side = sil::WarningSide::right) const {
+        return sil::score_of(course_, plain_calibration(), sil::TwoWheelLiftOff{{now_s(), 0.0, 0.0}, side});
+    }
+
+ private:
+    sil::IndexCourse course_;
+};
+
+// The threshold that is found lies within a step of the level that was reached.
+void expect_reached(double threshold, double level) {
+    EXPECT_LE(threshold, level * 1.000001);
+    EXPECT_GT(threshold, level / 1.01);
+}
+
+TEST(IndexScore, OfARunWithoutLiftOffIsTheLevelThatLasts) {
+    const sil::IndexScore score = Course{}.add(20, 0.3F).add(2, 0.7F).add(1, 2.0F).add(20, 0.3F).score();
+    expect_reached(score.threshold, 0.7);
+    EXPECT_EQ(score.threshold_100ms, score.threshold);
+    EXPECT_EQ(score.threshold_200ms, score.threshold);
+    EXPECT_FALSE(score.lead_s);
+}
+
+TEST(IndexScore, HasOneAmongTheThresholds) {
+    EXPECT_EQ(Course{}.add(20, 0.3F).add(2, 1.0F).score().threshold, 1.0);
+    EXPECT_LT(Course{}.add(20, 0.3F).add(2, 0.9999F).score().threshold, 1.0);
+}
+
+TEST(IndexScore, EndsAtTheSmallestAndTheLargestThreshold) {
+    EXPECT_EQ(Course{}.add(20, 0.19F).score().threshold, 0.0);
+    EXPECT_EQ(Course{}.add(20, 0.0F).score().threshold, 0.0);
+    EXPECT_EQ(Course{}.add(20, nan).score().threshold, 0.0);
+    EXPECT_EQ(Course{}.score().threshold, 0.0);
+    expect_reached(Course{}.add(20, 0.205F).score().threshold, 0.205);
+    expect_reached(Course{}.add(20, 20.0F).score().threshold, 5.0);
+}
+
+TEST(IndexScore, OfALiftOffNeedsTheFallingSide) {
+    const Course course = Course{}.add(20, 0.1F).add(30, 0.8F, -1.0F).add(30, 0.6F, 1.0F);
+    expect_reached(course.lifted(sil::WarningSide::right).threshold, 0.6);
+    EXPECT_EQ(course.lifted(sil::WarningSide::left).threshold, 0.0);
+}
+
+TEST(IndexScore, ALevelThatWentBackBeforeLiftOffIsNotInForce) {
+    const Course course = Course{}.add(20, 0.1F).add(30, 0.8F).add(30, 0.5F);
+    expect_reached(course.lifted().threshold, 0.5);
+}
+
+// The levels are confirmed in the second cycle: the lead is a cycle less than they last.
+TEST(IndexScore, EveryLeadHasItsOwnThreshold) {
+    const Course course = Course{}.add(20, 0.1F).add(10, 0.5F).add(10, 0.7F).add(12, 1.1F);
+    const sil::IndexScore score = course.lifted();
+    expect_reached(score.threshold, 1.1);
+    expect_reached(score.threshold_100ms, 1.1);
+    expect_reached(score.threshold_200ms, 0.7);
+    EXPECT_NEAR(score.lead_s.value(), 0.10, 1.0e-9);
+}
+
+TEST(IndexScore, ACycleLessIsTooLate) {
+    const Course course = Course{}.add(20, 0.1F).add(10, 0.5F).add(10, 0.7F).add(11, 1.1F);
+    const sil::IndexScore score = course.lifted();
+    expect_reached(score.threshold, 1.1);
+    expect_reached(score.threshold_100ms, 0.7);
+    expect_reached(score.threshold_200ms, 0.5);
+    EXPECT_NEAR(score.lead_s.value(), 0.09, 1.0e-9);
+}
+
+TEST(IndexScore, ALevelReachedAsTheWheelsLiftIsInTime) {
+    expect_reached(Course{}.add(20, 0.4F).add(2, 0.8F).lifted().threshold, 0.8);
+    expect_reached(Course{}.add(20, 0.4F).add(1, 0.8F).lifted().threshold, 0.4);
+}
+
+TEST(IndexScore, WithoutALevelThereIsNoLead) {
+    const sil::IndexScore score = Course{}.add(20, 0.1F).lifted();
+    EXPECT_EQ(score.threshold, 0.0);
+    EXPECT_EQ(score.threshold_100ms, 0.0);
+    EXPECT_EQ(score.threshold_200ms, 0.0);
+    EXPECT_FALSE(score.lead_s);
+}
+
+}  // namespace
+}  // namespace index_score_test
