@@ -71,6 +71,9 @@
     NUMBER(roll_centre_deviation_m, "m", stays, sometimes, detail, \
            "standard deviation of dh; not of every estimator") \
     \
+    NUMBER(opposite_load_transfer_ratio, "-", stays, always, detail, \
+           "the largest towards the other side than predicted_load_transfer_ratio, 0 to 20") \
+    \
     NUMBER(observed_roll_angle_rad, "rad", turns, sometimes, detail, \
            "roll angle relative to the road, without the roll sensor") \
     NUMBER(observed_bank_angle_rad, "rad", turns, sometimes, detail, \
@@ -84,8 +87,8 @@
           "|A/N| / T_dyn: the same with unsprung mass and roll inertia, 0 to 20") \
     INDEX(load_transfer_ratio, "-", turns, LOAD_TRANSFER, 3, load_transfer, magnitude, own, \
           "(26) from the roll state instead of wheel loads, > 0 in a left turn, -20 to 20") \
-    INDEX(predicted_load_transfer_ratio, "-", turns, PREDICTED_LOAD_TRANSFER, 4, predicted_load_transfer, magnitude, own, \
-          "the same, of largest magnitude within the prediction horizon") \
+    INDEX(predicted_load_transfer_ratio, "-", turns, PREDICTED_LOAD_TRANSFER, 4, predicted_load_transfer, magnitude, both, \
+          "the same, of largest magnitude now or within the prediction horizon") \
     INDEX(predicted_rsi, "-", stays, PREDICTED_RSI, 5, predicted_rsi, same, predicted, \
           "rsi_extended at that load transfer, or now if larger") \
     INDEX(static_stability_level, "-", stays, STATIC_STABILITY_FACTOR, 6, static_stability_factor, same, acceleration, \
