@@ -32,7 +32,7 @@
     CODE(state, RSI_STATE_UNAVAILABLE, RSI_STATE_WARNING, statement, \
          "rsi_state: what is said of the risk") \
     CODE(side, RSI_SIDE_NONE, RSI_SIDE_RIGHT, statement, \
-         "rsi_side: towards which the vehicle would fall; none while unavailable or ready") \
+         "rsi_side: towards which the vehicle would fall; none while neither side has the risk of an advisory") \
     CODE(roll_source, RSI_ROLL_NONE, RSI_ROLL_OBSERVER, detail, \
          "rsi_roll_source: where the roll angle in use comes from") \
     CODE(roll_sensor_disagrees, 0, 1, detail, \
