@@ -67,6 +67,7 @@ void Component::start(const Parameters& parameters) {
     load_transfer_.init(parameters);
     extended_.init(parameters);
     steering_demand_.init(parameters);
+    lateral_response_.init(parameters);
     moment_arm_error_.init(parameters);
     predictor_.init(parameters);
     warning_indicator_.init(parameters);
@@ -120,9 +121,12 @@ void Component::start(const Parameters& parameters) {
     const DemandedForce demand = steering_demand_.evaluate(inputs, measured);
     const float moment_arm_error =
         moment_arm_error_.update(motion, load, measured.roll_source == RSI_ROLL_SENSOR);
+    const LateralResponse* const response =
+        lateral_response_.update(motion, demand) ? &lateral_response_ : nullptr;
     const Prediction predicted =
-        predictor_.evaluate(motion, load, demand, moment_arm_error, load_transfer_, extended_);
+        predictor_.evaluate(motion, load, demand, response, moment_arm_error, load_transfer_, extended_);
     outputs.predicted_load_transfer_ratio = predicted.load_transfer_ratio;
+    outputs.opposite_load_transfer_ratio = predicted.opposite_ratio;
     outputs.predicted_rsi = larger(outputs.rsi_extended, predicted.rsi_extended);
 
     // For comparison: the paper's other indices.
@@ -144,11 +148,11 @@ void Component::warn(const Measurement& measured, Outputs& outputs) {
     const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
     outputs.warning_level = indicated.level;
     const float weight = (measured.roll_source == RSI_ROLL_OBSERVER) ? observer_weight_ : 1.0F;
-    RiskLevel risk{weight * indicated.level, indicated.direction};
+    RiskLevel risk{weight * indicated.level, indicated.direction, weight * indicated.opposite};
     if (has_overturned(measured, static_stability_factor_)) {
         overturned_ = true;
         running_ = false;
-        risk = RiskLevel{warning_.warning_on(), measured.roll_angle_rad};
+        risk = RiskLevel{warning_.warning_on(), measured.roll_angle_rad, 0.0F};
     }
     warning_.update(risk);
     outputs.state = warning_.state();
@@ -172,6 +176,7 @@ void Component::resume(const Measurement& measured) {
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
     motion_filter_.reset(measured);
+    lateral_response_.reset();
     moment_arm_error_.reset();
     estimator_.restart();
     extended_rsi_ = not_available;

@@ -56,6 +56,7 @@ class Component {
     LoadTransfer load_transfer_{};
     ExtendedIndicator extended_{};
     SteeringDemand steering_demand_{};
+    LateralResponse lateral_response_{};
     MomentArmError moment_arm_error_{};
     RollPredictor predictor_{};
     ClassicIndices comparison_{};

@@ -15,7 +15,7 @@ enum class Mirror : std::uint8_t { turns, stays };
 enum class Presence : std::uint8_t { always, estimate, sometimes };
 enum class Risk : std::uint8_t { statement, detail };
 enum class LevelScale : std::uint8_t { same, magnitude, per_ssf, complement, limit_over };
-enum class RiskSide : std::uint8_t { own, force, acceleration, predicted, roll };
+enum class RiskSide : std::uint8_t { own, both, force, acceleration, predicted, roll };
 
 struct CodeOutput {
     const char* name;

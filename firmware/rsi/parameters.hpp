@@ -28,7 +28,7 @@ struct SelectionField {
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.
-inline constexpr std::array<ParameterField, 57> parameter_fields{{
+inline constexpr std::array<ParameterField, 59> parameter_fields{{
     {"sprung_mass_kg", &Parameters::sprung_mass_kg, 100.0F, 60000.0F},
     {"sprung_cg_height_m", &Parameters::sprung_cg_height_m, 0.2F, 4.0F},
     {"track_width_m", &Parameters::track_width_m, 0.8F, 3.0F},
@@ -66,6 +66,8 @@ inline constexpr std::array<ParameterField, 57> parameter_fields{{
     {"load_transfer_inertial_weight", &Parameters::load_transfer_inertial_weight, 0.0F, 1.0F},
     {"prediction_horizon_s", &Parameters::prediction_horizon_s, 0.0F, 0.5F},
     {"acceleration_trend_s", &Parameters::acceleration_trend_s, 0.02F, 5.0F},
+    {"response_horizon_s", &Parameters::response_horizon_s, 0.0F, 0.5F},
+    {"response_margin_per_s", &Parameters::response_margin_per_s, 0.0F, 10.0F},
     {"prediction_filter_lag_s", &Parameters::prediction_filter_lag_s, 0.0F, 0.5F},
     {"rollover_index_angle_weight", &Parameters::rollover_index_angle_weight, 0.0F, 1.0F},
     {"rollover_index_acceleration_weight", &Parameters::rollover_index_acceleration_weight, 0.0F, 1.0F},

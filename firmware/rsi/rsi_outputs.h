@@ -40,7 +40,7 @@
     CODE(state, RSI_STATE_UNAVAILABLE, RSI_STATE_WARNING, statement, \
          "rsi_state: what is said of the risk") \
     CODE(side, RSI_SIDE_NONE, RSI_SIDE_RIGHT, statement, \
-         "rsi_side: towards which the vehicle would fall; none while unavailable or ready") \
+         "rsi_side: towards which the vehicle would fall; none while neither side has the risk of an advisory") \
     CODE(roll_source, RSI_ROLL_NONE, RSI_ROLL_OBSERVER, detail, \
          "rsi_roll_source: where the roll angle in use comes from") \
     CODE(roll_sensor_disagrees, 0, 1, detail, \
@@ -79,6 +79,9 @@
     NUMBER(roll_centre_deviation_m, "m", stays, sometimes, detail, \
            "standard deviation of dh; not of every estimator") \
     \
+    NUMBER(opposite_load_transfer_ratio, "-", stays, always, detail, \
+           "the largest towards the other side than predicted_load_transfer_ratio, 0 to 20") \
+    \
     NUMBER(observed_roll_angle_rad, "rad", turns, sometimes, detail, \
            "roll angle relative to the road, without the roll sensor") \
     NUMBER(observed_bank_angle_rad, "rad", turns, sometimes, detail, \
@@ -92,8 +95,8 @@
           "|A/N| / T_dyn: the same with unsprung mass and roll inertia, 0 to 20") \
     INDEX(load_transfer_ratio, "-", turns, LOAD_TRANSFER, 3, load_transfer, magnitude, own, \
           "(26) from the roll state instead of wheel loads, > 0 in a left turn, -20 to 20") \
-    INDEX(predicted_load_transfer_ratio, "-", turns, PREDICTED_LOAD_TRANSFER, 4, predicted_load_transfer, magnitude, own, \
-          "the same, of largest magnitude within the prediction horizon") \
+    INDEX(predicted_load_transfer_ratio, "-", turns, PREDICTED_LOAD_TRANSFER, 4, predicted_load_transfer, magnitude, both, \
+          "the same, of largest magnitude now or within the prediction horizon") \
     INDEX(predicted_rsi, "-", stays, PREDICTED_RSI, 5, predicted_rsi, same, predicted, \
           "rsi_extended at that load transfer, or now if larger") \
     INDEX(static_stability_level, "-", stays, STATIC_STABILITY_FACTOR, 6, static_stability_factor, same, acceleration, \

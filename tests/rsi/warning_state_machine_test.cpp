@@ -27,8 +27,8 @@ class Warning {
  public:
     explicit Warning(const rsi_parameters& parameters) { machine_.init(parameters); }
 
-    rsi_state after(float indicator, float side = 1.0F) {
-        machine_.update(rsi::RiskLevel{indicator, side});
+    rsi_state after(float indicator, float side = 1.0F, float opposite = 0.0F) {
+        machine_.update(rsi::RiskLevel{indicator, side, opposite});
         return machine_.state();
     }
     rsi_state after_samples(int samples, float indicator, float side = 1.0F) {
@@ -174,15 +174,45 @@ TEST(WarningStateMachine, WhileReadyNoSideIsNamed) {
     EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
 }
 
-TEST(WarningStateMachine, AHeldWarningKeepsTheSideThatCausedIt) {
+TEST(WarningStateMachine, AHeldStateNamesASideOnlyWhileItsRiskLasts) {
+    for (const float cause : {0.85F, 1.0F}) {
+        rsi_parameters parameters = quick();
+        parameters.advisory_hold_s = 1.0F;
+        parameters.warning_hold_s = 1.0F;
+        Warning warning(parameters);
+        const rsi_state state = warning.after(cause, 1.0F);
+        ASSERT_GE(state, RSI_STATE_ADVISORY);
+        EXPECT_EQ(warning.after(0.7F, 1.0F), state);
+        EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT);
+        EXPECT_EQ(warning.after(0.699F, 1.0F), state);
+        EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
+        EXPECT_EQ(warning.after(0.699F, -1.0F), state);
+        EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
+        EXPECT_EQ(warning.after(0.7F, -1.0F), state);
+        EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);
+    }
+}
+
+TEST(WarningStateMachine, ASideKeepsItsNameWhileItsOwnRiskLastsAndTheOtherIsNoHigherThanTheStatesLevel) {
+    Warning warning(quick());
+    warning.after(1.0F, 1.0F);
+    warning.after(0.99F, -1.0F, 0.8F);
+    EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT);
+    warning.after(0.79F, -1.0F, 0.7F);
+    EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT);
+    warning.after(0.79F, -1.0F, 0.699F);
+    EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
+}
+
+TEST(WarningStateMachine, NoSideBelowTheAdvisoryLevelIsNamedWhileTheOtherIsAbove) {
     rsi_parameters parameters = quick();
     parameters.warning_hold_s = 1.0F;
-    Warning warning(parameters);
-    warning.after(1.0F, 1.0F);
-    warning.after(0.5F, -1.0F);
-    EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT);
-    warning.after(0.99F, -1.0F);
-    EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT);
+    for (const float opposite : {0.0F, 0.75F, 0.799F}) {
+        Warning warning(parameters);
+        warning.after(1.0F, 1.0F);
+        EXPECT_EQ(warning.after(0.8F, -1.0F, opposite), RSI_STATE_WARNING);
+        EXPECT_EQ(warning.side(), RSI_SIDE_LEFT) << opposite;
+    }
 }
 
 TEST(WarningStateMachine, ANewRiskOnTheOtherSideTakesOver) {
@@ -198,9 +228,9 @@ TEST(WarningStateMachine, ANewRiskOnTheOtherSideTakesOver) {
 TEST(WarningStateMachine, AnAdvisoryChangesSideAtItsOwnLevel) {
     Warning warning(quick());
     warning.after(0.85F, 1.0F);
-    warning.after(0.75F, -1.0F);
+    warning.after(0.79F, -1.0F, 0.75F);
     EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT);
-    warning.after(0.8F, -1.0F);
+    warning.after(0.8F, -1.0F, 0.79F);
     EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);
 }
 

@@ -45,6 +45,8 @@ static inline rsi_parameters rsi_test_large_suv(void) {
     parameters.load_transfer_inertial_weight = 0.0F;
     parameters.prediction_horizon_s = 0.2F;
     parameters.acceleration_trend_s = 0.15F;
+    parameters.response_horizon_s = 0.3F;
+    parameters.response_margin_per_s = 0.85F;
     parameters.prediction_filter_lag_s = 0.02F;
     parameters.rollover_index_angle_weight = 0.4F;
     parameters.rollover_index_acceleration_weight = 0.4F;

@@ -9,13 +9,19 @@ namespace {
 
 // Of e: it is noisy, and a little too little of it costs less than too much.
 constexpr float trusted_share = 0.75F;
+// So many steps of the response, 0.1 s, are as sure as the present.
+constexpr float margin_starts_after = 5.0F;
 
 }  // namespace
 
 void RollPredictor::init(const Parameters& parameters) {
-    step_s_ = parameters.prediction_horizon_s;
+    trend_horizon_s_ = parameters.prediction_horizon_s;
     const float trend_s = parameters.acceleration_trend_s;
-    trend_after_step_s_ = trend_s * (1.0F - decaying_exponential(step_s_ / trend_s));
+    trend_after_horizon_s_ = trend_s * (1.0F - decaying_exponential(trend_horizon_s_ / trend_s));
+    // Validated to 0 .. 0.5 s: at most 25 steps.
+    response_steps_ =
+        static_cast<std::uint32_t>(parameters.response_horizon_s * (1.0F / LateralResponse::step_s) + 0.5F);
+    margin_per_step_ = parameters.response_margin_per_s * LateralResponse::step_s;
     moment_arm_kgm_ = parameters.sprung_mass_kg * roll_arm_m(parameters);
     roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
     roll_damping_nmsprad_ = parameters.roll_damping_nmsprad;
@@ -25,21 +31,20 @@ void RollPredictor::init(const Parameters& parameters) {
 // past nothing.
 float RollPredictor::force_change_mps2(const RollMotion& motion, const DemandedForce& demand) const {
     const float A = motion.road_parallel_force_mps2;
-    const float change = motion.road_parallel_force_rate_mps3 * trend_after_step_s_;
+    const float change = motion.road_parallel_force_rate_mps3 * trend_after_horizon_s_;
     return (change > 0.0F) ? smaller(change, larger(A, demand.most_mps2) - A)
                            : larger(change, smaller(A, demand.least_mps2) - A);
 }
 
 // Trapezoidal rule, linearised with the stiffness of the instant: the suspension's less gravity's, at least
 // zero. Its divisor is at least Ixx.
-RollPredictor::State RollPredictor::after_step(const State& from, float force_mps2, const Arm& arm,
-                                               const LoadTransfer& load_transfer) const {
-    const float dt = step_s_;
+RollPredictor::State RollPredictor::after_step(const State& from, float dt, float force_mps2,
+                                               const Moments& moments, const LoadTransfer& load_transfer) const {
     const float x = from.angle_rad;
     const float y = from.rate_radps;
     const float k =
-        larger(load_transfer.suspension_stiffness_nmprad(x) - arm.gravity_nm * (1.0F + x * x), 0.0F);
-    const float moment_nm = arm.force_kgm * force_mps2 + arm.gravity_nm * short_tangent(x) -
+        larger(load_transfer.suspension_stiffness_nmprad(x) - moments.gravity_nm * (1.0F + x * x), 0.0F);
+    const float moment_nm = moments.arm_kgm * force_mps2 + moments.gravity_nm * short_tangent(x) -
                             load_transfer.suspension_moment_nm(x, y);
     const float change_radps = dt * (moment_nm - 0.5F * dt * k * y) /
                                (roll_inertia_kgm2_ + 0.5F * dt * roll_damping_nmsprad_ + 0.25F * dt * dt * k);
@@ -47,27 +52,59 @@ RollPredictor::State RollPredictor::after_step(const State& from, float force_mp
     return State{x_then, y + change_radps};
 }
 
+float RollPredictor::load_after(const State& then, float force_change_mps2, const Moments& moments,
+                                const LoadTransfer& load_transfer) {
+    return moments.load_nm + moments.force_arm_kgm * force_change_mps2 +
+           load_transfer.suspension_moment_nm(then.angle_rad, then.rate_radps) - moments.suspension_nm;
+}
+
+void RollPredictor::follow_response(const RollMotion& motion, const LateralResponse& response,
+                                    const Moments& moments, const LoadTransfer& load_transfer,
+                                    Sides& largest) const {
+    const float A = motion.road_parallel_force_mps2;
+    ForceCourse force{A, motion.road_parallel_force_rate_mps3};
+    State roll{motion.roll_angle_rad, motion.roll_rate_radps};
+    float margin = -margin_starts_after * margin_per_step_;
+    for (std::uint32_t step = 0U; step < response_steps_; ++step) {
+        const ForceCourse next = response.after_step(force);
+        roll = after_step(roll, LateralResponse::step_s, 0.5F * (force.force_mps2 + next.force_mps2), moments,
+                          load_transfer);
+        force = next;
+        const float load_nm = load_after(roll, force.force_mps2 - A, moments, load_transfer);
+        const float ratio = load_transfer.ratio(load_nm, motion.road_normal_force_mps2);
+        margin += margin_per_step_;
+        const float less = larger(margin, 0.0F);
+        largest.right = larger(largest.right, ratio - less);
+        largest.left = larger(largest.left, -ratio - less);
+    }
+}
+
 Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLoad& load,
-                                   const DemandedForce& demand, float moment_arm_error,
-                                   const LoadTransfer& load_transfer,
+                                   const DemandedForce& demand, const LateralResponse* response,
+                                   float moment_arm_error, const LoadTransfer& load_transfer,
                                    const ExtendedIndicator& extended) const {
     const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
-    const float change_mps2 = force_change_mps2(motion, demand);
-
     const float correction_kgm = trusted_share * moment_arm_error * moment_arm_kgm_;
     const float arm_kgm = moment_arm_kgm_ - correction_kgm;
-    const State then = after_step(State{motion.roll_angle_rad, motion.roll_rate_radps},
-                                  A + 0.5F * change_mps2, Arm{arm_kgm, arm_kgm * N}, load_transfer);
-    const float suspension_change_nm =
-        load_transfer.suspension_moment_nm(then.angle_rad, then.rate_radps) - load.suspension_moment_nm;
-    const float then_nm = load.moment_nm + (load_transfer.force_arm_kgm() + correction_kgm) * change_mps2 +
-                          suspension_change_nm;
+    const Moments moments{arm_kgm, arm_kgm * N, load.suspension_moment_nm, load.moment_nm,
+                          load_transfer.force_arm_kgm() + correction_kgm};
 
+    const float change_mps2 = force_change_mps2(motion, demand);
+    const State then = after_step(State{motion.roll_angle_rad, motion.roll_rate_radps}, trend_horizon_s_,
+                                  A + 0.5F * change_mps2, moments, load_transfer);
+    const float then_nm = load_after(then, change_mps2, moments, load_transfer);
     const bool grows = absolute(then_nm) > absolute(load.moment_nm);
     const float worst_nm = grows ? then_nm : load.moment_nm;
     const float worst_force_mps2 = grows ? A + change_mps2 : A;
-    return Prediction{load_transfer.ratio(worst_nm, N),
+
+    const float ratio_then = load_transfer.ratio(then_nm, N);
+    Sides largest{larger(larger(load.ratio, ratio_then), 0.0F), larger(larger(-load.ratio, -ratio_then), 0.0F)};
+    if (response != nullptr) {
+        follow_response(motion, *response, moments, load_transfer, largest);
+    }
+    const bool is_right = largest.right >= largest.left;
+    return Prediction{is_right ? largest.right : -largest.left, is_right ? largest.left : largest.right,
                       extended.level_under_load(worst_force_mps2, N, worst_nm)};
 }
 

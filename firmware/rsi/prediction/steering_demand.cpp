@@ -7,6 +7,7 @@ namespace {
 
 constexpr float largest_steered_speed_mps = 150.0F;
 constexpr float largest_steering_wheel_angle_rad = 30.0F;
+constexpr float largest_demand_mps2 = 60.0F;
 
 }  // namespace
 
@@ -29,7 +30,8 @@ DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& 
     // A - a_y is the bank's share, zero where the bank is not known.
     const float bank_share = measured.road_parallel_force_mps2 - measured.lateral_acceleration_mps2;
     const float bounded = clamp_magnitude(demanded + bank_share, largest_mps2_);
-    return DemandedForce{smaller(bounded, 0.0F), larger(bounded, 0.0F)};
+    return DemandedForce{smaller(bounded, 0.0F), larger(bounded, 0.0F),
+                         clamp_magnitude(demanded + bank_share, largest_demand_mps2), true};
 }
 
 }  // namespace rsi

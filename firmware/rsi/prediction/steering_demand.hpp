@@ -11,6 +11,8 @@ namespace rsi {
 struct DemandedForce {
     float least_mps2{-60.0F};
     float most_mps2{60.0F};
+    float force_mps2{0.0F};  // the demand itself, within +-60 m/s^2, if it is known
+    bool is_known{false};
 };
 
 // a_d = V^2 delta / (L + K_us V^2) plus what the bank adds to A, within what the tyres can give.

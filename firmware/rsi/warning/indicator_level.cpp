@@ -20,11 +20,13 @@ void WarningIndicator::init(const Parameters& parameters) {
 
 IndicatedRisk WarningIndicator::evaluate(const Outputs& outputs, float roll_angle_rad) const {
     if ((indicator_ < 0) || (indicator_ >= static_cast<std::int32_t>(index_outputs.size()))) {
-        return {not_available, 0.0F};
+        return {not_available, 0.0F, 0.0F};
     }
     const IndexOutput& index = index_outputs[static_cast<std::size_t>(indicator_)];
     const float value = outputs.*index.member;
-    return {at_most_20(level(index.scale, value)), direction(index.side, value, outputs, roll_angle_rad)};
+    const float opposite = (index.side == RiskSide::both) ? outputs.opposite_load_transfer_ratio : 0.0F;
+    return {at_most_20(level(index.scale, value)), direction(index.side, value, outputs, roll_angle_rad),
+            opposite};
 }
 
 float WarningIndicator::level(LevelScale scale, float value) const {
@@ -45,7 +47,7 @@ float WarningIndicator::level(LevelScale scale, float value) const {
 }
 
 float WarningIndicator::direction(RiskSide side, float value, const Outputs& outputs, float roll_angle_rad) {
-    if (side == RiskSide::own) {
+    if ((side == RiskSide::own) || (side == RiskSide::both)) {
         return value;
     }
     if (side == RiskSide::force) {

@@ -12,6 +12,7 @@ namespace rsi {
 struct IndicatedRisk {
     float level;      // 0 to 20; NaN where the indicator is not available
     float direction;  // < 0 in a right turn (the vehicle would fall to the left); its size means nothing
+    float opposite;   // level towards the other side, 0 to 20; 0 of an indicator that knows but one
 };
 
 // Reads the indicator that the parameters choose for the warning.

@@ -91,16 +91,22 @@ rsi_state WarningStateMachine::next_state(const RiskLevel& risk) const {
     }
 }
 
-// While a state is only held, the side stays the one that caused it; a new risk on the other side takes over.
 void WarningStateMachine::update_side(const RiskLevel& risk) {
-    if (state_ == RSI_STATE_READY) {
-        side_ = RSI_SIDE_NONE;
-        return;
+    side_ = (state_ == RSI_STATE_READY) ? RSI_SIDE_NONE : next_side(risk);
+}
+
+// The hold times keep a state visible, not a side. A side stays named while its own risk lasts and the other's
+// does not reach the level of the state; below the advisory level it gives way to the other above it.
+rsi_side WarningStateMachine::next_side(const RiskLevel& risk) const {
+    const rsi_side larger_risk = falling_side(risk.side);
+    if ((side_ == larger_risk) || (side_ == RSI_SIDE_NONE)) {
+        return (risk.indicator >= advisory_off_) ? larger_risk : RSI_SIDE_NONE;
     }
     const float level = (state_ == RSI_STATE_WARNING) ? warning_on_ : advisory_on_;
-    if ((side_ == RSI_SIDE_NONE) || (risk.indicator >= level)) {
-        side_ = falling_side(risk.side);
+    if ((risk.indicator >= level) || ((risk.indicator >= advisory_on_) && (risk.opposite < advisory_on_))) {
+        return larger_risk;
     }
+    return (risk.opposite >= advisory_off_) ? side_ : RSI_SIDE_NONE;
 }
 
 }  // namespace rsi

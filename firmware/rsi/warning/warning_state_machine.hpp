@@ -10,8 +10,9 @@ namespace rsi {
 
 // What one sample says about the risk.
 struct RiskLevel {
-    float indicator{0.0F};  // 1 at the threshold
+    float indicator{0.0F};  // towards the side of the larger risk; 1 at the threshold
     float side{1.0F};       // < 0 in a right turn
+    float opposite{0.0F};   // towards the other side, for an indicator that knows both; else 0
 };
 
 class WarningStateMachine {
@@ -34,6 +35,7 @@ class WarningStateMachine {
     void count_confirmation(const RiskLevel& risk);
     rsi_state next_state(const RiskLevel& risk) const;
     void update_side(const RiskLevel& risk);
+    rsi_side next_side(const RiskLevel& risk) const;
 
     float advisory_on_{1.0F};
     float advisory_off_{1.0F};

@@ -18,7 +18,7 @@ std::function<rsi::RiskLevel(const IndexSample&)> risk_of(std::int32_t indicator
         rsi::WarningIndicator reader;
         reader.init(parameters);
         const rsi::IndicatedRisk risk = reader.evaluate(sample.outputs, sample.roll_angle_rad);
-        return rsi::RiskLevel{risk.level, risk.direction};
+        return rsi::RiskLevel{risk.level, risk.direction, risk.opposite};
     };
 }
 

@@ -109,8 +109,8 @@ class Judge {
         require(outputs.side <= RSI_SIDE_RIGHT, "the side is one of three");
         require(outputs.roll_source <= RSI_ROLL_OBSERVER, "the roll angle has one of three sources");
         require((outputs.roll_sensor_disagrees | outputs.estimate_frozen | 1) == 1, "a flag is 0 or 1");
-        require((outputs.state >= RSI_STATE_ADVISORY) == (outputs.side != RSI_SIDE_NONE),
-                "a risk has a side, and nothing else has one");
+        require((outputs.state >= RSI_STATE_ADVISORY) || (outputs.side == RSI_SIDE_NONE),
+                "only a risk has a side");
         if (outputs.state == RSI_STATE_UNAVAILABLE) {
             steps_at_warning_level_ = 0;
         }

@@ -344,8 +344,7 @@ class World {
         state_ = warning.state;
         const bool available = warning.state != State::unavailable;
         const bool sided = warning.state == State::advisory || warning.state == State::warning;
-        require(sided == (warning.side != RolloverWarning::Side::none),
-                "a risk has a side, and nothing else has one");
+        require(sided || (warning.side == RolloverWarning::Side::none), "only a risk has a side");
         require(accepted_ || !available, "unavailable without good parameters");
         require(status.parameters_invalid == !accepted_, "refused parameters are reported");
         require((warning.parameters_refusal == RolloverWarning::ParametersRefusal::none) == accepted_,

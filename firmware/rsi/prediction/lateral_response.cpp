@@ -1,0 +1,59 @@
+#include "rsi/prediction/lateral_response.hpp"
+
+#include "rsi/numeric/bounded.hpp"
+
+namespace rsi {
+namespace {
+
+// Below this a turn says nothing of the tyres' limit.
+constexpr float smallest_force_mps2 = 2.0F;
+// Shares of the difference a sample: down within 0.6 s, back in 5 s.
+constexpr float fall_weight = 3.0F * sample_time_s / 0.6F;
+constexpr float return_weight = 3.0F * sample_time_s / 5.0F;
+
+}  // namespace
+
+void LateralResponse::init(const Parameters& parameters) {
+    const float w = parameters.lateral_response_frequency_radps;
+    const float zeta = parameters.lateral_response_damping;
+    is_known_ = (w > 0.0F);
+    lead_s_ = is_known_ ? 2.0F * zeta / w : 0.0F;
+    largest_mps2_ = parameters.largest_lateral_acceleration_mps2;
+    // The divisor is at least 1.
+    const float half = 0.5F * step_s;
+    const float spring = half * half * w * w;
+    const float damper = 2.0F * half * zeta * w;
+    const float scale = 1.0F / (1.0F + damper + spring);
+    force_by_force_ = scale * (1.0F + damper - spring);
+    force_by_rate_ = scale * step_s;
+    rate_by_force_ = -scale * step_s * w * w;
+    rate_by_rate_ = scale * (1.0F - damper - spring);
+    reset();
+}
+
+bool LateralResponse::update(const RollMotion& motion, const DemandedForce& demand) {
+    if (!is_known_ || !demand.is_known) {
+        limit_mps2_ += return_weight * (largest_mps2_ - limit_mps2_);
+        return false;
+    }
+    const float A = motion.road_parallel_force_mps2;
+    const float tended_mps2 = A + lead_s_ * motion.road_parallel_force_rate_mps3;
+    const float asked = (A < 0.0F) ? -demand.force_mps2 : demand.force_mps2;
+    const float given = (A < 0.0F) ? -tended_mps2 : tended_mps2;
+    const bool saturates = (absolute(A) > smallest_force_mps2) && (asked > given) && (limit_mps2_ > given);
+    limit_mps2_ += saturates ? fall_weight * (larger(given, smallest_force_mps2) - limit_mps2_)
+                             : return_weight * (largest_mps2_ - limit_mps2_);
+    target_mps2_ = clamp_magnitude(demand.force_mps2, limit_mps2_);
+    least_mps2_ = smaller(smaller(A, target_mps2_), 0.0F);
+    most_mps2_ = larger(larger(A, target_mps2_), 0.0F);
+    return true;
+}
+
+ForceCourse LateralResponse::after_step(const ForceCourse& from) const {
+    const float x = from.force_mps2 - target_mps2_;
+    const float y = from.rate_mps3;
+    const float force_mps2 = target_mps2_ + force_by_force_ * x + force_by_rate_ * y;
+    return ForceCourse{clamp(force_mps2, least_mps2_, most_mps2_), rate_by_force_ * x + rate_by_rate_ * y};
+}
+
+}  // namespace rsi
