@@ -24,9 +24,10 @@ class Look {
         load_transfer_.init(parameters);
         extended_.init(parameters);
     }
-    rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {}) const {
-        return predictor_.evaluate(motion, load_transfer_.evaluate(motion), demand, 0.0F, load_transfer_,
-                                   extended_);
+    rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {},
+                          const rsi::LateralResponse* response = nullptr) const {
+        return predictor_.evaluate(motion, load_transfer_.evaluate(motion), demand, response, 0.0F,
+                                   load_transfer_, extended_);
     }
     float present(const rsi::RollMotion& motion) const { return load_transfer_.evaluate(motion).ratio; }
 
@@ -142,6 +143,93 @@ TEST(Prediction, EndsAtTwentyOnEitherSide) {
         EXPECT_EQ(static_cast<double>(look.present(motion)), side * 20.0);
         EXPECT_EQ(static_cast<double>(look.ahead(motion).load_transfer_ratio), side * 20.0);
     }
+}
+
+// A look ahead by the lateral response alone: without the trend's horizon.
+class LookAlongTheResponse {
+ public:
+    LookAlongTheResponse(double horizon_s, double margin_per_s)
+        : parameters_{with(horizon_s, margin_per_s)}, look_{parameters_} {
+        response_.init(parameters_);
+    }
+    rsi::Prediction operator()(const rsi::RollMotion& motion, double demanded_mps2) {
+        rsi::DemandedForce demand;
+        demand.force_mps2 = static_cast<float>(demanded_mps2);
+        demand.is_known = true;
+        EXPECT_TRUE(response_.update(motion, demand));
+        return look_.ahead(motion, demand, &response_);
+    }
+    const rsi_parameters& parameters() const { return parameters_; }
+    double present(const rsi::RollMotion& motion) const { return static_cast<double>(look_.present(motion)); }
+
+ private:
+    static rsi_parameters with(double horizon_s, double margin_per_s) {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.prediction_horizon_s = 0.0F;
+        parameters.lateral_response_frequency_radps = 9.0F;
+        parameters.lateral_response_damping = 0.8F;
+        parameters.response_horizon_s = static_cast<float>(horizon_s);
+        parameters.response_margin_per_s = static_cast<float>(margin_per_s);
+        return parameters;
+    }
+
+    rsi_parameters parameters_;
+    Look look_;
+    rsi::LateralResponse response_{};
+};
+
+TEST(ResponsePrediction, UnderAForceThatStaysItIsTheRollEquationsMotion) {
+    LookAlongTheResponse look{0.3, 0.0};
+    const ReferenceVehicle vehicle{look.parameters()};
+    double largest_gain = 0.0;
+    for (const double A : {2.0, 5.0, 6.0}) {
+        const rsi::RollMotion motion = motion_with(A, 0.02, 0.1);
+        // The largest of all steps: the reference with parts as long as a step and a half of the predictor.
+        double expected = 0.0;
+        for (int steps = 0; steps <= 15; ++steps) {
+            expected = std::max(expected, rsi_test::predicted_load_transfer(vehicle, ReferenceForce{A}, gravity_mps2, 0.02,
+                                                                            0.1, 0.02 * steps));
+        }
+        EXPECT_NEAR(static_cast<double>(look(motion, A).load_transfer_ratio), expected, 0.03) << A;
+        largest_gain = std::max(largest_gain, expected - look.present(motion));
+    }
+    EXPECT_GT(largest_gain, 0.2);  // otherwise the comparison says nothing
+}
+
+TEST(ResponsePrediction, ASteeringThatAsksForMoreIsSeenBeforeTheForceMoves) {
+    LookAlongTheResponse look{0.3, 0.0};
+    const rsi::RollMotion motion = motion_with(2.0, 0.03, 0.0);
+    const double asked_more = static_cast<double>(look(motion, 8.0).load_transfer_ratio);
+    EXPECT_GT(asked_more, static_cast<double>(look(motion, 2.0).load_transfer_ratio) + 0.3);
+    LookAlongTheResponse nearer{0.1, 0.0};
+    EXPECT_LT(static_cast<double>(nearer(motion, 8.0).load_transfer_ratio), asked_more - 0.2);
+}
+
+TEST(ResponsePrediction, KnowsBothSidesOfASwing) {
+    LookAlongTheResponse look{0.5, 0.0};
+    const rsi::RollMotion motion = motion_with(6.0, 0.08, 0.0, -30.0);
+    const rsi::Prediction prediction = look(motion, -8.0);
+    EXPECT_NEAR(prediction.opposite_ratio, look.present(motion), 0.05);
+    EXPECT_LT(prediction.load_transfer_ratio, -static_cast<float>(look.present(motion)));
+    rsi::RollMotion mirrored = motion_with(-6.0, -0.08, 0.0, 30.0);
+    const rsi::Prediction other = look(mirrored, 8.0);
+    EXPECT_EQ(other.load_transfer_ratio, -prediction.load_transfer_ratio);
+    EXPECT_EQ(other.opposite_ratio, prediction.opposite_ratio);
+}
+
+// What lies further ahead than a tenth of a second counts less by the margin, what is nearer and the present
+// in full.
+TEST(ResponsePrediction, TheMarginGrowsWithTheTimeAhead) {
+    const rsi::RollMotion motion = motion_with(2.0, 0.03, 0.0);
+    const auto level = [&](double horizon_s, double margin_per_s) {
+        return static_cast<double>(LookAlongTheResponse{horizon_s, margin_per_s}(motion, 8.0).load_transfer_ratio);
+    };
+    EXPECT_EQ(level(0.1, 0.0), level(0.1, 1.0));
+    EXPECT_NEAR(level(0.12, 0.0) - level(0.12, 1.0), 0.02, 1e-4);
+    EXPECT_NEAR(level(0.3, 0.0) - level(0.3, 1.0), 0.2, 1e-4);
+    const double present = level(0.0, 0.0);
+    EXPECT_EQ(level(0.3, 2.0) >= present, true);
+    EXPECT_EQ(LookAlongTheResponse(0.0, 0.0).present(motion), present);
 }
 
 class DemandOf {
