@@ -59,8 +59,7 @@ void WarningJudge::observe(double time_s, double load_transfer_ratio) {
     time_s_ = time_s;
     const WarningSide loaded = loaded_side(load_transfer_ratio);
     if (loaded != WarningSide::none && loaded != loaded_side_) {
-        loaded_side_ = loaded;
-        swung_s_ = time_s;
+        swing_to(loaded);
     }
     // std::fmax takes the number beside a NaN: a vehicle in the air has no load transfer.
     judgement_.largest_load_transfer_ratio =
@@ -77,17 +76,34 @@ void WarningJudge::count_time(double step_s, double begin_s) {
         case WarningState::advisory:
             judgement_.advisory_s += step_s;
             break;
-        case WarningState::warning: {
-            judgement_.warning_s += step_s;
-            const bool wrong =
-                side_ != WarningSide::none && loaded_side_ != WarningSide::none && side_ != loaded_side_;
-            const bool settled = begin_s >= swung_s_ + swing_s - time_rounding_s;
-            judgement_.wrong_side_s += wrong && settled ? step_s : 0.0;
-            break;
-        }
+        case WarningState::warning:
+            count_warning(step_s, begin_s);
+            return;
         default:
             break;
     }
+    wrong_until_now_s_ = 0.0;
+}
+
+void WarningJudge::count_warning(double step_s, double begin_s) {
+    judgement_.warning_s += step_s;
+    const bool wrong =
+        side_ != WarningSide::none && loaded_side_ != WarningSide::none && side_ != loaded_side_;
+    const bool settled = begin_s >= swung_s_ + swing_s - time_rounding_s;
+    if (wrong && settled) {
+        judgement_.wrong_side_s += step_s;
+        wrong_until_now_s_ += step_s;
+    } else {
+        wrong_until_now_s_ = 0.0;
+    }
+}
+
+void WarningJudge::swing_to(WarningSide side) {
+    const bool foreseen = state_ == WarningState::warning && side_ == side;
+    judgement_.wrong_side_s -= foreseen ? std::min(wrong_until_now_s_, foresight_s) : 0.0;
+    wrong_until_now_s_ = 0.0;
+    loaded_side_ = side;
+    swung_s_ = time_s_;
 }
 
 void WarningJudge::observe(WarningState state, WarningSide side, double reception_time_s) {
@@ -101,6 +117,7 @@ void WarningJudge::observe(WarningState state, WarningSide side, double receptio
             : 0U;
     state_ = state;
     side_ = side;
+    wrong_until_now_s_ = 0.0;
     changes_.push_back({reception_time_s, state, side});
     judgement_.late = judgement_.late || (judgement_.lifted && !judgement_.lead_s &&
                                           state == WarningState::warning && side == judgement_.falling_side);

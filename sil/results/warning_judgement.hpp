@@ -49,7 +49,7 @@ struct WarningJudgement {
     std::optional<double> lead_s{};                   // at two-wheel lift-off; empty unless warned
     bool late{false};                                 // the right warning came only after it
 
-    double wrong_side_s{0.0};  // a warning names the side that is loaded less, from 0.1 s after the swing on
+    double wrong_side_s{0.0};  // a warning names the side that is loaded less, but for swing_s and foresight_s
     double warning_s{0.0};
     double advisory_s{0.0};
     double unavailable_s{0.0};                // beyond the start-up
@@ -64,6 +64,9 @@ class WarningJudge {
  public:
     // Load transfer swings faster than any warning can follow.
     static constexpr double swing_s = 0.1;
+    // A warning may name the side to which the load swings within so long: it looks ahead. If the swing does
+    // not come, or the warning names another side before, all of it was wrong.
+    static constexpr double foresight_s = 0.3;
     // So long the ECU may be unavailable from the beginning, until its inputs have proved good.
     static constexpr double start_up_s = 0.2;
 
@@ -87,6 +90,8 @@ class WarningJudge {
     };
 
     void count_time(double step_s, double begin_s);
+    void count_warning(double step_s, double begin_s);
+    void swing_to(WarningSide side);
 
     WarningJudgement judgement_{};
     WarningState state_{WarningState::unavailable};
@@ -96,6 +101,7 @@ class WarningJudge {
     double time_s_{0.0};
     WarningSide loaded_side_{WarningSide::none};
     double swung_s_{0.0};
+    double wrong_until_now_s_{0.0};  // of wrong_side_s: without a break until now
 };
 
 }  // namespace sil
