@@ -217,6 +217,22 @@ TEST(ResponsePrediction, KnowsBothSidesOfASwing) {
     EXPECT_EQ(other.opposite_ratio, prediction.opposite_ratio);
 }
 
+// Wheels that are up come down before those of the other side lift: until then there is no risk on that side.
+TEST(ResponsePrediction, HasNoOtherSideWhileWheelsAreUp) {
+    LookAlongTheResponse look{0.5, 0.0};
+    for (const double side : {1.0, -1.0}) {
+        const rsi::RollMotion nearly = motion_with(side * 6.0, side * 0.08, 0.0, side * -30.0);
+        ASSERT_LT(std::fabs(look.present(nearly)), 1.0);
+        ASSERT_GT(std::fabs(look.present(nearly)), 0.6);
+        EXPECT_LT(side * static_cast<double>(look(nearly, side * -8.0).load_transfer_ratio), -0.5);
+        const rsi::RollMotion up = motion_with(side * 9.0, side * 0.12, 0.0, side * -45.0);
+        ASSERT_GT(side * look.present(up), 1.0);
+        const rsi::Prediction prediction = look(up, side * -8.0);
+        EXPECT_GT(side * static_cast<double>(prediction.load_transfer_ratio), 1.0);
+        EXPECT_EQ(prediction.opposite_ratio, 0.0F);
+    }
+}
+
 // What lies further ahead than a tenth of a second counts less by the margin, what is nearer and the present
 // in full.
 TEST(ResponsePrediction, TheMarginGrowsWithTheTimeAhead) {
