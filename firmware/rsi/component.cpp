@@ -119,7 +119,7 @@ void Component::start(const Parameters& parameters) {
     outputs.rsi_extended = extended_.level(motion);
 
     // Predict both.
-    const DemandedForce demand = steering_demand_.update(inputs, measured);
+    const DemandedForce demand = steering_demand_.evaluate(inputs, measured);
     const float moment_arm_error =
         moment_arm_error_.update(motion, load, measured.roll_source == RSI_ROLL_SENSOR);
     const LateralResponse* const response =
@@ -175,7 +175,6 @@ void Component::resume(const Measurement& measured) {
     fixed_.reset(measured.roll_angle_rad);
     compensated_.reset(measured.roll_angle_rad);
     motion_filter_.reset(measured);
-    steering_demand_.reset();
     lateral_response_.reset();
     moment_arm_error_.reset();
     estimator_.restart();

@@ -8,11 +8,6 @@ namespace {
 constexpr float largest_steered_speed_mps = 150.0F;
 constexpr float largest_steering_wheel_angle_rad = 30.0F;
 constexpr float largest_demand_mps2 = 60.0F;
-// Yaw rate times speed: no tyre turns a vehicle so fast.
-constexpr float spin_mps2 = 10.5F;
-// It is over when yaw rate times speed has agreed with the force for 1 s.
-constexpr float agreement_mps2 = 2.0F;
-constexpr std::uint32_t agreeing_samples = 100U;
 
 }  // namespace
 
@@ -22,28 +17,8 @@ void SteeringDemand::init(const Parameters& parameters) {
     largest_mps2_ = parameters.largest_lateral_acceleration_mps2;
 }
 
-// Without a yaw rate no spin is seen.
-bool SteeringDemand::spins(float yaw_acceleration_mps2, float road_parallel_force_mps2) {
-    if (!is_finite(yaw_acceleration_mps2)) {
-        spin_samples_ = 0U;
-        return false;
-    }
-    if (!is_within_magnitude(yaw_acceleration_mps2, spin_mps2)) {
-        spin_samples_ = agreeing_samples;
-    } else if (spin_samples_ > 0U) {
-        const bool agrees =
-            is_within_magnitude(yaw_acceleration_mps2 - road_parallel_force_mps2, agreement_mps2);
-        spin_samples_ = agrees ? spin_samples_ - 1U : agreeing_samples;
-    } else {
-        return false;
-    }
-    return true;
-}
-
-DemandedForce SteeringDemand::update(const Inputs& inputs, const Measurement& measured) {
-    const float A = measured.road_parallel_force_mps2;
+DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& measured) const {
     if (!is_within_magnitude(inputs.speed_mps, largest_steered_speed_mps) ||
-        spins(inputs.yaw_rate_radps * inputs.speed_mps, A) ||
         !is_within_magnitude(inputs.steering_wheel_angle_rad, largest_steering_wheel_angle_rad)) {
         return DemandedForce{};
     }
@@ -53,7 +28,7 @@ DemandedForce SteeringDemand::update(const Inputs& inputs, const Measurement& me
         larger(wheelbase_m_ + understeer_gradient_s2pm_ * speed_squared, 0.1F * wheelbase_m_);
     const float demanded = speed_squared * inputs.steering_wheel_angle_rad / divisor_m;
     // A - a_y is the bank's share, zero where the bank is not known.
-    const float bank_share = A - measured.lateral_acceleration_mps2;
+    const float bank_share = measured.road_parallel_force_mps2 - measured.lateral_acceleration_mps2;
     const float bounded = clamp_magnitude(demanded + bank_share, largest_mps2_);
     return DemandedForce{smaller(bounded, 0.0F), larger(bounded, 0.0F),
                          clamp_magnitude(demanded + bank_share, largest_demand_mps2), true};
