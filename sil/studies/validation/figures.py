@@ -54,6 +54,11 @@ def ms(later_s, earlier_s):
     return f"{1000.0 * (later_s - earlier_s):.0f}"
 
 
+def table_rows(cells):
+    """Rows of a table: the first cell, and the others."""
+    return "\n".join("| " + " | ".join([first, *others]) + " |" for first, others in cells.items())
+
+
 def load(folder):
     names = ["j-turn-45", "j-turn-110", "j-turn-banked", "fishhook-1a", "roll-centre-moving", "roll-centre-fixed"]
     return {f"{name}-{kind}": Run(folder / f"{name}-{kind}") for name in names for kind in ("published", "default")}
@@ -144,14 +149,18 @@ def figs_5_to_8(runs, claims):
         "j45_kinematic_vertical_mm": f"{1000 * (max(kinematic_height) - min(kinematic_height)):.0f}",
         "j45_published_roll_rms": f"{off(run, 'compensated_roll_angle_deg'):.2f}",
     }
-    models = [("simple model", run, "fixed_model_roll_angle_deg"), ("compensated, published estimates", run, "compensated_roll_angle_deg"),
-              ("compensated, second estimator's estimates", second, "compensated_roll_angle_deg")]
-    spans = [(-math.inf, end), (START_S["j-turn-45"], START_S["j-turn-45"] + 2.0), (end - 2.0, end)]
-    rows = [(name, [rms(of.within([a - b for a, b in zip(of[column], roll)], *span)) for span in spans]) for name, of, column in models]
-    values["fig7_table"] = "\n".join(f"| {name} | " + " | ".join(f"{error:.2f}" for error in errors) + " |" for name, errors in rows)
-    claims.hold("Fig. 7: both compensated models are better than the simple one, in the transient and in the steady turn",
-                all(errors[k] < rows[0][1][k] for _, errors in rows[1:] for k in (1, 2)))
-    claims.hold("Fig. 7: the published estimates leave more in the transient than in the steady turn", rows[1][1][1] > rows[1][1][2])
+    start = START_S["j-turn-45"]
+    spans = [(-math.inf, end), (start, start + 2.0), (end - 2.0, end)]
+    errors = {}
+    for name, of, column in (("simple model", run, "fixed_model_roll_angle_deg"),
+                             ("compensated, published estimates", run, "compensated_roll_angle_deg"),
+                             ("compensated, second estimator's estimates", second, "compensated_roll_angle_deg")):
+        difference = [a - b for a, b in zip(of[column], roll)]
+        errors[name] = [rms(of.within(difference, *span)) for span in spans]
+    values["fig7_table"] = table_rows({name: [f"{error:.2f}" for error in row] for name, row in errors.items()})
+    simple, *compensated = errors.values()
+    claims.hold("Fig. 7: both compensated models are better than the simple one, in transient and steady state",
+                all(row[k] < simple[k] for row in compensated for k in (1, 2)))
     claims.hold("Fig. 5: below 0.8 g, near 6 degrees, no wheel lifts", largest(run.ay) < 0.8 and abs(steady(roll) - 6.0) < 1.0 and not run.one_wheel())
     claims.hold("Fig. 6: the published height is far off, the second near", error(estimate) > 5 * rms(turn(height)) and error(better) < 0.5 * rms(turn(height)))
     claims.hold("Fig. 7: both compensated models are within 0.2 degrees", off(run, "compensated_roll_angle_deg") < 0.2 and off(second, "compensated_roll_angle_deg") < 0.2)
@@ -281,70 +290,85 @@ def lead_table(runs, calibration):
 
 
 # The indices of the paper's Fig. 15, in the order that it finds in the counter-steer.
-OF_FIG_15 = [("energy", "energy"), ("rollover_index", "RI"), ("published", "RSI"), ("dynamic_stability", "DSI, physical sign"),
-             ("dynamic_stability_late", "DSI, printed sign")]
+OF_FIG_15 = {"energy": "energy", "rollover_index": "RI", "published": "RSI", "dynamic_stability": "DSI, physical sign",
+             "dynamic_stability_late": "DSI, printed sign"}
 
 
 def nearest(runs, claims):
     """Fig. 15 (a): which index says "warn" nearest to two-wheel lift-off, before or after it."""
-    rows, closest = [], {}
-    for case, name in (("fishhook-1a", "fishhook 1a, counter-steer"), ("j-turn-110", "J-turn 110"), ("j-turn-banked", "banked J-turn")):
+    cells, closest = {}, {}
+    names = {"fishhook-1a": "fishhook 1a, counter-steer", "j-turn-110": "J-turn 110", "j-turn-banked": "banked J-turn"}
+    for case, name in names.items():
         distances = {}
-        for column, index in OF_FIG_15:
+        for column, index in OF_FIG_15.items():
             run, levels = level(runs, case, column)
             begin = second_turn_s(run) if case == "fishhook-1a" else START_S[case]
             first = run.first(levels, begin_s=begin)
             distances[index] = math.inf if first is None else abs(run.two_wheels(begin) - first)
         closest[case] = min(distances, key=distances.get)
-        cells = ["never" if math.isinf(distances[index]) else f"{distances[index]:.2f}" for _, index in OF_FIG_15]
-        rows.append(f"| {name} | " + " | ".join(cells) + f" | {closest[case]} |")
+        cells[name] = ["never" if math.isinf(d) else f"{d:.2f}" for d in distances.values()] + [closest[case]]
     claims.hold("Fig. 15 (a): the RSI is nearest in the fishhook, the energy in both J-turns",
                 closest == {"fishhook-1a": "RSI", "j-turn-110": "energy", "j-turn-banked": "energy"})
-    head = "| apart from two-wheel lift-off, s | " + " | ".join(index for _, index in OF_FIG_15) + " | nearest |"
-    return {"fig15_nearest": "\n".join([head, "|" + "---|" * (len(OF_FIG_15) + 2), *rows])}
+    head = {"apart from two-wheel lift-off, s": [*OF_FIG_15.values(), "nearest"], "---": ["---"] * (len(OF_FIG_15) + 1)}
+    return {"fig15_nearest": table_rows({**head, **cells})}
 
 
 def acceleration_alone(runs, claims):
-    """Fig. 15 (b): what a warning from the lateral acceleration alone can do, at the least level that spares the run of Fig. 2."""
+    """Fig. 15 (b): a warning from the lateral acceleration alone, at the least level that spares the run of Fig. 2."""
     calm, run = runs["roll-centre-moving-published"], runs["fishhook-1a-published"]
     spared, turn = largest(calm.ay), second_turn_s(run)
     two, crossed = run.two_wheels(turn), run.crossing([abs(a) - spared for a in run.ay], turn)
-    claims.hold("Fig. 15 (b): a level of lateral acceleration that spares Fig. 2 is less than 50 ms ahead in the fishhook",
+    claims.hold("Fig. 15 (b): a lateral acceleration that spares Fig. 2 is less than 50 ms ahead in the fishhook",
                 calm.two_wheels() is None and 0.0 < two - crossed < 0.05)
     claims.hold("Fig. 15 (b): the SSF is crossed after two-wheel lift-off on flat ground",
                 all(of.first(of["level_static_stability_factor"], begin_s=begin) > of.two_wheels(begin)
                     for of, begin in ((run, turn), (runs["j-turn-110-published"], START_S["j-turn-110"]))))
-    return {"alone_spared_ay": f"{spared:.3f}", "alone_lead_ms": ms(two, crossed), "fish_two_ay": f"{abs(run.at(run.ay, two)):.3f}"}
+    return {"alone_spared_ay": f"{spared:.3f}", "alone_lead_ms": ms(two, crossed),
+            "fish_two_ay": f"{abs(run.at(run.ay, two)):.3f}"}
 
 
 ADDED_NM = 500.0  # 50 kg a metre off the middle
 
 
+def least_squares_errors(run, case, calibration, claims):
+    """For each added moment: RMS error of the vertical movement of each variant, and last of the constant, m."""
+    end = run.two_wheels() or run.time[-1]
+    height = [h - NOMINAL_HEIGHT_M for h in run["true_roll_centre_height_m"]]
+    rows = least_squares.regression(run, calibration)
+
+    def error(found):
+        return rms(run.within([a - b for a, b in zip(found, height)], START_S.get(case, 1.0) + 0.5, end))
+
+    errors = {}
+    for added_nm in (0.0, ADDED_NM):
+        found = {name: least_squares.movements(rows, calibration, *how, added_nm)
+                 for name, *how in least_squares.VARIANTS}
+        if added_nm == 0.0:
+            off = [a - b for a, b in zip(found["both"], run["roll_centre_vertical_m"])]
+            claims.hold(f"least squares, {case}: with both it is the firmware's estimate",
+                        largest(run.within(off, end_s=end)) < 0.002)
+        errors[added_nm] = {name: error(movement) for name, movement in found.items()}
+        errors[added_nm]["constant"] = error([0.0] * len(height))
+    return errors
+
+
 def least_squares_table(runs, calibration, claims):
-    """RMS error of the vertical movement by the paper's least squares, without and with its additions."""
+    """The paper's least squares, without and with its additions."""
     rows = []
-    for case, name in (("j-turn-45", "J-turn 45"), ("roll-centre-moving", "Fig. 2 moving"), ("j-turn-110", "J-turn 110"), ("fishhook-1a", "fishhook 1a")):
-        run = runs[f"{case}-published"]
-        end = run.two_wheels() or run.time[-1]
-        height = [h - NOMINAL_HEIGHT_M for h in run["true_roll_centre_height_m"]]
-        data = least_squares.regression(run, calibration)
-        error = lambda found: rms(run.within([a - b for a, b in zip(found, height)], START_S.get(case, 1.0) + 0.5, end))
-        constant, gains = error([0.0] * len(height)), []
-        for added_nm in (0.0, ADDED_NM):
-            found = {words: least_squares.movements(data, calibration, *how, added_nm) for words, *how in least_squares.VARIANTS}
-            errors = {words: error(dh) for words, dh in found.items()}
-            with_it = [("disturbance observer", "none"), ("both", "normalisation"), ("normalisation", "none"), ("both", "disturbance observer")]
-            claims.hold(f"least squares, {case}: each addition makes the error smaller", all(errors[a] < errors[b] for a, b in with_it))
-            claims.hold(f"least squares, {case}: all are worse than the constant", min(errors.values()) > constant)
-            gains.append(errors["both"] / errors["normalisation"])
-            if added_nm == 0.0:
-                off = largest(run.within([a - b for a, b in zip(found["both"], run["roll_centre_vertical_m"])], end_s=end))
-                claims.hold(f"least squares, {case}: with both it is the firmware's estimate", off < 0.002)
-            cells = [f"{1000 * errors[words]:.0f}" for words, *_ in least_squares.VARIANTS]
-            rows.append(f"| {name} | {added_nm:.0f} | " + " | ".join(cells) + f" | {1000 * constant:.0f} |")
-        claims.hold(f"least squares, {case}: the disturbance observer gains more where there is a disturbance", gains[1] < gains[0])
-    head = "| | added moment, N m | " + " | ".join(f"with {words}" if words != "none" else "alone" for words, *_ in least_squares.VARIANTS) + " | constant |"
-    return {"least_squares_table": "\n".join([head, "|" + "---|" * (len(least_squares.VARIANTS) + 3), *rows])}
+    names = {"j-turn-45": "J-turn 45", "roll-centre-moving": "Fig. 2 moving", "j-turn-110": "J-turn 110",
+             "fishhook-1a": "fishhook 1a"}
+    gains = [("normalisation", "none"), ("disturbance observer", "none"), ("both", "normalisation"),
+             ("both", "disturbance observer")]
+    for case, name in names.items():
+        errors = least_squares_errors(runs[f"{case}-published"], case, calibration, claims)
+        for added_nm, row in errors.items():
+            claims.hold(f"least squares, {case}: each addition makes the error smaller",
+                        all(row[with_it] < row[without] for with_it, without in gains))
+            claims.hold(f"least squares, {case}: all are worse than the constant", min(row, key=row.get) == "constant")
+            rows.append([name, f"{added_nm:.0f}", *(f"{1000 * error:.0f}" for error in row.values())])
+        left = [row["both"] / row["normalisation"] for row in errors.values()]
+        claims.hold(f"least squares, {case}: the observer gains more where there is a disturbance", left[1] < left[0])
+    return {"least_squares_table": "\n".join("| " + " | ".join(cells) + " |" for cells in rows)}
 
 
 def margins(runs):

@@ -1,19 +1,27 @@
-"""The paper's least squares with and without its additions, on the signals of a run: disturbance observer (8), (11), and
-normalisation. Written from docs/paper.md in double precision; it shares nothing with the firmware but the measured signals
-and the roll of the fixed model."""
+"""The paper's least squares on the signals of a run, with and without what it adds: disturbance observer and normalisation.
+
+Written from docs/paper.md, in double precision. It shares nothing with the firmware but the measured signals and the roll
+of the fixed model.
+"""
 
 import math
 
-# Least squares alone, each addition, and both: what the paper calls RLSDA with normalisation.
-VARIANTS = [("none", False, False), ("normalisation", False, True), ("disturbance observer", True, False), ("both", True, True)]
+# What is added, whether that observes the disturbance, and whether it normalises. With both it is the paper's.
+VARIANTS = [
+    ("none", False, False),
+    ("normalisation", False, True),
+    ("disturbance observer", True, False),
+    ("both", True, True),
+]
+SCALES = ["initial_roll_centre_deviation_m", "initial_stiffness_deviation_nmprad", "initial_damping_deviation_nmsprad"]
 
 
 def regression(run, calibration):
     """Y and psi of (5) in every cycle."""
     m_s, K_f, c_f = (calibration[k] for k in ("sprung_mass_kg", "roll_stiffness_nmprad", "roll_damping_nmsprad"))
     H = calibration["sprung_cg_height_m"] - calibration["fixed_roll_centre_height_m"]
-    columns = ("road_parallel_force_mps2", "road_normal_force_mps2", "fixed_model_roll_angle_deg", "sensor_roll_angle_deg",
-               "sensor_roll_rate_degps")
+    columns = ("road_parallel_force_mps2", "road_normal_force_mps2", "fixed_model_roll_angle_deg",
+               "sensor_roll_angle_deg", "sensor_roll_rate_degps")
     rows = []
     for A, N, *degrees in zip(*(run[column] for column in columns)):
         phi_f, phi_m, rate_m = map(math.radians, degrees)
@@ -24,8 +32,8 @@ def regression(run, calibration):
 
 
 def movements(rows, calibration, observes, normalises, added_nm=0.0):
-    """dh in every cycle, m. `added_nm` is a constant moment that no part of the model knows, such as a load off the middle."""
-    scale = [calibration[f"initial_{k}"] for k in ("roll_centre_deviation_m", "stiffness_deviation_nmprad", "damping_deviation_nmsprad")]
+    """dh in every cycle, m. `added_nm` is a constant moment that the model does not know: a load off the middle."""
+    scale = [calibration[key] for key in SCALES]
     alpha = 1.0 - math.exp(-2.0 * math.pi * calibration["disturbance_cutoff_hz"] * 0.01)
     size, three = calibration["regression_scale_nm"], range(3)
     P = [[1.0 if i == j else 0.0 for j in three] for i in three]
