@@ -1,4 +1,4 @@
-"""The paper's least squares on the signals of a run, with and without what it adds: disturbance observer and normalisation.
+"""The paper's least squares on the signals of a run, with and without its additions: observed disturbance, normalisation.
 
 Written from docs/paper.md, in double precision. It shares nothing with the firmware but the measured signals and the roll
 of the fixed model.
