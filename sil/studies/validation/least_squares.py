@@ -1,7 +1,7 @@
-"""The paper's least squares on the signals of a run, with and without its additions: observed disturbance, normalisation.
+"""The paper's least squares on the signals of a run, with and without what it adds: observed disturbance, normalising.
 
-Written from docs/paper.md, in double precision. It shares nothing with the firmware but the measured signals and the roll
-of the fixed model.
+Written from docs/paper.md, in double precision. It shares nothing with the firmware but the measured signals and the
+roll of the fixed model.
 """
 
 import math
