@@ -16,7 +16,7 @@ class RollCentreEstimator {
     // For a gap in the measurements: what has been learnt stays.
     void restart() { consider_kalman_.restart(); }
 
-    // One sample. `fixed` must have been evaluated at the same measurement; `extended_rsi` is that of the
+    // One sample. `fixed` must have been updated with the same measurement; `extended_rsi` is that of the
     // cycle before; NaN where a number is not available.
     RollCentreEstimate update(const RollPlaneModel& model, const Measurement& measured,
                               const FixedModelRoll& fixed, float extended_rsi, float speed_mps);
