@@ -1,15 +1,12 @@
-// Population: threads that take the next missing vehicle until none is left.
+// Population: a row and the files of each vehicle, made by as many threads as wanted.
 #include "sil/studies/population/population.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <exception>
 #include <map>
-#include <mutex>
-#include <thread>
+#include <stdexcept>
 #include <vector>
 
 #include "sil/files/csv_reader.hpp"
@@ -146,75 +143,6 @@ FinishedVehicle make_vehicle(const PopulationRequest& request, std::uint64_t num
     return made;
 }
 
-class Workers {
- public:
-    Workers(const PopulationRequest& request, RowFile& file, const std::atomic<bool>& stop,
-            const PopulationListener& listener)
-        : request_{request}, file_{file}, stop_{stop}, listener_{listener} {
-        progress_.total = request.vehicles;
-        for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
-            if (file.finished_runs().count(number) == 0U) {
-                missing_.push_back(number);
-            }
-        }
-        progress_.begun_with = progress_.finished = request.vehicles - missing_.size();
-    }
-
-    PopulationProgress work() {
-        std::vector<std::thread> threads;
-        while (threads.size() < request_.jobs) {
-            threads.emplace_back([this] { work_alone(); });
-        }
-        for (std::thread& thread : threads) {
-            thread.join();
-        }
-        if (failure_) {
-            std::rethrow_exception(failure_);
-        }
-        return progress_;
-    }
-
- private:
-    void work_alone() {
-        while (!stop_ && !failed_) {
-            const std::size_t index = next_++;
-            if (index >= missing_.size()) {
-                return;
-            }
-            try {
-                keep(make_vehicle(request_, missing_[index]));
-            } catch (...) {
-                const std::lock_guard<std::mutex> lock{mutex_};
-                failure_ = std::current_exception();
-                failed_ = true;
-            }
-        }
-    }
-
-    void keep(const FinishedVehicle& vehicle) {
-        const std::lock_guard<std::mutex> lock{mutex_};
-        file_.append(vehicle.drawn.number, line_of(vehicle, false));
-        ++progress_.finished;
-        progress_.elapsed_s =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        if (listener_) {
-            listener_(progress_);
-        }
-    }
-
-    const PopulationRequest& request_;
-    RowFile& file_;
-    const std::atomic<bool>& stop_;
-    const PopulationListener& listener_;
-    const std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
-    std::vector<std::uint64_t> missing_{};
-    std::atomic<std::size_t> next_{0U};
-    std::atomic<bool> failed_{false};
-    std::mutex mutex_;  // of all below
-    PopulationProgress progress_{};
-    std::exception_ptr failure_{};
-};
-
 // What the files in the folder are of, so that those of different seeds or programs do not get mixed.
 void prepare_folder(const PopulationRequest& request) {
     for (const char* name : {"vehicles", "vehicles_loaded", "data", "data_loaded", "calibrations",
@@ -270,8 +198,8 @@ void write_settings(const PopulationRequest& request) {
 
 }  // namespace
 
-PopulationProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,
-                                   const PopulationListener& listener) {
+RowProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,
+                            const RowListener& listener) {
     prepare_folder(request);
     RowFile file{request.output / "vehicles.csv", line_of({}, true)};
     if (!file.finished_runs().empty() && *file.finished_runs().rbegin() >= request.vehicles) {
@@ -279,9 +207,11 @@ PopulationProgress make_population(const PopulationRequest& request, const std::
                                      request.output.string(), *file.finished_runs().rbegin(),
                                      request.vehicles));
     }
-    const PopulationProgress progress = Workers{request, file, stop, listener}.work();
+    const auto make = [&request](std::uint64_t number) {
+        return MadeRow{line_of(make_vehicle(request, number), false)};
+    };
+    const RowProgress progress = make_rows(file, {request.vehicles, request.jobs, make}, stop, listener);
     if (progress.finished >= progress.total) {
-        file.finish();
         write_settings(request);
     }
     return progress;
