@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "sil/files/csv_reader.hpp"
@@ -170,14 +171,13 @@ void prepare_folder(const PopulationRequest& request) {
 }
 
 void write_settings(const PopulationRequest& request) {
-    for (const PopulationHalf half : {PopulationHalf::choose, PopulationHalf::report}) {
-        std::vector<DrawnVehicle> vehicles;
-        for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
-            DrawnVehicle vehicle = draw_vehicle(request.seed, number);
-            if (vehicle.half == half) {
-                vehicles.push_back(std::move(vehicle));
-            }
-        }
+    std::map<PopulationHalf, std::vector<DrawnVehicle>> halves{{PopulationHalf::choose, {}},
+                                                               {PopulationHalf::report, {}}};
+    for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
+        DrawnVehicle vehicle = draw_vehicle(request.seed, number);
+        halves[vehicle.half].push_back(std::move(vehicle));
+    }
+    for (const auto& [half, vehicles] : halves) {
         for (const CampaignVariant variant : campaign_variants()) {
             const CampaignSettings settings =
                 population_campaign(request.output, vehicles, variant, request.seed);
