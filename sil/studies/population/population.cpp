@@ -224,27 +224,29 @@ std::string describe_population(const std::filesystem::path& population) {
     std::vector<CsvField> cells;
     lines.next(line);
     split_fields(line.text, cells);
-    std::vector<std::string> names;
-    for (const CsvField& cell : cells) {
-        names.emplace_back(cell.text);
-    }
-    const auto column = [&names](const char* name) {
-        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    const auto column = [&cells](const char* name) {
+        return static_cast<std::size_t>(
+            std::find_if(cells.begin(), cells.end(),
+                         [name](const CsvField& cell) { return cell.text == name; }) -
+            cells.begin());
     };
+    const std::size_t class_column = column("class");
+    const std::size_t vehicle_column = column("vehicle");
+    const std::array<const char*, 3> kinds{"with_wheel_loads", "without_wheel_loads", "loaded"};
+    std::array<std::size_t, kinds.size()> kind_columns{};
+    std::transform(kinds.begin(), kinds.end(), kind_columns.begin(), column);
     std::map<std::string, std::array<std::uint64_t, 4>> classes;
     std::string failures;
-    const std::array<const char*, 3> kinds{"with_wheel_loads", "without_wheel_loads", "loaded"};
     while (lines.next(line) && line.is_ended) {
         split_fields(line.text, cells);
-        auto& counts = classes[std::string{cells.at(column("class")).text}];
+        auto& counts = classes[std::string{cells.at(class_column).text}];
         ++counts[0];
         for (std::size_t kind = 0U; kind < kinds.size(); ++kind) {
-            const std::string_view result = cells.at(column(kinds[kind])).text;
+            const std::string_view result = cells.at(kind_columns[kind]).text;
             if (result == "calibrated") {
                 ++counts[kind + 1U];
             } else {
-                failures +=
-                    fmt::format("{}, {}: {}\n", cells.at(column("vehicle")).text, kinds[kind], result);
+                failures += fmt::format("{}, {}: {}\n", cells.at(vehicle_column).text, kinds[kind], result);
             }
         }
     }
