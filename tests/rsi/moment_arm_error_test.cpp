@@ -134,15 +134,16 @@ TEST(LoadTransfer, IsTheMeanThatTheWeightSays) {
     }
 }
 
-// The vehicle has fallen to a side when its linear springs alone would hold one and a half times the weight: then it is
-// theirs, whatever force, damper and bump stops seem to say.
+// The vehicle has fallen to a side when its linear springs alone would hold one and a half times the weight:
+// then it is theirs, whatever force, damper and bump stops seem to say.
 TEST(LoadTransfer, OfABodyThatIsOverIsThatOfItsLinearSprings) {
     rsi_parameters p = rsi_test::large_suv();
     p.roll_stiffness_cubic_nmprad3 = 0.0F;
     p.roll_stiffness_quintic_nmprad5 = -2.0e7F;  // fitted to small angles only
     rsi::LoadTransfer transfer;
     transfer.init(p);
-    const float lifts_rad = 0.5F * (p.sprung_mass_kg + p.unsprung_mass_kg) * 9.8F * p.track_width_m / p.roll_stiffness_nmprad;
+    const float lifts_rad =
+        0.5F * (p.sprung_mass_kg + p.unsprung_mass_kg) * 9.8F * p.track_width_m / p.roll_stiffness_nmprad;
     ASSERT_LT(1.51F * lifts_rad, 0.5F);
     for (const float side : {1.0F, -1.0F}) {
         rsi::RollMotion motion;

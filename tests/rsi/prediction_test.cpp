@@ -187,8 +187,9 @@ TEST(ResponsePrediction, UnderAForceThatStaysItIsTheRollEquationsMotion) {
         // The largest of all steps: the reference with parts as long as a step and a half of the predictor.
         double expected = 0.0;
         for (int steps = 0; steps <= 15; ++steps) {
-            expected = std::max(expected, rsi_test::predicted_load_transfer(vehicle, ReferenceForce{A}, gravity_mps2, 0.02,
-                                                                            0.1, 0.02 * steps));
+            expected =
+                std::max(expected, rsi_test::predicted_load_transfer(vehicle, ReferenceForce{A}, gravity_mps2,
+                                                                     0.02, 0.1, 0.02 * steps));
         }
         EXPECT_NEAR(static_cast<double>(look(motion, A).load_transfer_ratio), expected, 0.03) << A;
         largest_gain = std::max(largest_gain, expected - look.present(motion));
@@ -238,7 +239,8 @@ TEST(ResponsePrediction, HasNoOtherSideWhileWheelsAreUp) {
 TEST(ResponsePrediction, TheMarginGrowsWithTheTimeAhead) {
     const rsi::RollMotion motion = motion_with(2.0, 0.03, 0.0);
     const auto level = [&](double ahead_s, double margin_per_s) {
-        return static_cast<double>(LookAlongTheResponse{ahead_s, margin_per_s}(motion, 8.0).load_transfer_ratio);
+        return static_cast<double>(
+            LookAlongTheResponse{ahead_s, margin_per_s}(motion, 8.0).load_transfer_ratio);
     };
     EXPECT_EQ(level(0.1, 0.0), level(0.1, 1.0));
     EXPECT_NEAR(level(0.12, 0.0) - level(0.12, 1.0), 0.02, 1e-4);

@@ -11,9 +11,9 @@
 
 namespace sil {
 
-// What is left of the drive of an axle both of whose wheels spin: all of it while the slower one is up to 2 m/s and a
-// fifth faster than the vehicle, nothing at twice that. No driver, engine or traction control lets it run away; and
-// wheels that did would tilt the turning vehicle as gyroscopes.
+// What is left of the drive of an axle both of whose wheels spin: all of it while the slower one is up to 2
+// m/s and a fifth faster than the vehicle, nothing at twice that. No driver, engine or traction control lets
+// it run away; and wheels that did would tilt the turning vehicle as gyroscopes.
 inline double traction_share(double rim_speed_mps, double speed_mps) {
     const double allowed = 2.0 + 0.2 * std::abs(speed_mps);
     return std::clamp(2.0 - (rim_speed_mps - std::abs(speed_mps)) / allowed, 0.0, 1.0);
