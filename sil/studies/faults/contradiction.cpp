@@ -64,6 +64,9 @@ Contradiction read(TomlTable table) {
     if (table.has("wrong_ms")) {
         contradiction.wrong_ms = milliseconds(table, "wrong_ms");
     }
+    if (table.has("late_ms")) {
+        contradiction.late_ms = milliseconds(table, "late_ms");
+    }
     table.refuse_unknown_keys();
     return contradiction;
 }

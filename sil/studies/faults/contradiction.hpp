@@ -25,6 +25,7 @@ struct Contradiction {
     std::string why{};  // what the time is made of, or why nothing shows
     int lapse_ms{0};    // after the first code and while the fault is there, no longer without one
     int wrong_ms{100};  // where it is hidden, the longest time of a wrong statement
+    int late_ms{100};   // where it is hidden, how much later a due warning may come
     int sign{0};        // of the error of which it is stated; 0: of either
 };
 

@@ -77,8 +77,8 @@ Expectation contradiction(const Fault& fault, SceneKind scene) {
     const int limit_ms = limit_of(stated, scene);
     const Return back = return_from(fault.kind, scene);
     if (limit_ms == hidden) {
-        return {Demand::right,        0,          back.recovery_ms, back.healing_ms, stated.wrong_ms,
-                longest_lead_loss_ms, any_time_ms};
+        return {Demand::right,  0,          back.recovery_ms, back.healing_ms, stated.wrong_ms,
+                stated.late_ms, any_time_ms};
     }
     Expectation expected{demand_of_loss(fault.place), limit_ms, back.recovery_ms, back.healing_ms};
     expected.wrong_ms = std::max(limit_ms, wrong_ms);

@@ -6,6 +6,8 @@ namespace sil {
 
 const std::vector<KnownUndetected>& known_undetected_errors() {
     static const std::vector<KnownUndetected> all{
+        {FaultKind::frozen, FaultPlace::lateral_acceleration, 0,
+         "found after 0.21 s of equal values at the earliest: a warning that is due sooner has to wait"},
         {FaultKind::offset, FaultPlace::lateral_acceleration, -1,
          "to every other sensor 2 m/s^2 less is a road's bank of 12 deg; and once a turn has begun, yaw rate "
          "and roll angle do not agree well enough to accuse a larger one in time"},
