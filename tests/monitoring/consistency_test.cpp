@@ -546,6 +546,45 @@ TEST_F(AForceVoteOfASwingingTruck, HasTheRollMotionDisagreeWithOneOfTheOtherSign
     EXPECT_LT(drive(-1.0F).agrees, 150);
 }
 
+// From the first sample on, and after a gap: what the lags begin with is where the vehicle is.
+TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationInItsFirstSample) {
+    ForceVote vote;
+    vote.start(truck_);
+    const float angle_rad = 0.1F;
+    for (int times = 0; times < 2; ++times) {
+        vote.update(sample_of(8.0F, 8.0F, angle_rad), true);  // yaws at 0.4 rad/s
+        EXPECT_TRUE(vote.roll_motion_agrees());
+        vote.update(sample_of(nan, 0.0F, 0.0F), true);
+        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F), true);
+        EXPECT_TRUE(vote.roll_motion_agrees());
+        vote.update(sample_of(nan, 0.0F, 0.0F), true);
+    }
+}
+
+TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
+    ForceVote vote;
+    vote.start(truck_);
+    const float rate_radps = 0.6F;
+    const float force_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
+    for (int sample = 0; sample < 300; ++sample) {
+        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps), true);
+    }
+    EXPECT_TRUE(vote.roll_motion_agrees());
+}
+
+// An accelerometer that is off by 4 m/s^2, far in front of a vehicle that begins to yaw at 1 rad/s^2.
+TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothWitnesses) {
+    ForceVote vote;
+    vote.start(truck_);
+    for (int sample = 1; sample <= 100; ++sample) {
+        rsi::Inputs inputs = sample_of(4.0F + truck_.imu_x_m, 0.0F, 0.0F);
+        inputs.yaw_rate_radps = 0.01F * static_cast<float>(sample);
+        inputs.speed_mps = 1.0F;
+        vote.update(inputs, true);
+    }
+    EXPECT_TRUE(vote.accelerometer_is_alone());
+}
+
 TEST(AForceVoteThatHasNotStarted, SaysNothing) {
     ForceVote vote;
     for (int sample = 0; sample < 300; ++sample) {

@@ -92,6 +92,22 @@ TEST_F(AnInputMonitor, PassesOnWhatContradictsNobody) {
     EXPECT_EQ(memory.next().code, DiagnosticCode::none);
 }
 
+// Yaw rate and roll angle agree against the accelerometer; but in a spin the yaw rate is no witness.
+TEST_F(AnInputMonitor, AccusesNoAccelerometerInASpin) {
+    const rsi::Parameters suv = rsi_test_large_suv();
+    inputs.lateral_specific_force_mps2 = 0.0F;
+    angle_rad = inputs.roll_angle_rad = 8.5F * suv.sprung_mass_kg *
+                                        (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+                                        suv.roll_stiffness_nmprad;
+    ASSERT_LT(angle_rad, 0.15F);
+    inputs.yaw_rate_radps = 10.6F / inputs.speed_mps;
+    run(60);
+    EXPECT_FALSE(confirmed(lateral_code));
+    inputs.yaw_rate_radps = 10.0F / inputs.speed_mps;
+    run(200);  // a second after the spin
+    EXPECT_TRUE(confirmed(lateral_code));
+}
+
 // 9 m/s^2 of yaw rate times speed while the vehicle goes straight: with a lag of 4 s, 7 m/s^2 after 6.0 s.
 TEST_F(AnInputMonitor, TakesOutAYawRateThatNoSlideExplains) {
     inputs.yaw_rate_radps = 0.3F;

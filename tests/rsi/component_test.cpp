@@ -205,6 +205,24 @@ TEST(Component, WarnsEarlierByTheMarginWhileTheObserverStandsIn) {
     }
 }
 
+// The risk of the side that is named counts with the same margin as the other's: below the advisory level it
+// must not keep its name.
+TEST(Component, AHeldWarningNamesTheOtherSideOnceItHasAnAdvisorysRisk) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    const float level = Scenario{}.run(3.0, in_steady_turn(5.0)).warning_level;
+    parameters.warning_on = 1.2F * level;
+    parameters.warning_off = parameters.advisory_on = parameters.advisory_off = 0.9F * level;
+    parameters.warning_hold_s = 30.0F;
+    Scenario scenario{parameters};
+    const rsi_outputs first = scenario.run(3.0, in_steady_turn(6.5));
+    ASSERT_EQ(first.state, RSI_STATE_WARNING);
+    const rsi_outputs then = scenario.run(3.0, in_steady_turn(-5.0));
+    ASSERT_LT(then.warning_level, parameters.warning_on);
+    EXPECT_EQ(then.state, RSI_STATE_WARNING);
+    EXPECT_NE(then.side, first.side);
+    EXPECT_NE(then.side, RSI_SIDE_NONE);
+}
+
 TEST(Component, WithoutARollSensorFromTheStartItIsReadyOnceTheObserverKnows) {
     Scenario scenario;
     rsi_inputs inputs = in_steady_turn(4.0);

@@ -53,6 +53,20 @@ rsi::IndicatedRisk indicated(const rsi_outputs& outputs, const rsi_parameters& p
     return indicator.evaluate(outputs, roll_angle_rad);
 }
 
+TEST(IndicatorLevel, OnlyThePredictedLoadTransferKnowsBothSides) {
+    rsi_outputs outputs = all_different();
+    outputs.opposite_load_transfer_ratio = 0.41F;
+    for (int indicator = RSI_INDICATOR_PUBLISHED; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER; ++indicator) {
+        const rsi::IndicatedRisk risk =
+            indicated(outputs, driven_by(static_cast<rsi_indicator>(indicator)), 0.1F);
+        const bool knows = indicator == RSI_INDICATOR_PREDICTED_LOAD_TRANSFER;
+        EXPECT_EQ(risk.opposite, knows ? 0.41F : 0.0F) << indicator;
+        if (knows) {
+            EXPECT_LT(risk.direction, 0.0F);  // its own sign, not the roll angle's
+        }
+    }
+}
+
 TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
     const rsi_outputs outputs = all_different();
     const float roll_angle = -0.1F;

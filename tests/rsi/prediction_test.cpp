@@ -222,9 +222,9 @@ TEST(ResponsePrediction, KnowsBothSidesOfASwing) {
 TEST(ResponsePrediction, HasNoOtherSideWhileWheelsAreUp) {
     LookAlongTheResponse look{0.5, 0.0};
     for (const double side : {1.0, -1.0}) {
-        const rsi::RollMotion nearly = motion_with(side * 6.0, side * 0.08, 0.0, side * -30.0);
+        const rsi::RollMotion nearly = motion_with(side * 7.6, side * 0.115, 0.0, side * -45.0);
         ASSERT_LT(std::fabs(look.present(nearly)), 1.0);
-        ASSERT_GT(std::fabs(look.present(nearly)), 0.6);
+        ASSERT_GT(std::fabs(look.present(nearly)), 0.91);
         EXPECT_LT(side * static_cast<double>(look(nearly, side * -8.0).load_transfer_ratio), -0.5);
         const rsi::RollMotion up = motion_with(side * 9.0, side * 0.12, 0.0, side * -45.0);
         ASSERT_GT(side * look.present(up), 1.0);
@@ -232,6 +232,25 @@ TEST(ResponsePrediction, HasNoOtherSideWhileWheelsAreUp) {
         EXPECT_GT(side * static_cast<double>(prediction.load_transfer_ratio), 1.0);
         EXPECT_EQ(prediction.opposite_ratio, 0.0F);
     }
+}
+
+TEST(Prediction, InASteadyTurnTheOtherSideHasNoRisk) {
+    const Look look{rsi_test::large_suv()};
+    for (const double side : {1.0, -1.0}) {
+        const rsi::Prediction prediction = look.ahead(motion_with(side * 4.0, side * 0.06, 0.0));
+        EXPECT_GT(side * static_cast<double>(prediction.load_transfer_ratio), 0.3);
+        EXPECT_EQ(prediction.opposite_ratio, 0.0F);
+    }
+}
+
+TEST(ResponsePrediction, TheHorizonIsRoundedToSteps) {
+    const rsi::RollMotion motion = motion_with(2.0, 0.03, 0.0);
+    const auto level = [&](double ahead_s) {
+        return LookAlongTheResponse{ahead_s, 0.0}(motion, 8.0).load_transfer_ratio;
+    };
+    ASSERT_GT(level(0.02), level(0.0));
+    EXPECT_EQ(level(0.0105), level(0.02));
+    EXPECT_EQ(level(0.0095), level(0.0));
 }
 
 // What lies further ahead than a tenth of a second counts less by the margin, what is nearer and the present
@@ -283,6 +302,14 @@ TEST(SteeringDemand, IsBoundedByTheTyresAndByNothingElse) {
     parameters.understeer_gradient_s2pm = -0.01F;  // critical speed 17 m/s
     EXPECT_EQ(DemandOf{parameters}(30.0F, 3.0F).most_mps2, 10.8F);
     EXPECT_EQ(DemandOf{parameters}(30.0F, -3.0F).least_mps2, -10.8F);
+}
+
+TEST(SteeringDemand, ItselfIsBoundedBeyondAllTyres) {
+    const DemandOf demand{rsi_test::large_suv()};
+    EXPECT_NEAR(static_cast<double>(demand(20.0F, -1.0F).force_mps2), -4.8193, 1e-3);
+    EXPECT_NEAR(static_cast<double>(demand(20.0F, 10.0F).force_mps2), 48.193, 1e-2);
+    EXPECT_EQ(demand(20.0F, 25.0F).force_mps2, 60.0F);
+    EXPECT_EQ(demand(20.0F, -25.0F).force_mps2, -60.0F);
 }
 
 bool unbounded(const rsi::DemandedForce& demand) {

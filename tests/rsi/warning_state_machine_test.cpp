@@ -204,6 +204,13 @@ TEST(WarningStateMachine, ASideKeepsItsNameWhileItsOwnRiskLastsAndTheOtherIsNoHi
     EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
 }
 
+TEST(WarningStateMachine, TheOtherSideTakesOverAtTheStatesLevelThoughTheFirstOnesRiskLasts) {
+    Warning warning(quick());
+    warning.after(1.2F, 1.0F);
+    warning.after(1.0F, -1.0F, 0.9F);  // at the level itself
+    EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);
+}
+
 TEST(WarningStateMachine, NoSideBelowTheAdvisoryLevelIsNamedWhileTheOtherIsAbove) {
     rsi_parameters parameters = quick();
     parameters.warning_hold_s = 1.0F;
