@@ -566,6 +566,7 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
     vote.start(truck_);
     const float rate_radps = 0.6F;
     const float force_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
+    vote.update(sample_of(0.0F, 0.0F, 0.0F), true);
     for (int sample = 0; sample < 300; ++sample) {
         vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps), true);
     }
