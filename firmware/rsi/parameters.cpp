@@ -86,7 +86,7 @@ Validation validate_vehicle(const Parameters& parameters) {
     return accepted;
 }
 
-// A response within minutes is none: the prediction would hold A still.
+// A response that takes seconds is none: the prediction would hold A still.
 constexpr float slowest_response_radps = 1.0F;
 
 Validation validate_steering(const Parameters& parameters) {

@@ -87,7 +87,7 @@ typedef struct {
     float steering_ratio;                    /* angle of the steering wheel over that of the front wheels */
     float understeer_gradient_s2pm;          /* K_us, > 0 for an understeering vehicle */
     float largest_lateral_acceleration_mps2; /* the tyres give no more */
-    /* How A follows a_d, A'' = w^2 (a_d - A) - 2 zeta w A'; prepared for the prediction. */
+    /* How A follows a_d in the prediction, A'' = w^2 (a_d - A) - 2 zeta w A'. */
     float lateral_response_frequency_radps; /* w; 0 if not known */
     float lateral_response_damping;         /* zeta; without meaning where w is not known */
 

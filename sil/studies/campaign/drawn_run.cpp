@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rsi/parameters.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
@@ -17,6 +18,13 @@ float with_error(double truth, double error) {
     return static_cast<float>(truth * (1.0 + error));
 }
 
+float admitted(float rsi::Parameters::* member, float value) {
+    const auto* const field =
+        std::find_if(rsi::parameter_fields.begin(), rsi::parameter_fields.end(),
+                     [member](const rsi::ParameterField& each) { return each.member == member; });
+    return std::clamp(value, field->minimum, field->maximum);
+}
+
 // Mass and CG height are wrong by the drawn shares of what they are in this run, load included: whatever the
 // load changes is a part of the error and not on top of it. Unless the settings say that nobody told the
 // load.
@@ -28,10 +36,12 @@ rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& t
                                                  : static_cast<double>(calibration.sprung_cg_height_m);
     calibration.sprung_mass_kg = with_error(mass_kg, draw.mass_error);
     calibration.sprung_cg_height_m = with_error(height_m, draw.cg_height_error);
-    // The whole curve of the roll stiffness by the same share.
-    for (float* coefficient : {&calibration.roll_stiffness_nmprad, &calibration.roll_stiffness_cubic_nmprad3,
-                               &calibration.roll_stiffness_quintic_nmprad5}) {
-        *coefficient = with_error(static_cast<double>(*coefficient), draw.stiffness_error);
+    // The whole curve of the roll stiffness by the same share, as far as the component admits it.
+    for (float rsi::Parameters::* const coefficient :
+         {&rsi::Parameters::roll_stiffness_nmprad, &rsi::Parameters::roll_stiffness_cubic_nmprad3,
+          &rsi::Parameters::roll_stiffness_quintic_nmprad5}) {
+        calibration.*coefficient = admitted(
+            coefficient, with_error(static_cast<double>(calibration.*coefficient), draw.stiffness_error));
     }
     // `identify` writes the least damping that the component admits where it finds less; it grows with the
     // stiffness.

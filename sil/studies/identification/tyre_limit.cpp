@@ -28,8 +28,13 @@ bool slides(const VehicleData& vehicle, const SteeringFit& steering, const Prepa
     const auto asks_for_more = [&](const RollSample& sample) {
         const double square = sample.speed_mps * sample.speed_mps;
         const double divisor_m = vehicle.wheelbase_m + steering.understeer_gradient_s2pm.value * square;
+        // Near or past the critical speed of a negative gradient the demand is unbounded, whatever the tyres
+        // give.
+        if (divisor_m < 0.5 * vehicle.wheelbase_m) {
+            return false;
+        }
         const double asked = square * std::abs(sample.steering_wheel_angle_rad) / steering.ratio.value;
-        return asked > sliding_demand * ramp.largest_parallel_mps2 * std::max(divisor_m, 0.0);
+        return asked > sliding_demand * ramp.largest_parallel_mps2 * divisor_m;
     };
     return ramp.has_steering && std::any_of(ramp.samples.begin(), ramp.samples.end(), asks_for_more);
 }

@@ -172,9 +172,13 @@ TEST(Judgement, WantsTheDueWarningOfWhatNeedNotShow) {
             .say(200U, 200U + cycles, answer(WarningState::advisory, codes))
             .say(200U + cycles, 250U, answer(WarningState::warning, codes));
     };
-    EXPECT_THAT(late_by(10U, 0U).shortfalls(hardly_lying), IsEmpty());
-    EXPECT_THAT(late_by(11U, 0U).shortfalls(hardly_lying), Contains("warning late"));
-    EXPECT_THAT(late_by(11U, 4U).shortfalls(hardly_lying), Contains("warning late"));
+    const Fault drifting{FaultKind::drift, FaultPlace::lateral_acceleration, 2.0};
+    EXPECT_THAT(late_by(10U, 0U).shortfalls(drifting), IsEmpty());
+    EXPECT_THAT(late_by(11U, 0U).shortfalls(drifting), Contains("warning late"));
+    EXPECT_THAT(late_by(11U, 4U).shortfalls(drifting), Contains("warning late"));
+    // 150 ms is stated of it.
+    EXPECT_THAT(late_by(15U, 0U).shortfalls(hardly_lying), IsEmpty());
+    EXPECT_THAT(late_by(16U, 0U).shortfalls(hardly_lying), Contains("warning late"));
     EXPECT_THAT(
         Judged{}.due(200U, 250U).say(200U, 250U, answer(WarningState::advisory)).shortfalls(hardly_lying),
         Contains("no warning"));

@@ -137,6 +137,13 @@ TEST_F(TyreLimit, IsReachedByARampThatAsksForMoreThanComes) {
     EXPECT_DOUBLE_EQ(limit({ramp(6.0, -1.31 * 6.0)}, {ramp(7.0, 0.0)}), 1.05 * 7.0);
 }
 
+TEST_F(TyreLimit, IsNotShownByADemandNearTheCriticalSpeed) {
+    steering_.understeer_gradient_s2pm.value = -0.6 * vehicle_.wheelbase_m / 400.0;
+    EXPECT_DOUBLE_EQ(limit({ramp(6.0, 6.0)}), 1.1 * sil::g_mps2);
+    steering_.understeer_gradient_s2pm.value = -2.0 * vehicle_.wheelbase_m / 400.0;
+    EXPECT_DOUBLE_EQ(limit({ramp(6.0, 0.1)}), 1.1 * sil::g_mps2);
+}
+
 TEST_F(TyreLimit, IsADryRoadsWhereNoRampShowsIt) {
     EXPECT_DOUBLE_EQ(limit({ramp(6.0, 1.29 * 6.0)}), 1.1 * sil::g_mps2);
     EXPECT_DOUBLE_EQ(limit({ramp(10.5, 10.5)}), 1.05 * 10.5);
