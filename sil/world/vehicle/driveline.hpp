@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "sil/world/vehicle/driver_input.hpp"
 #include "sil/world/vehicle/parameters.hpp"
@@ -27,7 +28,7 @@ inline std::array<double, wheel_count> drive_torques_nm(const DrivelineParameter
                                                         const std::array<double, wheel_count>& spin_radps) {
     const double limit = parameters.drive_force_limit_n;
     const double half_torque = 0.5 * std::clamp(drive_force_n, -limit, limit) * wheel_radius_m;
-    const auto share = [&](Wheel left, Wheel right) {
+    const auto share = [&](std::size_t left, std::size_t right) {
         const double rim_mps = wheel_radius_m * std::min(spin_radps[left], spin_radps[right]);
         return half_torque > 0.0 ? traction_share(rim_mps, speed_mps) : 1.0;
     };
