@@ -1,12 +1,9 @@
 #include "sil/apps/campaign_command.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <csignal>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +11,8 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/progress_line.hpp"
+#include "sil/apps/stop_request.hpp"
 #include "sil/studies/campaign/campaign.hpp"
 #include "sil/studies/campaign/report.hpp"
 #include "sil/studies/campaign/settings.hpp"
@@ -31,13 +30,6 @@ struct CampaignRequest {
     unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
     bool report_only{false};
 };
-
-std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
-
-void request_stop(int) {
-    stop_requested = true;
-}
 
 CampaignSettings settings_of(const CampaignRequest& request) {
     CampaignSettings settings =
@@ -60,31 +52,6 @@ std::string duration(double seconds) {
     return whole < 120 ? fmt::format("{} s", whole) : fmt::format("{} min {:02} s", whole / 60, whole % 60);
 }
 
-// A line on stderr: over and over on a terminal, now and then in a log.
-class ProgressLine {
- public:
-    explicit ProgressLine(unsigned jobs) : jobs_{jobs} {}
-
-    void show(const RowProgress& progress) {
-        const bool last = progress.finished == progress.total;
-        if (!last && progress.elapsed_s < next_s_) {
-            return;
-        }
-        next_s_ = progress.elapsed_s + (terminal_ ? 0.5 : 10.0);
-        const double rate = static_cast<double>(progress.finished - progress.begun_with) / progress.elapsed_s;
-        const double left_s = static_cast<double>(progress.total - progress.finished) / rate;
-        fmt::print(stderr, "{}{} of {} runs, {:.1f} runs/s, {:.0f} times real time a thread, {} left{}",
-                   terminal_ ? "\r" : "", progress.finished, progress.total, rate,
-                   progress.simulated_s / progress.elapsed_s / jobs_, duration(left_s),
-                   terminal_ && !last ? "      " : "\n");
-    }
-
- private:
-    const unsigned jobs_;
-    const bool terminal_{::isatty(STDERR_FILENO) == 1};
-    double next_s_{0.0};
-};
-
 void report(const CampaignRequest& request) {
     const std::filesystem::path settings = request.output / "campaign.toml";
     if (!std::filesystem::exists(settings)) {
@@ -101,10 +68,13 @@ void report(const CampaignRequest& request) {
 
 void run(const CampaignRequest& request) {
     const CampaignWorld world{settings_of(request)};
-    std::signal(SIGINT, request_stop);
-    std::signal(SIGTERM, request_stop);
-    ProgressLine line{request.jobs};
-    const RowProgress progress = run_campaign(world, request.output, request.jobs, stop_requested,
+    const std::atomic<bool>& stop = stop_on_signals();
+    ProgressLine line{[jobs = request.jobs](const RowProgress& now, double rate, double left_s) {
+        return fmt::format("{} of {} runs, {:.1f} runs/s, {:.0f} times real time a thread, {} left",
+                           now.finished, now.total, rate, now.simulated_s / now.elapsed_s / jobs,
+                           duration(left_s));
+    }};
+    const RowProgress progress = run_campaign(world, request.output, request.jobs, stop,
                                               [&line](const RowProgress& now) { line.show(now); });
     if (progress.finished < progress.total) {
         throw std::runtime_error(fmt::format(

@@ -1,55 +1,29 @@
 #include "sil/apps/population_command.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <csignal>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <thread>
 
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/progress_line.hpp"
+#include "sil/apps/stop_request.hpp"
 #include "sil/studies/population/population.hpp"
 
 namespace sil {
 namespace {
 
-std::atomic<bool> population_stop_requested{false};
-
-void request_population_stop(int) {
-    population_stop_requested = true;
-}
-
-// A line on stderr: over and over on a terminal, now and then in a log.
-class VehicleProgressLine {
- public:
-    void show(const RowProgress& progress) {
-        const bool last = progress.finished == progress.total;
-        if (!last && progress.elapsed_s < next_s_) {
-            return;
-        }
-        next_s_ = progress.elapsed_s + (terminal_ ? 0.5 : 10.0);
-        const double rate = static_cast<double>(progress.finished - progress.begun_with) / progress.elapsed_s;
-        fmt::print(stderr, "{}{} of {} vehicles, {:.2f} a second, {:.0f} s left{}", terminal_ ? "\r" : "",
-                   progress.finished, progress.total, rate,
-                   static_cast<double>(progress.total - progress.finished) / rate,
-                   terminal_ && !last ? "      " : "\n");
-    }
-
- private:
-    const bool terminal_{::isatty(STDERR_FILENO) == 1};
-    double next_s_{0.0};
-};
-
 void make(const PopulationRequest& request) {
-    std::signal(SIGINT, request_population_stop);
-    std::signal(SIGTERM, request_population_stop);
-    VehicleProgressLine line;
-    const RowProgress progress = make_population(request, population_stop_requested,
-                                                 [&line](const RowProgress& now) { line.show(now); });
+    const std::atomic<bool>& stop = stop_on_signals();
+    ProgressLine line{[](const RowProgress& now, double rate, double left_s) {
+        return fmt::format("{} of {} vehicles, {:.2f} a second, {:.0f} s left", now.finished, now.total, rate,
+                           left_s);
+    }};
+    const RowProgress progress =
+        make_population(request, stop, [&line](const RowProgress& now) { line.show(now); });
     if (progress.finished < progress.total) {
         throw std::runtime_error(fmt::format(
             "interrupted after {} of {} vehicles, which are kept in {}. The same command goes on from there.",

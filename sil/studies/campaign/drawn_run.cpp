@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rsi/parameters.hpp"
+#include "sil/files/parameter_field.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
@@ -19,10 +19,8 @@ float with_error(double truth, double error) {
 }
 
 float admitted(float rsi::Parameters::* member, float value) {
-    const auto* const field =
-        std::find_if(rsi::parameter_fields.begin(), rsi::parameter_fields.end(),
-                     [member](const rsi::ParameterField& each) { return each.member == member; });
-    return std::clamp(value, field->minimum, field->maximum);
+    const rsi::ParameterField& field = parameter_field(member);
+    return std::clamp(value, field.minimum, field.maximum);
 }
 
 // Mass and CG height are wrong by the drawn shares of what they are in this run, load included: whatever the

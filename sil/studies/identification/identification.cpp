@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "rsi/parameters.hpp"
+#include "sil/files/parameter_field.hpp"
 #include "sil/studies/identification/calibration_default.hpp"
 #include "sil/studies/identification/tyre_limit.hpp"
 #include "sil/studies/identification/warnings.hpp"
@@ -57,18 +57,16 @@ void use_loads(Identification& result) {
 }
 
 // The largest magnitude that the component admits of a coefficient of the stiffness curve.
-double largest_admitted(std::string_view parameter) {
-    const auto field =
-        std::find_if(rsi::parameter_fields.begin(), rsi::parameter_fields.end(),
-                     [parameter](const rsi::ParameterField& each) { return each.name == parameter; });
-    return std::min(-static_cast<double>(field->minimum), static_cast<double>(field->maximum));
+double largest_admitted(float rsi::Parameters::* coefficient) {
+    const rsi::ParameterField& field = parameter_field(coefficient);
+    return std::min(-static_cast<double>(field.minimum), static_cast<double>(field.maximum));
 }
 
 // The roll fit with the arm that was found. Only now it shows whether the component admits its coefficients,
 // which grow with the arm; where it does not, the curve is fitted again within what it admits.
 void use_arm(Identification& result, double arm_m) {
-    const CurveLimits limits{largest_admitted("roll_stiffness_cubic_nmprad3"),
-                             largest_admitted("roll_stiffness_quintic_nmprad5")};
+    const CurveLimits limits{largest_admitted(&rsi::Parameters::roll_stiffness_cubic_nmprad3),
+                             largest_admitted(&rsi::Parameters::roll_stiffness_quintic_nmprad5)};
     const double usual_arm_m = result.roll.arm_m;
     result.roll = result.roll.with_arm(arm_m);
     if (!limits.admit(result.roll)) {

@@ -1,0 +1,26 @@
+// Progress line: how far long work has come, on stderr: over and over on a terminal, now and then in a log.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "sil/studies/campaign/row_workers.hpp"
+
+namespace sil {
+
+class ProgressLine {
+ public:
+    // What the line says: of this progress, at this rate in rows a second, with so much time left.
+    using Text = std::function<std::string(const RowProgress& progress, double rate, double left_s)>;
+
+    explicit ProgressLine(Text text);
+
+    void show(const RowProgress& progress);
+
+ private:
+    Text text_;
+    bool terminal_;
+    double next_s_{0.0};
+};
+
+}  // namespace sil
