@@ -65,6 +65,7 @@ rsi_parameters any_calibration(ByteReader& bytes) {
         parameters.*rsi::parameter_fields[bytes.below(rsi::parameter_fields.size())].member =
             bytes.take<float>();
     }
+    parameters.roll_angle_reference = static_cast<std::int32_t>(bytes.below(2U));
     return parameters;
 }
 

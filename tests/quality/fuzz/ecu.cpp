@@ -92,6 +92,7 @@ rsi::Parameters any_parameters(ByteReader& bytes) {
         parameters.recovery_s = parameters.advisory_hold_s = parameters.warning_hold_s = 0.0F;
         parameters.warning_confirmation_s = 0.0F;
     }
+    parameters.roll_angle_reference = static_cast<std::int32_t>(bytes.below(2U));
     return parameters;
 }
 
