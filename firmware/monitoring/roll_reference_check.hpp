@@ -1,4 +1,5 @@
-// Roll reference check: is the roll angle measured against what the calibration says, the road or the horizon?
+// Roll reference check: is the roll angle measured against what the calibration says, the road or the
+// horizon?
 #pragma once
 
 #include <cstdint>
@@ -9,8 +10,8 @@
 namespace monitoring {
 
 // On a banked road an angle against the horizon contains the bank, one against the road does not. On a level
-// one both are the same, and in a hard turn the bank is less than what the observer's roll may be off by: only
-// a clear bank under a body that hardly rolls shows which of the two it is.
+// one both are the same, and in a hard turn the bank is less than what the observer's roll may be off by:
+// only a clear bank under a body that hardly rolls shows which of the two it is.
 class RollReferenceCheck {
  public:
     void start(const rsi::Parameters& parameters) noexcept {
@@ -19,8 +20,8 @@ class RollReferenceCheck {
         samples_ = 0U;
     }
 
-    // One sample: the sensor's angle, the body's against the road as the observer has it, and the road's bank,
-    // measured or observed. One that is not finite shows nothing.
+    // One sample: the sensor's angle, the body's against the road as the observer has it, and the road's
+    // bank, measured or observed. One that is not finite shows nothing.
     void update(float sensor_rad, float observed_roll_rad, float bank_rad) noexcept {
         const float bank = rsi::absolute(bank_rad);
         const bool clear = (bank > clear_bank_rad) && (rsi::absolute(observed_roll_rad) < 0.5F * bank);
@@ -45,8 +46,8 @@ class RollReferenceCheck {
     bool contradicts() const noexcept { return samples_ == enough_samples; }
 
  private:
-    // An accelerometer's bias of 0.03 g feigns 0.03 rad; with less of a real bank beside it than would let one
-    // of the two angles pass for the other, it comes to less than this.
+    // An accelerometer's bias of 0.03 g feigns 0.03 rad; with less of a real bank beside it than would let
+    // one of the two angles pass for the other, it comes to less than this.
     static constexpr float clear_bank_rad = 0.05F;
     static constexpr std::uint32_t enough_samples = 500U;
 

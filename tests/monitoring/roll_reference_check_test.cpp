@@ -76,16 +76,16 @@ TEST(RollReferenceCheck, TakesOffTheTimeInWhichItAgreed) {
 
 TEST(RollReferenceCheck, SeesNothingWithoutAClearBankOrWithAnAngleBetweenBoth) {
     const Sample nothing[] = {
-        {0.049F, 0.0F, 0.049F},      // a bias of the accelerometer may look like that
-        {0.151F, 0.051F, 0.1F},      // a turn
-        {0.071F, 0.02F, 0.1F},       // half of the bank
-        {0.051F, 0.02F, 0.1F},       // three tenths
-        {0.089F, 0.02F, 0.1F},       // seven
-        {0.151F, 0.02F, 0.1F},       // thirteen
-        {-0.08F, 0.02F, 0.1F},       // the other way
-        {nan, 0.02F, 0.1F},          //
-        {0.12F, nan, 0.1F},          //
-        {0.12F, 0.02F, nan},         //
+        {0.049F, 0.0F, 0.049F},  // a bias of the accelerometer may look like that
+        {0.151F, 0.051F, 0.1F},  // a turn
+        {0.071F, 0.02F, 0.1F},   // half of the bank
+        {0.051F, 0.02F, 0.1F},   // three tenths
+        {0.089F, 0.02F, 0.1F},   // seven
+        {0.151F, 0.02F, 0.1F},   // thirteen
+        {-0.08F, 0.02F, 0.1F},   // the other way
+        {nan, 0.02F, 0.1F},      //
+        {0.12F, nan, 0.1F},      //
+        {0.12F, 0.02F, nan},     //
     };
     for (const Sample& sample : nothing) {
         for (const auto reference : {RSI_ROLL_AGAINST_ROAD, RSI_ROLL_AGAINST_HORIZON}) {

@@ -137,19 +137,19 @@ TEST(AngleAgainstTheHorizon, ShowsARollThatTheCalibrationDoesNotExpect) {
 }
 
 TEST(AngleAgainstTheHorizon, AnOffsetOfTheSensorDoesNotGetThrough) {
-    const Seen seen = drive(horizon_vehicle(), slalom_onto_a_bank(6.0),
-                            [](int, rsi_inputs& inputs, const RollingVehicle&) {
-                                inputs.roll_angle_rad += 0.1F;
-                            });
+    const Seen seen =
+        drive(horizon_vehicle(), slalom_onto_a_bank(6.0),
+              [](int, rsi_inputs& inputs, const RollingVehicle&) { inputs.roll_angle_rad += 0.1F; });
     EXPECT_LT(seen.largest_error_deg, 1.9);
     EXPECT_EQ(seen.disagreements, 0);
 }
 
 TEST(AngleAgainstTheHorizon, WhatIsSteeperThanAnyRoadIsASensorThatDisagrees) {
     const auto off_by = [](float offset_rad) {
-        return drive(horizon_vehicle(), Drive{}, [offset_rad](int, rsi_inputs& inputs, const RollingVehicle&) {
-                   inputs.roll_angle_rad += offset_rad;
-               })
+        return drive(horizon_vehicle(), Drive{},
+                     [offset_rad](int, rsi_inputs& inputs, const RollingVehicle&) {
+                         inputs.roll_angle_rad += offset_rad;
+                     })
             .disagreements;
     };
     EXPECT_EQ(off_by(0.41F), 0);
@@ -189,10 +189,9 @@ TEST(AngleAgainstTheHorizon, WithABankSensorIsKnownFromTheFirstSample) {
 // then.
 TEST(AngleAgainstTheHorizon, NeedsNeitherSpeedNorYawRate) {
     for (float rsi_inputs::* missing : {&rsi_inputs::speed_mps, &rsi_inputs::yaw_rate_radps}) {
-        const Seen seen = drive(horizon_vehicle(), onto_a_bank(6.0),
-                                [missing](int, rsi_inputs& inputs, const RollingVehicle&) {
-                                    inputs.*missing = nan;
-                                });
+        const Seen seen =
+            drive(horizon_vehicle(), onto_a_bank(6.0),
+                  [missing](int, rsi_inputs& inputs, const RollingVehicle&) { inputs.*missing = nan; });
         EXPECT_LT(seen.largest_error_deg, 1.2);
         EXPECT_EQ(seen.without_sensor, 0);
 

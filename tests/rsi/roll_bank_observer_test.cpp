@@ -8,8 +8,8 @@
 
 #include "rsi/measurement/roll_sensor_check.hpp"
 #include "rsi/parameters.hpp"
-#include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/banked_drive.hpp"
+#include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/recorded_like_signals.hpp"
 
 namespace roll_bank_observer_test {

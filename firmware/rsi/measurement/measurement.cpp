@@ -122,7 +122,7 @@ bool MeasurementStage::run_observer(const Inputs& inputs, bool motion_known, con
     return false;
 }
 
-float MeasurementStage::sensed_roll_rad(const Inputs& inputs, bool observer_knows) {
+float MeasurementStage::sensed_roll_rad(const Inputs& inputs) {
     const float angle_rad = inputs.roll_angle_rad;
     if (!within(angle_rad, largest_roll_angle_rad)) {
         road_bank_.forget();
@@ -132,7 +132,7 @@ float MeasurementStage::sensed_roll_rad(const Inputs& inputs, bool observer_know
         return angle_rad;
     }
     // With the inner wheels up the observer has the roll of the gyro, as the sensor does: the bank stays.
-    if (observer_knows && !observer_.tipped()) {
+    if (observer_.roll_roughly_known() && !observer_.tipped()) {
         road_bank_.follow(angle_rad, observer_.roll_angle_rad());
     }
     if (within(inputs.bank_angle_rad, largest_bank_angle_rad)) {
@@ -146,7 +146,7 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
                                Measurement& measurement) {
     const bool motion_known = yaw_known && within(inputs.speed_mps, largest_speed_mps);
     const bool observer_knows = run_observer(inputs, motion_known, at_cg);
-    const float sensed_rad = sensed_roll_rad(inputs, observer_knows);
+    const float sensed_rad = sensed_roll_rad(inputs);
     const bool sensor_available = is_finite(sensed_rad);
     const bool roll_known = observer_knows && motion_known;
     RollObservation& observed = measurement.observed;

@@ -61,7 +61,7 @@ class MeasurementStage {
 
     // The sensor's angle against the road; NaN where it has none, or where what it contains of a bank is not
     // known.
-    float sensed_roll_rad(const Inputs& inputs, bool observer_knows);
+    float sensed_roll_rad(const Inputs& inputs);
 
     bool against_horizon_{false};
     float imu_x_m_{0.0F};

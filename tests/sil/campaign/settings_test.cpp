@@ -55,8 +55,8 @@ TEST(CampaignSettings, TheirTextIsReadBackAsTheSame) {
 TEST(CampaignSettings, WhatIsSaidOnlyWhereItSaysSomethingIsReadBackAsTheSame) {
     sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
     const std::string without = sil::to_toml(settings);
-    for (const char* key : {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor",
-                            "changes"}) {
+    for (const char* key :
+         {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor", "changes"}) {
         EXPECT_EQ(without.find(key), std::string::npos) << key;
     }
     settings.vehicles[1].in_class = "light truck";
