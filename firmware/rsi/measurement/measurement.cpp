@@ -108,8 +108,8 @@ BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs, bool yaw_known) {
     return forces;
 }
 
-// Against the road the suspension moves the roll angle, which needs no motion; the observer without a sensor
-// does, for its bank.
+// Of an angle against the horizon the observer has to tell the roll from the bank. Force and gyro are enough
+// for that, so it goes on without yaw rate and speed, but is no substitute for a sensor then.
 bool MeasurementStage::run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg) {
     if (motion_known) {
         return observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
