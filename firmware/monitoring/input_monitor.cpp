@@ -198,10 +198,10 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
     const float yaw_acceleration =
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
-    const float roll_angle = roll_against_road(inputs);
-    turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, roll_angle);
-    force_vote_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, roll_angle,
-                       inputs.roll_rate_radps, turn_consistency_.spins());
+    rsi::Inputs against_road = inputs;
+    against_road.roll_angle_rad = roll_against_road(inputs);
+    turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
+    force_vote_.update(against_road, turn_consistency_.known() && !turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {
