@@ -38,7 +38,7 @@ std::string advice(const std::vector<ReplayRow>& rows) {
                : fmt::format(
                      "{}: on banked road the roll angle is not what roll_angle_reference says. One against "
                      "the road lacks the bank, one against the horizon contains it: set the other of "
-                     "\"road\" and \"horizon\" in the calibration\n",
+                     "\"road\" and \"horizon\" in the calibration, unless the accelerometer has an offset\n",
                      drives);
 }
 
