@@ -85,7 +85,7 @@ constexpr Decoded<Imu> Imu::decode(const std::uint8_t* payload) {
     return decoded;
 }
 
-// Roll angle of the body relative to the road and bank angle of the road.
+// Roll angle of the body and bank angle of the road.
 // From RollAngleSensor to RolloverEcu, every 10 ms.
 struct RollAngle {
     static constexpr const char* name{"RollAngle"};
@@ -99,7 +99,7 @@ struct RollAngle {
     static constexpr bool has_sources{false};
     static constexpr std::uint16_t e2e_data_id{0x45CU};
 
-    // Roll angle of the body relative to the road, positive with the right side down. deg, -120 to 120.
+    // Roll angle of the body, positive with the right side down: relative to the road or to the horizon, as the parameter roll_angle_reference of the receiver says. deg, -120 to 120.
     float roll_angle_deg{not_available};
     // Bank angle of the road, positive with the left side up. Not available where the vehicle cannot measure it. deg, -45 to 45.
     float bank_angle_deg{not_available};
@@ -1051,6 +1051,7 @@ struct RolloverDiagnosis {
         clock_jump = 41,
         bus_error = 42,
         receive_overflow = 43,
+        roll_angle_reference_wrong = 44,
     };
 
     // How far that code has come.
@@ -1209,6 +1210,7 @@ struct RolloverDiagnosis {
             case Code::clock_jump:
             case Code::bus_error:
             case Code::receive_overflow:
+            case Code::roll_angle_reference_wrong:
                 return true;
         }
         return false;
@@ -1305,6 +1307,8 @@ struct RolloverDiagnosis {
                 return "bus error";
             case Code::receive_overflow:
                 return "receive overflow";
+            case Code::roll_angle_reference_wrong:
+                return "roll angle reference wrong";
         }
         return "unknown";
     }

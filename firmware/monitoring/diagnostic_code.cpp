@@ -41,6 +41,8 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::roll_sensor_contradicts_observer:
         case DiagnosticCode::yaw_rate_contradicts_lateral_acceleration:
             return {1U, 100U};  // their filters, and the component's own check, are the debounce
+        case DiagnosticCode::roll_angle_reference_wrong:
+            return {1U, 500U};  // its count is the debounce
         case DiagnosticCode::parameters_refused:
             return {1U, 1U};
         case DiagnosticCode::parameters_damaged:

@@ -62,10 +62,13 @@ enum class DiagnosticCode : std::uint8_t {
     clock_jump,
     bus_error,
     receive_overflow,
+
+    // Later than the numbers above were fixed, which service tools know: the calibration against the sensors
+    roll_angle_reference_wrong,
 };
 
 inline constexpr std::size_t diagnostic_code_count =
-    static_cast<std::size_t>(DiagnosticCode::receive_overflow) + 1U;
+    static_cast<std::size_t>(DiagnosticCode::roll_angle_reference_wrong) + 1U;
 
 // In cycles of 10 ms. Confirmed after so many cycles with the fault (with good ones between them: after more,
 // as DiagnosticEvent says); healed after so many good ones in a row.

@@ -14,6 +14,12 @@ constexpr float steepest_bank_rad = 0.42F;
 // The body leans out of the turn; below this the sign of the force says nothing.
 constexpr float clear_force_mps2 = 2.0F;
 
+// Of the road: measured, or as the observer has it.
+float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+    const bool measured = rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad);
+    return measured ? inputs.bank_angle_rad : before.observed_bank_angle_rad;
+}
+
 bool either_confirmed(const DiagnosticMemory& memory, DiagnosticCode a, DiagnosticCode b) noexcept {
     return memory.confirmed(a) || memory.confirmed(b);
 }
@@ -63,6 +69,8 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     const bool roll_rate_is_wrong = roll_rate_is_wrong_;  // the code outlives a stall, and so must the blame
     *this = InputMonitor{};
     roll_rate_is_wrong_ = roll_rate_is_wrong;
+    against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
+    roll_reference_.start(parameters);
     force_vote_.start(parameters);
 }
 
@@ -74,6 +82,7 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     check_roll(kept, fresh.late_roll_angle_rad, memory);
     check_vertical(kept, before, memory);
     check_turn(kept, memory);
+    check_reference(kept, before, memory);
     check_observer(inputs, before, memory);
     if (!memory.no_active_codes()) {
         invalidate_confirmed(qualified, memory);
@@ -167,14 +176,15 @@ bool InputMonitor::roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept
         return roll_angle_stuck_.seems_frozen();
     }
     const float force = inputs.lateral_specific_force_mps2;
-    return !rsi::is_within_magnitude(force, clear_force_mps2) && (force * inputs.roll_angle_rad < 0.0F);
+    return !rsi::is_within_magnitude(force, clear_force_mps2) && (force * roll_against_road(inputs) < 0.0F);
 }
 
-// In a warning wheels lift and come down: nothing is confirmed or cleared meanwhile.
+// In a warning wheels lift and come down: nothing is confirmed or cleared meanwhile. The force depends so
+// little on the roll angle that the observer's will do where the sensor's contains a bank.
 void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
                                   DiagnosticMemory& memory) noexcept {
     vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
-                            inputs.roll_angle_rad);
+                            against_horizon_ ? before.observed_roll_angle_rad : inputs.roll_angle_rad);
     if (vertical_offset_.known()) {
         constexpr DiagnosticCode code = DiagnosticCode::vertical_acceleration_offset;
         const bool calm = (before.state == RSI_STATE_READY) || (before.state == RSI_STATE_ADVISORY);
@@ -188,8 +198,10 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
     const float yaw_acceleration =
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
-    turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, inputs.roll_angle_rad);
-    force_vote_.update(inputs, turn_consistency_.known() && !turn_consistency_.spins());
+    rsi::Inputs against_road = inputs;
+    against_road.roll_angle_rad = roll_against_road(inputs);
+    turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
+    force_vote_.update(against_road, turn_consistency_.known() && !turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {
@@ -209,6 +221,29 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     }
 }
 
+// The angle against the road that is a witness against the other sensors. One against the horizon needs the
+// bank of a sensor: the observer's is made of the very signals that are to be checked.
+float InputMonitor::roll_against_road(const rsi::Inputs& inputs) const noexcept {
+    return against_horizon_ ? inputs.roll_angle_rad - inputs.bank_angle_rad : inputs.roll_angle_rad;
+}
+
+// What the sensor shows beyond the roll angle that the observer finds without it.
+float InputMonitor::roll_beyond_observed(const rsi::Inputs& inputs,
+                                         const rsi::Outputs& before) const noexcept {
+    const float beyond_road = inputs.roll_angle_rad - before.observed_roll_angle_rad;
+    return against_horizon_ ? beyond_road - known_bank_rad(inputs, before) : beyond_road;
+}
+
+// A wrong calibration does not show on a level road; once it has shown, no angle is what it is taken for.
+void InputMonitor::check_reference(const rsi::Inputs& inputs, const rsi::Outputs& before,
+                                   DiagnosticMemory& memory) noexcept {
+    roll_reference_.update(inputs.roll_angle_rad, before.observed_roll_angle_rad,
+                           known_bank_rad(inputs, before));
+    if (roll_reference_.known()) {
+        memory.report(DiagnosticCode::roll_angle_reference_wrong, roll_reference_.contradicts());
+    }
+}
+
 // The observer makes the roll angle of the lateral force and the roll rate. Where it contradicts the roll
 // sensor, one of the sensors is wrong: the accelerometer, if it contradicts the yaw rate too, else the
 // roll sensor. The component's own check, confirmed for 0.3 s, decides when the observer is reliable.
@@ -216,7 +251,7 @@ void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs&
                                   DiagnosticMemory& memory) noexcept {
     constexpr DiagnosticCode roll_sensor = DiagnosticCode::roll_sensor_contradicts_observer;
     constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
-    const float difference = inputs.roll_angle_rad - before.observed_roll_angle_rad;
+    const float difference = roll_beyond_observed(inputs, before);
     if (memory.confirmed(roll_sensor)) {
         if (rsi::is_finite(difference)) {
             memory.report(roll_sensor, !rsi::is_within_magnitude(difference, agreement_rad));
@@ -253,6 +288,7 @@ void InputMonitor::invalidate_confirmed(rsi::Inputs& inputs, const DiagnosticMem
     }
     if (either_confirmed(memory, DiagnosticCode::roll_angle_stuck,
                          DiagnosticCode::roll_sensor_contradicts_observer) ||
+        memory.confirmed(DiagnosticCode::roll_angle_reference_wrong) ||
         (roll_contradiction && !roll_rate_is_wrong_)) {
         inputs.roll_angle_rad = rsi::not_available;
     }

@@ -4,6 +4,7 @@
 #include "monitoring/diagnostic_memory.hpp"
 #include "monitoring/force_vote.hpp"
 #include "monitoring/roll_consistency.hpp"
+#include "monitoring/roll_reference_check.hpp"
 #include "monitoring/signal_check.hpp"
 #include "monitoring/steering_check.hpp"
 #include "monitoring/stuck_check.hpp"
@@ -42,9 +43,15 @@ class InputMonitor {
     void check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
     void check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
+    void check_reference(const rsi::Inputs& inputs, const rsi::Outputs& before,
+                         DiagnosticMemory& memory) noexcept;
     void check_observer(const rsi::Inputs& inputs, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
     void invalidate_confirmed(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept;
+    float roll_against_road(const rsi::Inputs& inputs) const noexcept;
+    float roll_beyond_observed(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
+
+    bool against_horizon_{false};  // the roll sensor's angle, as calibrated
 
     // Ranges: beyond what a vehicle does, and below the end of the sensor's range, so that a saturated sensor
     // counts as failed. Jumps: half as much again as the largest change within a cycle over 2,900 drawn runs
@@ -77,6 +84,7 @@ class InputMonitor {
     SteeringCheck steering_stuck_{};
 
     RollConsistency roll_consistency_{};
+    RollReferenceCheck roll_reference_{};
     TurnConsistency turn_consistency_{};
     TurnSigns turn_signs_{};
     ForceVote force_vote_{};

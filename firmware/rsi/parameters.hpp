@@ -92,11 +92,15 @@ inline constexpr std::array<ParameterField, 59> parameter_fields{{
 
 inline constexpr std::array<const char*, 2> estimator_choices{{"published", "consider_kalman"}};
 
-inline constexpr std::array<SelectionField, 2> selection_fields{{
+inline constexpr std::array<const char*, 2> roll_angle_reference_choices{{"road", "horizon"}};
+
+inline constexpr std::array<SelectionField, 3> selection_fields{{
     {"estimator", &Parameters::estimator, estimator_choices.data(),
      static_cast<std::int32_t>(estimator_choices.size()), 2},
     {"warning_indicator", &Parameters::warning_indicator, indicator_choices.data(),
      static_cast<std::int32_t>(indicator_choices.size()), 12},
+    {"roll_angle_reference", &Parameters::roll_angle_reference, roll_angle_reference_choices.data(),
+     static_cast<std::int32_t>(roll_angle_reference_choices.size()), 2},
 }};
 
 // Accepts, or names the first field that is refused and why.

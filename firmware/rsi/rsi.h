@@ -49,6 +49,12 @@ typedef enum {
         1 /* one unknown, with the roll stiffness as a curve and the roll inertia */
 } rsi_estimator;
 
+/* What the roll sensor's angle is measured against. */
+typedef enum {
+    RSI_ROLL_AGAINST_ROAD = 0,   /* of a suspension: how far the body leans on its wheels */
+    RSI_ROLL_AGAINST_HORIZON = 1 /* of an attitude sensor: the same and the road's bank */
+} rsi_roll_angle_reference;
+
 /* Where the roll angle in use comes from. */
 typedef enum { RSI_ROLL_NONE = 0, RSI_ROLL_SENSOR = 1, RSI_ROLL_OBSERVER = 2 } rsi_roll_source;
 
@@ -152,18 +158,20 @@ typedef struct {
     float recovery_s;             /* inputs must be good this long before "unavailable" is left */
 
     /* Selections */
-    int32_t estimator;         /* rsi_estimator */
-    int32_t warning_indicator; /* rsi_indicator */
+    int32_t estimator;            /* rsi_estimator */
+    int32_t warning_indicator;    /* rsi_indicator */
+    int32_t roll_angle_reference; /* rsi_roll_angle_reference */
 } rsi_parameters;
 
 /* One sample of the sensors, all body-fixed. A value that is not finite or outside its range is "not
  * available". Without the first or third the component is unavailable; so it is without the fourth while the
- * observer, which needs yaw rate and speed, does not know the roll angle. The others are optional. */
+ * observer, which needs yaw rate and speed, does not know the roll angle. The others are optional. An angle
+ * against the horizon needs the bank that is in it: the sixth, or a fifth of a second of the observer. */
 typedef struct {
     float lateral_specific_force_mps2;  /* f_y at the IMU, -60 to 60 */
     float vertical_specific_force_mps2; /* f_z at the IMU, near +9.81 at rest, -60 to 60 (optional) */
     float roll_rate_radps; /* p, of the body's gyro, -10 to 10; taken for the rate of the roll angle */
-    float roll_angle_rad;  /* of the body relative to the road, -2.2 to 2.2 (the observer's if absent) */
+    float roll_angle_rad;  /* against roll_angle_reference, -2.2 to 2.2 (the observer's if absent) */
     float yaw_rate_radps;  /* -10 to 10 (optional: lever-arm correction, observer) */
     float bank_angle_rad;  /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
     float speed_mps;       /* -150 to 150 (optional: observer) */

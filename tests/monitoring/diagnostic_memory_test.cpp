@@ -67,6 +67,7 @@ constexpr StatedDebounce stated_debounces[] = {
     {DiagnosticCode::clock_jump, 1, 100},
     {DiagnosticCode::bus_error, 3, 100},
     {DiagnosticCode::receive_overflow, 1, 100},
+    {DiagnosticCode::roll_angle_reference_wrong, 1, 500},
 };
 
 class ADiagnosticMemory : public ::testing::Test {
@@ -198,7 +199,7 @@ TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
 }
 
 TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
-    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::receive_overflow}) {
+    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::roll_angle_reference_wrong}) {
         memory = {};
         confirm(code);
         for (int cycle = 0; cycle < 5; ++cycle) {

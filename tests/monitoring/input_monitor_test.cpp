@@ -69,6 +69,7 @@ class AnInputMonitor : public ::testing::Test {
     static constexpr DiagnosticCode roll_sensor_code = DiagnosticCode::roll_sensor_contradicts_observer;
     static constexpr DiagnosticCode lateral_code = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
     static constexpr DiagnosticCode yaw_code = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
+    static constexpr DiagnosticCode reference_code = DiagnosticCode::roll_angle_reference_wrong;
     static constexpr DiagnosticCode roll_code = DiagnosticCode::roll_rate_contradicts_roll_angle;
 
     monitoring::InputMonitor monitor;
@@ -545,6 +546,125 @@ TEST_F(AnInputMonitor, LetsAnAccelerometersSecondWaitWhileTheYawRateAloneIsAhead
         EXPECT_EQ(cycles_to_heal(sign * 1.3F, 30), cycles_to_heal(sign * 1.3F, 0) + 30);
         EXPECT_EQ(cycles_to_heal(sign * 1.75F, 30), 100 + 30 + 100);
     }
+}
+
+// On a bank of 0.1 rad, the body upright on it.
+TEST_F(AnInputMonitor, TakesOutARollAngleWhoseReferenceIsWrongAndTakesItBackAfterFiveSecondsOfTheRightOne) {
+    before.observed_bank_angle_rad = 0.1F;
+    inputs.roll_angle_rad = 0.1F;
+    run(499);
+    EXPECT_FALSE(confirmed(reference_code));
+    EXPECT_EQ(qualified.roll_angle_rad, 0.1F);
+    run(1);
+    EXPECT_TRUE(confirmed(reference_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
+    before.observed_bank_angle_rad = 0.0F;  // a level road shows nothing
+    inputs.roll_angle_rad = 0.0F;
+    run(1000);
+    EXPECT_TRUE(confirmed(reference_code));
+    before.observed_bank_angle_rad = 0.1F;
+    run(499);
+    EXPECT_TRUE(confirmed(reference_code));
+    run(1);
+    EXPECT_FALSE(confirmed(reference_code));
+    EXPECT_EQ(qualified.roll_angle_rad, 0.0F);
+}
+
+TEST_F(AnInputMonitor, JudgesTheReferenceByTheBankSensorWhereThereIsOne) {
+    inputs.bank_angle_rad = 0.1F;
+    before.observed_bank_angle_rad = 0.0F;
+    inputs.roll_angle_rad = 0.1F;
+    run(500);
+    EXPECT_TRUE(confirmed(reference_code));
+    memory = {};
+    monitor.start(rsi_test_large_suv());
+    inputs.bank_angle_rad = 0.5F;  // of no road
+    before.observed_bank_angle_rad = 0.1F;
+    inputs.roll_angle_rad = 0.0F;
+    run(2000);
+    EXPECT_FALSE(confirmed(reference_code));
+}
+
+class AnInputMonitorOfAnAttitudeSensor : public AnInputMonitor {
+ protected:
+    AnInputMonitorOfAnAttitudeSensor() {
+        suv.roll_angle_reference = RSI_ROLL_AGAINST_HORIZON;
+        monitor.start(suv);
+    }
+
+    rsi_parameters suv = rsi_test_large_suv();
+};
+
+TEST_F(AnInputMonitorOfAnAttitudeSensor, FindsTheBankInItAndMissesItWhereItIsNot) {
+    before.observed_bank_angle_rad = 0.1F;
+    inputs.roll_angle_rad = 0.1F;
+    run(1000);
+    EXPECT_FALSE(confirmed(reference_code));
+    EXPECT_EQ(qualified.roll_angle_rad, 0.1F);
+    inputs.roll_angle_rad = 0.0F;
+    run(1000);
+    EXPECT_TRUE(confirmed(reference_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
+}
+
+TEST_F(AnInputMonitorOfAnAttitudeSensor, ComparesItWithTheObserverLessTheBank) {
+    before.roll_source = RSI_ROLL_OBSERVER;
+    inputs.roll_angle_rad = 0.1F;
+    before.observed_roll_angle_rad = 0.02F;
+    before.observed_bank_angle_rad = 0.08F;
+    run(100);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+    inputs.bank_angle_rad = 0.0F;  // measured, and there is none
+    run(1);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+    inputs.bank_angle_rad = 0.08F;
+    run(99);
+    EXPECT_TRUE(confirmed(roll_sensor_code));
+    run(1);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+    inputs.bank_angle_rad = nan;
+    before.observed_bank_angle_rad = nan;
+    run(1000);
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+}
+
+// The angle of the suspension is a witness of the lateral force; one against the horizon only together with
+// the bank that a sensor has measured.
+TEST_F(AnInputMonitorOfAnAttitudeSensor, IsAWitnessOfATurnOnlyWithABankSensor) {
+    turn_at(2.1F);
+    inputs.lateral_specific_force_mps2 = -2.1F;
+    inputs.roll_angle_rad = 0.03F;
+    run(1000);
+    EXPECT_FALSE(confirmed(lateral_code));
+    EXPECT_FALSE(confirmed(yaw_code));
+    inputs.bank_angle_rad = 0.0F;
+    run(20);
+    EXPECT_TRUE(confirmed(lateral_code));
+    EXPECT_FALSE(confirmed(yaw_code));
+}
+
+TEST_F(AnInputMonitorOfAnAttitudeSensor, JudgesTheVerticalAccelerationByTheObserversAngle) {
+    turn_at(8.0F);
+    inputs.roll_angle_rad = 0.15F;
+    before.observed_roll_angle_rad = 0.0F;
+    run(1000);  // 8 m/s^2 of 0.15 rad are 1.2
+    EXPECT_FALSE(confirmed(DiagnosticCode::vertical_acceleration_offset));
+    inputs.vertical_specific_force_mps2 = 9.80665F + 1.6F;
+    run(1000);
+    EXPECT_TRUE(confirmed(DiagnosticCode::vertical_acceleration_offset));
+}
+
+TEST_F(AnInputMonitorOfAnAttitudeSensor, BlamesTheAngleThatLeansIntoTheTurnOnlyWithABankSensor) {
+    turn_at(3.0F);
+    roll(40, -0.004F, 0.0F);
+    EXPECT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_rate_radps));
+    memory = {};
+    monitor.start(suv);
+    inputs.bank_angle_rad = 0.0F;
+    roll(40, -0.004F, 0.0F);
+    EXPECT_TRUE(confirmed(roll_code));
+    EXPECT_TRUE(std::isnan(qualified.roll_angle_rad));
 }
 
 }  // namespace

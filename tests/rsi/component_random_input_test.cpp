@@ -125,6 +125,15 @@ TEST(ComponentUnderRandomInput, AMillionStepsOfAnythingGiveNumbersInRange) {
     EXPECT_GT(outcome.warnings, 10000);
 }
 
+TEST(ComponentUnderRandomInput, AnAngleAgainstTheHorizonGivesNumbersInRangeToo) {
+    rsi_parameters parameters = immediate();
+    parameters.roll_angle_reference = RSI_ROLL_AGAINST_HORIZON;
+    const Outcome outcome = survive(parameters, 61U, 200000);
+    EXPECT_GT(outcome.available, 100000);
+    EXPECT_LT(outcome.available, 200000);
+    EXPECT_GT(outcome.warnings, 2000);
+}
+
 TEST(ComponentUnderRandomInput, EveryCalibrationThatIsAdmittedSurvives) {
     Noise noise(59U);
     int tried = 0;
@@ -152,6 +161,8 @@ TEST(ComponentUnderRandomInput, EveryCalibrationThatIsAdmittedSurvives) {
         }
         ++tried;
         survive(parameters, 1000U + static_cast<std::uint64_t>(trial), 3000);
+        parameters.roll_angle_reference = RSI_ROLL_AGAINST_HORIZON;
+        survive(parameters, 5000U + static_cast<std::uint64_t>(trial), 1000);
         ASSERT_FALSE(HasFailure()) << "trial " << trial;
     }
     EXPECT_GT(tried, 100);

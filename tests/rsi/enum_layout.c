@@ -14,8 +14,8 @@
 #define ROW(name, ...) +4U
 SAME(sizeof(rsi_outputs) == 0U RSI_OUTPUTS(ROW, ROW, ROW), outputs_have_no_gaps);
 SAME(sizeof(rsi_inputs) == 8U * 4U, inputs_have_no_gaps);
-SAME(sizeof(rsi_parameters) == offsetof(rsi_parameters, warning_indicator) + 4U, parameters_have_no_tail);
-SAME(offsetof(rsi_parameters, warning_indicator) == offsetof(rsi_parameters, estimator) + 4U,
+SAME(sizeof(rsi_parameters) == offsetof(rsi_parameters, roll_angle_reference) + 4U, parameters_have_no_tail);
+SAME(offsetof(rsi_parameters, roll_angle_reference) == offsetof(rsi_parameters, estimator) + 8U,
      choices_are_words);
 SAME(offsetof(rsi_validation, field) == sizeof(void*), the_answer_is_padded_to_a_pointer);
 SAME(sizeof(rsi_validation) == 3U * sizeof(void*), the_answer_has_no_tail);

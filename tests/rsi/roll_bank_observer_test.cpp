@@ -8,76 +8,25 @@
 
 #include "rsi/measurement/roll_sensor_check.hpp"
 #include "rsi/parameters.hpp"
+#include "tests/rsi/support/banked_drive.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/recorded_like_signals.hpp"
 
 namespace roll_bank_observer_test {
 namespace {
 
+using rsi_test::Drive;
+using rsi_test::RollingVehicle;
+
 constexpr double degrees_per_radian = 180.0 / rsi_test::pi;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-struct Drive {
-    double speed_mps{25.0};
-    double largest_acceleration_mps2{0.0};  // of the turn, a sine of 0.4 Hz
-    double bank_rad{0.0};                   // reached between 2 and 5 s
-    double gyro_bias_radps{0.0};
-};
-
-// Roll by Ixx w' = m_s H f_yb / cos phi - M(phi) - c phi', phi' = w - b', in double with steps of 0.1 ms; no
-// sideslip, so the turn's kinematics hold exactly.
-class RollingVehicle {
- public:
-    RollingVehicle(const rsi_parameters& parameters, const Drive& drive)
-        : parameters_{parameters}, drive_{drive} {}
-
-    void advance_10_ms() {
-        constexpr double step_s = 1.0e-4;
-        for (int k = 0; k < 100; ++k) {
-            const double bank_rate_radps = (bank(time_s_ + step_s) - bank(time_s_)) / step_s;
-            const double z = phi_ * phi_;
-            const double moment_nm = phi_ * (value(parameters_.roll_stiffness_nmprad) +
-                                             z * (value(parameters_.roll_stiffness_cubic_nmprad3) +
-                                                  z * value(parameters_.roll_stiffness_quintic_nmprad5)));
-            const double arm_m =
-                value(parameters_.sprung_cg_height_m) - value(parameters_.fixed_roll_centre_height_m);
-            const double roll_rate_radps = w_ - bank_rate_radps;
-            w_ += step_s *
-                  (value(parameters_.sprung_mass_kg) * arm_m * force() / std::cos(phi_) - moment_nm -
-                   value(parameters_.roll_damping_nmsprad) * roll_rate_radps) /
-                  value(parameters_.roll_inertia_kgm2);
-            phi_ += step_s * (w_ - bank_rate_radps);
-            time_s_ += step_s;
-        }
-    }
-
-    void show(rsi::RollBankObserver& observer) {
-        observer.update(static_cast<float>(force()), static_cast<float>(w_ + drive_.gyro_bias_radps),
-                        static_cast<float>(acceleration() / drive_.speed_mps),
-                        static_cast<float>(drive_.speed_mps));
-    }
-
-    double roll_angle_rad() const { return phi_; }
-    double bank_angle_rad() const { return bank(time_s_); }
-
- private:
-    static double value(float number) { return static_cast<double>(number); }
-    double bank(double time_s) const {
-        const double share = std::fmin(std::fmax((time_s - 2.0) / 3.0, 0.0), 1.0);
-        return drive_.bank_rad * 0.5 * (1.0 - std::cos(rsi_test::pi * share));
-    }
-    double acceleration() const {
-        return drive_.largest_acceleration_mps2 * std::sin(2.0 * rsi_test::pi * 0.4 * time_s_);
-    }
-    double force() const { return acceleration() + rsi_test::gravity_mps2 * std::sin(phi_ + bank(time_s_)); }
-
-    rsi_parameters parameters_;
-    Drive drive_;
-    double time_s_{0.0};
-    double phi_{0.0};
-    double w_{0.0};
-};
+void show(const RollingVehicle& vehicle, rsi::RollBankObserver& observer) {
+    const rsi_inputs inputs = vehicle.inputs();
+    observer.update(inputs.lateral_specific_force_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
+                    inputs.speed_mps);
+}
 
 struct Errors {
     double roll_deg{0.0};  // largest
@@ -92,7 +41,7 @@ Errors largest_errors(const Drive& drive, double from_s, double to_s) {
     Errors errors;
     for (int k = 1; k <= std::lround(100.0 * to_s); ++k) {
         vehicle.advance_10_ms();
-        vehicle.show(observer);
+        show(vehicle, observer);
         if (0.01 * k < from_s) {
             continue;
         }
@@ -141,11 +90,11 @@ TEST(RollBankObserver, KnowsNothingAtTheStartAndTheRollWithinAFifthOfASecond) {
     rsi::RollBankObserver observer;
     observer.init(parameters);
     EXPECT_FALSE(observer.roll_known());
-    vehicle.show(observer);
+    show(vehicle, observer);
     EXPECT_FALSE(observer.roll_known());
     EXPECT_FALSE(observer.bank_known());
     for (int k = 0; k < 20; ++k) {
-        vehicle.show(observer);
+        show(vehicle, observer);
     }
     EXPECT_TRUE(observer.roll_known());
     observer.reset();

@@ -69,6 +69,7 @@ static inline rsi_parameters rsi_test_large_suv(void) {
     parameters.recovery_s = 0.1F;
     parameters.estimator = RSI_ESTIMATOR_PUBLISHED;
     parameters.warning_indicator = RSI_INDICATOR_PUBLISHED;
+    parameters.roll_angle_reference = RSI_ROLL_AGAINST_ROAD;
     return parameters;
 }
 

@@ -63,4 +63,5 @@ static const rsi_parameters large_suv_parameters = {
     .recovery_s = 0.1F,
     .estimator = 1, /* consider_kalman */
     .warning_indicator = 4, /* predicted_load_transfer */
+    .roll_angle_reference = 0, /* road */
 };

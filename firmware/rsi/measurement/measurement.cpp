@@ -70,9 +70,11 @@ void MeasurementStage::reinitialise(const Parameters& parameters) {
     imu_x_m_ = parameters.imu_x_m;
     imu_y_m_ = parameters.imu_y_m;
     imu_z_m_ = parameters.imu_z_m;
+    against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
     roll_acceleration_.init(parameters.angular_acceleration_lag_s);
     yaw_acceleration_.init(parameters.angular_acceleration_lag_s);
     observer_.reinitialise(parameters);
+    road_bank_.forget();
     check_.init(parameters);
 }
 
@@ -80,6 +82,7 @@ void MeasurementStage::reset() {
     roll_acceleration_.reset();
     yaw_acceleration_.reset();
     observer_.reset();
+    road_bank_.forget();
     check_.reset();
 }
 
@@ -105,23 +108,53 @@ BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs, bool yaw_known) {
     return forces;
 }
 
+// Of an angle against the horizon the observer has to tell the roll from the bank. Force and gyro are enough
+// for that, so it goes on without yaw rate and speed, but is no substitute for a sensor then.
+bool MeasurementStage::run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg) {
+    if (motion_known) {
+        return observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
+                                inputs.speed_mps);
+    }
+    if (against_horizon_) {
+        return observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, 0.0F, 0.0F);
+    }
+    observer_.reset();
+    return false;
+}
+
+float MeasurementStage::sensed_roll_rad(const Inputs& inputs) {
+    const float angle_rad = inputs.roll_angle_rad;
+    if (!within(angle_rad, largest_roll_angle_rad)) {
+        road_bank_.forget();
+        return not_available;
+    }
+    if (!against_horizon_) {
+        return angle_rad;
+    }
+    // With the inner wheels up the observer has the roll of the gyro, as the sensor does: the bank stays.
+    if (observer_.roll_roughly_known() && !observer_.tipped()) {
+        road_bank_.follow(angle_rad, observer_.roll_angle_rad());
+    }
+    if (within(inputs.bank_angle_rad, largest_bank_angle_rad)) {
+        return angle_rad - inputs.bank_angle_rad;
+    }
+    return road_bank_.known() ? angle_rad - road_bank_.angle_rad() : not_available;
+}
+
 // The observer runs whether it is needed or not, so that it knows the angle when the sensor fails.
 void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg,
                                Measurement& measurement) {
-    const bool sensor_available = within(inputs.roll_angle_rad, largest_roll_angle_rad);
-    bool roll_known = false;
-    if (yaw_known && within(inputs.speed_mps, largest_speed_mps)) {
-        roll_known = observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
-                                      inputs.speed_mps);
-    } else {
-        observer_.reset();
-    }
+    const bool motion_known = yaw_known && within(inputs.speed_mps, largest_speed_mps);
+    const bool observer_knows = run_observer(inputs, motion_known, at_cg);
+    const float sensed_rad = sensed_roll_rad(inputs);
+    const bool sensor_available = is_finite(sensed_rad);
+    const bool roll_known = observer_knows && motion_known;
     RollObservation& observed = measurement.observed;
     observed.roll_angle_rad = roll_known ? observer_.roll_angle_rad() : not_available;
     observed.bank_angle_rad = observer_.bank_known() ? observer_.bank_angle_rad() : not_available;
     if (sensor_available) {
         measurement.roll_source = RSI_ROLL_SENSOR;
-        measurement.roll_angle_rad = inputs.roll_angle_rad;
+        measurement.roll_angle_rad = sensed_rad;
     } else {
         measurement.roll_source = roll_known ? RSI_ROLL_OBSERVER : RSI_ROLL_NONE;
         measurement.roll_angle_rad = observed.roll_angle_rad;
@@ -129,7 +162,7 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
     if (!sensor_available || !roll_known) {
         check_.reset();
     } else if (!observer_.tipped()) {
-        check_.update(inputs.roll_angle_rad - observed.roll_angle_rad);
+        check_.update(sensed_rad - observed.roll_angle_rad);
     } else {
         // The observer's model ends where the vehicle tips: the check keeps what it has.
     }

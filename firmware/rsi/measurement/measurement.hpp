@@ -1,7 +1,8 @@
 // Measure: from body-fixed sensor values to the road-parallel and road-normal specific forces at the sprung
-// CG, with the observer's roll angle where the sensor has none.
+// CG, and the roll angle against the road, with the observer's where the sensor has none.
 #pragma once
 
+#include "rsi/measurement/road_bank.hpp"
 #include "rsi/measurement/roll_bank_observer.hpp"
 #include "rsi/measurement/roll_sensor_check.hpp"
 #include "rsi/numeric/filtered_derivative.hpp"
@@ -46,7 +47,7 @@ class MeasurementStage {
     void reset();
 
     // True and a measurement when lateral force and roll rate are available and in range, and the roll angle
-    // is, or the observer knows it.
+    // against the road is, or the observer knows it.
     bool update(const Inputs& inputs, Measurement& measurement);
 
     // dh for the observer from now on, 0 where no sound estimate is.
@@ -56,13 +57,20 @@ class MeasurementStage {
     // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
     BodyForces carry_to_cg(const Inputs& inputs, bool yaw_known);
     void observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg, Measurement& measurement);
+    bool run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg);
 
+    // The sensor's angle against the road; NaN where it has none, or where what it contains of a bank is not
+    // known.
+    float sensed_roll_rad(const Inputs& inputs);
+
+    bool against_horizon_{false};
     float imu_x_m_{0.0F};
     float imu_y_m_{0.0F};
     float imu_z_m_{0.0F};
     FilteredDerivative roll_acceleration_{};
     FilteredDerivative yaw_acceleration_{};
     RollBankObserver observer_{};
+    RoadBank road_bank_{};
     RollSensorCheck check_{};
 };
 

@@ -44,6 +44,8 @@ class RollBankObserver {
     bool roll_known() const {
         return running_ && (P11_ < (tipped() ? largest_tipped_variance_rad2 : largest_roll_variance_rad2));
     }
+    // Whether it is small enough to begin with.
+    bool roll_roughly_known() const { return running_ && (P11_ < rough_roll_variance_rad2); }
     bool bank_known() const { return running_ && (P33_ < largest_bank_variance_rad2); }
 
     // The inner wheels are up: the roll angle comes from the gyro alone, to some ten degrees.
@@ -56,6 +58,7 @@ class RollBankObserver {
     using State = ObserverState;
 
     static constexpr float largest_roll_variance_rad2 = 0.0175F * 0.0175F;  // 1 deg
+    static constexpr float rough_roll_variance_rad2 = 0.035F * 0.035F;      // 2 deg
     static constexpr float largest_tipped_variance_rad2 = 0.175F * 0.175F;  // 10 deg
     static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
 

@@ -52,6 +52,7 @@ SensorOptions drawn_sensors(const VehicleParameters& vehicle, const CampaignSpre
                             const RunDraw& draw) {
     SensorFlaws flaws;
     flaws.noise = spread.sensor_noise;
+    flaws.attitude_sensor = spread.attitude_sensor;
     flaws.seed = draw.sensor_seed;
     SensorOptions sensors = mounted_sensors(vehicle, flaws);
     sensors.imu.lateral_acceleration_mps2.bias = draw.lateral_bias_g * g_mps2;

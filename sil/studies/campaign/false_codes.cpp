@@ -1,5 +1,6 @@
 // False codes: drives whose sensors are good, noise and offsets of good sensors included, must not set any
-// diagnostic code. Every manoeuvre with every vehicle, then drawn runs of the built-in campaign and the van.
+// diagnostic code. Every manoeuvre with every vehicle, then drawn runs of the built-in campaign and the van,
+// with a roll angle against the road and against the horizon.
 //   false_codes FIRST COUNT     the drawn runs; exit status 1 when a code was set
 #include <fmt/core.h>
 
@@ -67,22 +68,28 @@ class Search {
     std::map<int, Finding> findings_{};
 };
 
+const char* suffix(const sil::CampaignSettings& settings) {
+    return settings.spread.attitude_sensor ? ", attitude sensor" : "";
+}
+
 void drive_catalogue(Search& search, const sil::CampaignSettings& settings) {
     for (const sil::CampaignVehicle& built : settings.vehicles) {
         const sil::VehicleParameters vehicle = sil::load_vehicle(built.parameters);
-        const rsi::Parameters calibration = sil::load_calibration(built.calibration);
+        const rsi::Parameters calibration = sil::load_calibration(built.calibration, settings.changes);
         for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
             for (const bool noise : {false, true}) {
                 sil::SensorFlaws flaws;
                 flaws.noise = noise;
                 flaws.bank_sensor = noise;
+                flaws.attitude_sensor = settings.spread.attitude_sensor;
                 sil::RunOptions options;
                 options.mirrored = noise;
                 sil::InProcessRun run{vehicle, manoeuvre, options, sil::mounted_sensors(vehicle, flaws),
                                       calibration};
-                search.drive(fmt::format("{} {} {}", std::filesystem::path{built.parameters}.stem().string(),
-                                         manoeuvre.name, noise ? "with noise" : "ideal"),
-                             run);
+                search.drive(
+                    fmt::format("{} {} {}{}", std::filesystem::path{built.parameters}.stem().string(),
+                                manoeuvre.name, noise ? "with noise" : "ideal", suffix(settings)),
+                    run);
             }
         }
     }
@@ -95,7 +102,9 @@ void drive_campaign(Search& search, const sil::CampaignSettings& settings, std::
         const sil::DrawnRun drawn = world.prepare(number);
         sil::InProcessRun run{drawn.vehicle, drawn.manoeuvre, drawn.options, drawn.sensors,
                               drawn.calibration};
-        search.drive(fmt::format("run {} {} {}", number, drawn.draw.vehicle, drawn.manoeuvre.name), run);
+        search.drive(
+            fmt::format("run {} {} {}{}", number, drawn.draw.vehicle, drawn.manoeuvre.name, suffix(settings)),
+            run);
     }
 }
 
@@ -119,9 +128,14 @@ int main(int argc, char** argv) {
     }
     const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
     const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
-    const sil::CampaignSettings settings = built_in_and_van(first + count);
+    const sil::CampaignSettings against_road = built_in_and_van(first + count);
+    sil::CampaignSettings against_horizon = against_road;
+    against_horizon.spread.attitude_sensor = true;
+    against_horizon.changes.emplace_back("roll_angle_reference=horizon");
     Search search;
-    drive_catalogue(search, settings);
-    drive_campaign(search, settings, first, count);
+    for (const sil::CampaignSettings& settings : {against_road, against_horizon}) {
+        drive_catalogue(search, settings);
+        drive_campaign(search, settings, first, count);
+    }
     return search.report();
 }

@@ -132,6 +132,7 @@ std::string to_toml(const CampaignSettings& settings) {
     text += fmt::format("sensor_noise = {}\n", spread.sensor_noise);
     text += fmt::format("steering_sensor = {}\n", spread.steering_sensor);
     text += fmt::format("roll_sensor = {}\n", spread.roll_sensor);
+    text += spread.attitude_sensor ? "attitude_sensor = true\n" : "";
     for (const CampaignVehicle& vehicle : settings.vehicles) {
         text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n",
                             toml_string(vehicle.parameters), toml_string(vehicle.calibration));

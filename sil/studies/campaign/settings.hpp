@@ -51,8 +51,9 @@ struct CampaignSpread {
     double mass_error{0.0};
     double accelerometer_bias_g{0.0};
     bool sensor_noise{false};
-    bool steering_sensor{true};  // false: the steering wheel angle is never available
-    bool roll_sensor{true};      // false: neither is the roll angle
+    bool steering_sensor{true};   // false: the steering wheel angle is never available
+    bool roll_sensor{true};       // false: neither is the roll angle
+    bool attitude_sensor{false};  // true: the roll angle is one against the horizon
 };
 
 struct CampaignSettings {

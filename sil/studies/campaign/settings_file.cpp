@@ -70,6 +70,7 @@ void read_spread(TomlTable table, CampaignSpread& spread) {
     read(table, "sensor_noise", spread.sensor_noise);
     read(table, "steering_sensor", spread.steering_sensor);
     read(table, "roll_sensor", spread.roll_sensor);
+    read(table, "attitude_sensor", spread.attitude_sensor);
     table.refuse_unknown_keys();
 }
 

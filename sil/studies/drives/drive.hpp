@@ -26,7 +26,7 @@ struct DriveSample {
     double vertical_specific_force_mps2{not_available};  // f_z, body axes, +9.81 at rest
     double roll_rate_radps{not_available};
     double yaw_rate_radps{not_available};
-    double roll_angle_rad{not_available};  // of the body relative to the road
+    double roll_angle_rad{not_available};  // of the body, against road or horizon
     double steering_wheel_angle_rad{not_available};
     double bank_angle_rad{not_available};  // of the road, left side up is positive
     // In the order of `Wheel`.

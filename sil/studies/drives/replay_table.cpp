@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <map>
 
+#include "monitoring/diagnostic_code.hpp"
 #include "sil/files/csv_writer.hpp"
 #include "sil/studies/drives/verdict.hpp"
 
@@ -19,6 +21,25 @@ std::string number(const std::optional<double>& value, int decimals) {
 
 std::optional<double> time_of(const std::optional<EventMoment>& event) {
     return event ? std::optional<double>{event->time_s} : std::nullopt;
+}
+
+constexpr std::uint64_t wrong_roll_reference =
+    std::uint64_t{1U} << static_cast<unsigned>(monitoring::DiagnosticCode::roll_angle_reference_wrong);
+
+std::string advice(const std::vector<ReplayRow>& rows) {
+    std::string drives;
+    for (const ReplayRow& row : rows) {
+        if (row.wrong_roll_reference) {
+            drives += (drives.empty() ? "" : ", ") + row.drive;
+        }
+    }
+    return drives.empty()
+               ? std::string{}
+               : fmt::format(
+                     "{}: on banked road the roll angle is not what roll_angle_reference says. One against "
+                     "the road lacks the bank, one against the horizon contains it: set the other of "
+                     "\"road\" and \"horizon\" in the calibration, unless the accelerometer has an offset\n",
+                     drives);
 }
 
 }  // namespace
@@ -35,6 +56,7 @@ ReplayRow replay_row(const std::string& file, const std::string& drive, const Dr
     row.wrong_side_s = events.judgement.wrong_side_s;
     row.unavailable_s = events.judgement.unavailable_s;
     row.confirmed_codes = code_names(replay.confirmed_codes);
+    row.wrong_roll_reference = (replay.confirmed_codes & wrong_roll_reference) != 0U;
     row.largest_load_transfer_ratio = replay.largest_load_transfer_ratio;
     row.largest_warning_level = replay.largest_warning_level;
     row.verdict = to_string(verdict(replay));
@@ -93,7 +115,7 @@ std::string table_text(const std::vector<ReplayRow>& rows) {
         fmt::format_to(std::back_inserter(text), "{}{} {}", separator, count, verdict);
         separator = ", ";
     }
-    return text + "\n";
+    return text + "\n" + advice(rows);
 }
 
 }  // namespace sil

@@ -19,6 +19,7 @@ struct ReplayRow {
     std::optional<double> wrong_side_s;   // time on the wrong side
     std::optional<double> unavailable_s;  // beyond the start-up
     std::string confirmed_codes;          // at any time
+    bool wrong_roll_reference{false};     // one of them
     double largest_load_transfer_ratio{EcuOutput::not_available};
     double largest_warning_level{EcuOutput::not_available};
     std::string verdict;  // see verdict.hpp; "failed" for a file that could not be replayed
@@ -32,7 +33,7 @@ ReplayRow failed_row(const std::string& file, const std::string& drive);
 // confirmed_codes. What is not known or did not happen is empty.
 std::string table_csv(const std::vector<ReplayRow>& rows);
 
-// The same in columns of even width, and a line that counts the verdicts.
+// The same in columns of even width, a line that counts the verdicts, and what the calibration has wrong.
 std::string table_text(const std::vector<ReplayRow>& rows);
 
 }  // namespace sil

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "calibration_template.hpp"
+#include "rsi/parameters.hpp"
 #include "sil/studies/identification/calibration_default.hpp"
 
 namespace sil {
@@ -26,6 +27,16 @@ std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U; }, ' ');
     return text;
+}
+
+std::string value_text(const IdentifiedValue& value) {
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        if (value.key == field.name) {
+            return fmt::format("\"{}\"", field.choices[static_cast<std::size_t>(value.value)]);
+        }
+    }
+    std::string number = fmt::format("{:.6g}", value.value);
+    return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
 }
 
 std::string head(const Identification& result) {
@@ -58,11 +69,7 @@ std::string calibration_text(const Identification& result) {
         if (found == result.values.end()) {
             text += line + "\n";
         } else {
-            std::string number = fmt::format("{:.6g}", found->value);
-            if (number.find_first_of(".e") == std::string::npos) {
-                number += ".0";
-            }
-            text += fmt::format("{} = {}  # {}\n", found->key, number, found->origin);
+            text += fmt::format("{} = {}  # {}\n", found->key, value_text(*found), found->origin);
             ++written;
         }
     }

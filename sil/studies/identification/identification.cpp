@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "rsi/rsi.h"
 #include "sil/files/parameter_field.hpp"
 #include "sil/studies/identification/calibration_default.hpp"
 #include "sil/studies/identification/tyre_limit.hpp"
@@ -115,6 +116,12 @@ void add_vehicle(Identification& result) {
     values.push_back({"imu_x_m", vehicle.imu_x_m, "vehicle data"});
     values.push_back({"imu_y_m", vehicle.imu_y_m, "vehicle data"});
     values.push_back({"imu_z_m", vehicle.imu_z_m, "vehicle data"});
+    if (vehicle.roll_angle_reference) {
+        const bool horizon = *vehicle.roll_angle_reference == RollReference::horizon;
+        values.push_back({"roll_angle_reference",
+                          static_cast<double>(horizon ? RSI_ROLL_AGAINST_HORIZON : RSI_ROLL_AGAINST_ROAD),
+                          "vehicle data"});
+    }
 }
 
 void add_roll(Identification& result) {

@@ -17,7 +17,7 @@ namespace sil {
 // One value of the calibration and where it comes from.
 struct IdentifiedValue {
     std::string key;  // of rsi_parameters
-    double value;
+    double value;     // of a selection its place among the choices
     std::string origin;
 };
 

@@ -13,7 +13,9 @@ constexpr double clear_bank_rad = 0.5 / degrees_per_radian;
 constexpr double bank_agreement = 0.3;  // of the angle
 constexpr double bank_share = 0.5;      // of the bank that the angle must follow
 constexpr double bank_correlation = 0.7;
-constexpr double steady_radps = 0.05;  // a body that rolls faster also slips
+constexpr double steep_bank_rad = 1.0 / degrees_per_radian;  // more than a slide looks like
+constexpr double bank_rest = 0.3;                            // of it, in an angle that does not follow
+constexpr double steady_radps = 0.05;                        // a body that rolls faster also slips
 constexpr double steady_mps = 5.0;
 constexpr std::size_t fewest_steady_samples = 100U;
 
@@ -74,12 +76,14 @@ BankFollowed bank_followed(const VehicleData& vehicle, const RollFit& roll, cons
 
 }  // namespace
 
-std::optional<std::string> roll_reference_doubt(const VehicleData& vehicle, const RollFit& roll,
-                                                const PreparedDrive& drive) {
+std::optional<SeenRollReference> seen_roll_reference(const VehicleData& vehicle, const RollFit& roll,
+                                                     const PreparedDrive& drive) {
     if (straight_shows_bank(drive.offsets)) {
-        return fmt::format(
-            "on the straight the roll angle and the accelerometer show the same bank, {:+.1f} deg",
-            drive.offsets.roll_angle_rad * degrees_per_radian);
+        return SeenRollReference{
+            RollReference::horizon,
+            fmt::format(
+                "on the straight the roll angle and the accelerometer show the same bank, {:+.1f} deg",
+                drive.offsets.roll_angle_rad * degrees_per_radian)};
     }
     if (!drive.has_steering) {
         return std::nullopt;
@@ -87,8 +91,15 @@ std::optional<std::string> roll_reference_doubt(const VehicleData& vehicle, cons
     const BankFollowed followed = bank_followed(vehicle, roll, drive);
     if (followed.bank_rms_rad > clear_bank_rad && followed.share > bank_share &&
         followed.correlation > bank_correlation) {
-        return fmt::format("the roll angle moves with the road's bank, by {:.0f} % of it",
-                           100.0 * followed.share);
+        return SeenRollReference{RollReference::horizon,
+                                 fmt::format("the roll angle moves with the road's bank, by {:.0f} % of it",
+                                             100.0 * followed.share)};
+    }
+    if (followed.bank_rms_rad > steep_bank_rad && std::abs(followed.share) < bank_rest) {
+        return SeenRollReference{
+            RollReference::road,
+            fmt::format("the road's bank moves by {:.1f} deg rms, and the roll angle does not follow it",
+                        followed.bank_rms_rad * degrees_per_radian)};
     }
     return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// Roll reference: whether a drive's roll angle is one against gravity in place of one against the road.
+// Roll reference: what a drive's roll angle is measured against, road or horizon.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,13 @@
 
 namespace sil {
 
-// What speaks for it, in words; nothing on a level road, where both angles are the same.
-std::optional<std::string> roll_reference_doubt(const VehicleData& vehicle, const RollFit& roll,
-                                                const PreparedDrive& drive);
+struct SeenRollReference {
+    RollReference reference;
+    std::string by;  // what speaks for it, in words
+};
+
+// Nothing on a level road, where both angles are the same.
+std::optional<SeenRollReference> seen_roll_reference(const VehicleData& vehicle, const RollFit& roll,
+                                                     const PreparedDrive& drive);
 
 }  // namespace sil

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "rsi/parameters.hpp"
 #include "sil/files/toml_table.hpp"
 
 namespace sil {
@@ -44,6 +45,8 @@ constexpr std::array<Key, 18> keys{{
     {"imu_z_m", -3.0, 3.0, "the IMU above it; negative when below"},
 }};
 
+constexpr std::string_view reference_key = "roll_angle_reference";
+
 const Key& key_of(std::string_view name) {
     return *std::find_if(keys.begin(), keys.end(), [name](const Key& key) { return key.name == name; });
 }
@@ -52,6 +55,7 @@ TomlTable known_table(const std::filesystem::path& file) {
     TomlTable table = file.empty() ? TomlTable::parse("", "vehicle data")
                                    : TomlTable::load(file, "name one such as docs/calibration.md shows");
     table.allow("name");
+    table.allow(reference_key);
     for (const Key& key : keys) {
         table.allow(key.name);
     }
@@ -84,6 +88,15 @@ class Values {
                                    name));
         }
         return table_.number(name, {key.lowest, key.highest}, key.meaning);
+    }
+
+    std::optional<RollReference> roll_angle_reference() {
+        if (!has(reference_key)) {
+            return std::nullopt;
+        }
+        const auto& choices = rsi::roll_angle_reference_choices;
+        const std::size_t chosen = table_.choice(reference_key, {choices.begin(), choices.end()});
+        return chosen == RSI_ROLL_AGAINST_HORIZON ? RollReference::horizon : RollReference::road;
     }
 
     [[noreturn]] void fail(std::string_view name, const std::string& what) const { table_.fail(name, what); }
@@ -190,6 +203,7 @@ VehicleData load_vehicle_data(const std::filesystem::path& file, const std::vect
     data.understeer_gradient_s2pm = values.optional("understeer_gradient_s2pm");
     data.roll_centre_height_m = values.optional("roll_centre_height_m");
     data.roll_inertia_kgm2 = values.optional("roll_inertia_kgm2");
+    data.roll_angle_reference = values.roll_angle_reference();
     if (data.roll_centre_height_m && *data.roll_centre_height_m > 0.9 * data.sprung_cg_height_m) {
         values.fail("roll_centre_height_m",
                     "lies not below the sprung mass's centre of gravity. Correct it, or leave it out");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sil/input_error.hpp"
+#include "sil/world/sensors/sensor_options.hpp"
 
 namespace sil {
 
@@ -27,8 +28,9 @@ struct VehicleData {
     std::optional<double> steering_ratio{};
     std::optional<double> understeer_gradient_s2pm{};
     std::optional<double> roll_centre_height_m{};
-    std::optional<double> roll_inertia_kgm2{};  // of the sprung mass about its centre of gravity
-    std::vector<std::string> assumptions{};     // what was not given and what was taken for it, in words
+    std::optional<double> roll_inertia_kgm2{};            // of the sprung mass about its centre of gravity
+    std::optional<RollReference> roll_angle_reference{};  // of the roll sensor; the road where not given
+    std::vector<std::string> assumptions{};  // what was not given and what was taken for it, in words
 };
 
 // c_w / (2 h) of the sprung mass.

@@ -273,17 +273,34 @@ class Warnings {
     void about_roll_reference() {
         for (const auto* drives : {&result_.ramps, &result_.dynamics}) {
             for (const PreparedDrive& drive : *drives) {
-                if (const auto doubt = roll_reference_doubt(result_.vehicle, result_.roll, drive)) {
-                    warn(
-                        "{}: {}. The roll angle seems to be one against gravity, as an attitude sensor gives "
-                        "it; "
-                        "fitted and used is the angle of the body relative to the road. Drive on a level "
-                        "road, "
-                        "and take the angle from ride-height sensors",
-                        drive.name, *doubt);
+                if (const auto seen = seen_roll_reference(result_.vehicle, result_.roll, drive)) {
+                    about_seen_reference(drive.name, *seen);
                 }
             }
         }
+    }
+
+    void about_seen_reference(const std::string& drive, const SeenRollReference& seen) {
+        const RollReference said = result_.vehicle.roll_angle_reference.value_or(RollReference::road);
+        if (seen.reference == RollReference::road) {
+            if (said == RollReference::horizon) {
+                warn(
+                    "{}: {}. The roll angle seems to be one against the road; the vehicle data say "
+                    "roll_angle_reference = \"horizon\". Correct them",
+                    drive, seen.by);
+            }
+            return;
+        }
+        if (said == RollReference::road) {
+            warn(
+                "{}: {}. The roll angle seems to be one against gravity, as an attitude sensor gives it: set "
+                "roll_angle_reference = \"horizon\" in the vehicle data",
+                drive, seen.by);
+        }
+        warn(
+            "{}: the road is not level. Fitted is the angle of the body against the road, so the bank went "
+            "into stiffness and damping: drive on a level road",
+            drive);
     }
 
     void about_steering() {

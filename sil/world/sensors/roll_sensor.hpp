@@ -1,4 +1,5 @@
-// RollSensor: the angle of the body against the road, and the road's bank where the car can measure it.
+// RollSensor: the angle of the body against the road or the horizon, and the road's bank where the car can
+// measure it.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,7 @@ class RollSensor {
     void report(const Truth& truth, SensorSample& sample);
 
  private:
+    RollReference reference_;
     bool reports_bank_;
     SensorChannel roll_angle_;
     SensorChannel bank_angle_;

@@ -26,7 +26,14 @@ struct ImuOptions {
     ChannelOptions roll_rate_radps;
 };
 
+// What a roll angle is measured against.
+enum class RollReference : std::uint8_t {
+    road,     // by the suspension's travel, as few vehicles do
+    horizon,  // by an attitude sensor; the road's bank is in it
+};
+
 struct RollSensorOptions {
+    RollReference reference{RollReference::road};
     ChannelOptions roll_angle_rad;
     bool reports_bank{false};  // most cars have no sensor for the road's bank
     ChannelOptions bank_angle_rad;

@@ -16,7 +16,7 @@ struct SensorSample {
     double vertical_acceleration_mps2{not_available};
     double roll_rate_radps{not_available};  // about the body's x axis
 
-    double roll_angle_rad{not_available};  // body relative to the road
+    double roll_angle_rad{not_available};  // body relative to the road, or to the horizon
     double bank_angle_rad{not_available};  // road, > 0 when the left side is up
 
     double speed_mps{not_available};       // never negative

@@ -51,7 +51,9 @@ rsi_parameters any_calibration(ByteReader& bytes) {
     parameters.imu_x_m = 1.0F;
     parameters.imu_y_m = -0.5F;
     parameters.imu_z_m = 0.5F;
-    parameters.estimator = static_cast<std::int32_t>(bytes.below(2U));
+    const unsigned choices = bytes.below(4U);  // one byte for both, as the committed inputs have it
+    parameters.estimator = static_cast<std::int32_t>(choices % 2U);
+    parameters.roll_angle_reference = static_cast<std::int32_t>(choices / 2U);
     parameters.warning_indicator = static_cast<std::int32_t>(bytes.below(13U));
     if (bytes.one_in(2U)) {
         parameters.recovery_s = parameters.advisory_hold_s = parameters.warning_hold_s = 0.0F;

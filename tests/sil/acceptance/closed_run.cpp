@@ -20,6 +20,10 @@ class Collector final : public sil::RunObserver {
         result_.states.push_back(ecu.output().state());
         result_.sides.push_back(ecu.output().side());
         result_.truths.push_back(truth);
+        const can_dbc::RolloverDiagnosis& told = ecu.diagnosis();
+        if (told.code_status == can_dbc::RolloverDiagnosis::CodeStatus::confirmed) {
+            result_.confirmed_codes.insert(told.code);
+        }
         if (static_cast<double>(ecu.output().warning().warning_level) > result_.largest_rsi) {
             result_.largest_rsi = static_cast<double>(ecu.output().warning().warning_level);
         }
@@ -45,8 +49,13 @@ RunResult drive(const RunSettings& settings) {
     const sil::Manoeuvre manoeuvre = sil::find_manoeuvre(settings.manoeuvre);
     const sil::VehicleParameters adapted =
         manoeuvre.adapt_vehicle ? manoeuvre.adapt_vehicle(vehicle) : vehicle;
+    sil::SensorFlaws flaws;
+    flaws.noise = settings.noise;
+    flaws.seed = settings.seed;
+    flaws.attitude_sensor = settings.attitude_sensor;
+    flaws.bank_sensor = settings.bank_sensor;
     sil::InProcessRun run{
-        vehicle, manoeuvre, options, sil::mounted_sensors(adapted, {settings.noise, settings.seed}),
+        vehicle, manoeuvre, options, sil::mounted_sensors(adapted, flaws),
         sil::load_calibration(source + "/firmware/calibrations/" + settings.vehicle + ".toml",
                               settings.changes)};
     RunResult result;

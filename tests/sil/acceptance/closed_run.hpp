@@ -1,6 +1,7 @@
 // Closed run: one manoeuvre of a vehicle with the firmware in the same process, and what came of it.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct RunSettings {
     std::uint64_t seed{1U};
     double duration_s{0.0};              // 0: the manoeuvre's own
     std::vector<std::string> changes{};  // of the calibration, "key=value"
+    bool attitude_sensor{false};         // the roll angle is one against the horizon
+    bool bank_sensor{false};
 };
 
 // The paper's estimator and indicator, warning at its threshold.
@@ -30,6 +33,7 @@ struct RunResult {
     std::vector<sil::WarningSide> sides;    // one a cycle
     std::vector<sil::Truth> truths;         // one a cycle
     double largest_rsi{0.0};
+    std::set<can_dbc::RolloverDiagnosis::Code> confirmed_codes{};  // at any time
 
     bool reached(sil::WarningState state) const;
 };

@@ -105,6 +105,13 @@ TEST(DrawnRun, ASensorThatIsNotThereSaysNotAvailable) {
     }
 }
 
+TEST(DrawnRun, AnAttitudeSensorIsMountedWhereTheSettingsSaySo) {
+    sil::CampaignSettings settings = small_campaign(1U);
+    EXPECT_EQ(sil::CampaignWorld{settings}.prepare(0U).sensors.roll.reference, sil::RollReference::road);
+    settings.spread.attitude_sensor = true;
+    EXPECT_EQ(sil::CampaignWorld{settings}.prepare(0U).sensors.roll.reference, sil::RollReference::horizon);
+}
+
 TEST(DrawnRun, ALoadChangesTheTrueVehicle) {
     const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
     sil::CampaignSettings settings = small_campaign(1U);

@@ -52,16 +52,18 @@ TEST(CampaignSettings, TheirTextIsReadBackAsTheSame) {
     EXPECT_EQ(sil::to_toml(load(sil::to_toml(settings))), sil::to_toml(settings));
 }
 
-TEST(CampaignSettings, ClassFactorsAndAnUntoldLoadAreReadBackAsTheSame) {
+TEST(CampaignSettings, WhatIsSaidOnlyWhereItSaysSomethingIsReadBackAsTheSame) {
     sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
     const std::string without = sil::to_toml(settings);
-    for (const char* key : {"class", "speed_factors", "steering_factors", "load_is_known", "changes"}) {
-        EXPECT_EQ(without.find(key), std::string::npos) << "said only where it says something: " << key;
+    for (const char* key :
+         {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor", "changes"}) {
+        EXPECT_EQ(without.find(key), std::string::npos) << key;
     }
     settings.vehicles[1].in_class = "light truck";
     settings.vehicles[1].speed_factors = {0.5, 1.0};
     settings.vehicles[1].steering_factors = {2.0, 1.0 / 3.0};
     settings.spread.load_is_known = false;
+    settings.spread.attitude_sensor = true;
     settings.changes = {"warning_on=0.9", "warning_hold_s=1"};
     const sil::CampaignSettings read = load(sil::to_toml(settings));
     EXPECT_EQ(read.vehicles[0].in_class, "");
@@ -69,6 +71,7 @@ TEST(CampaignSettings, ClassFactorsAndAnUntoldLoadAreReadBackAsTheSame) {
     EXPECT_EQ(read.vehicles[1].speed_factors, settings.vehicles[1].speed_factors);
     EXPECT_EQ(read.vehicles[1].steering_factors, settings.vehicles[1].steering_factors);
     EXPECT_FALSE(read.spread.load_is_known);
+    EXPECT_TRUE(read.spread.attitude_sensor);
     EXPECT_EQ(read.changes, settings.changes);
     EXPECT_EQ(sil::to_toml(read), sil::to_toml(settings));
 }

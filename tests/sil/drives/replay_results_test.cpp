@@ -208,6 +208,18 @@ TEST(ReplayTable, HasARowForEveryFileAlsoForFailedOnes) {
     EXPECT_THAT(sil::table_text(rows), testing::HasSubstr("2 drives: 1 ahead, 1 failed"));
 }
 
+TEST(ReplayTable, SaysWhichDrivesShowThatTheRollAngleIsNotWhatTheCalibrationSays) {
+    sil::DriveReplay replay = lifted(WarningSide::right, 0.25);
+    const sil::ReplayRow good = sil::replay_row("x.csv", "x", replay);
+    EXPECT_THAT(sil::table_text({good}), testing::Not(testing::HasSubstr("roll_angle_reference")));
+    replay.confirmed_codes = std::uint64_t{1U} << static_cast<unsigned>(
+                                 can_dbc::RolloverDiagnosis::Code::roll_angle_reference_wrong);
+    EXPECT_THAT(
+        sil::table_text({good, sil::replay_row("y.csv", "y", replay), sil::replay_row("z.csv", "z", replay)}),
+        testing::HasSubstr("\ny, z: on banked road the roll angle is not what roll_angle_reference "
+                           "says"));
+}
+
 TEST(ReplayTable, ItsColumnsStandBelowTheirNames) {
     std::istringstream lines{
         sil::table_text({sil::replay_row("x.csv", "a-longer-name", lifted(WarningSide::right, 0.5))})};

@@ -66,6 +66,14 @@ TEST_F(CalibrationOfAKnownBody, DiffersFromTheLargeSuvsOnlyWhereTheVehicleDoes) 
     }
     EXPECT_EQ(parameters.estimator, defaults.estimator);
     EXPECT_EQ(parameters.warning_indicator, defaults.warning_indicator);
+    EXPECT_EQ(parameters.roll_angle_reference, RSI_ROLL_AGAINST_ROAD);
+}
+
+TEST_F(CalibrationOfAKnownBody, HasTheRollAnglesReferenceThatTheVehicleDataSay) {
+    result_.values.push_back({"roll_angle_reference", RSI_ROLL_AGAINST_HORIZON, "vehicle data"});
+    EXPECT_EQ(written().roll_angle_reference, RSI_ROLL_AGAINST_HORIZON);
+    EXPECT_THAT(sil::calibration_text(result_),
+                HasSubstr("\nroll_angle_reference = \"horizon\"  # vehicle data\n"));
 }
 
 TEST_F(CalibrationOfAKnownBody, NamesTheVehicleTheDrivesAndEachOrigin) {

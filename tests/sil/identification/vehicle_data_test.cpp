@@ -56,6 +56,14 @@ TEST(VehicleDataTest, SettingsAloneAreEnough) {
     EXPECT_THAT(data.assumptions, Contains(HasSubstr("imu_z_m is not given")));
 }
 
+TEST(VehicleDataTest, MaySayWhatTheRollAngleIsMeasuredAgainst) {
+    EXPECT_FALSE(loaded(good).roll_angle_reference.has_value());
+    EXPECT_EQ(loaded(good, {"roll_angle_reference=road"}).roll_angle_reference, sil::RollReference::road);
+    EXPECT_EQ(loaded(good, {"roll_angle_reference=horizon"}).roll_angle_reference,
+              sil::RollReference::horizon);
+    EXPECT_THAT(refusal(good, {"roll_angle_reference=gravity"}), HasSubstr("\"road\", \"horizon\""));
+}
+
 TEST(VehicleDataTest, TrackWidthIsTheMeanOfBothAxles) {
     std::string text = good;
     text.replace(text.find("track_width_m = 1.6"), 19,

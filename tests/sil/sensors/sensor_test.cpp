@@ -230,6 +230,13 @@ TEST(SensorSuite, ReportsTheBankWhereTheCarCanMeasureIt) {
     EXPECT_EQ(sensors.report(some_truth()).bank_angle_rad, 0.02);
 }
 
+TEST(SensorSuite, AnAttitudeSensorMeasuresAgainstTheHorizon) {
+    sil::SensorOptions options;
+    options.roll.reference = sil::RollReference::horizon;
+    sil::SensorSuite sensors(options);
+    EXPECT_EQ(sensors.report(some_truth()).roll_angle_rad, 0.07);
+}
+
 TEST(SensorSuite, AddsTheBiasAndRoundsToTheStep) {
     sil::SensorOptions options;
     options.roll.roll_angle_rad = {0.0, 0.013, 0.01};

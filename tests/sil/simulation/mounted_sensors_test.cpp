@@ -14,6 +14,8 @@ TEST(MountedSensors, SitWhereTheVehicleFileSays) {
     EXPECT_EQ(options.imu.position.z_m, 0.2);
     EXPECT_EQ(options.imu.lateral_acceleration_mps2.noise_rms, 0.0);
     EXPECT_EQ(options.imu.lateral_acceleration_mps2.bias, 0.0);
+    EXPECT_EQ(options.roll.reference, sil::RollReference::road);
+    EXPECT_FALSE(options.roll.reports_bank);
 }
 
 TEST(MountedSensors, HaveTheFlawsAskedFor) {
@@ -22,6 +24,8 @@ TEST(MountedSensors, HaveTheFlawsAskedFor) {
     flaws.seed = 7U;
     flaws.bias_g = 0.005;
     flaws.quantisation_g = 0.001;
+    flaws.bank_sensor = true;
+    flaws.attitude_sensor = true;
     const sil::SensorOptions options = sil::mounted_sensors(sil::VehicleParameters{}, flaws);
     EXPECT_EQ(options.seed, 7U);
     for (const sil::ChannelOptions& channel :
@@ -31,6 +35,8 @@ TEST(MountedSensors, HaveTheFlawsAskedFor) {
         EXPECT_DOUBLE_EQ(channel.quantisation_step, 0.001 * 9.80665);
     }
     EXPECT_EQ(options.imu.roll_rate_radps.bias, 0.0);
+    EXPECT_EQ(options.roll.reference, sil::RollReference::horizon);
+    EXPECT_TRUE(options.roll.reports_bank);
 }
 
 }  // namespace
