@@ -148,8 +148,8 @@ TEST(Prediction, EndsAtTwentyOnEitherSide) {
 // A look ahead by the lateral response alone: without the trend's horizon.
 class LookAlongTheResponse {
  public:
-    LookAlongTheResponse(double horizon_s, double margin_per_s)
-        : parameters_{with(horizon_s, margin_per_s)}, look_{parameters_} {
+    LookAlongTheResponse(double ahead_s, double margin_per_s)
+        : parameters_{with(ahead_s, margin_per_s)}, look_{parameters_} {
         response_.init(parameters_);
     }
     rsi::Prediction operator()(const rsi::RollMotion& motion, double demanded_mps2) {
@@ -163,12 +163,12 @@ class LookAlongTheResponse {
     double present(const rsi::RollMotion& motion) const { return static_cast<double>(look_.present(motion)); }
 
  private:
-    static rsi_parameters with(double horizon_s, double margin_per_s) {
+    static rsi_parameters with(double ahead_s, double margin_per_s) {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.prediction_horizon_s = 0.0F;
         parameters.lateral_response_frequency_radps = 9.0F;
         parameters.lateral_response_damping = 0.8F;
-        parameters.response_horizon_s = static_cast<float>(horizon_s);
+        parameters.response_horizon_s = static_cast<float>(ahead_s);
         parameters.response_margin_per_s = static_cast<float>(margin_per_s);
         return parameters;
     }
@@ -221,8 +221,8 @@ TEST(ResponsePrediction, KnowsBothSidesOfASwing) {
 // in full.
 TEST(ResponsePrediction, TheMarginGrowsWithTheTimeAhead) {
     const rsi::RollMotion motion = motion_with(2.0, 0.03, 0.0);
-    const auto level = [&](double horizon_s, double margin_per_s) {
-        return static_cast<double>(LookAlongTheResponse{horizon_s, margin_per_s}(motion, 8.0).load_transfer_ratio);
+    const auto level = [&](double ahead_s, double margin_per_s) {
+        return static_cast<double>(LookAlongTheResponse{ahead_s, margin_per_s}(motion, 8.0).load_transfer_ratio);
     };
     EXPECT_EQ(level(0.1, 0.0), level(0.1, 1.0));
     EXPECT_NEAR(level(0.12, 0.0) - level(0.12, 1.0), 0.02, 1e-4);
