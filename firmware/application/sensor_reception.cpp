@@ -76,6 +76,7 @@ rsi::Inputs SensorReception::inputs(hal::Time now) const noexcept {
     inputs.yaw_rate_radps = motion.yaw_rate_deg_per_s * radians_per_degree;
     inputs.speed_mps = motion.speed_kmh * mps_per_kmh;
     inputs.steering_wheel_angle_rad = motion.steering_wheel_angle_deg * radians_per_degree;
+    inputs.vehicle_mass_kg = rsi::not_available;
     return inputs;
 }
 

@@ -32,7 +32,7 @@ struct ReceptionReport {
 // A cycle in which nothing is known.
 inline constexpr rsi::Inputs no_inputs{rsi::not_available, rsi::not_available, rsi::not_available,
                                        rsi::not_available, rsi::not_available, rsi::not_available,
-                                       rsi::not_available, rsi::not_available};
+                                       rsi::not_available, rsi::not_available, rsi::not_available};
 
 class SensorReception {
  public:

@@ -126,6 +126,10 @@ typedef struct {
     float response_margin_per_s;   /* by how much a load transfer counts less for each second beyond 0.1 s */
     float prediction_filter_lag_s; /* two such lags on the signals, a third on the trend */
 
+    /* What the vehicle carries besides what it was calibrated with */
+    float load_adaptation; /* how much of the learnt load is used: 0 none (it is only published), 1 all */
+    float load_margin;     /* the warning sees the level larger by this share of load_excess_deviation, 0.1 at most */
+
     /* The paper's other indices */
     float rollover_index_angle_weight;        /* C_1 of (29) */
     float rollover_index_acceleration_weight; /* C_2 of (29) */
@@ -168,6 +172,7 @@ typedef struct {
     float bank_angle_rad;  /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
     float speed_mps;       /* -150 to 150 (optional: observer) */
     float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
+    float vehicle_mass_kg; /* of the whole vehicle with its load, axle loads added up (optional: load adaptation) */
 } rsi_inputs;
 
 /* The answer to one sample: the rows of rsi_outputs.h, which says what each is, each a field of four bytes.

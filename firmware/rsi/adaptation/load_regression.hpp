@@ -28,6 +28,7 @@ class LoadRegression {
     static constexpr float largest_excess = 1.0F;
 
     [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold, gnu::noinline]] void forget();
 
     // One sample; `load` is that of `motion`. Learns only in ordinary turns, 0.8 < |A| < 4 m/s^2.
     void update(const RollMotion& motion, const TransferredLoad& load);
@@ -53,7 +54,6 @@ class LoadRegression {
     static constexpr Eigen::Index excess_at = 0;
     static constexpr Eigen::Index offset_at = 1;
 
-    void reset();
     void learn(const Vector2& psi, float output_mps2, float noise_mps4);
     void keep_in_bounds();
 
