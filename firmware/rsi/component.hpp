@@ -34,8 +34,8 @@ class Component {
     // What has been learnt of the load so far, to be kept without power.
     LearntLoad learnt_load() const { return load_adaptation_.learnt(); }
 
-    // Takes up what another run of the same calibration has learnt, and doubts it: in between the load may have
-    // changed. Between init and the first step. False, and without an effect, where it cannot have been learnt.
+    // Takes it up in another run with the same parameters, between init and the first step, and doubts it: in
+    // between the load may have changed. False, and without an effect, where it cannot have been learnt.
     [[gnu::cold]] bool restore_load(const LearntLoad& learnt);
 
     // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".

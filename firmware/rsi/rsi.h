@@ -201,6 +201,13 @@ typedef struct {
     const char* reason;
 } rsi_validation;
 
+/* What a drive has shown of the load: plain numbers, to be kept without power. */
+typedef struct {
+    float excess;           /* by which share m_s H is larger than calibrated, -0.3 to 1 */
+    float excess_deviation; /* standard deviation of it, 0.01 to 0.25 */
+    float offset_mps2;      /* what sensors and a load off the middle add to the force, -2 to 2 */
+} rsi_learnt_load;
+
 /* Storage of one component; only the functions below look inside. */
 #define RSI_COMPONENT_SIZE 1024U
 typedef union {
@@ -216,6 +223,14 @@ rsi_validation rsi_init(rsi_component* component, const rsi_parameters* paramete
 /* One step of 10 ms. `component` must have been through rsi_init; no pointer may be null. Constant cost, no
  * errors. */
 void rsi_step(rsi_component* component, const rsi_inputs* inputs, rsi_outputs* outputs);
+
+/* What the component has learnt of the load so far. */
+rsi_learnt_load rsi_get_learnt_load(const rsi_component* component);
+
+/* Between rsi_init and the first step: takes up what another run with the same parameters has learnt, and doubts
+ * it, for in between the load may have changed. 1; or 0, and without an effect, where it cannot have been learnt or
+ * the parameters were refused. */
+int32_t rsi_restore_learnt_load(rsi_component* component, const rsi_learnt_load* learnt);
 
 #ifdef __cplusplus
 }

@@ -14,6 +14,7 @@
 #define ROW(name, ...) +4U
 SAME(sizeof(rsi_outputs) == 0U RSI_OUTPUTS(ROW, ROW, ROW), outputs_have_no_gaps);
 SAME(sizeof(rsi_inputs) == 9U * 4U, inputs_have_no_gaps);
+SAME(sizeof(rsi_learnt_load) == 3U * 4U, the_load_has_no_gaps);
 SAME(sizeof(rsi_parameters) == offsetof(rsi_parameters, warning_indicator) + 4U, parameters_have_no_tail);
 SAME(offsetof(rsi_parameters, warning_indicator) == offsetof(rsi_parameters, estimator) + 4U,
      choices_are_words);

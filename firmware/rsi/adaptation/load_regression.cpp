@@ -23,7 +23,8 @@ constexpr float least_load_offset_deviation_mps2 = 0.01F;
 // x and d wander so much in the root of a second: fuel, passengers at a short stop, a sensor that warms up.
 constexpr float excess_drift_per_root_s = 0.002F;
 constexpr float load_offset_drift_mps2_per_root_s = 0.005F;
-// What a stop adds to the deviation of x.
+// What a doubt leaves of x, and adds to its deviation.
+constexpr float kept_share = 0.5F;
 constexpr float doubted_deviation = 0.15F;
 
 // What one sample's equation is wrong by: sensors, the road and the movement of the roll centre, and the
@@ -111,7 +112,8 @@ void LoadRegression::keep_in_bounds() {
 }
 
 void LoadRegression::doubt(float expected) {
-    theta_(excess_at) = clamp(0.5F * (theta_(excess_at) + expected), least_excess, largest_excess);
+    theta_(excess_at) =
+        clamp(expected + kept_share * (theta_(excess_at) - expected), least_excess, largest_excess);
     const float variance = covariance_(excess_at, excess_at) + square(doubted_deviation);
     covariance_ << smaller(variance, square(excess_prior)), 0.0F, 0.0F, square(load_offset_prior_mps2);
 }

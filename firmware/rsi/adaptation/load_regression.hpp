@@ -8,13 +8,6 @@
 
 namespace rsi {
 
-// What a drive has shown. Plain numbers, to be kept without power.
-struct LearntLoad {
-    float excess{0.0F};            // x: the vehicle's m_s H over the calibrated one, less 1; -0.3 to 1
-    float excess_deviation{0.0F};  // standard deviation of x, above zero
-    float offset_mps2{0.0F};       // d
-};
-
 // The roll equation of a vehicle that carries a load, divided by the calibrated m_s H:
 //   [M(phi) + c_f phi' + Ixx phi''] / (m_s H) - f = x f + d,   f = A + N tan phi.
 // A load leaves the springs as they are, so the suspension's moment shows by how much it makes m_s H larger.
@@ -46,7 +39,7 @@ class LoadRegression {
     float excess() const { return theta_(excess_at); }
     float excess_deviation() const;
 
-    LearntLoad learnt() const;
+    LearntLoad learnt() const;  // x, its deviation and d
     // False, and nothing is taken over, where a number cannot be one that was learnt.
     [[gnu::cold, gnu::noinline]] bool restore(const LearntLoad& learnt);
 

@@ -30,7 +30,9 @@ class LongStop {
  private:
     static constexpr float largest_speed_mps = 150.0F;
     static constexpr float standing_mps = 0.5F;
-    static constexpr std::uint32_t first_long_sample = 6001U;
+    static constexpr float long_stop_s = 60.0F;
+    static constexpr std::uint32_t first_long_sample =
+        1U + static_cast<std::uint32_t>(long_stop_s / sample_time_s);
 
     std::uint32_t samples_{0U};
 };
