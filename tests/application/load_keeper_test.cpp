@@ -66,7 +66,7 @@ TEST(TheParametersCheckWord, IsAnotherForEachParameterThatChanges) {
     EXPECT_EQ(application::check_word_of(parameters), word);
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
         rsi::Parameters changed = parameters;
-        changed.*field.member += 1.0F;
+        changed.*field.member = std::nextafterf(changed.*field.member, 1.0e30F);
         EXPECT_NE(application::check_word_of(changed), word) << field.name;
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {

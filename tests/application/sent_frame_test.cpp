@@ -39,7 +39,7 @@ struct Expected {
 // From the DBC file: the warning first, because it matters most, the status last.
 constexpr Expected expected_frames[] = {{0x0D0U, 0x61EU}, {0x230U, 0x7D4U}, {0x232U, 0x9A6U},
                                         {0x233U, 0xAC3U}, {0x234U, 0xBE8U}, {0x235U, 0xCD3U},
-                                        {0x231U, 0x88BU}};
+                                        {0x236U, 0xDBDU}, {0x231U, 0x88BU}};
 
 TEST(EachCycle, SendsTheWarningFirstAndTheStatusLast) {
     for (const Cycle& cycle : eventful_run()) {
