@@ -49,7 +49,8 @@ struct WarningJudgement {
     std::optional<double> lead_s{};                   // at two-wheel lift-off; empty unless warned
     bool late{false};                                 // the right warning came only after it
 
-    double wrong_side_s{0.0};  // a warning names the side that is loaded less, but for swing_s and foresight_s
+    double wrong_side_s{
+        0.0};  // a warning names the side that is loaded less, but for swing_s and foresight_s
     double warning_s{0.0};
     double advisory_s{0.0};
     double unavailable_s{0.0};                // beyond the start-up

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "rsi/measurement/observer_gains.hpp"
 #include "tests/rsi/support/body_kinematics.hpp"
+#include "tests/rsi/support/damage.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/output_fields.hpp"
 #include "tests/rsi/support/random_manoeuvre.hpp"
@@ -467,20 +467,11 @@ TEST(Component, AResetRepairsAllOfTheComponentButWhatItKeeps) {
     };
     sound.reset(parameters);
     const std::vector<rsi_outputs> expected = answer(sound);
-    std::size_t kept = 0U;
-    for (std::size_t byte = 0U; byte < sizeof(rsi::Component); ++byte) {
-        std::array<unsigned char, sizeof(rsi::Component)> memory{};
-        std::memcpy(memory.data(), &as_initialised, memory.size());
-        const unsigned damage = (memory[byte] > 1U) ? 0x15U : 1U;  // what may be a bool stays one
-        memory[byte] = static_cast<unsigned char>(memory[byte] ^ damage);
-        rsi::Component damaged;
-        std::memcpy(static_cast<void*>(&damaged), memory.data(), memory.size());
+    const std::size_t kept = rsi_test::bytes_whose_damage_shows(as_initialised, [&](rsi::Component& damaged) {
         damaged.reset(parameters);
         const std::vector<rsi_outputs> answered = answer(damaged);
-        kept += std::memcmp(answered.data(), expected.data(), expected.size() * sizeof(rsi_outputs)) == 0
-                    ? 0U
-                    : 1U;
-    }
+        return std::memcmp(answered.data(), expected.data(), expected.size() * sizeof(rsi_outputs)) == 0;
+    });
     EXPECT_LE(kept, sizeof(rsi::ObserverGains) + sizeof(float));
 }
 

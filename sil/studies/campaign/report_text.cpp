@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 #include "sil/studies/campaign/report.hpp"
 
@@ -223,12 +225,12 @@ std::string table_of_groups(const std::vector<RunGroup>& groups) {
 constexpr std::size_t most_rows = 30U;
 
 std::vector<RunGroup> worst_of(std::vector<RunGroup> groups) {
-    const auto worth = [](const RunGroup& group) {
+    const auto rank = [](const RunGroup& group) {
         const Share& share = group.judgements.front().detection.warned_100ms;
-        return share.total == 0U ? 2.0 : share.value();
+        return std::make_pair(share.total == 0U ? 2.0 : share.value(), std::string_view{group.name});
     };
-    std::stable_sort(groups.begin(), groups.end(),
-                     [&worth](const RunGroup& a, const RunGroup& b) { return worth(a) < worth(b); });
+    std::sort(groups.begin(), groups.end(),
+              [&rank](const RunGroup& a, const RunGroup& b) { return rank(a) < rank(b); });
     groups.resize(most_rows);
     return groups;
 }

@@ -63,8 +63,9 @@ TEST(Readme, ShowsWhatTheLockStepRunPrints) {
         line_of(*run.events.ssf_crossing, "static stability factor crossed"),
     };
     std::sort(printed.begin(), printed.end());  // of equal width, so in the order of time
-    printed.push_back(fmt::format("  {:<22} {:7.3f} s before two-wheel lift-off", "lead time",
-                                  run.events.judgement.lead_s.value()));
+    printed.push_back(fmt::format("  {:<22} {:7.3f} s before two-wheel lift-off, {} side", "lead time",
+                                  run.events.judgement.lead_s.value(),
+                                  sil::to_string(run.events.judgement.falling_side)));
     EXPECT_EQ(shown(), printed);
 }
 

@@ -172,9 +172,16 @@ TEST(WarningJudge, AWarningThatBeginsOnTheWrongSideIsSoAtOnceWithoutASwing) {
 }
 
 TEST(WarningJudge, AWarningMayNameTheSideToWhichTheLoadSwingsWithinThreeTenths) {
-    // Straight on to the left from the beginning, 0.3 s of it; then a warning of the right side; then the swing.
+    // Straight on to the left from the beginning, 0.3 s of it; then a warning of the right side; then the
+    // swing.
     const auto wrong_s = [](int cycles, double then) {
-        return ready().drive(30, -0.3).warn(WarningSide::right).drive(cycles, -0.3).drive(20, then).judgement().wrong_side_s;
+        return ready()
+            .drive(30, -0.3)
+            .warn(WarningSide::right)
+            .drive(cycles, -0.3)
+            .drive(20, then)
+            .judgement()
+            .wrong_side_s;
     };
     EXPECT_NEAR(wrong_s(29, 0.8), 0.0, 1.0e-9);
     EXPECT_NEAR(wrong_s(30, 0.8), 0.01, 1.0e-9);
@@ -183,8 +190,14 @@ TEST(WarningJudge, AWarningMayNameTheSideToWhichTheLoadSwingsWithinThreeTenths) 
 }
 
 TEST(WarningJudge, ASideThatIsGivenUpBeforeTheSwingWasWrong) {
-    const auto judged = ready().drive(30, -0.3).warn(WarningSide::right).drive(20, -0.3)
-                            .warn(WarningSide::left).drive(5, -0.3).drive(20, 0.8).judgement();
+    const auto judged = ready()
+                            .drive(30, -0.3)
+                            .warn(WarningSide::right)
+                            .drive(20, -0.3)
+                            .warn(WarningSide::left)
+                            .drive(5, -0.3)
+                            .drive(20, 0.8)
+                            .judgement();
     EXPECT_NEAR(judged.wrong_side_s, 0.2 + 0.09, 1.0e-9);  // and the left one from 0.1 s after the swing
 }
 

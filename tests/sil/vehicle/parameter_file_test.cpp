@@ -90,20 +90,21 @@ TEST_F(ParameterFile, AMissingKeyIsNamedWithItsTable) {
 }
 
 TEST_F(ParameterFile, AMissingTableIsNamed) {
-    EXPECT_NE(error_of(replaced("[steering]\nratio = 20.0\n", "")).find("\"steering\""), std::string::npos);
+    EXPECT_NE(error_of(replaced("[steering]\nratio = 20.0\nlag_s = 0.0\ncompliance_radpn = 0.0\n", ""))
+                  .find("\"steering\""),
+              std::string::npos);
 }
 
 TEST_F(ParameterFile, LagAndComplianceOfTheSteeringMayBeLeftOut) {
-    test_support::write_text(path_, good_text());
+    test_support::write_text(path_, replaced("lag_s = 0.0\ncompliance_radpn = 0.0\n", ""));
     EXPECT_EQ(sil::load_vehicle(path_).steering.lag_s, 0.0);
     EXPECT_EQ(sil::load_vehicle(path_).steering.compliance_radpn, 0.0);
-    test_support::write_text(path_,
-                             replaced("ratio = 20.0", "ratio = 20.0\nlag_s = 0.05\ncompliance_radpn = 1e-6"));
+    test_support::write_text(
+        path_, replaced("lag_s = 0.0\ncompliance_radpn = 0.0", "lag_s = 0.05\ncompliance_radpn = 1e-6"));
     EXPECT_EQ(sil::load_vehicle(path_).steering.lag_s, 0.05);
     EXPECT_EQ(sil::load_vehicle(path_).steering.compliance_radpn, 1e-6);
-    expect_error(replaced("ratio = 20.0", "ratio = 20.0\nlag_s = 1.5"), "lag_s", "steering.lag_s",
-                 "from 0 to 1");
-    expect_error(replaced("ratio = 20.0", "ratio = 20.0\ncompliance_radpn = 1.0"), "compliance_radpn",
+    expect_error(replaced("\nlag_s = 0.0", "\nlag_s = 1.5"), "lag_s", "steering.lag_s", "from 0 to 1");
+    expect_error(replaced("compliance_radpn = 0.0", "compliance_radpn = 1.0"), "compliance_radpn",
                  "steering.compliance_radpn", "from 0 to 0.0001");
 }
 
