@@ -190,7 +190,7 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, inputs.roll_angle_rad);
     force_vote_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, inputs.roll_angle_rad,
-                       turn_consistency_.spins());
+                       inputs.roll_rate_radps, turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {
@@ -205,7 +205,7 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     const bool alone = turn_signs_.lateral_acceleration_is_alone() || force_vote_.accelerometer_is_alone();
     // While the yaw rate alone contradicts, as in a weave near the limit, neither good nor bad is shown.
     const bool good = turn_consistency_.agrees() && !alone;
-    if (alone || (memory.confirmed(lateral) && (good || !force_vote_.roll_angle_agrees()))) {
+    if (alone || (memory.confirmed(lateral) && (good || !force_vote_.roll_motion_agrees()))) {
         memory.report(lateral, !good);
     }
 }

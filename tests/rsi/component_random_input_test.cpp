@@ -89,8 +89,10 @@ Outcome survive(const rsi_parameters& parameters, std::uint64_t seed, int steps)
                                   (std::fabs(outputs.compensated_roll_angle_rad) <= 0.5F);
         const bool side_named = outputs.side != RSI_SIDE_NONE;
         const bool risk_named = (outputs.state == RSI_STATE_ADVISORY) || (outputs.state == RSI_STATE_WARNING);
+        // A held state without risk names no side.
+        const bool must_be_named = risk_named && (outputs.warning_level >= parameters.advisory_on);
         const bool good =
-            (side_named == risk_named) &&
+            (!side_named || risk_named) && (side_named || !must_be_named) &&
             ((outputs.state == RSI_STATE_UNAVAILABLE) ? (numbers_good || rsi_test::all_not_available(outputs))
                                                       : numbers_good);
         if (!good) {

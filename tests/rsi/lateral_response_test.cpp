@@ -88,7 +88,7 @@ TEST(LateralResponse, FollowsTheSecondOrderEquation) {
             ASSERT_TRUE(response.update(motion, asking(6.0)));
             for (const int steps : {1, 5, 10, 15}) {
                 const Course expected =
-                    reference({1.0, 8.0}, 6.0, 0.02 * steps, w, zeta);
+                    reference({1.0, 8.0}, 6.0, steps * static_cast<double>(rsi::LateralResponse::step_s), w, zeta);
                 if (expected.force < 6.0) {
                     EXPECT_NEAR(after_steps(response, motion, steps), expected.force, 0.06) << w << ' ' << zeta << ' ' << steps;
                 } else {

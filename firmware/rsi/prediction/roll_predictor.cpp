@@ -101,6 +101,9 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLo
     if (response != nullptr) {
         follow_response(motion, *response, moments, load_transfer, largest);
     }
+    // Wheels that are up come down before those of the other side can lift.
+    largest.right = (load.ratio <= -1.0F) ? 0.0F : largest.right;
+    largest.left = (load.ratio >= 1.0F) ? 0.0F : largest.left;
     const bool is_right = largest.right >= largest.left;
     return Prediction{is_right ? largest.right : -largest.left, is_right ? largest.left : largest.right,
                       extended.level_under_load(worst_force_mps2, N, worst_nm)};

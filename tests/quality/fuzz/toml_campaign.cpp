@@ -6,11 +6,17 @@
 
 #include "sil/studies/campaign/settings.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "tests/quality/fuzz/support/message.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
 #include "tests/quality/fuzz/support/toml_text.hpp"
 
-// Stands for the catalogue, which needs the whole simulated vehicle and is none of the reader's business.
+// These stand for the manoeuvres, which need the whole simulated vehicle and are none of the reader's
+// business.
+sil::Manoeuvre sil::ordinary_driving(std::uint64_t /*seed*/, double /*duration_s*/) {
+    return {};
+}
+
 sil::Manoeuvre sil::find_manoeuvre(std::string_view name) {
     if (name.empty() ||
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string_view::npos) {
