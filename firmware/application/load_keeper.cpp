@@ -13,14 +13,15 @@ constexpr float known_deviation = 0.05F;
 
 }  // namespace
 
-void LoadKeeper::restore(const rsi::Parameters& parameters, rsi::Component& component) noexcept {
+void LoadKeeper::restore(const rsi::Parameters& parameters, rsi::Component& component,
+                         bool doubted) noexcept {
     parameters_check_word_ = check_word_of(parameters);
     cycles_since_store_ = 0U;
     stored_ = component.learnt_load();
     LoadRecord record{};
     rsi::LearntLoad read{};
     if ((storage_ != nullptr) && storage_->read(record.data(), record.size()) &&
-        read_load_record(record, parameters_check_word_, read) && component.restore_load(read)) {
+        read_load_record(record, parameters_check_word_, read) && component.restore_load(read, doubted)) {
         stored_ = read;
     }
 }

@@ -14,8 +14,10 @@ class LoadKeeper {
     // `storage` must outlive the keeper. Without one nothing is kept.
     void use(hal::Storage& storage) noexcept { storage_ = &storage; }
 
-    // Before the first cycle: gives the component what was stored for these parameters, if it was.
-    [[gnu::cold]] void restore(const rsi::Parameters& parameters, rsi::Component& component) noexcept;
+    // Before the first cycle: gives the component what was stored for these parameters, if it was. `doubted`:
+    // the load may have changed since.
+    [[gnu::cold]] void restore(const rsi::Parameters& parameters, rsi::Component& component,
+                               bool doubted) noexcept;
 
     // One cycle.
     void keep(const rsi::LearntLoad& learnt) noexcept;

@@ -34,6 +34,7 @@ extern "C" rsi_learnt_load rsi_get_learnt_load(const rsi_component* component) {
     return object_in(component).learnt_load();
 }
 
-extern "C" int32_t rsi_restore_learnt_load(rsi_component* component, const rsi_learnt_load* learnt) {
-    return object_in(component).restore_load(*learnt) ? 1 : 0;
+extern "C" int32_t rsi_restore_learnt_load(rsi_component* component, const rsi_learnt_load* learnt,
+                                           int32_t doubted) {
+    return object_in(component).restore_load(*learnt, doubted != 0) ? 1 : 0;
 }

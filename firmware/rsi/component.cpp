@@ -80,8 +80,8 @@ void Component::start(const Parameters& parameters) {
     warning_.init(parameters);
 }
 
-bool Component::restore_load(const LearntLoad& learnt) {
-    const bool restored = initialised_ && load_adaptation_.restore(learnt);
+bool Component::restore_load(const LearntLoad& learnt, bool doubted) {
+    const bool restored = initialised_ && load_adaptation_.restore(learnt, doubted);
     if (restored) {
         assume_body(load_adaptation_.body());
     }

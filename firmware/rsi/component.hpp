@@ -34,9 +34,9 @@ class Component {
     // What has been learnt of the load so far, to be kept without power.
     LearntLoad learnt_load() const { return load_adaptation_.learnt(); }
 
-    // Takes it up in another run with the same parameters, between init and the first step, and doubts it: in
+    // Takes it up in another run with the same parameters, between init and the first step. `doubted`: in
     // between the load may have changed. False, and without an effect, where it cannot have been learnt.
-    [[gnu::cold]] bool restore_load(const LearntLoad& learnt);
+    [[gnu::cold]] bool restore_load(const LearntLoad& learnt, bool doubted);
 
     // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
     void step(const Inputs& inputs, Outputs& outputs);

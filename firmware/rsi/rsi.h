@@ -128,7 +128,8 @@ typedef struct {
 
     /* What the vehicle carries besides what it was calibrated with */
     float load_adaptation; /* how much of the learnt load is used: 0 none (it is only published), 1 all */
-    float load_margin;     /* the warning sees the level larger by this share of load_excess_deviation, 0.1 at most */
+    float load_margin;     /* the warning sees the level larger by this share of load_excess_deviation, 0.1 at
+                              most */
 
     /* The paper's other indices */
     float rollover_index_angle_weight;        /* C_1 of (29) */
@@ -172,7 +173,8 @@ typedef struct {
     float bank_angle_rad;  /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
     float speed_mps;       /* -150 to 150 (optional: observer) */
     float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
-    float vehicle_mass_kg; /* of the whole vehicle with its load, axle loads added up (optional: load adaptation) */
+    float vehicle_mass_kg;          /* of the whole vehicle with its load, axle loads added up (optional: load
+                                       adaptation) */
 } rsi_inputs;
 
 /* The answer to one sample: the rows of rsi_outputs.h, which says what each is, each a field of four bytes.
@@ -227,10 +229,10 @@ void rsi_step(rsi_component* component, const rsi_inputs* inputs, rsi_outputs* o
 /* What the component has learnt of the load so far. */
 rsi_learnt_load rsi_get_learnt_load(const rsi_component* component);
 
-/* Between rsi_init and the first step: takes up what another run with the same parameters has learnt, and doubts
- * it, for in between the load may have changed. 1; or 0, and without an effect, where it cannot have been learnt or
- * the parameters were refused. */
-int32_t rsi_restore_learnt_load(rsi_component* component, const rsi_learnt_load* learnt);
+/* Between rsi_init and the first step: takes up what another run with the same parameters has learnt.
+ * `doubted`: 0 where the load cannot have changed in between, as after a reset while driving, else 1. Returns
+ * 1; or 0, and without an effect, where it cannot have been learnt or the parameters were refused. */
+int32_t rsi_restore_learnt_load(rsi_component* component, const rsi_learnt_load* learnt, int32_t doubted);
 
 #ifdef __cplusplus
 }

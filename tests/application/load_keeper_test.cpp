@@ -81,7 +81,7 @@ class Keeping : public ::testing::Test {
     Keeping() {
         component.init(large_suv());
         keeper.use(storage);
-        keeper.restore(large_suv(), component);
+        keeper.restore(large_suv(), component, true);
     }
     void keep(const rsi::LearntLoad& load, int cycles) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
@@ -125,15 +125,17 @@ TEST_F(Keeping, TriesAgainWhileTheStorageIsBusy) {
     EXPECT_EQ(storage.writes(), 1U);
 }
 
-TEST_F(Keeping, BringsItBackDoubtedAfterARestart) {
+TEST_F(Keeping, BringsItBackAfterARestartDoubtedOrNot) {
     keep(learnt, cycles_in_a_minute);
-    rsi::Component restarted;
-    ASSERT_EQ(restarted.init(large_suv()).accepted, 1);
-    LoadKeeper other;
-    other.use(storage);
-    other.restore(large_suv(), restarted);
-    EXPECT_FLOAT_EQ(restarted.learnt_load().excess, 0.5F * learnt.excess);
-    EXPECT_GT(restarted.learnt_load().excess_deviation, 0.15F);
+    for (const bool doubted : {true, false}) {
+        rsi::Component restarted;
+        ASSERT_EQ(restarted.init(large_suv()).accepted, 1);
+        LoadKeeper other;
+        other.use(storage);
+        other.restore(large_suv(), restarted, doubted);
+        EXPECT_FLOAT_EQ(restarted.learnt_load().excess, (doubted ? 0.5F : 1.0F) * learnt.excess);
+        EXPECT_EQ(restarted.learnt_load().excess_deviation > 0.15F, doubted);
+    }
 }
 
 TEST_F(Keeping, BringsNothingBackOfOtherParametersOrFromADamagedRecord) {
@@ -145,7 +147,7 @@ TEST_F(Keeping, BringsNothingBackOfOtherParametersOrFromADamagedRecord) {
         EXPECT_EQ(restarted.init(parameters).accepted, 1);
         LoadKeeper other;
         other.use(storage);
-        other.restore(parameters, restarted);
+        other.restore(parameters, restarted, false);
         return restarted.learnt_load().excess;
     };
     EXPECT_EQ(excess_after(others), 0.0F);
@@ -157,24 +159,25 @@ TEST(AKeeperWithoutAStorage, DoesNothing) {
     rsi::Component component;
     ASSERT_EQ(component.init(large_suv()).accepted, 1);
     LoadKeeper keeper;
-    keeper.restore(large_suv(), component);
+    keeper.restore(large_suv(), component, true);
     for (int cycle = 0; cycle < 2 * cycles_in_a_minute; ++cycle) {
         keeper.keep(learnt);
     }
     EXPECT_EQ(component.learnt_load().excess, 0.0F);
 }
 
-// The control unit as a whole: its storage is read at its start.
-TEST(TheEcu, StartsWithTheLoadThatItsStorageHolds) {
+// The control unit as a whole: its storage is read at its start. What it says of the load in its first cycle.
+float excess_at_start(hal::ResetReason reason) {
     Storage storage;
     const LoadRecord record = application::write_load_record(learnt, application::check_word_of(large_suv()));
-    ASSERT_TRUE(storage.write(record.data(), record.size()));
+    EXPECT_TRUE(storage.write(record.data(), record.size()));
     hal::VirtualClock clock;
     hal::MemoryBus<2U> bus{clock};
     NoWatchdog watchdog;
     application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
     ecu.use_storage(storage);
-    ASSERT_EQ(ecu.init(large_suv()).accepted, 1);
+    ecu.set_reset_reason(reason);
+    EXPECT_EQ(ecu.init(large_suv()).accepted, 1);
     hal::CanFrame frame;
     Bench bench;  // whose sensors it hears
     bench.run_cycles(1);
@@ -183,7 +186,13 @@ TEST(TheEcu, StartsWithTheLoadThatItsStorageHolds) {
         bus.endpoint(1U).send(frame);
     }
     ecu.step(0U);
-    EXPECT_NEAR(ecu.outputs().load_excess, 0.5F * learnt.excess, 0.001F);
+    return ecu.outputs().load_excess;
+}
+
+TEST(TheEcu, StartsWithTheLoadThatItsStorageHoldsAndDoubtsItAfterALossOfPower) {
+    EXPECT_NEAR(excess_at_start(hal::ResetReason::power_on), 0.5F * learnt.excess, 0.001F);
+    EXPECT_NEAR(excess_at_start(hal::ResetReason::outside), learnt.excess, 0.001F);
+    EXPECT_NEAR(excess_at_start(hal::ResetReason::data_abort), learnt.excess, 0.001F);
 }
 
 }  // namespace

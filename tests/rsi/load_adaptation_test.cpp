@@ -245,7 +245,7 @@ TEST(LoadAdaptation, AssumesNoLoadThatTheSpringsDoNotHold) {
     const rsi::SprungBody empty = rsi::calibrated_body(soft);
     soft.roll_stiffness_nmprad = 1.3F * rsi::gravity_mps2 * empty.moment_arm_kgm();
     rsi::LoadAdaptation adaptation = started(soft);
-    ASSERT_TRUE(adaptation.restore({1.0F, 0.05F, 0.0F}));  // halved
+    ASSERT_TRUE(adaptation.restore({1.0F, 0.05F, 0.0F}, true));  // halved
     EXPECT_GT(adaptation.learnt().excess, 0.4F);
     EXPECT_NEAR(adaptation.body().moment_arm_kgm() / empty.moment_arm_kgm(), 1.3F / 1.1F, 1.0e-5F);
 }
@@ -260,13 +260,17 @@ TEST(LoadAdaptation, TheMarginGrowsWithWhatIsNotKnownAndEnds) {
     EXPECT_FLOAT_EQ(started(adapting(0.5F, 0.2F)).level_weight(), 1.0F + 0.1F * 0.25F);
 }
 
-TEST(LoadAdaptation, WhatIsRestoredIsDoubted) {
+TEST(LoadAdaptation, WhatIsRestoredIsDoubtedWhereTheLoadMayHaveChanged) {
     rsi::LoadAdaptation adaptation = started();
-    ASSERT_TRUE(adaptation.restore({0.4F, 0.03F, 0.2F}));
+    ASSERT_TRUE(adaptation.restore({0.4F, 0.03F, 0.2F}, false));
+    EXPECT_EQ(adaptation.learnt().excess, 0.4F);
+    EXPECT_FLOAT_EQ(adaptation.learnt().excess_deviation, 0.03F);
+    EXPECT_EQ(adaptation.learnt().offset_mps2, 0.2F);
+    ASSERT_TRUE(adaptation.restore({0.4F, 0.03F, 0.2F}, true));
     EXPECT_FLOAT_EQ(adaptation.learnt().excess, 0.2F);
     EXPECT_GT(adaptation.learnt().excess_deviation, 0.15F);
     EXPECT_EQ(adaptation.learnt().offset_mps2, 0.2F);
-    EXPECT_FALSE(adaptation.restore({nan, 0.03F, 0.2F}));
+    EXPECT_FALSE(adaptation.restore({nan, 0.03F, 0.2F}, true));
     EXPECT_FLOAT_EQ(adaptation.learnt().excess, 0.2F);
 }
 
@@ -387,11 +391,13 @@ TEST(LoadOfTheComponent, IsRestoredAfterAStartAndForgottenByOne) {
     const rsi::LearntLoad kept = scenario.component().learnt_load();
     ASSERT_EQ(scenario.component().init(adapting()).accepted, 1);
     EXPECT_EQ(scenario.component().learnt_load().excess, 0.0F);
-    ASSERT_TRUE(scenario.component().restore_load(kept));
+    ASSERT_TRUE(scenario.component().restore_load(kept, true));
     EXPECT_FLOAT_EQ(scenario.component().learnt_load().excess, 0.5F * kept.excess);
-    EXPECT_FALSE(scenario.component().restore_load({2.0F, 0.1F, 0.0F}));
+    ASSERT_TRUE(scenario.component().restore_load(kept, false));
+    EXPECT_EQ(scenario.component().learnt_load().excess, kept.excess);
+    EXPECT_FALSE(scenario.component().restore_load({2.0F, 0.1F, 0.0F}, false));
     rsi::Component refused;
-    EXPECT_FALSE(refused.restore_load(kept));
+    EXPECT_FALSE(refused.restore_load(kept, true));
 }
 
 }  // namespace

@@ -69,9 +69,9 @@ float LoadAdaptation::level_weight() const {
     return 1.0F + smaller(margin_ * regression_.excess_deviation(), largest_load_margin);
 }
 
-bool LoadAdaptation::restore(const LearntLoad& learnt) {
+bool LoadAdaptation::restore(const LearntLoad& learnt, bool doubted) {
     const bool restored = regression_.restore(learnt);
-    if (restored) {
+    if (restored && doubted) {
         doubt();
     }
     return restored;

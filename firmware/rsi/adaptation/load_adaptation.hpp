@@ -33,8 +33,9 @@ class LoadAdaptation {
 
     // What has been learnt, whether it is used or not.
     LearntLoad learnt() const { return regression_.learnt(); }
-    // After a restart, so it is doubted at once. False where it cannot be what was learnt.
-    [[gnu::cold]] bool restore(const LearntLoad& learnt);
+    // After a restart; `doubted`: in between the load may have changed. False where it cannot be what was
+    // learnt.
+    [[gnu::cold]] bool restore(const LearntLoad& learnt, bool doubted);
 
  private:
     void follow_mass(float vehicle_mass_kg);

@@ -26,7 +26,7 @@ void RollPlaneModel::assume_body(const SprungBody& body) {
     sprung_mass_kg_ = body.mass_kg;
     moment_arm_m_ = body.roll_arm_m;
     force_to_rate_ = sprung_mass_kg_ * moment_arm_m_ * damping_inverse_;
-    // The stiffness is positive: K_f >= 1.2 m_s g H is validated, and no load is assumed that K_f does not hold.
+    // Positive: K_f >= 1.2 m_s g H is validated, and no load is assumed that K_f does not hold.
     const float gravity_per_s = force_to_rate_ * gravity_mps2;
     upright_step_s_ = sample_time_s / (1.0F + 0.5F * sample_time_s * (angle_to_rate_per_s_ - gravity_per_s));
 }
