@@ -20,22 +20,38 @@ class ForceVote {
         force_per_angle_mps2_ = parameters.roll_stiffness_nmprad * per_arm;
         force_per_rate_mps_ = parameters.roll_damping_nmsprad * per_arm;
         force_per_acceleration_m_ = parameters.roll_inertia_kgm2 * per_arm;
+        imu_x_m_ = parameters.imu_x_m;
+        imu_z_m_ = parameters.imu_z_m;
     }
 
-    // One sample; one that is not finite, of a body far over or of a spin starts anew.
-    void update(float lateral_force_mps2, float yaw_acceleration_mps2, float roll_angle_rad,
-                float roll_rate_radps, bool spins) noexcept {
-        const float held_mps2 = force_per_angle_mps2_ * roll_angle_rad + force_per_rate_mps_ * roll_rate_radps;
+    // One sample; one that is not finite, of a body far over or of a vehicle that stands or spins starts anew.
+    void update(const rsi::Inputs& inputs, bool rolls_on) noexcept {
+        const float yaw_mps2 = inputs.yaw_rate_radps * inputs.speed_mps;
+        const float imu_mps = imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps;
+        const float held_mps2 =
+            force_per_angle_mps2_ * inputs.roll_angle_rad + force_per_rate_mps_ * inputs.roll_rate_radps;
         const bool knew = known_;
-        known_ = !spins && rsi::is_within_magnitude(roll_angle_rad, 0.15F) &&
-                 rsi::is_finite(lateral_force_mps2 + yaw_acceleration_mps2 + held_mps2);
-        // What a lag has yet to follow, over its time, is the mean of the rate of change.
-        lagged_rate_radps_ = knew ? lagged_rate_radps_ : roll_rate_radps;
-        follow(roll_rate_radps, lagged_rate_radps_);
-        const float mean_acceleration_radps2 = (roll_rate_radps - lagged_rate_radps_) / lag_s;
-        follow(lateral_force_mps2 - yaw_acceleration_mps2, against_yaw_mps2_);
-        follow(lateral_force_mps2 - held_mps2, against_spring_mps2_);
-        against_roll_mps2_ = against_spring_mps2_ - force_per_acceleration_m_ * mean_acceleration_radps2;
+        known_ = rolls_on && rsi::is_within_magnitude(inputs.roll_angle_rad, 0.15F) &&
+                 rsi::is_finite(inputs.lateral_specific_force_mps2 + yaw_mps2 + imu_mps + held_mps2);
+        if (!known_) {
+            return;
+        }
+        if (!knew) {
+            imu_mps_ = imu_mps;
+            roll_rate_radps_ = inputs.roll_rate_radps;
+            less_yaw_mps2_ = 0.0F;
+            less_held_mps2_ = 0.0F;
+        }
+        follow(imu_mps, imu_mps_);
+        follow(inputs.roll_rate_radps, roll_rate_radps_);
+        follow(inputs.lateral_specific_force_mps2 - yaw_mps2, less_yaw_mps2_);
+        follow(inputs.lateral_specific_force_mps2 - held_mps2, less_held_mps2_);
+        // What a lag has yet to follow, over its time, is the mean of the rate of change: here, what the IMU's
+        // place adds to the force at the centre of gravity, and the roll acceleration.
+        const float imu_mps2 = (imu_mps - imu_mps_) / lag_s;
+        const float roll_radps2 = (inputs.roll_rate_radps - roll_rate_radps_) / lag_s;
+        against_yaw_mps2_ = less_yaw_mps2_ - imu_mps2;
+        against_roll_mps2_ = less_held_mps2_ - imu_mps2 - force_per_acceleration_m_ * roll_radps2;
     }
 
     bool accelerometer_is_alone() const noexcept {
@@ -51,18 +67,22 @@ class ForceVote {
  private:
     static constexpr float lag_s = 0.3F;
 
-    void follow(float value, float& mean) const noexcept {
-        mean = known_ ? mean + (rsi::sample_time_s / lag_s) * (value - mean) : 0.0F;
+    static void follow(float value, float& mean) noexcept {
+        mean += (rsi::sample_time_s / lag_s) * (value - mean);
     }
 
     float force_per_angle_mps2_{rsi::not_available};
     float force_per_rate_mps_{rsi::not_available};
     float force_per_acceleration_m_{rsi::not_available};
+    float imu_x_m_{0.0F};
+    float imu_z_m_{0.0F};
     bool known_{false};
     // Means with this lag.
-    float lagged_rate_radps_{0.0F};
+    float imu_mps_{0.0F};
+    float roll_rate_radps_{0.0F};
+    float less_yaw_mps2_{0.0F};
+    float less_held_mps2_{0.0F};
     float against_yaw_mps2_{0.0F};
-    float against_spring_mps2_{0.0F};  // spring and damper
     float against_roll_mps2_{0.0F};
 };
 

@@ -189,8 +189,7 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     const float yaw_acceleration =
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, inputs.roll_angle_rad);
-    force_vote_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, inputs.roll_angle_rad,
-                       inputs.roll_rate_radps, turn_consistency_.spins());
+    force_vote_.update(inputs, turn_consistency_.known() && !turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {

@@ -6,12 +6,15 @@ namespace rsi {
 namespace {
 
 constexpr float largest_ratio = 20.0F;
+// Of the springs alone, without what the links carry: more than any load transfer that ends in wheel lift.
+constexpr float over_ratio = 1.5F;
 
 }  // namespace
 
 void LoadTransfer::init(const Parameters& parameters) {
     curve_.init(parameters);
     inertial_weight_ = parameters.load_transfer_inertial_weight;
+    roll_stiffness_nmprad_ = parameters.roll_stiffness_nmprad;
     roll_damping_nmsprad_ = parameters.roll_damping_nmsprad;
     roll_centre_height_m_ = parameters.fixed_roll_centre_height_m;
     half_track_m_ = 0.5F * parameters.track_width_m;
@@ -31,19 +34,17 @@ void LoadTransfer::assume_body(const SprungBody& body) {
 TransferredLoad LoadTransfer::evaluate(const RollMotion& motion) const {
     const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
-    const float spring_nm = curve_.moment_nm(motion.roll_angle_rad);
-    const float suspension_nm = spring_nm + roll_damping_nmsprad_ * motion.roll_rate_radps;
+    const float suspension_nm = suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps);
     const float by_suspension_nm = force_arm_kgm_ * A + suspension_nm;
     const float by_forces_nm = height_moment_kgm_ * A +
                                shift_moment_kgm_ * (N * short_tangent(motion.roll_angle_rad)) -
                                roll_inertia_kgm2_ * motion.roll_acceleration_radps2;
     const float moment_nm = by_suspension_nm + inertial_weight_ * (by_forces_nm - by_suspension_nm);
-    const float sprung = ratio(spring_nm, N);
-    const float whole = ratio(moment_nm, N);
-    // A body so far over that its springs alone would hold more than the weight: the wheels of the other side are
-    // up, and what the moments of a suspension that has come off the road say is of no matter.
-    const bool is_over = !is_within_magnitude(sprung, 1.0F) && (sprung * whole < sprung * sprung);
-    return TransferredLoad{suspension_nm, moment_nm, is_over ? sprung : whole};
+    // Where even springs without bump stops would hold more than the weight, the wheels of the other side are up,
+    // and a suspension that has left the road says nothing.
+    const float by_springs = ratio(roll_stiffness_nmprad_ * motion.roll_angle_rad, N);
+    const bool is_over = !is_within_magnitude(by_springs, over_ratio);
+    return TransferredLoad{suspension_nm, moment_nm, is_over ? by_springs : ratio(moment_nm, N)};
 }
 
 float LoadTransfer::ratio(float moment_nm, float normal_force_mps2) const {

@@ -55,6 +55,7 @@ class LoadTransfer {
     float height_moment_kgm_{0.0F};  // m_s h + m_u h_u
     float shift_moment_kgm_{0.0F};   // m_s (h - h_frc)
     float roll_inertia_kgm2_{0.0F};
+    float roll_stiffness_nmprad_{0.0F};
     float roll_damping_nmsprad_{0.0F};
     float half_weight_arm_kgm_{1.0F};  // m c_w / 2
     // What a load leaves.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "sil/world/vehicle/driver_input.hpp"
 #include "sil/world/vehicle/parameters.hpp"
@@ -10,15 +11,29 @@
 
 namespace sil {
 
+// What is left of the drive of an axle that spins: all of it up to 2 m/s and a fifth more than the vehicle's speed,
+// nothing at twice that. No driver, engine or traction control lets it run away; and wheels that did would tilt the
+// turning vehicle as gyroscopes.
+inline double traction_share(double rim_speed_mps, double speed_mps) {
+    const double allowed = 2.0 + 0.2 * std::abs(speed_mps);
+    return std::clamp(2.0 - (rim_speed_mps - std::abs(speed_mps)) / allowed, 0.0, 1.0);
+}
+
 // Drive torque of each wheel. Each axle has a differential that resists a difference of speeds, so that a
-// lifted wheel does not run away with all the power.
+// lifted wheel does not run away with all the power. `speed_mps`: forward.
 inline std::array<double, wheel_count> drive_torques_nm(const DrivelineParameters& parameters,
                                                         double drive_force_n, double wheel_radius_m,
+                                                        double speed_mps,
                                                         const std::array<double, wheel_count>& spin_radps) {
     const double limit = parameters.drive_force_limit_n;
     const double half_torque = 0.5 * std::clamp(drive_force_n, -limit, limit) * wheel_radius_m;
-    const double front = half_torque * parameters.front_drive_share;
-    const double rear = half_torque - front;
+    const auto share = [&](Wheel left, Wheel right) {
+        const double rim_mps = 0.5 * wheel_radius_m * (spin_radps[left] + spin_radps[right]);
+        return half_torque > 0.0 ? traction_share(rim_mps, speed_mps) : 1.0;
+    };
+    const double to_front = half_torque * parameters.front_drive_share;
+    const double front = to_front * share(front_left, front_right);
+    const double rear = (half_torque - to_front) * share(rear_left, rear_right);
     const double front_lock =
         0.5 * parameters.differential_damping_nmsprad * (spin_radps[front_left] - spin_radps[front_right]);
     const double rear_lock =
