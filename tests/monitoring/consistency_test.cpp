@@ -343,6 +343,18 @@ TEST_F(AVerticalForce, StartsAnewWhereItIsNotKnown) {
     }
 }
 
+// As ForceVote takes it: at 20 m/s the yaw rate is given by what it says of the lateral acceleration.
+rsi::Inputs sample_of(float accelerometer_mps2, float by_yaw_mps2, float roll_angle_rad,
+                      float roll_rate_radps = 0.0F) {
+    rsi::Inputs inputs{};
+    inputs.lateral_specific_force_mps2 = accelerometer_mps2;
+    inputs.speed_mps = 20.0F;
+    inputs.yaw_rate_radps = by_yaw_mps2 / inputs.speed_mps;
+    inputs.roll_angle_rad = roll_angle_rad;
+    inputs.roll_rate_radps = roll_rate_radps;
+    return inputs;
+}
+
 // Three witnesses of the lateral force; the roll angle is given as the force under which the body takes it.
 class AForceVote : public ::testing::Test {
  protected:
@@ -358,7 +370,7 @@ class AForceVote : public ::testing::Test {
 
     bool alone_after(int samples, float accelerometer_mps2, float by_yaw_mps2, float by_roll_mps2) {
         for (int sample = 0; sample < samples; ++sample) {
-            vote.update(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2), false);
+            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)), true);
         }
         return vote.accelerometer_is_alone();
     }
@@ -391,18 +403,18 @@ TEST_F(AForceVote, IsNotAgainstTheAccelerometerWhenAnotherIsAlone) {
     EXPECT_FALSE(alone_after(300, 0.0F, 4.0F, -4.0F));  // all differ
 }
 
-// The roll angle stands by the accelerometer, whatever the yaw rate says; who does not know says no.
-TEST_F(AForceVote, HasTheRollAngleAgreeWithin1500MillimetresPerSecondSquared) {
-    EXPECT_FALSE(vote.roll_angle_agrees());
+// The roll motion stands by the accelerometer, whatever the yaw rate says; who does not know says no.
+TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
+    EXPECT_FALSE(vote.roll_motion_agrees());
     for (const float sign : {1.0F, -1.0F}) {
         alone_after(300, sign * 5.45F, sign * 1.0F, sign * 4.0F);
-        EXPECT_TRUE(vote.roll_angle_agrees());
+        EXPECT_TRUE(vote.roll_motion_agrees());
         alone_after(300, sign * 5.55F, sign * 1.0F, sign * 4.0F);
-        EXPECT_FALSE(vote.roll_angle_agrees());
+        EXPECT_FALSE(vote.roll_motion_agrees());
         alone_after(300, sign * 4.0F, sign * 1.0F, sign * 4.0F);
-        EXPECT_TRUE(vote.roll_angle_agrees());
-        vote.update(nan, 1.0F, roll_angle_rad(4.0F), false);
-        EXPECT_FALSE(vote.roll_angle_agrees());
+        EXPECT_TRUE(vote.roll_motion_agrees());
+        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)), true);
+        EXPECT_FALSE(vote.roll_motion_agrees());
     }
 }
 
@@ -411,14 +423,16 @@ TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
         float lateral;
         float by_yaw;
         float roll_angle;
-        bool spins;
+        float roll_rate;
+        bool rolls_on;
     };
     for (const Gap gap :
-         {Gap{10.0F, 0.0F, 0.0F, true}, Gap{20.0F, 0.0F, 0.151F, false}, Gap{-20.0F, 0.0F, -0.151F, false},
-          Gap{nan, 0.0F, 0.0F, false}, Gap{10.0F, nan, 0.0F, false}, Gap{10.0F, 0.0F, nan, false},
-          Gap{infinity, 0.0F, 0.0F, false}}) {
+         {Gap{10.0F, 0.0F, 0.0F, 0.0F, false}, Gap{20.0F, 0.0F, 0.151F, 0.0F, true},
+          Gap{-20.0F, 0.0F, -0.151F, 0.0F, true}, Gap{nan, 0.0F, 0.0F, 0.0F, true},
+          Gap{10.0F, nan, 0.0F, 0.0F, true}, Gap{10.0F, 0.0F, nan, 0.0F, true},
+          Gap{10.0F, 0.0F, 0.0F, nan, true}, Gap{infinity, 0.0F, 0.0F, 0.0F, true}}) {
         ASSERT_TRUE(alone_after(100, 10.0F, 0.0F, 0.0F));
-        vote.update(gap.lateral, gap.by_yaw, gap.roll_angle, gap.spins);
+        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), gap.rolls_on);
         EXPECT_FALSE(vote.accelerometer_is_alone());
         EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
     }
@@ -437,7 +451,7 @@ TEST_F(AForceVote, TakesThatMeanFromItsStartAndAfterAGapWhicheverOtherIsNearer) 
             for (int times = 0; times < 2; ++times) {
                 EXPECT_FALSE(alone_after(10, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
                 EXPECT_TRUE(alone_after(1, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
-                vote.update(nan, 0.0F, 0.0F, false);
+                vote.update(sample_of(nan, 0.0F, 0.0F), true);
             }
         }
     }
@@ -458,10 +472,82 @@ TEST_F(AForceVote, SaysNothingOfAVehicleWithoutALeverArm) {
     EXPECT_FALSE(alone_after(300, 10.0F, 0.0F, 0.0F));
 }
 
+// A heavy truck that is steered to and fro: its body follows by a quarter of a period, its yaw rate runs ahead, and
+// its IMU sits far from the centre of gravity. Neither the angle alone nor the IMU's reading is the force.
+class AForceVoteOfASwingingTruck : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        truck_.sprung_mass_kg = 7600.0F;
+        truck_.sprung_cg_height_m = 1.25F;
+        truck_.fixed_roll_centre_height_m = 0.25F;
+        truck_.roll_stiffness_nmprad = 500.0e3F;
+        truck_.roll_damping_nmsprad = 60.0e3F;
+        truck_.roll_inertia_kgm2 = 9.0e3F;
+        truck_.imu_x_m = 1.8F;
+        truck_.imu_z_m = -0.6F;
+    }
+
+    // What the vote has to say of the last two of five seconds, every sample of them; `gain`: of the accelerometer.
+    struct Said {
+        int alone{0};
+        int agrees{0};
+    };
+    Said drive(float gain) const {
+        ForceVote vote;
+        vote.start(truck_);
+        Said said;
+        double angle_rad = 0.0;
+        double rate_radps = 0.0;
+        constexpr int substeps = 100;
+        constexpr double step_s = 0.01 / substeps;
+        const double arm_kgm = static_cast<double>(truck_.sprung_mass_kg);  // 1 m
+        for (int sample = 0; sample < 500; ++sample) {
+            double force_mps2 = 0.0;
+            double acceleration_radps2 = 0.0;
+            double yaw_radps = 0.0;
+            double yaw_radps2 = 0.0;
+            for (int substep = 1; substep <= substeps; ++substep) {
+                const double time_s = (sample * substeps + substep) * step_s;
+                force_mps2 = 4.5 * std::sin(7.0 * time_s);
+                yaw_radps = 0.3 * std::sin(7.0 * time_s + 1.5);
+                yaw_radps2 = 2.1 * std::cos(7.0 * time_s + 1.5);
+                acceleration_radps2 =
+                    (arm_kgm * force_mps2 - static_cast<double>(truck_.roll_stiffness_nmprad) * angle_rad -
+                     static_cast<double>(truck_.roll_damping_nmsprad) * rate_radps) /
+                    static_cast<double>(truck_.roll_inertia_kgm2);
+                rate_radps += step_s * acceleration_radps2;
+                angle_rad += step_s * rate_radps;
+            }
+            const double at_imu_mps2 = force_mps2 + static_cast<double>(truck_.imu_x_m) * yaw_radps2 -
+                                       static_cast<double>(truck_.imu_z_m) * acceleration_radps2;
+            vote.update(sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
+                                  static_cast<float>(angle_rad), static_cast<float>(rate_radps)),
+                        true);
+            if (sample >= 300) {
+                said.alone += vote.accelerometer_is_alone() ? 1 : 0;
+                said.agrees += vote.roll_motion_agrees() ? 1 : 0;
+            }
+        }
+        return said;
+    }
+
+    rsi::Parameters truck_{rsi_test_large_suv()};
+};
+
+TEST_F(AForceVoteOfASwingingTruck, IsNotAgainstAGoodAccelerometer) {
+    const Said said = drive(1.0F);
+    EXPECT_EQ(said.alone, 0);
+    EXPECT_EQ(said.agrees, 200);
+}
+
+TEST_F(AForceVoteOfASwingingTruck, HasTheRollMotionDisagreeWithOneOfTheOtherSign) {
+    EXPECT_LT(drive(-1.0F).agrees, 150);
+}
+
 TEST(AForceVoteThatHasNotStarted, SaysNothing) {
     ForceVote vote;
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(10.0F, 0.0F, 0.0F, false);
+        vote.update(sample_of(10.0F, 0.0F, 0.0F), true);
     }
     EXPECT_FALSE(vote.accelerometer_is_alone());
 }
