@@ -82,7 +82,7 @@ TEST(LongStop, WithoutASpeedItNeitherBeginsNorEnds) {
 TEST(LoadSplit, SharesOutBetweenMassAndHeight) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     for (const float moment : {0.8F, 1.0F, 1.44F, 2.0F}) {
-        for (const float mass : {rsi::even_mass_factor(moment), 1.0F, 1.1F}) {
+        for (const float mass : {rsi::assumed_mass_factor(moment), 1.0F, 1.1F}) {
             const rsi::SprungBody loaded = rsi::with_load(empty, moment, mass);
             EXPECT_FLOAT_EQ(loaded.mass_kg, mass * empty.mass_kg);
             EXPECT_FLOAT_EQ(loaded.roll_inertia_kgm2, moment * empty.roll_inertia_kgm2);
@@ -92,12 +92,20 @@ TEST(LoadSplit, SharesOutBetweenMassAndHeight) {
             }
         }
     }
-    EXPECT_FLOAT_EQ(rsi::even_mass_factor(1.44F), 1.2F);
+    EXPECT_FLOAT_EQ(rsi::assumed_mass_factor(1.44F), 1.2F);
+}
+
+TEST(LoadSplit, TakesWhatIsMissingForMassRatherThanForAMuchLowerBody) {
+    EXPECT_FLOAT_EQ(rsi::assumed_mass_factor(0.9F), std::sqrt(0.9F));
+    EXPECT_FLOAT_EQ(rsi::assumed_mass_factor(0.7F), 0.7F / 0.93F);
+    const rsi::SprungBody full = rsi::calibrated_body(rsi_test::large_suv());
+    EXPECT_FLOAT_EQ(rsi::with_load(full, 0.7F, rsi::assumed_mass_factor(0.7F)).roll_arm_m,
+                    0.93F * full.roll_arm_m);
 }
 
 TEST(LoadSplit, WithoutALoadItIsTheCalibratedBodyToTheLastBit) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
-    const rsi::SprungBody same = rsi::with_load(empty, 1.0F, rsi::even_mass_factor(1.0F));
+    const rsi::SprungBody same = rsi::with_load(empty, 1.0F, rsi::assumed_mass_factor(1.0F));
     EXPECT_EQ(same.mass_kg, empty.mass_kg);
     EXPECT_EQ(same.cg_height_m, empty.cg_height_m);
     EXPECT_EQ(same.roll_arm_m, empty.roll_arm_m);

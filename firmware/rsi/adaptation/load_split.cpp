@@ -9,6 +9,8 @@ namespace {
 // A mass that asks for more contradicts the roll angle: it is not that of this vehicle.
 constexpr float least_height_factor = 0.6F;
 constexpr float largest_height_factor = 1.7F;
+// Of H, where the mass is not known.
+constexpr float least_assumed_height_factor = 0.93F;
 // As the calibrations'.
 constexpr float least_cg_height_m = 0.2F;
 
@@ -28,8 +30,8 @@ SprungBody with_load(const SprungBody& calibrated, float moment_factor, float ma
     return loaded;
 }
 
-float even_mass_factor(float moment_factor) {
-    return square_root(moment_factor);
+float assumed_mass_factor(float moment_factor) {
+    return moment_factor / larger(square_root(moment_factor), least_assumed_height_factor);
 }
 
 }  // namespace rsi
