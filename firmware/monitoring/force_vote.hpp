@@ -9,8 +9,9 @@
 namespace monitoring {
 
 // A bank of the road or a slide separates the yaw rate from the other two, a wrong roll angle separates
-// itself; only a wrong lateral acceleration contradicts both. The roll angle alone would be a witness of a car, not of
-// a truck, whose body swings long after its tyres: hence the whole roll equation, at the centre of gravity.
+// itself; only a wrong lateral acceleration contradicts both. The roll angle alone would be a witness of a
+// car, not of a truck, whose body swings long after its tyres: hence the whole roll equation, at the centre
+// of gravity.
 class ForceVote {
  public:
     // Accepted parameters.
@@ -24,7 +25,8 @@ class ForceVote {
         imu_z_m_ = parameters.imu_z_m;
     }
 
-    // One sample; one that is not finite, of a body far over or of a vehicle that stands or spins starts anew.
+    // One sample; one that is not finite, of a body far over or of a vehicle that stands or spins starts
+    // anew.
     void update(const rsi::Inputs& inputs, bool rolls_on) noexcept {
         const float yaw_mps2 = inputs.yaw_rate_radps * inputs.speed_mps;
         const float imu_mps = imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps;
@@ -46,8 +48,8 @@ class ForceVote {
         follow(inputs.roll_rate_radps, roll_rate_radps_);
         follow(inputs.lateral_specific_force_mps2 - yaw_mps2, less_yaw_mps2_);
         follow(inputs.lateral_specific_force_mps2 - held_mps2, less_held_mps2_);
-        // What a lag has yet to follow, over its time, is the mean of the rate of change: here, what the IMU's
-        // place adds to the force at the centre of gravity, and the roll acceleration.
+        // What a lag has yet to follow, over its time, is the mean of the rate of change: here, what the
+        // IMU's place adds to the force at the centre of gravity, and the roll acceleration.
         const float imu_mps2 = (imu_mps - imu_mps_) / lag_s;
         const float roll_radps2 = (inputs.roll_rate_radps - roll_rate_radps_) / lag_s;
         against_yaw_mps2_ = less_yaw_mps2_ - imu_mps2;

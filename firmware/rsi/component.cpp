@@ -116,9 +116,8 @@ void Component::assume_body(const SprungBody& body) {
     write_measurement(measured, outputs);
 
     // Model: how a vehicle with a fixed roll centre would roll, (1).
-    fixed_.evaluate(model_, measured);
+    fixed_.update(model_, measured);
     outputs.fixed_model_roll_angle_rad = fixed_.angle_rad();
-    outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
     // Estimate the roll centre's vertical movement.
     const RollCentreEstimate estimate =
@@ -126,11 +125,13 @@ void Component::assume_body(const SprungBody& body) {
     measurement_.assume_movement(estimator_.movement_for_observer_m());
     write_estimate(estimate, outputs);
 
-    // Roll centre, (6), and the moment that its movement adds, (7).
+    // Roll centre, (6), the moment that its movement adds, (7), and the model that it compensates.
     const float c_rc = lateral_roll_centre_m(model_, measured, fixed_, estimate.vertical_movement_m);
     const float M_add = additional_roll_moment_nm(model_, measured, estimate, c_rc);
     outputs.roll_centre_lateral_m = c_rc;
     outputs.additional_roll_moment_nm = M_add;
+    compensated_.update(model_, measured, fixed_, M_add);
+    outputs.compensated_roll_angle_rad = compensated_.angle_rad();
 
     // Threshold, (23), and RSI, (25).
     const StabilityThreshold threshold = threshold_.evaluate(measured, estimate.vertical_movement_m, c_rc);
@@ -167,8 +168,6 @@ void Component::assume_body(const SprungBody& body) {
 
     // To the next sample.
     extended_rsi_ = outputs.rsi_extended;
-    compensated_.advance(model_, measured, fixed_, M_add);
-    fixed_.advance(model_);
     assume_body(load_adaptation_.body());
 }
 

@@ -63,7 +63,9 @@ std::string duration(double seconds) {
 // A line on stderr: over and over on a terminal, now and then in a log.
 class ProgressLine {
  public:
-    void show(const CampaignProgress& progress) {
+    explicit ProgressLine(unsigned jobs) : jobs_{jobs} {}
+
+    void show(const RowProgress& progress) {
         const bool last = progress.finished == progress.total;
         if (!last && progress.elapsed_s < next_s_) {
             return;
@@ -73,11 +75,12 @@ class ProgressLine {
         const double left_s = static_cast<double>(progress.total - progress.finished) / rate;
         fmt::print(stderr, "{}{} of {} runs, {:.1f} runs/s, {:.0f} times real time a thread, {} left{}",
                    terminal_ ? "\r" : "", progress.finished, progress.total, rate,
-                   progress.simulated_s / progress.elapsed_s / progress.jobs, duration(left_s),
+                   progress.simulated_s / progress.elapsed_s / jobs_, duration(left_s),
                    terminal_ && !last ? "      " : "\n");
     }
 
  private:
+    const unsigned jobs_;
     const bool terminal_{::isatty(STDERR_FILENO) == 1};
     double next_s_{0.0};
 };
@@ -100,9 +103,9 @@ void run(const CampaignRequest& request) {
     const CampaignWorld world{settings_of(request)};
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
-    ProgressLine line;
-    const CampaignProgress progress = run_campaign(world, request.output, request.jobs, stop_requested,
-                                                   [&line](const CampaignProgress& now) { line.show(now); });
+    ProgressLine line{request.jobs};
+    const RowProgress progress = run_campaign(world, request.output, request.jobs, stop_requested,
+                                              [&line](const RowProgress& now) { line.show(now); });
     if (progress.finished < progress.total) {
         throw std::runtime_error(fmt::format(
             "interrupted after {} of {} runs, which are kept in {}. The same command goes on from "

@@ -26,7 +26,7 @@ void request_population_stop(int) {
 // A line on stderr: over and over on a terminal, now and then in a log.
 class VehicleProgressLine {
  public:
-    void show(const PopulationProgress& progress) {
+    void show(const RowProgress& progress) {
         const bool last = progress.finished == progress.total;
         if (!last && progress.elapsed_s < next_s_) {
             return;
@@ -48,8 +48,8 @@ void make(const PopulationRequest& request) {
     std::signal(SIGINT, request_population_stop);
     std::signal(SIGTERM, request_population_stop);
     VehicleProgressLine line;
-    const PopulationProgress progress = make_population(
-        request, population_stop_requested, [&line](const PopulationProgress& now) { line.show(now); });
+    const RowProgress progress = make_population(request, population_stop_requested,
+                                                 [&line](const RowProgress& now) { line.show(now); });
     if (progress.finished < progress.total) {
         throw std::runtime_error(fmt::format(
             "interrupted after {} of {} vehicles, which are kept in {}. The same command goes on from there.",

@@ -426,11 +426,10 @@ TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
         float roll_rate;
         bool rolls_on;
     };
-    for (const Gap gap :
-         {Gap{10.0F, 0.0F, 0.0F, 0.0F, false}, Gap{20.0F, 0.0F, 0.151F, 0.0F, true},
-          Gap{-20.0F, 0.0F, -0.151F, 0.0F, true}, Gap{nan, 0.0F, 0.0F, 0.0F, true},
-          Gap{10.0F, nan, 0.0F, 0.0F, true}, Gap{10.0F, 0.0F, nan, 0.0F, true},
-          Gap{10.0F, 0.0F, 0.0F, nan, true}, Gap{infinity, 0.0F, 0.0F, 0.0F, true}}) {
+    for (const Gap gap : {Gap{10.0F, 0.0F, 0.0F, 0.0F, false}, Gap{20.0F, 0.0F, 0.151F, 0.0F, true},
+                          Gap{-20.0F, 0.0F, -0.151F, 0.0F, true}, Gap{nan, 0.0F, 0.0F, 0.0F, true},
+                          Gap{10.0F, nan, 0.0F, 0.0F, true}, Gap{10.0F, 0.0F, nan, 0.0F, true},
+                          Gap{10.0F, 0.0F, 0.0F, nan, true}, Gap{infinity, 0.0F, 0.0F, 0.0F, true}}) {
         ASSERT_TRUE(alone_after(100, 10.0F, 0.0F, 0.0F));
         vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), gap.rolls_on);
         EXPECT_FALSE(vote.accelerometer_is_alone());
@@ -472,8 +471,9 @@ TEST_F(AForceVote, SaysNothingOfAVehicleWithoutALeverArm) {
     EXPECT_FALSE(alone_after(300, 10.0F, 0.0F, 0.0F));
 }
 
-// A heavy truck that is steered to and fro: its body follows by a quarter of a period, its yaw rate runs ahead, and
-// its IMU sits far from the centre of gravity. Neither the angle alone nor the IMU's reading is the force.
+// A heavy truck that is steered to and fro: its body follows by a quarter of a period, its yaw rate runs
+// ahead, and its IMU sits far from the centre of gravity. Neither the angle alone nor the IMU's reading is
+// the force.
 class AForceVoteOfASwingingTruck : public ::testing::Test {
  protected:
     void SetUp() override {
@@ -487,7 +487,8 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
         truck_.imu_z_m = -0.6F;
     }
 
-    // What the vote has to say of the last two of five seconds, every sample of them; `gain`: of the accelerometer.
+    // What the vote has to say of the last two of five seconds, every sample of them; `gain`: of the
+    // accelerometer.
     struct Said {
         int alone{0};
         int agrees{0};
@@ -520,9 +521,10 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
             }
             const double at_imu_mps2 = force_mps2 + static_cast<double>(truck_.imu_x_m) * yaw_radps2 -
                                        static_cast<double>(truck_.imu_z_m) * acceleration_radps2;
-            vote.update(sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
-                                  static_cast<float>(angle_rad), static_cast<float>(rate_radps)),
-                        true);
+            vote.update(
+                sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
+                          static_cast<float>(angle_rad), static_cast<float>(rate_radps)),
+                true);
             if (sample >= 300) {
                 said.alone += vote.accelerometer_is_alone() ? 1 : 0;
                 said.agrees += vote.roll_motion_agrees() ? 1 : 0;

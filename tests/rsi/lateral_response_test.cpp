@@ -43,7 +43,8 @@ struct Course {
 };
 
 // A'' = w^2 (a_t - A) - 2 zeta w A', by small steps of the midpoint rule.
-Course reference(Course from, double target, double time_s, double w = frequency_radps, double zeta = damping) {
+Course reference(Course from, double target, double time_s, double w = frequency_radps,
+                 double zeta = damping) {
     constexpr double dt = 1.0e-5;
     const auto acceleration = [&](const Course& at) {
         return w * w * (target - at.force) - 2.0 * zeta * w * at.rate;
@@ -87,10 +88,11 @@ TEST(LateralResponse, FollowsTheSecondOrderEquation) {
             const rsi::RollMotion motion = turning(1.0, 8.0);
             ASSERT_TRUE(response.update(motion, asking(6.0)));
             for (const int steps : {1, 5, 10, 15}) {
-                const Course expected =
-                    reference({1.0, 8.0}, 6.0, steps * static_cast<double>(rsi::LateralResponse::step_s), w, zeta);
+                const Course expected = reference(
+                    {1.0, 8.0}, 6.0, steps * static_cast<double>(rsi::LateralResponse::step_s), w, zeta);
                 if (expected.force < 6.0) {
-                    EXPECT_NEAR(after_steps(response, motion, steps), expected.force, 0.06) << w << ' ' << zeta << ' ' << steps;
+                    EXPECT_NEAR(after_steps(response, motion, steps), expected.force, 0.06)
+                        << w << ' ' << zeta << ' ' << steps;
                 } else {
                     EXPECT_EQ(after_steps(response, motion, steps), 6.0) << w << ' ' << zeta << ' ' << steps;
                 }
@@ -134,7 +136,8 @@ TEST(LateralResponse, LearnsWithinSixTenthsThatTheTyresGiveNoMore) {
             response.update(turning(4.0 * side), asking(12.0 * side));
         }
         EXPECT_NEAR(limit_of(response), 4.0 + 3.0 * std::exp(-3.0), 0.05);
-        EXPECT_NEAR(limit_of(response, -1.0), 4.0 + 3.0 * std::exp(-3.0), 0.05);  // one limit for both directions
+        EXPECT_NEAR(limit_of(response, -1.0), 4.0 + 3.0 * std::exp(-3.0),
+                    0.05);  // one limit for both directions
     }
 }
 

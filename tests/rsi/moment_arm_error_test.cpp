@@ -134,6 +134,31 @@ TEST(LoadTransfer, IsTheMeanThatTheWeightSays) {
     }
 }
 
+// The vehicle has fallen to a side when its linear springs alone would hold one and a half times the weight:
+// then it is theirs, whatever force, damper and bump stops seem to say.
+TEST(LoadTransfer, OfABodyThatIsOverIsThatOfItsLinearSprings) {
+    rsi_parameters p = rsi_test::large_suv();
+    p.roll_stiffness_cubic_nmprad3 = 0.0F;
+    p.roll_stiffness_quintic_nmprad5 = -2.0e7F;  // fitted to small angles only
+    rsi::LoadTransfer transfer;
+    transfer.init(p);
+    const float lifts_rad =
+        0.5F * (p.sprung_mass_kg + p.unsprung_mass_kg) * 9.8F * p.track_width_m / p.roll_stiffness_nmprad;
+    ASSERT_LT(1.51F * lifts_rad, 0.5F);
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RollMotion motion;
+        motion.road_normal_force_mps2 = 9.8F;
+        motion.road_parallel_force_mps2 = side * -8.0F;
+        motion.roll_rate_radps = side * -3.0F;
+        motion.roll_angle_rad = side * 1.51F * lifts_rad;
+        EXPECT_NEAR(transfer.evaluate(motion).ratio, side * 1.51F, 1.0e-4F);
+        motion.roll_angle_rad = side * 1.49F * lifts_rad;
+        EXPECT_LT(side * transfer.evaluate(motion).ratio, 0.0F);
+        const rsi::TransferredLoad load = transfer.evaluate(motion);
+        EXPECT_EQ(load.ratio, transfer.ratio(load.moment_nm, 9.8F));
+    }
+}
+
 TEST(MomentArmError, EndsAtItsLimitOnEitherSide) {
     const rsi_parameters p = rsi_test::large_suv();
     EXPECT_EQ(after(p, steady_turn(p, 8.0, 0.7), 400), 0.35F);

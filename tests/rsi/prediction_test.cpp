@@ -187,8 +187,9 @@ TEST(ResponsePrediction, UnderAForceThatStaysItIsTheRollEquationsMotion) {
         // The largest of all steps: the reference with parts as long as a step and a half of the predictor.
         double expected = 0.0;
         for (int steps = 0; steps <= 15; ++steps) {
-            expected = std::max(expected, rsi_test::predicted_load_transfer(vehicle, ReferenceForce{A}, gravity_mps2, 0.02,
-                                                                            0.1, 0.02 * steps));
+            expected =
+                std::max(expected, rsi_test::predicted_load_transfer(vehicle, ReferenceForce{A}, gravity_mps2,
+                                                                     0.02, 0.1, 0.02 * steps));
         }
         EXPECT_NEAR(static_cast<double>(look(motion, A).load_transfer_ratio), expected, 0.03) << A;
         largest_gain = std::max(largest_gain, expected - look.present(motion));
@@ -217,12 +218,29 @@ TEST(ResponsePrediction, KnowsBothSidesOfASwing) {
     EXPECT_EQ(other.opposite_ratio, prediction.opposite_ratio);
 }
 
+// Wheels that are up come down before those of the other side lift: until then there is no risk on that side.
+TEST(ResponsePrediction, HasNoOtherSideWhileWheelsAreUp) {
+    LookAlongTheResponse look{0.5, 0.0};
+    for (const double side : {1.0, -1.0}) {
+        const rsi::RollMotion nearly = motion_with(side * 6.0, side * 0.08, 0.0, side * -30.0);
+        ASSERT_LT(std::fabs(look.present(nearly)), 1.0);
+        ASSERT_GT(std::fabs(look.present(nearly)), 0.6);
+        EXPECT_LT(side * static_cast<double>(look(nearly, side * -8.0).load_transfer_ratio), -0.5);
+        const rsi::RollMotion up = motion_with(side * 9.0, side * 0.12, 0.0, side * -45.0);
+        ASSERT_GT(side * look.present(up), 1.0);
+        const rsi::Prediction prediction = look(up, side * -8.0);
+        EXPECT_GT(side * static_cast<double>(prediction.load_transfer_ratio), 1.0);
+        EXPECT_EQ(prediction.opposite_ratio, 0.0F);
+    }
+}
+
 // What lies further ahead than a tenth of a second counts less by the margin, what is nearer and the present
 // in full.
 TEST(ResponsePrediction, TheMarginGrowsWithTheTimeAhead) {
     const rsi::RollMotion motion = motion_with(2.0, 0.03, 0.0);
     const auto level = [&](double ahead_s, double margin_per_s) {
-        return static_cast<double>(LookAlongTheResponse{ahead_s, margin_per_s}(motion, 8.0).load_transfer_ratio);
+        return static_cast<double>(
+            LookAlongTheResponse{ahead_s, margin_per_s}(motion, 8.0).load_transfer_ratio);
     };
     EXPECT_EQ(level(0.1, 0.0), level(0.1, 1.0));
     EXPECT_NEAR(level(0.12, 0.0) - level(0.12, 1.0), 0.02, 1e-4);

@@ -43,7 +43,7 @@ Sample sample(const rsi::RollPlaneModel& model, float parallel, float normal, fl
     result.measured.roll_rate_radps = rate_m;
     result.measured.tan_roll_angle = rsi::bounded_tangent(phi_m);
     result.fixed.reset(phi_f);
-    result.fixed.evaluate(model, result.measured);
+    result.fixed.update(model, result.measured);
     return result;
 }
 

@@ -25,7 +25,7 @@ class TheEstimatorInUse : public ::testing::Test {
         measured.road_normal_force_mps2 = 9.8F;
         measured.roll_angle_rad = 0.016F * force_mps2;
         measured.tan_roll_angle = 0.01604F * force_mps2;
-        fixed.evaluate(model, measured);
+        fixed.update(model, measured);
         return estimator_in_use.update(model, measured, fixed, 0.4F, 20.0F).vertical_movement_m;
     }
 

@@ -14,7 +14,7 @@ struct Regression {
     Vector3 psi;      // [A' + N' tan phi_m  (N); phi_m (rad); phi_m' (rad/s)]
 };
 
-// `fixed` must have been evaluated at the same measurement.
+// `fixed` must have been updated with the same measurement.
 Regression regress(const RollPlaneModel& model, const Measurement& measured, const FixedModelRoll& fixed);
 
 }  // namespace rsi

@@ -19,7 +19,7 @@ class RollCentreEstimator {
     // The body from now on. The published estimator takes it from the model.
     void assume_body(const SprungBody& body) { consider_kalman_.assume_body(body); }
 
-    // One sample. `fixed` must have been evaluated at the same measurement; `extended_rsi` is that of the
+    // One sample. `fixed` must have been updated with the same measurement; `extended_rsi` is that of the
     // cycle before; NaN where a number is not available.
     RollCentreEstimate update(const RollPlaneModel& model, const Measurement& measured,
                               const FixedModelRoll& fixed, float extended_rsi, float speed_mps);

@@ -40,8 +40,8 @@ TransferredLoad LoadTransfer::evaluate(const RollMotion& motion) const {
                                shift_moment_kgm_ * (N * short_tangent(motion.roll_angle_rad)) -
                                roll_inertia_kgm2_ * motion.roll_acceleration_radps2;
     const float moment_nm = by_suspension_nm + inertial_weight_ * (by_forces_nm - by_suspension_nm);
-    // Where even springs without bump stops would hold more than the weight, the wheels of the other side are up,
-    // and a suspension that has left the road says nothing.
+    // Where even springs without bump stops would hold more than the weight, the wheels of the other side are
+    // up, and a suspension that has left the road says nothing.
     const float by_springs = ratio(roll_stiffness_nmprad_ * motion.roll_angle_rad, N);
     const bool is_over = !is_within_magnitude(by_springs, over_ratio);
     return TransferredLoad{suspension_nm, moment_nm, is_over ? by_springs : ratio(moment_nm, N)};

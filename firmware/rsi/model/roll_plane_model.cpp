@@ -49,28 +49,35 @@ float RollPlaneModel::next_spring_angle_rad(float angle_rad, float rate_radps) c
 
 void FixedModelRoll::reset(float angle_rad) {
     angle_rad_ = within_model(angle_rad);
-    rate_radps_ = 0.0F;
     tan_angle_ = short_range_tangent(angle_rad_);
+    moving_ = false;
 }
 
-void FixedModelRoll::evaluate(const RollPlaneModel& model, const Measurement& measurement) {
-    tan_angle_ = short_range_tangent(angle_rad_);
+void FixedModelRoll::update(const RollPlaneModel& model, const Measurement& measurement) {
+    if (moving_) {
+        const float rate_radps = model.roll_rate_radps(angle_rad_, tan_angle_, measurement, 0.0F);
+        angle_rad_ = model.next_upright_angle_rad(angle_rad_, 0.5F * (rate_radps_ + rate_radps));
+        tan_angle_ = short_range_tangent(angle_rad_);
+    }
+    moving_ = true;
     rate_radps_ = model.roll_rate_radps(angle_rad_, tan_angle_, measurement, 0.0F);
-}
-
-void FixedModelRoll::advance(const RollPlaneModel& model) {
-    angle_rad_ = model.next_upright_angle_rad(angle_rad_, rate_radps_);
 }
 
 void CompensatedModelRoll::reset(float angle_rad) {
     angle_rad_ = within_model(angle_rad);
+    moving_ = false;
 }
 
-void CompensatedModelRoll::advance(const RollPlaneModel& model, const Measurement& measurement,
-                                   const FixedModelRoll& fixed, float additional_roll_moment_nm) {
-    const float rate_radps =
-        model.roll_rate_radps(angle_rad_, fixed.tan_angle(), measurement, additional_roll_moment_nm);
-    angle_rad_ = model.next_spring_angle_rad(angle_rad_, rate_radps);
+void CompensatedModelRoll::update(const RollPlaneModel& model, const Measurement& measurement,
+                                  const FixedModelRoll& fixed, float additional_roll_moment_nm) {
+    const float tan_angle = fixed.tan_angle();
+    if (moving_) {
+        const float rate_radps =
+            model.roll_rate_radps(angle_rad_, tan_angle, measurement, additional_roll_moment_nm);
+        angle_rad_ = model.next_spring_angle_rad(angle_rad_, 0.5F * (rate_radps_ + rate_radps));
+    }
+    moving_ = true;
+    rate_radps_ = model.roll_rate_radps(angle_rad_, tan_angle, measurement, additional_roll_moment_nm);
 }
 
 }  // namespace rsi

@@ -26,10 +26,11 @@ class RollPlaneModel {
     float roll_rate_radps(float angle_rad, float tan_gravity_angle, const Measurement& measurement,
                           float additional_roll_moment_nm) const;
 
-    // The angle one sample later under forces held constant: trapezoidal rule, linearised upright, with the
-    // stiffness K_f - m_s g H where gravity follows the angle, and K_f where it does not. Both are stable for
-    // any admitted parameters. Clamped to +-0.5 rad: beyond that the vehicle has long rolled over and the
-    // model means nothing.
+    // The angle one sample later by the trapezoidal rule. `rate_radps` is the mean of two rates, both at
+    // `angle_rad`: under the forces of the sample before and under those of the later one. What the angle's
+    // own movement adds to the second is linearised upright, with the stiffness K_f - m_s g H where gravity
+    // follows the angle, and K_f where it does not. Both are stable for any admitted parameters. Clamped to
+    // +-0.5 rad: beyond that the vehicle has long rolled over and the model means nothing.
     float next_upright_angle_rad(float angle_rad, float rate_radps) const;
     float next_spring_angle_rad(float angle_rad, float rate_radps) const;
 
@@ -48,13 +49,11 @@ class RollPlaneModel {
 // phi_f: the fixed-roll-centre vehicle under the measured forces.
 class FixedModelRoll {
  public:
+    // Where the next update finds the vehicle.
     void reset(float angle_rad);
 
-    // Brings the rate and the tangent to the instant of the measurement; the angle is already there.
-    void evaluate(const RollPlaneModel& model, const Measurement& measurement);
-
-    // Moves the angle to the next sample.
-    void advance(const RollPlaneModel& model);
+    // Moves to the instant of the measurement.
+    void update(const RollPlaneModel& model, const Measurement& measurement);
 
     float angle_rad() const { return angle_rad_; }    // phi_f
     float rate_radps() const { return rate_radps_; }  // phi_f'
@@ -64,6 +63,7 @@ class FixedModelRoll {
     float angle_rad_{0.0F};
     float rate_radps_{0.0F};
     float tan_angle_{0.0F};
+    bool moving_{false};  // there is a sample before
 };
 
 // The low-order model of the paper's Fig. 7: the fixed-roll-centre model's forces and gravity term plus
@@ -71,12 +71,15 @@ class FixedModelRoll {
 class CompensatedModelRoll {
  public:
     void reset(float angle_rad);
-    void advance(const RollPlaneModel& model, const Measurement& measurement, const FixedModelRoll& fixed,
-                 float additional_roll_moment_nm);
+    // `fixed` must have been updated with the same measurement.
+    void update(const RollPlaneModel& model, const Measurement& measurement, const FixedModelRoll& fixed,
+                float additional_roll_moment_nm);
     float angle_rad() const { return angle_rad_; }
 
  private:
     float angle_rad_{0.0F};
+    float rate_radps_{0.0F};
+    bool moving_{false};
 };
 
 }  // namespace rsi

@@ -37,7 +37,8 @@ float RollPredictor::force_change_mps2(const RollMotion& motion, const DemandedF
 // Trapezoidal rule, linearised with the stiffness of the instant: the suspension's less gravity's, at least
 // zero. Its divisor is at least Ixx.
 RollPredictor::State RollPredictor::after_step(const State& from, float dt, float force_mps2,
-                                               const Moments& moments, const LoadTransfer& load_transfer) const {
+                                               const Moments& moments,
+                                               const LoadTransfer& load_transfer) const {
     const float x = from.angle_rad;
     const float y = from.rate_radps;
     const float k =
@@ -97,7 +98,8 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLo
     const float worst_force_mps2 = grows ? A + change_mps2 : A;
 
     const float ratio_then = load_transfer.ratio(then_nm, N);
-    Sides largest{larger(larger(load.ratio, ratio_then), 0.0F), larger(larger(-load.ratio, -ratio_then), 0.0F)};
+    Sides largest{larger(larger(load.ratio, ratio_then), 0.0F),
+                  larger(larger(-load.ratio, -ratio_then), 0.0F)};
     if (response != nullptr) {
         follow_response(motion, *response, moments, load_transfer, largest);
     }

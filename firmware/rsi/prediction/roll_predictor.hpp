@@ -17,17 +17,19 @@ namespace rsi {
 struct Prediction {
     float load_transfer_ratio{0.0F};  // of larger magnitude, > 0 in a left turn; -20 to 20
     float opposite_ratio{0.0F};       // magnitude of the largest towards the other side, 0 to 20
-    float rsi_extended{0.0F};         // now, or under the load transfer of the trend if that is larger; 0 to 20
+    float rsi_extended{0.0F};  // now, or under the load transfer of the trend if that is larger; 0 to 20
 };
 
 // Carries the roll motion forward, with N held:
 //   Ixx y' = m_s H (1 - 3/4 e) (a + N tan x) - M(x) - c_f y,    x' = y,    from x = phi, y = phi'
-// by the trapezoidal rule, linearised with the local stiffness. The load transfer is the present one plus what
-// the motion changes in alpha A + M(phi) + c_f phi'. There are two forces a:
+// by the trapezoidal rule, linearised with the local stiffness. The load transfer is the present one plus
+// what the motion changes in alpha A + M(phi) + c_f phi'. There are two forces a:
 //   the trend, in one step over the short horizon,
 //     a = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known;
-//   the lateral response, in steps of 20 ms over the long horizon, where the steering and the vehicle's response
-//     are known. The load transfer counts less by a margin that grows with time: what is further is less sure.
+//   the lateral response, in steps of 20 ms over the long horizon, where the steering and the vehicle's
+//   response
+//     are known. The load transfer counts less by a margin that grows with time: what is further is less
+//     sure.
 class RollPredictor {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
@@ -38,20 +40,20 @@ class RollPredictor {
         roll_inertia_kgm2_ = body.roll_inertia_kgm2;
     }
 
-    // `load`: that of `motion`. `response`: none where the course of the force is not known. `moment_arm_error`:
-    // e of MomentArmError.
+    // `load`: that of `motion`. `response`: none where the course of the force is not known.
+    // `moment_arm_error`: e of MomentArmError.
     Prediction evaluate(const RollMotion& motion, const TransferredLoad& load, const DemandedForce& demand,
-                        const LateralResponse* response, float moment_arm_error, const LoadTransfer& load_transfer,
-                        const ExtendedIndicator& extended) const;
+                        const LateralResponse* response, float moment_arm_error,
+                        const LoadTransfer& load_transfer, const ExtendedIndicator& extended) const;
 
  private:
     // The roll moment of the sample, and how it follows the motion.
     struct Moments {
-        float arm_kgm;         // m_s H as corrected by e
-        float gravity_nm;      // N times it
-        float suspension_nm;   // at present
-        float load_nm;         // at present, what the wheels hold against
-        float force_arm_kgm;   // alpha with what e takes from the arm
+        float arm_kgm;        // m_s H as corrected by e
+        float gravity_nm;     // N times it
+        float suspension_nm;  // at present
+        float load_nm;        // at present, what the wheels hold against
+        float force_arm_kgm;  // alpha with what e takes from the arm
     };
     struct State {
         float angle_rad;

@@ -95,8 +95,8 @@ void WarningStateMachine::update_side(const RiskLevel& risk) {
     side_ = (state_ == RSI_STATE_READY) ? RSI_SIDE_NONE : next_side(risk);
 }
 
-// The hold times keep a state visible, not a side. A side stays named while its own risk lasts and the other's
-// does not reach the level of the state; below the advisory level it gives way to the other above it.
+// The hold times keep a state visible, not a side. A side stays named while its own risk lasts and the
+// other's does not reach the level of the state; below the advisory level it gives way to the other above it.
 rsi_side WarningStateMachine::next_side(const RiskLevel& risk) const {
     const rsi_side larger_risk = falling_side(risk.side);
     if ((side_ == larger_risk) || (side_ == RSI_SIDE_NONE)) {

@@ -19,7 +19,9 @@ class IndexWarning {
         machine_.init(calibration);
     }
 
-    void update(const rsi::RiskLevel& risk) { machine_.update({risk.indicator * scale_, risk.side, risk.opposite * scale_}); }
+    void update(const rsi::RiskLevel& risk) {
+        machine_.update({risk.indicator * scale_, risk.side, risk.opposite * scale_});
+    }
     WarningState state() const { return static_cast<WarningState>(machine_.state()); }
     WarningSide side() const { return static_cast<WarningSide>(machine_.side()); }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "rsi/parameters.hpp"
 #include "sil/studies/identification/calibration_default.hpp"
 #include "sil/studies/identification/tyre_limit.hpp"
 #include "sil/studies/identification/warnings.hpp"
@@ -55,6 +56,29 @@ void use_loads(Identification& result) {
     }
 }
 
+// The largest magnitude that the component admits of a coefficient of the stiffness curve.
+double largest_admitted(std::string_view parameter) {
+    const auto field =
+        std::find_if(rsi::parameter_fields.begin(), rsi::parameter_fields.end(),
+                     [parameter](const rsi::ParameterField& each) { return each.name == parameter; });
+    return std::min(-static_cast<double>(field->minimum), static_cast<double>(field->maximum));
+}
+
+// The roll fit with the arm that was found. Only now it shows whether the component admits its coefficients,
+// which grow with the arm; where it does not, the curve is fitted again within what it admits.
+void use_arm(Identification& result, double arm_m) {
+    const CurveLimits limits{largest_admitted("roll_stiffness_cubic_nmprad3"),
+                             largest_admitted("roll_stiffness_quintic_nmprad5")};
+    const double usual_arm_m = result.roll.arm_m;
+    result.roll = result.roll.with_arm(arm_m);
+    if (!limits.admit(result.roll)) {
+        const double share = usual_arm_m / arm_m;
+        result.roll = fit_roll(result.vehicle, usual_arm_m, result.ramps, result.dynamics,
+                               {share * limits.cubic_nmprad3, share * limits.quintic_nmprad5})
+                          .with_arm(arm_m);
+    }
+}
+
 void choose_roll_centre(Identification& result, bool fit_cg_height) {
     VehicleData& vehicle = result.vehicle;
     result.given_cg_height_m = vehicle.sprung_cg_height_m;
@@ -69,7 +93,7 @@ void choose_roll_centre(Identification& result, bool fit_cg_height) {
         result.roll_centre_height_m = assumed_roll_centre_m;
         result.roll_centre_origin = "ASSUMED, the lowest: neither data sheet nor wheel loads tell it";
     }
-    result.roll = result.roll.with_arm(vehicle.sprung_cg_height_m - result.roll_centre_height_m);
+    use_arm(result, vehicle.sprung_cg_height_m - result.roll_centre_height_m);
     for (const auto* drives : {&result.ramps, &result.dynamics}) {
         for (const DriveResidual& residual : load_transfer_residuals(vehicle, result.roll, *drives)) {
             result.load_transfer.push_back(residual);

@@ -351,8 +351,13 @@ RollFit RollFit::with_arm(double new_arm_m) const {
     return fit;
 }
 
+bool CurveLimits::admit(const RollFit& fit) const {
+    return std::abs(fit.stiffness_cubic_nmprad3.value) <= cubic_nmprad3 &&
+           std::abs(fit.stiffness_quintic_nmprad5.value) <= quintic_nmprad5;
+}
+
 RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<PreparedDrive>& ramps,
-                 const std::vector<PreparedDrive>& dynamics) {
+                 const std::vector<PreparedDrive>& dynamics, const CurveLimits& limits) {
     refuse_without_excitation(ramps, dynamics);
     RollProblem problem{vehicle, arm_m, ramps, dynamics};
     Curve curve;
@@ -367,7 +372,7 @@ RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<Pre
     if (!curve.quintic) {
         fit = solve();
     }
-    bool flattened = false, held = false;
+    bool flattened = false, held = false, limited = false;
     for (int pass = 0; pass < 30; ++pass) {
         const double lift_rad = rollover_angle_rad(vehicle, fit);
         curve.limit_rad = beyond_lift * lift_rad;
@@ -377,6 +382,9 @@ RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<Pre
         } else if (!stays_plausible(fit, curve.limit_rad)) {
             held = true;
             curve.hold = curve.hold > 0.0 ? 3.0 * curve.hold : 1.0;
+        } else if (!limits.admit(fit)) {
+            limited = true;
+            curve.freedom *= 0.6;
         } else {
             break;
         }
@@ -384,6 +392,7 @@ RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<Pre
     }
     fit.curve_flattened = flattened;
     fit.curve_held = held;
+    fit.curve_limited = limited;
     fit.needed_up_to_rad = beyond_lift * rollover_angle_rad(vehicle, fit);
     return fit;
 }

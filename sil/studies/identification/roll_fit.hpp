@@ -1,6 +1,7 @@
 // Roll fit: stiffness curve, damping and inertia of the body's roll from slow and dynamic drives.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct RollFit {
     double needed_up_to_rad{};          // by the component: a little beyond the lift of the inner wheels
     bool curve_flattened{false};        // the curve had to be held back to rise up to rollover
     bool curve_held{false};             // its slope beyond the data had to be
+    bool curve_limited{false};          // its coefficients had to be, to CurveLimits
 
     double moment_nm(double roll_angle_rad) const;
     double slope_nmprad(double roll_angle_rad) const;
@@ -44,9 +46,17 @@ struct RollFit {
     RollFit with_arm(double arm_m) const;
 };
 
+// How large K_2 and K_4 may be, either way.
+struct CurveLimits {
+    double cubic_nmprad3{std::numeric_limits<double>::infinity()};
+    double quintic_nmprad5{std::numeric_limits<double>::infinity()};
+
+    bool admit(const RollFit& fit) const;
+};
+
 // `arm_m` is the H assumed. Neither list may be empty. Throws IdentificationError when nothing is excited.
 RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<PreparedDrive>& ramps,
-                 const std::vector<PreparedDrive>& dynamics);
+                 const std::vector<PreparedDrive>& dynamics, const CurveLimits& limits = {});
 
 // The rule of thumb for Ixx of the sprung mass: radius of gyration 0.42 c_w.
 double usual_roll_inertia_kgm2(const VehicleData& vehicle);

@@ -70,6 +70,11 @@ class Warnings {
                 "the stiffness curve that fits best would fall before the vehicle rolls over; it was held "
                 "back");
         }
+        if (result_.roll.curve_limited) {
+            warn(
+                "the stiffness curve that fits best has coefficients beyond what the component admits; a "
+                "straighter one was fitted that stays within");
+        }
         const DriveResidual& ramp = result_.roll.drives.front();
         if (ramp.r_squared < 0.98) {
             warn(

@@ -1,15 +1,13 @@
-// Population: threads that take the next missing vehicle until none is left.
+// Population: a row and the files of each vehicle, made by as many threads as wanted.
 #include "sil/studies/population/population.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <exception>
 #include <map>
-#include <mutex>
-#include <thread>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "sil/files/csv_reader.hpp"
@@ -146,75 +144,6 @@ FinishedVehicle make_vehicle(const PopulationRequest& request, std::uint64_t num
     return made;
 }
 
-class Workers {
- public:
-    Workers(const PopulationRequest& request, RowFile& file, const std::atomic<bool>& stop,
-            const PopulationListener& listener)
-        : request_{request}, file_{file}, stop_{stop}, listener_{listener} {
-        progress_.total = request.vehicles;
-        for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
-            if (file.finished_runs().count(number) == 0U) {
-                missing_.push_back(number);
-            }
-        }
-        progress_.begun_with = progress_.finished = request.vehicles - missing_.size();
-    }
-
-    PopulationProgress work() {
-        std::vector<std::thread> threads;
-        while (threads.size() < request_.jobs) {
-            threads.emplace_back([this] { work_alone(); });
-        }
-        for (std::thread& thread : threads) {
-            thread.join();
-        }
-        if (failure_) {
-            std::rethrow_exception(failure_);
-        }
-        return progress_;
-    }
-
- private:
-    void work_alone() {
-        while (!stop_ && !failed_) {
-            const std::size_t index = next_++;
-            if (index >= missing_.size()) {
-                return;
-            }
-            try {
-                keep(make_vehicle(request_, missing_[index]));
-            } catch (...) {
-                const std::lock_guard<std::mutex> lock{mutex_};
-                failure_ = std::current_exception();
-                failed_ = true;
-            }
-        }
-    }
-
-    void keep(const FinishedVehicle& vehicle) {
-        const std::lock_guard<std::mutex> lock{mutex_};
-        file_.append(vehicle.drawn.number, line_of(vehicle, false));
-        ++progress_.finished;
-        progress_.elapsed_s =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        if (listener_) {
-            listener_(progress_);
-        }
-    }
-
-    const PopulationRequest& request_;
-    RowFile& file_;
-    const std::atomic<bool>& stop_;
-    const PopulationListener& listener_;
-    const std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
-    std::vector<std::uint64_t> missing_{};
-    std::atomic<std::size_t> next_{0U};
-    std::atomic<bool> failed_{false};
-    std::mutex mutex_;  // of all below
-    PopulationProgress progress_{};
-    std::exception_ptr failure_{};
-};
-
 // What the files in the folder are of, so that those of different seeds or programs do not get mixed.
 void prepare_folder(const PopulationRequest& request) {
     for (const char* name : {"vehicles", "vehicles_loaded", "data", "data_loaded", "calibrations",
@@ -242,14 +171,13 @@ void prepare_folder(const PopulationRequest& request) {
 }
 
 void write_settings(const PopulationRequest& request) {
-    for (const PopulationHalf half : {PopulationHalf::choose, PopulationHalf::report}) {
-        std::vector<DrawnVehicle> vehicles;
-        for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
-            DrawnVehicle vehicle = draw_vehicle(request.seed, number);
-            if (vehicle.half == half) {
-                vehicles.push_back(std::move(vehicle));
-            }
-        }
+    std::map<PopulationHalf, std::vector<DrawnVehicle>> halves{{PopulationHalf::choose, {}},
+                                                               {PopulationHalf::report, {}}};
+    for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
+        DrawnVehicle vehicle = draw_vehicle(request.seed, number);
+        halves[vehicle.half].push_back(std::move(vehicle));
+    }
+    for (const auto& [half, vehicles] : halves) {
         for (const CampaignVariant variant : campaign_variants()) {
             const CampaignSettings settings =
                 population_campaign(request.output, vehicles, variant, request.seed);
@@ -270,8 +198,8 @@ void write_settings(const PopulationRequest& request) {
 
 }  // namespace
 
-PopulationProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,
-                                   const PopulationListener& listener) {
+RowProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,
+                            const RowListener& listener) {
     prepare_folder(request);
     RowFile file{request.output / "vehicles.csv", line_of({}, true)};
     if (!file.finished_runs().empty() && *file.finished_runs().rbegin() >= request.vehicles) {
@@ -279,9 +207,11 @@ PopulationProgress make_population(const PopulationRequest& request, const std::
                                      request.output.string(), *file.finished_runs().rbegin(),
                                      request.vehicles));
     }
-    const PopulationProgress progress = Workers{request, file, stop, listener}.work();
+    const auto make = [&request](std::uint64_t number) {
+        return MadeRow{line_of(make_vehicle(request, number), false)};
+    };
+    const RowProgress progress = make_rows(file, {request.vehicles, request.jobs, make}, stop, listener);
     if (progress.finished >= progress.total) {
-        file.finish();
         write_settings(request);
     }
     return progress;
@@ -294,27 +224,29 @@ std::string describe_population(const std::filesystem::path& population) {
     std::vector<CsvField> cells;
     lines.next(line);
     split_fields(line.text, cells);
-    std::vector<std::string> names;
-    for (const CsvField& cell : cells) {
-        names.emplace_back(cell.text);
-    }
-    const auto column = [&names](const char* name) {
-        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    const auto column = [&cells](const char* name) {
+        return static_cast<std::size_t>(
+            std::find_if(cells.begin(), cells.end(),
+                         [name](const CsvField& cell) { return cell.text == name; }) -
+            cells.begin());
     };
+    const std::size_t class_column = column("class");
+    const std::size_t vehicle_column = column("vehicle");
+    const std::array<const char*, 3> kinds{"with_wheel_loads", "without_wheel_loads", "loaded"};
+    std::array<std::size_t, kinds.size()> kind_columns{};
+    std::transform(kinds.begin(), kinds.end(), kind_columns.begin(), column);
     std::map<std::string, std::array<std::uint64_t, 4>> classes;
     std::string failures;
-    const std::array<const char*, 3> kinds{"with_wheel_loads", "without_wheel_loads", "loaded"};
     while (lines.next(line) && line.is_ended) {
         split_fields(line.text, cells);
-        auto& counts = classes[std::string{cells.at(column("class")).text}];
+        auto& counts = classes[std::string{cells.at(class_column).text}];
         ++counts[0];
         for (std::size_t kind = 0U; kind < kinds.size(); ++kind) {
-            const std::string_view result = cells.at(column(kinds[kind])).text;
+            const std::string_view result = cells.at(kind_columns[kind]).text;
             if (result == "calibrated") {
                 ++counts[kind + 1U];
             } else {
-                failures +=
-                    fmt::format("{}, {}: {}\n", cells.at(column("vehicle")).text, kinds[kind], result);
+                failures += fmt::format("{}, {}: {}\n", cells.at(vehicle_column).text, kinds[kind], result);
             }
         }
     }

@@ -3,12 +3,13 @@
 import csv
 import math
 
+import least_squares
 from results import G, Run, largest, mean, rms
 
 HALF_TRACK_M = 0.8
 NOMINAL_HEIGHT_M = 0.281  # of the roll centre; as the calibration's fixed_roll_centre_height_m
 CG_HEIGHT_M = 0.988
-START_S = {"j-turn-110": 1.0, "j-turn-banked": 12.0, "fishhook-1a": 2.0}
+START_S = {"j-turn-45": 1.0, "j-turn-110": 1.0, "j-turn-banked": 12.0, "fishhook-1a": 2.0}
 
 # In the order of the document: the column, what it is called there, and whether it is one of the paper's own. Those come
 # from the runs with the paper's estimator; the others, of which some use the estimate, from those with the default one.
@@ -51,6 +52,11 @@ def cycle(time_s):
 
 def ms(later_s, earlier_s):
     return f"{1000.0 * (later_s - earlier_s):.0f}"
+
+
+def table_rows(cells):
+    """Rows of a table: the first cell, and the others."""
+    return "\n".join("| " + " | ".join([first, *others]) + " |" for first, others in cells.items())
 
 
 def load(folder):
@@ -141,10 +147,20 @@ def figs_5_to_8(runs, claims):
         "j45_kinematic_steady_mm": f"{1000 * steady(run['true_roll_centre_lateral_m']):.0f}",
         "j45_kinematic_largest_mm": f"{1000 * largest(run.within(run['true_roll_centre_lateral_m'])):.0f}",
         "j45_kinematic_vertical_mm": f"{1000 * (max(kinematic_height) - min(kinematic_height)):.0f}",
-        "j45_simple_roll_rms": f"{off(run, 'fixed_model_roll_angle_deg'):.2f}",
         "j45_published_roll_rms": f"{off(run, 'compensated_roll_angle_deg'):.2f}",
-        "j45_second_roll_rms": f"{off(second, 'compensated_roll_angle_deg'):.2f}",
     }
+    start = START_S["j-turn-45"]
+    spans = [(-math.inf, end), (start, start + 2.0), (end - 2.0, end)]
+    errors = {}
+    for name, of, column in (("simple model", run, "fixed_model_roll_angle_deg"),
+                             ("compensated, published estimates", run, "compensated_roll_angle_deg"),
+                             ("compensated, second estimator's estimates", second, "compensated_roll_angle_deg")):
+        difference = [a - b for a, b in zip(of[column], roll)]
+        errors[name] = [rms(of.within(difference, *span)) for span in spans]
+    values["fig7_table"] = table_rows({name: [f"{error:.2f}" for error in row] for name, row in errors.items()})
+    simple, *compensated = errors.values()
+    claims.hold("Fig. 7: both compensated models are better than the simple one, in transient and steady state",
+                all(row[k] < simple[k] for row in compensated for k in (1, 2)))
     claims.hold("Fig. 5: below 0.8 g, near 6 degrees, no wheel lifts", largest(run.ay) < 0.8 and abs(steady(roll) - 6.0) < 1.0 and not run.one_wheel())
     claims.hold("Fig. 6: the published height is far off, the second near", error(estimate) > 5 * rms(turn(height)) and error(better) < 0.5 * rms(turn(height)))
     claims.hold("Fig. 7: both compensated models are within 0.2 degrees", off(run, "compensated_roll_angle_deg") < 0.2 and off(second, "compensated_roll_angle_deg") < 0.2)
@@ -180,7 +196,16 @@ def rollover(name, runs, claims):
     else:
         claims.hold("J-turn 110: the SSF comes last", ssf > two)
         values["j110_ssf_after"] = ms(ssf, two)
+    values.update(on_its_side(run, key, claims))
     return values
+
+
+def on_its_side(run, key, claims):
+    """Lateral acceleration of a vehicle that rolls over: its largest, and at 60 degrees."""
+    end = next(t for t, roll in zip(run.time, run["true_roll_angle_deg"]) if abs(roll) >= 60.0)
+    highest, last = largest(run.within(run.ay, end_s=end)), abs(run.at(run.ay, end))
+    claims.hold(f"{key}: the lateral acceleration falls to a fifth at most", last < 0.2 * highest)
+    return {f"{key}_largest_ay": f"{highest:.2f}", f"{key}_last_ay": f"{last:.2f}"}
 
 
 def second_turn_s(run):
@@ -264,6 +289,88 @@ def lead_table(runs, calibration):
     return "\n".join(rows)
 
 
+# The indices of the paper's Fig. 15, in the order that it finds in the counter-steer.
+OF_FIG_15 = {"energy": "energy", "rollover_index": "RI", "published": "RSI", "dynamic_stability": "DSI, physical sign",
+             "dynamic_stability_late": "DSI, printed sign"}
+
+
+def nearest(runs, claims):
+    """Fig. 15 (a): which index says "warn" nearest to two-wheel lift-off, before or after it."""
+    cells, closest = {}, {}
+    names = {"fishhook-1a": "fishhook 1a, counter-steer", "j-turn-110": "J-turn 110", "j-turn-banked": "banked J-turn"}
+    for case, name in names.items():
+        distances = {}
+        for column, index in OF_FIG_15.items():
+            run, levels = level(runs, case, column)
+            begin = second_turn_s(run) if case == "fishhook-1a" else START_S[case]
+            first = run.first(levels, begin_s=begin)
+            distances[index] = math.inf if first is None else abs(run.two_wheels(begin) - first)
+        closest[case] = min(distances, key=distances.get)
+        cells[name] = ["never" if math.isinf(d) else f"{d:.2f}" for d in distances.values()] + [closest[case]]
+    claims.hold("Fig. 15 (a): the RSI is nearest in the fishhook, the energy in both J-turns",
+                closest == {"fishhook-1a": "RSI", "j-turn-110": "energy", "j-turn-banked": "energy"})
+    head = {"apart from two-wheel lift-off, s": [*OF_FIG_15.values(), "nearest"], "---": ["---"] * (len(OF_FIG_15) + 1)}
+    return {"fig15_nearest": table_rows({**head, **cells})}
+
+
+def acceleration_alone(runs, claims):
+    """Fig. 15 (b): a warning from the lateral acceleration alone, at the least level that spares the run of Fig. 2."""
+    calm, run = runs["roll-centre-moving-published"], runs["fishhook-1a-published"]
+    spared, turn = largest(calm.ay), second_turn_s(run)
+    two, crossed = run.two_wheels(turn), run.crossing([abs(a) - spared for a in run.ay], turn)
+    claims.hold("Fig. 15 (b): a lateral acceleration that spares Fig. 2 is less than 50 ms ahead in the fishhook",
+                calm.two_wheels() is None and 0.0 < two - crossed < 0.05)
+    claims.hold("Fig. 15 (b): the SSF is crossed after two-wheel lift-off on flat ground",
+                all(of.first(of["level_static_stability_factor"], begin_s=begin) > of.two_wheels(begin)
+                    for of, begin in ((run, turn), (runs["j-turn-110-published"], START_S["j-turn-110"]))))
+    return {"alone_spared_ay": f"{spared:.3f}", "alone_lead_ms": ms(two, crossed),
+            "fish_two_ay": f"{abs(run.at(run.ay, two)):.3f}"}
+
+
+ADDED_NM = 500.0  # 50 kg a metre off the middle
+
+
+def least_squares_errors(run, case, calibration, claims):
+    """For each added moment: RMS error of the vertical movement of each variant, and last of the constant, m."""
+    end = run.two_wheels() or run.time[-1]
+    height = [h - NOMINAL_HEIGHT_M for h in run["true_roll_centre_height_m"]]
+    rows = least_squares.regression(run, calibration)
+
+    def error(found):
+        return rms(run.within([a - b for a, b in zip(found, height)], START_S.get(case, 1.0) + 0.5, end))
+
+    errors = {}
+    for added_nm in (0.0, ADDED_NM):
+        found = {name: least_squares.movements(rows, calibration, *how, added_nm)
+                 for name, *how in least_squares.VARIANTS}
+        if added_nm == 0.0:
+            off = [a - b for a, b in zip(found["both"], run["roll_centre_vertical_m"])]
+            claims.hold(f"least squares, {case}: with both it is the firmware's estimate",
+                        largest(run.within(off, end_s=end)) < 0.002)
+        errors[added_nm] = {name: error(movement) for name, movement in found.items()}
+        errors[added_nm]["constant"] = error([0.0] * len(height))
+    return errors
+
+
+def least_squares_table(runs, calibration, claims):
+    """The paper's least squares, without and with its additions."""
+    rows = []
+    names = {"j-turn-45": "J-turn 45", "roll-centre-moving": "Fig. 2 moving", "j-turn-110": "J-turn 110",
+             "fishhook-1a": "fishhook 1a"}
+    gains = [("normalisation", "none"), ("disturbance observer", "none"), ("both", "normalisation"),
+             ("both", "disturbance observer")]
+    for case, name in names.items():
+        errors = least_squares_errors(runs[f"{case}-published"], case, calibration, claims)
+        for added_nm, row in errors.items():
+            claims.hold(f"least squares, {case}: each addition makes the error smaller",
+                        all(row[with_it] < row[without] for with_it, without in gains))
+            claims.hold(f"least squares, {case}: all are worse than the constant", min(row, key=row.get) == "constant")
+            rows.append([name, f"{added_nm:.0f}", *(f"{1000 * error:.0f}" for error in row.values())])
+        left = [row["both"] / row["normalisation"] for row in errors.values()]
+        claims.hold(f"least squares, {case}: the observer gains more where there is a disturbance", left[1] < left[0])
+    return {"least_squares_table": "\n".join("| " + " | ".join(cells) + " |" for cells in rows)}
+
+
 def margins(runs):
     """How far below the lateral acceleration of two-wheel lift-off the published RSI is crossed, g."""
     values = {}
@@ -325,6 +432,9 @@ def measure(folder, calibration):
         values.update(rollover(name, runs, claims))
     values.update(fishhook(runs, claims))
     values.update(margins(runs))
+    values.update(nearest(runs, claims))
+    values.update(acceleration_alone(runs, claims))
+    values.update(least_squares_table(runs, calibration, claims))
     values["lead_table"] = lead_table(runs, calibration)
     values["warning_indicator"] = calibration["warning_indicator"]
     values["warning_on"] = f"{calibration['warning_on']:g}"

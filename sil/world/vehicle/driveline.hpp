@@ -11,9 +11,9 @@
 
 namespace sil {
 
-// What is left of the drive of an axle that spins: all of it up to 2 m/s and a fifth more than the vehicle's speed,
-// nothing at twice that. No driver, engine or traction control lets it run away; and wheels that did would tilt the
-// turning vehicle as gyroscopes.
+// What is left of the drive of an axle both of whose wheels spin: all of it while the slower one is up to 2
+// m/s and a fifth faster than the vehicle, nothing at twice that. No driver, engine or traction control lets
+// it run away; and wheels that did would tilt the turning vehicle as gyroscopes.
 inline double traction_share(double rim_speed_mps, double speed_mps) {
     const double allowed = 2.0 + 0.2 * std::abs(speed_mps);
     return std::clamp(2.0 - (rim_speed_mps - std::abs(speed_mps)) / allowed, 0.0, 1.0);
@@ -28,7 +28,7 @@ inline std::array<double, wheel_count> drive_torques_nm(const DrivelineParameter
     const double limit = parameters.drive_force_limit_n;
     const double half_torque = 0.5 * std::clamp(drive_force_n, -limit, limit) * wheel_radius_m;
     const auto share = [&](Wheel left, Wheel right) {
-        const double rim_mps = 0.5 * wheel_radius_m * (spin_radps[left] + spin_radps[right]);
+        const double rim_mps = wheel_radius_m * std::min(spin_radps[left], spin_radps[right]);
         return half_torque > 0.0 ? traction_share(rim_mps, speed_mps) : 1.0;
     };
     const double to_front = half_torque * parameters.front_drive_share;

@@ -182,9 +182,9 @@ void Vehicle::evaluate(const DriverInput& input, double step_s) {
     EquationsOfMotion equations{parameters_.mass.sprung_kg, inertia_, state_.angular_velocity,
                                 free_acceleration};
 
-    const auto drive = drive_torques_nm(parameters_.driveline, input.drive_force_n,
-                                        parameters_.geometry.wheel_radius_m, state_.velocity.x(),
-                                        state_.wheel_spin_radps);
+    const auto drive =
+        drive_torques_nm(parameters_.driveline, input.drive_force_n, parameters_.geometry.wheel_radius_m,
+                         state_.velocity.x(), state_.wheel_spin_radps);
     const double brake = std::clamp(input.brake, 0.0, 1.0);
 
     for (int wheel = front_left; wheel <= front_right; ++wheel) {

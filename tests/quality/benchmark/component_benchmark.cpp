@@ -49,9 +49,8 @@ std::vector<rsi::Regression> regressions() {
     for (const rsi_inputs& inputs : one_minute()) {
         rsi::Measurement measured;
         if (stage.update(inputs, measured)) {
-            fixed.evaluate(model, measured);
+            fixed.update(model, measured);
             all.push_back(rsi::regress(model, measured, fixed));
-            fixed.advance(model);
         }
     }
     return all;

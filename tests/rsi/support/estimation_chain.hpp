@@ -21,9 +21,8 @@ class EstimationChain {
         if (!stage_.update(inputs, measurement_)) {
             return false;
         }
-        fixed_.evaluate(model_, measurement_);
+        fixed_.update(model_, measurement_);
         regression = rsi::regress(model_, measurement_, fixed_);
-        fixed_.advance(model_);
         return true;
     }
 

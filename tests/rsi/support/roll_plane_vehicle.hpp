@@ -36,17 +36,28 @@ class RollPlaneVehicle {
         return (moment_nm - stiffness_nmprad_ * angle_rad) / damping_nmsprad_;
     }
 
-    // Classical Runge-Kutta over `time_s` in steps of at most 1 ms, the forces held.
-    void advance(double parallel_mps2, double normal_mps2, double time_s) {
+    // Classical Runge-Kutta over `time_s` in steps of at most 1 ms. The forces are functions of the time
+    // since its start.
+    template <typename Parallel, typename Normal>
+    void advance_under(Parallel parallel_mps2, Normal normal_mps2, double time_s) {
         const int steps = static_cast<int>(std::ceil(time_s / 1.0e-3));
         const double dt = time_s / steps;
+        const auto rate_at = [&](double t, double angle_rad) {
+            return rate_radps(parallel_mps2(t), normal_mps2(t), angle_rad);
+        };
         for (int step = 0; step < steps; ++step) {
-            const double k1 = rate_radps(parallel_mps2, normal_mps2, angle_rad_);
-            const double k2 = rate_radps(parallel_mps2, normal_mps2, angle_rad_ + 0.5 * dt * k1);
-            const double k3 = rate_radps(parallel_mps2, normal_mps2, angle_rad_ + 0.5 * dt * k2);
-            const double k4 = rate_radps(parallel_mps2, normal_mps2, angle_rad_ + dt * k3);
+            const double t = step * dt;
+            const double k1 = rate_at(t, angle_rad_);
+            const double k2 = rate_at(t + 0.5 * dt, angle_rad_ + 0.5 * dt * k1);
+            const double k3 = rate_at(t + 0.5 * dt, angle_rad_ + 0.5 * dt * k2);
+            const double k4 = rate_at(t + dt, angle_rad_ + dt * k3);
             angle_rad_ += dt * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
         }
+    }
+
+    // The forces held.
+    void advance(double parallel_mps2, double normal_mps2, double time_s) {
+        advance_under([=](double) { return parallel_mps2; }, [=](double) { return normal_mps2; }, time_s);
     }
 
     // The angle at which (2) stands still, by bisection between -0.5 and 0.5 rad.

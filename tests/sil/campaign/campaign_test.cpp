@@ -24,8 +24,8 @@ using testing_campaign::small_campaign;
 
 constexpr std::uint64_t runs = 8U;
 
-sil::CampaignProgress run(const sil::CampaignSettings& settings, const std::filesystem::path& folder,
-                          unsigned jobs = 2U, const sil::CampaignListener& listener = {}) {
+sil::RowProgress run(const sil::CampaignSettings& settings, const std::filesystem::path& folder,
+                     unsigned jobs = 2U, const sil::RowListener& listener = {}) {
     const std::atomic<bool> never{false};
     return sil::run_campaign(sil::CampaignWorld{settings}, folder, jobs, never, listener);
 }
@@ -56,7 +56,7 @@ TEST(Campaign, GivesARowARun) {
 
 TEST(Campaign, GivesTheSameRowsWhateverTheThreads) {
     const ScratchFolder folder;
-    const sil::CampaignProgress progress = run(small_campaign(runs), folder.path(), 4U);
+    const sil::RowProgress progress = run(small_campaign(runs), folder.path(), 4U);
     EXPECT_EQ(progress.finished, runs);
     EXPECT_EQ(rows(folder), expected_rows());
 }
@@ -64,14 +64,14 @@ TEST(Campaign, GivesTheSameRowsWhateverTheThreads) {
 TEST(Campaign, GoesOnAfterAnInterruptionWithoutDoingAnythingAgain) {
     const ScratchFolder folder;
     std::atomic<bool> stop{false};
-    const sil::CampaignProgress first =
+    const sil::RowProgress first =
         sil::run_campaign(sil::CampaignWorld{small_campaign(runs)}, folder.path(), 1U, stop,
-                          [&stop](const sil::CampaignProgress& now) { stop = now.finished == 3U; });
+                          [&stop](const sil::RowProgress& now) { stop = now.finished == 3U; });
     EXPECT_EQ(first.finished, 3U);
     EXPECT_EQ(line_count(rows(folder)), 4U);
     std::uint64_t done = 0U;
-    const sil::CampaignProgress second =
-        run(small_campaign(runs), folder.path(), 2U, [&done](const sil::CampaignProgress&) { ++done; });
+    const sil::RowProgress second =
+        run(small_campaign(runs), folder.path(), 2U, [&done](const sil::RowProgress&) { ++done; });
     EXPECT_EQ(second.begun_with, 3U);
     EXPECT_EQ(done, runs - 3U);
     EXPECT_EQ(rows(folder), expected_rows());
@@ -82,7 +82,7 @@ TEST(Campaign, LosesNoFinishedRunWhenItIsKilled) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-        run(small_campaign(runs), folder.path(), 1U, [](const sil::CampaignProgress& now) {
+        run(small_campaign(runs), folder.path(), 1U, [](const sil::RowProgress& now) {
             if (now.finished == 3U) {
                 std::raise(SIGKILL);
             }
@@ -158,7 +158,7 @@ TEST(Campaign, RefusesRowsOfUnknownSettings) {
 TEST(Campaign, RefusesAFolderThatAnotherIsWritingInto) {
     const ScratchFolder folder;
     std::string answer;
-    run(small_campaign(1U), folder.path(), 1U, [&](const sil::CampaignProgress&) {
+    run(small_campaign(1U), folder.path(), 1U, [&](const sil::RowProgress&) {
         try {
             run(small_campaign(1U), folder.path());
         } catch (const sil::InputError& error) {

@@ -44,7 +44,10 @@ class Course {
     sil::IndexScore score() const { return sil::score_of(course_, plain_calibration(), {}); }
     // The wheels lift at the latest cycle.
     sil::IndexScore lifted(sil::WarningSide side = sil::WarningSide::right) const {
-        return sil::score_of(course_, plain_calibration(), sil::TwoWheelLiftOff{{now_s(), 0.0, 0.0}, side});
+        return lifted_at(now_s(), side);
+    }
+    sil::IndexScore lifted_at(double time_s, sil::WarningSide side = sil::WarningSide::right) const {
+        return sil::score_of(course_, plain_calibration(), sil::TwoWheelLiftOff{{time_s, 0.0, 0.0}, side});
     }
 
  private:
@@ -112,6 +115,17 @@ TEST(IndexScore, ACycleLessIsTooLate) {
 TEST(IndexScore, ALevelReachedAsTheWheelsLiftIsInTime) {
     expect_reached(Course{}.add(20, 0.4F).add(2, 0.8F).lifted().threshold, 0.8);
     expect_reached(Course{}.add(20, 0.4F).add(1, 0.8F).lifted().threshold, 0.4);
+}
+
+// The course goes on for a second after lift-off: what comes in it is too late.
+TEST(IndexScore, ALevelReachedACycleAfterLiftOffIsTooLate) {
+    const Course course = Course{}.add(20, 0.4F).add(30, 1.1F);  // in force from the second cycle of these
+    const sil::IndexScore in_time = course.lifted_at(0.21);
+    expect_reached(in_time.threshold, 1.1);
+    EXPECT_NEAR(in_time.lead_s.value(), 0.0, 1.0e-9);
+    const sil::IndexScore late = course.lifted_at(0.20);
+    expect_reached(late.threshold, 0.4);
+    EXPECT_FALSE(late.lead_s);
 }
 
 TEST(IndexScore, WithoutALevelThereIsNoLead) {

@@ -15,7 +15,16 @@
 namespace {
 
 using identification_test::KnownBody;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
+
+rsi::Parameters read_back(const sil::Identification& result) {
+    const test_support::ScratchFolder folder;
+    const std::string path = folder.path() / "calibration.toml";
+    test_support::write_text(path, sil::calibration_text(result));
+    return sil::load_calibration(path);
+}
 
 class CalibrationOfAKnownBody : public testing::Test {
  protected:
@@ -24,12 +33,7 @@ class CalibrationOfAKnownBody : public testing::Test {
                                               {identification_test::ramp_of(body_, 5.5)},
                                               {identification_test::steps_of(body_)})};
 
-    rsi::Parameters written() const {
-        const test_support::ScratchFolder folder;
-        const std::string path = folder.path() / "calibration.toml";
-        test_support::write_text(path, sil::calibration_text(result_));
-        return sil::load_calibration(path);
-    }
+    rsi::Parameters written() const { return read_back(result_); }
 };
 
 TEST_F(CalibrationOfAKnownBody, IsAcceptedByTheComponentAndBearsTheValues) {
@@ -77,6 +81,46 @@ TEST_F(CalibrationOfAKnownBody, NamesTheVehicleTheDrivesAndEachOrigin) {
 TEST_F(CalibrationOfAKnownBody, ANameWithALineBreakStaysAComment) {
     result_.vehicle.name = "two\nwarning_on = 0.1";
     EXPECT_NO_THROW(written());
+}
+
+// A truck whose stops are so stiff that the component has no room for what fits best. The roll centre lies on
+// the road, below the usual one that the fit begins with: only with the arm that this gives are the
+// coefficients beyond their ranges.
+KnownBody truck(double stiffness_nmprad, double cubic_nmprad3, double quintic_nmprad5) {
+    KnownBody body;
+    body.sprung_mass_kg = 9600.0;
+    body.unsprung_mass_kg = 1650.0;
+    body.sprung_cg_height_m = 1.12;
+    body.unsprung_cg_height_m = 0.46;
+    body.track_width_m = 1.9;
+    body.roll_centre_height_m = 0.0;
+    body.stiffness_nmprad = stiffness_nmprad;
+    body.stiffness_cubic_nmprad3 = cubic_nmprad3;
+    body.stiffness_quintic_nmprad5 = quintic_nmprad5;
+    body.damping_nmsprad = 6.0e4;
+    body.inertia_kgm2 = 6500.0;
+    body.wheelbase_m = 4.2;
+    return body;
+}
+
+TEST(CalibrationOfATruck, StaysWithinTheRangesOfTheStiffnessCurve) {
+    for (const KnownBody& body : {truck(1.2e6, 0.0, 1.4e10), truck(3.0e6, 2.0e8, 0.0)}) {
+        const sil::Identification result =
+            sil::identify(identification_test::data_sheet_of(body), {identification_test::ramp_of(body, 6.5)},
+                          {identification_test::steps_of(body)});
+        EXPECT_THAT(result.warnings, Contains(HasSubstr("beyond what the component admits")));
+        const rsi::Parameters parameters = read_back(result);
+        EXPECT_LE(parameters.roll_stiffness_cubic_nmprad3, 1.0e8F);
+        EXPECT_LE(parameters.roll_stiffness_quintic_nmprad5, 1.0e10F);
+        for (double phi = 0.005; phi < result.roll.data_end_rad; phi += 0.005) {
+            EXPECT_NEAR(result.roll.moment_nm(phi), body.moment_nm(phi), 0.02 * body.moment_nm(phi)) << phi;
+        }
+    }
+}
+
+TEST_F(CalibrationOfAKnownBody, IsNotLimitedWhereTheComponentAdmitsTheCurve) {
+    EXPECT_FALSE(result_.roll.curve_limited);
+    EXPECT_THAT(result_.warnings, Not(Contains(HasSubstr("beyond what the component admits"))));
 }
 
 TEST_F(CalibrationOfAKnownBody, ReportGivesFitQualityOfEveryDrive) {

@@ -100,11 +100,11 @@ TEST_F(Population, HasEveryFileOfEveryVehicle) {
 TEST_F(Population, OneThreadAnInterruptionAndAGrowthChangeNoByte) {
     const test_support::ScratchFolder scratch;
     std::atomic<bool> stop{false};
-    const sil::PopulationProgress first = sil::make_population(
-        request_of(scratch.path(), 2U, 1U), stop, [&stop](const sil::PopulationProgress&) { stop = true; });
+    const sil::RowProgress first = sil::make_population(request_of(scratch.path(), 2U, 1U), stop,
+                                                        [&stop](const sil::RowProgress&) { stop = true; });
     EXPECT_EQ(first.finished, 1U);
     EXPECT_FALSE(std::filesystem::exists(scratch.path() / "settings_choose_clean.toml"));
-    const sil::PopulationProgress rest = sil::make_population(request_of(scratch.path(), 3U, 1U), never);
+    const sil::RowProgress rest = sil::make_population(request_of(scratch.path(), 3U, 1U), never);
     EXPECT_EQ(rest.begun_with, 1U);
     EXPECT_EQ(rest.finished, 3U);
     EXPECT_EQ(content_of(scratch.path()), content_of(folder()));

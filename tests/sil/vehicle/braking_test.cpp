@@ -66,4 +66,28 @@ TEST(Braking, BringsTheVehicleToRestAndKeepsItThere) {
     }
 }
 
+// A driver who holds a speed that the friction does not give must not spin the wheels up: at 100 m/s they
+// would be gyroscopes that tilt a turning vehicle.
+TEST(Driving, DoesNotLetAnAxleRunAway) {
+    sil::VehicleParameters parameters = scenario::large_suv();
+    parameters.tyre.friction = 0.05;
+    const sil::Manoeuvre held = scenario::manoeuvre(60.0, 8.0, [](double time_s) {
+        return sil::DriverCommand{time_s > 0.5 ? 0.3 : 0.0, sil::SpeedPolicy::held, 0.0,
+                                  time_s > 0.5 ? 2.0 : 1.0};
+    });
+    sil::ManoeuvreRun run{parameters, held};
+    double most_mps = 0.0;
+    while (!run.finished()) {
+        run.step();
+        const sil::Truth& truth = run.truth();
+        const double slower_radps =
+            std::min(truth.wheel_spin_radps[sil::rear_left], truth.wheel_spin_radps[sil::rear_right]);
+        const double slip_mps =
+            slower_radps * parameters.geometry.wheel_radius_m - std::fabs(truth.speed_mps);
+        most_mps = std::max(most_mps, slip_mps);
+        ASSERT_LT(slip_mps, 2.0 * (2.0 + 0.2 * std::fabs(truth.speed_mps)) + 1.0);
+    }
+    EXPECT_GT(most_mps, 2.0) << "the wheels should have spun";
+}
+
 }  // namespace

@@ -1,0 +1,108 @@
+// Row workers: each thread takes the next missing row until none is left.
+#include "sil/studies/campaign/row_workers.hpp"
+
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace sil {
+namespace {
+
+class Workers {
+ public:
+    Workers(RowFile& file, const RowWork& work, const std::atomic<bool>& stop, const RowListener& listener)
+        : file_{file}, work_{work}, stop_{stop}, listener_{listener} {
+        for (std::uint64_t number = 0U; number < work.total; ++number) {
+            if (file.finished_runs().count(number) == 0U) {
+                missing_.push_back(number);
+            }
+        }
+        progress_.total = work.total;
+        progress_.begun_with = progress_.finished = work.total - missing_.size();
+    }
+
+    RowProgress work() {
+        std::vector<std::thread> threads;
+        try {
+            while (threads.size() < work_.jobs) {
+                threads.emplace_back([this] { work_alone(); });
+            }
+        } catch (const std::system_error&) {
+            // No more threads than these are to be had.
+            if (threads.empty()) {
+                throw;
+            }
+        }
+        for (std::thread& thread : threads) {
+            thread.join();
+        }
+        if (failure_) {
+            std::rethrow_exception(failure_);
+        }
+        return progress_;
+    }
+
+ private:
+    void work_alone() {
+        while (!stop_ && !failed_) {
+            const std::size_t index = next_++;
+            if (index >= missing_.size()) {
+                return;
+            }
+            try {
+                keep(missing_[index], work_.make(missing_[index]));
+            } catch (...) {
+                fail(std::current_exception());
+            }
+        }
+    }
+
+    void keep(std::uint64_t number, const MadeRow& row) {
+        const std::lock_guard<std::mutex> lock{mutex_};
+        file_.append(number, row.line);
+        ++progress_.finished;
+        progress_.simulated_s += row.simulated_s;
+        progress_.elapsed_s =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        if (listener_) {
+            listener_(progress_);
+        }
+    }
+
+    void fail(std::exception_ptr failure) {
+        const std::lock_guard<std::mutex> lock{mutex_};
+        if (!failure_) {
+            failure_ = std::move(failure);
+        }
+        failed_ = true;
+    }
+
+    RowFile& file_;
+    const RowWork& work_;
+    const std::atomic<bool>& stop_;
+    const RowListener& listener_;
+    const std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
+    std::vector<std::uint64_t> missing_{};
+    std::atomic<std::size_t> next_{0U};
+    std::atomic<bool> failed_{false};
+    std::mutex mutex_;  // of all below
+    RowProgress progress_{};
+    std::exception_ptr failure_{};
+};
+
+}  // namespace
+
+RowProgress make_rows(RowFile& file, const RowWork& work, const std::atomic<bool>& stop,
+                      const RowListener& listener) {
+    const RowProgress progress = Workers{file, work, stop, listener}.work();
+    if (progress.finished >= progress.total) {
+        file.finish();
+    }
+    return progress;
+}
+
+}  // namespace sil
