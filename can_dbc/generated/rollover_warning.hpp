@@ -221,6 +221,59 @@ constexpr Decoded<VehicleMotion> VehicleMotion::decode(const std::uint8_t* paylo
     return decoded;
 }
 
+// Mass of the vehicle as other control units know it: vehicle weight, or axle loads added up. Optional: nothing is missed where it does not come.
+// From VehicleGateway to RolloverEcu, every 10 ms.
+struct VehicleMass {
+    static constexpr const char* name{"VehicleMass"};
+    static constexpr std::uint32_t identifier{0x123U};
+    static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{false};
+    static constexpr std::uint16_t e2e_data_id{0xEA1U};
+
+    // Mass of the whole vehicle with what it carries, without a trailer. kg, 0 to 100000.
+    float mass_kg{not_available};
+
+    struct Status {
+        SignalStatus mass_kg{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return mass_kg == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> mass_kg{
+            {ByteOrder::little_endian, 16U, 16U, false}, 10.0F, 0.0F, 1.0F, 0.0F, 100000.0F,
+            0, 10000, 65535, true};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::mass_kg, mass_kg, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<VehicleMass> decode(const std::uint8_t* payload);
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("Mass", "kg", &VehicleMass::mass_kg, &Status::mass_kg);
+    }
+};
+
+constexpr Decoded<VehicleMass> VehicleMass::decode(const std::uint8_t* payload) {
+    Decoded<VehicleMass> decoded{};
+    read_signal(Signals::mass_kg, payload, decoded.value.mass_kg, decoded.status.mass_kg);
+    return decoded;
+}
+
 // Rollover warning and the quantities it was decided by.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RolloverWarning {
@@ -1382,6 +1435,83 @@ constexpr Decoded<RolloverDiagnosis> RolloverDiagnosis::decode(const std::uint8_
     return decoded;
 }
 
+// What driving has shown of the load.
+// From RolloverEcu to VehicleGateway, every 10 ms.
+struct LearntLoad {
+    static constexpr const char* name{"LearntLoad"};
+    static constexpr std::uint32_t identifier{0x236U};
+    static constexpr bool extended{false};
+    static constexpr bool flexible_data_rate{false};
+    static constexpr std::uint8_t length{8U};
+    static constexpr std::uint16_t cycle_time_ms{10U};
+    static constexpr bool e2e_protected{true};
+    static constexpr std::uint8_t e2e_profile{11U};
+    static constexpr bool has_sources{true};
+    static constexpr std::uint16_t e2e_data_id{0xDBDU};
+
+    // By which share sprung mass times its height above the roll centre is larger than calibrated. Dimensionless, -0.5 to 1.5.
+    float load_excess{not_available};
+    // Standard deviation of the learnt load excess. Dimensionless, 0 to 0.5.
+    float load_excess_deviation{not_available};
+
+    struct Status {
+        SignalStatus load_excess{SignalStatus::not_available};
+        SignalStatus load_excess_deviation{SignalStatus::not_available};
+
+        constexpr bool all_valid() const {
+            return load_excess == SignalStatus::valid &&
+                   load_excess_deviation == SignalStatus::valid;
+        }
+    };
+
+    struct Signals {
+        static constexpr PhysicalSignal<std::int32_t> load_excess{
+            {ByteOrder::little_endian, 16U, 12U, true}, 1.0F, 0.0F, 1000.0F, -0.5F, 1.5F,
+            -500, 1500, -2048, true};
+        static constexpr PhysicalSignal<std::int32_t> load_excess_deviation{
+            {ByteOrder::little_endian, 28U, 12U, false}, 1.0F, 0.0F, 5000.0F, 0.0F, 0.5F,
+            0, 2500, 4095, true};
+    };
+
+    // See can_dbc::encode and can_dbc::decode.
+    constexpr std::array<std::uint8_t, length> encode() const {
+        std::array<std::uint8_t, length> payload{};
+        write_signal(Signals::load_excess, load_excess, payload.data());
+        write_signal(Signals::load_excess_deviation, load_excess_deviation, payload.data());
+        return payload;
+    }
+
+    static constexpr Decoded<LearntLoad> decode(const std::uint8_t* payload);
+
+    // Takes from a structure of the sender what the attribute Source names.
+    template <typename Source>
+    constexpr void take(const Source& source) {
+        load_excess = source.load_excess;
+        load_excess_deviation = source.load_excess_deviation;
+    }
+
+    // Calls visitor(field's name, source's name, member) for each of these signals.
+    template <typename Visitor>
+    static constexpr void visit_sources(Visitor&& visitor) {
+        visitor("load_excess", "load_excess", &LearntLoad::load_excess);
+        visitor("load_excess_deviation", "load_excess_deviation", &LearntLoad::load_excess_deviation);
+    }
+
+    // Calls visitor(name, unit, member, status member) for each signal.
+    template <typename Visitor>
+    static constexpr void visit_signals(Visitor&& visitor) {
+        visitor("LoadExcess", "-", &LearntLoad::load_excess, &Status::load_excess);
+        visitor("LoadExcessDeviation", "-", &LearntLoad::load_excess_deviation, &Status::load_excess_deviation);
+    }
+};
+
+constexpr Decoded<LearntLoad> LearntLoad::decode(const std::uint8_t* payload) {
+    Decoded<LearntLoad> decoded{};
+    read_signal(Signals::load_excess, payload, decoded.value.load_excess, decoded.status.load_excess);
+    read_signal(Signals::load_excess_deviation, payload, decoded.value.load_excess_deviation, decoded.status.load_excess_deviation);
+    return decoded;
+}
+
 // Health of the rollover-warning component.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RolloverStatus {
@@ -1611,12 +1741,14 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<Imu>{});
     visitor(MessageType<RollAngle>{});
     visitor(MessageType<VehicleMotion>{});
+    visitor(MessageType<VehicleMass>{});
     visitor(MessageType<RolloverWarning>{});
     visitor(MessageType<RollCentreEstimate>{});
     visitor(MessageType<RollIndicesAhead>{});
     visitor(MessageType<RollIndicesClassic>{});
     visitor(MessageType<RollObserver>{});
     visitor(MessageType<RolloverDiagnosis>{});
+    visitor(MessageType<LearntLoad>{});
     visitor(MessageType<RolloverStatus>{});
 }
 
@@ -1627,9 +1759,9 @@ using MessagesFromImuSensor = MessageList<Imu>;
 using MessagesFromRollAngleSensor = MessageList<RollAngle>;
 
 // What VehicleGateway sends, in the file's order.
-using MessagesFromVehicleGateway = MessageList<VehicleMotion>;
+using MessagesFromVehicleGateway = MessageList<VehicleMotion, VehicleMass>;
 
 // What RolloverEcu sends, in the file's order.
-using MessagesFromRolloverEcu = MessageList<RolloverWarning, RollCentreEstimate, RollIndicesAhead, RollIndicesClassic, RollObserver, RolloverDiagnosis, RolloverStatus>;
+using MessagesFromRolloverEcu = MessageList<RolloverWarning, RollCentreEstimate, RollIndicesAhead, RollIndicesClassic, RollObserver, RolloverDiagnosis, LearntLoad, RolloverStatus>;
 
 }  // namespace can_dbc

@@ -23,6 +23,7 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
     parameters_ = parameters;
+    restore_load();
     parameter_guard_.start(parameters_);
     input_monitor_.start(parameters_);
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
@@ -33,10 +34,16 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
     parameters_ = rsi::Parameters{};  // which the component refuses, unless the section replaces them
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
     static_cast<void>(component_.init(parameters_));
+    restore_load();
     parameter_guard_.start(parameters_);
     input_monitor_.start(parameters_);
     refusal_ = answer.refusal;
     return answer;
+}
+
+// Who was reset while running carries what he did; who was without power may have been loaded or emptied.
+void RolloverEcu::restore_load() noexcept {
+    load_keeper_.restore(parameters_, component_, reset_reason_ == hal::ResetReason::power_on);
 }
 
 void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
@@ -53,6 +60,9 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     inputs_ = qualified(inputs, report.reception, missed_cycles);
     component_.step(inputs_, outputs_);
     const bool healthy = check_itself();
+    if (healthy) {
+        load_keeper_.keep(component_.learnt_load());
+    }
 
     report.degradation = monitoring::degradation_of(inputs_, outputs_, internal_fault());
     report.diagnosis = memory_.next();

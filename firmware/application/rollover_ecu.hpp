@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "application/load_keeper.hpp"
 #include "application/parameter_section.hpp"
 #include "application/sensor_reception.hpp"
 #include "application/warning_transmission.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/clock.hpp"
 #include "hal/interface/reset_reason.hpp"
+#include "hal/interface/storage.hpp"
 #include "hal/interface/watchdog.hpp"
 #include "monitoring/clock_check.hpp"
 #include "monitoring/diagnostic_memory.hpp"
@@ -32,8 +34,13 @@ class RolloverEcu {
     // The same with the parameters of a section of the image, of whose memory `length` bytes may be read.
     ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept;
 
-    // For a platform that knows why it started; sent in every cycle.
+    // For a platform that knows why it started; sent in every cycle. Before init: after a loss of power the
+    // stored load is doubted.
     void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
+
+    // For a platform with a memory that outlives a loss of power; before init. `storage` must outlive the
+    // ECU.
+    void use_storage(hal::Storage& storage) noexcept { load_keeper_.use(storage); }
 
     // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
     // when all is well; after more than two the component starts anew, because its models know no step but 10
@@ -46,6 +53,7 @@ class RolloverEcu {
     const rsi::Inputs& inputs() const noexcept { return inputs_; }
 
  private:
+    [[gnu::cold]] void restore_load() noexcept;
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
     void report_reception(const ReceptionReport& reception) noexcept;
     void report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept;
@@ -67,6 +75,7 @@ class RolloverEcu {
     monitoring::InputMonitor input_monitor_{};
     monitoring::ParameterGuard parameter_guard_{};
     monitoring::ClockCheck clock_check_{};
+    LoadKeeper load_keeper_{};
     rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};

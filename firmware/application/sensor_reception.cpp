@@ -28,6 +28,7 @@ void SensorReception::receive(hal::CanBus& bus) noexcept {
     imu_.begin_cycle();
     roll_angle_.begin_cycle();
     vehicle_motion_.begin_cycle();
+    vehicle_mass_.begin_cycle();
     hal::CanFrame frame{};
     for (std::uint32_t count = 0U; count < most_frames_per_cycle; ++count) {
         if (bus.receive(frame) != hal::ReceiveResult::frame) {
@@ -54,6 +55,9 @@ void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
         case can_dbc::VehicleMotion::identifier:
             vehicle_motion_.take(frame);
             break;
+        case can_dbc::VehicleMass::identifier:
+            vehicle_mass_.take(frame);
+            break;
         default:  // foreign traffic
             break;
     }
@@ -66,6 +70,8 @@ rsi::Inputs SensorReception::inputs(hal::Time now) const noexcept {
         is_roll_angle_fresh(now) ? roll_angle_.latest().value : can_dbc::RollAngle{};
     const can_dbc::VehicleMotion motion =
         vehicle_motion_.is_fresh(now) ? vehicle_motion_.latest().value : can_dbc::VehicleMotion{};
+    const can_dbc::VehicleMass mass =
+        vehicle_mass_.is_fresh(now) ? vehicle_mass_.latest().value : can_dbc::VehicleMass{};
 
     rsi::Inputs inputs{};
     inputs.lateral_specific_force_mps2 = imu.lateral_acceleration_mps2;
@@ -76,6 +82,7 @@ rsi::Inputs SensorReception::inputs(hal::Time now) const noexcept {
     inputs.yaw_rate_radps = motion.yaw_rate_deg_per_s * radians_per_degree;
     inputs.speed_mps = motion.speed_kmh * mps_per_kmh;
     inputs.steering_wheel_angle_rad = motion.steering_wheel_angle_deg * radians_per_degree;
+    inputs.vehicle_mass_kg = mass.mass_kg;
     return inputs;
 }
 
@@ -96,6 +103,7 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
     add_counts(imu_, report);
     add_counts(roll_angle_, report);
     add_counts(vehicle_motion_, report);
+    add_counts(vehicle_mass_, report);
     return report;
 }
 

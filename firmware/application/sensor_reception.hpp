@@ -13,8 +13,9 @@
 namespace application {
 
 // The identifiers to let through; a platform sets its acceptance filters from them.
-inline constexpr std::array<std::uint32_t, 3> received_identifiers{
-    can_dbc::Imu::identifier, can_dbc::RollAngle::identifier, can_dbc::VehicleMotion::identifier};
+inline constexpr std::array<std::uint32_t, 4> received_identifiers{
+    can_dbc::Imu::identifier, can_dbc::RollAngle::identifier, can_dbc::VehicleMotion::identifier,
+    can_dbc::VehicleMass::identifier};
 
 // Not more frames than this are read in one cycle, so that a flood cannot stop the cycle. The rest waits.
 inline constexpr std::uint32_t most_frames_per_cycle = 64U;
@@ -32,7 +33,7 @@ struct ReceptionReport {
 // A cycle in which nothing is known.
 inline constexpr rsi::Inputs no_inputs{rsi::not_available, rsi::not_available, rsi::not_available,
                                        rsi::not_available, rsi::not_available, rsi::not_available,
-                                       rsi::not_available, rsi::not_available};
+                                       rsi::not_available, rsi::not_available, rsi::not_available};
 
 class SensorReception {
  public:
@@ -53,6 +54,7 @@ class SensorReception {
     FrameMonitor<can_dbc::Imu> imu_{};
     FrameMonitor<can_dbc::RollAngle> roll_angle_{};
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
+    FrameMonitor<can_dbc::VehicleMass> vehicle_mass_{};  // few vehicles send it, so its absence is no fault
     RollAngleDelay roll_angle_delay_{};
 };
 

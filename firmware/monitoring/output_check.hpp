@@ -13,12 +13,14 @@ inline bool has_computed(const rsi::Outputs& outputs) noexcept {
 }
 
 // No suspension moves its roll centre by 2 m or has ten times the damping of a heavy one; the stiffness is
-// that of the bump stops too, which grow with the fourth power of the angle. A number that is not finite is
-// out of range.
+// that of the bump stops too, which grow with the fourth power of the angle. The load has its own bounds. A
+// number that is not finite is out of range.
 inline bool estimate_is_in_range(const rsi::Outputs& outputs) noexcept {
     return rsi::is_within_magnitude(outputs.roll_centre_vertical_m, 2.0F) &&
            rsi::is_within_magnitude(outputs.roll_stiffness_deviation_nmprad, 1.0e10F) &&
-           rsi::is_within_magnitude(outputs.roll_damping_deviation_nmsprad, 1.0e5F);
+           rsi::is_within_magnitude(outputs.roll_damping_deviation_nmsprad, 1.0e5F) &&
+           rsi::is_within(outputs.load_excess, -0.3F, 1.0F) &&
+           rsi::is_within(outputs.load_excess_deviation, 0.0F, 0.25F);
 }
 
 // Everything that the table of outputs says is always there.

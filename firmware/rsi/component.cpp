@@ -24,6 +24,11 @@ void write_measurement(const Measurement& measured, Outputs& outputs) {
     outputs.roll_sensor_disagrees = measured.observed.sensor_disagrees ? 1 : 0;
 }
 
+void write_load(const LearntLoad& learnt, Outputs& outputs) {
+    outputs.load_excess = learnt.excess;
+    outputs.load_excess_deviation = learnt.excess_deviation;
+}
+
 void write_estimate(const RollCentreEstimate& estimate, Outputs& outputs) {
     outputs.roll_centre_vertical_m = estimate.vertical_movement_m;
     outputs.roll_stiffness_deviation_nmprad = estimate.stiffness_deviation_nmprad;
@@ -70,8 +75,29 @@ void Component::start(const Parameters& parameters) {
     lateral_response_.init(parameters);
     moment_arm_error_.init(parameters);
     predictor_.init(parameters);
+    load_adaptation_.init(parameters);
     warning_indicator_.init(parameters);
     warning_.init(parameters);
+}
+
+bool Component::restore_load(const LearntLoad& learnt, bool doubted) {
+    const bool restored = initialised_ && load_adaptation_.restore(learnt, doubted);
+    if (restored) {
+        assume_body(load_adaptation_.body());
+    }
+    return restored;
+}
+
+// Whatever reckons with the sprung mass, but for two: the observer, against which the roll sensor is checked,
+// must not follow what the roll sensor has taught, and the indices for comparison stay as published.
+void Component::assume_body(const SprungBody& body) {
+    model_.assume_body(body);
+    estimator_.assume_body(body);
+    threshold_.assume_body(body);
+    load_transfer_.assume_body(body);
+    extended_.assume_body(body);
+    moment_arm_error_.assume_body(body);
+    predictor_.assume_body(body);
 }
 
 // The algorithm from the sensors to the warning. Flattened: the library is compiled as one unit, and a third
@@ -130,6 +156,10 @@ void Component::start(const Parameters& parameters) {
     outputs.opposite_load_transfer_ratio = predicted.opposite_ratio;
     outputs.predicted_rsi = larger(outputs.rsi_extended, predicted.rsi_extended);
 
+    // Learn the load; the next sample reckons with it.
+    load_adaptation_.update(inputs, motion, load, measured.roll_source == RSI_ROLL_SENSOR);
+    write_load(load_adaptation_.learnt(), outputs);
+
     // For comparison: the paper's other indices.
     comparison_.evaluate(measured, motion, outputs);
 
@@ -138,6 +168,7 @@ void Component::start(const Parameters& parameters) {
 
     // To the next sample.
     extended_rsi_ = outputs.rsi_extended;
+    assume_body(load_adaptation_.body());
 }
 
 // An overturned vehicle sets the warning, whatever the indicator. Without a level there is no statement.
@@ -146,7 +177,8 @@ void Component::start(const Parameters& parameters) {
 void Component::warn(const Measurement& measured, Outputs& outputs) {
     const IndicatedRisk indicated = warning_indicator_.evaluate(outputs, measured.roll_angle_rad);
     outputs.warning_level = indicated.level;
-    const float weight = (measured.roll_source == RSI_ROLL_OBSERVER) ? observer_weight_ : 1.0F;
+    const float source_weight = (measured.roll_source == RSI_ROLL_OBSERVER) ? observer_weight_ : 1.0F;
+    const float weight = source_weight * load_adaptation_.level_weight();
     RiskLevel risk{weight * indicated.level, indicated.direction, weight * indicated.opposite};
     if (has_overturned(measured, static_stability_factor_)) {
         overturned_ = true;
@@ -170,6 +202,7 @@ void Component::resume(const Measurement& measured) {
     if (overturned_) {
         estimator_.reset();
         measurement_.assume_movement(0.0F);
+        load_adaptation_.forget();
         overturned_ = false;
     }
     fixed_.reset(measured.roll_angle_rad);

@@ -1,6 +1,7 @@
 // Rollover-warning component: the C++ interface. rsi.h documents parameters, inputs and outputs.
 #pragma once
 
+#include "rsi/adaptation/load_adaptation.hpp"
 #include "rsi/comparison/classic_indices.hpp"
 #include "rsi/estimation/roll_centre_estimator.hpp"
 #include "rsi/indicator/extended_indicator.hpp"
@@ -30,6 +31,13 @@ class Component {
     // step, so it fits into a cycle; init does not. Without an accepted init it does nothing.
     [[gnu::cold]] void reset(const Parameters& parameters);
 
+    // What has been learnt of the load so far, to be kept without power.
+    LearntLoad learnt_load() const { return load_adaptation_.learnt(); }
+
+    // Takes it up in another run with the same parameters, between init and the first step. `doubted`: in
+    // between the load may have changed. False, and without an effect, where it cannot have been learnt.
+    [[gnu::cold]] bool restore_load(const LearntLoad& learnt, bool doubted);
+
     // One step of 10 ms. Never fails; what cannot be computed is NaN and the state says "unavailable".
     void step(const Inputs& inputs, Outputs& outputs);
 
@@ -39,6 +47,7 @@ class Component {
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
     void warn(const Measurement& measured, Outputs& outputs);
+    void assume_body(const SprungBody& body);
 
     bool initialised_{false};
     bool running_{false};       // false until the first good sample after init, a gap or an overturn
@@ -59,6 +68,7 @@ class Component {
     LateralResponse lateral_response_{};
     MomentArmError moment_arm_error_{};
     RollPredictor predictor_{};
+    LoadAdaptation load_adaptation_{};
     ClassicIndices comparison_{};
     WarningIndicator warning_indicator_{};
     WarningStateMachine warning_{};

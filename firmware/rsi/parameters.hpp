@@ -28,7 +28,7 @@ struct SelectionField {
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.
-inline constexpr std::array<ParameterField, 59> parameter_fields{{
+inline constexpr std::array<ParameterField, 61> parameter_fields{{
     {"sprung_mass_kg", &Parameters::sprung_mass_kg, 100.0F, 60000.0F},
     {"sprung_cg_height_m", &Parameters::sprung_cg_height_m, 0.2F, 4.0F},
     {"track_width_m", &Parameters::track_width_m, 0.8F, 3.0F},
@@ -69,6 +69,8 @@ inline constexpr std::array<ParameterField, 59> parameter_fields{{
     {"response_horizon_s", &Parameters::response_horizon_s, 0.0F, 0.5F},
     {"response_margin_per_s", &Parameters::response_margin_per_s, 0.0F, 10.0F},
     {"prediction_filter_lag_s", &Parameters::prediction_filter_lag_s, 0.0F, 0.5F},
+    {"load_adaptation", &Parameters::load_adaptation, 0.0F, 1.0F},
+    {"load_margin", &Parameters::load_margin, 0.0F, 1.0F},
     {"rollover_index_angle_weight", &Parameters::rollover_index_angle_weight, 0.0F, 1.0F},
     {"rollover_index_acceleration_weight", &Parameters::rollover_index_acceleration_weight, 0.0F, 1.0F},
     {"rollover_index_slope_radps", &Parameters::rollover_index_slope_radps, -100.0F, 100.0F},

@@ -132,6 +132,11 @@ typedef struct {
     float response_margin_per_s;   /* by how much a load transfer counts less for each second beyond 0.1 s */
     float prediction_filter_lag_s; /* two such lags on the signals, a third on the trend */
 
+    /* What the vehicle carries besides what it was calibrated with */
+    float load_adaptation; /* how much of the learnt load is used: 0 none (it is only published), 1 all */
+    float load_margin;     /* the warning sees the level larger by this share of load_excess_deviation, 0.1 at
+                              most */
+
     /* The paper's other indices */
     float rollover_index_angle_weight;        /* C_1 of (29) */
     float rollover_index_acceleration_weight; /* C_2 of (29) */
@@ -176,6 +181,8 @@ typedef struct {
     float bank_angle_rad;  /* of the road, left side up is positive, -0.8 to 0.8 (optional) */
     float speed_mps;       /* -150 to 150 (optional: observer) */
     float steering_wheel_angle_rad; /* > 0 to the left, -30 to 30 (optional: prediction) */
+    float vehicle_mass_kg;          /* of the whole vehicle with its load, axle loads added up (optional: load
+                                       adaptation) */
 } rsi_inputs;
 
 /* The answer to one sample: the rows of rsi_outputs.h, which says what each is, each a field of four bytes.
@@ -204,8 +211,15 @@ typedef struct {
     const char* reason;
 } rsi_validation;
 
+/* What a drive has shown of the load: plain numbers, to be kept without power. */
+typedef struct {
+    float excess;           /* by which share m_s H is larger than calibrated, -0.3 to 1 */
+    float excess_deviation; /* standard deviation of it, 0.01 to 0.25 */
+    float offset_mps2;      /* what sensors and a load off the middle add to the force, -2 to 2 */
+} rsi_learnt_load;
+
 /* Storage of one component; only the functions below look inside. */
-#define RSI_COMPONENT_SIZE 1024U
+#define RSI_COMPONENT_SIZE 1088U
 typedef union {
     unsigned char bytes[RSI_COMPONENT_SIZE];
     uint64_t alignment_integer;
@@ -219,6 +233,14 @@ rsi_validation rsi_init(rsi_component* component, const rsi_parameters* paramete
 /* One step of 10 ms. `component` must have been through rsi_init; no pointer may be null. Constant cost, no
  * errors. */
 void rsi_step(rsi_component* component, const rsi_inputs* inputs, rsi_outputs* outputs);
+
+/* What the component has learnt of the load so far. */
+rsi_learnt_load rsi_get_learnt_load(const rsi_component* component);
+
+/* Between rsi_init and the first step: takes up what another run with the same parameters has learnt.
+ * `doubted`: 0 where the load cannot have changed in between, as after a reset while driving, else 1. Returns
+ * 1; or 0, and without an effect, where it cannot have been learnt or the parameters were refused. */
+int32_t rsi_restore_learnt_load(rsi_component* component, const rsi_learnt_load* learnt, int32_t doubted);
 
 #ifdef __cplusplus
 }

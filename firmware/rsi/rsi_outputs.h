@@ -49,7 +49,7 @@
          "1: the estimator in use learns nothing at present") \
     \
     NUMBER(warning_level, "-", stays, always, statement, \
-           "level of the index that drives the warning, 0 to 20; without observer_margin") \
+           "level of the index that drives the warning, 0 to 20; without observer_margin and load_margin") \
     NUMBER(lateral_acceleration_mps2, "m/s^2", turns, always, statement, \
            "a_y: horizontal, of the sprung CG") \
     NUMBER(lateral_acceleration_threshold_mps2, "m/s^2", turns, always, statement, \
@@ -81,6 +81,11 @@
     \
     NUMBER(opposite_load_transfer_ratio, "-", stays, always, detail, \
            "the largest towards the other side than predicted_load_transfer_ratio, 0 to 20") \
+    \
+    NUMBER(load_excess, "-", stays, estimate, detail, \
+           "by which share m_s H is larger than calibrated, as driving has shown, -0.3 to 1; used or not") \
+    NUMBER(load_excess_deviation, "-", stays, estimate, detail, \
+           "standard deviation of it, 0.01 to 0.25") \
     \
     NUMBER(observed_roll_angle_rad, "rad", turns, sometimes, detail, \
            "roll angle relative to the road, without the roll sensor") \

@@ -96,6 +96,7 @@ static void drive(drive_state* state, int32_t step, rsi_inputs* inputs) {
     inputs->bank_angle_rad = not_available;
     inputs->speed_mps = value_of(25 * 65536 + noise(&state->noise, 200));
     inputs->steering_wheel_angle_rad = value_of(2 * state->turn + noise(&state->noise, 700));
+    inputs->vehicle_mass_kg = (step < 150) ? not_available : value_of(2700 * 65536);
 
     /* Every sensor that may be missing is, at some time, and so is a short time all of them. */
     if (step < steps_without_sensors) {

@@ -53,14 +53,16 @@ void Bench::lose_frames(Sensor sensor, unsigned count) {
 
 void Bench::send_sensor_frames() {
     const Motion motion = motion_(static_cast<double>(cycle_number_) * 0.01);
-    send(Sensor::imu, motion.imu);
-    send(Sensor::roll_angle, motion.roll_angle);
-    send(Sensor::vehicle_motion, motion.vehicle_motion);
+    send(line(Sensor::imu), motion.imu);
+    send(line(Sensor::roll_angle), motion.roll_angle);
+    send(line(Sensor::vehicle_motion), motion.vehicle_motion);
+    if (std::isfinite(motion.vehicle_mass.mass_kg)) {
+        send(mass_line_, motion.vehicle_mass);
+    }
 }
 
 template <typename Message>
-void Bench::send(Sensor sensor, const Message& message) {
-    Line& line = this->line(sensor);
+void Bench::send(Line& line, const Message& message) {
     if (line.silent) {
         return;
     }

@@ -35,10 +35,11 @@ struct Motion {
     can_dbc::Imu imu{0.0F, 9.80665F, 0.0F};
     can_dbc::RollAngle roll_angle{0.0F, can_dbc::not_available};
     can_dbc::VehicleMotion vehicle_motion{80.0F, 0.0F, 0.0F};
+    can_dbc::VehicleMass vehicle_mass{};  // sent where it is available: most vehicles do not know it
 };
 
 // How many frames the ECU sends in one cycle.
-inline constexpr std::size_t frames_per_cycle = 7U;
+inline constexpr std::size_t frames_per_cycle = 8U;
 
 // They, as they came; those that matter here decoded.
 struct Cycle {
@@ -148,7 +149,7 @@ class Bench {
     Line& line(Sensor sensor) { return lines_[static_cast<std::size_t>(sensor)]; }
     void send_sensor_frames();
     template <typename Message>
-    void send(Sensor sensor, const Message& message);
+    void send(Line& line, const Message& message);
     void step_ecu();
 
     hal::Time ecu_delay_;
@@ -159,6 +160,7 @@ class Bench {
     rsi::Validation answer_;
     std::function<Motion(double)> motion_{};
     std::array<Line, 3> lines_{};
+    Line mass_line_{};
     std::int64_t cycle_number_{0};
     hal::Time last_sensor_time_{};
     hal::Time clock_offset_{};

@@ -154,7 +154,7 @@ TEST(ForeignFrames, OfEveryOtherIdentifierAreIgnored) {
     bench.run_until_ready();
     const std::vector<hal::CanFrame> quiet = bench.last().frames;
     for (std::uint32_t identifier = 0U; identifier <= 0x7FFU; ++identifier) {
-        if (identifier >= can_dbc::Imu::identifier && identifier <= can_dbc::VehicleMotion::identifier) {
+        if (identifier >= can_dbc::Imu::identifier && identifier <= can_dbc::VehicleMass::identifier) {
             continue;
         }
         hal::CanFrame frame = bench.last_frame(Sensor::imu);

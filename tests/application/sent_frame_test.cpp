@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -38,7 +39,7 @@ struct Expected {
 // From the DBC file: the warning first, because it matters most, the status last.
 constexpr Expected expected_frames[] = {{0x0D0U, 0x61EU}, {0x230U, 0x7D4U}, {0x232U, 0x9A6U},
                                         {0x233U, 0xAC3U}, {0x234U, 0xBE8U}, {0x235U, 0xCD3U},
-                                        {0x231U, 0x88BU}};
+                                        {0x236U, 0xDBDU}, {0x231U, 0x88BU}};
 
 TEST(EachCycle, SendsTheWarningFirstAndTheStatusLast) {
     for (const Cycle& cycle : eventful_run()) {
@@ -109,6 +110,23 @@ TEST(TheHeader, BearsTheProjectsVersion) {
     EXPECT_EQ(RSI_VERSION_MAJOR, RSI_EXPECTED_MAJOR);
     EXPECT_EQ(RSI_VERSION_MINOR, RSI_EXPECTED_MINOR);
     EXPECT_EQ(RSI_VERSION_PATCH, RSI_EXPECTED_PATCH);
+}
+
+TEST(TheLoadsFrame, CarriesWhatTheComponentHasLearnt) {
+    Bench bench;
+    Motion turn;
+    turn.imu.lateral_acceleration_mps2 = 3.0F;
+    turn.roll_angle.roll_angle_deg = 3.0F;
+    bench.drive(turn);
+    bench.run_for(2.0);
+    const auto sent = std::find_if(
+        bench.last().frames.begin(), bench.last().frames.end(),
+        [](const hal::CanFrame& frame) { return frame.identifier == can_dbc::LearntLoad::identifier; });
+    ASSERT_NE(sent, bench.last().frames.end());
+    const can_dbc::LearntLoad load = can_dbc::decode<can_dbc::LearntLoad>(sent->data).value;
+    ASSERT_GT(std::fabs(bench.outputs().load_excess), 0.001F);
+    EXPECT_NEAR(load.load_excess, bench.outputs().load_excess, 0.0006F);
+    EXPECT_NEAR(load.load_excess_deviation, bench.outputs().load_excess_deviation, 0.0002F);
 }
 
 // In the cycle in which the component says so; in the next the monitoring takes the sensor out.

@@ -268,6 +268,25 @@ TEST(ANecessarySignal, ThatIsNotAvailableHidesEveryComputedNumber) {
     EXPECT_EQ(estimate.roll_centre_lateral_m, can_dbc::SignalStatus::not_available);
 }
 
+// Few vehicles send it: nothing is reported without it, and what is stale is not used.
+TEST(TheVehiclesMass, ReachesTheComponentWhereItIsSent) {
+    Bench bench;
+    bench.run_until_ready();
+    EXPECT_TRUE(std::isnan(bench.inputs().vehicle_mass_kg));
+    Motion motion;
+    motion.vehicle_mass.mass_kg = 2730.0F;
+    bench.drive(motion);
+    bench.run_cycles(1);
+    EXPECT_EQ(bench.inputs().vehicle_mass_kg, 2730.0F);
+    bench.drive(Motion{});
+    bench.run_cycles(3);
+    EXPECT_EQ(bench.inputs().vehicle_mass_kg, 2730.0F);
+    bench.run_cycles(1);
+    EXPECT_TRUE(std::isnan(bench.inputs().vehicle_mass_kg));
+    EXPECT_EQ(bench.last().diagnosis.value.code, can_dbc::RolloverDiagnosis::Code::none);
+    EXPECT_EQ(bench.state(), State::ready);
+}
+
 TEST(Signal, ReachesTheComponentInSiUnits) {
     constexpr float radians = 0.017453293F;
     Bench bench;

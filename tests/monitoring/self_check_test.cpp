@@ -169,6 +169,23 @@ TEST(AnEstimate, IsInRangeUpToItsLimits) {
     }
 }
 
+TEST(AnEstimate, IsOutOfRangeWithALoadThatCannotHaveBeenLearnt) {
+    const auto is_in_range = [](float excess, float deviation) {
+        rsi::Outputs outputs{};
+        outputs.load_excess = excess;
+        outputs.load_excess_deviation = deviation;
+        return monitoring::estimate_is_in_range(outputs);
+    };
+    EXPECT_TRUE(is_in_range(-0.3F, 0.01F));
+    EXPECT_TRUE(is_in_range(1.0F, 0.25F));
+    for (const float excess : {-0.301F, 1.001F, nan, infinity}) {
+        EXPECT_FALSE(is_in_range(excess, 0.1F)) << excess;
+    }
+    for (const float deviation : {-0.001F, 0.251F, nan, infinity}) {
+        EXPECT_FALSE(is_in_range(0.1F, deviation)) << deviation;
+    }
+}
+
 TEST(AnOutput, IsSoundWithEveryStateSideAndSourceThatThereIs) {
     rsi::Outputs outputs{};
     for (const rsi_state state :

@@ -29,6 +29,7 @@ constexpr InputRange input_ranges[] = {
     {&rsi_inputs::bank_angle_rad, 0.8F},
     {&rsi_inputs::speed_mps, 120.0F},
     {&rsi_inputs::steering_wheel_angle_rad, 30.0F},
+    {&rsi_inputs::vehicle_mass_kg, 7000.0F},
 };
 
 float of_bits(std::uint32_t bits) {

@@ -13,7 +13,8 @@
 /* A field is four bytes and follows its neighbour, on every target. */
 #define ROW(name, ...) +4U
 SAME(sizeof(rsi_outputs) == 0U RSI_OUTPUTS(ROW, ROW, ROW), outputs_have_no_gaps);
-SAME(sizeof(rsi_inputs) == 8U * 4U, inputs_have_no_gaps);
+SAME(sizeof(rsi_inputs) == 9U * 4U, inputs_have_no_gaps);
+SAME(sizeof(rsi_learnt_load) == 3U * 4U, the_load_has_no_gaps);
 SAME(sizeof(rsi_parameters) == offsetof(rsi_parameters, roll_angle_reference) + 4U, parameters_have_no_tail);
 SAME(offsetof(rsi_parameters, roll_angle_reference) == offsetof(rsi_parameters, estimator) + 8U,
      choices_are_words);

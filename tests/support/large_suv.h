@@ -48,6 +48,8 @@ static inline rsi_parameters rsi_test_large_suv(void) {
     parameters.response_horizon_s = 0.3F;
     parameters.response_margin_per_s = 0.85F;
     parameters.prediction_filter_lag_s = 0.02F;
+    parameters.load_adaptation = 0.0F;
+    parameters.load_margin = 0.0F;
     parameters.rollover_index_angle_weight = 0.4F;
     parameters.rollover_index_acceleration_weight = 0.4F;
     parameters.rollover_index_slope_radps = -5.0F;

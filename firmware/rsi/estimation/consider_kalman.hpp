@@ -25,6 +25,9 @@ class ConsiderKalman {
         speed_known_ = false;
     }
 
+    // The body from now on: dh is what the load does not explain.
+    void assume_body(const SprungBody& body) { equation_.assume_body(body); }
+
     // One sample. `extended_rsi` is that of the cycle before. Near wheel lift and while the speed changes
     // fast dh is held; a number that is not available holds nothing.
     RollCentreEstimate update(const Measurement& measured, float extended_rsi, float speed_mps);

@@ -16,6 +16,9 @@ class RollCentreEstimator {
     // For a gap in the measurements: what has been learnt stays.
     void restart() { consider_kalman_.restart(); }
 
+    // The body from now on. The published estimator takes it from the model.
+    void assume_body(const SprungBody& body) { consider_kalman_.assume_body(body); }
+
     // One sample. `fixed` must have been updated with the same measurement; `extended_rsi` is that of the
     // cycle before; NaN where a number is not available.
     RollCentreEstimate update(const RollPlaneModel& model, const Measurement& measured,

@@ -1,20 +1,22 @@
 #include "rsi/estimation/roll_equation.hpp"
 
-#include "rsi/model/vehicle_lengths.hpp"
-
 namespace rsi {
 
 void FilteredRollEquation::init(const Parameters& parameters) {
     curve_.init(parameters);
-    sprung_mass_kg_ = parameters.sprung_mass_kg;
-    moment_arm_m_ = roll_arm_m(parameters);
     damping_nmsprad_ = parameters.roll_damping_nmsprad;
-    inertia_kgm2_ = parameters.roll_inertia_kgm2;
+    assume_body(calibrated_body(parameters));
     const float lag_s = parameters.estimator_filter_lag_s;
     weight_ = lag_weight(lag_s);
     // After eight time constants two equal lags still hold 0.3 % of what they were started with.
     settling_samples_ = 2 + static_cast<int>(8.0F * lag_s / sample_time_s);
     restart();
+}
+
+void FilteredRollEquation::assume_body(const SprungBody& body) {
+    sprung_mass_kg_ = body.mass_kg;
+    moment_arm_m_ = body.roll_arm_m;
+    inertia_kgm2_ = body.roll_inertia_kgm2;
 }
 
 RollEquation FilteredRollEquation::update(const Measurement& measured) {

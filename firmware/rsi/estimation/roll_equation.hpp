@@ -3,6 +3,7 @@
 
 #include "rsi/measurement/measurement.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
+#include "rsi/model/sprung_body.hpp"
 #include "rsi/numeric/two_lags.hpp"
 #include "rsi/types.hpp"
 
@@ -26,6 +27,9 @@ struct RollEquation {
 class FilteredRollEquation {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // The body from now on.
+    void assume_body(const SprungBody& body);
 
     // The next measurement starts the lags anew.
     void restart() { samples_ = 0; }

@@ -1,6 +1,5 @@
 #include "rsi/indicator/extended_indicator.hpp"
 
-#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {
@@ -11,12 +10,17 @@ constexpr float smallest_dynamic_ratio = 0.001F;
 }  // namespace
 
 void ExtendedIndicator::init(const Parameters& parameters) {
-    const float m_s = parameters.sprung_mass_kg;
-    const float m_u = parameters.unsprung_mass_kg;
-    half_track_moment_kgm_ = (m_s + m_u) * 0.5F * parameters.track_width_m;
-    shift_moment_kgm_ = m_s * roll_arm_m(parameters);
-    roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
-    height_moment_kgm_ = m_s * parameters.sprung_cg_height_m + m_u * parameters.unsprung_cg_height_m;
+    half_track_m_ = 0.5F * parameters.track_width_m;
+    unsprung_mass_kg_ = parameters.unsprung_mass_kg;
+    unsprung_moment_kgm_ = parameters.unsprung_mass_kg * parameters.unsprung_cg_height_m;
+    assume_body(calibrated_body(parameters));
+}
+
+void ExtendedIndicator::assume_body(const SprungBody& body) {
+    half_track_moment_kgm_ = (body.mass_kg + unsprung_mass_kg_) * half_track_m_;
+    shift_moment_kgm_ = body.moment_arm_kgm();
+    roll_inertia_kgm2_ = body.roll_inertia_kgm2;
+    height_moment_kgm_ = body.mass_kg * body.cg_height_m + unsprung_moment_kgm_;
     least_moment_kgm_ = smallest_dynamic_ratio * height_moment_kgm_;
 }
 

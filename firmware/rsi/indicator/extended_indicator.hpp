@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rsi/measurement/roll_motion.hpp"
+#include "rsi/model/sprung_body.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -14,6 +15,9 @@ namespace rsi {
 class ExtendedIndicator {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // The body from now on.
+    void assume_body(const SprungBody& body);
 
     // 0 to 20; T_dyn is taken to be at least 0.001 + 0.05 |A/N|.
     float level(const RollMotion& motion) const;
@@ -32,6 +36,10 @@ class ExtendedIndicator {
     float roll_inertia_kgm2_{0.0F};
     float height_moment_kgm_{1.0F};   // m_s h + m_u h_u
     float least_moment_kgm_{0.001F};  // of it, at the least T_dyn
+    // What a load leaves.
+    float half_track_m_{1.0F};
+    float unsprung_mass_kg_{0.0F};
+    float unsprung_moment_kgm_{0.0F};  // m_u h_u
 };
 
 }  // namespace rsi

@@ -1,6 +1,5 @@
 #include "rsi/indicator/load_transfer.hpp"
 
-#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace rsi {
@@ -13,17 +12,23 @@ constexpr float over_ratio = 1.5F;
 }  // namespace
 
 void LoadTransfer::init(const Parameters& parameters) {
-    const float m_s = parameters.sprung_mass_kg;
-    const float m_u = parameters.unsprung_mass_kg;
     curve_.init(parameters);
     inertial_weight_ = parameters.load_transfer_inertial_weight;
-    height_moment_kgm_ = m_s * parameters.sprung_cg_height_m + m_u * parameters.unsprung_cg_height_m;
-    shift_moment_kgm_ = m_s * roll_arm_m(parameters);
-    roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
-    force_arm_kgm_ = m_s * parameters.fixed_roll_centre_height_m + m_u * parameters.unsprung_cg_height_m;
     roll_stiffness_nmprad_ = parameters.roll_stiffness_nmprad;
     roll_damping_nmsprad_ = parameters.roll_damping_nmsprad;
-    half_weight_arm_kgm_ = 0.5F * (m_s + m_u) * parameters.track_width_m;
+    roll_centre_height_m_ = parameters.fixed_roll_centre_height_m;
+    half_track_m_ = 0.5F * parameters.track_width_m;
+    unsprung_mass_kg_ = parameters.unsprung_mass_kg;
+    unsprung_moment_kgm_ = parameters.unsprung_mass_kg * parameters.unsprung_cg_height_m;
+    assume_body(calibrated_body(parameters));
+}
+
+void LoadTransfer::assume_body(const SprungBody& body) {
+    height_moment_kgm_ = body.mass_kg * body.cg_height_m + unsprung_moment_kgm_;
+    shift_moment_kgm_ = body.moment_arm_kgm();
+    roll_inertia_kgm2_ = body.roll_inertia_kgm2;
+    force_arm_kgm_ = body.mass_kg * roll_centre_height_m_ + unsprung_moment_kgm_;
+    half_weight_arm_kgm_ = (body.mass_kg + unsprung_mass_kg_) * half_track_m_;
 }
 
 TransferredLoad LoadTransfer::evaluate(const RollMotion& motion) const {

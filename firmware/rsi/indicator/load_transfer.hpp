@@ -3,6 +3,7 @@
 
 #include "rsi/measurement/roll_motion.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
+#include "rsi/model/sprung_body.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -24,6 +25,9 @@ struct TransferredLoad {
 class LoadTransfer {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // The body from now on.
+    void assume_body(const SprungBody& body);
 
     // What springs, stops, bars and dampers hold: M(phi) + c_f phi'. `roll_angle_rad` within 0.5 rad.
     float suspension_moment_nm(float roll_angle_rad, float roll_rate_radps) const {
@@ -54,6 +58,11 @@ class LoadTransfer {
     float roll_stiffness_nmprad_{0.0F};
     float roll_damping_nmsprad_{0.0F};
     float half_weight_arm_kgm_{1.0F};  // m c_w / 2
+    // What a load leaves.
+    float roll_centre_height_m_{0.0F};  // h_frc
+    float half_track_m_{1.0F};
+    float unsprung_mass_kg_{0.0F};
+    float unsprung_moment_kgm_{0.0F};  // m_u h_u
 };
 
 }  // namespace rsi

@@ -1,7 +1,5 @@
 #include "rsi/indicator/stability_threshold.hpp"
 
-#include "rsi/model/vehicle_lengths.hpp"
-
 namespace rsi {
 namespace {
 
@@ -16,8 +14,13 @@ constexpr float smallest_divisor = 0.05F;
 
 void StabilityThresholdStage::init(const Parameters& parameters) {
     half_track_m_ = 0.5F * parameters.track_width_m;
-    cg_height_inverse_ = 1.0F / parameters.sprung_cg_height_m;
-    moment_arm_m_ = roll_arm_m(parameters);
+    assume_body(calibrated_body(parameters));
+}
+
+// Every body's CG is above the road.
+void StabilityThresholdStage::assume_body(const SprungBody& body) {
+    cg_height_inverse_ = 1.0F / body.cg_height_m;
+    moment_arm_m_ = body.roll_arm_m;
 }
 
 StabilityThreshold StabilityThresholdStage::evaluate(const Measurement& measured, float vertical_movement_m,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rsi/measurement/measurement.hpp"
+#include "rsi/model/sprung_body.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -18,6 +19,10 @@ struct StabilityThreshold {
 class StabilityThresholdStage {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // The body from now on.
+    void assume_body(const SprungBody& body);
+
     StabilityThreshold evaluate(const Measurement& measured, float vertical_movement_m,
                                 float lateral_movement_m) const;
 

@@ -1,6 +1,5 @@
 #include "rsi/model/roll_plane_model.hpp"
 
-#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 
 namespace rsi {
@@ -15,17 +14,21 @@ float within_model(float angle_rad) {
 }  // namespace
 
 void RollPlaneModel::init(const Parameters& parameters) {
-    sprung_mass_kg_ = parameters.sprung_mass_kg;
-    moment_arm_m_ = roll_arm_m(parameters);
     stiffness_nmprad_ = parameters.roll_stiffness_nmprad;
     damping_nmsprad_ = parameters.roll_damping_nmsprad;
     damping_inverse_ = 1.0F / damping_nmsprad_;
-    force_to_rate_ = sprung_mass_kg_ * moment_arm_m_ * damping_inverse_;
     angle_to_rate_per_s_ = stiffness_nmprad_ * damping_inverse_;
-    // Both stiffnesses are positive: K_f >= 1.2 m_s g H is validated.
+    spring_step_s_ = sample_time_s / (1.0F + 0.5F * sample_time_s * angle_to_rate_per_s_);
+    assume_body(calibrated_body(parameters));
+}
+
+void RollPlaneModel::assume_body(const SprungBody& body) {
+    sprung_mass_kg_ = body.mass_kg;
+    moment_arm_m_ = body.roll_arm_m;
+    force_to_rate_ = sprung_mass_kg_ * moment_arm_m_ * damping_inverse_;
+    // Positive: K_f >= 1.2 m_s g H is validated, and no load is assumed that K_f does not hold.
     const float gravity_per_s = force_to_rate_ * gravity_mps2;
     upright_step_s_ = sample_time_s / (1.0F + 0.5F * sample_time_s * (angle_to_rate_per_s_ - gravity_per_s));
-    spring_step_s_ = sample_time_s / (1.0F + 0.5F * sample_time_s * angle_to_rate_per_s_);
 }
 
 float RollPlaneModel::roll_rate_radps(float angle_rad, float tan_gravity_angle,

@@ -3,15 +3,19 @@
 #pragma once
 
 #include "rsi/measurement/measurement.hpp"
+#include "rsi/model/sprung_body.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
 
 // c_f phi' + K_f phi = H (m_s A + m_s N tan phi) + M_add,  H = h_cg,s - h_frc.
-// Constant after init; the states that it moves are the callers'.
+// Constant but for the load; the states that it moves are the callers'.
 class RollPlaneModel {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // The body from now on.
+    void assume_body(const SprungBody& body);
 
     float moment_arm_m() const { return moment_arm_m_; }  // H
     float sprung_mass_kg() const { return sprung_mass_kg_; }

@@ -28,8 +28,10 @@
 
 namespace rsi {
 
+using Vector2 = Eigen::Matrix<float, 2, 1, Eigen::DontAlign>;
 using Vector3 = Eigen::Matrix<float, 3, 1, Eigen::DontAlign>;
 using Vector4 = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
+using Matrix2 = Eigen::Matrix<float, 2, 2, Eigen::DontAlign>;
 using Matrix3 = Eigen::Matrix<float, 3, 3, Eigen::DontAlign>;
 using Matrix4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;
 

@@ -1,6 +1,5 @@
 #include "rsi/prediction/moment_arm_error.hpp"
 
-#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/square.hpp"
 
@@ -23,10 +22,9 @@ constexpr float noise_correlation = 3.0F;
 }  // namespace
 
 void MomentArmError::init(const Parameters& parameters) {
-    moment_arm_kgm_ = parameters.sprung_mass_kg * roll_arm_m(parameters);
+    assume_body(calibrated_body(parameters));
     stiffness_noise_ = noise_correlation * square(stiffness_share * parameters.roll_stiffness_nmprad);
     damping_noise_ = noise_correlation * square(damping_share * parameters.roll_damping_nmsprad);
-    inertia_kgm2_ = parameters.roll_inertia_kgm2;
     excitation_nm_ = moment_arm_kgm_ * parameters.excitation_threshold_mps2;
     noise_nm2_ = noise_correlation * square(sample_noise_share * gravity_mps2 * moment_arm_kgm_);
     reset();

@@ -3,6 +3,7 @@
 
 #include "rsi/indicator/load_transfer.hpp"
 #include "rsi/measurement/roll_motion.hpp"
+#include "rsi/model/sprung_body.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -17,6 +18,12 @@ class MomentArmError {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void reset();
+
+    // The body from now on: e is what the load does not explain.
+    void assume_body(const SprungBody& body) {
+        moment_arm_kgm_ = body.moment_arm_kgm();
+        inertia_kgm2_ = body.roll_inertia_kgm2;
+    }
 
     // One sample; `load` is that of `motion`. Learns only from a `measured_angle`: the observer's comes from
     // the calibrated equation itself. Returns e, -0.35 to 0.35.

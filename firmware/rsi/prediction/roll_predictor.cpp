@@ -1,6 +1,5 @@
 #include "rsi/prediction/roll_predictor.hpp"
 
-#include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 
@@ -22,9 +21,8 @@ void RollPredictor::init(const Parameters& parameters) {
     response_steps_ =
         static_cast<std::uint32_t>(parameters.response_horizon_s * (1.0F / LateralResponse::step_s) + 0.5F);
     margin_per_step_ = parameters.response_margin_per_s * LateralResponse::step_s;
-    moment_arm_kgm_ = parameters.sprung_mass_kg * roll_arm_m(parameters);
-    roll_inertia_kgm2_ = parameters.roll_inertia_kgm2;
     roll_damping_nmsprad_ = parameters.roll_damping_nmsprad;
+    assume_body(calibrated_body(parameters));
 }
 
 // How far A follows its trend: not past what the steering asks for, nor past where it is; without a demand,

@@ -7,6 +7,7 @@
 #include "rsi/indicator/extended_indicator.hpp"
 #include "rsi/indicator/load_transfer.hpp"
 #include "rsi/measurement/roll_motion.hpp"
+#include "rsi/model/sprung_body.hpp"
 #include "rsi/prediction/lateral_response.hpp"
 #include "rsi/prediction/steering_demand.hpp"
 
@@ -31,6 +32,12 @@ struct Prediction {
 class RollPredictor {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // The body from now on.
+    void assume_body(const SprungBody& body) {
+        moment_arm_kgm_ = body.moment_arm_kgm();
+        roll_inertia_kgm2_ = body.roll_inertia_kgm2;
+    }
 
     // `load`: that of `motion`. `response`: none where the course of the force is not known.
     // `moment_arm_error`: e of MomentArmError.

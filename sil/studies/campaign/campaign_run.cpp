@@ -8,6 +8,7 @@
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
+#include "sil/studies/campaign/learning_drive.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
@@ -62,9 +63,9 @@ class IndexRecorder final : public RunObserver {
 
 CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{settings} {
     for (const CampaignVehicle& vehicle : settings.vehicles) {
-        vehicles_.push_back({std::filesystem::path{vehicle.parameters}.stem().string(),
-                             load_vehicle(vehicle.parameters),
-                             load_calibration(vehicle.calibration, settings.changes)});
+        vehicles_.push_back(
+            {std::filesystem::path{vehicle.parameters}.stem().string(), load_vehicle(vehicle.parameters),
+             load_calibration(vehicle.calibration, settings.changes), std::make_unique<LearningDrive>()});
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         manoeuvres_.push_back(campaign_manoeuvre(manoeuvre.name));
@@ -73,7 +74,8 @@ CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{setti
 
 CampaignRow CampaignWorld::run(std::uint64_t number) const {
     const DrawnRun drawn = prepare(number);
-    InProcessRun run{drawn.vehicle, drawn.manoeuvre, drawn.options, drawn.sensors, drawn.calibration};
+    InProcessRun run{drawn.vehicle,     drawn.manoeuvre, drawn.options,       drawn.sensors,
+                     drawn.calibration, nullptr,         learnt_before(drawn)};
     IndexRecorder recorder{run, drawn.calibration};
     run.run(recorder);
 
@@ -90,6 +92,23 @@ CampaignRow CampaignWorld::run(std::uint64_t number) const {
     row.judgement = run.events().judgement;
     row.indices = recorder.scores();
     return row;
+}
+
+// The drive is that of the vehicle as its files have it, with sensors without bias; what it shows is learnt
+// with the errors of this run's calibration.
+std::optional<rsi::LearntLoad> CampaignWorld::learnt_before(const DrawnRun& drawn) const {
+    if (settings_.learning_s == 0.0) {
+        return std::nullopt;
+    }
+    const KnownVehicle& known = vehicles_[drawn.draw.vehicle];
+    std::call_once(known.learning->driven, [&] {
+        RunDraw nothing_drawn;
+        nothing_drawn.sensor_seed = settings_.seed + drawn.draw.vehicle;
+        known.learning->inputs =
+            learning_drive(known.parameters, drawn_sensors(known.parameters, settings_.spread, nothing_drawn),
+                           known.calibration, settings_.learning_s);
+    });
+    return learnt_load(known.learning->inputs, drawn.calibration);
 }
 
 DrawnRun CampaignWorld::prepare(std::uint64_t number) const {

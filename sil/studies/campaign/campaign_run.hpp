@@ -1,6 +1,10 @@
 // Campaign run: from the number of a run to its row.
 #pragma once
 
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "rsi/types.hpp"
@@ -27,11 +31,20 @@ class CampaignWorld {
     const CampaignSettings& settings() const { return settings_; }
 
  private:
+    // Driven when the first run needs it, by whichever thread comes first.
+    struct LearningDrive {
+        std::once_flag driven{};
+        std::vector<rsi::Inputs> inputs{};
+    };
     struct KnownVehicle {
         std::string name;
         VehicleParameters parameters;
         rsi::Parameters calibration;
+        std::unique_ptr<LearningDrive> learning;
     };
+
+    // What the firmware of this run has learnt of the load before it; nothing without a learning drive.
+    std::optional<rsi::LearntLoad> learnt_before(const DrawnRun& drawn) const;
 
     CampaignSettings settings_;
     std::vector<KnownVehicle> vehicles_;

@@ -48,6 +48,8 @@ rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& t
     return calibration;
 }
 
+}  // namespace
+
 SensorOptions drawn_sensors(const VehicleParameters& vehicle, const CampaignSpread& spread,
                             const RunDraw& draw) {
     SensorFlaws flaws;
@@ -65,8 +67,6 @@ SensorOptions drawn_sensors(const VehicleParameters& vehicle, const CampaignSpre
     }
     return sensors;
 }
-
-}  // namespace
 
 DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const VehicleParameters& vehicle,
                    const rsi::Parameters& calibration, const Manoeuvre& manoeuvre) {

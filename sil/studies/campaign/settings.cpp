@@ -88,6 +88,10 @@ Manoeuvre campaign_manoeuvre(const std::string& name) {
 void check_campaign(const CampaignSettings& settings) {
     check(settings.runs >= 1U && settings.runs <= 100'000'000U, "runs", "from 1 to 100000000");
     check(settings.seed <= 0x7FFFFFFFFFFFFFFFU, "seed", "from 0 to 9223372036854775807");
+    check(settings.learning_s >= 0.0 && settings.learning_s <= 600.0, "learning_s", "seconds from 0 to 600");
+    // Each vehicle is driven once.
+    check(settings.learning_s == 0.0 || settings.spread.load_share.highest == 0.0, "load_share",
+          "[0, 0] where a learning drive is to show the load: give loaded vehicles");
     check(!settings.vehicles.empty(), "vehicle", "given at least once (--vehicle FILE:CALIBRATION)");
     check(!settings.manoeuvres.empty(), "manoeuvre", "given at least once");
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
@@ -114,6 +118,7 @@ CampaignVehicle parse_campaign_vehicle(const std::string& text) {
 std::string to_toml(const CampaignSettings& settings) {
     const CampaignSpread& spread = settings.spread;
     std::string text = fmt::format("runs = {}\nseed = {}\n", settings.runs, settings.seed);
+    text += settings.learning_s > 0.0 ? "learning_s = " + toml_number(settings.learning_s) + "\n" : "";
     std::string changes;
     for (const std::string& change : settings.changes) {
         changes += (changes.empty() ? "" : ", ") + toml_string(change);

@@ -59,6 +59,7 @@ struct CampaignSpread {
 struct CampaignSettings {
     std::uint64_t runs{1U};
     std::uint64_t seed{1U};
+    double learning_s{0.0};  // of ordinary driving from which every run knows the load of its vehicle
     std::vector<CampaignVehicle> vehicles{};
     std::vector<std::string> changes{};  // "KEY=VALUE" in place of what every calibration says
     std::vector<CampaignManoeuvre> manoeuvres{};

@@ -79,6 +79,7 @@ CampaignSettings read_settings(TomlTable top, CampaignSettings settings) {
     top.allow("made_with");
     read(top, "runs", settings.runs);
     read(top, "seed", settings.seed);
+    read(top, "learning_s", settings.learning_s);
     settings.changes = top.has("changes") ? top.texts("changes") : settings.changes;
     if (top.has("spread")) {
         read_spread(top.table("spread"), settings.spread);

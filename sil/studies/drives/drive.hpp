@@ -29,6 +29,7 @@ struct DriveSample {
     double roll_angle_rad{not_available};  // of the body, against road or horizon
     double steering_wheel_angle_rad{not_available};
     double bank_angle_rad{not_available};  // of the road, left side up is positive
+    double vehicle_mass_kg{not_available};
     // In the order of `Wheel`.
     std::array<double, wheel_count> wheel_load_n{not_available, not_available, not_available, not_available};
 };

@@ -24,6 +24,10 @@ std::vector<DriveUnit> force_units() {
     return {{"n", 1.0}, {"kn", 1000.0}};
 }
 
+std::vector<DriveUnit> mass_units() {
+    return {{"kg", 1.0}, {"t", 1000.0}};
+}
+
 bool starts_with(std::string_view text, std::string_view beginning) {
     return text.substr(0U, beginning.size()) == beginning;
 }
@@ -79,6 +83,8 @@ const std::vector<DriveQuantity>& drive_quantities() {
          [](DriveSample& sample) -> double& { return sample.steering_wheel_angle_rad; }},
         {"bank_angle", "sensor_", DriveNeed::optional, angle_units(),
          [](DriveSample& sample) -> double& { return sample.bank_angle_rad; }},
+        {"vehicle_mass", "sensor_", DriveNeed::optional, mass_units(),
+         [](DriveSample& sample) -> double& { return sample.vehicle_mass_kg; }},
         {"wheel_load_front_left", "true_", DriveNeed::optional, force_units(),
          [](DriveSample& sample) -> double& { return sample.wheel_load_n[front_left]; }},
         {"wheel_load_front_right", "true_", DriveNeed::optional, force_units(),

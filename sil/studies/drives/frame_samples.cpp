@@ -26,6 +26,7 @@ SensorSample sensor_sample(const DriveSample& sample) {
     result.speed_mps = sample.speed_mps;
     result.yaw_rate_radps = sample.yaw_rate_radps;
     result.steering_wheel_angle_rad = sample.steering_wheel_angle_rad;
+    result.vehicle_mass_kg = sample.vehicle_mass_kg;
     return result;
 }
 
@@ -49,6 +50,10 @@ void take_frame(const hal::CanFrame& frame, DriveSample& sample) {
         sample.speed_mps = static_cast<double>(motion.speed_kmh) / kmh_per_mps;
         sample.yaw_rate_radps = radians(motion.yaw_rate_deg_per_s);
         sample.steering_wheel_angle_rad = radians(motion.steering_wheel_angle_deg);
+    } else if (frame.identifier == can_dbc::VehicleMass::identifier &&
+               frame.length == can_dbc::VehicleMass::length) {
+        const can_dbc::VehicleMass mass = can_dbc::decode<can_dbc::VehicleMass>(frame.data).value;
+        sample.vehicle_mass_kg = static_cast<double>(mass.mass_kg);
     }
 }
 

@@ -22,6 +22,8 @@ struct SensorSample {
     double speed_mps{not_available};       // never negative
     double yaw_rate_radps{not_available};  // about the body's z axis
     double steering_wheel_angle_rad{not_available};
+
+    double vehicle_mass_kg{not_available};  // with what it carries, where control units know it
 };
 
 }  // namespace sil

@@ -14,12 +14,13 @@ namespace sil {
 // own.
 class InProcessRun {
  public:
-    // With `log`, which must outlive the run, every frame goes into it as one of the interface vcan0. Throws
-    // std::invalid_argument with the field's name when the calibration is refused.
+    // With `log`, which must outlive the run, every frame goes into it as one of the interface vcan0. With
+    // `learnt`, the firmware knows this load from the first cycle on. Throws std::invalid_argument with the
+    // field's name when the calibration is refused.
     InProcessRun(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre, const RunOptions& options,
                  const SensorOptions& sensors, const rsi::Parameters& calibration,
-                 CandumpLogWriter* log = nullptr)
-        : plant_{vehicle, manoeuvre, options}, sensors_{sensors}, firmware_{calibration} {
+                 CandumpLogWriter* log = nullptr, const std::optional<rsi::LearntLoad>& learnt = std::nullopt)
+        : plant_{vehicle, manoeuvre, options}, sensors_{sensors}, firmware_{calibration, learnt} {
         if (log != nullptr) {
             recorded_.emplace(firmware_.world_bus(), firmware_.clock(), *log, "vcan0");
         }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace sil {
@@ -54,6 +55,12 @@ void SensorFrames::send(hal::CanBus& bus, const SensorSample& sample) {
     motion.yaw_rate_deg_per_s = to_degrees(sample.yaw_rate_radps);
     motion.steering_wheel_angle_deg = to_degrees(sample.steering_wheel_angle_rad);
     send_protected(bus, motion, vehicle_motion_);
+
+    if (std::isfinite(sample.vehicle_mass_kg)) {
+        can_dbc::VehicleMass mass;
+        mass.mass_kg = static_cast<float>(sample.vehicle_mass_kg);
+        send_protected(bus, mass, vehicle_mass_);
+    }
 }
 
 }  // namespace sil

@@ -28,7 +28,8 @@ void send_or_throw(hal::CanBus& bus, const hal::CanFrame& frame);
 
 class SensorFrames {
  public:
-    // Sends one sample as three frames. Throws std::runtime_error when the bus does not take one.
+    // Sends one sample as three frames, and a fourth where the vehicle's mass is known. Throws
+    // std::runtime_error when the bus does not take one.
     void send(hal::CanBus& bus, const SensorSample& sample);
 
     std::uint64_t frames_sent() const { return frames_sent_; }
@@ -40,6 +41,7 @@ class SensorFrames {
     can_dbc::e2e::Profile11Sender imu_{can_dbc::Imu::e2e_data_id};
     can_dbc::e2e::Profile11Sender roll_angle_{can_dbc::RollAngle::e2e_data_id};
     can_dbc::e2e::Profile11Sender vehicle_motion_{can_dbc::VehicleMotion::e2e_data_id};
+    can_dbc::e2e::Profile11Sender vehicle_mass_{can_dbc::VehicleMass::e2e_data_id};
     std::uint64_t frames_sent_{0U};
 };
 

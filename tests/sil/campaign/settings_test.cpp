@@ -56,14 +56,16 @@ TEST(CampaignSettings, WhatIsSaidOnlyWhereItSaysSomethingIsReadBackAsTheSame) {
     sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
     const std::string without = sil::to_toml(settings);
     for (const char* key :
-         {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor", "changes"}) {
-        EXPECT_EQ(without.find(key), std::string::npos) << key;
+         {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor", "changes", "learning_s"}) {
+        EXPECT_EQ(without.find(key), std::string::npos) << "said only where it says something: " << key;
     }
     settings.vehicles[1].in_class = "light truck";
     settings.vehicles[1].speed_factors = {0.5, 1.0};
     settings.vehicles[1].steering_factors = {2.0, 1.0 / 3.0};
     settings.spread.load_is_known = false;
     settings.spread.attitude_sensor = true;
+    settings.spread.load_share = {};
+    settings.learning_s = 120.0;
     settings.changes = {"warning_on=0.9", "warning_hold_s=1"};
     const sil::CampaignSettings read = load(sil::to_toml(settings));
     EXPECT_EQ(read.vehicles[0].in_class, "");
@@ -73,6 +75,7 @@ TEST(CampaignSettings, WhatIsSaidOnlyWhereItSaysSomethingIsReadBackAsTheSame) {
     EXPECT_FALSE(read.spread.load_is_known);
     EXPECT_TRUE(read.spread.attitude_sensor);
     EXPECT_EQ(read.changes, settings.changes);
+    EXPECT_EQ(read.learning_s, settings.learning_s);
     EXPECT_EQ(sil::to_toml(read), sil::to_toml(settings));
 }
 
@@ -90,6 +93,10 @@ TEST(CampaignSettings, WhatIsWrongIsNamedWithLineAndKey) {
     expect_refused("runs = 1.5\n", "mine.toml:1: \"runs\" must be a whole number");
     expect_refused("runs = -1\n", "\"runs\" must be a whole number");
     expect_refused("runs = 0\n", "\"runs\" must be from 1");
+    const std::string no_load = "[spread]\nload_share = [0.0, 0.0]\n";
+    expect_refused("learning_s = -1.0\n" + no_load, "\"learning_s\" must be seconds from 0 to 600");
+    expect_refused("learning_s = 600.1\n" + no_load, "\"learning_s\" must be seconds from 0 to 600");
+    expect_refused("learning_s = 1.0\n[spread]\nload_share = [0.0, 0.1]\n", "\"load_share\" must be [0, 0]");
     expect_refused("[spread]\nmass_error = nan\n",
                    "mine.toml:2: \"spread.mass_error\" is not a finite number");
     expect_refused("[spread]\nmass_error = 0.9\n", "\"mass_error\" must be a share from 0 to 0.5");

@@ -15,8 +15,8 @@ using sil::WarningSide;
 using sil::WarningState;
 
 // The identifiers of a cycle's frames, in their order.
-constexpr std::uint32_t frames_of_a_cycle[] = {0x120U, 0x121U, 0x122U, 0x0D0U, 0x230U,
-                                               0x232U, 0x233U, 0x234U, 0x235U, 0x231U};
+constexpr std::uint32_t frames_of_a_cycle[] = {0x120U, 0x121U, 0x122U, 0x0D0U, 0x230U, 0x232U,
+                                               0x233U, 0x234U, 0x235U, 0x236U, 0x231U};
 constexpr std::size_t frame_count = std::size(frames_of_a_cycle);
 
 std::set<WarningState> states_of(const RecordedRun& run) {

@@ -65,6 +65,16 @@ TEST_F(SensorFrames, CarryASampleInTheUnitsOfTheDatabase) {
     EXPECT_NEAR(static_cast<double>(motion.steering_wheel_angle_deg), 286.4789, 0.05);
 }
 
+TEST_F(SensorFrames, CarryTheVehiclesMassWhereItIsKnown) {
+    sil::SensorSample sample;
+    sample.vehicle_mass_kg = 2734.0;
+    const std::vector<hal::CanFrame> received = sent(sample);
+    ASSERT_EQ(received.size(), 4U);
+    EXPECT_EQ(received[3].identifier, 0x123U);
+    EXPECT_TRUE(is_profile_11(received[3], 0xEA1U));
+    EXPECT_EQ(can_dbc::decode<can_dbc::VehicleMass>(received[3].data).value.mass_kg, 2730.0F);
+}
+
 TEST_F(SensorFrames, SayNotAvailableForWhatASampleLacks) {
     sil::SensorSample sample;
     sample.lateral_acceleration_mps2 = 1.0;

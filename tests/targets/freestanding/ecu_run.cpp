@@ -12,7 +12,7 @@
 namespace {
 
 constexpr unsigned sensor_frames = 3U;
-constexpr unsigned ecu_frames = 7U;
+constexpr unsigned ecu_frames = 8U;
 
 // The frames of one cycle; the test refills and reads them between two cycles.
 class Bus final : public hal::CanBus {
@@ -110,6 +110,7 @@ struct World {
     Ear<can_dbc::RollIndicesClassic> indices_classic{};
     Ear<can_dbc::RollObserver> observer{};
     Ear<can_dbc::RolloverDiagnosis> diagnosis{};
+    Ear<can_dbc::LearntLoad> load{};
     Ear<can_dbc::RolloverStatus> status{};
 
     // One cycle; whether the ECU sent its frames as it should.
@@ -123,7 +124,7 @@ struct World {
         return (bus.sent() == ecu_frames) && warning.hear(bus.from_ecu[0]) &&
                estimate.hear(bus.from_ecu[1]) && indices_ahead.hear(bus.from_ecu[2]) &&
                indices_classic.hear(bus.from_ecu[3]) && observer.hear(bus.from_ecu[4]) &&
-               diagnosis.hear(bus.from_ecu[5]) && status.hear(bus.from_ecu[6]);
+               diagnosis.hear(bus.from_ecu[5]) && load.hear(bus.from_ecu[6]) && status.hear(bus.from_ecu[7]);
     }
 
     bool drive(int cycles, float lateral_acceleration_mps2, float roll_angle_deg) {

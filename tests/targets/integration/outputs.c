@@ -30,6 +30,7 @@ static void drive(rsi_inputs* inputs) {
     inputs->bank_angle_rad = (noise() > 0.9F) ? 0.05F * noise() : zero / zero;
     inputs->speed_mps = 25.0F + noise();
     inputs->steering_wheel_angle_rad = (noise() < -0.9F) ? 1.0e9F : 0.5F * turn;
+    inputs->vehicle_mass_kg = (noise() > 0.0F) ? 2500.0F + 500.0F * noise() : zero / zero;
 }
 
 /* NaN has many bit patterns, which mean the same. */

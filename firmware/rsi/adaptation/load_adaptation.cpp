@@ -1,0 +1,80 @@
+#include "rsi/adaptation/load_adaptation.hpp"
+
+#include "rsi/adaptation/load_split.hpp"
+#include "rsi/numeric/bounded.hpp"
+
+namespace rsi {
+namespace {
+
+// From an emptied truck to one that carries twice its own sprung mass; another mass is not this vehicle's.
+constexpr float least_mass_factor = 0.6F;
+constexpr float largest_mass_factor = 3.0F;
+// The springs must hold up more than gravity pulls down.
+constexpr float least_stiffness_reserve = 1.1F;
+constexpr float largest_load_margin = 0.1F;
+
+}  // namespace
+
+void LoadAdaptation::init(const Parameters& parameters) {
+    calibrated_ = calibrated_body(parameters);
+    unsprung_mass_kg_ = parameters.unsprung_mass_kg;
+    used_share_ = parameters.load_adaptation;
+    margin_ = used_share_ * parameters.load_margin;
+    // Validated: at least 1.2 / 1.1.
+    largest_factor_ = parameters.roll_stiffness_nmprad /
+                      (least_stiffness_reserve * gravity_mps2 * calibrated_.moment_arm_kgm());
+    mass_factor_ = 1.0F;
+    mass_known_ = false;
+    stop_ = LongStop{};
+    regression_.init(parameters);
+}
+
+void LoadAdaptation::update(const Inputs& inputs, const RollMotion& motion, const TransferredLoad& load,
+                            bool measured_angle) {
+    follow_mass(inputs.vehicle_mass_kg);
+    if (stop_.begins(inputs.speed_mps)) {
+        doubt();
+    }
+    if (measured_angle && !stop_.is_standing()) {
+        regression_.update(motion, load);
+    } else {
+        regression_.pass_time();
+    }
+}
+
+// The last mass stays while none is available. Until driving shows more, a load is taken to be as high as the
+// body's CG.
+void LoadAdaptation::follow_mass(float vehicle_mass_kg) {
+    const float factor = (vehicle_mass_kg - unsprung_mass_kg_) / calibrated_.mass_kg;
+    if (is_within(factor, least_mass_factor, largest_mass_factor)) {
+        regression_.expect_change(factor - mass_factor_);
+        mass_factor_ = factor;
+        mass_known_ = true;
+    }
+}
+
+// The load may be another.
+void LoadAdaptation::doubt() {
+    regression_.doubt(mass_factor_ - 1.0F);
+}
+
+SprungBody LoadAdaptation::body() const {
+    const float moment_factor = smaller(1.0F + used_share_ * regression_.excess(), largest_factor_);
+    const float mass_factor =
+        mass_known_ ? 1.0F + used_share_ * (mass_factor_ - 1.0F) : assumed_mass_factor(moment_factor);
+    return with_load(calibrated_, moment_factor, mass_factor);
+}
+
+float LoadAdaptation::level_weight() const {
+    return 1.0F + smaller(margin_ * regression_.excess_deviation(), largest_load_margin);
+}
+
+bool LoadAdaptation::restore(const LearntLoad& learnt, bool doubted) {
+    const bool restored = regression_.restore(learnt);
+    if (restored && doubted) {
+        doubt();
+    }
+    return restored;
+}
+
+}  // namespace rsi

@@ -1,0 +1,55 @@
+// Load adaptation: the body that the rest of the component is to reckon with, learnt from ordinary driving.
+#pragma once
+
+#include "rsi/adaptation/load_regression.hpp"
+#include "rsi/adaptation/long_stop.hpp"
+#include "rsi/model/sprung_body.hpp"
+#include "rsi/types.hpp"
+
+namespace rsi {
+
+// A calibration is one of one load. What the vehicle carries instead shows in how far it rolls
+// (LoadRegression); how it is shared out between mass and height only the vehicle's mass shows, where other
+// control units know it (load_split.hpp). It lasts through gaps and is doubted after a long stop and a
+// restart.
+class LoadAdaptation {
+ public:
+    [[gnu::cold]] void init(const Parameters& parameters);
+
+    // One sample; `load` is that of `motion`. Learns only from a `measured_angle`: the observer's comes from
+    // the calibrated equation itself.
+    void update(const Inputs& inputs, const RollMotion& motion, const TransferredLoad& load,
+                bool measured_angle);
+
+    // Forgets what driving has shown, not the mass.
+    void forget() { regression_.forget(); }
+
+    // With as much of what has been learnt as the calibration wants to be used: none leaves the calibrated
+    // body.
+    SprungBody body() const;
+
+    // What the warning's level is to be multiplied by for what is not known, 1 to 1.1.
+    float level_weight() const;
+
+    // What has been learnt, whether it is used or not.
+    LearntLoad learnt() const { return regression_.learnt(); }
+    // After a restart; `doubted`: in between the load may have changed. False where it cannot be what was
+    // learnt.
+    [[gnu::cold]] bool restore(const LearntLoad& learnt, bool doubted);
+
+ private:
+    void follow_mass(float vehicle_mass_kg);
+    void doubt();
+
+    SprungBody calibrated_{};
+    float unsprung_mass_kg_{0.0F};
+    float used_share_{0.0F};
+    float margin_{0.0F};          // of the level for each unit of the deviation
+    float largest_factor_{1.0F};  // of m_s H that the springs hold up
+    float mass_factor_{1.0F};     // m_s over the calibrated one, as the vehicle's mass says
+    bool mass_known_{false};
+    LongStop stop_{};
+    LoadRegression regression_{};
+};
+
+}  // namespace rsi

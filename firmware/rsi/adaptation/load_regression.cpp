@@ -1,0 +1,145 @@
+#include "rsi/adaptation/load_regression.hpp"
+
+#include "rsi/model/vehicle_lengths.hpp"
+#include "rsi/numeric/bounded.hpp"
+#include "rsi/numeric/square.hpp"
+#include "rsi/numeric/square_root.hpp"
+
+namespace rsi {
+namespace {
+
+// Smaller forces show little but offsets, larger ones bend the springs and lift wheels.
+constexpr float ordinary_from_mps2 = 0.8F;
+constexpr float ordinary_to_mps2 = 4.0F;
+constexpr float ordinary_load_transfer = 0.7F;
+
+// Before anything is learnt, standard deviations: cars carry up to a fifth more m_s H, trucks twice it.
+constexpr float excess_prior = 0.25F;
+constexpr float load_offset_prior_mps2 = 0.5F;
+constexpr float largest_load_offset_mps2 = 2.0F;
+// No drive shows x better: the calibration's springs are not known to so little.
+constexpr float least_excess_deviation = 0.01F;
+constexpr float least_load_offset_deviation_mps2 = 0.01F;
+// x and d wander so much in the root of a second: fuel, passengers at a short stop, a sensor that warms up.
+constexpr float excess_drift_per_root_s = 0.002F;
+constexpr float load_offset_drift_mps2_per_root_s = 0.005F;
+// What a doubt leaves of x, and adds to its deviation.
+constexpr float kept_share = 0.5F;
+constexpr float doubted_deviation = 0.15F;
+
+// What one sample's equation is wrong by: sensors, the road and the movement of the roll centre, and the
+// calibration's damping and inertia. It stays alike for about two seconds, so that as many samples count as
+// one.
+constexpr float equation_noise_mps2 = 0.03F * gravity_mps2;
+constexpr float unknown_damping = 0.25F;
+constexpr float unknown_inertia = 0.3F;
+constexpr float samples_alike = 2.0F / sample_time_s;
+// Beyond three standard deviations of one sample it loses weight with the square of its size: a kerb, a
+// pothole.
+constexpr float usual_variances = 9.0F;
+
+bool is_ordinary_turn(const RollMotion& motion, const TransferredLoad& load) {
+    return is_within(absolute(motion.road_parallel_force_mps2), ordinary_from_mps2, ordinary_to_mps2) &&
+           is_within_magnitude(load.ratio, ordinary_load_transfer);
+}
+
+}  // namespace
+
+void LoadRegression::init(const Parameters& parameters) {
+    // Validated: H is at least 0.01 m.
+    moment_to_force_ = 1.0F / (parameters.sprung_mass_kg * roll_arm_m(parameters));
+    inertia_to_force_m_ = parameters.roll_inertia_kgm2 * moment_to_force_;
+    damping_to_force_mps_ = parameters.roll_damping_nmsprad * moment_to_force_;
+    forget();
+}
+
+void LoadRegression::forget() {
+    theta_.setZero();
+    covariance_ << square(excess_prior), 0.0F, 0.0F, square(load_offset_prior_mps2);
+}
+
+void LoadRegression::update(const RollMotion& motion, const TransferredLoad& load) {
+    pass_time();
+    if (!is_ordinary_turn(motion, load)) {
+        return;
+    }
+    const float f = motion.road_parallel_force_mps2 +
+                    motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad);
+    const float inertia_mps2 = inertia_to_force_m_ * motion.roll_acceleration_radps2;
+    const float damping_mps2 = damping_to_force_mps_ * motion.roll_rate_radps;
+    const float output_mps2 = moment_to_force_ * load.suspension_moment_nm + inertia_mps2 - f;
+    learn(Vector2{f, 1.0F}, output_mps2,
+          square(equation_noise_mps2) + square(unknown_damping * damping_mps2) +
+              square(unknown_inertia * inertia_mps2));
+    keep_in_bounds();
+}
+
+void LoadRegression::pass_time() {
+    constexpr float drift = square(excess_drift_per_root_s) * sample_time_s;
+    constexpr float offset_drift = square(load_offset_drift_mps2_per_root_s) * sample_time_s;
+    float& variance = covariance_(excess_at, excess_at);
+    float& offset_variance = covariance_(offset_at, offset_at);
+    variance = smaller(variance + drift, square(excess_prior));
+    offset_variance = smaller(offset_variance + offset_drift, square(load_offset_prior_mps2));
+}
+
+// (9) and (10) in units in which one sample's noise has the variance that stands in the divisor.
+void LoadRegression::learn(const Vector2& psi, float output_mps2, float noise_mps4) {
+    const Vector2 g = covariance_ * psi;
+    const float spread = absolute(psi.dot(g));  // negative only by rounding
+    const float innovation = output_mps2 - psi.dot(theta_);
+    const float size = square(innovation);
+    const float usual = usual_variances * (spread + noise_mps4);
+    const float weight = (size > usual) ? usual / size : 1.0F;
+    // Divided by at least the noise, which is positive.
+    const float gain = weight / (spread + samples_alike * noise_mps4);
+    theta_ += g * (gain * innovation);
+    // What is taken off P is symmetric to the last bit, and so P stays.
+    covariance_ -= (g * g.transpose()) * gain;
+}
+
+// Every signal of the equation moves theta. Raising a variance leaves the covariance one.
+void LoadRegression::keep_in_bounds() {
+    if (!is_finite(theta_.sum() + covariance_.sum())) {
+        forget();
+    }
+    theta_(excess_at) = clamp(theta_(excess_at), least_excess, largest_excess);
+    theta_(offset_at) = clamp_magnitude(theta_(offset_at), largest_load_offset_mps2);
+    float& variance = covariance_(excess_at, excess_at);
+    float& offset_variance = covariance_(offset_at, offset_at);
+    variance = larger(variance, square(least_excess_deviation));
+    offset_variance = larger(offset_variance, square(least_load_offset_deviation_mps2));
+}
+
+void LoadRegression::doubt(float expected) {
+    theta_(excess_at) =
+        clamp(expected + kept_share * (theta_(excess_at) - expected), least_excess, largest_excess);
+    const float variance = covariance_(excess_at, excess_at) + square(doubted_deviation);
+    covariance_ << smaller(variance, square(excess_prior)), 0.0F, 0.0F, square(load_offset_prior_mps2);
+}
+
+void LoadRegression::expect_change(float change) {
+    const float unknown_share = covariance_(excess_at, excess_at) * (1.0F / square(excess_prior));
+    theta_(excess_at) = clamp(theta_(excess_at) + unknown_share * change, least_excess, largest_excess);
+}
+
+float LoadRegression::excess_deviation() const {
+    return square_root(covariance_(excess_at, excess_at));
+}
+
+LearntLoad LoadRegression::learnt() const {
+    return LearntLoad{theta_(excess_at), excess_deviation(), theta_(offset_at)};
+}
+
+bool LoadRegression::restore(const LearntLoad& learnt) {
+    if (!is_within(learnt.excess, least_excess, largest_excess) ||
+        !is_within(learnt.excess_deviation, least_excess_deviation, excess_prior) ||
+        !is_within_magnitude(learnt.offset_mps2, largest_load_offset_mps2)) {
+        return false;
+    }
+    theta_ << learnt.excess, learnt.offset_mps2;
+    covariance_ << square(learnt.excess_deviation), 0.0F, 0.0F, square(load_offset_prior_mps2);
+    return true;
+}
+
+}  // namespace rsi

@@ -1,0 +1,49 @@
+// The record in memory that stands for one that outlives a loss of power.
+#include "hal/memory/memory_storage.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using Record = std::array<std::uint8_t, 4>;
+
+TEST(MemoryStorage, HasNothingBeforeTheFirstWrite) {
+    hal::MemoryStorage<8U> storage;
+    Record read{1U, 2U, 3U, 4U};
+    EXPECT_FALSE(storage.read(read.data(), read.size()));
+    EXPECT_EQ(read, (Record{1U, 2U, 3U, 4U}));
+}
+
+TEST(MemoryStorage, GivesBackWhatWasWrittenLast) {
+    hal::MemoryStorage<8U> storage;
+    Record read{};
+    for (const Record& record : {Record{1U, 2U, 3U, 4U}, Record{9U, 8U, 7U, 6U}}) {
+        ASSERT_TRUE(storage.write(record.data(), record.size()));
+        ASSERT_TRUE(storage.read(read.data(), read.size()));
+        EXPECT_EQ(read, record);
+    }
+    EXPECT_EQ(storage.writes(), 2U);
+    EXPECT_FALSE(storage.read(read.data(), 3U));
+}
+
+TEST(MemoryStorage, TakesNothingWhileBusyNorWhatIsTooLong) {
+    hal::MemoryStorage<4U> storage;
+    const std::array<std::uint8_t, 5> longer{};
+    EXPECT_FALSE(storage.write(longer.data(), longer.size()));
+    storage.set_busy(true);
+    EXPECT_FALSE(storage.write(longer.data(), 4U));
+    storage.set_busy(false);
+    EXPECT_TRUE(storage.write(longer.data(), 4U));
+    EXPECT_EQ(storage.writes(), 1U);
+}
+
+TEST(MemoryStorage, CanBeDamaged) {
+    hal::MemoryStorage<4U> storage;
+    Record record{};
+    ASSERT_TRUE(storage.write(record.data(), record.size()));
+    storage.damage(2U);
+    ASSERT_TRUE(storage.read(record.data(), record.size()));
+    EXPECT_EQ(record, (Record{0U, 0U, 1U, 0U}));
+}
+
+}  // namespace

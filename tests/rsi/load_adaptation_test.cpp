@@ -1,0 +1,412 @@
+// The load that is learnt and what the component makes of it: the long stop, the split into mass and height,
+// the margin, what lasts and what is doubted.
+#include "rsi/adaptation/load_adaptation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "rsi/adaptation/load_split.hpp"
+#include "rsi/component.hpp"
+#include "tests/rsi/support/loaded_drive.hpp"
+#include "tests/rsi/support/nominal.hpp"
+
+namespace load_adaptation_test {
+namespace {
+
+using rsi_test::LoadedDrive;
+using rsi_test::LoadedVehicle;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr double speed_mps = 20.0;
+constexpr int samples_in_two_minutes = 12000;
+constexpr int samples_in_a_minute = 6000;
+
+rsi_parameters adapting(float share = 1.0F, float margin = 0.0F) {
+    rsi_parameters parameters = rsi_test::large_suv();
+    parameters.load_adaptation = share;
+    parameters.load_margin = margin;
+    return parameters;
+}
+
+LoadedVehicle loaded_by(double excess) {
+    LoadedVehicle vehicle;
+    vehicle.excess = excess;
+    return vehicle;
+}
+
+// The vehicle's mass as other control units send it, when m_s is so much larger than calibrated.
+float mass_with(float mass_factor) {
+    const rsi_parameters p = rsi_test::large_suv();
+    return mass_factor * p.sprung_mass_kg + p.unsprung_mass_kg;
+}
+
+TEST(LongStop, BeginsOnceAfterSixtySeconds) {
+    rsi::LongStop stop;
+    for (int k = 0; k < samples_in_a_minute; ++k) {
+        ASSERT_FALSE(stop.begins((k % 2 == 0) ? 0.49F : -0.49F));
+    }
+    EXPECT_TRUE(stop.begins(0.0F));
+    for (int k = 0; k < 2 * samples_in_a_minute; ++k) {
+        ASSERT_FALSE(stop.begins(0.0F));
+    }
+}
+
+TEST(LongStop, EndsAtHalfAMetrePerSecond) {
+    rsi::LongStop stop;
+    for (int k = 0; k < samples_in_a_minute; ++k) {
+        stop.begins(0.0F);
+    }
+    EXPECT_TRUE(stop.is_standing());
+    EXPECT_FALSE(stop.begins(0.5F));
+    EXPECT_FALSE(stop.is_standing());
+    EXPECT_FALSE(stop.begins(0.0F));
+}
+
+TEST(LongStop, WithoutASpeedItNeitherBeginsNorEnds) {
+    rsi::LongStop stop;
+    for (int k = 0; k < 2 * samples_in_a_minute; ++k) {
+        ASSERT_FALSE(stop.begins(nan));
+    }
+    EXPECT_FALSE(stop.is_standing());
+    for (int k = 0; k < samples_in_a_minute; ++k) {
+        stop.begins(0.0F);
+        stop.begins(nan);
+        stop.begins(151.0F);
+    }
+    EXPECT_TRUE(stop.is_standing());
+    EXPECT_TRUE(stop.begins(0.0F));
+}
+
+TEST(LoadSplit, SharesOutBetweenMassAndHeight) {
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    for (const float moment : {0.8F, 1.0F, 1.44F, 2.0F}) {
+        for (const float mass : {rsi::assumed_mass_factor(moment), 1.0F, 1.1F}) {
+            const rsi::SprungBody loaded = rsi::with_load(empty, moment, mass);
+            EXPECT_FLOAT_EQ(loaded.mass_kg, mass * empty.mass_kg);
+            EXPECT_FLOAT_EQ(loaded.roll_inertia_kgm2, moment * empty.roll_inertia_kgm2);
+            EXPECT_FLOAT_EQ(loaded.cg_height_m - loaded.roll_arm_m, empty.cg_height_m - empty.roll_arm_m);
+            if (moment / mass < 1.7F) {
+                EXPECT_FLOAT_EQ(loaded.moment_arm_kgm(), moment * empty.moment_arm_kgm());
+            }
+        }
+    }
+    EXPECT_FLOAT_EQ(rsi::assumed_mass_factor(1.44F), 1.2F);
+}
+
+TEST(LoadSplit, TakesWhatIsMissingForMassRatherThanForAMuchLowerBody) {
+    EXPECT_FLOAT_EQ(rsi::assumed_mass_factor(0.9F), std::sqrt(0.9F));
+    EXPECT_FLOAT_EQ(rsi::assumed_mass_factor(0.7F), 0.7F / 0.93F);
+    const rsi::SprungBody full = rsi::calibrated_body(rsi_test::large_suv());
+    EXPECT_FLOAT_EQ(rsi::with_load(full, 0.7F, rsi::assumed_mass_factor(0.7F)).roll_arm_m,
+                    0.93F * full.roll_arm_m);
+}
+
+TEST(LoadSplit, WithoutALoadItIsTheCalibratedBodyToTheLastBit) {
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    const rsi::SprungBody same = rsi::with_load(empty, 1.0F, rsi::assumed_mass_factor(1.0F));
+    EXPECT_EQ(same.mass_kg, empty.mass_kg);
+    EXPECT_EQ(same.cg_height_m, empty.cg_height_m);
+    EXPECT_EQ(same.roll_arm_m, empty.roll_arm_m);
+    EXPECT_EQ(same.roll_inertia_kgm2, empty.roll_inertia_kgm2);
+}
+
+TEST(LoadSplit, NoLoadBringsTheHeightFurtherThanALoadCan) {
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    EXPECT_FLOAT_EQ(rsi::with_load(empty, 2.0F, 0.6F).roll_arm_m, 1.7F * empty.roll_arm_m);
+    EXPECT_FLOAT_EQ(rsi::with_load(empty, 0.7F, 3.0F).roll_arm_m, 0.6F * empty.roll_arm_m);
+    const rsi::SprungBody flat{1000.0F, 0.2F, 0.7F, 300.0F};  // about a roll centre above it
+    EXPECT_EQ(rsi::with_load(flat, 0.7F, 1.0F).cg_height_m, 0.2F);
+}
+
+rsi::LoadAdaptation started(const rsi_parameters& parameters = adapting()) {
+    rsi::LoadAdaptation adaptation;
+    adaptation.init(parameters);
+    return adaptation;
+}
+
+struct Circumstances {
+    bool measured_angle{true};
+    float speed{static_cast<float>(speed_mps)};
+    float mass_kg{nan};
+};
+
+void drive(rsi::LoadAdaptation& adaptation, const LoadedVehicle& vehicle, int samples,
+           const Circumstances& circumstances = {}) {
+    LoadedDrive course(rsi_test::large_suv(), vehicle);
+    rsi_inputs inputs{};
+    inputs.speed_mps = circumstances.speed;
+    inputs.vehicle_mass_kg = circumstances.mass_kg;
+    for (int k = 0; k < samples; ++k) {
+        course.advance();
+        const rsi::RollMotion motion = course.motion();
+        adaptation.update(inputs, motion, course.load(motion), circumstances.measured_angle);
+    }
+}
+
+void stand(rsi::LoadAdaptation& adaptation, int samples, float mass_kg = nan) {
+    rsi_inputs inputs{};
+    inputs.vehicle_mass_kg = mass_kg;
+    for (int k = 0; k < samples; ++k) {
+        adaptation.update(inputs, rsi::RollMotion{}, rsi::TransferredLoad{}, true);
+    }
+}
+
+TEST(LoadAdaptation, GivesTheBodyThatTheVehicleHas) {
+    rsi::LoadAdaptation adaptation = started();
+    drive(adaptation, loaded_by(0.44), samples_in_two_minutes);
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    const rsi::SprungBody body = adaptation.body();
+    EXPECT_NEAR(body.moment_arm_kgm() / empty.moment_arm_kgm(), 1.44F, 0.05F);
+    EXPECT_NEAR(body.mass_kg / empty.mass_kg, 1.2F, 0.03F);
+}
+
+TEST(LoadAdaptation, UsesAsMuchAsTheCalibrationWants) {
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    const auto moment_factor = [&empty](float share) {
+        rsi::LoadAdaptation adaptation = started(adapting(share, 1.0F));
+        drive(adaptation, loaded_by(0.4), samples_in_two_minutes);
+        return adaptation.body().moment_arm_kgm() / empty.moment_arm_kgm();
+    };
+    EXPECT_NEAR(moment_factor(0.5F) - 1.0F, 0.5F * (moment_factor(1.0F) - 1.0F), 1.0e-5F);
+}
+
+TEST(LoadAdaptation, SwitchedOffItLearnsButLeavesTheCalibratedBodyAndLevel) {
+    rsi::LoadAdaptation adaptation = started(adapting(0.0F, 1.0F));
+    drive(adaptation, loaded_by(0.4), samples_in_two_minutes, {true, 20.0F, mass_with(1.3F)});
+    EXPECT_GT(adaptation.learnt().excess, 0.3F);
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    const rsi::SprungBody body = adaptation.body();
+    EXPECT_EQ(body.mass_kg, empty.mass_kg);
+    EXPECT_EQ(body.cg_height_m, empty.cg_height_m);
+    EXPECT_EQ(body.roll_arm_m, empty.roll_arm_m);
+    EXPECT_EQ(body.roll_inertia_kgm2, empty.roll_inertia_kgm2);
+    EXPECT_EQ(adaptation.level_weight(), 1.0F);
+}
+
+TEST(LoadAdaptation, LearnsNothingFromTheObserversAngleNorWhileStanding) {
+    for (const Circumstances& circumstances : {Circumstances{false}, Circumstances{true, 0.4F}}) {
+        rsi::LoadAdaptation adaptation = started();
+        drive(adaptation, loaded_by(0.4), 3000, circumstances);
+        EXPECT_EQ(adaptation.learnt().excess, 0.0F);
+    }
+    rsi::LoadAdaptation without_speed = started();
+    drive(without_speed, loaded_by(0.4), samples_in_two_minutes, {true, nan});
+    EXPECT_NEAR(without_speed.learnt().excess, 0.4F, 0.05F);
+}
+
+TEST(LoadAdaptation, DoubtsAfterALongStopAndNotAfterAShortOne) {
+    rsi::LoadAdaptation adaptation = started();
+    drive(adaptation, loaded_by(0.4), samples_in_two_minutes);
+    const rsi::LearntLoad before = adaptation.learnt();
+    stand(adaptation, samples_in_a_minute);
+    EXPECT_EQ(adaptation.learnt().excess, before.excess);
+    stand(adaptation, 1);
+    EXPECT_FLOAT_EQ(adaptation.learnt().excess, 0.5F * before.excess);
+    EXPECT_GT(adaptation.learnt().excess_deviation, 3.0F * before.excess_deviation);
+    stand(adaptation, samples_in_a_minute);
+    EXPECT_FLOAT_EQ(adaptation.learnt().excess, 0.5F * before.excess);  // once a stop
+    drive(adaptation, loaded_by(0.0), samples_in_two_minutes);
+    EXPECT_NEAR(adaptation.learnt().excess, 0.0F, 0.05F);
+}
+
+TEST(LoadAdaptation, TheMassSaysWhatIsMassAndWhatIsHeight) {
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    rsi::LoadAdaptation adaptation = started();
+    drive(adaptation, loaded_by(0.4), samples_in_two_minutes, {true, 20.0F, mass_with(1.1F)});
+    const rsi::SprungBody body = adaptation.body();
+    EXPECT_NEAR(body.mass_kg / empty.mass_kg, 1.1F, 1.0e-5F);
+    EXPECT_NEAR(body.roll_arm_m / empty.roll_arm_m, 1.4F / 1.1F, 0.05F);
+    stand(adaptation, 10);  // it stays while none comes
+    EXPECT_EQ(adaptation.body().mass_kg, body.mass_kg);
+}
+
+TEST(LoadAdaptation, BeforeAnyDrivingTheMassAloneIsALoadAtTheHeightOfTheBody) {
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    rsi::LoadAdaptation adaptation = started();
+    stand(adaptation, 1, mass_with(1.5F));
+    EXPECT_NEAR(adaptation.body().mass_kg / empty.mass_kg, 1.5F, 1.0e-5F);
+    EXPECT_NEAR(adaptation.body().roll_arm_m / empty.roll_arm_m, 1.0F, 1.0e-5F);
+    // What driving has shown is not moved by it, and a long stop goes half the way to it.
+    rsi::LoadAdaptation driven = started();
+    drive(driven, loaded_by(0.2), samples_in_two_minutes);
+    const float known = driven.learnt().excess;
+    stand(driven, 1, mass_with(1.5F));
+    EXPECT_NEAR(driven.learnt().excess, known, 0.02F);
+    stand(driven, samples_in_a_minute, mass_with(1.5F));
+    EXPECT_NEAR(driven.learnt().excess, 0.5F * (known + 0.5F), 0.02F);
+}
+
+TEST(LoadAdaptation, AMassThatIsNotThisVehiclesIsNone) {
+    const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
+    for (const float mass_kg : {nan, 0.0F, -2000.0F, mass_with(0.59F), mass_with(3.01F), 1.0e30F}) {
+        rsi::LoadAdaptation adaptation = started();
+        stand(adaptation, 1, mass_kg);
+        EXPECT_EQ(adaptation.body().mass_kg, empty.mass_kg) << mass_kg;
+        EXPECT_EQ(adaptation.learnt().excess, 0.0F) << mass_kg;
+    }
+}
+
+TEST(LoadAdaptation, AssumesNoLoadThatTheSpringsDoNotHold) {
+    rsi_parameters soft = adapting();
+    const rsi::SprungBody empty = rsi::calibrated_body(soft);
+    soft.roll_stiffness_nmprad = 1.3F * rsi::gravity_mps2 * empty.moment_arm_kgm();
+    rsi::LoadAdaptation adaptation = started(soft);
+    ASSERT_TRUE(adaptation.restore({1.0F, 0.05F, 0.0F}, true));  // halved
+    EXPECT_GT(adaptation.learnt().excess, 0.4F);
+    EXPECT_NEAR(adaptation.body().moment_arm_kgm() / empty.moment_arm_kgm(), 1.3F / 1.1F, 1.0e-5F);
+}
+
+TEST(LoadAdaptation, TheMarginGrowsWithWhatIsNotKnownAndEnds) {
+    rsi::LoadAdaptation adaptation = started(adapting(1.0F, 0.2F));
+    EXPECT_FLOAT_EQ(adaptation.level_weight(), 1.0F + 0.2F * 0.25F);
+    drive(adaptation, LoadedVehicle{}, samples_in_two_minutes);
+    EXPECT_FLOAT_EQ(adaptation.level_weight(), 1.0F + 0.2F * adaptation.learnt().excess_deviation);
+    EXPECT_LT(adaptation.level_weight(), 1.01F);
+    EXPECT_FLOAT_EQ(started(adapting(1.0F, 1.0F)).level_weight(), 1.1F);
+    EXPECT_FLOAT_EQ(started(adapting(0.5F, 0.2F)).level_weight(), 1.0F + 0.1F * 0.25F);
+}
+
+TEST(LoadAdaptation, WhatIsRestoredIsDoubtedWhereTheLoadMayHaveChanged) {
+    rsi::LoadAdaptation adaptation = started();
+    ASSERT_TRUE(adaptation.restore({0.4F, 0.03F, 0.2F}, false));
+    EXPECT_EQ(adaptation.learnt().excess, 0.4F);
+    EXPECT_FLOAT_EQ(adaptation.learnt().excess_deviation, 0.03F);
+    EXPECT_EQ(adaptation.learnt().offset_mps2, 0.2F);
+    ASSERT_TRUE(adaptation.restore({0.4F, 0.03F, 0.2F}, true));
+    EXPECT_FLOAT_EQ(adaptation.learnt().excess, 0.2F);
+    EXPECT_GT(adaptation.learnt().excess_deviation, 0.15F);
+    EXPECT_EQ(adaptation.learnt().offset_mps2, 0.2F);
+    EXPECT_FALSE(adaptation.restore({nan, 0.03F, 0.2F}, true));
+    EXPECT_FLOAT_EQ(adaptation.learnt().excess, 0.2F);
+}
+
+// The component with a vehicle that carries a load.
+class LoadedScenario {
+ public:
+    explicit LoadedScenario(double excess, float share = 1.0F)
+        : course_{rsi_test::large_suv(), loaded_by(excess)} {
+        EXPECT_EQ(component_.init(adapting(share)).accepted, 1);
+    }
+    rsi::Component& component() { return component_; }
+    const rsi_outputs& outputs() const { return outputs_; }
+
+    void drive(int samples) {
+        for (int k = 0; k < samples; ++k) {
+            course_.advance();
+            component_.step(course_.inputs(speed_mps), outputs_);
+        }
+    }
+    void lose_the_sensors(int samples) {
+        rsi_inputs none{};
+        none.lateral_specific_force_mps2 = nan;
+        for (int k = 0; k < samples; ++k) {
+            component_.step(none, outputs_);
+        }
+    }
+    // In one and the same turn of the loaded vehicle.
+    const rsi_outputs& turn(double force_mps2, double roll_angle_rad) {
+        rsi_test::GroundMotion motion;
+        motion.lateral_acceleration_mps2 = force_mps2;
+        motion.roll_angle_rad = roll_angle_rad;
+        rsi_inputs inputs = rsi_test::sensed(motion);
+        inputs.speed_mps = static_cast<float>(speed_mps);
+        for (int k = 0; k < 200; ++k) {
+            component_.step(inputs, outputs_);
+        }
+        return outputs_;
+    }
+
+ private:
+    LoadedDrive course_;
+    rsi::Component component_{};
+    rsi_outputs outputs_{};
+};
+
+TEST(LoadOfTheComponent, IsPublished) {
+    LoadedScenario scenario{0.4};
+    scenario.drive(samples_in_two_minutes);
+    EXPECT_NEAR(scenario.outputs().load_excess, 0.4F, 0.05F);
+    EXPECT_LT(scenario.outputs().load_excess_deviation, 0.05F);
+    EXPECT_EQ(scenario.outputs().load_excess, scenario.component().learnt_load().excess);
+}
+
+// A load lowers the threshold and raises what the same turn means.
+TEST(LoadOfTheComponent, MovesThresholdLoadTransferAndPrediction) {
+    LoadedScenario off{0.4, 0.0F};
+    LoadedScenario on{0.4, 1.0F};
+    off.drive(samples_in_two_minutes);
+    on.drive(samples_in_two_minutes);
+    EXPECT_EQ(off.outputs().load_excess, on.outputs().load_excess);
+    const rsi_outputs empty = off.turn(5.0, 0.1);
+    const rsi_outputs loaded = on.turn(5.0, 0.1);
+    EXPECT_LT(loaded.lateral_acceleration_threshold_mps2, empty.lateral_acceleration_threshold_mps2 - 0.3F);
+    EXPECT_GT(loaded.rsi_extended, 1.05F * empty.rsi_extended);
+    EXPECT_NE(loaded.load_transfer_ratio, empty.load_transfer_ratio);
+    EXPECT_NE(loaded.predicted_load_transfer_ratio, empty.predicted_load_transfer_ratio);
+    EXPECT_EQ(loaded.energy_margin, empty.energy_margin);  // for comparison, as published
+    EXPECT_EQ(loaded.static_stability_level, empty.static_stability_level);
+}
+
+// The roll-centre estimate is what is left when the load is known.
+TEST(LoadOfTheComponent, IsNotTakenForAMovementOfTheRollCentre) {
+    rsi_parameters parameters = adapting(1.0F);
+    parameters.estimator = RSI_ESTIMATOR_CONSIDER_KALMAN;
+    const auto largest_movement = [&parameters](float share) {
+        parameters.load_adaptation = share;
+        rsi::Component component;
+        EXPECT_EQ(component.init(parameters).accepted, 1);
+        LoadedDrive course(rsi_test::large_suv(), loaded_by(0.4));
+        float largest = 0.0F;
+        for (int k = 0; k < 2 * samples_in_two_minutes; ++k) {
+            course.advance();
+            rsi_outputs outputs{};
+            component.step(course.inputs(speed_mps), outputs);
+            if (k > samples_in_two_minutes) {
+                largest = std::fmax(largest, std::fabs(outputs.roll_centre_vertical_m));
+            }
+        }
+        return largest;
+    };
+    EXPECT_GT(largest_movement(0.0F), 0.1F);
+    EXPECT_LT(largest_movement(1.0F), 0.06F);
+}
+
+TEST(LoadOfTheComponent, SurvivesAGapInTheInputs) {
+    LoadedScenario scenario{0.4};
+    scenario.drive(samples_in_two_minutes);
+    const rsi::LearntLoad before = scenario.component().learnt_load();
+    scenario.lose_the_sensors(1000);
+    EXPECT_EQ(scenario.component().learnt_load().excess, before.excess);
+    EXPECT_TRUE(std::isnan(scenario.outputs().load_excess));
+    scenario.drive(1);
+    EXPECT_NEAR(scenario.outputs().load_excess, before.excess, 0.01F);
+}
+
+TEST(LoadOfTheComponent, IsForgottenByAnOverturn) {
+    LoadedScenario scenario{0.4};
+    scenario.drive(samples_in_two_minutes);
+    scenario.turn(0.0, 1.4);
+    scenario.turn(0.0, 0.0);
+    EXPECT_EQ(scenario.component().learnt_load().excess, 0.0F);
+    EXPECT_EQ(scenario.component().learnt_load().excess_deviation, 0.25F);
+}
+
+TEST(LoadOfTheComponent, IsRestoredAfterAStartAndForgottenByOne) {
+    LoadedScenario scenario{0.4};
+    scenario.drive(samples_in_two_minutes);
+    const rsi::LearntLoad kept = scenario.component().learnt_load();
+    ASSERT_EQ(scenario.component().init(adapting()).accepted, 1);
+    EXPECT_EQ(scenario.component().learnt_load().excess, 0.0F);
+    ASSERT_TRUE(scenario.component().restore_load(kept, true));
+    EXPECT_FLOAT_EQ(scenario.component().learnt_load().excess, 0.5F * kept.excess);
+    ASSERT_TRUE(scenario.component().restore_load(kept, false));
+    EXPECT_EQ(scenario.component().learnt_load().excess, kept.excess);
+    EXPECT_FALSE(scenario.component().restore_load({2.0F, 0.1F, 0.0F}, false));
+    rsi::Component refused;
+    EXPECT_FALSE(refused.restore_load(kept, true));
+}
+
+}  // namespace
+}  // namespace load_adaptation_test
