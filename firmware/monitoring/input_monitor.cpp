@@ -81,7 +81,7 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     check_stuck(kept, memory);
     check_roll(kept, fresh.late_roll_angle_rad, memory);
     check_vertical(kept, before, memory);
-    check_turn(kept, memory);
+    check_turn(kept, before, memory);
     check_reference(kept, before, memory);
     check_observer(inputs, before, memory);
     if (!memory.no_active_codes()) {
@@ -192,7 +192,8 @@ void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs&
     }
 }
 
-void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
+void InputMonitor::check_turn(const rsi::Inputs& inputs, const rsi::Outputs& before,
+                              DiagnosticMemory& memory) noexcept {
     constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
     constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
@@ -201,6 +202,7 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     rsi::Inputs against_road = inputs;
     against_road.roll_angle_rad = roll_against_road(inputs);
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
+    force_vote_.assume_load(before.load_excess);
     force_vote_.update(against_road, turn_consistency_.known() && !turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
