@@ -288,6 +288,26 @@ TEST_F(AnInputMonitor, BlamesAnAccelerometerOfTheWrongSignAfter200Milliseconds) 
     EXPECT_FALSE(confirmed(yaw_code));
 }
 
+// A laden vehicle that oversteers: it yaws for more than its tyres hold, and rolls further than the
+// calibrated one.
+TEST_F(AnInputMonitor, DoesNotBlameTheAccelerometerOfAVehicleWhoseLoadIsKnown) {
+    for (const float excess : {0.0F, 0.5F}) {
+        rsi::Parameters adapting = rsi_test_large_suv();
+        adapting.load_adaptation = 1.0F;
+        monitor = {};
+        memory = {};
+        monitor.start(adapting);
+        before.load_excess = excess;
+        turn_at(6.9F);
+        inputs.lateral_specific_force_mps2 = 2.9F;
+        inputs.roll_angle_rad = 6.0F * adapting.sprung_mass_kg *
+                                (adapting.sprung_cg_height_m - adapting.fixed_roll_centre_height_m) /
+                                adapting.roll_stiffness_nmprad;
+        run(300);
+        EXPECT_EQ(confirmed(lateral_code), excess == 0.0F);
+    }
+}
+
 TEST_F(AnInputMonitor, BlamesAYawRateOfTheWrongSignAfter1200Milliseconds) {
     turn_at(2.1F);
     inputs.yaw_rate_radps = -inputs.yaw_rate_radps;
