@@ -37,24 +37,30 @@ double usual_roll_centre_m(const VehicleData& vehicle) {
     return std::min(0.2, 0.5 * vehicle.sprung_cg_height_m);
 }
 
+std::string roll_centre_origin(const LoadFit& loads, double given_cg_height_m) {
+    if (loads.contradicts_data) {
+        return fmt::format(
+            "the nearest plausible; the wheel loads contradict the CG height and speak for {:.3f}",
+            loads.roll_centre_at_given_height_m);
+    }
+    if (loads.agreeing_cg_height_m == given_cg_height_m || loads.cg_height_m != given_cg_height_m) {
+        return fmt::format("effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %",
+                           loads.deviation_m);
+    }
+    return fmt::format("the nearest to {:.3f}, for which the wheel loads speak",
+                       loads.roll_centre_at_given_height_m);
+}
+
 void use_loads(Identification& result) {
     LoadFit& loads = *result.loads;
     if (loads.cg_height_m != result.given_cg_height_m) {
         match_dynamic_loads(result.vehicle, result.roll, result.ramps, result.dynamics, loads);
-    }
-    result.roll_centre_height_m = loads.roll_centre_height_m;
-    result.roll_centre_origin =
-        loads.agreeing_cg_height_m == result.given_cg_height_m ||
-                loads.cg_height_m != result.given_cg_height_m
-            ? fmt::format("effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %",
-                          loads.deviation_m)
-            : fmt::format("the nearest to {:.3f}, for which the wheel loads speak",
-                          loads.roll_centre_at_given_height_m);
-    if (loads.cg_height_m != result.given_cg_height_m) {
         result.vehicle.sprung_cg_height_m = loads.cg_height_m;
         result.cg_height_origin =
             fmt::format("matched to the wheel loads; vehicle data {:.4g}", result.given_cg_height_m);
     }
+    result.roll_centre_height_m = loads.roll_centre_height_m;
+    result.roll_centre_origin = roll_centre_origin(loads, result.given_cg_height_m);
 }
 
 // The largest magnitude that the component admits of a coefficient of the stiffness curve.
@@ -86,7 +92,7 @@ void choose_roll_centre(Identification& result, bool fit_cg_height) {
     if (vehicle.roll_centre_height_m) {
         result.roll_centre_height_m = *vehicle.roll_centre_height_m;
         result.roll_centre_origin = "vehicle data";
-    } else if (result.loads && !result.loads->contradicts_data) {
+    } else if (result.loads) {
         use_loads(result);
     } else {
         result.roll_centre_height_m = assumed_roll_centre_m;

@@ -181,58 +181,73 @@ class Warnings {
                 "the roll centre lies at {:.2f} m, the component sees {:.0f} % more load transfer than there "
                 "is. Give roll_centre_height_m if you know it (0 to 0.15 m with independent suspensions, 0.3 "
                 "to 0.5 m with rigid axles, up to 0.9 m in trucks and buses)",
-                result_.roll_centre_height_m, rigid_axle_m(), 100.0 * cost_of_low_roll_centre());
+                result_.roll_centre_height_m, rigid_axle_m(),
+                100.0 * (1.0 / ratio_at_computed_lift(rigid_axle_m()) - 1.0));
         }
-        if (!result_.loads) {
-            return;
+        if (result_.loads) {
+            about_loads(*result_.loads);
         }
-        const LoadFit& loads = *result_.loads;
+    }
+
+    void about_loads(const LoadFit& loads) {
+        const bool matched = loads.cg_height_m != result_.given_cg_height_m;
         if (loads.contradicts_data) {
             warn(
                 "wheel loads and CG height contradict each other: with a roll centre at {:.2f} m the loads "
-                "speak for a "
-                "sprung CG at {:.3f} m, the vehicle data say {:.3f} m, and nothing was fitted to the loads: "
-                "check "
-                "height, masses and track width",
+                "speak for a sprung CG at {:.3f} m, the vehicle data say {:.3f} m, too far apart to fit the "
+                "height: check height, masses and track width",
                 loads.roll_centre_height_m, loads.agreeing_cg_height_m, result_.given_cg_height_m);
-        } else if (loads.agreeing_cg_height_m != result_.given_cg_height_m &&
-                   loads.cg_height_m == result_.given_cg_height_m && !vehicle.roll_centre_height_m) {
+        }
+        if (result_.vehicle.roll_centre_height_m) {
+            const double given_m = *result_.vehicle.roll_centre_height_m;
+            if (std::abs(loads.roll_centre_at_given_height_m - given_m) > 0.15) {
+                warn(
+                    "the wheel loads speak for an effective roll centre at {:.2f} m; the given {:.2f} m is "
+                    "kept",
+                    loads.roll_centre_at_given_height_m, given_m);
+            }
+        } else if (matched) {
             warn(
                 "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
-                "that "
-                "give sideways do that. {:.2f} m is taken, and the CG height stays at {:.3f} m. A CG height "
+                "that give sideways do that. It is set to {:.2f} m, and the CG height to {:.3f} m in place "
                 "of "
-                "{:.3f} m would agree with the wheel loads: measure it again, or let it be fitted with "
-                "--fit-cg-height",
-                loads.roll_centre_at_given_height_m, loads.roll_centre_height_m, result_.given_cg_height_m,
-                loads.agreeing_cg_height_m);
-        } else if (loads.cg_height_m != result_.given_cg_height_m && !vehicle.roll_centre_height_m) {
-            warn(
-                "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
-                "that give "
-                "sideways do that. It is set to {:.2f} m, and the CG height to {:.3f} m in place of {:.3f} "
-                "m, which "
-                "together give the wheel loads",
+                "{:.3f} m, which together give the wheel loads",
                 loads.roll_centre_at_given_height_m, loads.roll_centre_height_m, loads.cg_height_m,
                 result_.given_cg_height_m);
+        } else if (loads.agreeing_cg_height_m != result_.given_cg_height_m) {
+            about_nearest_roll_centre(loads);
         }
-        if (vehicle.roll_centre_height_m &&
-            std::abs(loads.roll_centre_at_given_height_m - *vehicle.roll_centre_height_m) > 0.15) {
-            warn("the wheel loads speak for an effective roll centre at {:.2f} m; the given {:.2f} m is kept",
-                 loads.roll_centre_at_given_height_m, *vehicle.roll_centre_height_m);
+    }
+
+    void about_nearest_roll_centre(const LoadFit& loads) {
+        if (!loads.contradicts_data) {
+            warn(
+                "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
+                "that give sideways do that. A CG height of {:.3f} m would agree with the wheel loads: "
+                "measure it again, or let it be fitted with --fit-cg-height",
+                loads.roll_centre_at_given_height_m, loads.agreeing_cg_height_m);
         }
+        const double ratio = ratio_at_computed_lift(loads.roll_centre_at_given_height_m);
+        warn(
+            "the roll centre is taken at {:.2f} m, the nearest plausible to {:.2f} m, and the CG height "
+            "stays "
+            "at {:.3f} m. It costs {}: where the component computes that the inner wheels lift in a slow "
+            "turn, "
+            "the wheel loads speak for a load transfer ratio of {:.2f}",
+            loads.roll_centre_height_m, loads.roll_centre_at_given_height_m, result_.given_cg_height_m,
+            ratio > 1.0 ? "late and missed warnings" : "early warnings", ratio);
     }
 
     double rigid_axle_m() const { return std::min(0.5, 0.5 * result_.vehicle.sprung_cg_height_m); }
 
-    // What more of the load transfer the component sees at lift-off than a vehicle has whose roll centre is
-    // that of a rigid axle: m_s h_rc g phi of (m_s h + m_u h_u) A + m_s (h - h_rc) g phi.
-    double cost_of_low_roll_centre() const {
+    // LTR of a vehicle whose roll centre lies at `height_m` where the component computes 1 in a slow turn.
+    // They differ in H m_s g tan phi of the moment (m_s h + m_u h_u) A + H m_s g tan phi.
+    double ratio_at_computed_lift(double height_m) const {
         const VehicleData& vehicle = result_.vehicle;
         const double lift_rad = rollover_angle_rad(vehicle, result_.roll);
         const double lean_nm = vehicle.sprung_mass_kg * g_mps2 * std::tan(lift_rad);
         const double whole_nm = 0.5 * vehicle.total_mass_kg * g_mps2 * vehicle.track_width_m;
-        return rigid_axle_m() * lean_nm / (whole_nm - rigid_axle_m() * lean_nm);
+        return 1.0 - (height_m - result_.roll_centre_height_m) * lean_nm / whole_nm;
     }
 
     void about_gradient() {
