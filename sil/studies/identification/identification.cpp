@@ -33,8 +33,9 @@ constexpr double assumed_roll_centre_m = 0.0;
 
 // Where most lie, between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to 0.5 m): for the
 // rules of thumb in the roll fit, which are of absolute size.
-double usual_roll_centre_m(const VehicleData& vehicle) {
-    return std::min(0.2, 0.5 * vehicle.sprung_cg_height_m);
+double usual_arm_m(const VehicleData& vehicle) {
+    const double usual_roll_centre_m = std::min(0.2, 0.5 * vehicle.sprung_cg_height_m);
+    return vehicle.sprung_cg_height_m - vehicle.roll_centre_height_m.value_or(usual_roll_centre_m);
 }
 
 std::string roll_centre_origin(const LoadFit& loads, double given_cg_height_m) {
@@ -54,7 +55,9 @@ std::string roll_centre_origin(const LoadFit& loads, double given_cg_height_m) {
 void use_loads(Identification& result) {
     LoadFit& loads = *result.loads;
     if (loads.cg_height_m != result.given_cg_height_m) {
-        match_dynamic_loads(result.vehicle, result.roll, result.ramps, result.dynamics, loads);
+        const double arm_m = usual_arm_m(result.vehicle);
+        const RollFit roll = fit_roll(result.vehicle, {arm_m, arm_m}, result.ramps, result.dynamics);
+        match_dynamic_loads(result.vehicle, roll, result.ramps, result.dynamics, loads);
         result.vehicle.sprung_cg_height_m = loads.cg_height_m;
         result.cg_height_origin =
             fmt::format("matched to the wheel loads; vehicle data {:.4g}", result.given_cg_height_m);
@@ -69,19 +72,9 @@ double largest_admitted(float rsi::Parameters::* coefficient) {
     return std::min(-static_cast<double>(field.minimum), static_cast<double>(field.maximum));
 }
 
-// The roll fit with the arm that was found. Only now it shows whether the component admits its coefficients,
-// which grow with the arm; where it does not, the curve is fitted again within what it admits.
-void use_arm(Identification& result, double arm_m) {
-    const CurveLimits limits{largest_admitted(&rsi::Parameters::roll_stiffness_cubic_nmprad3),
-                             largest_admitted(&rsi::Parameters::roll_stiffness_quintic_nmprad5)};
-    const double usual_arm_m = result.roll.arm_m;
-    result.roll = result.roll.with_arm(arm_m);
-    if (!limits.admit(result.roll)) {
-        const double share = usual_arm_m / arm_m;
-        result.roll = fit_roll(result.vehicle, usual_arm_m, result.ramps, result.dynamics,
-                               {share * limits.cubic_nmprad3, share * limits.quintic_nmprad5})
-                          .with_arm(arm_m);
-    }
+CurveLimits admitted_curve() {
+    return {largest_admitted(&rsi::Parameters::roll_stiffness_cubic_nmprad3),
+            largest_admitted(&rsi::Parameters::roll_stiffness_quintic_nmprad5)};
 }
 
 void choose_roll_centre(Identification& result, bool fit_cg_height) {
@@ -98,9 +91,16 @@ void choose_roll_centre(Identification& result, bool fit_cg_height) {
         result.roll_centre_height_m = assumed_roll_centre_m;
         result.roll_centre_origin = "ASSUMED, the lowest: neither data sheet nor wheel loads tell it";
     }
-    use_arm(result, vehicle.sprung_cg_height_m - result.roll_centre_height_m);
+}
+
+// With the arm that was found: only then it shows up to which angle the curve is needed, and whether the
+// component admits its coefficients, which grow with the arm.
+void fit_body(Identification& result, double usual_arm_m) {
+    const double arm_m = result.vehicle.sprung_cg_height_m - result.roll_centre_height_m;
+    result.roll =
+        fit_roll(result.vehicle, {usual_arm_m, arm_m}, result.ramps, result.dynamics, admitted_curve());
     for (const auto* drives : {&result.ramps, &result.dynamics}) {
-        for (const DriveResidual& residual : load_transfer_residuals(vehicle, result.roll, *drives)) {
+        for (const DriveResidual& residual : load_transfer_residuals(result.vehicle, result.roll, *drives)) {
             result.load_transfer.push_back(residual);
         }
     }
@@ -226,10 +226,8 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
     result.vehicle = vehicle;
     result.ramps = prepare_all(ramps, vehicle, options.preparation);
     result.dynamics = prepare_all(dynamics, vehicle, options.preparation);
-    const double usual_arm_m =
-        vehicle.sprung_cg_height_m - vehicle.roll_centre_height_m.value_or(usual_roll_centre_m(vehicle));
-    result.roll = fit_roll(vehicle, usual_arm_m, result.ramps, result.dynamics);
     choose_roll_centre(result, options.fit_cg_height);
+    fit_body(result, usual_arm_m(vehicle));
     result.steering = fit_steering(vehicle, result.ramps);
     add_vehicle(result);
     add_roll(result);

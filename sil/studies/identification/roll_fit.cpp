@@ -356,14 +356,14 @@ bool CurveLimits::admit(const RollFit& fit) const {
            std::abs(fit.stiffness_quintic_nmprad5.value) <= quintic_nmprad5;
 }
 
-RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<PreparedDrive>& ramps,
+RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vector<PreparedDrive>& ramps,
                  const std::vector<PreparedDrive>& dynamics, const CurveLimits& limits) {
     refuse_without_excitation(ramps, dynamics);
-    RollProblem problem{vehicle, arm_m, ramps, dynamics};
+    RollProblem problem{vehicle, arm.usual, ramps, dynamics};
     Curve curve;
     curve.data_end_rad = largest_angle_rad(ramps, dynamics);
     const auto solve = [&] {
-        RollFit fit = problem.solve(curve);
+        RollFit fit = problem.solve(curve).with_arm(arm.used);
         fit.data_end_rad = curve.data_end_rad;
         return fit;
     };

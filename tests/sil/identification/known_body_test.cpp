@@ -254,6 +254,27 @@ TEST(KnownBodyTest, TheCurveStaysPlausibleBeyondTheData) {
     }
 }
 
+// The lower the arm, the further the body leans before its wheels lift: the angle belongs to the arm that was
+// found, not to the usual one that the fit begins with.
+TEST(KnownBodyTest, TheCurveStaysPlausibleUpToTheLiftWithTheArmThatWasFound) {
+    KnownBody body = bus(0.9);
+    body.stiffness_nmprad = 150.0e3;
+    body.stiffness_cubic_nmprad3 = 1.0e7;
+    body.stiffness_quintic_nmprad5 = 1.0e9;
+    body.damping_nmsprad = 15.0e3;
+    const sil::VehicleData data = identification_test::data_sheet_of(body);
+    const sil::Identification result =
+        sil::identify(data, {identification_test::ramp_of(body, 3.0)}, {identification_test::steps_of(body)});
+    EXPECT_NEAR(result.roll_centre_height_m, 0.9, 0.01);
+    const double needed_rad = 1.2 * sil::rollover_angle_rad(data, result.roll);
+    EXPECT_NEAR(result.roll.needed_up_to_rad, needed_rad, 1e-6);
+    const double at_end = result.roll.slope_nmprad(result.roll.data_end_rad);
+    for (double phi = result.roll.data_end_rad; phi < needed_rad; phi += 0.001) {
+        EXPECT_GE(result.roll.slope_nmprad(phi), 0.5 * at_end) << phi;
+        EXPECT_LE(result.roll.slope_nmprad(phi), 2.0 * at_end) << phi;
+    }
+}
+
 TEST(KnownBodyTest, ACurveThatTheDataShowIsNotHeld) {
     const KnownBody body;
     EXPECT_THAT(identified(body, identification_test::data_sheet_of(body)).warnings,
