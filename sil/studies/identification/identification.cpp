@@ -178,7 +178,7 @@ void add_response(Identification& result) {
                             [key](const IdentifiedValue& value) { return value.key == key; })
             ->value;
     };
-    if (result.steering) {
+    if (result.steering_is_known()) {
         result.response = fit_response(
             SteeringModel{result.vehicle.wheelbase_m, value_of("steering_ratio"),
                           value_of("understeer_gradient_s2pm"), value_of("largest_lateral_acceleration_mps2"),
@@ -213,6 +213,10 @@ void add_rollover_index(Identification& result) {
 }
 
 }  // namespace
+
+bool Identification::steering_is_known() const {
+    return steering || (vehicle.steering_ratio && vehicle.understeer_gradient_s2pm);
+}
 
 Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ramps,
                         const std::vector<Drive>& dynamics, const IdentificationOptions& options) {

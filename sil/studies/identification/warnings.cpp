@@ -270,7 +270,7 @@ class Warnings {
     }
 
     void about_response() {
-        if (result_.steering && (!result_.response || !result_.response->helps())) {
+        if (result_.steering_is_known() && (!result_.response || !result_.response->helps())) {
             warn(
                 "how the lateral acceleration follows the steering does not show in the drives: the "
                 "component "
