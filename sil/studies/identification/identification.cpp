@@ -28,7 +28,7 @@ std::vector<PreparedDrive> prepare_all(const std::vector<Drive>& drives, const V
 }
 
 // Where nothing tells it. The ratios to H = h - h_rc are fitted, so a lower roll centre makes the computed
-// load transfer larger: on the road, no suspension's lift-off is missed.
+// load transfer larger: taken on the road, no lift-off is missed for any roll centre on or above it.
 constexpr double assumed_roll_centre_m = 0.0;
 
 // Where most lie, between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to 0.5 m): for the
@@ -89,7 +89,7 @@ void choose_roll_centre(Identification& result, bool fit_cg_height) {
         use_loads(result);
     } else {
         result.roll_centre_height_m = assumed_roll_centre_m;
-        result.roll_centre_origin = "ASSUMED, the lowest: neither data sheet nor wheel loads tell it";
+        result.roll_centre_origin = "ASSUMED, on the road: neither data sheet nor wheel loads tell it";
     }
 }
 

@@ -176,9 +176,12 @@ class Warnings {
         if (!result_.loads && !vehicle.roll_centre_height_m) {
             warn(
                 "without wheel loads a test drive gives only K/H, c/H and Ixx/H with H = h - h_rc: h_rc = "
-                "{:.2f} m is taken, the lowest, with which no lift-off is missed. It costs early warnings: "
-                "if "
-                "the roll centre lies at {:.2f} m, the component sees {:.0f} % more load transfer than there "
+                "{:.2f} m is taken, the road: no lift-off is missed as long as the roll centre lies on or "
+                "above "
+                "it. Below it, as with tyres that give sideways, warnings come late. It costs early "
+                "warnings: "
+                "if the roll centre lies at {:.2f} m, the component sees {:.0f} % more load transfer than "
+                "there "
                 "is. Give roll_centre_height_m if you know it (0 to 0.15 m with independent suspensions, 0.3 "
                 "to 0.5 m with rigid axles, up to 0.9 m in trucks and buses)",
                 result_.roll_centre_height_m, rigid_axle_m(),
