@@ -222,9 +222,8 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
                         const std::vector<Drive>& dynamics, const IdentificationOptions& options) {
     if (ramps.empty() || dynamics.empty()) {
         throw IdentificationError(
-            "a slow ramp and a dynamic drive are both needed: the one gives the stiffness, the other damping "
-            "and "
-            "inertia");
+            "a slow ramp and a dynamic drive are both needed: the one gives the stiffness, the other "
+            "damping and inertia");
     }
     Identification result;
     result.vehicle = vehicle;
