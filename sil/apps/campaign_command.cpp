@@ -12,7 +12,9 @@
 
 #include "sil/apps/command_line.hpp"
 #include "sil/apps/progress_line.hpp"
+#include "sil/apps/single_run.hpp"
 #include "sil/apps/stop_request.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/studies/campaign/campaign.hpp"
 #include "sil/studies/campaign/report.hpp"
 #include "sil/studies/campaign/settings.hpp"
@@ -29,6 +31,8 @@ struct CampaignRequest {
     std::filesystem::path output{"output/campaign"};
     unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
     bool report_only{false};
+    bool with_traces{false};
+    std::optional<std::uint64_t> single_run;
 };
 
 CampaignSettings settings_of(const CampaignRequest& request) {
@@ -74,14 +78,22 @@ void run(const CampaignRequest& request) {
                            now.finished, now.total, rate, now.simulated_s / now.elapsed_s / jobs,
                            duration(left_s));
     }};
-    const RowProgress progress = run_campaign(world, request.output, request.jobs, stop,
-                                              [&line](const RowProgress& now) { line.show(now); });
+    const RowProgress progress = run_campaign(
+        world, request.output, request.jobs, stop, [&line](const RowProgress& now) { line.show(now); },
+        request.with_traces);
     if (progress.finished < progress.total) {
         throw std::runtime_error(fmt::format(
             "interrupted after {} of {} runs, which are kept in {}. The same command goes on from "
             "there.",
             progress.finished, progress.total, request.output.string()));
     }
+}
+
+void run_one(const CampaignRequest& request, std::uint64_t number) {
+    const std::filesystem::path output = request.output / fmt::format("run-{}", number);
+    const CampaignRow row = drive_single_run(CampaignWorld{settings_of(request)}, number, output);
+    write_file_atomically(output / "row.csv", row_header() + "\n" + row_line(row) + "\n");
+    fmt::print("All of it is in {0}; sil/results/draw {0} makes the pictures.\n", output.string());
 }
 
 void add_whole_number(CLI::App& command, const std::string& name, std::optional<std::uint64_t>& value,
@@ -117,7 +129,16 @@ void add_campaign(CLI::App& app) {
         ->check(CLI::Range(1U, 1024U))
         ->capture_default_str();
     command->add_flag("--report-only", request->report_only, "No runs: report on the rows that are there");
+    command->add_flag("--traces", request->with_traces,
+                      "Every run also leaves its trace, OUTPUT/traces/NUMBER.csv, and its calibration");
+    add_whole_number(*command, "--run", request->single_run,
+                     "No campaign: drive the run of this number once more, into OUTPUT/run-NUMBER");
+    command->get_option("--run")->excludes("--report-only", "--traces");
     command->callback([request] {
+        if (request->single_run) {
+            run_one(*request, *request->single_run);
+            return;
+        }
         if (!request->report_only) {
             run(*request);
         }

@@ -3,79 +3,16 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <optional>
-#include <utility>
 
-#include "sil/apps/account.hpp"
-#include "sil/apps/firmware_csv.hpp"
+#include "sil/apps/run_recorder.hpp"
 #include "sil/apps/run_timing.hpp"
 #include "sil/files/calibration_file.hpp"
-#include "sil/results/event_marks.hpp"
-#include "sil/results/signal_csv.hpp"
 #include "sil/results/summary.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {
 namespace {
-
-class Recorder final : public RunObserver {
- public:
-    Recorder(const std::filesystem::path& output, double duration_s)
-        : csv_{output / "signals.csv"}, duration_s_{duration_s} {}
-
-    // What only a firmware in this process tells. `outputs` must outlive the recorder.
-    void look_inside(const std::filesystem::path& output, const rsi::Outputs& outputs,
-                     const rsi::Parameters& calibration) {
-        firmware_.emplace(output / "firmware.csv", outputs, calibration);
-        lifts_.emplace(output / "lifts.csv");
-    }
-
-    Account& account() { return account_; }
-
-    void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
-               const RunEvents& events) override {
-        csv_.write(truth, sample, ecu.output());
-        if (firmware_) {
-            firmware_->write(truth);
-        }
-        account_.cycle(truth, ecu, events, duration_s_);
-    }
-
-    void step(const Truth& truth) override {
-        if (lifts_) {
-            lifts_->observe(truth);
-        }
-    }
-
-    void close() {
-        csv_.close();
-        if (firmware_) {
-            firmware_->close();
-            lifts_->close();
-        }
-    }
-
-    std::vector<std::pair<std::string, std::optional<double>>> index_times_s() const {
-        return firmware_ ? firmware_->index_times_s()
-                         : std::vector<std::pair<std::string, std::optional<double>>>{};
-    }
-
- private:
-    SignalCsvWriter csv_;
-    std::optional<FirmwareCsvWriter> firmware_{};
-    std::optional<LiftCsvWriter> lifts_{};
-    Account account_;
-    double duration_s_;
-};
-
-// Results of an earlier run must not be taken for those of this one, should it fail.
-void prepare_folder(const std::filesystem::path& output) {
-    std::filesystem::create_directories(output);
-    for (const char* name : {"signals.csv", "events.gp", "summary.json", "firmware.csv", "lifts.csv"}) {
-        std::filesystem::remove(output / name);
-    }
-}
 
 std::unique_ptr<RunTiming> timing_of(const RunRequest& request, const rsi::Parameters& calibration) {
     const std::filesystem::path log = request.output / "candump.log";
@@ -90,8 +27,8 @@ const char* pace_name(const RunRequest& request) {
                               : (request.lock_step ? "in lock-step with the ECU" : "in real time");
 }
 
-void write_results(const RunRequest& request, const ManoeuvreRun& plant, const ClosedLoop& loop,
-                   const Recorder& recorder) {
+Summary summary_of(const RunRequest& request, const ManoeuvreRun& plant, const ClosedLoop& loop,
+                   const RunRecorder& recorder) {
     Summary summary;
     summary.manoeuvre = request.manoeuvre;
     summary.vehicle = plant.vehicle().parameters().name;
@@ -107,10 +44,7 @@ void write_results(const RunRequest& request, const ManoeuvreRun& plant, const C
     summary.events = loop.events();
     summary.frames_sent = loop.frames_sent();
     summary.frames_received = loop.ecu().frames_received();
-    write_event_marks(loop.events(), static_stability_factor(plant.vehicle().parameters()),
-                      fmt::format("{}, {}", request.manoeuvre, summary.vehicle),
-                      request.output / "events.gp");
-    write_summary(summary, request.output / "summary.json");
+    return summary;
 }
 
 }  // namespace
@@ -130,11 +64,11 @@ void run_manoeuvre(const RunRequest& request) {
     } else {
         check_interface(request.interface);
     }
-    prepare_folder(request.output);
+    prepare_run_folder(request.output);
     const std::unique_ptr<RunTiming> timing = timing_of(request, calibration);
-    Recorder recorder{request.output, plant.duration_s()};
+    RunRecorder recorder{request.output, plant.duration_s()};
     if (timing->outputs() != nullptr) {
-        recorder.look_inside(request.output, *timing->outputs(), calibration);
+        recorder.look_inside(*timing->outputs(), calibration);
     }
     ClosedLoop loop{plant, sensors, timing->bus(), timing->pace()};
 
@@ -143,7 +77,8 @@ void run_manoeuvre(const RunRequest& request) {
     recorder.account().end(loop.events(), loop.ecu(), loop.frames_sent(), timing->missed_cycles());
     recorder.close();
     timing->close();
-    write_results(request, plant, loop, recorder);
+    write_run_results(summary_of(request, plant, loop, recorder), plant.vehicle().parameters(),
+                      request.output);
 }
 
 }  // namespace sil

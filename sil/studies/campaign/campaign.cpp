@@ -8,28 +8,47 @@
 
 #include "sil/studies/campaign/campaign_folder.hpp"
 #include "sil/studies/campaign/row_file.hpp"
+#include "sil/studies/campaign/run_trace.hpp"
 
 namespace sil {
 namespace {
 
-MadeRow drive(const CampaignWorld& world, std::uint64_t number) {
+// `traces`: their folder; empty where none are wanted.
+MadeRow drive(const CampaignWorld& world, std::uint64_t number, const std::filesystem::path& traces) {
     try {
-        const CampaignRow row = world.run(number);
+        RunTrace trace;
+        const CampaignRow row = world.run(number, traces.empty() ? nullptr : &trace);
+        if (!traces.empty()) {
+            trace.write(traces, row);
+        }
         return {row_line(row), row.outcome.end_time_s};
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format("run {}: {}", number, error.what()));
     }
 }
 
+void refuse_rows_without_traces(const RowFile& file, const std::filesystem::path& traces) {
+    for (const std::uint64_t number : file.finished_runs()) {
+        if (!std::filesystem::exists(trace_file(traces, number))) {
+            throw InputError(fmt::format("{}: run {} was driven without a trace; use another output folder",
+                                         traces.parent_path().string(), number));
+        }
+    }
+}
+
 }  // namespace
 
 RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path& output, unsigned jobs,
-                         const std::atomic<bool>& stop, const RowListener& listener) {
+                         const std::atomic<bool>& stop, const RowListener& listener, bool with_traces) {
     const CampaignFolder folder{output, world.settings()};
     RowFile file{folder.rows(), row_header()};
-    return make_rows(
-        file, {world.settings().runs, jobs, [&world](std::uint64_t number) { return drive(world, number); }},
-        stop, listener);
+    const std::filesystem::path traces = with_traces ? output / "traces" : std::filesystem::path{};
+    if (with_traces) {
+        refuse_rows_without_traces(file, traces);
+        std::filesystem::create_directories(traces);
+    }
+    const auto make = [&world, &traces](std::uint64_t number) { return drive(world, number, traces); };
+    return make_rows(file, {world.settings().runs, jobs, make}, stop, listener);
 }
 
 }  // namespace sil

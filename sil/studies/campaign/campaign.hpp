@@ -13,8 +13,10 @@ namespace sil {
 // that are missing. Leaves campaign.toml and runs.csv there, the latter sorted by run number when all are
 // done; its bytes depend on the settings alone. Returns early, with every finished run kept, once `stop` is
 // true. Throws InputError when the folder holds another campaign, is in use, or cannot be written, and
-// std::runtime_error with the run's number when a run fails.
+// std::runtime_error with the run's number when a run fails. `with_traces`: every run also leaves its trace
+// (run_trace.hpp) in the folder `traces`; a folder that has rows without traces is then refused.
 RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path& output, unsigned jobs,
-                         const std::atomic<bool>& stop, const RowListener& listener = {});
+                         const std::atomic<bool>& stop, const RowListener& listener = {},
+                         bool with_traces = false);
 
 }  // namespace sil

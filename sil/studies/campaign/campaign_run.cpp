@@ -9,7 +9,6 @@
 #include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/studies/campaign/learning_drive.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {
@@ -18,12 +17,14 @@ namespace {
 // Keeps what every index says in every cycle: which of them count is known only when two-wheel lift-off is.
 class IndexRecorder final : public RunObserver {
  public:
-    IndexRecorder(const InProcessRun& run, const rsi::Parameters& parameters)
-        : run_{run}, parameters_{parameters} {
+    IndexRecorder(const InProcessRun& run, const rsi::Parameters& parameters, RunObserver& also)
+        : run_{run}, parameters_{parameters}, also_{also} {
         courses_.resize(campaign_indices().size());
     }
 
-    void cycle(const Truth& truth, const SensorSample&, const EcuFrames&, const RunEvents&) override {
+    void cycle(const Truth& truth, const SensorSample& sensors, const EcuFrames& ecu,
+               const RunEvents& events) override {
+        also_.cycle(truth, sensors, ecu, events);
         const rsi::Outputs& outputs = run_.outputs();
         const bool by_sensor = outputs.roll_source == RSI_ROLL_SENSOR;
         const IndexSample sample{outputs, truth, parameters_,
@@ -39,6 +40,7 @@ class IndexRecorder final : public RunObserver {
             throw std::runtime_error("the simulated vehicle's motion is no longer a number");
         }
         outcome_.observe(truth);
+        also_.step(truth);
     }
     bool settled() const override { return outcome_.settled(); }
 
@@ -55,6 +57,7 @@ class IndexRecorder final : public RunObserver {
  private:
     const InProcessRun& run_;
     const rsi::Parameters& parameters_;
+    RunObserver& also_;
     OutcomeObserver outcome_{};
     std::vector<IndexCourse> courses_{};
 };
@@ -72,11 +75,16 @@ CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{setti
     }
 }
 
-CampaignRow CampaignWorld::run(std::uint64_t number) const {
+CampaignRow CampaignWorld::run(std::uint64_t number, RunWatch* watch) const {
     const DrawnRun drawn = prepare(number);
     InProcessRun run{drawn.vehicle,     drawn.manoeuvre, drawn.options,       drawn.sensors,
                      drawn.calibration, nullptr,         learnt_before(drawn)};
-    IndexRecorder recorder{run, drawn.calibration};
+    RunObserver nobody;
+    if (watch != nullptr) {
+        watch->begin(run, drawn);
+    }
+    IndexRecorder recorder{run, drawn.calibration,
+                           watch != nullptr ? static_cast<RunObserver&>(*watch) : nobody};
     run.run(recorder);
 
     CampaignRow row;

@@ -12,9 +12,17 @@
 #include "sil/studies/campaign/row.hpp"
 #include "sil/studies/campaign/settings.hpp"
 #include "sil/world/manoeuvres/manoeuvre.hpp"
+#include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {
+
+// Sees a run of a campaign beside what makes its row; it cannot end it.
+class RunWatch : public RunObserver {
+ public:
+    // Before the first cycle; both are there until the last one.
+    virtual void begin(const InProcessRun& run, const DrawnRun& drawn) = 0;
+};
 
 // The files that the settings name, read once. Throws what load_vehicle, load_calibration and find_manoeuvre
 // throw.
@@ -23,7 +31,7 @@ class CampaignWorld {
     explicit CampaignWorld(const CampaignSettings& settings);
 
     // Safe to call from several threads at once. Throws std::exception when the run fails.
-    CampaignRow run(std::uint64_t number) const;
+    CampaignRow run(std::uint64_t number, RunWatch* watch = nullptr) const;
 
     // What run() drives.
     DrawnRun prepare(std::uint64_t number) const;

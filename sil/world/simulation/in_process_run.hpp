@@ -42,6 +42,7 @@ class InProcessRun {
     const RunEvents& events() const { return loop_->events(); }
     const Truth& truth() const { return plant_.truth(); }
     const VehicleParameters& vehicle() const { return plant_.vehicle().parameters(); }
+    double duration_s() const { return plant_.duration_s(); }  // if nothing ends the run before
 
     // What the firmware computed in the latest cycle, whether or not a frame carries it. The reference holds
     // for the object's life.
@@ -52,6 +53,7 @@ class InProcessRun {
 
     // What its frames said.
     const EcuFrames& frames() const { return loop_->ecu(); }
+    std::uint64_t frames_sent() const { return loop_->frames_sent(); }  // to it
 
  private:
     hal::CanBus& bus() { return recorded_ ? static_cast<hal::CanBus&>(*recorded_) : firmware_.world_bus(); }

@@ -54,7 +54,7 @@ TEST(LearningDrive, TakesItsTimeAndIsCalm) {
 
 TEST(LearningDrive, IsCalmerInAVehicleThatTipsMoreEasily) {
     sil::VehicleParameters tall = empty_vehicle();
-    tall.geometry.track_width_m *= 0.5;
+    tall.geometry.cg_height_m *= 1.6;
     ASSERT_LT(0.5 * sil::static_stability_factor(tall), 0.35);
     EXPECT_LT(largest_force(drive(tall)), largest_force(drive(empty_vehicle())));
 }

@@ -1,0 +1,59 @@
+#include "sil/apps/run_recorder.hpp"
+
+#include <fmt/format.h>
+
+#include "sil/results/event_marks.hpp"
+
+namespace sil {
+
+void prepare_run_folder(const std::filesystem::path& output) {
+    std::filesystem::create_directories(output);
+    for (const char* name : {"signals.csv", "events.gp", "summary.json", "firmware.csv", "lifts.csv"}) {
+        std::filesystem::remove(output / name);
+    }
+}
+
+RunRecorder::RunRecorder(std::filesystem::path output, double duration_s)
+    : output_{std::move(output)}, csv_{output_ / "signals.csv"}, duration_s_{duration_s} {}
+
+void RunRecorder::look_inside(const rsi::Outputs& outputs, const rsi::Parameters& calibration) {
+    firmware_.emplace(output_ / "firmware.csv", outputs, calibration);
+    lifts_.emplace(output_ / "lifts.csv");
+}
+
+void RunRecorder::cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
+                        const RunEvents& events) {
+    csv_.write(truth, sample, ecu.output());
+    if (firmware_) {
+        firmware_->write(truth);
+    }
+    account_.cycle(truth, ecu, events, duration_s_);
+}
+
+void RunRecorder::step(const Truth& truth) {
+    if (lifts_) {
+        lifts_->observe(truth);
+    }
+}
+
+void RunRecorder::close() {
+    csv_.close();
+    if (firmware_) {
+        firmware_->close();
+        lifts_->close();
+    }
+}
+
+std::vector<std::pair<std::string, std::optional<double>>> RunRecorder::index_times_s() const {
+    return firmware_ ? firmware_->index_times_s()
+                     : std::vector<std::pair<std::string, std::optional<double>>>{};
+}
+
+void write_run_results(const Summary& summary, const VehicleParameters& vehicle,
+                       const std::filesystem::path& output) {
+    write_event_marks(summary.events, static_stability_factor(vehicle),
+                      fmt::format("{}, {}", summary.manoeuvre, summary.vehicle), output / "events.gp");
+    write_summary(summary, output / "summary.json");
+}
+
+}  // namespace sil
