@@ -28,7 +28,7 @@ class ForceVote {
     // One sample; one that is not finite, of a body far over or of a vehicle that stands or spins starts
     // anew. `load_excess`: by which share m_s H is larger than calibrated, as far as it has been learnt.
     void update(const rsi::Inputs& inputs, float load_excess, bool rolls_on) noexcept {
-        // Learnt within -0.6 and 1.
+        // Above -0.5: no division by little.
         const float lighter = 1.0F / (1.0F + load_excess);
         const float yaw_mps2 = inputs.yaw_rate_radps * inputs.speed_mps;
         const float imu_mps = imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps;
