@@ -14,10 +14,28 @@ constexpr float steepest_bank_rad = 0.42F;
 // The body leans out of the turn; below this the sign of the force says nothing.
 constexpr float clear_force_mps2 = 2.0F;
 
+constexpr float sure_excess_deviation = 0.06F;
+
 // Of the road: measured, or as the observer has it.
 float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     const bool measured = rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad);
     return measured ? inputs.bank_angle_rad : before.observed_bank_angle_rad;
+}
+
+// What minutes of driving have shown. An accelerometer that has just failed looks like a load, but not like
+// one that is known so well.
+float sure_load_excess(const rsi::Outputs& before) noexcept {
+    return (before.load_excess_deviation < sure_excess_deviation) ? before.load_excess : 0.0F;
+}
+
+// Of the body against the horizon: what the lateral force is more than the turn needs, as a component of
+// gravity. It takes a slide for an inclination, and so is no proof of one.
+float inclination_rad(const rsi::Inputs& inputs) noexcept {
+    constexpr float per_gravity = 1.0F / rsi::gravity_mps2;
+    const float sine =
+        (inputs.lateral_specific_force_mps2 - inputs.yaw_rate_radps * inputs.speed_mps) * per_gravity;
+    return rsi::is_within_magnitude(sine, 0.5F) ? sine * (1.0F + sine * sine * (1.0F / 6.0F))
+                                                : rsi::not_available;
 }
 
 bool either_confirmed(const DiagnosticMemory& memory, DiagnosticCode a, DiagnosticCode b) noexcept {
@@ -157,13 +175,15 @@ void InputMonitor::check_roll(const rsi::Inputs& inputs, float late_roll_angle_r
                               DiagnosticMemory& memory) noexcept {
     const bool before = roll_contradicts(memory);
     const bool only_heals = before && !rsi::is_finite(inputs.roll_angle_rad);
-    roll_consistency_.update(only_heals ? late_roll_angle_rad : inputs.roll_angle_rad,
-                             inputs.roll_rate_radps);
+    roll_consistency_.update(only_heals ? late_roll_angle_rad : inputs.roll_angle_rad, inputs.roll_rate_radps,
+                             inclination_rad(inputs));
     if (!roll_consistency_.known()) {
         return;
     }
-    memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts());
-    memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset());
+    // Of an angle that does not fit the force the sensor is to blame, not the road.
+    const bool may_twist = force_vote_.roll_motion_agrees();
+    memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts(may_twist));
+    memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset(may_twist));
     if (roll_contradicts(memory) && !before) {
         roll_rate_is_wrong_ = !roll_angle_is_wrong(inputs);
     }
@@ -202,8 +222,8 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, const rsi::Outputs& bef
     rsi::Inputs against_road = inputs;
     against_road.roll_angle_rad = roll_against_road(inputs);
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
-    force_vote_.assume_load(before.load_excess);
-    force_vote_.update(against_road, turn_consistency_.known() && !turn_consistency_.spins());
+    force_vote_.update(against_road, sure_load_excess(before),
+                       turn_consistency_.known() && !turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {

@@ -28,32 +28,33 @@ class ARollAngle : public ::testing::Test {
     void run(int samples, float rise_per_sample, float roll_rate_radps = 0.0F) {
         for (int sample = 0; sample < samples; ++sample) {
             angle_rad += rise_per_sample;
-            check.update(angle_rad, roll_rate_radps);
+            check.update(angle_rad, roll_rate_radps, inclination_rad);
         }
     }
 
     RollConsistency check;
     float angle_rad{0.0F};
+    float inclination_rad{nan};
 };
 
 TEST_F(ARollAngle, IsJudgedFromThe21stSampleOn) {
     run(20, 0.03F);
     EXPECT_FALSE(check.known());
-    EXPECT_FALSE(check.contradicts());
+    EXPECT_FALSE(check.contradicts(false));
     run(1, 0.03F);
     EXPECT_TRUE(check.known());
-    EXPECT_TRUE(check.contradicts());
+    EXPECT_TRUE(check.contradicts(false));
 }
 
 TEST_F(ARollAngle, ContradictsWhenItComesApartBy3Point5DegreesIn200Milliseconds) {
     for (const float sign : {1.0F, -1.0F}) {
         check = RollConsistency{};
         run(90, sign * 0.0030F);
-        EXPECT_FALSE(check.contradicts());
+        EXPECT_FALSE(check.contradicts(false));
         run(30, sign * 0.0031F);
-        EXPECT_TRUE(check.contradicts());
+        EXPECT_TRUE(check.contradicts(false));
         run(30, 0.0F);
-        EXPECT_FALSE(check.contradicts());
+        EXPECT_FALSE(check.contradicts(false));
     }
 }
 
@@ -61,27 +62,27 @@ TEST_F(ARollAngle, HasAnOffsetWhenItComesApartBy9DegreesInASecond) {
     for (const float sign : {1.0F, -1.0F}) {
         check = RollConsistency{};
         run(150, sign * 0.00155F);
-        EXPECT_FALSE(check.has_offset());
+        EXPECT_FALSE(check.has_offset(false));
         run(110, sign * 0.00160F);
-        EXPECT_TRUE(check.has_offset());
-        EXPECT_FALSE(check.contradicts());
+        EXPECT_TRUE(check.has_offset(false));
+        EXPECT_FALSE(check.contradicts(false));
     }
 }
 
 TEST_F(ARollAngle, HasNoOffsetBeforeASecondIsOver) {
     run(100, 0.0025F);
     EXPECT_TRUE(check.known());
-    EXPECT_FALSE(check.has_offset());
+    EXPECT_FALSE(check.has_offset(false));
     run(1, 0.0025F);
-    EXPECT_TRUE(check.has_offset());
+    EXPECT_TRUE(check.has_offset(false));
 }
 
 TEST_F(ARollAngle, AgreesWithTheRateThatTurnsItAndNotWithOneThatDoesNot) {
     run(200, 0.005F, 0.5F);
-    EXPECT_FALSE(check.contradicts());
-    EXPECT_FALSE(check.has_offset());
+    EXPECT_FALSE(check.contradicts(false));
+    EXPECT_FALSE(check.has_offset(false));
     run(30, 0.0F, 0.5F);
-    EXPECT_TRUE(check.contradicts());
+    EXPECT_TRUE(check.contradicts(false));
 }
 
 // What was found before a gap says nothing after it.
@@ -89,18 +90,18 @@ TEST_F(ARollAngle, StartsAnewAfterASampleThatIsNotFinite) {
     for (const bool of_angle : {true, false}) {
         for (const float bad : {nan, infinity}) {
             run(150, 0.004F);
-            ASSERT_TRUE(check.contradicts());
-            ASSERT_TRUE(check.has_offset());
-            check.update(of_angle ? bad : angle_rad, of_angle ? 0.0F : bad);
+            ASSERT_TRUE(check.contradicts(false));
+            ASSERT_TRUE(check.has_offset(false));
+            check.update(of_angle ? bad : angle_rad, of_angle ? 0.0F : bad, inclination_rad);
             EXPECT_FALSE(check.known());
-            EXPECT_FALSE(check.contradicts());
-            EXPECT_FALSE(check.has_offset());
+            EXPECT_FALSE(check.contradicts(false));
+            EXPECT_FALSE(check.has_offset(false));
             run(20, 0.0F);
             EXPECT_FALSE(check.known());
             run(1, 0.0F);
             EXPECT_TRUE(check.known());
-            EXPECT_FALSE(check.contradicts());
-            EXPECT_FALSE(check.has_offset());
+            EXPECT_FALSE(check.contradicts(false));
+            EXPECT_FALSE(check.has_offset(false));
         }
     }
 }
@@ -113,10 +114,78 @@ TEST_F(ARollAngle, StartsAnewWhenTheIntegralOfTheRateComesTo50Radians) {
     for (int sample = 0; sample < 50; ++sample) {
         run(1, 0.05F, 5.0F);
         unknown_samples += check.known() ? 0 : 1;
-        EXPECT_FALSE(check.contradicts());
+        EXPECT_FALSE(check.contradicts(false));
     }
     EXPECT_EQ(unknown_samples, 21);
     EXPECT_TRUE(check.known());
+}
+
+// A road that turns the whole body without its rolling against the road.
+class ATwistingRoad : public ::testing::Test {
+ protected:
+    struct Said {
+        bool contradicts{false};
+        bool has_offset{false};
+    };
+
+    // Level for 1 s, then `rate_radps` for `twist_s`, then level again for 1 s; `seen` of it by the
+    // accelerometer.
+    static Said drive(float rate_radps, float twist_s, float seen, bool may_twist) {
+        RollConsistency check;
+        Said said;
+        float inclination_rad = 0.0F;
+        const int twist_samples = static_cast<int>(100.0F * twist_s + 0.5F);
+        for (int sample = 0; sample < 200 + twist_samples; ++sample) {
+            const bool twists = sample >= 100 && sample < 100 + twist_samples;
+            const float rate = twists ? rate_radps : 0.0F;
+            inclination_rad += 0.01F * rate;
+            check.update(0.0F, rate, seen * inclination_rad);
+            said.contradicts = said.contradicts || check.contradicts(may_twist);
+            said.has_offset = said.has_offset || check.has_offset(may_twist);
+        }
+        return said;
+    }
+};
+
+TEST_F(ATwistingRoad, IsNoContradictionWhereTheAccelerometerSeesIt) {
+    for (const float side : {1.0F, -1.0F}) {
+        for (const float rate_radps : {0.2F, 0.4F}) {  // 12 deg in a second; 4.6 deg in 0.2 s
+            const Said said = drive(side * rate_radps, 1.0F, 1.0F, true);
+            EXPECT_FALSE(said.contradicts) << rate_radps;
+            EXPECT_FALSE(said.has_offset) << rate_radps;
+        }
+    }
+}
+
+TEST_F(ATwistingRoad, IsOneWhereTheAccelerometerDoesNotSeeItOrTheBodyDoesNotRollAsForced) {
+    for (const Said& said :
+         {drive(0.4F, 1.0F, 0.0F, true), drive(0.4F, 1.0F, 1.0F, false), drive(0.4F, 1.0F, nan, true)}) {
+        EXPECT_TRUE(said.contradicts);
+        EXPECT_TRUE(said.has_offset);
+    }
+}
+
+// 9 deg more than what the roll rate says, within a second, or 3.5 deg within 0.2 s: limits as for the angle.
+TEST_F(ATwistingRoad, MustBeSeenWithinTheSameLimits) {
+    EXPECT_FALSE(drive(0.2F, 1.0F, 0.3F, true).has_offset);
+    EXPECT_TRUE(drive(0.2F, 1.0F, 0.1F, true).has_offset);
+    EXPECT_FALSE(drive(0.5F, 0.2F, 0.6F, true).contradicts);
+    EXPECT_TRUE(drive(0.5F, 0.2F, 0.1F, true).contradicts);
+}
+
+// 50 ms smooth the accelerometer's noise.
+TEST_F(ATwistingRoad, TakesTheInclinationThroughALagOf50MillisecondsButForItsFirst) {
+    RollConsistency check;
+    for (int sample = 0; sample < 100; ++sample) {
+        check.update(0.0F, 0.0F, 0.3F);
+    }
+    // The angle moves and with it nothing else: a fifth of a step of 0.3 rad is within the limit of 0.061
+    // rad.
+    check.update(0.07F, 0.0F, 0.6F);
+    EXPECT_FALSE(check.contradicts(true));
+    EXPECT_TRUE(check.contradicts(false));
+    check.update(0.07F, 0.0F, 0.6F);
+    EXPECT_TRUE(check.contradicts(true));
 }
 
 // Lateral acceleration against yaw rate times speed.
@@ -370,7 +439,7 @@ class AForceVote : public ::testing::Test {
 
     bool alone_after(int samples, float accelerometer_mps2, float by_yaw_mps2, float by_roll_mps2) {
         for (int sample = 0; sample < samples; ++sample) {
-            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)), true);
+            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)), 0.0F, true);
         }
         return vote.accelerometer_is_alone();
     }
@@ -403,40 +472,6 @@ TEST_F(AForceVote, IsNotAgainstTheAccelerometerWhenAnotherIsAlone) {
     EXPECT_FALSE(alone_after(300, 0.0F, 4.0F, -4.0F));  // all differ
 }
 
-// Of a body with a load: what rolls the calibrated one like 6 m/s^2 is less, or more, by the share that is
-// used.
-TEST_F(AForceVote, KnowsHowFarALoadRollsTheBody) {
-    const auto alone = [this](float used_share, float excess, float accelerometer_mps2) {
-        rsi::Parameters adapting = parameters();
-        adapting.load_adaptation = used_share;
-        vote = ForceVote{};
-        vote.start(adapting);
-        vote.assume_load(excess);
-        return alone_after(300, accelerometer_mps2, accelerometer_mps2 + 4.0F, 6.0F);
-    };
-    EXPECT_TRUE(alone(1.0F, 0.0F, 2.9F));
-    EXPECT_FALSE(alone(1.0F, 0.0F, 3.1F));
-    EXPECT_FALSE(alone(1.0F, 0.5F, 2.9F));  // held by 4
-    EXPECT_TRUE(alone(1.0F, 0.5F, 0.9F));
-    EXPECT_FALSE(alone(1.0F, 0.5F, 1.1F));
-    EXPECT_TRUE(alone(1.0F, -0.25F, 4.9F));  // by 8
-    EXPECT_FALSE(alone(1.0F, -0.25F, 5.1F));
-    EXPECT_TRUE(alone(0.5F, 1.0F, 0.9F));  // by 4
-    EXPECT_TRUE(alone(0.0F, 0.5F, 2.9F));
-    for (const float none : {nan, infinity, -0.51F, 1.51F}) {
-        EXPECT_TRUE(alone(1.0F, none, 2.9F)) << none;
-    }
-}
-
-TEST_F(AForceVote, KeepsTheLoadWhileNobodyKnowsIt) {
-    rsi::Parameters adapting = parameters();
-    adapting.load_adaptation = 1.0F;
-    vote.start(adapting);
-    vote.assume_load(0.5F);
-    vote.assume_load(nan);
-    EXPECT_FALSE(alone_after(300, 2.9F, 6.9F, 6.0F));
-}
-
 // The roll motion stands by the accelerometer, whatever the yaw rate says; who does not know says no.
 TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
     EXPECT_FALSE(vote.roll_motion_agrees());
@@ -447,7 +482,7 @@ TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
         EXPECT_FALSE(vote.roll_motion_agrees());
         alone_after(300, sign * 4.0F, sign * 1.0F, sign * 4.0F);
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)), true);
+        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)), 0.0F, true);
         EXPECT_FALSE(vote.roll_motion_agrees());
     }
 }
@@ -465,7 +500,7 @@ TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
                           Gap{10.0F, nan, 0.0F, 0.0F, true}, Gap{10.0F, 0.0F, nan, 0.0F, true},
                           Gap{10.0F, 0.0F, 0.0F, nan, true}, Gap{infinity, 0.0F, 0.0F, 0.0F, true}}) {
         ASSERT_TRUE(alone_after(100, 10.0F, 0.0F, 0.0F));
-        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), gap.rolls_on);
+        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), 0.0F, gap.rolls_on);
         EXPECT_FALSE(vote.accelerometer_is_alone());
         EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
     }
@@ -484,7 +519,7 @@ TEST_F(AForceVote, TakesThatMeanFromItsStartAndAfterAGapWhicheverOtherIsNearer) 
             for (int times = 0; times < 2; ++times) {
                 EXPECT_FALSE(alone_after(10, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
                 EXPECT_TRUE(alone_after(1, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
-                vote.update(sample_of(nan, 0.0F, 0.0F), true);
+                vote.update(sample_of(nan, 0.0F, 0.0F), 0.0F, true);
             }
         }
     }
@@ -522,14 +557,16 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
     }
 
     // What the vote has to say of the last two of five seconds, every sample of them; `gain`: of the
-    // accelerometer.
+    // accelerometer; `load`: by which share the truck is heavier than its calibration says; `learnt`: of it.
     struct Said {
         int alone{0};
         int agrees{0};
     };
-    Said drive(float gain) const {
+    Said drive(float gain, float load = 0.0F, float learnt = 0.0F) const {
         ForceVote vote;
-        vote.start(truck_);
+        rsi::Parameters calibration = truck_;
+        calibration.sprung_mass_kg /= 1.0F + load;
+        vote.start(calibration);
         Said said;
         double angle_rad = 0.0;
         double rate_radps = 0.0;
@@ -558,7 +595,7 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
             vote.update(
                 sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
                           static_cast<float>(angle_rad), static_cast<float>(rate_radps)),
-                true);
+                learnt, true);
             if (sample >= 300) {
                 said.alone += vote.accelerometer_is_alone() ? 1 : 0;
                 said.agrees += vote.roll_motion_agrees() ? 1 : 0;
@@ -576,6 +613,13 @@ TEST_F(AForceVoteOfASwingingTruck, IsNotAgainstAGoodAccelerometer) {
     EXPECT_EQ(said.agrees, 200);
 }
 
+// An empty truck's calibration takes the roll of a loaded one for that of a larger force.
+TEST_F(AForceVoteOfASwingingTruck, ReckonsWithALoadThatHasBeenLearnt) {
+    EXPECT_EQ(drive(1.0F, 1.0F, 1.0F).agrees, 200);
+    EXPECT_LT(drive(1.0F, 1.0F, 0.0F).agrees, 150);
+    EXPECT_EQ(drive(1.0F, -0.3F, -0.3F).agrees, 200);
+}
+
 TEST_F(AForceVoteOfASwingingTruck, HasTheRollMotionDisagreeWithOneOfTheOtherSign) {
     EXPECT_LT(drive(-1.0F).agrees, 150);
 }
@@ -586,12 +630,12 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationInItsFirstSample) {
     vote.start(truck_);
     const float angle_rad = 0.1F;
     for (int times = 0; times < 2; ++times) {
-        vote.update(sample_of(8.0F, 8.0F, angle_rad), true);  // yaws at 0.4 rad/s
+        vote.update(sample_of(8.0F, 8.0F, angle_rad), 0.0F, true);  // yaws at 0.4 rad/s
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F), true);
-        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F), true);
+        vote.update(sample_of(nan, 0.0F, 0.0F), 0.0F, true);
+        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F), 0.0F, true);
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F), true);
+        vote.update(sample_of(nan, 0.0F, 0.0F), 0.0F, true);
     }
 }
 
@@ -600,9 +644,9 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
     vote.start(truck_);
     const float rate_radps = 0.6F;
     const float force_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
-    vote.update(sample_of(0.0F, 0.0F, 0.0F), true);
+    vote.update(sample_of(0.0F, 0.0F, 0.0F), 0.0F, true);
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps), true);
+        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps), 0.0F, true);
     }
     EXPECT_TRUE(vote.roll_motion_agrees());
 }
@@ -615,7 +659,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothWitnes
         rsi::Inputs inputs = sample_of(4.0F + truck_.imu_x_m, 0.0F, 0.0F);
         inputs.yaw_rate_radps = 0.01F * static_cast<float>(sample);
         inputs.speed_mps = 1.0F;
-        vote.update(inputs, true);
+        vote.update(inputs, 0.0F, true);
     }
     EXPECT_TRUE(vote.accelerometer_is_alone());
 }
@@ -623,7 +667,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothWitnes
 TEST(AForceVoteThatHasNotStarted, SaysNothing) {
     ForceVote vote;
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(10.0F, 0.0F, 0.0F), true);
+        vote.update(sample_of(10.0F, 0.0F, 0.0F), 0.0F, true);
     }
     EXPECT_FALSE(vote.accelerometer_is_alone());
 }
