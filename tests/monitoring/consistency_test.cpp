@@ -472,40 +472,6 @@ TEST_F(AForceVote, IsNotAgainstTheAccelerometerWhenAnotherIsAlone) {
     EXPECT_FALSE(alone_after(300, 0.0F, 4.0F, -4.0F));  // all differ
 }
 
-// Of a body with a load: what rolls the calibrated one like 6 m/s^2 is less, or more, by the share that is
-// used.
-TEST_F(AForceVote, KnowsHowFarALoadRollsTheBody) {
-    const auto alone = [this](float used_share, float excess, float accelerometer_mps2) {
-        rsi::Parameters adapting = parameters();
-        adapting.load_adaptation = used_share;
-        vote = ForceVote{};
-        vote.start(adapting);
-        vote.assume_load(excess);
-        return alone_after(300, accelerometer_mps2, accelerometer_mps2 + 4.0F, 6.0F);
-    };
-    EXPECT_TRUE(alone(1.0F, 0.0F, 2.9F));
-    EXPECT_FALSE(alone(1.0F, 0.0F, 3.1F));
-    EXPECT_FALSE(alone(1.0F, 0.5F, 2.9F));  // held by 4
-    EXPECT_TRUE(alone(1.0F, 0.5F, 0.9F));
-    EXPECT_FALSE(alone(1.0F, 0.5F, 1.1F));
-    EXPECT_TRUE(alone(1.0F, -0.25F, 4.9F));  // by 8
-    EXPECT_FALSE(alone(1.0F, -0.25F, 5.1F));
-    EXPECT_TRUE(alone(0.5F, 1.0F, 0.9F));  // by 4
-    EXPECT_TRUE(alone(0.0F, 0.5F, 2.9F));
-    for (const float none : {nan, infinity, -0.51F, 1.51F}) {
-        EXPECT_TRUE(alone(1.0F, none, 2.9F)) << none;
-    }
-}
-
-TEST_F(AForceVote, KeepsTheLoadWhileNobodyKnowsIt) {
-    rsi::Parameters adapting = parameters();
-    adapting.load_adaptation = 1.0F;
-    vote.start(adapting);
-    vote.assume_load(0.5F);
-    vote.assume_load(nan);
-    EXPECT_FALSE(alone_after(300, 2.9F, 6.9F, 6.0F));
-}
-
 // The roll motion stands by the accelerometer, whatever the yaw rate says; who does not know says no.
 TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
     EXPECT_FALSE(vote.roll_motion_agrees());

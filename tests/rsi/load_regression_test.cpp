@@ -247,7 +247,7 @@ TEST(LoadRegression, RefusesWhatCannotHaveBeenLearnt) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const rsi::LearntLoad good{0.2F, 0.05F, 0.1F};
     ASSERT_TRUE(fresh().restore(good));
-    for (const float excess : {nan, -0.31F, 1.01F}) {
+    for (const float excess : {nan, -0.46F, 1.01F}) {
         EXPECT_FALSE(fresh().restore({excess, 0.05F, 0.1F}));
     }
     for (const float deviation : {nan, 0.0F, 0.009F, 0.26F, -0.05F}) {
