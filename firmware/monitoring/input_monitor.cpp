@@ -222,8 +222,8 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, const rsi::Outputs& bef
     rsi::Inputs against_road = inputs;
     against_road.roll_angle_rad = roll_against_road(inputs);
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
-    force_vote_.update(against_road, sure_load_excess(before),
-                       turn_consistency_.known() && !turn_consistency_.spins());
+    force_vote_.assume_load(sure_load_excess(before));
+    force_vote_.update(against_road, turn_consistency_.known() && !turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {

@@ -439,7 +439,7 @@ class AForceVote : public ::testing::Test {
 
     bool alone_after(int samples, float accelerometer_mps2, float by_yaw_mps2, float by_roll_mps2) {
         for (int sample = 0; sample < samples; ++sample) {
-            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)), 0.0F, true);
+            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)), true);
         }
         return vote.accelerometer_is_alone();
     }
@@ -482,7 +482,7 @@ TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
         EXPECT_FALSE(vote.roll_motion_agrees());
         alone_after(300, sign * 4.0F, sign * 1.0F, sign * 4.0F);
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)), 0.0F, true);
+        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)), true);
         EXPECT_FALSE(vote.roll_motion_agrees());
     }
 }
@@ -500,7 +500,7 @@ TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
                           Gap{10.0F, nan, 0.0F, 0.0F, true}, Gap{10.0F, 0.0F, nan, 0.0F, true},
                           Gap{10.0F, 0.0F, 0.0F, nan, true}, Gap{infinity, 0.0F, 0.0F, 0.0F, true}}) {
         ASSERT_TRUE(alone_after(100, 10.0F, 0.0F, 0.0F));
-        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), 0.0F, gap.rolls_on);
+        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), gap.rolls_on);
         EXPECT_FALSE(vote.accelerometer_is_alone());
         EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
     }
@@ -519,7 +519,7 @@ TEST_F(AForceVote, TakesThatMeanFromItsStartAndAfterAGapWhicheverOtherIsNearer) 
             for (int times = 0; times < 2; ++times) {
                 EXPECT_FALSE(alone_after(10, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
                 EXPECT_TRUE(alone_after(1, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
-                vote.update(sample_of(nan, 0.0F, 0.0F), 0.0F, true);
+                vote.update(sample_of(nan, 0.0F, 0.0F), true);
             }
         }
     }
@@ -557,16 +557,14 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
     }
 
     // What the vote has to say of the last two of five seconds, every sample of them; `gain`: of the
-    // accelerometer; `load`: by which share the truck is heavier than its calibration says; `learnt`: of it.
+    // accelerometer.
     struct Said {
         int alone{0};
         int agrees{0};
     };
-    Said drive(float gain, float load = 0.0F, float learnt = 0.0F) const {
+    Said drive(float gain) const {
         ForceVote vote;
-        rsi::Parameters calibration = truck_;
-        calibration.sprung_mass_kg /= 1.0F + load;
-        vote.start(calibration);
+        vote.start(truck_);
         Said said;
         double angle_rad = 0.0;
         double rate_radps = 0.0;
@@ -595,7 +593,7 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
             vote.update(
                 sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
                           static_cast<float>(angle_rad), static_cast<float>(rate_radps)),
-                learnt, true);
+                true);
             if (sample >= 300) {
                 said.alone += vote.accelerometer_is_alone() ? 1 : 0;
                 said.agrees += vote.roll_motion_agrees() ? 1 : 0;
@@ -613,13 +611,6 @@ TEST_F(AForceVoteOfASwingingTruck, IsNotAgainstAGoodAccelerometer) {
     EXPECT_EQ(said.agrees, 200);
 }
 
-// An empty truck's calibration takes the roll of a loaded one for that of a larger force.
-TEST_F(AForceVoteOfASwingingTruck, ReckonsWithALoadThatHasBeenLearnt) {
-    EXPECT_EQ(drive(1.0F, 1.0F, 1.0F).agrees, 200);
-    EXPECT_LT(drive(1.0F, 1.0F, 0.0F).agrees, 150);
-    EXPECT_EQ(drive(1.0F, -0.3F, -0.3F).agrees, 200);
-}
-
 TEST_F(AForceVoteOfASwingingTruck, HasTheRollMotionDisagreeWithOneOfTheOtherSign) {
     EXPECT_LT(drive(-1.0F).agrees, 150);
 }
@@ -630,12 +621,12 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationInItsFirstSample) {
     vote.start(truck_);
     const float angle_rad = 0.1F;
     for (int times = 0; times < 2; ++times) {
-        vote.update(sample_of(8.0F, 8.0F, angle_rad), 0.0F, true);  // yaws at 0.4 rad/s
+        vote.update(sample_of(8.0F, 8.0F, angle_rad), true);  // yaws at 0.4 rad/s
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F), 0.0F, true);
-        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F), 0.0F, true);
+        vote.update(sample_of(nan, 0.0F, 0.0F), true);
+        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F), true);
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F), 0.0F, true);
+        vote.update(sample_of(nan, 0.0F, 0.0F), true);
     }
 }
 
@@ -644,9 +635,9 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
     vote.start(truck_);
     const float rate_radps = 0.6F;
     const float force_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
-    vote.update(sample_of(0.0F, 0.0F, 0.0F), 0.0F, true);
+    vote.update(sample_of(0.0F, 0.0F, 0.0F), true);
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps), 0.0F, true);
+        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps), true);
     }
     EXPECT_TRUE(vote.roll_motion_agrees());
 }
@@ -659,7 +650,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothWitnes
         rsi::Inputs inputs = sample_of(4.0F + truck_.imu_x_m, 0.0F, 0.0F);
         inputs.yaw_rate_radps = 0.01F * static_cast<float>(sample);
         inputs.speed_mps = 1.0F;
-        vote.update(inputs, 0.0F, true);
+        vote.update(inputs, true);
     }
     EXPECT_TRUE(vote.accelerometer_is_alone());
 }
@@ -667,7 +658,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothWitnes
 TEST(AForceVoteThatHasNotStarted, SaysNothing) {
     ForceVote vote;
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(10.0F, 0.0F, 0.0F), 0.0F, true);
+        vote.update(sample_of(10.0F, 0.0F, 0.0F), true);
     }
     EXPECT_FALSE(vote.accelerometer_is_alone());
 }

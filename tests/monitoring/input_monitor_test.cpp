@@ -96,7 +96,9 @@ TEST_F(AnInputMonitor, PassesOnWhatContradictsNobody) {
 // A vehicle that slides under a load: its yaw rate leads, and its body rolls as the empty one under that
 // force.
 TEST_F(AnInputMonitor, TakesALoadThatMinutesHaveShownForNoFaultOfTheAccelerometer) {
-    const rsi::Parameters suv = rsi_test_large_suv();
+    rsi::Parameters suv = rsi_test_large_suv();
+    suv.load_adaptation = 1.0F;
+    monitor.start(suv);
     inputs.lateral_specific_force_mps2 = 4.0F;
     inputs.yaw_rate_radps = 8.0F / inputs.speed_mps;
     inputs.roll_angle_rad = 8.0F * suv.sprung_mass_kg *
