@@ -23,9 +23,9 @@ float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noex
 }
 
 // What minutes of driving have shown. An accelerometer that has just failed looks like a load, but not like
-// one that is known so well.
+// one that is known so well. NaN while the component makes no statement.
 float sure_load_excess(const rsi::Outputs& before) noexcept {
-    return (before.load_excess_deviation < sure_excess_deviation) ? before.load_excess : 0.0F;
+    return (before.load_excess_deviation >= sure_excess_deviation) ? 0.0F : before.load_excess;
 }
 
 // Of the body against the horizon: what the lateral force is more than the turn needs, as a component of

@@ -108,6 +108,12 @@ TEST_F(AnInputMonitor, TakesALoadThatMinutesHaveShownForNoFaultOfTheAcceleromete
     before.load_excess_deviation = 0.059F;
     run(200);
     EXPECT_FALSE(confirmed(lateral_code));
+    const rsi::Outputs stated = before;
+    before.load_excess = nan;  // without a statement what was known stays
+    before.load_excess_deviation = nan;
+    run(200);
+    EXPECT_FALSE(confirmed(lateral_code));
+    before = stated;
     before.load_excess_deviation = 0.06F;  // an accelerometer that has just failed looks like a load, too
     run(200);
     EXPECT_TRUE(confirmed(lateral_code));
