@@ -48,6 +48,14 @@ def is_warned(lead, wanted_s=0.0):
     return lead is not None and lead >= wanted_s - ROUNDING_S
 
 
+def wilson_interval(share, trials):
+    z = 1.959963984540054  # 95 %
+    centre = share + z * z / (2 * trials)
+    half = z * math.sqrt(share * (1 - share) / trials + z * z / (4 * trials * trials))
+    scale = 1 + z * z / trials
+    return max(0.0, (centre - half) / scale), min(1.0, (centre + half) / scale)
+
+
 class Share:
     """So many of so many runs, by vehicle; the intervals are those of sil/studies/campaign/statistics.cpp."""
 
@@ -71,14 +79,7 @@ class Share:
         return self.count / self.total if self.total else math.nan
 
     def interval(self):
-        total, share = self._independent(), self.value()
-        if not total:
-            return 0.0, 1.0
-        z = 1.959963984540054  # 95 %
-        centre = share + z * z / (2 * total)
-        half = z * math.sqrt(share * (1 - share) / total + z * z / (4 * total * total))
-        scale = 1 + z * z / total
-        return max(0.0, (centre - half) / scale), min(1.0, (centre + half) / scale)
+        return wilson_interval(self.value(), self._independent()) if self.total else (0.0, 1.0)
 
     def _independent(self):
         vehicles, share = len(self._vehicles), self.value()

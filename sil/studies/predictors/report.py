@@ -68,8 +68,8 @@ def page(chosen, reported, rows, groups, perfect_s):
                        lifted=sum(run.lift_s is not None for run in reported), perfect=perfect_s)
     return (text + _table(rows)
             + "\n![Lift-offs warned of 0.2 s before over the alarms that this costs](pictures/predictors.png)\n\n"
-            "The picture shows each prediction at other thresholds, all on the second half; the circle is the firmware\n"
-            "as it is.\n" + _importance(groups))
+            "The picture shows each prediction at other thresholds, all on the second half; the circle is the\n"
+            "firmware as it is.\n" + _importance(groups))
 
 
 def curve_data(firmware, curves):

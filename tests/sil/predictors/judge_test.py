@@ -10,6 +10,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
@@ -24,7 +25,8 @@ PROGRAM = ""
 RUNS = 60
 INDEX = "predicted_load_transfer"  # the firmware's own; a trace has it
 STEP = 1.01  # of the campaign's thresholds
-STATES = {"warning_confirmation_s": 0.02}
+STATES = {"advisory_on": 0.8, "advisory_off": 0.7, "warning_on": 0.9, "warning_off": 0.8,
+          "warning_confirmation_s": 0.02, "advisory_hold_s": 0.05, "warning_hold_s": 0.1}
 
 
 def index_risks(run):
@@ -130,9 +132,58 @@ class Lead(unittest.TestCase):
         self.assertAlmostEqual(judge.lead_s(["left"] * 11 + [None] * 5, 0.104, "left"), 0.104)
 
     def test_is_early_enough_to_the_cycle(self):
-        self.assertTrue(judge.is_warned(0.3 - 0.2, judge.EARLY_S))
-        self.assertFalse(judge.is_warned(0.09, judge.EARLY_S))
+        for wanted in (judge.EARLY_S, judge.VERY_EARLY_S):
+            self.assertTrue(judge.is_warned(0.3 + wanted - 0.3, wanted))
+            self.assertFalse(judge.is_warned(wanted - 0.001, wanted))
+        self.assertEqual((judge.EARLY_S, judge.VERY_EARLY_S), (0.1, 0.2))
         self.assertFalse(judge.is_warned(None))
+
+
+class Band(unittest.TestCase):
+    def test_begins_with_its_lower_limit(self):
+        for ltr, band in ((0.699, 0), (0.7, 1), (0.799, 1), (0.8, 2), (0.899, 2), (0.9, 3)):
+            self.assertEqual(judge.band(types.SimpleNamespace(largest_ltr=ltr)), judge.BANDS[band])
+
+
+class ShareOfRuns(unittest.TestCase):
+    def test_counts_vehicles_as_the_campaign_does(self):
+        share = judge.Share()
+        for vehicle in range(20):
+            for run in range(10):
+                share.add(vehicle, run < (10 if vehicle % 2 else 0))
+        # As twenty throws of a coin, less the one that finds the mean.
+        self.assertAlmostEqual(share.interval()[0], judge.wilson_interval(0.5, 19.0)[0])
+        self.assertAlmostEqual(judge.wilson_interval(0.0, 20.0)[1], 0.1611, delta=0.00005)
+
+
+class States(unittest.TestCase):
+    def named(self, *risks):
+        """State and side after these risks, (right, left) of one cycle each."""
+        states = warning.WarningStates(STATES)
+        for right, left in risks:
+            states.update(right, left)
+        return states.state, states.side
+
+    def test_advise_from_their_level_on(self):
+        self.assertEqual(self.named((0.79, 0.0)), ("ready", None))
+        self.assertEqual(self.named((0.8, 0.0)), ("advisory", "right"))
+        self.assertEqual(self.named((0.8, 0.0), (0.1, 0.0)), ("advisory", None))
+        self.assertEqual(self.named((0.8, 0.0), *[(0.1, 0.0)] * 5), ("ready", None))
+
+    def test_warn_when_confirmed_and_hold(self):
+        self.assertEqual(self.named((0.9, 0.0)), ("advisory", "right"))
+        self.assertEqual(self.named((0.9, 0.0), (0.9, 0.0)), ("warning", "right"))
+        self.assertEqual(self.named((0.9, 0.0), *[(0.1, 0.9)] * 2), ("warning", "left"))
+        self.assertEqual(self.named(*[(0.9, 0.0)] * 2, *[(0.1, 0.0)] * 9), ("warning", None))
+        self.assertEqual(self.named(*[(0.9, 0.0)] * 2, *[(0.1, 0.0)] * 10), ("ready", None))
+
+    def test_keep_a_side_while_its_risk_lasts(self):
+        warned = [(0.9, 0.0)] * 2
+        self.assertEqual(self.named(*warned, (0.75, 0.78)), ("warning", "right"))
+        self.assertEqual(self.named(*warned, (0.69, 0.78)), ("warning", None))
+        self.assertEqual(self.named(*warned, (0.69, 0.8)), ("warning", "left"))
+        self.assertEqual(self.named(*warned, (0.85, 0.89)), ("warning", "right"))
+        self.assertEqual(self.named(*warned, (0.85, 0.9)), ("warning", "left"))
 
 
 class Threshold(unittest.TestCase):
@@ -141,10 +192,8 @@ class Threshold(unittest.TestCase):
         self.assertEqual(warning.largest_threshold(STATES, [0.9]), 0.0)
 
     def test_gives_as_many_alarms_as_wanted(self):
-        class Near:
-            largest_ltr = 0.85
-
-        thresholds = [(Near, at) for at in (0.2, 0.9, 0.4, 0.7, 0.1)]
+        near = types.SimpleNamespace(largest_ltr=0.85)
+        thresholds = [(near, at) for at in (0.2, 0.9, 0.4, 0.7, 0.1)]
         self.assertEqual(comparison.matched_threshold(thresholds, 0.4), 0.7)
         self.assertEqual(comparison.matched_threshold(thresholds, 0.41), 0.4)
         self.assertEqual(comparison.matched_threshold(thresholds, 0.0), float("inf"))
