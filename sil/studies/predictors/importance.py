@@ -5,7 +5,6 @@ import numpy as np
 import learners
 import samples
 
-PREDICTOR = "boosted trees"
 NEAR = 0.6  # of the coming load transfer: below it nobody needs a forecast
 
 

@@ -98,13 +98,13 @@ class Verdict:
     def __init__(self):
         self.warned, self.warned_100ms, self.warned_200ms = Share(), Share(), Share()
         self.alarms = {name: Share() for name in BANDS}
-        self.leads_s = []  # of all lift-offs, 0 for those not warned of
+        self.leads_s = {}  # of all runs with lift-off, 0 of those that were not warned of
 
     def add_lift_off(self, run, lead):
         self.warned.add(run.vehicle, is_warned(lead))
         self.warned_100ms.add(run.vehicle, is_warned(lead, EARLY_S))
         self.warned_200ms.add(run.vehicle, is_warned(lead, VERY_EARLY_S))
-        self.leads_s.append(lead or 0.0)
+        self.leads_s[run] = lead or 0.0
 
     def add_other(self, run, alarm):
         self.alarms[band(run)].add(run.vehicle, alarm)

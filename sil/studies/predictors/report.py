@@ -1,5 +1,6 @@
 """The page of the study, and the numbers behind its picture."""
 
+import collections
 import statistics
 
 import judge
@@ -25,7 +26,8 @@ the firmware computes, now and ahead. They show how much a better prediction wou
   keeps to them. For the row *unseen manoeuvres* each run is judged by a predictor that has learned without its kind
   of manoeuvre: turns, fishhooks, lane changes. Of the gain over the firmware, that row's part is understanding of the
   vehicle; the rest is knowledge of the test. (The threshold of that row comes from vehicles that it has seen.)
-- **What is predicted.** The largest load transfer of the next 0.3 s; *lift-off*: how probable it is within 0.4 s.
+- **What is predicted.** The largest load transfer of the next 0.3 s, or of what the row says, every 20 ms. *Linear* is
+  a weighted sum of all that is told, some forty numbers.
 - **Perfect forecast** is the true load transfer of the next {perfect} s, which nobody can have.
 
 In brackets: 95 % confidence, counting vehicles.
@@ -45,7 +47,7 @@ def _alarms(share):
 def line(name, threshold, verdict):
     cells = [name, "-" if threshold is None else f"{threshold:.3f}"]
     cells += [_percent(share) for share in (verdict.warned, verdict.warned_100ms, verdict.warned_200ms)]
-    cells += [f"{statistics.median(verdict.leads_s):.2f}"]
+    cells += [f"{statistics.median(verdict.leads_s.values()):.2f}"]
     return f"| {' | '.join(cells + [_alarms(verdict.alarms[band]) for band in judge.BANDS])} |"
 
 
@@ -53,6 +55,18 @@ def _table(rows):
     alarms = " | ".join(f"alarms {band}, %" for band in judge.BANDS)
     return (f"| | threshold | warned, % | 0.1 s before, % | 0.2 s before, % | median lead, s | {alarms} |\n"
             f"|---|---:|---|---|---|---:|{'---:|' * len(judge.BANDS)}\n" + "".join(line(*row) + "\n" for row in rows))
+
+
+def _by(title, group_of, rows):
+    """Lift-offs warned of 0.2 s before, by a property of the run."""
+    groups = collections.Counter(sorted(group_of(run) for run in rows[0][2].leads_s))
+    text = f"\n## 0.2 s before, by {title}\nIn per cent of the lift-offs.\n\n| | {' | '.join(groups)} |\n"
+    text += f"|---|{'---:|' * len(groups)}\n| lift-offs | {' | '.join(map(str, groups.values()))} |\n"
+    for name, _, verdict in rows:
+        early = collections.Counter(group_of(run) for run, lead in verdict.leads_s.items()
+                                    if judge.is_warned(lead, judge.VERY_EARLY_S))
+        text += f"| {name} | {' | '.join(f'{100 * early[group] / groups[group]:.1f}' for group in groups)} |\n"
+    return text
 
 
 def _importance(groups):
@@ -69,7 +83,8 @@ def page(chosen, reported, rows, groups, perfect_s):
     return (text + _table(rows)
             + "\n![Lift-offs warned of 0.2 s before over the alarms that this costs](pictures/predictors.png)\n\n"
             "The picture shows each prediction at other thresholds, all on the second half; the circle is the\n"
-            "firmware as it is.\n" + _importance(groups))
+            "firmware as it is.\n" + _by("manoeuvre", lambda run: run.row["manoeuvre"], rows)
+            + _by("class of vehicle", lambda run: run.row["class"], rows) + _importance(groups))
 
 
 def curve_data(firmware, curves):

@@ -101,8 +101,9 @@ def main(arguments):
         say(f"{name}: learning")
         predictor = learners.learned(name, chosen)
         add(name, unseen, learners.predictions(predictor, reported))
-        if name == importance.PREDICTOR:
+        if name == learners.TREES:
             groups = importance.by_group(predictor, reported)
+        if name in (learners.LINEAR, learners.TREES):
             of_unseen = unseen_manoeuvre_predictions(name, chosen, level_runs + reported)
             add(f"{name}, unseen manoeuvres", of_unseen, of_unseen)
     add(PERFECT, perfect_predictions(level_runs), perfect_predictions(reported))

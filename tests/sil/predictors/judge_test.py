@@ -106,7 +106,7 @@ class AgreesWithTheCampaign(unittest.TestCase):
         self.expect_share(verdict.warned_200ms, reported["warned_200ms_before"])
         for band in judge.BANDS:
             self.expect_share(verdict.alarms[band], reported["alarms"][band])
-        self.assertAlmostEqual(statistics.median(verdict.leads_s), reported["lead_time_median_s"], delta=6e-4)
+        self.assertAlmostEqual(statistics.median(verdict.leads_s.values()), reported["lead_time_median_s"], delta=6e-4)
 
     def test_the_verdict_is_that_of_the_campaigns_report(self):
         self.expect_verdict(comparison.firmware_verdict(self.runs), self.report["warning"])
