@@ -285,7 +285,7 @@ struct RolloverWarning {
         warning = 3,
     };
 
-    // Side towards which the vehicle would fall.
+    // Side towards which the vehicle would fall; none too where only the hold time keeps the state.
     enum class Side : std::uint8_t {
         none = 0,
         left = 1,
@@ -316,7 +316,7 @@ struct RolloverWarning {
 
     // Warning state.
     State state{State::unavailable};
-    // Side towards which the vehicle would fall.
+    // Side towards which the vehicle would fall; none too where only the hold time keeps the state.
     Side side{Side::none};
     // Why the vehicle parameters were refused.
     ParametersRefusal parameters_refusal{ParametersRefusal::none};

@@ -26,12 +26,14 @@ class ForceVote {
     }
 
     // One sample; one that is not finite, of a body far over or of a vehicle that stands or spins starts
-    // anew.
-    void update(const rsi::Inputs& inputs, bool rolls_on) noexcept {
+    // anew. `load_excess`: by which share m_s H is larger than calibrated, as far as it has been learnt.
+    void update(const rsi::Inputs& inputs, float load_excess, bool rolls_on) noexcept {
+        // Learnt within -0.6 and 1.
+        const float lighter = 1.0F / (1.0F + load_excess);
         const float yaw_mps2 = inputs.yaw_rate_radps * inputs.speed_mps;
         const float imu_mps = imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps;
-        const float held_mps2 =
-            force_per_angle_mps2_ * inputs.roll_angle_rad + force_per_rate_mps_ * inputs.roll_rate_radps;
+        const float held_mps2 = lighter * (force_per_angle_mps2_ * inputs.roll_angle_rad +
+                                           force_per_rate_mps_ * inputs.roll_rate_radps);
         const bool knew = known_;
         known_ = rolls_on && rsi::is_within_magnitude(inputs.roll_angle_rad, 0.15F) &&
                  rsi::is_finite(inputs.lateral_specific_force_mps2 + yaw_mps2 + imu_mps + held_mps2);
@@ -53,7 +55,7 @@ class ForceVote {
         const float imu_mps2 = (imu_mps - imu_mps_) / lag_s;
         const float roll_radps2 = (inputs.roll_rate_radps - roll_rate_radps_) / lag_s;
         against_yaw_mps2_ = less_yaw_mps2_ - imu_mps2;
-        against_roll_mps2_ = less_held_mps2_ - imu_mps2 - force_per_acceleration_m_ * roll_radps2;
+        against_roll_mps2_ = less_held_mps2_ - imu_mps2 - lighter * force_per_acceleration_m_ * roll_radps2;
     }
 
     bool accelerometer_is_alone() const noexcept {

@@ -20,6 +20,16 @@ float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noex
     return measured ? inputs.bank_angle_rad : before.observed_bank_angle_rad;
 }
 
+// Of the body against the horizon: what the lateral force is more than the turn needs, as a component of
+// gravity. It takes a slide for an inclination, and so is no proof of one.
+float inclination_rad(const rsi::Inputs& inputs) noexcept {
+    constexpr float per_gravity = 1.0F / rsi::gravity_mps2;
+    const float sine =
+        (inputs.lateral_specific_force_mps2 - inputs.yaw_rate_radps * inputs.speed_mps) * per_gravity;
+    return rsi::is_within_magnitude(sine, 0.5F) ? sine * (1.0F + sine * sine * (1.0F / 6.0F))
+                                                : rsi::not_available;
+}
+
 bool either_confirmed(const DiagnosticMemory& memory, DiagnosticCode a, DiagnosticCode b) noexcept {
     return memory.confirmed(a) || memory.confirmed(b);
 }
@@ -81,7 +91,7 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     check_stuck(kept, memory);
     check_roll(kept, fresh.late_roll_angle_rad, memory);
     check_vertical(kept, before, memory);
-    check_turn(kept, memory);
+    check_turn(kept, before.load_excess, memory);
     check_reference(kept, before, memory);
     check_observer(inputs, before, memory);
     if (!memory.no_active_codes()) {
@@ -157,13 +167,15 @@ void InputMonitor::check_roll(const rsi::Inputs& inputs, float late_roll_angle_r
                               DiagnosticMemory& memory) noexcept {
     const bool before = roll_contradicts(memory);
     const bool only_heals = before && !rsi::is_finite(inputs.roll_angle_rad);
-    roll_consistency_.update(only_heals ? late_roll_angle_rad : inputs.roll_angle_rad,
-                             inputs.roll_rate_radps);
+    roll_consistency_.update(only_heals ? late_roll_angle_rad : inputs.roll_angle_rad, inputs.roll_rate_radps,
+                             inclination_rad(inputs));
     if (!roll_consistency_.known()) {
         return;
     }
-    memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts());
-    memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset());
+    // Of an angle that does not fit the force the sensor is to blame, not the road.
+    const bool may_twist = force_vote_.roll_motion_agrees();
+    memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts(may_twist));
+    memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset(may_twist));
     if (roll_contradicts(memory) && !before) {
         roll_rate_is_wrong_ = !roll_angle_is_wrong(inputs);
     }
@@ -192,7 +204,8 @@ void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs&
     }
 }
 
-void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
+void InputMonitor::check_turn(const rsi::Inputs& inputs, float load_excess,
+                              DiagnosticMemory& memory) noexcept {
     constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
     constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
@@ -201,7 +214,7 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, DiagnosticMemory& memor
     rsi::Inputs against_road = inputs;
     against_road.roll_angle_rad = roll_against_road(inputs);
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
-    force_vote_.update(against_road, turn_consistency_.known() && !turn_consistency_.spins());
+    force_vote_.update(against_road, load_excess, turn_consistency_.known() && !turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {

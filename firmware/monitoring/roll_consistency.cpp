@@ -1,8 +1,14 @@
 #include "monitoring/roll_consistency.hpp"
 
 namespace monitoring {
+namespace {
 
-void RollConsistency::update(float roll_angle_rad, float roll_rate_radps) noexcept {
+// Of the inclination: an accelerometer's noise is as large as what is looked for.
+constexpr float inclination_lag_s = 0.05F;
+
+}  // namespace
+
+void RollConsistency::update(float roll_angle_rad, float roll_rate_radps, float inclination_rad) noexcept {
     if (!rsi::is_finite(roll_angle_rad) || !rsi::is_finite(roll_rate_radps) ||
         !rsi::is_within_magnitude(turned_rad_, largest_turn_rad)) {
         filled_ = 0U;
@@ -10,20 +16,28 @@ void RollConsistency::update(float roll_angle_rad, float roll_rate_radps) noexce
         return;
     }
     turned_rad_ += rsi::sample_time_s * roll_rate_radps;
-    const float difference = roll_angle_rad - turned_rad_;
-    short_rad_ = change(difference, short_window);
-    long_rad_ = change(difference, long_window);
-    history_[next_] = difference;
+    const bool was_known = inclination_known_;
+    inclination_known_ = rsi::is_finite(inclination_rad);
+    if (inclination_known_) {
+        const float weight = was_known ? rsi::sample_time_s / inclination_lag_s : 1.0F;
+        inclination_rad_ += weight * (inclination_rad - inclination_rad_);
+    }
+    const float compared_rad = inclination_known_ ? inclination_rad_ : roll_angle_rad;
+    const Beyond now{roll_angle_rad - turned_rad_, compared_rad - turned_rad_};
+    short_ = change(now, short_window);
+    long_ = change(now, long_window);
+    history_[next_] = now;
     next_ = (next_ + 1U < long_window) ? next_ + 1U : 0U;
     filled_ = (filled_ < long_window) ? filled_ + 1U : long_window;
 }
 
-float RollConsistency::change(float difference, std::size_t window) const noexcept {
+RollConsistency::Beyond RollConsistency::change(const Beyond& now, std::size_t window) const noexcept {
     if (filled_ < window) {
-        return 0.0F;
+        return Beyond{};
     }
     const std::size_t index = (next_ >= window) ? next_ - window : next_ + long_window - window;
-    return difference - history_[index];
+    return Beyond{now.roll_angle_rad - history_[index].roll_angle_rad,
+                  now.inclination_rad - history_[index].inclination_rad};
 }
 
 }  // namespace monitoring

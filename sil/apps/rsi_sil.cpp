@@ -82,6 +82,8 @@ void add_run(CLI::App& app, sil::RunRequest& request) {
     run->add_flag("--bank-sensor", request.sensors.bank_sensor, "The vehicle measures the road's bank, too");
     run->add_flag("--attitude-sensor", request.sensors.attitude_sensor,
                   "The vehicle measures the roll angle against the horizon, not against the road");
+    run->add_flag("--mass-sensor", request.sensors.mass_sensor,
+                  "The vehicle measures its mass by the axle loads, as trucks do");
     run->add_flag("--noise", request.sensors.noise, "Sensors with noise");
     run->add_flag("--mirror", request.mirrored, "Left and right exchanged");
     add_pace(*run, request);

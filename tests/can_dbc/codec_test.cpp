@@ -238,7 +238,7 @@ TEST(Codec, KeepsDistinctIdentifiersAndDataIdentifiers) {
             low_bytes_of_data_ids.push_back(low_byte);
         }
     });
-    EXPECT_EQ(identifiers.size(), 10U);
+    EXPECT_EQ(identifiers.size(), 12U);
 }
 
 }  // namespace

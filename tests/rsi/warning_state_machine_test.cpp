@@ -201,6 +201,17 @@ TEST(WarningStateMachine, ASideKeepsItsNameWhileItsOwnRiskLastsAndTheOtherIsNoHi
     warning.after(0.79F, -1.0F, 0.7F);
     EXPECT_EQ(warning.side(), RSI_SIDE_RIGHT);
     warning.after(0.79F, -1.0F, 0.699F);
+    EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);
+}
+
+TEST(WarningStateMachine, AWarningNamesNoSideOnceBothRisksAreOver) {
+    rsi_parameters parameters = quick();
+    parameters.warning_hold_s = 1.0F;
+    Warning warning(parameters);
+    warning.after(1.0F, 1.0F);
+    EXPECT_EQ(warning.after(0.7F, -1.0F, 0.699F), RSI_STATE_WARNING);
+    EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);
+    EXPECT_EQ(warning.after(0.699F, 1.0F, 0.699F), RSI_STATE_WARNING);
     EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
 }
 

@@ -1,44 +1,53 @@
 // Roll stiffness curve: the suspension's roll moment over the roll angle.
 #pragma once
 
+#include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
 
-// M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5; constant after init.
+// M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5, as far as its slope stays above a quarter of K_f; from there on a
+// straight line. The powers are fitted to what a suspension does on the road. Where they fall off they say
+// nothing: a body that leans further, as after lift-off, would be pushed over by its own springs.
 class RollStiffnessCurve {
  public:
     // `factor`: what the curve is multiplied by, 1 / Ixx for instance.
-    void init(const Parameters& parameters, float factor = 1.0F) {
-        linear_ = factor * parameters.roll_stiffness_nmprad;
-        cubic_ = factor * parameters.roll_stiffness_cubic_nmprad3;
-        quintic_ = factor * parameters.roll_stiffness_quintic_nmprad5;
-        slope_cubic_ = 3.0F * cubic_;
-        slope_quintic_ = 5.0F * quintic_;
-    }
+    [[gnu::cold]] void init(const Parameters& parameters, float factor = 1.0F);
 
     float moment_nm(float angle_rad) const {
-        return angle_rad * (linear_ + secant_deviation_nmprad(angle_rad));
+        const float curved_rad = clamp_magnitude(angle_rad, curved_to_rad_);
+        return curved_rad * (linear_ + power_terms_nmprad(curved_rad)) +
+               (angle_rad - curved_rad) * line_slope_;
     }
 
     // M(phi) / phi - K_f
     float secant_deviation_nmprad(float angle_rad) const {
-        const float z = angle_rad * angle_rad;
-        return z * (cubic_ + z * quintic_);
+        if (is_within_magnitude(angle_rad, curved_to_rad_)) {
+            return power_terms_nmprad(angle_rad);
+        }
+        return moment_nm(angle_rad) / angle_rad - linear_;
     }
 
     // dM/dphi
     float slope_nmprad(float angle_rad) const {
-        const float z = angle_rad * angle_rad;
+        const float curved_rad = clamp_magnitude(angle_rad, curved_to_rad_);
+        const float z = curved_rad * curved_rad;
         return linear_ + z * (slope_cubic_ + z * slope_quintic_);
     }
 
  private:
+    float power_terms_nmprad(float angle_rad) const {
+        const float z = angle_rad * angle_rad;
+        return z * (cubic_ + z * quintic_);
+    }
+
     float linear_{1.0F};
     float cubic_{0.0F};
     float quintic_{0.0F};
     float slope_cubic_{0.0F};
     float slope_quintic_{0.0F};
+    float curved_to_rad_{1.0F};  // positive
+    float line_slope_{1.0F};
 };
 
 }  // namespace rsi

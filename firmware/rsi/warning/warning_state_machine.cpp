@@ -98,15 +98,14 @@ void WarningStateMachine::update_side(const RiskLevel& risk) {
 // The hold times keep a state visible, not a side. A side stays named while its own risk lasts and the
 // other's does not reach the level of the state; below the advisory level it gives way to the other above it.
 rsi_side WarningStateMachine::next_side(const RiskLevel& risk) const {
-    const rsi_side larger_risk = falling_side(risk.side);
-    if ((side_ == larger_risk) || (side_ == RSI_SIDE_NONE)) {
-        return (risk.indicator >= advisory_off_) ? larger_risk : RSI_SIDE_NONE;
+    const rsi_side riskier = (risk.indicator >= advisory_off_) ? falling_side(risk.side) : RSI_SIDE_NONE;
+    if ((side_ == RSI_SIDE_NONE) || (risk.opposite < advisory_off_)) {
+        return riskier;
     }
     const float level = (state_ == RSI_STATE_WARNING) ? warning_on_ : advisory_on_;
-    if ((risk.indicator >= level) || ((risk.indicator >= advisory_on_) && (risk.opposite < advisory_on_))) {
-        return larger_risk;
-    }
-    return (risk.opposite >= advisory_off_) ? side_ : RSI_SIDE_NONE;
+    const bool takes_over =
+        (risk.indicator >= level) || ((risk.indicator >= advisory_on_) && (risk.opposite < advisory_on_));
+    return takes_over ? riskier : side_;
 }
 
 }  // namespace rsi

@@ -1,6 +1,7 @@
 // Campaign run: driven once, with every index watched.
 #include "sil/studies/campaign/campaign_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -66,9 +67,13 @@ class IndexRecorder final : public RunObserver {
 
 CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{settings} {
     for (const CampaignVehicle& vehicle : settings.vehicles) {
-        vehicles_.push_back(
-            {std::filesystem::path{vehicle.parameters}.stem().string(), load_vehicle(vehicle.parameters),
-             load_calibration(vehicle.calibration, settings.changes), std::make_unique<LearningDrive>()});
+        vehicles_.push_back({std::filesystem::path{vehicle.parameters}.stem().string(),
+                             load_vehicle(vehicle.parameters),
+                             load_calibration(vehicle.calibration, settings.changes),
+                             {}});
+        for (std::size_t i = 0U; i < settings.manoeuvres.size(); ++i) {
+            vehicles_.back().learning.push_back(std::make_unique<LearningDrive>());
+        }
     }
     for (const CampaignManoeuvre& manoeuvre : settings.manoeuvres) {
         manoeuvres_.push_back(campaign_manoeuvre(manoeuvre.name));
@@ -102,21 +107,33 @@ CampaignRow CampaignWorld::run(std::uint64_t number, RunWatch* watch) const {
     return row;
 }
 
-// The drive is that of the vehicle as its files have it, with sensors without bias; what it shows is learnt
-// with the errors of this run's calibration.
+// Manoeuvres that leave the vehicle as it is share the drive of the first of them.
+CampaignWorld::LearningDrive& CampaignWorld::learning_drive_before(const RunDraw& draw) const {
+    const auto same = [](const Manoeuvre& manoeuvre) { return !manoeuvre.adapt_vehicle; };
+    const auto own = manoeuvres_.begin() + static_cast<std::ptrdiff_t>(draw.manoeuvre);
+    const auto driven = same(*own) ? std::find_if(manoeuvres_.begin(), manoeuvres_.end(), same) : own;
+    return *vehicles_[draw.vehicle].learning[static_cast<std::size_t>(driven - manoeuvres_.begin())];
+}
+
+// The drive is that of the vehicle as its file and the manoeuvre have it, with sensors without bias; what it
+// shows is learnt with the errors of this run's calibration and mass sensor.
 std::optional<rsi::LearntLoad> CampaignWorld::learnt_before(const DrawnRun& drawn) const {
     if (settings_.learning_s == 0.0) {
         return std::nullopt;
     }
-    const KnownVehicle& known = vehicles_[drawn.draw.vehicle];
-    std::call_once(known.learning->driven, [&] {
+    LearningDrive& learning = learning_drive_before(drawn.draw);
+    std::call_once(learning.driven, [&] {
+        const KnownVehicle& known = vehicles_[drawn.draw.vehicle];
+        const Manoeuvre& manoeuvre = manoeuvres_[drawn.draw.manoeuvre];
+        const VehicleParameters vehicle =
+            manoeuvre.adapt_vehicle ? manoeuvre.adapt_vehicle(known.parameters) : known.parameters;
         RunDraw nothing_drawn;
+        nothing_drawn.vehicle = drawn.draw.vehicle;
         nothing_drawn.sensor_seed = settings_.seed + drawn.draw.vehicle;
-        known.learning->inputs =
-            learning_drive(known.parameters, drawn_sensors(known.parameters, settings_.spread, nothing_drawn),
-                           known.calibration, settings_.learning_s);
+        learning.inputs = learning_drive(vehicle, drawn_sensors(settings_, nothing_drawn, vehicle),
+                                         known.calibration, settings_.learning_s);
     });
-    return learnt_load(known.learning->inputs, drawn.calibration);
+    return learnt_load(learning.inputs, drawn.calibration, drawn.draw.mass_sensor_error);
 }
 
 DrawnRun CampaignWorld::prepare(std::uint64_t number) const {

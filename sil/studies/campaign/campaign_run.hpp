@@ -39,7 +39,8 @@ class CampaignWorld {
     const CampaignSettings& settings() const { return settings_; }
 
  private:
-    // Driven when the first run needs it, by whichever thread comes first.
+    // Of the vehicle as a manoeuvre has it. Driven when the first run needs it, by whichever thread comes
+    // first.
     struct LearningDrive {
         std::once_flag driven{};
         std::vector<rsi::Inputs> inputs{};
@@ -48,9 +49,11 @@ class CampaignWorld {
         std::string name;
         VehicleParameters parameters;
         rsi::Parameters calibration;
-        std::unique_ptr<LearningDrive> learning;
+        std::vector<std::unique_ptr<LearningDrive>>
+            learning;  // one for each manoeuvre; many are never driven
     };
 
+    LearningDrive& learning_drive_before(const RunDraw& draw) const;
     // What the firmware of this run has learnt of the load before it; nothing without a learning drive.
     std::optional<rsi::LearntLoad> learnt_before(const DrawnRun& drawn) const;
 

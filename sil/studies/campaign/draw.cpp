@@ -2,6 +2,7 @@
 #include "sil/studies/campaign/draw.hpp"
 
 #include "sil/random.hpp"
+#include "sil/world/sensors/sensor_options.hpp"
 
 namespace sil {
 namespace {
@@ -22,6 +23,7 @@ enum class Quantity : std::uint64_t {
     lateral_bias = 12,
     vertical_bias = 13,
     sensor_seed = 14,
+    mass_sensor_error = 15,
 };
 
 class RandomNumbers {
@@ -90,6 +92,8 @@ RunDraw draw_run(const CampaignSettings& settings, std::uint64_t number) {
     draw.cg_height_error = random.either_way(Quantity::cg_height_error, spread.cg_height_error);
     draw.stiffness_error = random.either_way(Quantity::stiffness_error, spread.stiffness_error);
     draw.mass_error = random.either_way(Quantity::mass_error, spread.mass_error);
+    draw.mass_sensor_error = random.either_way(
+        Quantity::mass_sensor_error, vehicle.mass_sensor && spread.sensor_noise ? mass_sensor_accuracy : 0.0);
     draw.lateral_bias_g = random.either_way(Quantity::lateral_bias, spread.accelerometer_bias_g);
     draw.vertical_bias_g = random.either_way(Quantity::vertical_bias, spread.accelerometer_bias_g);
     draw.sensor_seed = random.bits(Quantity::sensor_seed) >> 1U;

@@ -22,6 +22,7 @@ struct RunDraw {
     double cg_height_error{0.0};
     double stiffness_error{0.0};
     double mass_error{0.0};
+    double mass_sensor_error{0.0};
     double lateral_bias_g{0.0};
     double vertical_bias_g{0.0};
     std::uint64_t sensor_seed{1U};

@@ -50,15 +50,18 @@ rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& t
 
 }  // namespace
 
-SensorOptions drawn_sensors(const VehicleParameters& vehicle, const CampaignSpread& spread,
-                            const RunDraw& draw) {
+SensorOptions drawn_sensors(const CampaignSettings& settings, const RunDraw& draw,
+                            const VehicleParameters& vehicle) {
+    const CampaignSpread& spread = settings.spread;
     SensorFlaws flaws;
     flaws.noise = spread.sensor_noise;
     flaws.attitude_sensor = spread.attitude_sensor;
+    flaws.mass_sensor = settings.vehicles[draw.vehicle].mass_sensor;
     flaws.seed = draw.sensor_seed;
     SensorOptions sensors = mounted_sensors(vehicle, flaws);
     sensors.imu.lateral_acceleration_mps2.bias = draw.lateral_bias_g * g_mps2;
     sensors.imu.vertical_acceleration_mps2.bias = draw.vertical_bias_g * g_mps2;
+    sensors.mass.scale_error = draw.mass_sensor_error;
     if (!spread.steering_sensor) {
         sensors.motion.steering_wheel_angle_rad.bias = SensorSample::not_available;
     }
@@ -88,7 +91,7 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
     run.options.speed_factor = draw.speed_factor;
     run.options.steering_factor = draw.steering_factor;
     run.options.duration_s = settings.manoeuvres[draw.manoeuvre].duration_s;
-    run.sensors = drawn_sensors(run.vehicle, settings.spread, draw);
+    run.sensors = drawn_sensors(settings, draw, run.vehicle);
     return run;
 }
 

@@ -23,8 +23,8 @@ struct DrawnRun {
 DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const VehicleParameters& vehicle,
                    const rsi::Parameters& calibration, const Manoeuvre& manoeuvre);
 
-// The vehicle's sensors as the spread has them, with the draw's noise and biases.
-SensorOptions drawn_sensors(const VehicleParameters& vehicle, const CampaignSpread& spread,
-                            const RunDraw& draw);
+// The sensors that the settings give the drawn vehicle, with the draw's noise and errors.
+SensorOptions drawn_sensors(const CampaignSettings& settings, const RunDraw& draw,
+                            const VehicleParameters& vehicle);
 
 }  // namespace sil

@@ -12,7 +12,7 @@ namespace sil {
 namespace {
 
 constexpr double speed_kmh = 80.0;
-constexpr double largest_acceleration_g = 0.4;      // of ordinary driving
+constexpr double largest_acceleration_g = 0.4;     // of ordinary driving
 constexpr double share_of_stability_factor = 0.5;  // trucks are driven with more care
 
 class InputRecorder final : public RunObserver {
@@ -35,19 +35,21 @@ std::vector<rsi::Inputs> learning_drive(const VehicleParameters& vehicle, const 
     const Manoeuvre manoeuvre = ordinary_driving(sensors.seed, duration_s);
     RunOptions options;
     options.speed_factor = from_kmh(speed_kmh) / manoeuvre.initial_speed_mps;
-    options.steering_factor = std::min(
-        1.0, share_of_stability_factor * static_stability_factor(vehicle) / largest_acceleration_g);
+    options.steering_factor =
+        std::min(1.0, share_of_stability_factor * static_stability_factor(vehicle) / largest_acceleration_g);
     InProcessRun run{vehicle, manoeuvre, options, sensors, calibration};
     InputRecorder recorder{run};
     run.run(recorder);
     return std::move(recorder.inputs);
 }
 
-rsi::LearntLoad learnt_load(const std::vector<rsi::Inputs>& drive, const rsi::Parameters& calibration) {
+rsi::LearntLoad learnt_load(const std::vector<rsi::Inputs>& drive, const rsi::Parameters& calibration,
+                            double mass_sensor_error) {
     rsi::Component component;
     require_accepted(component.init(calibration));
     rsi::Outputs outputs{};
-    for (const rsi::Inputs& inputs : drive) {
+    for (rsi::Inputs inputs : drive) {
+        inputs.vehicle_mass_kg *= static_cast<float>(1.0 + mass_sensor_error);  // not available stays so
         component.step(inputs, outputs);
     }
     return component.learnt_load();

@@ -44,6 +44,7 @@ void put_draw(Cells& cells, const CampaignRow& row) {
     cells.number("cg_height_error", draw.cg_height_error);
     cells.number("stiffness_error", draw.stiffness_error);
     cells.number("mass_error", draw.mass_error);
+    cells.number("mass_sensor_error", draw.mass_sensor_error);
     cells.number("lateral_bias_g", draw.lateral_bias_g);
     cells.number("vertical_bias_g", draw.vertical_bias_g);
     cells.count("sensor_seed", draw.sensor_seed);

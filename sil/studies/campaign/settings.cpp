@@ -142,6 +142,7 @@ std::string to_toml(const CampaignSettings& settings) {
         text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n",
                             toml_string(vehicle.parameters), toml_string(vehicle.calibration));
         text += vehicle.in_class.empty() ? "" : "class = " + toml_string(vehicle.in_class) + "\n";
+        text += vehicle.mass_sensor ? "mass_sensor = true\n" : "";
         text +=
             list("speed_factors", vehicle.speed_factors) + list("steering_factors", vehicle.steering_factors);
     }

@@ -18,11 +18,13 @@ struct Interval {
     double highest{0.0};
 };
 
-// A simulated vehicle and the firmware's calibration for it; relative paths start from the current folder.
+// A simulated vehicle and the firmware's calibration for it; relative paths start from the current folder. In
+// a settings file a path that begins with "./" or "../" starts from the folder of that file.
 struct CampaignVehicle {
     std::string parameters;
     std::string calibration;
-    std::string in_class{};  // a group of the report; may be empty
+    std::string in_class{};   // a group of the report; may be empty
+    bool mass_sensor{false};  // true: the vehicle's mass is on the bus
     // One for each manoeuvre, in their order: what is right for one vehicle is calm or wild for another.
     // Times the drawn factors; empty: 1.
     std::vector<double> speed_factors{};

@@ -49,9 +49,18 @@ CampaignManoeuvre read_manoeuvre(TomlTable table) {
     return manoeuvre;
 }
 
-CampaignVehicle read_vehicle(TomlTable table) {
-    CampaignVehicle vehicle{table.text("parameters"), table.text("calibration")};
+// A population's settings name the files beside them, wherever its folder lies; those of the project name
+// files from its root, where commands are given.
+std::string found_from(const std::filesystem::path& folder, const std::string& path) {
+    const bool beside = path.rfind("./", 0U) == 0U || path.rfind("../", 0U) == 0U;
+    return beside ? (folder / path).lexically_normal().string() : path;
+}
+
+CampaignVehicle read_vehicle(TomlTable table, const std::filesystem::path& folder) {
+    CampaignVehicle vehicle{found_from(folder, table.text("parameters")),
+                            found_from(folder, table.text("calibration"))};
     vehicle.in_class = table.has("class") ? table.text("class") : std::string{};
+    read(table, "mass_sensor", vehicle.mass_sensor);
     read(table, "speed_factors", vehicle.speed_factors);
     read(table, "steering_factors", vehicle.steering_factors);
     table.refuse_unknown_keys();
@@ -87,7 +96,7 @@ CampaignSettings read_settings(TomlTable top, CampaignSettings settings) {
     if (top.has("vehicle")) {
         settings.vehicles.clear();
         for (const TomlTable& table : top.tables("vehicle")) {
-            settings.vehicles.push_back(read_vehicle(table));
+            settings.vehicles.push_back(read_vehicle(table, std::filesystem::path{top.file()}.parent_path()));
         }
     }
     if (top.has("manoeuvre")) {

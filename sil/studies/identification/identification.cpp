@@ -28,33 +28,42 @@ std::vector<PreparedDrive> prepare_all(const std::vector<Drive>& drives, const V
 }
 
 // Where nothing tells it. The ratios to H = h - h_rc are fitted, so a lower roll centre makes the computed
-// load transfer larger: on the road, no suspension's lift-off is missed.
+// load transfer larger: taken on the road, no lift-off is missed for any roll centre on or above it.
 constexpr double assumed_roll_centre_m = 0.0;
 
 // Where most lie, between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to 0.5 m): for the
 // rules of thumb in the roll fit, which are of absolute size.
-double usual_roll_centre_m(const VehicleData& vehicle) {
-    return std::min(0.2, 0.5 * vehicle.sprung_cg_height_m);
+double usual_arm_m(const VehicleData& vehicle) {
+    const double usual_roll_centre_m = std::min(0.2, 0.5 * vehicle.sprung_cg_height_m);
+    return vehicle.sprung_cg_height_m - vehicle.roll_centre_height_m.value_or(usual_roll_centre_m);
+}
+
+std::string roll_centre_origin(const LoadFit& loads, double given_cg_height_m) {
+    if (loads.contradicts_data) {
+        return fmt::format(
+            "the nearest plausible; the wheel loads contradict the CG height and speak for {:.3f}",
+            loads.roll_centre_at_given_height_m);
+    }
+    if (loads.agreeing_cg_height_m == given_cg_height_m || loads.cg_height_m != given_cg_height_m) {
+        return fmt::format("effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %",
+                           loads.deviation_m);
+    }
+    return fmt::format("the nearest to {:.3f}, for which the wheel loads speak",
+                       loads.roll_centre_at_given_height_m);
 }
 
 void use_loads(Identification& result) {
     LoadFit& loads = *result.loads;
     if (loads.cg_height_m != result.given_cg_height_m) {
-        match_dynamic_loads(result.vehicle, result.roll, result.ramps, result.dynamics, loads);
-    }
-    result.roll_centre_height_m = loads.roll_centre_height_m;
-    result.roll_centre_origin =
-        loads.agreeing_cg_height_m == result.given_cg_height_m ||
-                loads.cg_height_m != result.given_cg_height_m
-            ? fmt::format("effective, fitted to the wheel loads, +-{:.3f} for a CG height known to 1 %",
-                          loads.deviation_m)
-            : fmt::format("the nearest to {:.3f}, for which the wheel loads speak",
-                          loads.roll_centre_at_given_height_m);
-    if (loads.cg_height_m != result.given_cg_height_m) {
+        const double arm_m = usual_arm_m(result.vehicle);
+        const RollFit roll = fit_roll(result.vehicle, {arm_m, arm_m}, result.ramps, result.dynamics);
+        match_dynamic_loads(result.vehicle, roll, result.ramps, result.dynamics, loads);
         result.vehicle.sprung_cg_height_m = loads.cg_height_m;
         result.cg_height_origin =
             fmt::format("matched to the wheel loads; vehicle data {:.4g}", result.given_cg_height_m);
     }
+    result.roll_centre_height_m = loads.roll_centre_height_m;
+    result.roll_centre_origin = roll_centre_origin(loads, result.given_cg_height_m);
 }
 
 // The largest magnitude that the component admits of a coefficient of the stiffness curve.
@@ -63,19 +72,9 @@ double largest_admitted(float rsi::Parameters::* coefficient) {
     return std::min(-static_cast<double>(field.minimum), static_cast<double>(field.maximum));
 }
 
-// The roll fit with the arm that was found. Only now it shows whether the component admits its coefficients,
-// which grow with the arm; where it does not, the curve is fitted again within what it admits.
-void use_arm(Identification& result, double arm_m) {
-    const CurveLimits limits{largest_admitted(&rsi::Parameters::roll_stiffness_cubic_nmprad3),
-                             largest_admitted(&rsi::Parameters::roll_stiffness_quintic_nmprad5)};
-    const double usual_arm_m = result.roll.arm_m;
-    result.roll = result.roll.with_arm(arm_m);
-    if (!limits.admit(result.roll)) {
-        const double share = usual_arm_m / arm_m;
-        result.roll = fit_roll(result.vehicle, usual_arm_m, result.ramps, result.dynamics,
-                               {share * limits.cubic_nmprad3, share * limits.quintic_nmprad5})
-                          .with_arm(arm_m);
-    }
+CurveLimits admitted_curve() {
+    return {largest_admitted(&rsi::Parameters::roll_stiffness_cubic_nmprad3),
+            largest_admitted(&rsi::Parameters::roll_stiffness_quintic_nmprad5)};
 }
 
 void choose_roll_centre(Identification& result, bool fit_cg_height) {
@@ -86,15 +85,22 @@ void choose_roll_centre(Identification& result, bool fit_cg_height) {
     if (vehicle.roll_centre_height_m) {
         result.roll_centre_height_m = *vehicle.roll_centre_height_m;
         result.roll_centre_origin = "vehicle data";
-    } else if (result.loads && !result.loads->contradicts_data) {
+    } else if (result.loads) {
         use_loads(result);
     } else {
         result.roll_centre_height_m = assumed_roll_centre_m;
-        result.roll_centre_origin = "ASSUMED, the lowest: neither data sheet nor wheel loads tell it";
+        result.roll_centre_origin = "ASSUMED, on the road: neither data sheet nor wheel loads tell it";
     }
-    use_arm(result, vehicle.sprung_cg_height_m - result.roll_centre_height_m);
+}
+
+// With the arm that was found: only then it shows up to which angle the curve is needed, and whether the
+// component admits its coefficients, which grow with the arm.
+void fit_body(Identification& result, double usual_arm_m) {
+    const double arm_m = result.vehicle.sprung_cg_height_m - result.roll_centre_height_m;
+    result.roll =
+        fit_roll(result.vehicle, {usual_arm_m, arm_m}, result.ramps, result.dynamics, admitted_curve());
     for (const auto* drives : {&result.ramps, &result.dynamics}) {
-        for (const DriveResidual& residual : load_transfer_residuals(vehicle, result.roll, *drives)) {
+        for (const DriveResidual& residual : load_transfer_residuals(result.vehicle, result.roll, *drives)) {
             result.load_transfer.push_back(residual);
         }
     }
@@ -172,7 +178,7 @@ void add_response(Identification& result) {
                             [key](const IdentifiedValue& value) { return value.key == key; })
             ->value;
     };
-    if (result.steering) {
+    if (result.steering_is_known()) {
         result.response = fit_response(
             SteeringModel{result.vehicle.wheelbase_m, value_of("steering_ratio"),
                           value_of("understeer_gradient_s2pm"), value_of("largest_lateral_acceleration_mps2"),
@@ -208,22 +214,23 @@ void add_rollover_index(Identification& result) {
 
 }  // namespace
 
+bool Identification::steering_is_known() const {
+    return steering || (vehicle.steering_ratio && vehicle.understeer_gradient_s2pm);
+}
+
 Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ramps,
                         const std::vector<Drive>& dynamics, const IdentificationOptions& options) {
     if (ramps.empty() || dynamics.empty()) {
         throw IdentificationError(
-            "a slow ramp and a dynamic drive are both needed: the one gives the stiffness, the other damping "
-            "and "
-            "inertia");
+            "a slow ramp and a dynamic drive are both needed: the one gives the stiffness, the other "
+            "damping and inertia");
     }
     Identification result;
     result.vehicle = vehicle;
     result.ramps = prepare_all(ramps, vehicle, options.preparation);
     result.dynamics = prepare_all(dynamics, vehicle, options.preparation);
-    const double usual_arm_m =
-        vehicle.sprung_cg_height_m - vehicle.roll_centre_height_m.value_or(usual_roll_centre_m(vehicle));
-    result.roll = fit_roll(vehicle, usual_arm_m, result.ramps, result.dynamics);
     choose_roll_centre(result, options.fit_cg_height);
+    fit_body(result, usual_arm_m(vehicle));
     result.steering = fit_steering(vehicle, result.ramps);
     add_vehicle(result);
     add_roll(result);

@@ -36,6 +36,9 @@ struct Identification {
     std::string roll_centre_origin;
     std::vector<IdentifiedValue> values;  // all that depend on the vehicle
     std::vector<std::string> warnings;    // what the user should know, in plain words
+
+    // What the steering asks for: from the ramps, or because the vehicle data say ratio and gradient.
+    bool steering_is_known() const;
 };
 
 struct IdentificationOptions {

@@ -133,7 +133,7 @@ std::optional<LoadFit> fit_loads(const VehicleData& vehicle, const std::vector<P
                                    ? h
                                    : matched_cg_height_m(vehicle, ramps, fit.roll_centre_height_m);
     fit.contradicts_data = std::abs(fit.agreeing_cg_height_m / h - 1.0) > largest_cg_change;
-    fit.cg_height_m = fit_cg_height ? fit.agreeing_cg_height_m : h;
+    fit.cg_height_m = fit_cg_height && !fit.contradicts_data ? fit.agreeing_cg_height_m : h;
     return fit;
 }
 

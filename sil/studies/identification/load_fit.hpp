@@ -16,7 +16,8 @@ namespace sil {
 //
 // Where that asks for a roll centre below the road or higher than any suspension has it, something else moves
 // the CG sideways with the force: tyres that give way do. Then the nearest roll centre is taken. The CG
-// height that the loads speak for with it is the user's to decide on: it is fitted only on request.
+// height that the loads speak for with it is the user's to decide on: it is fitted only on request, and never
+// where it would have to change so much that rather a datum is wrong.
 struct LoadFit {
     double roll_centre_at_given_height_m{};  // h_rc with the CG height of the vehicle data
     double deviation_m{};                    // of it, for a CG height known to 1 %

@@ -58,8 +58,8 @@ class Preparation {
         if (!any) {
             throw IdentificationError(
                 fmt::format("{}: has no roll angle. The roll stiffness is moment over roll angle: add a "
-                            "column roll_angle_deg "
-                            "(of the body relative to the road, for example from two ride-height sensors)",
+                            "column roll_angle_deg (of the body relative to the road, for example from "
+                            "two ride-height sensors)",
                             drive_.name));
         }
     }
@@ -68,8 +68,7 @@ class Preparation {
         if (cycles_.size() < shortest_segment) {
             throw IdentificationError(
                 fmt::format("{}: only {:.2f} s can be used{}{}. Record at least some seconds with lateral "
-                            "acceleration, roll "
-                            "rate and roll angle all present before a wheel lifts",
+                            "acceleration, roll rate and roll angle all present before a wheel lifts",
                             drive_.name, sample_time_s * static_cast<double>(cycles_.size()),
                             reason.empty() ? "" : ": ", reason));
         }

@@ -98,8 +98,7 @@ std::string identification_report(const Identification& result) {
         const LoadFit& loads = *result.loads;
         text += fmt::format(
             "\nWheel loads in the ramp: effective h_rc {:.3f} +-{:.3f} m (for a CG height known to 1 %); "
-            "without the "
-            "tyres' roll, as (24) counts it, about {:.2f} m\n",
+            "without the tyres' roll, as (24) counts it, about {:.2f} m\n",
             loads.roll_centre_at_given_height_m, loads.deviation_m, loads.suspension_roll_centre_m);
         text += "Load transfer ratio as the component computes it, against that of the wheels\n";
         for (const DriveResidual& drive : result.load_transfer) {
@@ -136,10 +135,9 @@ std::string identification_report(const Identification& result) {
 
 std::string fit_csv(const Identification& result) {
     std::string text =
-        "running_time_s,drive,dynamic,time_s,roll_angle_deg,road_parallel_force_mps2,moment_nm,fitted_moment_"
-        "nm,"
-        "residual_nm,static_moment_nm,load_moment_nm,fitted_load_moment_nm,yaw_acceleration_mps2,"
-        "steering_acceleration_mps2\n";
+        "running_time_s,drive,dynamic,time_s,roll_angle_deg,road_parallel_force_mps2,moment_nm,"
+        "fitted_moment_nm,residual_nm,static_moment_nm,load_moment_nm,fitted_load_moment_nm,"
+        "yaw_acceleration_mps2,steering_acceleration_mps2\n";
     double start_s = 0.0;
     std::size_t number = 0U;
     for (const auto* drives : {&result.ramps, &result.dynamics}) {

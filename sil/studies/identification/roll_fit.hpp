@@ -54,8 +54,15 @@ struct CurveLimits {
     bool admit(const RollFit& fit) const;
 };
 
-// `arm_m` is the H assumed. Neither list may be empty. Throws IdentificationError when nothing is excited.
-RollFit fit_roll(const VehicleData& vehicle, double arm_m, const std::vector<PreparedDrive>& ramps,
+// H = h - h_rc in metres.
+struct RollArm {
+    double usual;  // the rules of thumb, which are of absolute size, take this one
+    double
+        used;  // the fit, its limits and the angle up to which the curve must be plausible are for this one
+};
+
+// Neither list may be empty. Throws IdentificationError when nothing is excited.
+RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vector<PreparedDrive>& ramps,
                  const std::vector<PreparedDrive>& dynamics, const CurveLimits& limits = {});
 
 // The rule of thumb for Ixx of the sprung mass: radius of gyration 0.42 c_w.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sil/studies/identification/bisection.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -29,12 +30,9 @@ bool straight_shows_bank(const SensorOffsets& offsets) {
 
 // The angle of the suspension at which its moment is `moment_nm`.
 double suspension_angle_rad(const RollFit& roll, double moment_nm) {
-    double low = 0.0, high = 0.5;
-    for (int k = 0; k < 30; ++k) {
-        const double middle = 0.5 * (low + high);
-        (roll.moment_nm(middle) < std::abs(moment_nm) ? low : high) = middle;
-    }
-    return std::copysign(low, moment_nm);
+    const double angle =
+        last_where([&](double phi) { return roll.moment_nm(phi) < std::abs(moment_nm); }, 0.0, 0.5);
+    return std::copysign(angle, moment_nm);
 }
 
 struct BankFollowed {

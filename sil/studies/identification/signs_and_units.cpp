@@ -107,10 +107,9 @@ class SignsAndUnits {
         if (gradient < least_gradient_deg || gradient > largest_gradient_deg) {
             throw IdentificationError(
                 fmt::format("{}: the roll angle is {:.2g} deg per g of lateral acceleration, and vehicles "
-                            "have 1 to 12. Check "
-                            "the unit that the column's name says: rad in a column named roll_angle_deg "
-                            "makes 57 times too "
-                            "little, deg in one named roll_angle_rad 57 times too much",
+                            "have 1 to 12. Check the unit that the column's name says: rad in a column "
+                            "named roll_angle_deg makes 57 times too little, deg in one named "
+                            "roll_angle_rad 57 times too much",
                             drive_.name, gradient));
         }
     }
@@ -127,8 +126,8 @@ class SignsAndUnits {
         if (turn.slope < 0.0) {
             throw IdentificationError(fmt::format(
                 "{}: lateral acceleration and yaw rate have opposite signs. In a left turn both are "
-                "positive, "
-                "and so are roll angle and steering-wheel angle: turn the sign of the column that is not",
+                "positive, and so are roll angle and steering-wheel angle: turn the sign of the column "
+                "that is not",
                 drive_.name));
         }
         if (turn.slope > largest_unit_error || turn.slope < 1.0 / largest_unit_error) {
@@ -150,9 +149,8 @@ class SignsAndUnits {
         });
         if (steered.count >= shortest_turn && steered.correlation < -clear_correlation) {
             throw IdentificationError(
-                fmt::format("{}: steering-wheel angle and yaw rate have opposite signs. In a left turn both "
-                            "are positive: "
-                            "turn the sign of the steering-wheel angle",
+                fmt::format("{}: steering-wheel angle and yaw rate have opposite signs. In a left turn "
+                            "both are positive: turn the sign of the steering-wheel angle",
                             drive_.name));
         }
     }

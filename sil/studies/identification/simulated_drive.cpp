@@ -48,8 +48,7 @@ Drive simulate_drive(const VehicleParameters& vehicle, const Manoeuvre& manoeuvr
 std::string drive_csv(const Drive& drive) {
     std::string text =
         "time_s,speed_mps,lateral_acceleration_mps2,vertical_acceleration_mps2,roll_rate_degps,yaw_rate_"
-        "degps,"
-        "roll_angle_deg,steering_wheel_angle_deg,wheel_load_front_left_n,wheel_load_front_right_n,"
+        "degps,roll_angle_deg,steering_wheel_angle_deg,wheel_load_front_left_n,wheel_load_front_right_n,"
         "wheel_load_rear_left_n,wheel_load_rear_right_n\n";
     for (const DriveSample& sample : drive.samples) {
         fmt::format_to(std::back_inserter(text), "{:.4f}", sample.time_s);

@@ -161,8 +161,7 @@ void read_heights(Values& values, VehicleData& data) {
     if (ratio < 0.25 || ratio > 3.0) {
         throw InputError(
             fmt::format("{}: half the track width over the centre of gravity's height is {:.2f}; vehicles "
-                        "have 0.4 to 1.7. Check "
-                        "cg_height_m and track_width_m (in metres)",
+                        "have 0.4 to 1.7. Check cg_height_m and track_width_m (in metres)",
                         values.source(), ratio));
     }
 }

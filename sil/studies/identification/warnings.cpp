@@ -60,8 +60,7 @@ class Warnings {
         if (reach_mps2 / g_mps2 < 0.6 * lift_g) {
             warn(
                 "the ramp reaches only {:.2f} g and {:.1f} deg of roll: the stiffness beyond is "
-                "extrapolated, nearly "
-                "as a line; steer on to {:.2f} g for the whole curve",
+                "extrapolated, nearly as a line; steer on to {:.2f} g for the whole curve",
                 reach_mps2 / g_mps2, reach_rad * degrees_per_radian, 0.8 * lift_g);
         }
         about_extrapolation();
@@ -79,16 +78,14 @@ class Warnings {
         if (ramp.r_squared < 0.98) {
             warn(
                 "{}: the model explains only {:.1f} % of the ramp: check the roll angle's and the "
-                "accelerometer's "
-                "signs and units, and that the road is level",
+                "accelerometer's signs and units, and that the road is level",
                 ramp.name, 100.0 * ramp.r_squared);
         }
         if (result_.roll.stiffness_nmprad.value <
             1.2 * result_.vehicle.sprung_mass_kg * g_mps2 * result_.roll.arm_m) {
             warn(
                 "the fitted stiffness does not hold the body up, and the component will refuse it: check "
-                "masses, CG "
-                "height and the sign of the roll angle");
+                "masses, CG height and the sign of the roll angle");
         }
     }
 
@@ -96,11 +93,10 @@ class Warnings {
         const RollFit& roll = result_.roll;
         if (roll.curve_held) {
             warn(
-                "the drives show the stiffness up to {:.1f} deg of roll, and what fits best there would run "
-                "away "
-                "beyond, before {:.1f} deg, where the component still needs it: its slope is held between "
-                "half "
-                "and twice that at the end of the data. A ramp that goes further would show it",
+                "the drives show the stiffness up to {:.1f} deg of roll, and what fits best there would "
+                "run away beyond, before {:.1f} deg, where the component still needs it: its slope is "
+                "held between half and twice that at the end of the data. A ramp that goes further would "
+                "show it",
                 roll.data_end_rad * degrees_per_radian, roll.needed_up_to_rad * degrees_per_radian);
         }
     }
@@ -123,8 +119,7 @@ class Warnings {
         if (std::abs(share) > 0.05) {
             warn(
                 "in the dynamic drive the body is {:.0f} % {} than in the ramp: the road's slope, another "
-                "load, or a "
-                "roll angle that lags behind",
+                "load, or a roll angle that lags behind",
                 100.0 * std::abs(share), share > 0.0 ? "stiffer" : "softer");
         }
         for (std::size_t i = result_.ramps.size(); i < roll.drives.size(); ++i) {
@@ -149,11 +144,9 @@ class Warnings {
         const double other_sign =
             fitted - 2.0 * vehicle.sprung_mass_kg * result_.roll.arm_m * vehicle.imu_z_m;
         warn(
-            "Ixx is {:.0f} kg m2, {:.0f} kg m2 would be usual for this mass and track width: check masses, "
-            "CG "
-            "height and imu_z_m (negative when the IMU is below the sprung CG; with the other sign Ixx would "
-            "be "
-            "about {:.0f} kg m2)",
+            "Ixx is {:.0f} kg m2, {:.0f} kg m2 would be usual for this mass and track width: check "
+            "masses, CG height and imu_z_m (negative when the IMU is below the sprung CG; with the other "
+            "sign Ixx would be about {:.0f} kg m2)",
             fitted, usual, other_sign);
     }
 
@@ -163,10 +156,9 @@ class Warnings {
         const double share = radius_m / vehicle.track_width_m;
         if (share < least_gyration_share || share > largest_gyration_share) {
             warn(
-                "roll_inertia_kgm2 of the vehicle data, {:.0f} kg m2, means a radius of gyration of {:.2f} "
-                "m, "
-                "{:.2f} track widths; bodies have 0.35 to 0.55. The fit leans on it: correct it (about the "
-                "roll axis of the sprung mass, in kg m2), or leave it out",
+                "roll_inertia_kgm2 of the vehicle data, {:.0f} kg m2, means a radius of gyration of "
+                "{:.2f} m, {:.2f} track widths; bodies have 0.35 to 0.55. The fit leans on it: correct it "
+                "(about the roll axis of the sprung mass, in kg m2), or leave it out",
                 given_kgm2, radius_m, share);
         }
     }
@@ -176,63 +168,75 @@ class Warnings {
         if (!result_.loads && !vehicle.roll_centre_height_m) {
             warn(
                 "without wheel loads a test drive gives only K/H, c/H and Ixx/H with H = h - h_rc: h_rc = "
-                "{:.2f} m is taken, the lowest, with which no lift-off is missed. It costs early warnings: "
-                "if "
-                "the roll centre lies at {:.2f} m, the component sees {:.0f} % more load transfer than there "
-                "is. Give roll_centre_height_m if you know it (0 to 0.15 m with independent suspensions, 0.3 "
-                "to 0.5 m with rigid axles, up to 0.9 m in trucks and buses)",
-                result_.roll_centre_height_m, rigid_axle_m(), 100.0 * cost_of_low_roll_centre());
+                "{:.2f} m is taken, the road: no lift-off is missed as long as the roll centre lies on or "
+                "above it. Below it, as with tyres that give sideways, warnings come late. It costs early "
+                "warnings: if the roll centre lies at {:.2f} m, the component sees {:.0f} % more load "
+                "transfer than there is. Give roll_centre_height_m if you know it (0 to 0.15 m with "
+                "independent suspensions, 0.3 to 0.5 m with rigid axles, up to 0.9 m in trucks and buses)",
+                result_.roll_centre_height_m, rigid_axle_m(),
+                100.0 * (1.0 / ratio_at_computed_lift(rigid_axle_m()) - 1.0));
         }
-        if (!result_.loads) {
-            return;
+        if (result_.loads) {
+            about_loads(*result_.loads);
         }
-        const LoadFit& loads = *result_.loads;
+    }
+
+    void about_loads(const LoadFit& loads) {
+        const bool matched = loads.cg_height_m != result_.given_cg_height_m;
         if (loads.contradicts_data) {
             warn(
                 "wheel loads and CG height contradict each other: with a roll centre at {:.2f} m the loads "
-                "speak for a "
-                "sprung CG at {:.3f} m, the vehicle data say {:.3f} m, and nothing was fitted to the loads: "
-                "check "
-                "height, masses and track width",
+                "speak for a sprung CG at {:.3f} m, the vehicle data say {:.3f} m, too far apart to fit the "
+                "height: check height, masses and track width",
                 loads.roll_centre_height_m, loads.agreeing_cg_height_m, result_.given_cg_height_m);
-        } else if (loads.agreeing_cg_height_m != result_.given_cg_height_m &&
-                   loads.cg_height_m == result_.given_cg_height_m && !vehicle.roll_centre_height_m) {
+        }
+        if (result_.vehicle.roll_centre_height_m) {
+            const double given_m = *result_.vehicle.roll_centre_height_m;
+            if (std::abs(loads.roll_centre_at_given_height_m - given_m) > 0.15) {
+                warn(
+                    "the wheel loads speak for an effective roll centre at {:.2f} m; the given {:.2f} m is "
+                    "kept",
+                    loads.roll_centre_at_given_height_m, given_m);
+            }
+        } else if (matched) {
             warn(
                 "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
-                "that "
-                "give sideways do that. {:.2f} m is taken, and the CG height stays at {:.3f} m. A CG height "
-                "of "
-                "{:.3f} m would agree with the wheel loads: measure it again, or let it be fitted with "
-                "--fit-cg-height",
-                loads.roll_centre_at_given_height_m, loads.roll_centre_height_m, result_.given_cg_height_m,
-                loads.agreeing_cg_height_m);
-        } else if (loads.cg_height_m != result_.given_cg_height_m && !vehicle.roll_centre_height_m) {
-            warn(
-                "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
-                "that give "
-                "sideways do that. It is set to {:.2f} m, and the CG height to {:.3f} m in place of {:.3f} "
-                "m, which "
-                "together give the wheel loads",
+                "that give sideways do that. It is set to {:.2f} m, and the CG height to {:.3f} m in "
+                "place of {:.3f} m, which together give the wheel loads",
                 loads.roll_centre_at_given_height_m, loads.roll_centre_height_m, loads.cg_height_m,
                 result_.given_cg_height_m);
+        } else if (loads.agreeing_cg_height_m != result_.given_cg_height_m) {
+            about_nearest_roll_centre(loads);
         }
-        if (vehicle.roll_centre_height_m &&
-            std::abs(loads.roll_centre_at_given_height_m - *vehicle.roll_centre_height_m) > 0.15) {
-            warn("the wheel loads speak for an effective roll centre at {:.2f} m; the given {:.2f} m is kept",
-                 loads.roll_centre_at_given_height_m, *vehicle.roll_centre_height_m);
+    }
+
+    void about_nearest_roll_centre(const LoadFit& loads) {
+        if (!loads.contradicts_data) {
+            warn(
+                "the wheel loads would put the roll centre at {:.2f} m, where no suspension has it; tyres "
+                "that give sideways do that. A CG height of {:.3f} m would agree with the wheel loads: "
+                "measure it again, or let it be fitted with --fit-cg-height",
+                loads.roll_centre_at_given_height_m, loads.agreeing_cg_height_m);
         }
+        const double ratio = ratio_at_computed_lift(loads.roll_centre_at_given_height_m);
+        warn(
+            "the roll centre is taken at {:.2f} m, the nearest plausible to {:.2f} m, and the CG height "
+            "stays at {:.3f} m. It costs {}: where the component computes that the inner wheels lift in a "
+            "slow turn, the wheel loads speak for a load transfer ratio of {:.2f}",
+            loads.roll_centre_height_m, loads.roll_centre_at_given_height_m, result_.given_cg_height_m,
+            ratio > 1.0 ? "late and missed warnings" : "early warnings", ratio);
     }
 
     double rigid_axle_m() const { return std::min(0.5, 0.5 * result_.vehicle.sprung_cg_height_m); }
 
-    // What more of the load transfer the component sees at lift-off than a vehicle has whose roll centre is
-    // that of a rigid axle: m_s h_rc g phi of (m_s h + m_u h_u) A + m_s (h - h_rc) g phi.
-    double cost_of_low_roll_centre() const {
+    // LTR of a vehicle whose roll centre lies at `height_m` where the component computes 1 in a slow turn.
+    // They differ in H m_s g tan phi of the moment (m_s h + m_u h_u) A + H m_s g tan phi.
+    double ratio_at_computed_lift(double height_m) const {
         const VehicleData& vehicle = result_.vehicle;
         const double lift_rad = rollover_angle_rad(vehicle, result_.roll);
         const double lean_nm = vehicle.sprung_mass_kg * g_mps2 * std::tan(lift_rad);
         const double whole_nm = 0.5 * vehicle.total_mass_kg * g_mps2 * vehicle.track_width_m;
-        return rigid_axle_m() * lean_nm / (whole_nm - rigid_axle_m() * lean_nm);
+        return 1.0 - (height_m - result_.roll_centre_height_m) * lean_nm / whole_nm;
     }
 
     void about_gradient() {
@@ -241,10 +245,8 @@ class Warnings {
         if (gradient < 0.0) {
             warn(
                 "the understeer gradient is {:.5f} s2/m: negative, so the vehicle would be unstable above "
-                "{:.0f} "
-                "km/h. Check steering_ratio ({:.1f}), the unit of the steering-wheel angle (of the "
-                "handwheel, "
-                "not of the front wheels) and of yaw rate and speed",
+                "{:.0f} km/h. Check steering_ratio ({:.1f}), the unit of the steering-wheel angle (of the "
+                "handwheel, not of the front wheels) and of yaw rate and speed",
                 gradient, std::sqrt(-result_.vehicle.wheelbase_m / gradient) * 3.6, steering.ratio.value);
         } else if (gradient > largest_understeer_gradient) {
             warn(
@@ -255,17 +257,15 @@ class Warnings {
     }
 
     void about_response() {
-        if (result_.steering && (!result_.response || !result_.response->helps())) {
+        if (result_.steering_is_known() && (!result_.response || !result_.response->helps())) {
             warn(
                 "how the lateral acceleration follows the steering does not show in the drives: the "
-                "component "
-                "will look ahead along the trend alone. A step steer or a lane change with a recorded "
-                "steering-wheel angle shows it");
+                "component will look ahead along the trend alone. A step steer or a lane change with a "
+                "recorded steering-wheel angle shows it");
         } else if (result_.response && result_.response->at_a_bound) {
             warn(
                 "the lateral response comes out at a bound of what is searched ({:.1f} rad/s, damping "
-                "{:.2f}): "
-                "check that steering-wheel angle and accelerometer are of one clock",
+                "{:.2f}): check that steering-wheel angle and accelerometer are of one clock",
                 result_.response->frequency_radps, result_.response->damping);
         }
     }
@@ -309,20 +309,17 @@ class Warnings {
         }
         if (!result_.steering) {
             warn(
-                "no ramp has steering-wheel angle, yaw rate and speed between 0.1 and 0.4 g: steering ratio "
-                "and "
-                "understeer gradient are not from the drives");
+                "no ramp has steering-wheel angle, yaw rate and speed between 0.1 and 0.4 g: steering "
+                "ratio and understeer gradient are not from the drives");
         } else if (result_.steering->r_squared < 0.9) {
             warn(
-                "steering and yaw rate fit badly together (R2 {:.3f}): check the sign and the unit of both, "
-                "and the "
-                "steering ratio",
+                "steering and yaw rate fit badly together (R2 {:.3f}): check the sign and the unit of "
+                "both, and the steering ratio",
                 result_.steering->r_squared);
         } else if (!result_.steering->gradient_fitted && !result_.vehicle.understeer_gradient_s2pm) {
             warn(
                 "neither steering ratio nor understeer gradient is given, and the ramps are of one speed: "
-                "the ratio "
-                "{:.1f} belongs to an assumed gradient of {} s2/m",
+                "the ratio {:.1f} belongs to an assumed gradient of {} s2/m",
                 result_.steering->ratio.value, usual_understeer_gradient_s2pm);
         }
     }
@@ -340,8 +337,8 @@ class Warnings {
                            std::abs(offsets.roll_angle_rad) * degrees_per_radian > 0.5) {
                     warn(
                         "{}: on the straight the sensors show {:+.3f} g and {:+.2f} deg of roll; that was "
-                        "taken off "
-                        "here, but the component does not do so: zero the sensors, or drive on a level road",
+                        "taken off here, but the component does not do so: zero the sensors, or drive on "
+                        "a level road",
                         drive.name, offsets.lateral_mps2 / g_mps2,
                         offsets.roll_angle_rad * degrees_per_radian);
                 }

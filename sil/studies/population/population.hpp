@@ -18,8 +18,8 @@ struct PopulationRequest {
 };
 
 // Takes the folder up where an earlier call with the same seed left it. Leaves vehicles.csv, a folder for
-// each kind of file, and settings_HALF_VARIANT.toml once all vehicles are done; their bytes depend on number,
-// seed and the path of the folder alone. Returns early, every finished vehicle kept, once `stop` is true. A
+// each kind of file, and settings_HALF_VARIANT.toml once all vehicles are done; their bytes depend on number
+// and seed alone. Returns early, every finished vehicle kept, once `stop` is true. A
 // vehicle whose identification fails has the reason in its row, and no calibration. Throws InputError when
 // the folder holds another population or cannot be written.
 RowProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,

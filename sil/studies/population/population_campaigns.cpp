@@ -12,6 +12,7 @@ namespace sil {
 namespace {
 
 constexpr std::uint64_t runs_a_vehicle = 100U;
+constexpr double two_minutes_s = 120.0;
 constexpr std::uint64_t ordinary_runs_a_vehicle = 3U;  // of ten minutes
 constexpr double reference_threshold_g = 0.75;
 // The firmware takes an angle beyond 15 rad for a fault of the sensor.
@@ -95,6 +96,11 @@ std::vector<CampaignManoeuvre> ordinary_manoeuvres() {
     CampaignManoeuvre manoeuvre;
     manoeuvre.name = ordinary_driving_name;
     return {manoeuvre};
+}
+
+// Wherever the folder of the population will lie.
+std::string beside_settings(const std::filesystem::path& population, const std::filesystem::path& file) {
+    return "./" + file.lexically_relative(population).generic_string();
 }
 
 // Who drives a truck turns less hard than who drives a car, and slower.
@@ -189,8 +195,9 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
     const bool ordinary = variant == CampaignVariant::ordinary;
     settings.manoeuvres = ordinary ? ordinary_manoeuvres() : population_manoeuvres();
     settings.spread.friction_factor = {0.7, 1.2};
-    settings.spread.load_is_known =
-        variant != CampaignVariant::loaded && variant != CampaignVariant::unloaded;
+    const bool wrongly_loaded = driven_loaded || variant == CampaignVariant::unloaded;
+    settings.spread.load_is_known = !wrongly_loaded;
+    settings.learning_s = wrongly_loaded ? two_minutes_s : 0.0;
     if (variant == CampaignVariant::errors || ordinary) {
         settings.spread.sensor_noise = true;
         settings.spread.cg_height_error = 0.05;
@@ -204,8 +211,9 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
         const std::filesystem::path file = vehicle_file(population, vehicle, driven_loaded);
         const VehicleParameters driven = load_vehicle(file);
         CampaignVehicle scaled = ordinary ? calmed_vehicle(vehicle, driven) : scaled_vehicle(vehicle, driven);
-        scaled.parameters = file.string();
-        scaled.calibration = calibration.string();
+        scaled.parameters = beside_settings(population, file);
+        scaled.calibration = beside_settings(population, calibration);
+        scaled.mass_sensor = vehicle_classes()[vehicle.in_class].mass_sensor;
         settings.vehicles.push_back(scaled);
     }
     settings.runs = (ordinary ? ordinary_runs_a_vehicle : runs_a_vehicle) *

@@ -15,9 +15,9 @@ enum class CampaignVariant {
     clean,                // calibrated with wheel loads, no errors
     errors,               // the same with noise, CG height and roll stiffness wrong
     without_wheel_loads,  // calibrated without, no further errors
-    loaded,               // calibrated empty, driven with the class's load
-    unloaded,             // calibrated with that load, driven without
-    ordinary,             // noise and errors, ordinary driving by the hour
+    loaded,    // calibrated empty, driven with the class's load, of which two minutes of driving tell
+    unloaded,  // calibrated with that load, driven without, the same
+    ordinary,  // noise and errors, ordinary driving by the hour
 };
 
 const std::vector<CampaignVariant>& campaign_variants();
@@ -33,7 +33,7 @@ std::filesystem::path calibration_file(const std::filesystem::path& population, 
                                        CalibrationKind kind);
 
 // Settings with those of `vehicles` whose calibration is there; 100 runs a vehicle, of ordinary driving half
-// an hour.
+// an hour. Paths are as a settings file in the folder `population` has them.
 CampaignSettings population_campaign(const std::filesystem::path& population,
                                      const std::vector<DrawnVehicle>& vehicles, CampaignVariant variant,
                                      std::uint64_t seed);

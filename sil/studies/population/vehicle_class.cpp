@@ -110,6 +110,7 @@ std::vector<VehicleClass> parse_vehicle_classes(std::string_view text, const std
         one.name = table.text("name");
         one.max_speed_kmh = table.number("max_speed_kmh", {30.0, 250.0});
         one.load = read_load(table.table("load"));
+        one.mass_sensor = table.boolean("mass_sensor");
         read(table, keys_of_one_class, one);
         table.refuse_unknown_keys();
         classes.push_back(one);

@@ -23,6 +23,7 @@ struct VehicleClass {
     std::string name{};
     double max_speed_kmh{};
     ClassLoad load{};
+    bool mass_sensor{};  // its axle loads are on the bus
 
     Interval mass_kg{};
     Interval wheelbase_m{};

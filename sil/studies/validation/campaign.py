@@ -43,7 +43,7 @@ def _goal_table(report):
     return "\n".join(lines)
 
 
-def _curves(report, chosen):
+def curves(report, chosen):
     """The default index against the best of the paper's, at equal false alarms. The published RSI ends at 1, (25), and has
     no threshold beyond; the bank-free one is the same without that end."""
     indices = report["all"]["indices"]
@@ -92,7 +92,7 @@ def section(folder, ordinary, chosen):
         "nor the errors of its CG height (5 %), roll stiffness (10 %) and mass (5 %).",
         _goal_table(report),
         "![Detection against false alarms](pictures/campaign_detection.png)\n![Lead times](pictures/campaign_leads.png)",
-        _curves(report, chosen),
+        curves(report, chosen),
         _ceiling(report),
         _markdown(folder),
         *([] if ordinary is None else [_markdown(ordinary)]),

@@ -18,6 +18,7 @@ enum class NoiseStream : std::uint64_t {
     speed = 6,
     yaw_rate = 7,
     steering_wheel_angle = 8,
+    vehicle_mass = 9,
 };
 
 class SensorChannel {

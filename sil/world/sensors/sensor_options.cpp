@@ -1,6 +1,8 @@
 // SensorOptions: the preset of ordinary automotive sensors.
 #include "sil/world/sensors/sensor_options.hpp"
+#include "sil/random.hpp"
 #include "sil/units.hpp"
+#include "sil/world/sensors/sensor_channel.hpp"
 
 namespace sil {
 namespace {
@@ -13,6 +15,7 @@ constexpr double rate_noise_degps = 0.3;
 constexpr double angle_noise_deg = 0.2;
 constexpr double speed_noise_kmph = 0.1;
 constexpr double steering_noise_deg = 0.1;
+constexpr auto mass_stream = static_cast<std::uint64_t>(NoiseStream::vehicle_mass);
 
 double bias_g(AccelerometerBias bias) {
     switch (bias) {
@@ -43,6 +46,9 @@ SensorOptions noisy_sensors(std::uint64_t seed, AccelerometerBias bias) {
     options.motion.speed_mps.noise_rms = speed_noise_kmph * mps_per_kmph;
     options.motion.yaw_rate_radps.noise_rms = rate_noise_degps * rad_per_deg;
     options.motion.steering_wheel_angle_rad.noise_rms = steering_noise_deg * rad_per_deg;
+
+    options.mass.scale_error =
+        mass_sensor_accuracy * (2.0 * unit_interval(scrambled(scrambled(seed) ^ mass_stream)) - 1.0);
     return options;
 }
 

@@ -45,12 +45,23 @@ struct VehicleMotionOptions {
     ChannelOptions steering_wheel_angle_rad;
 };
 
+// Axle loads added up, as trucks and buses have them on the bus. Its error is that of the springs or the air
+// it weighs with, and stays as it is over a run.
+struct MassSensorOptions {
+    bool fitted{false};
+    double scale_error{0.0};  // reported = true (1 + scale_error)
+};
+
+// By how much such a sensor may be wrong, either way.
+inline constexpr double mass_sensor_accuracy = 0.03;
+
 // The default is ideal: at the centre of gravity, no noise, no bias, no quantisation.
 struct SensorOptions {
     std::uint64_t seed{1U};  // the same seed gives the same noise, bit for bit
     ImuOptions imu;
     RollSensorOptions roll;
     VehicleMotionOptions motion;
+    MassSensorOptions mass;
 };
 
 // What remains of the accelerometers' bias, on the lateral and the vertical axis alike.
@@ -61,7 +72,8 @@ enum class AccelerometerBias : std::uint8_t {
 };
 
 // Automotive sensors of ordinary quality. Noise, rms: 0.02 g, 0.3 deg/s (roll and yaw), 0.2 deg (roll and
-// bank angle), and of the vehicle's motion 0.1 km/h and 0.1 deg at the steering wheel.
+// bank angle), and of the vehicle's motion 0.1 km/h and 0.1 deg at the steering wheel. A mass sensor is not
+// fitted, but where one is, it is wrong by a share that the seed decides.
 SensorOptions noisy_sensors(std::uint64_t seed, AccelerometerBias bias = AccelerometerBias::none);
 
 }  // namespace sil

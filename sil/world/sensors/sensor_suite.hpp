@@ -25,6 +25,7 @@ class SensorSuite {
     Imu imu_;
     RollSensor roll_;
     VehicleMotionSensor motion_;
+    MassSensorOptions mass_;
 };
 
 }  // namespace sil

@@ -14,6 +14,7 @@ inline constexpr int wheel_count = 4;
 // roll. "Body" means the axes of the sprung mass, "at the CG" its centre of gravity.
 struct Truth {
     double time_s{0.0};
+    double mass_kg{0.0};  // of the whole vehicle with what it carries
 
     double steering_wheel_angle_rad{0.0};  // at the handwheel, > 0 for a left turn
     double road_wheel_angle_rad{0.0};      // mean of the front wheels

@@ -83,6 +83,7 @@ Truth build_truth(const VehicleParameters& parameters, const FrontWheelPath& fro
                   const Evaluation& evaluation) {
     Truth truth;
     truth.time_s = state.time_s;
+    truth.mass_kg = total_mass_kg(parameters);
     truth.steering_wheel_angle_rad = evaluation.steering_wheel_angle_rad;
     truth.road_wheel_angle_rad = evaluation.road_wheel.angle_rad;
     write_attitude(state, evaluation, truth);

@@ -55,7 +55,8 @@ TEST_P(AttitudeSensor, WarnsAsOneOfTheSuspensionDoes) {
             if (judged.lead_s && expected.lead_s) {
                 EXPECT_GT(*judged.lead_s, *expected.lead_s - 0.05);
             }
-            if (!expected.lifted) {
+            // Nearer to lift-off, a hair's breadth decides.
+            if (expected.band() < sil::LoadBand::from_0_8) {
                 EXPECT_LE(judged.warnings, expected.warnings);
             }
             EXPECT_EQ(judged.unavailable_s, 0.0);

@@ -31,8 +31,15 @@ double distance_from_uniform(std::vector<double> values, const sil::Interval& in
     return largest;
 }
 
+sil::CampaignSettings with_mass_sensors(sil::CampaignSettings settings) {
+    for (sil::CampaignVehicle& vehicle : settings.vehicles) {
+        vehicle.mass_sensor = true;
+    }
+    return settings;
+}
+
 void expect_uniform(const char* name, const sil::Interval& interval, const Take& take) {
-    const sil::CampaignSettings settings = small_campaign(many);
+    const sil::CampaignSettings settings = with_mass_sensors(small_campaign(many));
     std::vector<double> values;
     for (std::uint64_t run = 0U; run < many; ++run) {
         const sil::RunDraw draw = sil::draw_run(settings, run);
@@ -61,8 +68,21 @@ TEST(Draw, EveryQuantityIsUniformWithinItsBounds) {
     expect_uniform("CG", {-0.05, 0.05}, [](const auto& d) { return d.cg_height_error; });
     expect_uniform("K", {-0.10, 0.10}, [](const auto& d) { return d.stiffness_error; });
     expect_uniform("mass", {-0.05, 0.05}, [](const auto& d) { return d.mass_error; });
+    expect_uniform("mass sensor", {-0.03, 0.03}, [](const auto& d) { return d.mass_sensor_error; });
     expect_uniform("lateral bias", {-0.005, 0.005}, [](const auto& d) { return d.lateral_bias_g; });
     expect_uniform("vertical bias", {-0.005, 0.005}, [](const auto& d) { return d.vertical_bias_g; });
+}
+
+TEST(Draw, AMassSensorIsWrongOnlyWhereThereIsOneAndSensorsHaveNoise) {
+    sil::CampaignSettings settings = small_campaign(10U);
+    settings.vehicles[1].mass_sensor = true;
+    for (std::uint64_t run = 0U; run < 10U; ++run) {
+        const sil::RunDraw draw = sil::draw_run(settings, run);
+        EXPECT_EQ(draw.mass_sensor_error != 0.0, draw.vehicle == 1U);
+    }
+    settings = with_mass_sensors(settings);
+    settings.spread.sensor_noise = false;
+    EXPECT_EQ(sil::draw_run(settings, 0U).mass_sensor_error, 0.0);
 }
 
 TEST(Draw, ManoeuvresComeByTheirWeightsAndVehiclesAndDirectionsAlike) {

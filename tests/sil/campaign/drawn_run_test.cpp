@@ -112,6 +112,28 @@ TEST(DrawnRun, AnAttitudeSensorIsMountedWhereTheSettingsSaySo) {
     EXPECT_EQ(sil::CampaignWorld{settings}.prepare(0U).sensors.roll.reference, sil::RollReference::horizon);
 }
 
+// The mass of one run as its sensors report it.
+double reported_mass_kg(const sil::CampaignSettings& settings) {
+    const sil::DrawnRun run = sil::CampaignWorld{settings}.prepare(0U);
+    sil::SensorSuite sensors{run.sensors};
+    sil::Truth truth;
+    truth.mass_kg = 1000.0;
+    return sensors.report(truth).vehicle_mass_kg;
+}
+
+TEST(DrawnRun, AMassSensorIsFittedWhereTheVehicleHasOneAndIsWrongWithNoise) {
+    sil::CampaignSettings settings = small_campaign(1U);
+    EXPECT_TRUE(std::isnan(reported_mass_kg(settings)));
+    for (sil::CampaignVehicle& vehicle : settings.vehicles) {
+        vehicle.mass_sensor = true;
+    }
+    const double error = sil::CampaignWorld{settings}.prepare(0U).draw.mass_sensor_error;
+    EXPECT_NE(error, 0.0);
+    EXPECT_EQ(reported_mass_kg(settings), 1000.0 * (1.0 + error));
+    settings.spread.sensor_noise = false;
+    EXPECT_EQ(reported_mass_kg(settings), 1000.0);
+}
+
 TEST(DrawnRun, ALoadChangesTheTrueVehicle) {
     const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
     sil::CampaignSettings settings = small_campaign(1U);

@@ -54,7 +54,7 @@ TEST(LearningDrive, TakesItsTimeAndIsCalm) {
 
 TEST(LearningDrive, IsCalmerInAVehicleThatTipsMoreEasily) {
     sil::VehicleParameters tall = empty_vehicle();
-    tall.geometry.track_width_m *= 0.5;
+    tall.geometry.cg_height_m *= 1.6;
     ASSERT_LT(0.5 * sil::static_stability_factor(tall), 0.35);
     EXPECT_LT(largest_force(drive(tall)), largest_force(drive(empty_vehicle())));
 }
@@ -64,8 +64,8 @@ TEST(LearningDrive, ShowsWhatTheVehicleCarries) {
     const double load_kg = 0.2 * empty.mass.sprung_kg;
     const double height_m = 1.5 * empty.geometry.cg_height_m;
     const rsi::LearntLoad without = sil::learnt_load(drive(empty, 2.0 * a_minute_s), calibration());
-    const rsi::LearntLoad with = sil::learnt_load(
-        drive(sil::with_load(empty, load_kg, height_m), 2.0 * a_minute_s), calibration());
+    const rsi::LearntLoad with =
+        sil::learnt_load(drive(sil::with_load(empty, load_kg, height_m), 2.0 * a_minute_s), calibration());
     const rsi::Parameters p = calibration();
     const double arm_m = static_cast<double>(p.sprung_cg_height_m - p.fixed_roll_centre_height_m);
     const double expected = load_kg * (height_m - static_cast<double>(p.fixed_roll_centre_height_m)) /
@@ -74,13 +74,28 @@ TEST(LearningDrive, ShowsWhatTheVehicleCarries) {
     EXPECT_LT(with.excess_deviation, 0.05F);
 }
 
+TEST(LearningDrive, TellsTheMassThatTheSensorTakesTheVehicleFor) {
+    const sil::VehicleParameters vehicle = empty_vehicle();
+    sil::SensorOptions sensors = sil::mounted_sensors(vehicle, {});
+    sensors.mass.fitted = true;
+    const std::vector<rsi::Inputs> inputs = sil::learning_drive(vehicle, sensors, calibration(), 10.0);
+    for (const rsi::Inputs& sample : inputs) {
+        // The signal has steps of 10 kg.
+        ASSERT_NEAR(static_cast<double>(sample.vehicle_mass_kg), sil::total_mass_kg(vehicle), 5.0);
+    }
+    // A load that driving has not shown yet.
+    EXPECT_GT(sil::learnt_load(inputs, calibration(), 0.1).excess,
+              sil::learnt_load(inputs, calibration()).excess + 0.005F);
+}
+
 TEST(LearningDrive, IsWhatARunStartsWith) {
     const sil::VehicleParameters vehicle = empty_vehicle();
     const rsi::LearntLoad learnt{0.3F, 0.03F, 0.1F};
     sil::RunOptions one_cycle;
     one_cycle.duration_s = 0.01;
-    sil::InProcessRun run{vehicle,       sil::find_manoeuvre("straight"),  one_cycle,
-                          sil::mounted_sensors(vehicle, {}), calibration(), nullptr,
+    sil::InProcessRun run{vehicle,       sil::find_manoeuvre("straight"),
+                          one_cycle,     sil::mounted_sensors(vehicle, {}),
+                          calibration(), nullptr,
                           learnt};
     run.run();
     EXPECT_NEAR(run.outputs().load_excess, 0.3F, 1.0e-3F);

@@ -55,11 +55,12 @@ TEST(CampaignSettings, TheirTextIsReadBackAsTheSame) {
 TEST(CampaignSettings, WhatIsSaidOnlyWhereItSaysSomethingIsReadBackAsTheSame) {
     sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
     const std::string without = sil::to_toml(settings);
-    for (const char* key :
-         {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor", "changes", "learning_s"}) {
+    for (const char* key : {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor",
+                            "changes", "learning_s", "mass_sensor"}) {
         EXPECT_EQ(without.find(key), std::string::npos) << "said only where it says something: " << key;
     }
     settings.vehicles[1].in_class = "light truck";
+    settings.vehicles[1].mass_sensor = true;
     settings.vehicles[1].speed_factors = {0.5, 1.0};
     settings.vehicles[1].steering_factors = {2.0, 1.0 / 3.0};
     settings.spread.load_is_known = false;
@@ -70,6 +71,8 @@ TEST(CampaignSettings, WhatIsSaidOnlyWhereItSaysSomethingIsReadBackAsTheSame) {
     const sil::CampaignSettings read = load(sil::to_toml(settings));
     EXPECT_EQ(read.vehicles[0].in_class, "");
     EXPECT_EQ(read.vehicles[1].in_class, "light truck");
+    EXPECT_FALSE(read.vehicles[0].mass_sensor);
+    EXPECT_TRUE(read.vehicles[1].mass_sensor);
     EXPECT_EQ(read.vehicles[1].speed_factors, settings.vehicles[1].speed_factors);
     EXPECT_EQ(read.vehicles[1].steering_factors, settings.vehicles[1].steering_factors);
     EXPECT_FALSE(read.spread.load_is_known);
@@ -85,6 +88,22 @@ TEST(CampaignSettings, WhatAFileLeavesOutIsBuiltIn) {
     EXPECT_EQ(settings.spread.mass_error, 0.02);
     EXPECT_EQ(settings.spread.stiffness_error, 0.10);
     EXPECT_EQ(settings.manoeuvres.size(), sil::default_campaign().manoeuvres.size());
+}
+
+TEST(CampaignSettings, APathThatBeginsWithADotStartsFromTheFileAndAnyOtherFromTheCurrentFolder) {
+    const test_support::ScratchFolder folder;
+    test_support::write_text(folder.path() / "mine.toml",
+                             "[[vehicle]]\nparameters = \"./a/b.toml\"\ncalibration = \"../c.toml\"\n"
+                             "[[vehicle]]\nparameters = \"a/b.toml\"\ncalibration = \"/d/c.toml\"\n"
+                             "[[vehicle]]\nparameters = \".a/b.toml\"\ncalibration = \"..c.toml\"\n");
+    const std::vector<sil::CampaignVehicle> vehicles =
+        sil::load_campaign(folder.path() / "mine.toml").vehicles;
+    EXPECT_EQ(vehicles[0].parameters, (folder.path() / "a/b.toml").string());
+    EXPECT_EQ(vehicles[0].calibration, (folder.path().parent_path() / "c.toml").string());
+    EXPECT_EQ(vehicles[1].parameters, "a/b.toml");
+    EXPECT_EQ(vehicles[1].calibration, "/d/c.toml");
+    EXPECT_EQ(vehicles[2].parameters, ".a/b.toml");
+    EXPECT_EQ(vehicles[2].calibration, "..c.toml");
 }
 
 TEST(CampaignSettings, WhatIsWrongIsNamedWithLineAndKey) {

@@ -1,9 +1,12 @@
 // How the lateral force follows the steering, and how much the tyres give.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "sil/studies/identification/identification.hpp"
 #include "sil/studies/identification/response_fit.hpp"
 #include "sil/studies/identification/tyre_limit.hpp"
 #include "sil/units.hpp"
@@ -13,6 +16,9 @@ namespace {
 
 using identification_test::KnownBody;
 using identification_test::Recording;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
 
 constexpr double fine_s = 1.0e-3;
 
@@ -25,7 +31,7 @@ double demand(double time_s) {
     return 3.0 * (step(1.0) - step(4.0) - step(7.0) + step(10.0));
 }
 
-std::vector<sil::PreparedDrive> steps(double frequency_radps, double damping) {
+sil::Drive step_drive(double frequency_radps, double damping) {
     std::vector<double> force{0.0};
     double rate = 0.0;
     for (int k = 1; k < 15000; ++k) {
@@ -35,12 +41,15 @@ std::vector<sil::PreparedDrive> steps(double frequency_radps, double damping) {
     }
     Recording recording;
     recording.demand_mps2 = demand;
-    const KnownBody body;
-    const auto force_at = [&force](double time_s) {
-        return force[static_cast<std::size_t>(std::max(time_s, 0.0) / fine_s)];
-    };
-    return {sil::prepare_drive(drive_of(body, 14.0, force_at, recording),
-                               identification_test::data_sheet_of(body), {})};
+    return drive_of(
+        KnownBody{}, 14.0,
+        [&force](double time_s) { return force[static_cast<std::size_t>(std::max(time_s, 0.0) / fine_s)]; },
+        recording);
+}
+
+std::vector<sil::PreparedDrive> steps(double frequency_radps, double damping) {
+    return {sil::prepare_drive(step_drive(frequency_radps, damping),
+                               identification_test::data_sheet_of(KnownBody{}), {})};
 }
 
 sil::SteeringModel model(double filter_lag_s) {
@@ -80,6 +89,36 @@ TEST(SteeringResponse, IsNotKnownWithoutSteering) {
     drives.front().has_steering = false;
     EXPECT_FALSE(sil::fit_response(model(0.0), {}, drives));
     EXPECT_FALSE(sil::fit_response(model(0.0), {}, {}));
+}
+
+// Ramps without steering leave ratio and gradient to the vehicle data; a dynamic drive with it shows the
+// rest.
+TEST(SteeringResponse, IsFittedWithTheRatioAndTheGradientOfTheVehicleData) {
+    const auto frequency = [](const sil::Identification& result) {
+        const auto found =
+            std::find_if(result.values.begin(), result.values.end(), [](const sil::IdentifiedValue& value) {
+                return value.key == "lateral_response_frequency_radps";
+            });
+        return found->value;
+    };
+    const KnownBody body;
+    Recording without_steering;
+    without_steering.steering = false;
+    const sil::Drive ramp = ramp_of(body, 5.5, without_steering);
+    const sil::Drive dynamic = step_drive(5.0, 0.7);
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    EXPECT_EQ(frequency(sil::identify(data, {ramp}, {dynamic})), 0.0);  // the gradient is not known
+
+    data.understeer_gradient_s2pm = body.understeer_gradient_s2pm;
+    const sil::Identification known = sil::identify(data, {ramp}, {dynamic});
+    EXPECT_FALSE(known.steering);
+    EXPECT_GT(frequency(known), 5.0);
+    EXPECT_LT(frequency(known), 1.8 * 5.0);
+    EXPECT_THAT(known.warnings, Not(Contains(HasSubstr("does not show in the drives"))));
+
+    const sil::Identification unseen = sil::identify(data, {ramp}, {steps_of(body, without_steering)});
+    EXPECT_EQ(frequency(unseen), 0.0);
+    EXPECT_THAT(unseen.warnings, Contains(HasSubstr("does not show in the drives")));
 }
 
 // As `steering_demand.cpp` of the component: V^2 delta / (L + K_us V^2), bounded.

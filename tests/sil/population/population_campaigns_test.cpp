@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/studies/population/vehicle_writer.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -64,6 +66,37 @@ TEST(PopulationCampaigns, TippierVehiclesTakeACourseOfConesMoreSlowly) {
         const double factor = sil::scaled_vehicle(drawn, drawn.parameters).speed_factors[index];
         EXPECT_NEAR(factor, std::sqrt(drawn.properties.threshold_g / 0.75), 1e-9) << drawn.name;
         EXPECT_EQ(sil::scaled_vehicle(drawn, drawn.parameters).steering_factors[index], 1.0);
+    }
+}
+
+// Any calibration does.
+TEST(PopulationCampaigns, TrucksAndBusesHaveTheirMassOnTheBus) {
+    const test_support::ScratchFolder scratch;
+    std::vector<sil::DrawnVehicle> vehicles;
+    for (std::uint64_t number = 0U; number < 8U; ++number) {
+        vehicles.push_back(sil::draw_vehicle(1U, number));
+        for (const bool loaded : {false, true}) {
+            const std::filesystem::path file = sil::vehicle_file(scratch.path(), vehicles.back(), loaded);
+            std::filesystem::create_directories(file.parent_path());
+            test_support::write_text(file, sil::vehicle_toml(vehicles.back().parameters, ""));
+        }
+        for (const sil::CalibrationKind kind :
+             {sil::CalibrationKind::with_loads, sil::CalibrationKind::without_loads,
+              sil::CalibrationKind::of_loaded_vehicle}) {
+            const std::filesystem::path file = sil::calibration_file(scratch.path(), vehicles.back(), kind);
+            std::filesystem::create_directories(file.parent_path());
+            test_support::write_text(file, "");
+        }
+    }
+    for (const sil::CampaignVariant variant : sil::campaign_variants()) {
+        const sil::CampaignSettings settings =
+            sil::population_campaign(scratch.path(), vehicles, variant, 1U);
+        ASSERT_EQ(settings.vehicles.size(), 8U);
+        for (const sil::CampaignVehicle& vehicle : settings.vehicles) {
+            EXPECT_EQ(vehicle.mass_sensor, vehicle.in_class == "light truck" ||
+                                               vehicle.in_class == "heavy truck" || vehicle.in_class == "bus")
+                << vehicle.in_class;
+        }
     }
 }
 

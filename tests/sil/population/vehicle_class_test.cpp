@@ -51,6 +51,8 @@ TEST(VehicleClass, WhatIsWrongIsNamed) {
                    "wings\" is not known");
     expect_refused(replaced("[[class]]\n", "[[class]]\nwings = [1.0, 2.0]\n"), "wings\" is not known");
     expect_refused(replaced("max_speed_kmh = 130.0", "max_speed_kmh = 1300.0"), "\"class.max_speed_kmh\"");
+    expect_refused(replaced("mass_sensor = false ", "mass_sensor = 0 "),
+                   "\"class.mass_sensor\" must be true or false");
     expect_refused(built_in_text().substr(0U, built_in_text().find("[[class]]")), "\"class\"");
 }
 

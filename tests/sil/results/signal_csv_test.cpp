@@ -52,6 +52,8 @@ TEST(SignalCsv, EveryColumnHasANameOfItsOwnAndAUnitOrNeedsNone) {
                                              "ecu_bank_free_rsi",
                                              "ecu_dynamic_stability_index",
                                              "ecu_energy_margin",
+                                             "ecu_load_excess",
+                                             "ecu_load_excess_deviation",
                                              "ecu_rollover_index",
                                              "ecu_roll_source_number",
                                              "ecu_side_number",

@@ -1,6 +1,7 @@
 // Sensors: lever arm against rigid-body kinematics, decimation, and the errors that the options ask for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -198,6 +199,7 @@ TEST(Imu, MountedOffTheCentreTakesItsPlaceIntoAccount) {
 sil::Truth some_truth() {
     sil::Truth truth;
     truth.time_s = 12.5;
+    truth.mass_kg = 7500.0;
     truth.specific_force_mps2 = {0.0, 3.0, 9.0};
     truth.angular_velocity_radps = {0.11, 0.22, 0.33};
     truth.roll_angle_rad = 0.05;
@@ -221,6 +223,7 @@ TEST(SensorSuite, IdealSensorsTellTheTruth) {
     EXPECT_EQ(sample.speed_mps, 25.0);
     EXPECT_EQ(sample.yaw_rate_radps, 0.33);
     EXPECT_EQ(sample.steering_wheel_angle_rad, -1.5);
+    EXPECT_TRUE(std::isnan(sample.vehicle_mass_kg));
 }
 
 TEST(SensorSuite, ReportsTheBankWhereTheCarCanMeasureIt) {
@@ -235,6 +238,16 @@ TEST(SensorSuite, AnAttitudeSensorMeasuresAgainstTheHorizon) {
     options.roll.reference = sil::RollReference::horizon;
     sil::SensorSuite sensors(options);
     EXPECT_EQ(sensors.report(some_truth()).roll_angle_rad, 0.07);
+}
+
+TEST(SensorSuite, AMassSensorTellsTheMassOrWhatItsScaleMakesOfIt) {
+    sil::SensorOptions options;
+    options.mass.fitted = true;
+    EXPECT_EQ(sil::SensorSuite(options).report(some_truth()).vehicle_mass_kg, 7500.0);
+    options.mass.scale_error = -0.02;
+    sil::SensorSuite sensors(options);
+    EXPECT_DOUBLE_EQ(sensors.report(some_truth()).vehicle_mass_kg, 7350.0);
+    EXPECT_DOUBLE_EQ(sensors.report(some_truth()).vehicle_mass_kg, 7350.0);
 }
 
 TEST(SensorSuite, AddsTheBiasAndRoundsToTheStep) {
@@ -312,6 +325,23 @@ TEST(NoisySensors, HaveTheBiasLevelsOfThePreset) {
     const double without = mean_of(sil::AccelerometerBias::none);
     EXPECT_NEAR(mean_of(sil::AccelerometerBias::after_zeroing) - without, 0.005 * g_mps2, 1e-9);
     EXPECT_NEAR(mean_of(sil::AccelerometerBias::raw) - without, 0.03 * g_mps2, 1e-9);
+}
+
+TEST(NoisySensors, AMassSensorIsWrongByAShareThatTheSeedDecides) {
+    EXPECT_FALSE(sil::noisy_sensors(1U).mass.fitted);
+    constexpr std::uint64_t seeds = 1000U;
+    double sum = 0.0;
+    double largest = 0.0;
+    for (std::uint64_t seed = 0U; seed < seeds; ++seed) {
+        const double error = sil::noisy_sensors(seed).mass.scale_error;
+        EXPECT_EQ(error, sil::noisy_sensors(seed).mass.scale_error);
+        sum += error;
+        largest = std::max(largest, std::abs(error));
+    }
+    EXPECT_LE(largest, 0.03);
+    EXPECT_GT(largest, 0.0295);
+    // Five standard deviations of the mean of a uniform share.
+    EXPECT_NEAR(sum / seeds, 0.0, 5.0 * 0.03 / std::sqrt(3.0 * seeds));
 }
 
 TEST(NoisySensors, TheSameSeedRepeatsEveryBitAndAnotherSeedDoesNot) {

@@ -16,6 +16,8 @@ TEST(MountedSensors, SitWhereTheVehicleFileSays) {
     EXPECT_EQ(options.imu.lateral_acceleration_mps2.bias, 0.0);
     EXPECT_EQ(options.roll.reference, sil::RollReference::road);
     EXPECT_FALSE(options.roll.reports_bank);
+    EXPECT_FALSE(options.mass.fitted);
+    EXPECT_EQ(options.mass.scale_error, 0.0);
 }
 
 TEST(MountedSensors, HaveTheFlawsAskedFor) {
@@ -26,6 +28,7 @@ TEST(MountedSensors, HaveTheFlawsAskedFor) {
     flaws.quantisation_g = 0.001;
     flaws.bank_sensor = true;
     flaws.attitude_sensor = true;
+    flaws.mass_sensor = true;
     const sil::SensorOptions options = sil::mounted_sensors(sil::VehicleParameters{}, flaws);
     EXPECT_EQ(options.seed, 7U);
     for (const sil::ChannelOptions& channel :
@@ -37,6 +40,8 @@ TEST(MountedSensors, HaveTheFlawsAskedFor) {
     EXPECT_EQ(options.imu.roll_rate_radps.bias, 0.0);
     EXPECT_EQ(options.roll.reference, sil::RollReference::horizon);
     EXPECT_TRUE(options.roll.reports_bank);
+    EXPECT_TRUE(options.mass.fitted);
+    EXPECT_NE(options.mass.scale_error, 0.0);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST(AReplay, BearsTheTimesOfTheRunAndItsInterface) {
     const std::vector<sil::LoggedFrame> answers = sil::replay(run.log, large_suv_calibration());
     for (std::size_t index = 0U; index < answers.size(); ++index) {
         ASSERT_EQ(answers[index].frame.receive_time.nanoseconds,
-                  static_cast<std::int64_t>(index / 7U) * 10'000'000);
+                  static_cast<std::int64_t>(index / can_dbc::MessagesFromRolloverEcu::size) * 10'000'000);
         ASSERT_EQ(answers[index].interface, "vcan0");
     }
 }
@@ -90,7 +90,7 @@ TEST(AReplay, OfTwoRecordingsOnClocksOfTheirOwnIsRefusedNamingTheLine) {
 TEST(AReplay, AcceptsEqualTimesAndDisorderedFramesThatAreNotForTheFirmware) {
     const std::vector<sil::LoggedFrame> log{frame_at(0x120U, 10, 1U), frame_at(0x121U, 10, 2U),
                                             frame_at(0x0D0U, 0, 3U), frame_at(0x120U, 20, 4U)};
-    EXPECT_EQ(sil::replay(log, large_suv_calibration()).size(), 2U * 7U);
+    EXPECT_EQ(sil::replay(log, large_suv_calibration()).size(), 2U * can_dbc::MessagesFromRolloverEcu::size);
 }
 
 TEST(AReplay, WithRefusedParametersSaysWhichFieldIsWrong) {

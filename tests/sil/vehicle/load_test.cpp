@@ -51,6 +51,7 @@ TEST(Load, IsCarriedByTheTyresOfAVehicleAtRest) {
         sum_n += load_n;
     }
     EXPECT_NEAR(sum_n, sil::gravity_mps2 * (sil::total_mass_kg(scenario::large_suv()) + 300.0), 1.0);
+    EXPECT_EQ(vehicle.truth().mass_kg, sil::total_mass_kg(loaded));
 }
 
 TEST(Load, RefusesToTakeAwayMoreThanThereIs) {

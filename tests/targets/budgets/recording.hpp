@@ -23,6 +23,6 @@ struct LeastSquaresRecord {
 };
 
 static_assert(sizeof(rsi_parameters) % sizeof(uint32_t) == 0U, "the recording consists of 32-bit words");
-static_assert(sizeof(Record) == 9U * sizeof(uint32_t), "the recording consists of 32-bit words");
+static_assert(sizeof(Record) == 10U * sizeof(uint32_t), "the recording consists of 32-bit words");
 
 }  // namespace budgets

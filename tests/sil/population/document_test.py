@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""The page of a population's campaigns: a missed goal is marked, a met one is not, and no campaign may be unfinished."""
+
+import importlib.machinery
+import importlib.util
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+SCRIPT = pathlib.Path(__file__).resolve().parents[3] / "sil/studies/population/document"
+LOADER = importlib.machinery.SourceFileLoader("population_document", str(SCRIPT))
+document = importlib.util.module_from_spec(importlib.util.spec_from_loader("population_document", LOADER))
+LOADER.exec_module(document)
+
+
+def share(count, of):
+    return {"count": count, "of": of, "share": count / of if of else 0.0, "confidence_95": [0.0, 1.0]}
+
+
+def group(warned=1000, early=995, earlier=850, median=0.4, alarms=(0, 0, 100), wrong_s=0.0):
+    """One that just meets every goal without errors."""
+    return {
+        "runs": 4000,
+        "two_wheel_lift_offs": 1000,
+        "wrong_side_s_per_1000_runs": wrong_s,
+        "unavailable_s_per_1000_runs": 0.0,
+        "indices": {
+            "warning": {
+                "warned": share(warned, 1000),
+                "warned_100ms_before": share(early, 1000),
+                "warned_200ms_before": share(earlier, 1000),
+                "lead_time_median_s": median,
+                "alarms": dict(zip(("below 0.7", "0.7 to 0.8", "0.8 to 0.9"), (share(count, 1000) for count in alarms))),
+            }
+        },
+    }
+
+
+def verdicts(**changes):
+    table = document.goal_table({"clean": {"all": group(**changes)}, "errors": {"all": group()}})
+    return [line.split(" | ")[3].strip(" |") for line in table.splitlines()[2:]]
+
+
+class Goals(unittest.TestCase):
+    def test_what_just_meets_every_goal_meets_them(self):
+        self.assertEqual(verdicts(), ["yes"] * 8)
+
+    def test_one_step_less_misses_the_goal_and_no_other(self):
+        for index, change in enumerate((
+            {"warned": 999}, {"early": 994}, {"earlier": 849}, {"median": 0.399},
+            {"alarms": (1, 0, 100)}, {"alarms": (0, 1, 100)}, {"alarms": (0, 0, 101)}, {"wrong_s": 0.01},
+        )):  # fmt: skip
+            expected = ["yes"] * 8
+            expected[index] = "**no**"
+            self.assertEqual(verdicts(**change), expected, change)
+
+    def test_nothing_measured_is_no_goal_reached(self):
+        self.assertEqual(verdicts(median=None)[3], "**no**")
+
+    def test_goals_with_errors_are_their_own(self):
+        table = document.goal_table({"clean": {"all": group()}, "errors": {"all": group(warned=995, early=990, earlier=800, median=0.36, alarms=(0, 3, 250), wrong_s=0.1)}})
+        self.assertEqual([line.split(" | ")[6].strip(" |") for line in table.splitlines()[2:]], ["yes"] * 8)
+
+
+class Campaigns(unittest.TestCase):
+    def test_an_unfinished_one_is_refused(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            (folder / "report.json").write_text(json.dumps({"complete": False}), encoding="utf-8")
+            with self.assertRaisesRegex(SystemExit, "is not finished"):
+                document.read(folder)
+
+
+if __name__ == "__main__":
+    unittest.main()
