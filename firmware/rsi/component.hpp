@@ -47,7 +47,7 @@ class Component {
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);
     void warn(const Measurement& measured, Outputs& outputs);
-    void assume_body(const SprungBody& body);
+    [[gnu::noinline]] void assume_body(const SprungBody& body);
 
     bool initialised_{false};
     bool running_{false};       // false until the first good sample after init, a gap or an overturn

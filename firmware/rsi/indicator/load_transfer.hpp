@@ -34,10 +34,8 @@ class LoadTransfer {
         return curve_.moment_nm(roll_angle_rad) + roll_damping_nmsprad_ * roll_rate_radps;
     }
 
-    // d/dphi of it.
-    float suspension_stiffness_nmprad(float roll_angle_rad) const {
-        return curve_.slope_nmprad(roll_angle_rad);
-    }
+    // M(phi) alone and dM/dphi. `roll_angle_rad` within 0.5 rad.
+    RollSpring springs(float roll_angle_rad) const { return curve_.at(roll_angle_rad); }
 
     // At present.
     TransferredLoad evaluate(const RollMotion& motion) const;

@@ -34,6 +34,10 @@ float RollPredictor::force_change_mps2(const RollMotion& motion, const DemandedF
                            : larger(change, smaller(A, demand.least_mps2) - A);
 }
 
+float RollPredictor::suspension_moment_nm(const State& state) const {
+    return state.springs.moment_nm + roll_damping_nmsprad_ * state.rate_radps;
+}
+
 // Trapezoidal rule, linearised with the stiffness of the instant: the suspension's less gravity's, at least
 // zero. Its divisor is at least Ixx.
 RollPredictor::State RollPredictor::after_step(const State& from, float dt, float force_mps2,
@@ -41,35 +45,33 @@ RollPredictor::State RollPredictor::after_step(const State& from, float dt, floa
                                                const LoadTransfer& load_transfer) const {
     const float x = from.angle_rad;
     const float y = from.rate_radps;
-    const float k =
-        larger(load_transfer.suspension_stiffness_nmprad(x) - moments.gravity_nm * (1.0F + x * x), 0.0F);
-    const float moment_nm = moments.arm_kgm * force_mps2 + moments.gravity_nm * short_tangent(x) -
-                            load_transfer.suspension_moment_nm(x, y);
+    const float k = larger(from.springs.slope_nmprad - moments.gravity_nm * (1.0F + x * x), 0.0F);
+    const float moment_nm =
+        moments.arm_kgm * force_mps2 + moments.gravity_nm * short_tangent(x) - suspension_moment_nm(from);
     const float change_radps = dt * (moment_nm - 0.5F * dt * k * y) /
                                (roll_inertia_kgm2_ + 0.5F * dt * roll_damping_nmsprad_ + 0.25F * dt * dt * k);
     const float x_then = clamp_magnitude(x + dt * (y + 0.5F * change_radps), largest_spring_angle_rad);
-    return State{x_then, y + change_radps};
+    return State{x_then, y + change_radps, load_transfer.springs(x_then)};
 }
 
-float RollPredictor::load_after(const State& then, float force_change_mps2, const Moments& moments,
-                                const LoadTransfer& load_transfer) {
-    return moments.load_nm + moments.force_arm_kgm * force_change_mps2 +
-           load_transfer.suspension_moment_nm(then.angle_rad, then.rate_radps) - moments.suspension_nm;
+float RollPredictor::load_after(const State& then, float force_change_mps2, const Moments& moments) const {
+    return moments.load_nm + moments.force_arm_kgm * force_change_mps2 + suspension_moment_nm(then) -
+           moments.suspension_nm;
 }
 
-void RollPredictor::follow_response(const RollMotion& motion, const LateralResponse& response,
-                                    const Moments& moments, const LoadTransfer& load_transfer,
-                                    Sides& largest) const {
+void RollPredictor::follow_response(const RollMotion& motion, const State& present,
+                                    const LateralResponse& response, const Moments& moments,
+                                    const LoadTransfer& load_transfer, Sides& largest) const {
     const float A = motion.road_parallel_force_mps2;
     ForceCourse force{A, motion.road_parallel_force_rate_mps3};
-    State roll{motion.roll_angle_rad, motion.roll_rate_radps};
+    State roll = present;
     float margin = -margin_starts_after * margin_per_step_;
     for (std::uint32_t step = 0U; step < response_steps_; ++step) {
         const ForceCourse next = response.after_step(force);
         roll = after_step(roll, LateralResponse::step_s, 0.5F * (force.force_mps2 + next.force_mps2), moments,
                           load_transfer);
         force = next;
-        const float load_nm = load_after(roll, force.force_mps2 - A, moments, load_transfer);
+        const float load_nm = load_after(roll, force.force_mps2 - A, moments);
         const float ratio = load_transfer.ratio(load_nm, motion.road_normal_force_mps2);
         margin += margin_per_step_;
         const float less = larger(margin, 0.0F);
@@ -90,9 +92,10 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLo
                           load_transfer.force_arm_kgm() + correction_kgm};
 
     const float change_mps2 = force_change_mps2(motion, demand);
-    const State then = after_step(State{motion.roll_angle_rad, motion.roll_rate_radps}, trend_horizon_s_,
-                                  A + 0.5F * change_mps2, moments, load_transfer);
-    const float then_nm = load_after(then, change_mps2, moments, load_transfer);
+    const State present{motion.roll_angle_rad, motion.roll_rate_radps,
+                        load_transfer.springs(motion.roll_angle_rad)};
+    const State then = after_step(present, trend_horizon_s_, A + 0.5F * change_mps2, moments, load_transfer);
+    const float then_nm = load_after(then, change_mps2, moments);
     const bool grows = absolute(then_nm) > absolute(load.moment_nm);
     const float worst_nm = grows ? then_nm : load.moment_nm;
     const float worst_force_mps2 = grows ? A + change_mps2 : A;
@@ -101,7 +104,7 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLo
     Sides largest{larger(larger(load.ratio, ratio_then), 0.0F),
                   larger(larger(-load.ratio, -ratio_then), 0.0F)};
     if (response != nullptr) {
-        follow_response(motion, *response, moments, load_transfer, largest);
+        follow_response(motion, present, *response, moments, load_transfer, largest);
     }
     // Wheels that are up come down before those of the other side can lift.
     largest.right = (load.ratio <= -1.0F) ? 0.0F : largest.right;

@@ -57,6 +57,7 @@ class RollPredictor {
     struct State {
         float angle_rad;
         float rate_radps;
+        RollSpring springs;
     };
     // Load transfers towards either side, as magnitudes.
     struct Sides {
@@ -67,10 +68,10 @@ class RollPredictor {
     // `force_mps2`: the mean of a over the step.
     State after_step(const State& from, float dt, float force_mps2, const Moments& moments,
                      const LoadTransfer& load_transfer) const;
-    static float load_after(const State& then, float force_change_mps2, const Moments& moments,
-                            const LoadTransfer& load_transfer);
-    void follow_response(const RollMotion& motion, const LateralResponse& response, const Moments& moments,
-                         const LoadTransfer& load_transfer, Sides& largest) const;
+    float suspension_moment_nm(const State& state) const;
+    float load_after(const State& then, float force_change_mps2, const Moments& moments) const;
+    void follow_response(const RollMotion& motion, const State& present, const LateralResponse& response,
+                         const Moments& moments, const LoadTransfer& load_transfer, Sides& largest) const;
 
     float trend_horizon_s_{0.0F};
     float trend_after_horizon_s_{0.0F};  // tau_j (1 - exp(-t / tau_j)) after it

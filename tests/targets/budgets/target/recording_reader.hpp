@@ -37,7 +37,7 @@ class RecordingReader {
     bool complete() const { return position_ == size_; }
 
  private:
-    alignas(8) unsigned char bytes_[2U * 1024U * 1024U];
+    alignas(8) unsigned char bytes_[3U * 1024U * 1024U];
     size_t size_;
     size_t position_;
 };
