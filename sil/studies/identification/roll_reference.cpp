@@ -19,6 +19,7 @@ constexpr double followed_share = 0.7;  // of the bank that the angle must follo
 constexpr double not_followed_share = 0.3;
 constexpr double confirmed_share = 0.5;  // of the bank, by which the accelerometer may see more or less
 constexpr double bank_correlation = 0.7;
+constexpr double largest_tyre_roll_radpmps2 = 2.5 / degrees_per_radian / g_mps2;
 constexpr double steady_radps = 0.05;  // a body that rolls faster is not where its suspension would hold it
 constexpr double steady_mps = 5.0;
 constexpr std::size_t fewest_steady_samples = 100U;
@@ -69,18 +70,20 @@ BankSigns bank_signs(const VehicleData& vehicle, const RollFit& roll, const Prep
     return signs;
 }
 
-// What a gyro's offset (growing with time) and a fit of wrong slope or tyres that roll (growing with the
-// turn) do not explain.
+// Less what a gyro's offset explains, which grows with time, and what tyres that roll do, or a suspension
+// that was fitted a little too stiff, which grow with the turn: in a turn, a bank beyond that is left.
 Eigen::MatrixXd unexplained(const BankSigns& signs) {
     const auto column = [](const std::vector<double>& values) {
         return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
     };
-    const Eigen::VectorXd time = column(signs.time_s);
-    Eigen::MatrixXd explains(time.size(), 3);
-    explains << Eigen::VectorXd::Ones(time.size()), time, column(signs.turn_mps2);
-    Eigen::MatrixXd seen(time.size(), 3);
+    const Eigen::VectorXd time = column(signs.time_s), turn = column(signs.turn_mps2);
+    Eigen::MatrixXd explains(time.size(), 3), seen(time.size(), 3);
+    explains << turn, Eigen::VectorXd::Ones(time.size()), time;
     seen << column(signs.bank_rad), column(signs.accelerometer_rad), column(signs.angle_rad);
-    return seen - explains * explains.colPivHouseholderQr().solve(seen);
+    const Eigen::MatrixXd shares = explains.colPivHouseholderQr().solve(seen);
+    seen -= turn * shares.row(0).cwiseMax(0.0).cwiseMin(largest_tyre_roll_radpmps2);
+    const Eigen::MatrixXd drift = explains.rightCols(2);
+    return seen - drift * drift.colPivHouseholderQr().solve(seen);
 }
 
 struct BankFollowed {

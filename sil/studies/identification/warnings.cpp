@@ -319,8 +319,8 @@ class Warnings {
                  result_.steering_is_known()
                      ? ""
                      : ", the lateral response w is 0 (not known), and the component looks ahead along the "
-                       "trend alone: warnings come later. Give both in the vehicle data, or drive such a "
-                       "ramp");
+                       "trend alone: warnings come later. Give both in the vehicle data, or add a ramp that "
+                       "shows them");
         } else if (result_.steering->r_squared < 0.9) {
             warn(
                 "steering and yaw rate fit badly together (R2 {:.3f}): check the sign and the unit of "

@@ -77,7 +77,9 @@ TEST(UselessDrive, ARollRateInTheWrongUnitOrSignIsRefused) {
         for (sil::DriveSample& sample : steps.samples) {
             sample.roll_rate_radps *= factor;
         }
-        EXPECT_THAT(refusal(good_ramp(), steps), HasSubstr("Check sign and unit")) << factor;
+        EXPECT_THAT(refusal(good_ramp(), steps),
+                    AllOf(HasSubstr("Check sign and unit"), HasSubstr("that the road is level")))
+            << factor;
     }
 }
 

@@ -91,13 +91,24 @@ TEST(RollReference, SideslipDoesNotHideABankThatIsLarger) {
                 Contains(HasSubstr("seems to be one against the road")));
 }
 
+// One turn to each side, banked like a test track's curves.
+TEST(RollReference, ABankOfTheCurvesIsTold) {
+    const auto curves = [](double time_s) {
+        return time_s < 1.0 || time_s > 61.0 ? 0.0 : 0.04 * std::sin(0.10472 * (1.0 - time_s));
+    };
+    EXPECT_THAT(warnings(curves, true), Contains(HasSubstr("moves with the road's bank")));
+    EXPECT_THAT(warnings(curves, false, sil::RollReference::horizon),
+                Contains(HasSubstr("seems to be one against the road")));
+}
+
 // A sensor of the suspension does not see what the tyres give in a turn; a gyro does.
 TEST(RollReference, TyresThatRollAreNoBank) {
-    const KnownBody body;
-    sil::Drive ramp = identification_test::ramp_of(body, 5.5), steps = identification_test::steps_of(body);
+    KnownBody body;
+    body.stiffness_cubic_nmprad3 = 0.0;
+    sil::Drive ramp = identification_test::ramp_of(body, 6.5), steps = identification_test::steps_of(body);
     for (sil::Drive* drive : {&ramp, &steps}) {
         for (sil::DriveSample& sample : drive->samples) {
-            sample.roll_angle_rad *= 0.7;
+            sample.roll_angle_rad *= 0.8;
         }
     }
     for (const auto said : {sil::RollReference::road, sil::RollReference::horizon}) {
