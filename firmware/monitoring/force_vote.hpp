@@ -21,19 +21,29 @@ class ForceVote {
         force_per_angle_mps2_ = parameters.roll_stiffness_nmprad * per_arm;
         force_per_rate_mps_ = parameters.roll_damping_nmsprad * per_arm;
         force_per_acceleration_m_ = parameters.roll_inertia_kgm2 * per_arm;
+        used_load_share_ = parameters.load_adaptation;
         imu_x_m_ = parameters.imu_x_m;
         imu_z_m_ = parameters.imu_z_m;
     }
 
+    // `excess`: by which share m_s H is larger than calibrated, as driving has shown; used as far as the
+    // calibration wants. The same force rolls such a body further, at the same acceleration, since its
+    // inertia grows as well. Not available while the component makes no statement: then it stays, or else a
+    // vote that has led there would go on.
+    void assume_load(float excess) noexcept {
+        const float used = used_load_share_ * excess;
+        if (rsi::is_within(used, -0.5F, 1.5F)) {
+            held_share_ = 1.0F / (1.0F + used);
+        }
+    }
+
     // One sample; one that is not finite, of a body far over or of a vehicle that stands or spins starts
-    // anew. `load_excess`: by which share m_s H is larger than calibrated, as far as it has been learnt.
-    void update(const rsi::Inputs& inputs, float load_excess, bool rolls_on) noexcept {
-        // Learnt within -0.6 and 1.
-        const float lighter = 1.0F / (1.0F + load_excess);
+    // anew.
+    void update(const rsi::Inputs& inputs, bool rolls_on) noexcept {
         const float yaw_mps2 = inputs.yaw_rate_radps * inputs.speed_mps;
         const float imu_mps = imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps;
-        const float held_mps2 = lighter * (force_per_angle_mps2_ * inputs.roll_angle_rad +
-                                           force_per_rate_mps_ * inputs.roll_rate_radps);
+        const float held_mps2 = held_share_ * (force_per_angle_mps2_ * inputs.roll_angle_rad +
+                                               force_per_rate_mps_ * inputs.roll_rate_radps);
         const bool knew = known_;
         known_ = rolls_on && rsi::is_within_magnitude(inputs.roll_angle_rad, 0.15F) &&
                  rsi::is_finite(inputs.lateral_specific_force_mps2 + yaw_mps2 + imu_mps + held_mps2);
@@ -55,7 +65,7 @@ class ForceVote {
         const float imu_mps2 = (imu_mps - imu_mps_) / lag_s;
         const float roll_radps2 = (inputs.roll_rate_radps - roll_rate_radps_) / lag_s;
         against_yaw_mps2_ = less_yaw_mps2_ - imu_mps2;
-        against_roll_mps2_ = less_held_mps2_ - imu_mps2 - lighter * force_per_acceleration_m_ * roll_radps2;
+        against_roll_mps2_ = less_held_mps2_ - imu_mps2 - force_per_acceleration_m_ * roll_radps2;
     }
 
     bool accelerometer_is_alone() const noexcept {
@@ -78,6 +88,8 @@ class ForceVote {
     float force_per_angle_mps2_{rsi::not_available};
     float force_per_rate_mps_{rsi::not_available};
     float force_per_acceleration_m_{rsi::not_available};
+    float used_load_share_{0.0F};
+    float held_share_{1.0F};  // of the force that would roll the calibrated body as far
     float imu_x_m_{0.0F};
     float imu_z_m_{0.0F};
     bool known_{false};

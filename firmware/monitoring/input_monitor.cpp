@@ -14,10 +14,18 @@ constexpr float steepest_bank_rad = 0.42F;
 // The body leans out of the turn; below this the sign of the force says nothing.
 constexpr float clear_force_mps2 = 2.0F;
 
+constexpr float sure_excess_deviation = 0.06F;
+
 // Of the road: measured, or as the observer has it.
 float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     const bool measured = rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad);
     return measured ? inputs.bank_angle_rad : before.observed_bank_angle_rad;
+}
+
+// What minutes of driving have shown. An accelerometer that has just failed looks like a load, but not like
+// one that is known so well. NaN while the component makes no statement.
+float sure_load_excess(const rsi::Outputs& before) noexcept {
+    return (before.load_excess_deviation >= sure_excess_deviation) ? 0.0F : before.load_excess;
 }
 
 // Of the body against the horizon: what the lateral force is more than the turn needs, as a component of
@@ -91,7 +99,7 @@ rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& 
     check_stuck(kept, memory);
     check_roll(kept, fresh.late_roll_angle_rad, memory);
     check_vertical(kept, before, memory);
-    check_turn(kept, before.load_excess, memory);
+    check_turn(kept, before, memory);
     check_reference(kept, before, memory);
     check_observer(inputs, before, memory);
     if (!memory.no_active_codes()) {
@@ -204,7 +212,7 @@ void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs&
     }
 }
 
-void InputMonitor::check_turn(const rsi::Inputs& inputs, float load_excess,
+void InputMonitor::check_turn(const rsi::Inputs& inputs, const rsi::Outputs& before,
                               DiagnosticMemory& memory) noexcept {
     constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
     constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
@@ -214,7 +222,8 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, float load_excess,
     rsi::Inputs against_road = inputs;
     against_road.roll_angle_rad = roll_against_road(inputs);
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
-    force_vote_.update(against_road, load_excess, turn_consistency_.known() && !turn_consistency_.spins());
+    force_vote_.assume_load(sure_load_excess(before));
+    force_vote_.update(against_road, turn_consistency_.known() && !turn_consistency_.spins());
     if (!turn_consistency_.known()) {
         // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
         if (turn_consistency_.agrees()) {

@@ -42,7 +42,7 @@ class InputMonitor {
     bool roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept;
     void check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
                         DiagnosticMemory& memory) noexcept;
-    void check_turn(const rsi::Inputs& inputs, float load_excess, DiagnosticMemory& memory) noexcept;
+    void check_turn(const rsi::Inputs& inputs, const rsi::Outputs& before, DiagnosticMemory& memory) noexcept;
     void check_reference(const rsi::Inputs& inputs, const rsi::Outputs& before,
                          DiagnosticMemory& memory) noexcept;
     void check_observer(const rsi::Inputs& inputs, const rsi::Outputs& before,

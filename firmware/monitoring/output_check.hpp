@@ -19,7 +19,7 @@ inline bool estimate_is_in_range(const rsi::Outputs& outputs) noexcept {
     return rsi::is_within_magnitude(outputs.roll_centre_vertical_m, 2.0F) &&
            rsi::is_within_magnitude(outputs.roll_stiffness_deviation_nmprad, 1.0e10F) &&
            rsi::is_within_magnitude(outputs.roll_damping_deviation_nmsprad, 1.0e5F) &&
-           rsi::is_within(outputs.load_excess, -0.3F, 1.0F) &&
+           rsi::is_within(outputs.load_excess, -0.45F, 1.0F) &&
            rsi::is_within(outputs.load_excess_deviation, 0.0F, 0.25F);
 }
 

@@ -3,7 +3,7 @@
 namespace monitoring {
 namespace {
 
-// Of the inclination: an accelerometer's noise is as large as what is looked for.
+// An accelerometer's noise is as large as what is looked for.
 constexpr float inclination_lag_s = 0.05F;
 
 }  // namespace
@@ -16,14 +16,12 @@ void RollConsistency::update(float roll_angle_rad, float roll_rate_radps, float 
         return;
     }
     turned_rad_ += rsi::sample_time_s * roll_rate_radps;
-    const bool was_known = inclination_known_;
-    inclination_known_ = rsi::is_finite(inclination_rad);
-    if (inclination_known_) {
-        const float weight = was_known ? rsi::sample_time_s / inclination_lag_s : 1.0F;
-        inclination_rad_ += weight * (inclination_rad - inclination_rad_);
-    }
-    const float compared_rad = inclination_known_ ? inclination_rad_ : roll_angle_rad;
-    const Beyond now{roll_angle_rad - turned_rad_, compared_rad - turned_rad_};
+    // The roll angle alone, where no inclination is known.
+    const float shown_rad = rsi::is_finite(inclination_rad) ? inclination_rad : roll_angle_rad;
+    const bool begins = (filled_ == 0U);
+    const float weight = begins ? 1.0F : rsi::sample_time_s / inclination_lag_s;
+    inclined_rad_ += weight * (shown_rad - turned_rad_ - inclined_rad_);
+    const Beyond now{roll_angle_rad - turned_rad_, inclined_rad_};
     short_ = change(now, short_window);
     long_ = change(now, long_window);
     history_[next_] = now;

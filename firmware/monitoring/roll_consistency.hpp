@@ -11,8 +11,8 @@ namespace monitoring {
 
 // The roll angle is against the road, the roll rate against the horizon, so the road's bank enters the
 // difference; so does the noise of both. Over 2,900 drawn runs of three vehicles, with noise and without,
-// banked roads and bumps among them, the difference came to 2.2 deg within 0.2 s and 6.2 deg within 1 s. A road
-// may twist faster: then the inclination of the body, which the lateral force shows beyond what the turn
+// banked roads and bumps among them, the difference came to 2.2 deg within 0.2 s and 6.2 deg within 1 s. A
+// road may twist faster: then the inclination of the body, which the lateral force shows beyond what the turn
 // needs, changes as the roll rate says.
 class RollConsistency {
  public:
@@ -22,7 +22,9 @@ class RollConsistency {
 
     bool known() const noexcept { return filled_ > short_window; }
     // Within 0.2 s they have come apart by more than 3.5 deg. `may_twist`: the road can have done it.
-    bool contradicts(bool may_twist) const noexcept { return known() && short_.contradicts(0.061F, may_twist); }
+    bool contradicts(bool may_twist) const noexcept {
+        return known() && short_.contradicts(0.061F, may_twist);
+    }
     // Within 1 s by more than 9 deg.
     bool has_offset(bool may_twist) const noexcept { return known() && long_.contradicts(0.157F, may_twist); }
 
@@ -49,8 +51,7 @@ class RollConsistency {
     std::size_t next_{0U};
     std::size_t filled_{0U};
     float turned_rad_{0.0F};
-    bool inclination_known_{false};
-    float inclination_rad_{0.0F};
+    float inclined_rad_{0.0F};  // beyond the integrated roll rate, through a lag
     Beyond short_{};
     Beyond long_{};
 };

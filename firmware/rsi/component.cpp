@@ -89,7 +89,8 @@ bool Component::restore_load(const LearntLoad& learnt, bool doubted) {
 }
 
 // Whatever reckons with the sprung mass, but for two: the observer, against which the roll sensor is checked,
-// must not follow what the roll sensor has taught, and the indices for comparison stay as published.
+// must not follow what the roll sensor has taught (only the vehicle's mass excuses the sensor), and the
+// indices for comparison stay as published.
 void Component::assume_body(const SprungBody& body) {
     model_.assume_body(body);
     estimator_.assume_body(body);
@@ -168,6 +169,7 @@ void Component::assume_body(const SprungBody& body) {
 
     // To the next sample.
     extended_rsi_ = outputs.rsi_extended;
+    measurement_.assume_mass(load_adaptation_.known_mass_factor());
     assume_body(load_adaptation_.body());
 }
 

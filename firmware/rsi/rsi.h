@@ -213,7 +213,7 @@ typedef struct {
 
 /* What a drive has shown of the load: plain numbers, to be kept without power. */
 typedef struct {
-    float excess;           /* by which share m_s H is larger than calibrated, -0.3 to 1 */
+    float excess;           /* by which share m_s H is larger than calibrated, -0.45 to 1 */
     float excess_deviation; /* standard deviation of it, 0.01 to 0.25 */
     float offset_mps2;      /* what sensors and a load off the middle add to the force, -2 to 2 */
 } rsi_learnt_load;

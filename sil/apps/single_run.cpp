@@ -14,14 +14,15 @@ std::string drawn_text(const DrawnRun& drawn) {
     const RunDraw& draw = drawn.draw;
     return fmt::format(
         "Run {}: {}{}, {}\n"
-        "  drawn: speed {:.3f}, steering {:.3f}, friction {:.3f} times its own; load {:.1f} % of the sprung mass "
-        "at {:.2f} times its CG height\n"
-        "  the firmware is wrong by: CG height {:+.1f} %, roll stiffness {:+.1f} %, sprung mass {:+.1f} %; bias "
-        "{:+.3f} g lateral, {:+.3f} g vertical; sensor seed {}\n",
+        "  drawn: speed {:.3f}, steering {:.3f}, friction {:.3f} times its own; "
+        "load {:.1f} % of the sprung mass at {:.2f} times its CG height\n"
+        "  the firmware is wrong by: CG height {:+.1f} %, roll stiffness {:+.1f} %, sprung mass {:+.1f} %, "
+        "mass on the bus {:+.1f} %; bias {:+.3f} g lateral, {:+.3f} g vertical; sensor seed {}\n",
         draw.number, drawn.manoeuvre.name, draw.mirrored ? ", mirrored" : "", drawn.vehicle.name,
         draw.speed_factor, draw.steering_factor, draw.friction_factor, 100.0 * draw.load_share,
         draw.load_height_factor, 100.0 * draw.cg_height_error, 100.0 * draw.stiffness_error,
-        100.0 * draw.mass_error, draw.lateral_bias_g, draw.vertical_bias_g, draw.sensor_seed);
+        100.0 * draw.mass_error, 100.0 * draw.mass_sensor_error, draw.lateral_bias_g, draw.vertical_bias_g,
+        draw.sensor_seed);
 }
 
 class SingleRun final : public RunWatch {

@@ -28,32 +28,33 @@ class ARollAngle : public ::testing::Test {
     void run(int samples, float rise_per_sample, float roll_rate_radps = 0.0F) {
         for (int sample = 0; sample < samples; ++sample) {
             angle_rad += rise_per_sample;
-            check.update(angle_rad, roll_rate_radps);
+            check.update(angle_rad, roll_rate_radps, inclination_rad);
         }
     }
 
     RollConsistency check;
     float angle_rad{0.0F};
+    float inclination_rad{nan};
 };
 
 TEST_F(ARollAngle, IsJudgedFromThe21stSampleOn) {
     run(20, 0.03F);
     EXPECT_FALSE(check.known());
-    EXPECT_FALSE(check.contradicts());
+    EXPECT_FALSE(check.contradicts(false));
     run(1, 0.03F);
     EXPECT_TRUE(check.known());
-    EXPECT_TRUE(check.contradicts());
+    EXPECT_TRUE(check.contradicts(false));
 }
 
 TEST_F(ARollAngle, ContradictsWhenItComesApartBy3Point5DegreesIn200Milliseconds) {
     for (const float sign : {1.0F, -1.0F}) {
         check = RollConsistency{};
         run(90, sign * 0.0030F);
-        EXPECT_FALSE(check.contradicts());
+        EXPECT_FALSE(check.contradicts(false));
         run(30, sign * 0.0031F);
-        EXPECT_TRUE(check.contradicts());
+        EXPECT_TRUE(check.contradicts(false));
         run(30, 0.0F);
-        EXPECT_FALSE(check.contradicts());
+        EXPECT_FALSE(check.contradicts(false));
     }
 }
 
@@ -61,27 +62,27 @@ TEST_F(ARollAngle, HasAnOffsetWhenItComesApartBy9DegreesInASecond) {
     for (const float sign : {1.0F, -1.0F}) {
         check = RollConsistency{};
         run(150, sign * 0.00155F);
-        EXPECT_FALSE(check.has_offset());
+        EXPECT_FALSE(check.has_offset(false));
         run(110, sign * 0.00160F);
-        EXPECT_TRUE(check.has_offset());
-        EXPECT_FALSE(check.contradicts());
+        EXPECT_TRUE(check.has_offset(false));
+        EXPECT_FALSE(check.contradicts(false));
     }
 }
 
 TEST_F(ARollAngle, HasNoOffsetBeforeASecondIsOver) {
     run(100, 0.0025F);
     EXPECT_TRUE(check.known());
-    EXPECT_FALSE(check.has_offset());
+    EXPECT_FALSE(check.has_offset(false));
     run(1, 0.0025F);
-    EXPECT_TRUE(check.has_offset());
+    EXPECT_TRUE(check.has_offset(false));
 }
 
 TEST_F(ARollAngle, AgreesWithTheRateThatTurnsItAndNotWithOneThatDoesNot) {
     run(200, 0.005F, 0.5F);
-    EXPECT_FALSE(check.contradicts());
-    EXPECT_FALSE(check.has_offset());
+    EXPECT_FALSE(check.contradicts(false));
+    EXPECT_FALSE(check.has_offset(false));
     run(30, 0.0F, 0.5F);
-    EXPECT_TRUE(check.contradicts());
+    EXPECT_TRUE(check.contradicts(false));
 }
 
 // What was found before a gap says nothing after it.
@@ -89,18 +90,18 @@ TEST_F(ARollAngle, StartsAnewAfterASampleThatIsNotFinite) {
     for (const bool of_angle : {true, false}) {
         for (const float bad : {nan, infinity}) {
             run(150, 0.004F);
-            ASSERT_TRUE(check.contradicts());
-            ASSERT_TRUE(check.has_offset());
-            check.update(of_angle ? bad : angle_rad, of_angle ? 0.0F : bad);
+            ASSERT_TRUE(check.contradicts(false));
+            ASSERT_TRUE(check.has_offset(false));
+            check.update(of_angle ? bad : angle_rad, of_angle ? 0.0F : bad, inclination_rad);
             EXPECT_FALSE(check.known());
-            EXPECT_FALSE(check.contradicts());
-            EXPECT_FALSE(check.has_offset());
+            EXPECT_FALSE(check.contradicts(false));
+            EXPECT_FALSE(check.has_offset(false));
             run(20, 0.0F);
             EXPECT_FALSE(check.known());
             run(1, 0.0F);
             EXPECT_TRUE(check.known());
-            EXPECT_FALSE(check.contradicts());
-            EXPECT_FALSE(check.has_offset());
+            EXPECT_FALSE(check.contradicts(false));
+            EXPECT_FALSE(check.has_offset(false));
         }
     }
 }
@@ -113,10 +114,78 @@ TEST_F(ARollAngle, StartsAnewWhenTheIntegralOfTheRateComesTo50Radians) {
     for (int sample = 0; sample < 50; ++sample) {
         run(1, 0.05F, 5.0F);
         unknown_samples += check.known() ? 0 : 1;
-        EXPECT_FALSE(check.contradicts());
+        EXPECT_FALSE(check.contradicts(false));
     }
     EXPECT_EQ(unknown_samples, 21);
     EXPECT_TRUE(check.known());
+}
+
+// A road that turns the whole body without its rolling against the road.
+class ATwistingRoad : public ::testing::Test {
+ protected:
+    struct Said {
+        bool contradicts{false};
+        bool has_offset{false};
+    };
+
+    // Level for 1 s, then `rate_radps` for `twist_s`, then level again for 1 s; `seen` of it by the
+    // accelerometer.
+    static Said drive(float rate_radps, float twist_s, float seen, bool may_twist) {
+        RollConsistency check;
+        Said said;
+        float inclination_rad = 0.0F;
+        const int twist_samples = static_cast<int>(100.0F * twist_s + 0.5F);
+        for (int sample = 0; sample < 200 + twist_samples; ++sample) {
+            const bool twists = sample >= 100 && sample < 100 + twist_samples;
+            const float rate = twists ? rate_radps : 0.0F;
+            inclination_rad += 0.01F * rate;
+            check.update(0.0F, rate, seen * inclination_rad);
+            said.contradicts = said.contradicts || check.contradicts(may_twist);
+            said.has_offset = said.has_offset || check.has_offset(may_twist);
+        }
+        return said;
+    }
+};
+
+TEST_F(ATwistingRoad, IsNoContradictionWhereTheAccelerometerSeesIt) {
+    for (const float side : {1.0F, -1.0F}) {
+        for (const float rate_radps : {0.2F, 0.4F}) {  // 12 deg in a second; 4.6 deg in 0.2 s
+            const Said said = drive(side * rate_radps, 1.0F, 1.0F, true);
+            EXPECT_FALSE(said.contradicts) << rate_radps;
+            EXPECT_FALSE(said.has_offset) << rate_radps;
+        }
+    }
+}
+
+TEST_F(ATwistingRoad, IsOneWhereTheAccelerometerDoesNotSeeItOrTheBodyDoesNotRollAsForced) {
+    for (const Said& said :
+         {drive(0.4F, 1.0F, 0.0F, true), drive(0.4F, 1.0F, 1.0F, false), drive(0.4F, 1.0F, nan, true)}) {
+        EXPECT_TRUE(said.contradicts);
+        EXPECT_TRUE(said.has_offset);
+    }
+}
+
+// 9 deg more than what the roll rate says, within a second, or 3.5 deg within 0.2 s: limits as for the angle.
+TEST_F(ATwistingRoad, MustBeSeenWithinTheSameLimits) {
+    EXPECT_FALSE(drive(0.2F, 1.0F, 0.3F, true).has_offset);
+    EXPECT_TRUE(drive(0.2F, 1.0F, 0.1F, true).has_offset);
+    EXPECT_FALSE(drive(0.5F, 0.2F, 0.6F, true).contradicts);
+    EXPECT_TRUE(drive(0.5F, 0.2F, 0.1F, true).contradicts);
+}
+
+// 50 ms smooth the accelerometer's noise.
+TEST_F(ATwistingRoad, TakesTheInclinationThroughALagOf50MillisecondsButForItsFirst) {
+    RollConsistency check;
+    for (int sample = 0; sample < 100; ++sample) {
+        check.update(0.0F, 0.0F, 0.3F);
+    }
+    // The angle moves and with it nothing else: a fifth of a step of 0.3 rad is within the limit of 0.061
+    // rad.
+    check.update(0.07F, 0.0F, 0.6F);
+    EXPECT_FALSE(check.contradicts(true));
+    EXPECT_TRUE(check.contradicts(false));
+    check.update(0.07F, 0.0F, 0.6F);
+    EXPECT_TRUE(check.contradicts(true));
 }
 
 // Lateral acceleration against yaw rate times speed.

@@ -93,6 +93,54 @@ TEST_F(AnInputMonitor, PassesOnWhatContradictsNobody) {
     EXPECT_EQ(memory.next().code, DiagnosticCode::none);
 }
 
+// A vehicle that slides under a load: its yaw rate leads, and its body rolls as the empty one under that
+// force.
+TEST_F(AnInputMonitor, TakesALoadThatMinutesHaveShownForNoFaultOfTheAccelerometer) {
+    rsi::Parameters suv = rsi_test_large_suv();
+    suv.load_adaptation = 1.0F;
+    monitor.start(suv);
+    inputs.lateral_specific_force_mps2 = 4.0F;
+    inputs.yaw_rate_radps = 8.0F / inputs.speed_mps;
+    inputs.roll_angle_rad = 8.0F * suv.sprung_mass_kg *
+                            (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+                            suv.roll_stiffness_nmprad;
+    before.load_excess = 1.0F;
+    before.load_excess_deviation = 0.059F;
+    run(200);
+    EXPECT_FALSE(confirmed(lateral_code));
+    const rsi::Outputs stated = before;
+    before.load_excess = nan;  // without a statement what was known stays
+    before.load_excess_deviation = nan;
+    run(200);
+    EXPECT_FALSE(confirmed(lateral_code));
+    before = stated;
+    before.load_excess_deviation = 0.06F;  // an accelerometer that has just failed looks like a load, too
+    run(200);
+    EXPECT_TRUE(confirmed(lateral_code));
+}
+
+// Onto a bank of 12 deg within a second, straight on: the body leans against the road as its weight makes it.
+TEST_F(AnInputMonitor, TakesARoadThatTwistsForNoFaultOfTheRollRate) {
+    const rsi::Parameters suv = rsi_test_large_suv();
+    const float per_force = suv.sprung_mass_kg * (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+                            suv.roll_stiffness_nmprad;
+    for (const float seen : {1.0F, 0.0F}) {
+        float bank_rad = 0.0F;
+        for (int cycle = 0; cycle < 300; ++cycle) {
+            const bool twists = cycle >= 100 && cycle < 200;
+            bank_rad += twists ? 0.0021F : 0.0F;
+            const float noise = (cycle % 2 == 0) ? 0.001F : -0.001F;
+            inputs.lateral_specific_force_mps2 = seen * 9.80665F * std::sin(bank_rad) + noise;
+            inputs.roll_angle_rad = per_force * inputs.lateral_specific_force_mps2;
+            inputs.roll_rate_radps = (twists ? 0.21F : 0.0F) + noise;
+            run(1);
+        }
+        EXPECT_EQ(confirmed(DiagnosticCode::roll_rate_offset), seen < 1.0F);
+        EXPECT_FALSE(confirmed(lateral_code));
+        monitor.start(suv);
+    }
+}
+
 // Yaw rate and roll angle agree against the accelerometer; but in a spin the yaw rate is no witness.
 TEST_F(AnInputMonitor, AccusesNoAccelerometerInASpin) {
     const rsi::Parameters suv = rsi_test_large_suv();

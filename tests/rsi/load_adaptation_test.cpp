@@ -218,8 +218,13 @@ TEST(LoadAdaptation, TheMassSaysWhatIsMassAndWhatIsHeight) {
     const rsi::SprungBody body = adaptation.body();
     EXPECT_NEAR(body.mass_kg / empty.mass_kg, 1.1F, 1.0e-5F);
     EXPECT_NEAR(body.roll_arm_m / empty.roll_arm_m, 1.4F / 1.1F, 0.05F);
+    EXPECT_NEAR(adaptation.known_mass_factor(), 1.1F, 1.0e-5F);
     stand(adaptation, 10);  // it stays while none comes
     EXPECT_EQ(adaptation.body().mass_kg, body.mass_kg);
+    EXPECT_EQ(started().known_mass_factor(), 1.0F);
+    rsi::LoadAdaptation half = started(adapting(0.5F));
+    stand(half, 1, mass_with(1.5F));
+    EXPECT_NEAR(half.known_mass_factor(), 1.25F, 1.0e-5F);
 }
 
 TEST(LoadAdaptation, BeforeAnyDrivingTheMassAloneIsALoadAtTheHeightOfTheBody) {

@@ -326,6 +326,34 @@ TEST(Measurement, TheRatesBeforeAGapOfTheRollAngleAreForgotten) {
     EXPECT_NEAR(static_cast<double>(measured.road_parallel_force_mps2), body.cg_force.y() + missing, 1.0e-5);
 }
 
+// Beyond both what the observer finds and what a body of that mass would do.
+TEST(Measurement, AKnownMassExcusesARollAngleUpToItsShare) {
+    const auto disagrees = [](float mass_factor, float sensed_over_observed) {
+        rsi::MeasurementStage stage = stage_of(rsi_test::large_suv());
+        stage.assume_mass(mass_factor);
+        rsi::Measurement measured;
+        rsi_inputs inputs = rsi_test::at_rest();
+        inputs.speed_mps = 20.0F;
+        inputs.lateral_specific_force_mps2 = 6.0F;
+        inputs.yaw_rate_radps = 0.3F;
+        for (int k = 0; k < 400; ++k) {
+            EXPECT_TRUE(stage.update(inputs, measured));
+            const float observed_rad = measured.observed.roll_angle_rad;  // not known at first
+            inputs.roll_angle_rad = std::isfinite(observed_rad) ? sensed_over_observed * observed_rad : 0.0F;
+        }
+        EXPECT_GT(measured.observed.roll_angle_rad, 0.06F);
+        return measured.observed.sensor_disagrees;
+    };
+    EXPECT_FALSE(disagrees(1.0F, 1.0F));
+    EXPECT_TRUE(disagrees(1.0F, 2.0F));
+    EXPECT_FALSE(disagrees(2.0F, 2.0F));
+    EXPECT_FALSE(disagrees(2.0F, 1.0F));
+    EXPECT_TRUE(disagrees(2.0F, 3.0F));
+    EXPECT_TRUE(disagrees(2.0F, 0.0F));
+    EXPECT_TRUE(disagrees(0.6F, 2.0F));
+    EXPECT_FALSE(disagrees(0.6F, 0.6F));
+}
+
 // The roll sensor of a tipping vehicle is not compared with a model that ends there: what was found before
 // stays.
 TEST(Measurement, TheRollSensorIsNotJudgedWhileTheVehicleTips) {

@@ -37,7 +37,8 @@ float slope_by_powers_nmprad(const rsi::Parameters& p, float angle_rad) {
 }
 
 TEST(RollStiffnessCurve, IsThatOfThePowersWhereTheyRise) {
-    for (const rsi::Parameters& p : {with(0.0F, 0.0F), with(2.0e6F, 0.0F), with(1.0e6F, 3.0e7F), with(-1.0e6F, 9.0e7F)}) {
+    for (const rsi::Parameters& p :
+         {with(0.0F, 0.0F), with(2.0e6F, 0.0F), with(1.0e6F, 3.0e7F), with(-1.0e6F, 9.0e7F)}) {
         const rsi::RollStiffnessCurve curve = curve_of(p);
         for (float angle = -0.6F; angle <= 0.6F; angle += 0.05F) {
             EXPECT_FLOAT_EQ(curve.moment_nm(angle), by_powers_nm(p, angle)) << angle;
@@ -53,18 +54,20 @@ TEST(RollStiffnessCurve, GoesStraightOnWhereThePowersHaveFallenToAQuarterOfTheFi
         float quintic;
         float end_rad;
     };
-    for (const Case& tested : {Case{-2.0e6F, 0.0F, 0.1F}, Case{0.0F, -1.2e8F, 0.1F}, Case{1.0e6F, -1.8e8F, 0.1F},
-                               Case{-4.0e6F, 1.0e8F, 0.0842671F}}) {
+    for (const Case& tested : {Case{-2.0e6F, 0.0F, 0.1F}, Case{0.0F, -1.2e8F, 0.1F},
+                               Case{1.0e6F, -1.8e8F, 0.1F}, Case{-4.0e6F, 1.0e8F, 0.0842671F}}) {
         const rsi::Parameters p = with(tested.cubic, tested.quintic);
         const rsi::RollStiffnessCurve curve = curve_of(p);
         const float end = tested.end_rad;
         EXPECT_NEAR(slope_by_powers_nmprad(p, end), 20.0e3F, 20.0F);
         for (const float side : {-1.0F, 1.0F}) {
             EXPECT_FLOAT_EQ(curve.moment_nm(side * 0.99F * end), by_powers_nm(p, side * 0.99F * end));
-            EXPECT_NEAR(curve.moment_nm(side * 2.0F * end), side * (by_powers_nm(p, end) + 20.0e3F * end), 2.0F);
+            EXPECT_NEAR(curve.moment_nm(side * 2.0F * end), side * (by_powers_nm(p, end) + 20.0e3F * end),
+                        2.0F);
             EXPECT_NEAR(curve.slope_nmprad(side * 2.0F * end), 20.0e3F, 20.0F);
             EXPECT_NEAR(curve.moment_nm(side * 1.2F),
-                        1.2F * (p.roll_stiffness_nmprad + curve.secant_deviation_nmprad(side * 1.2F)) * side, 0.1F);
+                        1.2F * (p.roll_stiffness_nmprad + curve.secant_deviation_nmprad(side * 1.2F)) * side,
+                        0.1F);
         }
     }
 }

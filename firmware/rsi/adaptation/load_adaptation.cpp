@@ -60,8 +60,7 @@ void LoadAdaptation::doubt() {
 
 SprungBody LoadAdaptation::body() const {
     const float moment_factor = smaller(1.0F + used_share_ * regression_.excess(), largest_factor_);
-    const float mass_factor =
-        mass_known_ ? 1.0F + used_share_ * (mass_factor_ - 1.0F) : assumed_mass_factor(moment_factor);
+    const float mass_factor = mass_known_ ? known_mass_factor() : assumed_mass_factor(moment_factor);
     return with_load(calibrated_, moment_factor, mass_factor);
 }
 

@@ -28,6 +28,10 @@ class LoadAdaptation {
     // body.
     SprungBody body() const;
 
+    // m_s over the calibrated one, as the vehicle's mass says and as far as it is used; 1 where it is not
+    // known.
+    float known_mass_factor() const { return 1.0F + used_share_ * (mass_factor_ - 1.0F); }
+
     // What the warning's level is to be multiplied by for what is not known, 1 to 1.1.
     float level_weight() const;
 

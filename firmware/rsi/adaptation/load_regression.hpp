@@ -17,7 +17,7 @@ namespace rsi {
 // Slow, because only what lasts is a load: the roll centre moves within every turn.
 class LoadRegression {
  public:
-    static constexpr float least_excess = -0.3F;
+    static constexpr float least_excess = -0.45F;  // of a truck that has been emptied
     static constexpr float largest_excess = 1.0F;
 
     [[gnu::cold]] void init(const Parameters& parameters);

@@ -70,6 +70,7 @@ void MeasurementStage::reinitialise(const Parameters& parameters) {
     imu_x_m_ = parameters.imu_x_m;
     imu_y_m_ = parameters.imu_y_m;
     imu_z_m_ = parameters.imu_z_m;
+    mass_factor_ = 1.0F;
     against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
     roll_acceleration_.init(parameters.angular_acceleration_lag_s);
     yaw_acceleration_.init(parameters.angular_acceleration_lag_s);
@@ -141,6 +142,13 @@ float MeasurementStage::sensed_roll_rad(const Inputs& inputs) {
     return road_bank_.known() ? angle_rad - road_bank_.angle_rad() : not_available;
 }
 
+// A heavier body rolls further than the observer's, which is the calibrated one; nearly by the share of its
+// mass.
+float MeasurementStage::beyond_observed_rad(float sensed_rad, float observed_rad) const {
+    const float laden_rad = mass_factor_ * observed_rad;
+    return sensed_rad - clamp(sensed_rad, smaller(observed_rad, laden_rad), larger(observed_rad, laden_rad));
+}
+
 // The observer runs whether it is needed or not, so that it knows the angle when the sensor fails.
 void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg,
                                Measurement& measurement) {
@@ -162,7 +170,7 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
     if (!sensor_available || !roll_known) {
         check_.reset();
     } else if (!observer_.tipped()) {
-        check_.update(sensed_rad - observed.roll_angle_rad);
+        check_.update(beyond_observed_rad(sensed_rad, observed.roll_angle_rad));
     } else {
         // The observer's model ends where the vehicle tips: the check keeps what it has.
     }

@@ -53,6 +53,9 @@ class MeasurementStage {
     // dh for the observer from now on, 0 where no sound estimate is.
     void assume_movement(float vertical_movement_m) { observer_.assume_movement(vertical_movement_m); }
 
+    // The sprung mass over the calibrated one, where the vehicle's mass is known; else 1.
+    void assume_mass(float factor) { mass_factor_ = factor; }
+
  private:
     // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
     BodyForces carry_to_cg(const Inputs& inputs, bool yaw_known);
@@ -63,7 +66,10 @@ class MeasurementStage {
     // known.
     float sensed_roll_rad(const Inputs& inputs);
 
+    float beyond_observed_rad(float sensed_rad, float observed_rad) const;
+
     bool against_horizon_{false};
+    float mass_factor_{1.0F};
     float imu_x_m_{0.0F};
     float imu_y_m_{0.0F};
     float imu_z_m_{0.0F};

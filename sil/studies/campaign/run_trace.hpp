@@ -18,8 +18,8 @@ class RunTrace final : public RunWatch {
     void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
                const RunEvents& events) override;
 
-    // Remarks on lift-off, and a line for each cycle: the inputs that the firmware used, as columns of a drive
-    // (docs/drives.md), so that a trace can be replayed; what it made of them; what was true. Throws
+    // Remarks on lift-off, and a line for each cycle: the inputs that the firmware used, as columns of a
+    // drive (docs/drives.md), so that a trace can be replayed; what it made of them; what was true. Throws
     // std::exception when it cannot be written.
     void write(const std::filesystem::path& traces, const CampaignRow& row) const;
 

@@ -1,0 +1,97 @@
+"""The page of the study, and the numbers behind its picture."""
+
+import collections
+import statistics
+
+import judge
+
+HEAD = """<!-- Written by sil/studies/predictors/run --document; do not edit. -->
+# What a heavier predictor would gain
+
+Predictors that are too heavy for the firmware learn from thousands of drawn runs what comes next, from the same
+signals: lateral acceleration, roll rate, roll angle, yaw rate, speed and steering of the last 0.3 s, as the firmware
+receives them, noise included, and the calibration with its errors. All but one are also told the load transfer that
+the firmware computes, now and ahead. They show how much a better prediction would still find in these signals.
+
+{learned} runs of {learned_vehicles} vehicles are learned from: the half `choose` of a
+[population](../drives.md#a-population-of-vehicles), settings `errors`. What is shown is of {judged} runs of the
+{judged_vehicles} vehicles of the other half, with {lifted} two-wheel lift-offs.
+
+- **Same rules.** Every prediction drives a copy of the firmware's warning states, and
+  [what counts](../drives.md#what-counts) is what counts in a campaign.
+- **Same alarms.** The threshold of each prediction is chosen on the first half so that there, in the runs with a
+  largest |LTR| of 0.8 to 0.9, alarms are as frequent as the firmware's. For that each run is judged by a predictor
+  that has not seen its vehicle.
+- **Known manoeuvres.** Both halves drive the same manoeuvres, and a learned predictor knows how they go on. No driver
+  keeps to them. For the row *unseen manoeuvres* each run is judged by a predictor that has learned without its kind
+  of manoeuvre: turns, fishhooks, lane changes. Of the gain over the firmware, that row's part is understanding of the
+  vehicle; the rest is knowledge of the test. (The threshold of that row comes from vehicles that it has seen.)
+- **What is predicted.** The largest load transfer of the next 0.3 s, or of what the row says, every 20 ms. *Linear* is
+  a weighted sum of all that is told, some forty numbers.
+- **Perfect forecast** is the true load transfer of the next {perfect} s, which nobody can have.
+
+In brackets: 95 % confidence, counting vehicles.
+
+"""
+
+
+def _percent(share):
+    low, high = share.interval()
+    return "-" if not share.total else f"{100 * share.value():.1f} ({100 * low:.1f} to {100 * high:.1f})"
+
+
+def _alarms(share):
+    return "-" if not share.total else f"{100 * share.value():.1f}"
+
+
+def line(name, threshold, verdict):
+    cells = [name, "-" if threshold is None else f"{threshold:.3f}"]
+    cells += [_percent(share) for share in (verdict.warned, verdict.warned_100ms, verdict.warned_200ms)]
+    cells += [f"{statistics.median(verdict.leads_s.values()):.2f}"]
+    return f"| {' | '.join(cells + [_alarms(verdict.alarms[band]) for band in judge.BANDS])} |"
+
+
+def _table(rows):
+    alarms = " | ".join(f"alarms {band}, %" for band in judge.BANDS)
+    return (f"| | threshold | warned, % | 0.1 s before, % | 0.2 s before, % | median lead, s | {alarms} |\n"
+            f"|---|---:|---|---|---|---:|{'---:|' * len(judge.BANDS)}\n" + "".join(line(*row) + "\n" for row in rows))
+
+
+def _by(title, group_of, rows):
+    """Lift-offs warned of 0.2 s before, by a property of the run."""
+    groups = collections.Counter(sorted(group_of(run) for run in rows[0][2].leads_s))
+    text = f"\n## 0.2 s before, by {title}\nIn per cent of the lift-offs.\n\n| | {' | '.join(groups)} |\n"
+    text += f"|---|{'---:|' * len(groups)}\n| lift-offs | {' | '.join(map(str, groups.values()))} |\n"
+    for name, _, verdict in rows:
+        early = collections.Counter(group_of(run) for run, lead in verdict.leads_s.items()
+                                    if judge.is_warned(lead, judge.VERY_EARLY_S))
+        text += f"| {name} | {' | '.join(f'{100 * early[group] / groups[group]:.1f}' for group in groups)} |\n"
+    return text
+
+
+def _importance(groups):
+    return ("\n## What it lives on\n"
+            "Mean error of the boosted trees where wheels come close to lifting, when what is named is that of other\n"
+            "moments, over their error with everything; 1: it is not missed.\n\n| | error |\n|---|---:|\n"
+            + "".join(f"| {group} | {factor:.2f} |\n" for group, factor in groups.items()))
+
+
+def page(chosen, reported, rows, groups, perfect_s):
+    text = HEAD.format(learned=len(chosen), learned_vehicles=len({run.vehicle for run in chosen}), judged=len(reported),
+                       judged_vehicles=len({run.vehicle for run in reported}),
+                       lifted=sum(run.lift_s is not None for run in reported), perfect=perfect_s)
+    return (text + _table(rows)
+            + "\n![Lift-offs warned of 0.2 s before over the alarms that this costs](pictures/predictors.png)\n\n"
+            "The picture shows each prediction at other thresholds, all on the second half; the circle is the\n"
+            "firmware as it is.\n" + _by("manoeuvre", lambda run: run.row["manoeuvre"], rows)
+            + _by("class of vehicle", lambda run: run.row["class"], rows) + _importance(groups))
+
+
+def curve_data(firmware, curves):
+    """Blocks for gnuplot, one a curve: alarms and lift-offs warned of 0.2 s before, in per cent."""
+    blocks = [(firmware[0], [firmware[2]])] + list(curves.items())
+    return "\n\n".join(f'"{name}"\n' + "".join(map(_point, verdicts)) for name, verdicts in blocks)
+
+
+def _point(verdict):
+    return f"{100 * verdict.alarms['0.8 to 0.9'].value():.2f} {100 * verdict.warned_200ms.value():.2f}\n"
