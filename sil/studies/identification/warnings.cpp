@@ -277,10 +277,13 @@ class Warnings {
         }
     }
 
+    // The suspension as the slow drives show it: a bank in a dynamic drive would go into it.
     void about_roll_reference() {
+        const double arm_m = result_.roll.arm_m;
+        const RollFit of_ramps = fit_roll(result_.vehicle, {arm_m, arm_m}, result_.ramps, {});
         for (const auto* drives : {&result_.ramps, &result_.dynamics}) {
             for (const PreparedDrive& drive : *drives) {
-                if (const auto seen = seen_roll_reference(result_.vehicle, result_.roll, drive)) {
+                if (const auto seen = seen_roll_reference(result_.vehicle, of_ramps, drive)) {
                     about_seen_reference(drive.name, *seen);
                 }
             }

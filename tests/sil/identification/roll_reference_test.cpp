@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -99,6 +100,27 @@ TEST(RollReference, ABankOfTheCurvesIsTold) {
     EXPECT_THAT(warnings(curves, true), Contains(HasSubstr("moves with the road's bank")));
     EXPECT_THAT(warnings(curves, false, sil::RollReference::horizon),
                 Contains(HasSubstr("seems to be one against the road")));
+}
+
+// The suspension is known from a level ramp; otherwise a bank that comes with the turn would be taken for a
+// soft one.
+TEST(RollReference, ABankOfTheDynamicDriveAloneIsTold) {
+    const KnownBody body;
+    for (const bool against_gravity : {false, true}) {
+        Recording banked;
+        banked.roll_against_gravity = against_gravity;
+        banked.bank_rad = [](double time_s) {
+            return 0.05 * std::clamp(std::min(time_s - 1.0, 5.5 - time_s) / 1.5, 0.0, 1.0);
+        };
+        sil::VehicleData vehicle = identification_test::data_sheet_of(body);
+        vehicle.roll_angle_reference =
+            against_gravity ? sil::RollReference::road : sil::RollReference::horizon;
+        const auto said = sil::identify(vehicle, {identification_test::ramp_of(body, 5.5)},
+                                        {identification_test::steps_of(body, banked)})
+                              .warnings;
+        EXPECT_THAT(said, Contains(HasSubstr(against_gravity ? "seems to be one against gravity"
+                                                             : "seems to be one against the road")));
+    }
 }
 
 // A sensor of the suspension does not see what the tyres give in a turn; a gyro does.
