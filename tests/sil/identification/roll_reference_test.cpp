@@ -109,15 +109,16 @@ TEST(RollReference, ABankOfTheDynamicDriveAloneIsTold) {
     for (const bool against_gravity : {false, true}) {
         Recording banked;
         banked.roll_against_gravity = against_gravity;
-        banked.bank_rad = [](double time_s) {
-            return 0.05 * std::clamp(std::min(time_s - 1.0, 5.5 - time_s) / 1.5, 0.0, 1.0);
-        };
+        banked.bank_rad = [](double time_s) { return 0.07 * std::clamp(0.5 * (time_s - 1.5), 0.0, 1.0); };
+        const sil::Drive ramp = identification_test::drive_of(
+            body, 8.0, [](double time_s) { return 0.7 * std::max(time_s - 1.0, 0.0); });
+        const sil::Drive turn = identification_test::drive_of(
+            body, 15.0, [](double time_s) { return 5.0 * std::clamp(2.0 * (time_s - 1.0), 0.0, 1.0); },
+            banked);
         sil::VehicleData vehicle = identification_test::data_sheet_of(body);
         vehicle.roll_angle_reference =
             against_gravity ? sil::RollReference::road : sil::RollReference::horizon;
-        const auto said = sil::identify(vehicle, {identification_test::ramp_of(body, 5.5)},
-                                        {identification_test::steps_of(body, banked)})
-                              .warnings;
+        const auto said = sil::identify(vehicle, {ramp}, {turn}).warnings;
         EXPECT_THAT(said, Contains(HasSubstr(against_gravity ? "seems to be one against gravity"
                                                              : "seems to be one against the road")));
     }
@@ -130,7 +131,7 @@ TEST(RollReference, TyresThatRollAreNoBank) {
     sil::Drive ramp = identification_test::ramp_of(body, 6.5), steps = identification_test::steps_of(body);
     for (sil::Drive* drive : {&ramp, &steps}) {
         for (sil::DriveSample& sample : drive->samples) {
-            sample.roll_angle_rad *= 0.8;
+            sample.roll_angle_rad *= 0.7;
         }
     }
     for (const auto said : {sil::RollReference::road, sil::RollReference::horizon}) {
