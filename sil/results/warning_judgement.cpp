@@ -71,7 +71,7 @@ void WarningJudge::count_time(double step_s, double begin_s) {
     switch (state_) {
         case WarningState::unavailable:
             judgement_.unavailable_s +=
-                begin_s >= *first_time_s_ + start_up_s - time_rounding_s ? step_s : 0.0;
+                started_ || begin_s >= *first_time_s_ + start_up_s - time_rounding_s ? step_s : 0.0;
             break;
         case WarningState::advisory:
             judgement_.advisory_s += step_s;
@@ -115,6 +115,7 @@ void WarningJudge::observe(WarningState state, WarningSide side, double receptio
         state == WarningState::advisory && state_ != WarningState::advisory && state_ != WarningState::warning
             ? 1U
             : 0U;
+    started_ = started_ || state != WarningState::unavailable;
     state_ = state;
     side_ = side;
     wrong_until_now_s_ = 0.0;

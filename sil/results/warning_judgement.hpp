@@ -68,8 +68,9 @@ class WarningJudge {
     // A warning may name the side to which the load swings within so long: it looks ahead. If the swing does
     // not come, or the warning names another side before, all of it was wrong.
     static constexpr double foresight_s = 0.3;
-    // So long the ECU may be unavailable from the beginning, until its inputs have proved good.
-    static constexpr double start_up_s = 0.2;
+    // The start-up: until the ECU is ready for the first time, but no longer than this. Its inputs must prove
+    // good, and a signal that never comes must be known to be missing before others replace it.
+    static constexpr double start_up_s = 0.5;
 
     // At every step, in the order of time: the load transfer ratio of the true wheel loads, > 0 where the
     // right wheels carry more; NaN where it is not known.
@@ -98,6 +99,7 @@ class WarningJudge {
     WarningState state_{WarningState::unavailable};
     WarningSide side_{WarningSide::none};
     std::vector<Change> changes_{};
+    bool started_{false};  // has been available
     std::optional<double> first_time_s_{};
     double time_s_{0.0};
     WarningSide loaded_side_{WarningSide::none};

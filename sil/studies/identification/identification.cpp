@@ -32,7 +32,7 @@ std::vector<PreparedDrive> prepare_all(const std::vector<Drive>& drives, const V
 constexpr double assumed_roll_centre_m = 0.0;
 
 // Where most lie, between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to 0.5 m): for the
-// rules of thumb in the roll fit, which are of absolute size.
+// rules of thumb in the roll fit, which are of absolute size, as long as nothing better is known.
 double usual_arm_m(const VehicleData& vehicle) {
     const double usual_roll_centre_m = std::min(0.2, 0.5 * vehicle.sprung_cg_height_m);
     return vehicle.sprung_cg_height_m - vehicle.roll_centre_height_m.value_or(usual_roll_centre_m);
@@ -94,11 +94,13 @@ void choose_roll_centre(Identification& result, bool fit_cg_height) {
 }
 
 // With the arm that was found: only then it shows up to which angle the curve is needed, and whether the
-// component admits its coefficients, which grow with the arm.
+// component admits its coefficients, which grow with the arm. The rules of thumb take it too where wheel
+// loads gave it.
 void fit_body(Identification& result, double usual_arm_m) {
     const double arm_m = result.vehicle.sprung_cg_height_m - result.roll_centre_height_m;
-    result.roll =
-        fit_roll(result.vehicle, {usual_arm_m, arm_m}, result.ramps, result.dynamics, admitted_curve());
+    const bool loads_give_it = result.loads && !result.loads->contradicts_data;
+    result.roll = fit_roll(result.vehicle, {loads_give_it ? arm_m : usual_arm_m, arm_m}, result.ramps,
+                           result.dynamics, admitted_curve());
     for (const auto* drives : {&result.ramps, &result.dynamics}) {
         for (const DriveResidual& residual : load_transfer_residuals(result.vehicle, result.roll, *drives)) {
             result.load_transfer.push_back(residual);

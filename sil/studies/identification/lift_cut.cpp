@@ -37,8 +37,9 @@ void cut_by_acceleration(const Cycles& cycles, const VehicleData& vehicle, const
             road_forces(lateral[k] - offsets.lateral_mps2, vertical[k], roll[k] - offsets.roll_angle_rad);
         if (std::abs(parallel) > limit * normal) {
             earlier(cycles[k].sample.time_s,
-                    fmt::format("{:.2f} g is reached, {:.0f} % of the track's half over the CG's height, and "
-                                "without wheel loads nobody knows whether a wheel has lifted",
+                    fmt::format("{:.2f} g is reached, {:.0f} % of the track's half over the CG's height; "
+                                "without wheel loads nobody knows whether a first wheel has lifted before: "
+                                "if so, cut with --until",
                                 limit, 100.0 * options.lift_share),
                     true);
             return;

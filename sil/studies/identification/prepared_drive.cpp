@@ -18,6 +18,11 @@ namespace {
 
 constexpr double straight_steering_rad = 0.6 / degrees_per_radian;  // at the steering wheel
 constexpr double straight_yaw_rate_radps = 0.008;
+// Much, because of the noise that the filter leaves: a slow turn shows late.
+constexpr double straight_acceleration_mps2 = 0.25;
+constexpr double straight_acceleration_share = 0.5;
+constexpr double turn_radps = 0.05;  // a steady turn is not a straight road
+constexpr double turn_mps2 = 1.0;    // nor is this a sensor's offset
 constexpr double shortest_straight_s = 0.3;
 constexpr std::size_t shortest_segment = 50U;
 constexpr std::size_t edge = 5U;  // samples at both ends where filter and derivative do not commute
@@ -89,23 +94,47 @@ class Preparation {
                    : signal;
     }
 
-    // How many samples pass before the driver steers: by the steering wheel, else by the yaw rate.
-    std::size_t straight_samples() const {
-        const Signal steering = smooth(&DriveSample::steering_wheel_angle_rad);
-        const Signal yaw_rate = smooth(&DriveSample::yaw_rate_radps);
-        const bool by_steering = complete(steering);
-        const Signal& signal = by_steering ? steering : yaw_rate;
-        const double limit = by_steering ? straight_steering_rad : straight_yaw_rate_radps;
+    // A signal that tells straight from turn.
+    struct Straight {
+        const char* judged_by;
+        Signal signal;
+        double limit;
+        double share{1.0};  // that is straight of what looks so
+    };
+
+    // The earlier it shows the turn, the better.
+    Straight straight() const {
+        Signal steering = smooth(&DriveSample::steering_wheel_angle_rad);
+        if (complete(steering)) {
+            return {"steering-wheel angle", std::move(steering), straight_steering_rad};
+        }
+        Signal yaw_rate = smooth(&DriveSample::yaw_rate_radps);
+        if (complete(yaw_rate)) {
+            return {"yaw rate", std::move(yaw_rate), straight_yaw_rate_radps};
+        }
+        return {"lateral acceleration", smooth(&DriveSample::lateral_specific_force_mps2),
+                straight_acceleration_mps2, straight_acceleration_share};
+    }
+
+    // How many samples pass before the driver steers.
+    std::size_t straight_samples(const Straight& straight) const {
+        const Signal& signal = straight.signal;
         std::size_t count = 0U;
-        while (count < signal.size() && std::abs(signal[count] - signal.front()) < limit) {
+        while (count < signal.size() && std::abs(signal[count] - signal.front()) < straight.limit) {
             ++count;
         }
         // The filter lets the turn shine back.
         const auto margin = static_cast<std::size_t>(4.0 * options_.filter_lag_s / sample_time_s);
         count = count > margin ? count - margin : 0U;
-        // A steady turn is not a straight road.
-        const bool turning = complete(yaw_rate) && std::abs(yaw_rate.front()) > 0.05;
-        return turning ? 0U : count;
+        return starts_in_a_turn() ? 0U
+                                  : static_cast<std::size_t>(straight.share * static_cast<double>(count));
+    }
+
+    bool starts_in_a_turn() const {
+        const Signal yaw_rate = smooth(&DriveSample::yaw_rate_radps);
+        return complete(yaw_rate)
+                   ? std::abs(yaw_rate.front()) > turn_radps
+                   : std::abs(smooth(&DriveSample::lateral_specific_force_mps2).front()) > turn_mps2;
     }
 
     double mean(double DriveSample::* member, std::size_t count) const {
@@ -118,7 +147,9 @@ class Preparation {
 
     SensorOffsets offsets() const {
         SensorOffsets offsets;
-        const std::size_t count = straight_samples();
+        const Straight straight = this->straight();
+        offsets.judged_by = straight.judged_by;
+        const std::size_t count = straight_samples(straight);
         offsets.straight_s = sample_time_s * static_cast<double>(count);
         if (offsets.straight_s < shortest_straight_s) {
             return offsets;

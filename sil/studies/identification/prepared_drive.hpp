@@ -1,5 +1,5 @@
 // Prepared drive: a drive's signals freed of offsets, filtered alike, carried to the sprung mass's centre of
-// gravity, and cut where the first wheel lifts.
+// gravity, and cut where the first wheel lifts or, where nothing shows that, where one may have.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,10 @@ namespace sil {
 
 struct PreparationOptions {
     double filter_lag_s{0.03};
-    double until_s{1.0e9};    // on the drive's clock; what comes later is not used
-    double lift_share{0.85};  // without wheel loads: |A/N| stays below this share of c_w / (2 h)
+    double until_s{1.0e9};  // on the drive's clock; what comes later is not used
+    // Without wheel loads: |A/N| stays below this share of c_w / (2 h), where both inner wheels lift. The
+    // first of them may lift before.
+    double lift_share{0.85};
 };
 
 // One sample. Letters are those of docs/theory.md.
@@ -35,7 +37,8 @@ struct RollSample {
 
 // Means over the straight start, already taken off the samples.
 struct SensorOffsets {
-    bool known{false};  // false: the drive does not start straight
+    bool known{false};      // false: the drive does not start straight
+    std::string judged_by;  // the signal that tells straight from turn
     double straight_s{0.0};
     double lateral_mps2{0.0};
     double roll_angle_rad{0.0};

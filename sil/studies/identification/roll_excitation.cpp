@@ -42,7 +42,8 @@ void refuse_wrong_roll_rate(const PreparedDrive& drive) {
     if (ratio < 0.5 || ratio > 2.0) {
         throw IdentificationError(
             fmt::format("{}: the roll angle changes {:.2g} times as fast as the roll rate says. Check "
-                        "sign and unit of both columns, and that they are of one clock",
+                        "sign and unit of both columns, that they are of one clock, and that the road is "
+                        "level: a bank that changes turns the body and leaves an angle against the road",
                         drive.name, ratio));
     }
 }

@@ -61,7 +61,8 @@ struct RollArm {
         used;  // the fit, its limits and the angle up to which the curve must be plausible are for this one
 };
 
-// Neither list may be empty. Throws IdentificationError when nothing is excited.
+// `ramps` must not be empty; without `dynamics` only the stiffness is more than a rule of thumb. Throws
+// IdentificationError when nothing is excited.
 RollFit fit_roll(const VehicleData& vehicle, const RollArm& arm, const std::vector<PreparedDrive>& ramps,
                  const std::vector<PreparedDrive>& dynamics, const CurveLimits& limits = {});
 

@@ -14,7 +14,8 @@ struct SeenRollReference {
     std::string by;  // what speaks for it, in words
 };
 
-// Nothing on a level road, where both angles are the same.
+// Nothing on a level road, where both angles are the same. `roll` is that of level drives, as far as there
+// are any.
 std::optional<SeenRollReference> seen_roll_reference(const VehicleData& vehicle, const RollFit& roll,
                                                      const PreparedDrive& drive);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sil/studies/identification/least_squares.hpp"
 #include "sil/studies/identification/zero_phase_filter.hpp"
@@ -11,17 +12,15 @@ namespace sil {
 namespace {
 
 constexpr double residual_correlation_s = 0.2;
-constexpr double slowest_mps = 5.0;
 // Tyres are linear up to about here.
 constexpr double smallest_mps2 = 0.1 * g_mps2;
 constexpr double largest_mps2 = 0.4 * g_mps2;
-constexpr double fastest_steering_radps = 0.4;  // 23 deg/s at the steering wheel: faster is no ramp
-constexpr double speeds_apart = 1.4;            // so much faster is another speed
+constexpr double speeds_apart = 1.4;  // so much faster is another speed
 constexpr std::size_t fewest_samples = 50U;
 
 bool usable(const RollSample& sample) {
     const double lateral = std::abs(sample.yaw_rate_radps * sample.speed_mps);
-    return sample.speed_mps > slowest_mps && lateral > smallest_mps2 && lateral < largest_mps2;
+    return sample.speed_mps > slowest_ramp_mps && lateral > smallest_mps2 && lateral < largest_mps2;
 }
 
 struct Row {
@@ -39,7 +38,7 @@ std::vector<double> steering_rate(const PreparedDrive& drive) {
     return differentiate(steering, sample_time_s);
 }
 
-std::vector<Row> rows_of(const std::vector<PreparedDrive>& ramps) {
+std::vector<Row> rows_of(const std::vector<PreparedDrive>& ramps, double fastest_radps) {
     std::vector<Row> rows;
     for (const PreparedDrive& drive : ramps) {
         if (!drive.has_steering) {
@@ -48,7 +47,7 @@ std::vector<Row> rows_of(const std::vector<PreparedDrive>& ramps) {
         const std::vector<double> rate = steering_rate(drive);
         for (std::size_t k = 0U; k < drive.samples.size(); ++k) {
             const RollSample& sample = drive.samples[k];
-            if (usable(sample) && std::abs(rate[k]) < fastest_steering_radps) {
+            if (usable(sample) && std::abs(rate[k]) < fastest_radps) {
                 rows.push_back(Row{sample.steering_wheel_angle_rad, sample.yaw_rate_radps / sample.speed_mps,
                                    sample.yaw_rate_radps * sample.speed_mps, rate[k]});
             }
@@ -177,11 +176,20 @@ class SteeringProblem {
 }  // namespace
 
 std::optional<SteeringFit> fit_steering(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps) {
-    std::vector<Row> rows = rows_of(ramps);
+    std::vector<Row> rows = rows_of(ramps, fastest_ramp_steering_radps);
     if (rows.size() < fewest_samples) {
         return std::nullopt;
     }
     return SteeringProblem{vehicle, std::move(rows)}.solve();
+}
+
+NoSteering why_no_steering(const std::vector<PreparedDrive>& ramps) {
+    if (std::none_of(ramps.begin(), ramps.end(),
+                     [](const PreparedDrive& drive) { return drive.has_steering; })) {
+        return NoSteering::not_recorded;
+    }
+    const auto of_any_rate = rows_of(ramps, std::numeric_limits<double>::infinity());
+    return of_any_rate.size() < fewest_samples ? NoSteering::hardly_any_turn : NoSteering::too_fast;
 }
 
 }  // namespace sil

@@ -1,6 +1,7 @@
 // Steering fit: understeer gradient and steering ratio from yaw rate, speed and steering-wheel angle.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,13 @@ struct SteeringFit {
 // From the ramps that have steering, speed and yaw rate; nothing when none has. At one speed the data
 // determine ratio or gradient, not both: with neither given, the gradient is the usual one.
 std::optional<SteeringFit> fit_steering(const VehicleData& vehicle, const std::vector<PreparedDrive>& ramps);
+
+inline constexpr double slowest_ramp_mps = 5.0;
+inline constexpr double fastest_ramp_steering_radps = 0.4;  // at the steering wheel: faster is no ramp
+
+// Of ramps from which nothing was fitted.
+enum class NoSteering : std::uint8_t { not_recorded, too_fast, hardly_any_turn };
+NoSteering why_no_steering(const std::vector<PreparedDrive>& ramps);
 
 inline constexpr double usual_understeer_gradient_s2pm = 0.0025;
 

@@ -141,13 +141,20 @@ class Warnings {
         if (fitted > least_inertia_share * usual && fitted < largest_inertia_share * usual) {
             return;
         }
-        const double other_sign =
-            fitted - 2.0 * vehicle.sprung_mass_kg * result_.roll.arm_m * vehicle.imu_z_m;
         warn(
             "Ixx is {:.0f} kg m2, {:.0f} kg m2 would be usual for this mass and track width: check "
-            "masses, CG height and imu_z_m (negative when the IMU is below the sprung CG; with the other "
-            "sign Ixx would be about {:.0f} kg m2)",
-            fitted, usual, other_sign);
+            "masses, CG height and imu_z_m (negative when the IMU is below the sprung CG{})",
+            fitted, usual, other_sign_text(fitted, usual));
+    }
+
+    // Empty where the other sign would be no better.
+    std::string other_sign_text(double fitted_kgm2, double usual_kgm2) const {
+        const VehicleData& vehicle = result_.vehicle;
+        const double other_kgm2 =
+            fitted_kgm2 - 2.0 * vehicle.sprung_mass_kg * result_.roll.arm_m * vehicle.imu_z_m;
+        return std::abs(other_kgm2 - usual_kgm2) < std::abs(fitted_kgm2 - usual_kgm2)
+                   ? fmt::format("; with the other sign Ixx would be about {:.0f} kg m2", other_kgm2)
+                   : "";
     }
 
     void about_given_inertia(double given_kgm2) {
@@ -270,10 +277,13 @@ class Warnings {
         }
     }
 
+    // The suspension as the slow drives show it: a bank in a dynamic drive would go into it.
     void about_roll_reference() {
+        const double arm_m = result_.roll.arm_m;
+        const RollFit of_ramps = fit_roll(result_.vehicle, {arm_m, arm_m}, result_.ramps, {});
         for (const auto* drives : {&result_.ramps, &result_.dynamics}) {
             for (const PreparedDrive& drive : *drives) {
-                if (const auto seen = seen_roll_reference(result_.vehicle, result_.roll, drive)) {
+                if (const auto seen = seen_roll_reference(result_.vehicle, of_ramps, drive)) {
                     about_seen_reference(drive.name, *seen);
                 }
             }
@@ -308,9 +318,12 @@ class Warnings {
             about_gradient();
         }
         if (!result_.steering) {
-            warn(
-                "no ramp has steering-wheel angle, yaw rate and speed between 0.1 and 0.4 g: steering "
-                "ratio and understeer gradient are not from the drives");
+            warn("{}: steering ratio and understeer gradient are not from the drives{}", no_steering_text(),
+                 result_.steering_is_known()
+                     ? ""
+                     : ", the lateral response w is 0 (not known), and the component looks ahead along the "
+                       "trend alone: warnings come later. Give both in the vehicle data, or add a ramp that "
+                       "shows them");
         } else if (result_.steering->r_squared < 0.9) {
             warn(
                 "steering and yaw rate fit badly together (R2 {:.3f}): check the sign and the unit of "
@@ -324,15 +337,33 @@ class Warnings {
         }
     }
 
+    std::string no_steering_text() const {
+        switch (why_no_steering(result_.ramps)) {
+            case NoSteering::not_recorded:
+                break;
+            case NoSteering::too_fast:
+                return fmt::format(
+                    "in the ramps, the steering wheel turns faster than {:.0f} deg/s nearly all the time "
+                    "between 0.1 and 0.4 g, too fast for ratio and gradient of a steady turn",
+                    fastest_ramp_steering_radps * degrees_per_radian);
+            case NoSteering::hardly_any_turn:
+                return fmt::format(
+                    "the ramps are hardly ever between 0.1 and 0.4 g of yaw rate times speed, faster than "
+                    "{:.0f} m/s",
+                    slowest_ramp_mps);
+        }
+        return "no ramp has steering-wheel angle, yaw rate and speed";
+    }
+
     void about_offsets() {
         for (const auto* drives : {&result_.ramps, &result_.dynamics}) {
             for (const PreparedDrive& drive : *drives) {
                 const SensorOffsets& offsets = drive.offsets;
                 if (!offsets.known) {
                     warn(
-                        "{}: does not start with a straight of 0.3 s: sensor offsets are guessed from the "
-                        "drive itself",
-                        drive.name);
+                        "{}: does not start with a long enough straight, as the {} shows (a second will "
+                        "do): sensor offsets are guessed from the drive itself",
+                        drive.name, offsets.judged_by);
                 } else if (std::abs(offsets.lateral_mps2) > 0.02 * g_mps2 ||
                            std::abs(offsets.roll_angle_rad) * degrees_per_radian > 0.5) {
                     warn(

@@ -140,6 +140,16 @@ TEST_F(HardTurn, WithoutWhatIsOptionalThereIsStillAWarning) {
     EXPECT_FALSE(replay.events.judgement.lead_s);
 }
 
+// A roll angle that never comes must be known to be missing before the firmware is ready without it.
+TEST_F(HardTurn, WithoutARollAngleTheStartUpIsLongerAndIsNotUnavailable) {
+    const sil::Drive bare =
+        without([](sil::DriveSample& sample) { sample.roll_angle_rad = sil::DriveSample::not_available; });
+    const sil::DriveReplay replay = sil::replay_drive(bare, large_suv_calibration());
+    EXPECT_EQ(replay.cycles[20].ecu.state(), sil::WarningState::unavailable);
+    EXPECT_EQ(replay.cycles[30].ecu.state(), sil::WarningState::ready);
+    EXPECT_EQ(replay.events.judgement.unavailable_s, 0.0);
+}
+
 TEST_F(HardTurn, TimeNeedNotBeginAtZero) {
     const sil::Drive later = without([](sil::DriveSample& sample) { sample.time_s += 1.7e9; });
     const sil::DriveReplay replay = sil::replay_drive(later, large_suv_calibration());

@@ -92,8 +92,8 @@ TEST_F(CalibrationOfAKnownBody, ANameWithALineBreakStaysAComment) {
 }
 
 // A truck whose stops are so stiff that the component has no room for what fits best. The roll centre lies on
-// the road, below the usual one that the fit begins with: only with the arm that this gives are the
-// coefficients beyond their ranges.
+// the road, or is taken there: below the usual one of the rules of thumb, and only with the arm that this
+// gives are the coefficients beyond their ranges.
 KnownBody truck(double stiffness_nmprad, double cubic_nmprad3, double quintic_nmprad5) {
     KnownBody body;
     body.sprung_mass_kg = 9600.0;
@@ -113,15 +113,21 @@ KnownBody truck(double stiffness_nmprad, double cubic_nmprad3, double quintic_nm
 
 TEST(CalibrationOfATruck, StaysWithinTheRangesOfTheStiffnessCurve) {
     for (const KnownBody& body : {truck(1.2e6, 0.0, 1.4e10), truck(3.0e6, 2.0e8, 0.0)}) {
-        const sil::Identification result =
-            sil::identify(identification_test::data_sheet_of(body), {identification_test::ramp_of(body, 6.5)},
-                          {identification_test::steps_of(body)});
-        EXPECT_THAT(result.warnings, Contains(HasSubstr("beyond what the component admits")));
-        const rsi::Parameters parameters = read_back(result);
-        EXPECT_LE(parameters.roll_stiffness_cubic_nmprad3, 1.0e8F);
-        EXPECT_LE(parameters.roll_stiffness_quintic_nmprad5, 1.0e10F);
-        for (double phi = 0.005; phi < result.roll.data_end_rad; phi += 0.005) {
-            EXPECT_NEAR(result.roll.moment_nm(phi), body.moment_nm(phi), 0.02 * body.moment_nm(phi)) << phi;
+        for (const bool wheel_loads : {false, true}) {
+            identification_test::Recording recording;
+            recording.wheel_loads = wheel_loads;
+            const sil::Identification result =
+                sil::identify(identification_test::data_sheet_of(body),
+                              {identification_test::ramp_of(body, 6.5, recording)},
+                              {identification_test::steps_of(body, recording)});
+            EXPECT_THAT(result.warnings, Contains(HasSubstr("beyond what the component admits")));
+            const rsi::Parameters parameters = read_back(result);
+            EXPECT_LE(parameters.roll_stiffness_cubic_nmprad3, 1.0e8F);
+            EXPECT_LE(parameters.roll_stiffness_quintic_nmprad5, 1.0e10F);
+            for (double phi = 0.005; phi < result.roll.data_end_rad; phi += 0.005) {
+                EXPECT_NEAR(result.roll.moment_nm(phi), body.moment_nm(phi), 0.02 * body.moment_nm(phi))
+                    << phi;
+            }
         }
     }
 }

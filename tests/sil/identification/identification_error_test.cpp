@@ -77,7 +77,9 @@ TEST(UselessDrive, ARollRateInTheWrongUnitOrSignIsRefused) {
         for (sil::DriveSample& sample : steps.samples) {
             sample.roll_rate_radps *= factor;
         }
-        EXPECT_THAT(refusal(good_ramp(), steps), HasSubstr("Check sign and unit")) << factor;
+        EXPECT_THAT(refusal(good_ramp(), steps),
+                    AllOf(HasSubstr("Check sign and unit"), HasSubstr("that the road is level")))
+            << factor;
     }
 }
 
@@ -209,6 +211,18 @@ TEST_F(WarningLimit, FivePerCentStifferOrSofterInTheDynamicDriveIsSaid) {
     }
 }
 
+// The other sign of imu_z_m is named only where it would come nearer to the usual inertia.
+TEST_F(WarningLimit, TheOtherSignOfTheImusHeightIsNamedOnlyWhereItHelps) {
+    const double usual = sil::usual_roll_inertia_kgm2(good().vehicle);
+    for (const double imu_z_m : {-0.3, 0.0, 0.3}) {
+        sil::Identification result = good();
+        result.roll.inertia_kgm2.value = 1.5 * usual;
+        result.vehicle.imu_z_m = imu_z_m;
+        EXPECT_TRUE(warns(result, "Ixx is "));
+        EXPECT_EQ(warns(result, "with the other sign"), imu_z_m > 0.0) << imu_z_m;
+    }
+}
+
 TEST_F(WarningLimit, AnInertiaBeyondARuleOfThumbIsDoubted) {
     const double usual = sil::usual_roll_inertia_kgm2(good().vehicle);
     for (const double share : {0.39, 0.41, 1.29, 1.31}) {
@@ -259,7 +273,45 @@ TEST(DoubtfulDrive, WithoutSteeringTheGradientIsAssumedAndSaidSo) {
                                                      {identification_test::ramp_of(body, 5.5, recording)},
                                                      {identification_test::steps_of(body, recording)});
     EXPECT_FALSE(result.steering);
-    EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("no ramp has steering-wheel angle")));
+    EXPECT_THAT(result.warnings, testing::Contains(AllOf(HasSubstr("no ramp has steering-wheel angle"),
+                                                         HasSubstr("the lateral response w is 0"))));
+}
+
+// Seconds from straight to `largest_mps2`, which is held.
+std::vector<std::string> said_of_ramp(double largest_mps2, double seconds, bool gradient_is_given = false) {
+    const KnownBody body;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    if (gradient_is_given) {
+        data.understeer_gradient_s2pm = body.understeer_gradient_s2pm;
+    }
+    const sil::Drive ramp = identification_test::drive_of(body, 8.0, [=](double time_s) {
+        return largest_mps2 * std::clamp((time_s - 1.0) / seconds, 0.0, 1.0);
+    });
+    return sil::identify(data, {ramp}, {good_steps()}).warnings;
+}
+
+// 5.5 m/s^2 need some 62 deg at the steering wheel.
+TEST(DoubtfulDrive, ARampThatSteersTooFastIsToldAsThat) {
+    const auto fast = said_of_ramp(5.5, 2.0);
+    EXPECT_THAT(fast, testing::Contains(AllOf(HasSubstr("turns faster than 23 deg/s"),
+                                              HasSubstr("the lateral response w is 0"))));
+    EXPECT_THAT(fast, testing::Not(testing::Contains(HasSubstr("no ramp has steering-wheel angle"))));
+    EXPECT_THAT(said_of_ramp(5.5, 2.0, true),
+                testing::Contains(AllOf(HasSubstr("turns faster than 23 deg/s"),
+                                        testing::Not(HasSubstr("the lateral response w is 0")))));
+    EXPECT_THAT(said_of_ramp(5.5, 4.0), testing::Not(testing::Contains(HasSubstr("turns faster than"))));
+}
+
+TEST(DoubtfulDrive, ARampThatJumpsOverModerateTurnsIsToldAsThat) {
+    EXPECT_THAT(said_of_ramp(5.5, 0.5), testing::Contains(HasSubstr("hardly ever between 0.1 and 0.4 g")));
+}
+
+TEST(DoubtfulDrive, ADriveThatStartsInATurnIsToldAsThat) {
+    const sil::Drive ramp =
+        identification_test::drive_of(KnownBody{}, 20.0, [](double time_s) { return 1.5 + 0.2 * time_s; });
+    EXPECT_THAT(
+        sil::identify(identification_test::data_sheet_of(KnownBody{}), {ramp}, {good_steps()}).warnings,
+        testing::Contains(HasSubstr("long enough straight, as the steering-wheel angle shows")));
 }
 
 }  // namespace

@@ -61,6 +61,13 @@ void set_forces(const KnownBody& body, const RollState& state, const Force& forc
                                           p * (r * body.imu_x_m - p * body.imu_z_m);
 }
 
+// A gyro turns with the road, too. The change of this rate is left out: the bank is slow.
+double twist_radps(const Recording& recording, double time_s) {
+    return recording.bank_rad
+               ? (recording.bank_rad(time_s + 1.0e-3) - recording.bank_rad(time_s - 1.0e-3)) / 2.0e-3
+               : 0.0;
+}
+
 double smooth_step(double time_s, double start_s) {
     const double x = std::clamp((time_s - start_s) / 0.2, 0.0, 1.0);
     return x * x * (3.0 - 2.0 * x);
@@ -87,14 +94,21 @@ sil::Drive drive_of(const KnownBody& body, double duration_s,
         if (k % steps_a_sample == 0) {
             sil::DriveSample sample;
             sample.time_s = time_s;
-            sample.speed_mps = body.speed_mps;
-            sample.roll_rate_radps = state.rate + recording.roll_rate_offset_radps;
+            sample.roll_rate_radps =
+                state.rate + twist_radps(recording, time_s) + recording.roll_rate_offset_radps;
             sample.roll_angle_rad =
                 state.angle + recording.roll_offset_rad + (recording.roll_against_gravity ? bank : 0.0);
-            sample.yaw_rate_radps = lateral / body.speed_mps;
+            const auto turn_mps2 = [&](double at_s) {
+                return lateral_mps2(at_s) - (recording.sideslip_mps2 ? recording.sideslip_mps2(at_s) : 0.0);
+            };
+            const double yaw_rate = turn_mps2(time_s) / body.speed_mps;
             const double yaw_acceleration =
-                (lateral_mps2(time_s + 1.0e-3) - lateral_mps2(time_s - 1.0e-3)) / 2.0e-3 / body.speed_mps;
-            set_forces(body, state, force, sample.yaw_rate_radps, yaw_acceleration, sample);
+                (turn_mps2(time_s + 1.0e-3) - turn_mps2(time_s - 1.0e-3)) / 2.0e-3 / body.speed_mps;
+            set_forces(body, state, force, yaw_rate, yaw_acceleration, sample);
+            if (recording.motion) {
+                sample.speed_mps = body.speed_mps;
+                sample.yaw_rate_radps = yaw_rate;
+            }
             sample.lateral_specific_force_mps2 += recording.lateral_offset_mps2;
             if (recording.steering) {
                 sample.steering_wheel_angle_rad =

@@ -34,12 +34,14 @@ struct KnownBody {
 struct Recording {
     bool wheel_loads{true};
     bool steering{true};
+    bool motion{true};  // speed and yaw rate
     double lateral_offset_mps2{0.0};
     double roll_offset_rad{0.0};
     double roll_rate_offset_radps{0.0};
-    std::function<double(double)> demand_mps2{};  // what the steering asks for; empty: what comes
-    std::function<double(double)> bank_rad{};     // left side up is positive; empty: level
-    bool roll_against_gravity{false};             // as an attitude sensor gives the roll angle
+    std::function<double(double)> demand_mps2{};    // what the steering asks for; empty: what comes
+    std::function<double(double)> bank_rad{};       // left side up is positive, slow; empty: level
+    std::function<double(double)> sideslip_mps2{};  // the part of the lateral acceleration that turns nothing
+    bool roll_against_gravity{false};               // as an attitude sensor gives the roll angle
 };
 
 // `lateral_mps2` is what the path asks for over the time: A where the road is level.

@@ -62,6 +62,41 @@ TEST(KnownBodyTest, GivesThemBackInSpiteOfSensorOffsets) {
     EXPECT_THAT(result.warnings, Contains(HasSubstr("zero the sensors")));
 }
 
+// What turns can be told by the lateral acceleration alone.
+TEST(KnownBodyTest, FindsTheSensorOffsetsWithoutSteeringSpeedAndYawRate) {
+    const KnownBody body;
+    Recording recording;
+    recording.lateral_offset_mps2 = 0.3;
+    recording.roll_offset_rad = 0.017;
+    recording.roll_rate_offset_radps = 0.009;
+    recording.steering = false;
+    recording.motion = false;
+    sil::VehicleData data = identification_test::data_sheet_of(body);
+    data.imu_x_m = data.imu_y_m = 0.0;
+    KnownBody central = body;
+    central.imu_x_m = central.imu_y_m = 0.0;
+    const sil::Identification result = identified(central, data, recording);
+    expect_body(body, result, 0.03);
+    for (const auto* drives : {&result.ramps, &result.dynamics}) {
+        const sil::SensorOffsets& offsets = drives->front().offsets;
+        EXPECT_TRUE(offsets.known);
+        EXPECT_NEAR(offsets.lateral_mps2, 0.3, 0.06);
+        EXPECT_NEAR(offsets.roll_rate_radps, 0.009, 0.001);
+    }
+    EXPECT_THAT(result.warnings, Not(Contains(HasSubstr("does not start with"))));
+}
+
+TEST(KnownBodyTest, WithoutMotionADriveThatStartsInATurnHasNoStraight) {
+    Recording recording;
+    recording.steering = false;
+    recording.motion = false;
+    const sil::Drive turn =
+        identification_test::drive_of(KnownBody{}, 6.0, [](double) { return 3.0; }, recording);
+    const sil::PreparedDrive drive = sil::prepare_drive(turn, identification_test::data_sheet_of({}), {});
+    EXPECT_FALSE(drive.offsets.known);
+    EXPECT_EQ(drive.offsets.judged_by, "lateral acceleration");
+}
+
 TEST(KnownBodyTest, WithoutWheelLoadsGivesTheRatiosToTheArmAndSaysSo) {
     const KnownBody body;
     Recording recording;
@@ -96,6 +131,7 @@ TEST(KnownBodyTest, WithoutWheelLoadsUsesNothingAbove85PerCentOfTheStaticStabili
     const double limit_mps2 = 0.85 * 9.80665 * body.track_width_m / (2.0 * body.sprung_cg_height_m);
     EXPECT_LT(drive.largest_parallel_mps2, limit_mps2);
     EXPECT_GT(drive.largest_parallel_mps2, 0.97 * limit_mps2);
+    EXPECT_THAT(drive.cut_reason, HasSubstr("a first wheel has lifted before"));
 }
 
 TEST(KnownBodyTest, UsesNothingAfterAWheelHasLifted) {
@@ -258,9 +294,9 @@ TEST(KnownBodyTest, TheCurveStaysPlausibleBeyondTheData) {
     }
 }
 
-// The lower the arm, the further the body leans before its wheels lift: the angle belongs to the arm that was
-// found, not to the usual one that the fit begins with.
-TEST(KnownBodyTest, TheCurveStaysPlausibleUpToTheLiftWithTheArmThatWasFound) {
+// The lower the arm, the further the body leans before its wheels lift: the angle belongs to the arm that is
+// used, not to the usual one of the rules of thumb.
+TEST(KnownBodyTest, TheCurveStaysPlausibleUpToTheLiftWithTheArmThatIsUsed) {
     KnownBody body = bus(0.9);
     body.stiffness_nmprad = 150.0e3;
     body.stiffness_cubic_nmprad3 = 1.0e7;
@@ -270,13 +306,29 @@ TEST(KnownBodyTest, TheCurveStaysPlausibleUpToTheLiftWithTheArmThatWasFound) {
     const sil::Identification result =
         sil::identify(data, {identification_test::ramp_of(body, 3.0)}, {identification_test::steps_of(body)});
     EXPECT_NEAR(result.roll_centre_height_m, 0.9, 0.01);
-    const double needed_rad = 1.2 * sil::rollover_angle_rad(data, result.roll);
-    EXPECT_NEAR(result.roll.needed_up_to_rad, needed_rad, 1e-6);
-    const double at_end = result.roll.slope_nmprad(result.roll.data_end_rad);
-    for (double phi = result.roll.data_end_rad; phi < needed_rad; phi += 0.001) {
-        EXPECT_GE(result.roll.slope_nmprad(phi), 0.5 * at_end) << phi;
-        EXPECT_LE(result.roll.slope_nmprad(phi), 2.0 * at_end) << phi;
+    for (const sil::RollFit& roll :
+         {result.roll, sil::fit_roll(data, {1.7, result.roll.arm_m}, result.ramps, result.dynamics)}) {
+        const double needed_rad = 1.2 * sil::rollover_angle_rad(data, roll);
+        EXPECT_NEAR(roll.needed_up_to_rad, needed_rad, 1e-6);
+        const double at_end = roll.slope_nmprad(roll.data_end_rad);
+        for (double phi = roll.data_end_rad; phi < needed_rad; phi += 0.001) {
+            EXPECT_GE(roll.slope_nmprad(phi), 0.5 * at_end) << phi;
+            EXPECT_LE(roll.slope_nmprad(phi), 2.0 * at_end) << phi;
+        }
     }
+}
+
+// They are of absolute size, and without wheel loads only the ratios to the arm are known: then they take the
+// usual arm, 0.2 m less than the CG height.
+TEST(KnownBodyTest, TheRulesOfThumbTakeTheArmThatTheWheelLoadsGive) {
+    const KnownBody body = bus(0.9);
+    const sil::VehicleData data = identification_test::data_sheet_of(body);
+    const double open_kgm2 = 0.4 * sil::usual_roll_inertia_kgm2(data);
+    EXPECT_NEAR(identified(body, data).roll.inertia_kgm2.prior_deviation, open_kgm2, 1e-6 * open_kgm2);
+    Recording recording;
+    recording.wheel_loads = false;
+    EXPECT_NEAR(identified(body, data, recording).roll.inertia_kgm2.prior_deviation, open_kgm2 * 1.9 / 1.7,
+                1e-6 * open_kgm2);
 }
 
 TEST(KnownBodyTest, ACurveThatTheDataShowIsNotHeld) {

@@ -238,10 +238,19 @@ TEST(WarningJudge, CountsStatesAndTheirTimes) {
 }
 
 TEST(WarningJudge, UnavailableCountsAfterTheStartUp) {
-    EXPECT_EQ(JudgedRun{}.drive(21, 0.0).judgement().unavailable_s, 0.0);
-    EXPECT_NEAR(JudgedRun{}.drive(22, 0.0).judgement().unavailable_s, 0.01, 1.0e-9);
+    EXPECT_EQ(JudgedRun{}.drive(51, 0.0).judgement().unavailable_s, 0.0);
+    EXPECT_NEAR(JudgedRun{}.drive(52, 0.0).judgement().unavailable_s, 0.01, 1.0e-9);
+    EXPECT_NEAR(JudgedRun{}.drive(60, 0.0).say(WarningState::ready).drive(9, 0.0).judgement().unavailable_s,
+                0.09, 1.0e-9)
+        << "a start-up that is too long";
     const auto later = ready().drive(100, 0.0).say(WarningState::unavailable).drive(7, 0.0).judgement();
     EXPECT_NEAR(later.unavailable_s, 0.07, 1.0e-9);
+}
+
+// However early it comes: with the first ready the start-up is over.
+TEST(WarningJudge, UnavailableCountsOnceTheEcuHasBeenReady) {
+    const auto judged = ready().drive(3, 0.0).say(WarningState::unavailable).drive(5, 0.0).judgement();
+    EXPECT_NEAR(judged.unavailable_s, 0.05, 1.0e-9);
 }
 
 TEST(WarningJudge, TheLoadTransferIsALargestMagnitude) {
