@@ -158,7 +158,7 @@ void Component::assume_body(const SprungBody& body) {
     outputs.predicted_rsi = larger(outputs.rsi_extended, predicted.rsi_extended);
 
     // Learn the load; the next sample reckons with it.
-    load_adaptation_.update(inputs, motion, load, measured.roll_source == RSI_ROLL_SENSOR);
+    load_adaptation_.update(inputs, motion, load, measured.roll_angle_is_measured);
     write_load(load_adaptation_.learnt(), outputs);
 
     // For comparison: the paper's other indices.

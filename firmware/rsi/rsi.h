@@ -134,8 +134,8 @@ typedef struct {
 
     /* What the vehicle carries besides what it was calibrated with */
     float load_adaptation; /* how much of the learnt load is used: 0 none (it is only published), 1 all */
-    float load_margin;     /* the warning sees the level larger by this share of load_excess_deviation, 0.1 at
-                              most */
+    float load_margin;     /* times load_adaptation; the warning sees the level larger by this share of
+                              load_excess_deviation, 0.1 at most */
 
     /* The paper's other indices */
     float rollover_index_angle_weight;        /* C_1 of (29) */

@@ -185,6 +185,28 @@ TEST(AngleAgainstTheHorizon, WithABankSensorIsKnownFromTheFirstSample) {
     EXPECT_FLOAT_EQ(measured.roll_angle_rad, 0.12F - 0.1F);
 }
 
+// What the bank of the observer is taken out of is, in the end, the observer's: no load can be learnt from
+// it.
+TEST(AngleAgainstTheHorizon, IsAMeasuredOneOnlyWithABankSensor) {
+    rsi_inputs inputs = rsi_test::at_rest();
+    for (const bool horizon : {false, true}) {
+        for (const float bank_rad : {nan, 0.02F}) {
+            rsi::MeasurementStage stage = stage_of(horizon ? horizon_vehicle() : rsi_test::large_suv());
+            inputs.bank_angle_rad = bank_rad;
+            rsi::Measurement measured;
+            for (int k = 0; k <= known_after; ++k) {
+                stage.update(inputs, measured);
+            }
+            ASSERT_EQ(measured.roll_source, RSI_ROLL_SENSOR);
+            EXPECT_EQ(measured.roll_angle_is_measured, !horizon || std::isfinite(bank_rad));
+            inputs.roll_angle_rad = nan;
+            stage.update(inputs, measured);
+            EXPECT_FALSE(measured.roll_angle_is_measured);
+            inputs.roll_angle_rad = 0.0F;
+        }
+    }
+}
+
 // The suspension shows the roll without a motion signal, but the observer does not stand in for the sensor
 // then.
 TEST(AngleAgainstTheHorizon, NeedsNeitherSpeedNorYawRate) {

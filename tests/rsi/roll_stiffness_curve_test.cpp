@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/support/large_suv.h"
+#include "tests/rsi/support/nominal.hpp"
 
 namespace roll_stiffness_curve_test {
 namespace {

@@ -12,6 +12,8 @@ constexpr float largest_mass_factor = 3.0F;
 // The springs must hold up more than gravity pulls down.
 constexpr float least_stiffness_reserve = 1.1F;
 constexpr float largest_load_margin = 0.1F;
+// Of m_s: less is fuel, or an axle's noise.
+constexpr float clear_change_of_mass = 0.05F;
 
 }  // namespace
 
@@ -25,6 +27,7 @@ void LoadAdaptation::init(const Parameters& parameters) {
                       (least_stiffness_reserve * gravity_mps2 * calibrated_.moment_arm_kgm());
     mass_factor_ = 1.0F;
     mass_known_ = false;
+    learnt_at_mass_factor_ = 1.0F;
     stop_ = LongStop{};
     regression_.init(parameters);
 }
@@ -36,21 +39,38 @@ void LoadAdaptation::update(const Inputs& inputs, const RollMotion& motion, cons
         doubt();
     }
     if (measured_angle && !stop_.is_standing()) {
-        regression_.update(motion, load);
+        if (!regression_.update(motion, load)) {
+            forget();
+        }
     } else {
         regression_.pass_time();
     }
 }
 
 // The last mass stays while none is available. Until driving shows more, a load is taken to be as high as the
-// body's CG.
+// body's CG: the first mass says what the calibration did not know, a later one that the load has changed.
 void LoadAdaptation::follow_mass(float vehicle_mass_kg) {
     const float factor = (vehicle_mass_kg - unsprung_mass_kg_) / calibrated_.mass_kg;
     if (is_within(factor, least_mass_factor, largest_mass_factor)) {
-        regression_.expect_change(factor - mass_factor_);
+        const float change = factor - learnt_at_mass_factor_;
+        if (!mass_known_) {
+            regression_.expect_change(change);
+            learnt_at_mass_factor_ = factor;
+        } else if (!is_within_magnitude(change, clear_change_of_mass)) {
+            regression_.add_load(change);
+            learnt_at_mass_factor_ = factor;
+        } else {
+            // What has been learnt is of this load.
+        }
         mass_factor_ = factor;
         mass_known_ = true;
     }
+}
+
+// Of the load only its mass is known.
+void LoadAdaptation::forget() {
+    regression_.forget();
+    regression_.expect_change(mass_factor_ - 1.0F);
 }
 
 // The load may be another.

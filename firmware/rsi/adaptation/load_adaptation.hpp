@@ -22,7 +22,7 @@ class LoadAdaptation {
                 bool measured_angle);
 
     // Forgets what driving has shown, not the mass.
-    void forget() { regression_.forget(); }
+    [[gnu::cold]] void forget();
 
     // With as much of what has been learnt as the calibration wants to be used: none leaves the calibrated
     // body.
@@ -52,6 +52,7 @@ class LoadAdaptation {
     float largest_factor_{1.0F};  // of m_s H that the springs hold up
     float mass_factor_{1.0F};     // m_s over the calibrated one, as the vehicle's mass says
     bool mass_known_{false};
+    float learnt_at_mass_factor_{1.0F};  // what has been learnt is of such a mass
     LongStop stop_{};
     LoadRegression regression_{};
 };

@@ -58,10 +58,10 @@ void LoadRegression::forget() {
     covariance_ << square(excess_prior), 0.0F, 0.0F, square(load_offset_prior_mps2);
 }
 
-void LoadRegression::update(const RollMotion& motion, const TransferredLoad& load) {
+bool LoadRegression::update(const RollMotion& motion, const TransferredLoad& load) {
     pass_time();
     if (!is_ordinary_turn(motion, load)) {
-        return;
+        return true;
     }
     const float f = motion.road_parallel_force_mps2 +
                     motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad);
@@ -71,7 +71,7 @@ void LoadRegression::update(const RollMotion& motion, const TransferredLoad& loa
     learn(Vector2{f, 1.0F}, output_mps2,
           square(equation_noise_mps2) + square(unknown_damping * damping_mps2) +
               square(unknown_inertia * inertia_mps2));
-    keep_in_bounds();
+    return keep_in_bounds();
 }
 
 void LoadRegression::pass_time() {
@@ -99,8 +99,9 @@ void LoadRegression::learn(const Vector2& psi, float output_mps2, float noise_mp
 }
 
 // Every signal of the equation moves theta. Raising a variance leaves the covariance one.
-void LoadRegression::keep_in_bounds() {
-    if (!is_finite(theta_.sum() + covariance_.sum())) {
+bool LoadRegression::keep_in_bounds() {
+    const bool sound = is_finite(theta_.sum() + covariance_.sum());
+    if (!sound) {
         forget();
     }
     theta_(excess_at) = clamp(theta_(excess_at), least_excess, largest_excess);
@@ -109,6 +110,7 @@ void LoadRegression::keep_in_bounds() {
     float& offset_variance = covariance_(offset_at, offset_at);
     variance = larger(variance, square(least_excess_deviation));
     offset_variance = larger(offset_variance, square(least_load_offset_deviation_mps2));
+    return sound;
 }
 
 void LoadRegression::doubt(float expected) {
@@ -121,6 +123,12 @@ void LoadRegression::doubt(float expected) {
 void LoadRegression::expect_change(float change) {
     const float unknown_share = covariance_(excess_at, excess_at) * (1.0F / square(excess_prior));
     theta_(excess_at) = clamp(theta_(excess_at) + unknown_share * change, least_excess, largest_excess);
+}
+
+void LoadRegression::add_load(float change) {
+    theta_(excess_at) = clamp(theta_(excess_at) + change, least_excess, largest_excess);
+    const float variance = covariance_(excess_at, excess_at) + square(0.5F * change);
+    covariance_ << smaller(variance, square(excess_prior)), 0.0F, 0.0F, square(load_offset_prior_mps2);
 }
 
 float LoadRegression::excess_deviation() const {

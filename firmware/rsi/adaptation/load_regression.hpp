@@ -23,8 +23,9 @@ class LoadRegression {
     [[gnu::cold]] void init(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void forget();
 
-    // One sample; `load` is that of `motion`. Learns only in ordinary turns, 0.8 < |A| < 4 m/s^2.
-    void update(const RollMotion& motion, const TransferredLoad& load);
+    // One sample; `load` is that of `motion`. Learns only in ordinary turns, 0.8 < |A| < 4 m/s^2. False when
+    // a number was none and everything has been forgotten.
+    bool update(const RollMotion& motion, const TransferredLoad& load);
 
     // As update() where there is nothing to learn from.
     void pass_time();
@@ -35,6 +36,9 @@ class LoadRegression {
 
     // Moves x by what a new expectation says, as far as driving has not shown it.
     void expect_change(float change);
+
+    // A load has been put on, or taken off: x changes as much, give or take half of it.
+    [[gnu::cold, gnu::noinline]] void add_load(float change);
 
     float excess() const { return theta_(excess_at); }
     float excess_deviation() const;
@@ -48,7 +52,7 @@ class LoadRegression {
     static constexpr Eigen::Index offset_at = 1;
 
     void learn(const Vector2& psi, float output_mps2, float noise_mps4);
-    void keep_in_bounds();
+    bool keep_in_bounds();
 
     float moment_to_force_{1.0F};       // 1 / (m_s H)
     float inertia_to_force_m_{0.0F};    // Ixx / (m_s H)

@@ -18,10 +18,11 @@ constexpr float least_cg_height_m = 0.2F;
 
 // Both factors are above 0.5.
 SprungBody with_load(const SprungBody& calibrated, float moment_factor, float mass_factor) {
-    const float height_factor =
-        clamp(moment_factor / mass_factor, least_height_factor, largest_height_factor);
+    const float plausible_mass_factor =
+        clamp(mass_factor, moment_factor / largest_height_factor, moment_factor / least_height_factor);
+    const float height_factor = moment_factor / plausible_mass_factor;
     SprungBody loaded;
-    loaded.mass_kg = mass_factor * calibrated.mass_kg;
+    loaded.mass_kg = plausible_mass_factor * calibrated.mass_kg;
     loaded.roll_arm_m = height_factor * calibrated.roll_arm_m;
     // The roll centre stays.
     loaded.cg_height_m =

@@ -7,7 +7,7 @@
 namespace rsi {
 
 // `moment_factor`: m_s H over the calibrated one; `mass_factor`: m_s over it. H takes the rest, within what a
-// load can do to it; the inertia grows with m_s H.
+// load can do to it; a mass that asks for more is not used as it is. The inertia grows with m_s H.
 SprungBody with_load(const SprungBody& calibrated, float moment_factor, float mass_factor);
 
 // The mass's share where only m_s H is known: half and half in the logarithm, sqrt(moment_factor). A roof

@@ -160,6 +160,8 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
     RollObservation& observed = measurement.observed;
     observed.roll_angle_rad = roll_known ? observer_.roll_angle_rad() : not_available;
     observed.bank_angle_rad = observer_.bank_known() ? observer_.bank_angle_rad() : not_available;
+    measurement.roll_angle_is_measured =
+        sensor_available && (!against_horizon_ || within(inputs.bank_angle_rad, largest_bank_angle_rad));
     if (sensor_available) {
         measurement.roll_source = RSI_ROLL_SENSOR;
         measurement.roll_angle_rad = sensed_rad;

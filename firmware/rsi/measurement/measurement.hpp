@@ -28,6 +28,9 @@ struct Measurement {
     float versine_roll_angle{0.0F};  // 1 - cos phi_m
     float tan_bank_angle{0.0F};      // of b, 0 where it is not known
     rsi_roll_source roll_source{RSI_ROLL_NONE};
+    // The sensor's, and no bank in it that only the observer knows: then it would be the observer's in the
+    // end.
+    bool roll_angle_is_measured{false};
     RollObservation observed{};
 };
 

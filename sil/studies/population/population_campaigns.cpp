@@ -198,8 +198,8 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
     const bool wrongly_loaded = driven_loaded || variant == CampaignVariant::unloaded;
     settings.spread.load_is_known = !wrongly_loaded;
     settings.learning_s = wrongly_loaded ? two_minutes_s : 0.0;
-    if (variant == CampaignVariant::errors || ordinary) {
-        settings.spread.sensor_noise = true;
+    settings.spread.sensor_noise = variant != CampaignVariant::clean;
+    if (variant == CampaignVariant::errors || variant == CampaignVariant::without_wheel_loads || ordinary) {
         settings.spread.cg_height_error = 0.05;
         settings.spread.stiffness_error = 0.10;
     }

@@ -14,9 +14,9 @@ namespace sil {
 enum class CampaignVariant {
     clean,                // calibrated with wheel loads, no errors
     errors,               // the same with noise, CG height and roll stiffness wrong
-    without_wheel_loads,  // calibrated without, no further errors
-    loaded,    // calibrated empty, driven with the class's load, of which two minutes of driving tell
-    unloaded,  // calibrated with that load, driven without, the same
+    without_wheel_loads,  // calibrated without, and those errors
+    loaded,    // noise; calibrated empty, driven with the class's load, of which two minutes of driving tell
+    unloaded,  // noise; calibrated with that load, driven without, the same
     ordinary,  // noise and errors, ordinary driving by the hour
 };
 

@@ -41,12 +41,12 @@ class WarningStates:
         return "advisory" if risk >= self._advisory_on else "ready"
 
     def _next_side(self, risk, larger, opposite):
-        if self.side in (larger, None):
-            return larger if risk >= self._advisory_off else None
+        riskier = larger if risk >= self._advisory_off else None
+        if self.side is None or opposite < self._advisory_off:
+            return riskier
         level = self._warning_on if self.state == "warning" else self._advisory_on
-        if risk >= level or (risk >= self._advisory_on and opposite < self._advisory_on):
-            return larger
-        return self.side if opposite >= self._advisory_off else None
+        takes_over = risk >= level or (risk >= self._advisory_on and opposite < self._advisory_on)
+        return riskier if takes_over else self.side
 
 
 def _samples(time_s):

@@ -180,7 +180,7 @@ class States(unittest.TestCase):
     def test_keep_a_side_while_its_risk_lasts(self):
         warned = [(0.9, 0.0)] * 2
         self.assertEqual(self.named(*warned, (0.75, 0.78)), ("warning", "right"))
-        self.assertEqual(self.named(*warned, (0.69, 0.78)), ("warning", None))
+        self.assertEqual(self.named(*warned, (0.69, 0.78)), ("warning", "left"))
         self.assertEqual(self.named(*warned, (0.69, 0.8)), ("warning", "left"))
         self.assertEqual(self.named(*warned, (0.85, 0.89)), ("warning", "right"))
         self.assertEqual(self.named(*warned, (0.85, 0.9)), ("warning", "left"))
