@@ -125,6 +125,19 @@ TEST_F(Keeping, TriesAgainWhileTheStorageIsBusy) {
     EXPECT_EQ(storage.writes(), 1U);
 }
 
+// What was learnt with other parameters is not there: the same number is news then.
+TEST_F(Keeping, StoresAgainAfterARestartWithOtherParameters) {
+    keep(learnt, cycles_in_a_minute);
+    ASSERT_EQ(storage.writes(), 1U);
+    rsi::Parameters other = large_suv();
+    other.sprung_mass_kg += 1.0F;
+    ASSERT_EQ(component.init(other).accepted, 1);
+    keeper.restore(other, component, false);
+    EXPECT_EQ(component.learnt_load().excess, 0.0F);
+    keep(learnt, cycles_in_a_minute);
+    EXPECT_EQ(storage.writes(), 2U);
+}
+
 TEST_F(Keeping, BringsItBackAfterARestartDoubtedOrNot) {
     keep(learnt, cycles_in_a_minute);
     for (const bool doubted : {true, false}) {

@@ -243,6 +243,22 @@ TEST(LoadRegression, WhatWasLearntComesBack) {
     EXPECT_EQ(regression.learnt().offset_mps2, learnt.offset_mps2);
 }
 
+// The load and the offset are as independent then as at first: what a turn shows beyond them moves both the
+// same way.
+TEST(LoadRegression, WhatComesBackSharesOutWhatIsNewBetweenLoadAndOffset) {
+    const rsi::LearntLoad learnt{0.4F, 0.02F, 0.1F};
+    for (const float force_mps2 : {-3.0F, 3.0F}) {
+        rsi::LoadRegression regression = fresh();
+        ASSERT_TRUE(regression.restore(learnt));
+        const Turn turn = turn_with(force_mps2, 0.5F);
+        regression.update(turn.motion, turn.load);
+        const float of_load = force_mps2 * (regression.excess() - learnt.excess);
+        const float of_offset = regression.learnt().offset_mps2 - learnt.offset_mps2;
+        EXPECT_GT(of_load * of_offset, 0.0F);
+        EXPECT_LT(std::abs(of_load), 0.001F);
+    }
+}
+
 TEST(LoadRegression, RefusesWhatCannotHaveBeenLearnt) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const rsi::LearntLoad good{0.2F, 0.05F, 0.1F};
