@@ -39,8 +39,10 @@ class RollConsistency {
         float inclination_rad{0.0F};
 
         bool contradicts(float limit_rad, bool may_twist) const noexcept {
-            return !rsi::is_within_magnitude(roll_angle_rad, limit_rad) &&
-                   !(may_twist && rsi::is_within_magnitude(inclination_rad, limit_rad));
+            const bool agrees = rsi::is_within_magnitude(roll_angle_rad, limit_rad);
+            const bool inclines = rsi::is_within_magnitude(inclination_rad, limit_rad);
+            const bool twists = may_twist && inclines;
+            return !agrees && !twists;
         }
     };
 

@@ -125,6 +125,17 @@ TEST_F(Keeping, TriesAgainWhileTheStorageIsBusy) {
     EXPECT_EQ(storage.writes(), 1U);
 }
 
+// A component that refuses what was kept does not have it, so that it is news to the storage.
+TEST_F(Keeping, StoresAgainWhatAComponentHasNotTakenBack) {
+    keep(learnt, cycles_in_a_minute);
+    ASSERT_EQ(storage.writes(), 1U);
+    rsi::Component not_started;
+    keeper.restore(large_suv(), not_started, false);
+    EXPECT_EQ(not_started.learnt_load().excess, 0.0F);
+    keep(learnt, cycles_in_a_minute);
+    EXPECT_EQ(storage.writes(), 2U);
+}
+
 // What was learnt with other parameters is not there: the same number is news then.
 TEST_F(Keeping, StoresAgainAfterARestartWithOtherParameters) {
     keep(learnt, cycles_in_a_minute);

@@ -47,6 +47,23 @@ TEST(CFace, NamesTheRefusedFieldAndStaysSafeToStep) {
     }
 }
 
+TEST(CFace, KeepsAndRestoresTheLoadThatWasLearnt) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    rsi_component component;
+    ASSERT_EQ(rsi_init(&component, &parameters).accepted, 1);
+    EXPECT_EQ(rsi_get_learnt_load(&component).excess, 0.0F);
+    const rsi_learnt_load kept{0.4F, 0.02F, 0.1F};
+    EXPECT_EQ(rsi_restore_learnt_load(&component, &kept, 0), 1);
+    EXPECT_EQ(rsi_get_learnt_load(&component).excess, 0.4F);
+    EXPECT_EQ(rsi_get_learnt_load(&component).excess_deviation, 0.02F);
+    EXPECT_EQ(rsi_get_learnt_load(&component).offset_mps2, 0.1F);
+    EXPECT_EQ(rsi_restore_learnt_load(&component, &kept, 1), 1);
+    EXPECT_EQ(rsi_get_learnt_load(&component).excess, 0.2F);
+    const rsi_learnt_load none{2.0F, 0.02F, 0.1F};
+    EXPECT_EQ(rsi_restore_learnt_load(&component, &none, 0), 0);
+    EXPECT_EQ(rsi_get_learnt_load(&component).excess, 0.2F);
+}
+
 TEST(CFace, TheStorageFitsTheComponent) {
     RecordProperty("sizeof_component", static_cast<int>(sizeof(rsi::Component)));
     EXPECT_LE(sizeof(rsi::Component), RSI_COMPONENT_SIZE);

@@ -275,6 +275,22 @@ TEST(LoadAdaptation, ForgetsAllButTheMass) {
     EXPECT_NEAR(adaptation.body().roll_arm_m / empty.roll_arm_m, 1.0F, 1.0e-5F);
 }
 
+TEST(LoadAdaptation, KeepsTheMassWhereWhatIsLearntIsNoNumber) {
+    rsi::LoadAdaptation adaptation = started();
+    stand(adaptation, 1, mass_with(1.5F));
+    ASSERT_TRUE(adaptation.restore({0.9F, 0.02F, 0.1F}, false));
+    rsi_inputs inputs{};
+    inputs.speed_mps = static_cast<float>(speed_mps);
+    inputs.vehicle_mass_kg = nan;
+    rsi::RollMotion motion;
+    motion.road_parallel_force_mps2 = 3.0F;
+    motion.road_normal_force_mps2 = 1.0e38F;  // sums overflow
+    motion.roll_angle_rad = 0.4F;
+    rsi::TransferredLoad load{};
+    adaptation.update(inputs, motion, load, true);
+    EXPECT_NEAR(adaptation.learnt().excess, 0.5F, 1.0e-5F);
+}
+
 TEST(LoadAdaptation, AMassThatIsNotThisVehiclesIsNone) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     for (const float mass_kg : {nan, 0.0F, -2000.0F, mass_with(0.59F), mass_with(3.01F), 1.0e30F}) {

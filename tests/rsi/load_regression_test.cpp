@@ -277,6 +277,25 @@ TEST(LoadRegression, RefusesWhatCannotHaveBeenLearnt) {
     EXPECT_EQ(regression.excess(), 0.0F);
 }
 
+// Sums that overflow.
+Turn impossible_turn() {
+    Turn turn = turn_with(3.0F, 0.5F);
+    turn.motion.road_normal_force_mps2 = 1.0e38F;
+    turn.motion.roll_angle_rad = 0.4F;
+    return turn;
+}
+
+TEST(LoadRegression, ForgetsAllRatherThanToKeepWhatIsNoNumber) {
+    rsi::LoadRegression regression = fresh();
+    ASSERT_TRUE(regression.restore({0.4F, 0.02F, 0.1F}));
+    const Turn good = turn_with(3.0F, 0.5F);
+    EXPECT_TRUE(regression.update(good.motion, good.load));
+    const Turn bad = impossible_turn();
+    EXPECT_FALSE(regression.update(bad.motion, bad.load));
+    EXPECT_EQ(regression.excess(), 0.0F);
+    EXPECT_EQ(regression.excess_deviation(), 0.25F);
+}
+
 TEST(LoadRegression, NoInputBringsItOutOfItsBounds) {
     rsi_test::Noise noise(11U);
     const auto any = [&noise](double limit) {

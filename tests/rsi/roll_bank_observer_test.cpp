@@ -101,6 +101,20 @@ TEST(RollBankObserver, KnowsNothingAtTheStartAndTheRollWithinAFifthOfASecond) {
     EXPECT_FALSE(observer.roll_known());
 }
 
+TEST(RollBankObserver, KnowsNothingRoughlyEitherBeforeItsFirstSample) {
+    RollingVehicle vehicle{rsi_test::large_suv(), Drive{}};
+    rsi::RollBankObserver observer;
+    observer.init(rsi_test::large_suv());
+    EXPECT_FALSE(observer.roll_roughly_known());
+    for (int k = 0; k < 100; ++k) {
+        vehicle.advance_10_ms();
+        show(vehicle, observer);
+    }
+    EXPECT_TRUE(observer.roll_roughly_known());
+    observer.reset();
+    EXPECT_FALSE(observer.roll_roughly_known());
+}
+
 TEST(RollBankObserver, BelowFiveMetresASecondTheRollStaysKnownAndTheBankIsForgottenInTheEnd) {
     rsi::RollBankObserver observer;
     observer.init(rsi_test::large_suv());
