@@ -13,7 +13,7 @@
 
 namespace {
 
-// A cycle has four frames; more wait only if a simulation does not wait for its answer.
+// A cycle has five frames at most; more wait only if a simulation does not wait for its answer.
 using Receiver = sil::LockStepReceiver<32U>;
 
 // Simulated time stands still for as long as the simulation likes.
@@ -26,7 +26,7 @@ class LockStepImage {
  public:
     [[noreturn]] void run() noexcept {
         static_cast<void>(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
-        static_cast<void>(controller_.open(image::can_settings(simulation_dbc::SimulationSync::identifier)));
+        static_cast<void>(controller_.open(image::unfiltered_can_settings()));
         // One cycle unasked, so that whoever starts the emulator knows that the firmware runs.
         begin();
         ecu_->step(0U);

@@ -30,17 +30,22 @@ struct ParameterMemory {
 };
 ParameterMemory parameter_memory() noexcept;
 
-// The identifiers that the controller lets through: those of the application and up to one more.
-template <typename... Further>
-constexpr hal::zynqmp_r5::CanSettings can_settings(Further... further) {
+// The controller lets the identifiers of the application through.
+constexpr hal::zynqmp_r5::CanSettings can_settings() {
     hal::zynqmp_r5::CanSettings settings{};
     settings.timing = hal::zynqmp_r5::can_bit_timing<Policy::can_clock_hz, can_bit_rate>();
-    static_assert(application::received_identifiers.size() + sizeof...(further) <=
-                  hal::zynqmp_r5::can::filter_count);
+    static_assert(application::received_identifiers.size() <= hal::zynqmp_r5::can::filter_count);
     for (const std::uint32_t identifier : application::received_identifiers) {
         settings.identifiers[settings.identifier_count++] = identifier;
     }
-    ((settings.identifiers[settings.identifier_count++] = further), ...);
+    return settings;
+}
+
+// For images that take one frame more: the controller has no filter left for it, and lets all identifiers
+// through.
+constexpr hal::zynqmp_r5::CanSettings unfiltered_can_settings() {
+    hal::zynqmp_r5::CanSettings settings = can_settings();
+    settings.identifier_count = 0U;
     return settings;
 }
 

@@ -87,5 +87,5 @@ image::EcuImage<FaultyBus> ecu;
 }  // namespace
 
 int main() {
-    ecu.run(image::can_settings(fault_identifier));
+    ecu.run(image::unfiltered_can_settings());
 }
