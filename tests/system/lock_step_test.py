@@ -61,7 +61,7 @@ class LockStep(unittest.TestCase):
             self.drive("run")
             heard = candump.stop()
         logged = programs.read_log(self.output("run") / "candump.log")
-        self.assertEqual(len(logged), 151 * 11)
+        self.assertEqual(len(logged), 151 * 12)
         self.assertEqual([frame[1:] for frame in logged], [frame[1:] for frame in heard])
 
     def test_the_log_bears_simulated_time(self):
@@ -69,7 +69,7 @@ class LockStep(unittest.TestCase):
             self.drive("run")
         logged = programs.read_log(self.output("run") / "candump.log")
         for index, (seconds, _, _) in enumerate(logged):
-            self.assertAlmostEqual(seconds, (index // 11) * 0.01, places=6)
+            self.assertAlmostEqual(seconds, (index // 12) * 0.01, places=6)
 
     def test_a_run_without_an_ecu_says_so(self):
         finished = programs.run_manoeuvre("straight", self.output("run"), "--lock-step", "--duration", "1")

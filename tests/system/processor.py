@@ -5,7 +5,7 @@ import struct
 
 import programs
 
-ECU_IDENTIFIERS = ("0D0", "230", "232", "233", "234", "235", programs.STATUS_IDENTIFIER)
+ECU_IDENTIFIERS = ("0D0", "230", "232", "233", "234", "235", "236", programs.STATUS_IDENTIFIER)
 
 
 class Processor(programs.Ecu):
