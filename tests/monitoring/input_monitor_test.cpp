@@ -141,6 +141,18 @@ TEST_F(AnInputMonitor, TakesARoadThatTwistsForNoFaultOfTheRollRate) {
     }
 }
 
+// Wheels that come down again.
+TEST_F(AnInputMonitor, AdmitsAVerticalAccelerationThatChangesBy12MetresPerSecondSquaredInACycle) {
+    run(10);
+    inputs.vertical_specific_force_mps2 += 11.9F;
+    run(1);
+    EXPECT_EQ(qualified.vertical_specific_force_mps2, inputs.vertical_specific_force_mps2);
+    run(50);
+    inputs.vertical_specific_force_mps2 -= 12.1F;
+    run(1);
+    EXPECT_TRUE(std::isnan(qualified.vertical_specific_force_mps2));
+}
+
 // Yaw rate and roll angle agree against the accelerometer; but in a spin the yaw rate is no witness.
 TEST_F(AnInputMonitor, AccusesNoAccelerometerInASpin) {
     const rsi::Parameters suv = rsi_test_large_suv();
