@@ -85,8 +85,7 @@ rsi::Inputs witnesses(const rsi::Inputs& inputs, const DiagnosticMemory& memory)
 
 void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     const bool roll_rate_is_wrong = roll_rate_is_wrong_;  // the code outlives a stall, and so must the blame
-    static const InputMonitor fresh{};                    // on the stack it would be too large
-    *this = fresh;
+    *this = InputMonitor{};
     roll_rate_is_wrong_ = roll_rate_is_wrong;
     against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
     roll_reference_.start(parameters);
