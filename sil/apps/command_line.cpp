@@ -1,9 +1,7 @@
 // Command line: one-line causes from CLI11's exceptions.
 #include "sil/apps/command_line.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <cstdio>
@@ -13,6 +11,8 @@
 #include <new>
 #include <system_error>
 #include <vector>
+
+#include "sil/files/standard_streams.hpp"
 
 namespace sil {
 namespace {
@@ -103,27 +103,12 @@ int status_of(const CLI::App& app, const std::function<void()>& work) {
     }
 }
 
-// A stream that the caller has closed leaves its number to the next file that is opened, which would then get
-// what is printed. So the number is taken by something that can be neither read nor written.
-void occupy_closed_streams() {
-    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
-        if (::fcntl(stream, F_GETFD) < 0) {
-            static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
-        }
-    }
-}
-
 }  // namespace
 
 int run_program(const CLI::App& app, const std::function<void()>& work) {
     occupy_closed_streams();
     const int status = status_of(app, work);
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
-        return status;
-    }
-    const int lost = failure(
-        app,
-        "not all of the output could be written; check where it goes to: is it closed, or is the disk full?");
+    const int lost = finish_output(app.get_name());
     return status == 0 ? lost : status;
 }
 
