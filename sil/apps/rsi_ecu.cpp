@@ -34,6 +34,7 @@ void request_end(int) {
 void run_loop(const sil::EcuRequest& request, const std::string& parameters) {
     std::signal(SIGTERM, request_end);
     std::signal(SIGINT, request_end);
+    std::signal(SIGPIPE, SIG_IGN);  // it warns on, whoever has read its messages
     sil::run_ecu(request, sil::load_calibration(parameters), end_requested);
 }
 
