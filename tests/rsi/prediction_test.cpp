@@ -22,19 +22,17 @@ class Look {
     explicit Look(const rsi_parameters& parameters) {
         predictor_.init(parameters);
         load_transfer_.init(parameters);
-        extended_.init(parameters);
     }
     rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {},
                           const rsi::LateralResponse* response = nullptr) const {
         return predictor_.evaluate(motion, load_transfer_.evaluate(motion), demand, response, 0.0F,
-                                   load_transfer_, extended_);
+                                   load_transfer_);
     }
     float present(const rsi::RollMotion& motion) const { return load_transfer_.evaluate(motion).ratio; }
 
  private:
     rsi::RollPredictor predictor_{};
     rsi::LoadTransfer load_transfer_{};
-    rsi::ExtendedIndicator extended_{};
 };
 
 rsi::RollMotion motion_with(double A, double phi, double rate, double force_rate = 0.0) {

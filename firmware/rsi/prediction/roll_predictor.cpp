@@ -1,5 +1,6 @@
 #include "rsi/prediction/roll_predictor.hpp"
 
+#include "rsi/indicator/extended_indicator.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 
@@ -82,8 +83,7 @@ void RollPredictor::follow_response(const RollMotion& motion, const State& prese
 
 Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLoad& load,
                                    const DemandedForce& demand, const LateralResponse* response,
-                                   float moment_arm_error, const LoadTransfer& load_transfer,
-                                   const ExtendedIndicator& extended) const {
+                                   float moment_arm_error, const LoadTransfer& load_transfer) const {
     const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
     const float correction_kgm = trusted_share * moment_arm_error * moment_arm_kgm_;
@@ -111,7 +111,7 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLo
     largest.left = (load.ratio >= 1.0F) ? 0.0F : largest.left;
     const bool is_right = largest.right >= largest.left;
     return Prediction{is_right ? largest.right : -largest.left, is_right ? largest.left : largest.right,
-                      extended.level_under_load(worst_force_mps2, N, worst_nm)};
+                      extended_level_under_load(worst_force_mps2, N, worst_nm, load_transfer.vehicle())};
 }
 
 }  // namespace rsi

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "rsi/indicator/extended_indicator.hpp"
 #include "rsi/indicator/load_transfer.hpp"
 #include "rsi/measurement/roll_motion.hpp"
 #include "rsi/model/sprung_body.hpp"
@@ -43,7 +42,7 @@ class RollPredictor {
     // `moment_arm_error`: e of MomentArmError.
     Prediction evaluate(const RollMotion& motion, const TransferredLoad& load, const DemandedForce& demand,
                         const LateralResponse* response, float moment_arm_error,
-                        const LoadTransfer& load_transfer, const ExtendedIndicator& extended) const;
+                        const LoadTransfer& load_transfer) const;
 
  private:
     // The roll moment of the sample, and how it follows the motion.
