@@ -117,4 +117,7 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except OSError as error:
+        sys.exit(f"study.py: {error.filename}: {error.strerror}; sil/studies/predictors/run makes what is read here")
