@@ -131,16 +131,15 @@ GrowingFile::~GrowingFile() {
 }
 
 int GrowingFile::hand_over() noexcept {
-    std::string_view rest = waiting_;
-    while (!rest.empty() && descriptor_ >= 0) {
-        const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
-        if (count < 0 && errno != EINTR) {
-            return errno;
-        }
-        rest.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0U);
+    int error = 0;
+    std::size_t written = 0U;
+    while (written < waiting_.size() && descriptor_ >= 0 && error == 0) {
+        const ssize_t count = ::write(descriptor_, waiting_.data() + written, waiting_.size() - written);
+        error = count < 0 && errno != EINTR ? errno : 0;
+        written += count > 0 ? static_cast<std::size_t>(count) : 0U;
     }
-    waiting_.clear();
-    return 0;
+    waiting_.erase(0U, written);
+    return error;
 }
 
 int GrowingFile::close() noexcept {

@@ -130,6 +130,7 @@ TEST_F(WholeFile, AFullDiskIsToldAndLeavesNothingCutOffUnderTheName) {
                 HasSubstr("cannot write " + path("a").string() + ": File too large; "));
     EXPECT_THAT(error_of([&] { file.finish(); }), HasSubstr("cannot write "));
     EXPECT_EQ(text_of(path("a")), "of an earlier run");
+    EXPECT_EQ(text_of(path("a.partial")), std::string(10'000U, 'x'));
 }
 
 TEST_F(WholeFile, WrittenAtOnceItLeavesNothingButItselfOrNothing) {
