@@ -81,13 +81,7 @@ void check_injections(const InjectionCount& count) {
     }
 }
 
-// Before the runs, which take their time.
-std::string held_by(const std::filesystem::path& checked) {
-    return checked.empty() ? std::string{} : read_whole_file(checked);
-}
-
 void run_faults(const FaultsRequest& request) {
-    const std::string held = held_by(request.checked);
     const FaultMatrix matrix =
         run_fault_matrix(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file));
     const std::string document = fault_matrix_document(matrix);
@@ -103,6 +97,7 @@ void run_faults(const FaultsRequest& request) {
         write_file_atomically(request.document, document);
     }
     if (!request.checked.empty()) {
+        const std::string held = read_whole_file(request.checked);
         if (held != document) {
             throw std::runtime_error(fmt::format(
                 "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
@@ -133,7 +128,6 @@ EnduranceResult run_with_progress(const EnduranceRequest& request, const Enduran
 }
 
 void run_hours(const EnduranceRequest& request) {
-    const std::string held = held_by(request.checked);
     std::string rows;
     std::vector<std::string> found;
     for (const double hours : request.hours) {
@@ -153,7 +147,7 @@ void run_hours(const EnduranceRequest& request) {
     if (!found.empty()) {
         throw std::runtime_error(fmt::format("not as it must be: {}", fmt::join(found, "; ")));
     }
-    if (!request.checked.empty() && held.find(rows) == std::string::npos) {
+    if (!request.checked.empty() && read_whole_file(request.checked).find(rows) == std::string::npos) {
         throw std::runtime_error(
             fmt::format("{} does not hold these rows; sil/studies/faults/run --endurance renews it",
                         request.checked.string()));
