@@ -13,7 +13,8 @@
 
 // These stand for the manoeuvres, which need the whole simulated vehicle and are none of the reader's
 // business.
-sil::Manoeuvre sil::ordinary_driving(std::uint64_t /*seed*/, double /*duration_s*/) {
+sil::Manoeuvre sil::ordinary_driving(std::uint64_t /*seed*/, double /*duration_s*/,
+                                     double /*share_of_acceleration*/) {
     return {};
 }
 
