@@ -11,6 +11,7 @@
 
 #include "sil/apps/campaign_command.hpp"
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/fault_search_command.hpp"
 #include "sil/apps/fault_states_command.hpp"
 #include "sil/apps/faults_command.hpp"
 #include "sil/apps/identify_command.hpp"
@@ -114,6 +115,7 @@ int main(int argc, char** argv) {
     sil::add_population_command(app);
     sil::add_faults_command(app);
     sil::add_fault_states_command(app);
+    sil::add_fault_search_command(app);
     sil::add_identify_command(app);
     sil::add_parameters_command(app);
     try {

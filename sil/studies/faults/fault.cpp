@@ -156,7 +156,7 @@ const char* to_string(FaultKind kind) {
                                "wrong DLC",
                                "second sender before",
                                "second sender after",
-                               "second sender, ten frames",
+                               "second sender tenfold",
                                "foreign frames",
                                "damaged Imu frames",
                                "bus-off",

@@ -14,6 +14,10 @@ SensorSample as_equipped(SensorSample sample, const Fault& fault) {
     return sample;
 }
 
+RightRuns::RightRuns(const FaultedDrive& drive, const rsi::Parameters& calibration)
+    : without_bank_{run_with_fault(drive, Fault{}, calibration)},
+      with_bank_{run_with_fault(drive, Fault{FaultKind::none, FaultPlace::bank_angle, 0.0}, calibration)} {}
+
 FaultyRun run_with_fault(const FaultedDrive& drive, const Fault& fault, const rsi::Parameters& calibration) {
     FaultyEcu ecu{calibration};
     ecu.inject(fault);

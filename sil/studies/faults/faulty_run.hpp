@@ -22,6 +22,20 @@ struct FaultyRun {
 // std::invalid_argument when the calibration is refused.
 FaultyRun run_with_fault(const FaultedDrive& drive, const Fault& fault, const rsi::Parameters& calibration);
 
+// Without a fault, with and without a bank sensor: what a run with a fault is compared with.
+class RightRuns {
+ public:
+    RightRuns(const FaultedDrive& drive, const rsi::Parameters& calibration);
+
+    const FaultyRun& of(const Fault& fault) const {
+        return fault.place == FaultPlace::bank_angle ? with_bank_ : without_bank_;
+    }
+
+ private:
+    FaultyRun without_bank_;
+    FaultyRun with_bank_;
+};
+
 // Most vehicles have no bank sensor; only a fault of it needs one.
 SensorSample as_equipped(SensorSample sample, const Fault& fault);
 

@@ -5,20 +5,6 @@
 namespace sil {
 namespace {
 
-// Without a fault, with and without a bank sensor.
-struct RightRuns {
-    RightRuns(const FaultedDrive& drive, const rsi::Parameters& calibration)
-        : without_bank{run_with_fault(drive, Fault{}, calibration)},
-          with_bank{run_with_fault(drive, Fault{FaultKind::none, FaultPlace::bank_angle, 0.0}, calibration)} {}
-
-    const FaultyRun& of(const Fault& fault) const {
-        return fault.place == FaultPlace::bank_angle ? with_bank : without_bank;
-    }
-
-    FaultyRun without_bank;
-    FaultyRun with_bank;
-};
-
 std::vector<StateRow> rows_of_all_faults() {
     std::vector<StateRow> rows;
     for (const std::vector<Fault>& faults : {all_faults(), further_faults()}) {
