@@ -48,15 +48,16 @@ SearchReport search(const FaultSearchRequest& request, std::uint64_t scenarios) 
     const FaultSearch search{settings_of(request, scenarios)};
     const std::filesystem::path folder = request.output / fmt::format("{}-{}", scenarios, request.seed);
     ProgressLine line{[](const RowProgress& now, double rate, double left_s) {
-        return fmt::format("{} of {} scenarios, {:.0f} a second, {:.0f} s left", now.finished, now.total, rate,
-                           left_s);
+        return fmt::format("{} of {} scenarios, {:.0f} a second, {:.0f} s left", now.finished, now.total,
+                           rate, left_s);
     }};
     const RowProgress progress = run_fault_search(search, folder, request.jobs, stop_on_signals(),
                                                   [&line](const RowProgress& now) { line.show(now); });
     if (progress.finished < progress.total) {
-        throw std::runtime_error(fmt::format(
-            "interrupted after {} of {} scenarios, which are kept in {}. The same command goes on from there.",
-            progress.finished, progress.total, folder.string()));
+        throw std::runtime_error(
+            fmt::format("interrupted after {} of {} scenarios, which are kept in {}. The same command goes "
+                        "on from there.",
+                        progress.finished, progress.total, folder.string()));
     }
     return report_on(load_search(folder), request.seed);
 }
@@ -66,8 +67,8 @@ void fail_if_any(const std::vector<std::string>& found, const char* what) {
         fmt::print("{}: {}\n", what, each);
     }
     if (!found.empty()) {
-        throw std::runtime_error(
-            fmt::format("{} {} in sil/studies/faults/known_findings.toml: see the lines above", found.size(), what));
+        throw std::runtime_error(fmt::format(
+            "{} {} in sil/studies/faults/known_findings.toml: see the lines above", found.size(), what));
     }
 }
 
@@ -108,23 +109,23 @@ void run_search(const FaultSearchRequest& request) {
 void add_fault_search_command(CLI::App& app) {
     const auto request = std::make_shared<FaultSearchRequest>();
     CLI::App* command = app.add_subcommand(
-        "fault-search", "Random faults in random drives: is a due warning missed, or a false one given, silently?");
+        "fault-search",
+        "Random faults in random drives: is a due warning missed, or a false one given, silently?");
     command->add_option("--settings", request->settings, "What drives are drawn from (TOML)")
         ->capture_default_str();
     // Not CLI11's own conversion, which takes 010 for eight.
-    CLI::Option* scenarios =
-        command
-            ->add_option_function<std::vector<std::string>>(
-                "--scenarios",
-                [request](const std::vector<std::string>& texts) {
-                    for (const std::string& text : texts) {
-                        request->scenarios.push_back(number_of(text));
-                    }
-                },
-                "How many; repeated: one search after the other")
-            ->allow_extra_args(false)
-            ->check(check_whole_number)
-            ->type_name("UINT");
+    CLI::Option* scenarios = command
+                                 ->add_option_function<std::vector<std::string>>(
+                                     "--scenarios",
+                                     [request](const std::vector<std::string>& texts) {
+                                         for (const std::string& text : texts) {
+                                             request->scenarios.push_back(number_of(text));
+                                         }
+                                     },
+                                     "How many; repeated: one search after the other")
+                                 ->allow_extra_args(false)
+                                 ->check(check_whole_number)
+                                 ->type_name("UINT");
     command
         ->add_option_function<std::string>(
             "--seed", [request](const std::string& text) { request->seed = number_of(text); },
@@ -139,7 +140,9 @@ void add_fault_search_command(CLI::App& app) {
         ->check(check_whole_number)
         ->type_name("UINT")
         ->excludes(scenarios);
-    command->add_option("--jobs", request->jobs, "Threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
+    command->add_option("--jobs", request->jobs, "Threads")
+        ->check(CLI::Range(1U, 1024U))
+        ->capture_default_str();
     command->add_option("--output", request->output, "Folder of the rows; taken up where it was left")
         ->capture_default_str();
     command->add_option("--document", request->document, "Write the page with these searches");

@@ -31,7 +31,8 @@ void run_fault_states(const FaultStatesRequest& request) {
     fmt::print("{} findings; {} differ from sil/studies/faults/known_findings.toml\n", found.size(),
                unexpected.size());
     if (!unexpected.empty()) {
-        throw std::runtime_error("the findings are not those of sil/studies/faults/known_findings.toml: see the lines above");
+        throw std::runtime_error(
+            "the findings are not those of sil/studies/faults/known_findings.toml: see the lines above");
     }
     write_or_check(request.page, state_matrix_document(matrix));
 }

@@ -42,9 +42,9 @@ void write_or_check(const MeasuredPage& page, const std::string& document) {
     }
     const std::string held = read_whole_file(page.checked);
     if (held != document) {
-        throw std::runtime_error(
-            fmt::format("{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
-                        page.checked.string(), first_difference(held, document)));
+        throw std::runtime_error(fmt::format(
+            "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
+            page.checked.string(), first_difference(held, document)));
     }
 }
 

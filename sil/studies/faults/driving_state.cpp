@@ -9,9 +9,9 @@
 namespace sil {
 namespace {
 
-constexpr double settled_s = 4.0;                      // from the start to a fault that is not there at once
-constexpr double ordinary_s = 8.0 * gentle_turn_s;     // whole turns
-constexpr double gathering_speed_s = 8.0;              // straight ahead, before the J-turn
+constexpr double settled_s = 4.0;                   // from the start to a fault that is not there at once
+constexpr double ordinary_s = 8.0 * gentle_turn_s;  // whole turns
+constexpr double gathering_speed_s = 8.0;           // straight ahead, before the J-turn
 constexpr double reset_s = ordinary_s - gentle_turn_s + 3.0;  // in the last of the turns
 static_assert(ordinary_s - settled_s >= 60.0, "a minute");
 
@@ -38,11 +38,7 @@ DrivingState state(const char* name, const char* description, double fault_begin
 // The same without its first cycles.
 Recorded cut(Recorded drives, std::size_t cycles) {
     for (RecordedDrive& drive : drives) {
-        drive.samples.erase(drive.samples.begin(),
-                            drive.samples.begin() + static_cast<std::ptrdiff_t>(cycles));
-        if (drive.two_wheel_lift) {
-            drive.two_wheel_lift = *drive.two_wheel_lift - cycles;
-        }
+        drive = part_of(drive, cycles, drive.samples.size());
     }
     return drives;
 }
@@ -67,18 +63,19 @@ std::vector<std::vector<DrivingState>> record_states(const VehicleParameters& ve
               settled_s));
     add(states, record(with_lead_in(find_manoeuvre("j-turn-110"), settled_s)),
         state("from power-on",
-              "the ECU starts, with the fault from its first cycle on; straight ahead for 5 s, then the J-turn at "
+              "the ECU starts, with the fault from its first cycle on; straight ahead for 5 s, then the "
+              "J-turn at "
               "110 km/h that ends in a rollover",
               0.0));
     const Recorded minute = record(j_turn_after_ordinary_driving());
     add(states, cut(minute, cycle_count(reset_s)),
         state("after a reset in a turn",
-              "the same, but the ECU starts in a turn of 0.2 g at 80 km/h, 14 s before the J-turn", 0.0));
-    DrivingState long_state =
-        state("a minute of ordinary driving",
-              "turns of 0.2 g to either side at 80 km/h, then the J-turn; the fault begins after 4 s, 60 s before the "
-              "last turn ends, and stays",
-              settled_s);
+              "the ECU starts, with the fault, in a turn of 0.2 g at 80 km/h, 14 s before that J-turn", 0.0));
+    DrivingState long_state = state("a minute of ordinary driving",
+                                    "turns of 0.2 g to either side at 80 km/h, then that J-turn; the fault "
+                                    "begins after 4 s, 60 s before the "
+                                    "last turn ends, and stays",
+                                    settled_s);
     long_state.ordinary_end = cycle_count(ordinary_s);
     long_state.with_frame_faults = false;
     add(states, minute, long_state);
@@ -88,7 +85,8 @@ std::vector<std::vector<DrivingState>> record_states(const VehicleParameters& ve
 std::vector<std::vector<DrivingState>> record_drives_of_good_sensors(
     const VehicleParameters& vehicle, const std::vector<SensorOptions>& sensors) {
     States states(sensors.size());
-    for (const char* const name : {"slalom", "rough-turn", "fishhook-1a", "double-lane-change", "one-sided-bump"}) {
+    for (const char* const name :
+         {"slalom", "rough-turn", "fishhook-1a", "double-lane-change", "one-sided-bump"}) {
         Manoeuvre manoeuvre = find_manoeuvre(name);
         manoeuvre.duration_s = std::min(manoeuvre.duration_s, 20.0);
         add(states, record_drive(vehicle, manoeuvre, {}, sensors),

@@ -12,12 +12,13 @@ namespace sil {
 struct DrivingState : FaultedDrive {
     std::string name{};
     std::string description{};
-    std::size_t ordinary_end{0U};  // cycle up to which ordinary driving has shown a dead or weak sensor; 0: none
+    std::size_t ordinary_end{
+        0U};  // cycle up to which ordinary driving has shown a dead or weak sensor; 0: none
     bool with_frame_faults{true};  // false: too long for faults that show at once everywhere
 };
 
-// At rest; below 18 km/h; a J-turn with the fault from power-on; the same after a reset in a turn before it; and after a
-// minute of ordinary driving. For each set of sensors; all of them drive the same.
+// At rest; below 18 km/h; a J-turn with the fault from power-on; the same after a reset in a turn before it;
+// and after a minute of ordinary driving. For each set of sensors; all of them drive the same.
 std::vector<std::vector<DrivingState>> record_states(const VehicleParameters& vehicle,
                                                      const std::vector<SensorOptions>& sensors);
 

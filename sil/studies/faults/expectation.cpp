@@ -90,8 +90,7 @@ Expectation contradiction(const Fault& fault, SceneKind scene) {
 // Where it shows, and how soon, is not stated yet: what counts is what the ECU says.
 Expectation right_or_reported(FaultKind kind, SceneKind scene) {
     const Return back = return_from(kind, scene);
-    return {Demand::right,        0,          back.recovery_ms, back.healing_ms, wrong_ms,
-            longest_lead_loss_ms, any_time_ms};
+    return {Demand::right, 0, back.recovery_ms, back.healing_ms, wrong_ms, longest_lead_loss_ms, any_time_ms};
 }
 
 // Of the other two frames only the silence at its beginning shows; then the statement comes late.

@@ -39,7 +39,8 @@ void inject_all(FaultMatrix& matrix, std::size_t scene_index, const rsi::Paramet
         }
         for (const Fault& fault : in_each_sign(row.fault)) {
             Injection injection{fault, scene_index, {}, {}};
-            injection.reaction = measure(scene, fault, right.of(fault), run_with_fault(scene, fault, calibration));
+            injection.reaction =
+                measure(scene, fault, right.of(fault), run_with_fault(scene, fault, calibration));
             injection.verdict = judge(expectation_of(fault, scene.kind), injection.reaction);
             row.cells.back().push_back(std::move(injection));
         }
@@ -76,7 +77,10 @@ void inject_sizes(FaultMatrix& matrix, const rsi::Parameters& calibration) {
         for (std::size_t error = 0U; error < errors.size(); ++error) {
             const Fault& fault = errors[error];
             matrix.sizes[error].push_back(
-                {fault, index, measure(scene, fault, right.of(fault), run_with_fault(scene, fault, calibration)), {}});
+                {fault,
+                 index,
+                 measure(scene, fault, right.of(fault), run_with_fault(scene, fault, calibration)),
+                 {}});
         }
     }
 }

@@ -28,6 +28,8 @@ constexpr double longest_s = 5.0;
 constexpr double smallest_size = 0.25;
 constexpr double largest_size = 8.0;
 
+constexpr double milliseconds_a_cycle = 1.0e3 * cycle_time_s;
+
 double logarithmic(RandomStream& chance, double low, double high) {
     return low * std::pow(high / low, chance.between(0.0, 1.0));
 }
@@ -61,7 +63,14 @@ double drawn_magnitude(const Fault& fault, RandomStream& chance) {
         case FaultKind::gain:
             return chance.between(0.0, 1.0) < 0.5 ? chance.between(0.0, 1.0) : chance.between(1.0, 3.0);
         case FaultKind::delayed:
-            return std::round(chance.between(1.0, 20.0)) * 10.0;
+            return std::round(chance.between(1.0, 20.0)) * milliseconds_a_cycle;
+        case FaultKind::process_stop:
+            return std::round(logarithmic(chance, 1.0, 200.0)) * milliseconds_a_cycle;
+        case FaultKind::clock_jump:
+            return (chance.below(2U) == 0U ? 1.0 : -1.0) * std::round(logarithmic(chance, 1.0, 2000.0));
+        case FaultKind::flood_foreign:
+        case FaultKind::flood_own:
+            return std::round(logarithmic(chance, 1.0, 150.0));
         default:
             return fault.magnitude;
     }

@@ -28,18 +28,19 @@ struct SearchOutcome {
     FaultKind fault{};
     FaultPlace place{};
     bool visible{false};
-    bool due{false};   // a warning, without the fault
-    bool told{false};  // by a code, or by "unavailable"
+    bool due{false};                      // a warning, without the fault
+    bool told{false};                     // by a code, or by "unavailable"
     std::vector<FindingKind> findings{};  // silent_findings()
 };
 
 class FaultSearch {
  public:
-    // Drives as the settings say; `runs` of them is the number of scenarios. Throws what CampaignWorld throws.
+    // Drives as the settings say; `runs` of them is the number of scenarios. Throws what CampaignWorld
+    // throws.
     explicit FaultSearch(const CampaignSettings& settings) : world_{settings} {}
 
     // Safe to call from several threads at once, and quick for neighbours: so many scenarios share a drive.
-    static constexpr std::uint64_t scenarios_a_drive = 50U;
+    static constexpr std::uint64_t scenarios_a_drive = 20U;
     SearchOutcome run(std::uint64_t number) const;
 
     // Scenario and reaction in some lines.

@@ -9,6 +9,8 @@ namespace sil {
 namespace {
 
 constexpr std::size_t ms_a_cycle = 10U;
+constexpr std::size_t lead_cycles = least_lead_ms / ms_a_cycle;
+constexpr std::size_t lead_loss_cycles = longest_lead_loss_ms / ms_a_cycle;
 constexpr std::size_t nearby_cycles = warning_nearby_ms / ms_a_cycle;
 constexpr std::size_t cycles_until_a_sender_counts = second_sender_shows_ms / ms_a_cycle;
 constexpr double weak_gain = 0.5;
@@ -28,24 +30,36 @@ std::size_t end_of(const FaultedDrive& drive) {
     return drive.two_wheel_lift.value_or(drive.samples.size());
 }
 
-bool misses_a_warning(const FaultedDrive& drive, const FaultyRun& right, const FaultyRun& faulty) {
-    constexpr std::size_t lead = least_lead_ms / ms_a_cycle;
-    if (!drive.two_wheel_lift || *drive.two_wheel_lift < lead) {
-        return false;
+// A warning that itself comes late may come a little later with the fault.
+std::size_t latest_cycle_of_warning(const FaultyRun& right, std::size_t lift, WarningSide side) {
+    std::size_t due = lift;
+    while (due > 0U && warns(right.answers[due - 1U], side)) {
+        --due;
     }
-    const std::size_t latest = *drive.two_wheel_lift - lead;
-    const EcuAnswer& due = *right.answers[latest];
-    return due.state == WarningState::warning && !warns(faulty.answers[latest], due.side) &&
-           !tells(faulty.answers[latest], due);
+    return std::min(lift, std::max(lift - std::min(lift, lead_cycles), due + lead_loss_cycles));
 }
 
-// True where a warning for that side is near.
-std::vector<bool> near_a_warning(const FaultyRun& right, WarningSide side) {
+bool misses_a_warning(const FaultedDrive& drive, const FaultyRun& right, const FaultyRun& faulty) {
+    if (!drive.two_wheel_lift) {
+        return false;
+    }
+    const EcuAnswer& at_lift = *right.answers[*drive.two_wheel_lift];
+    const std::size_t latest = latest_cycle_of_warning(right, *drive.two_wheel_lift, at_lift.side);
+    return at_lift.state == WarningState::warning && !warns(faulty.answers[latest], at_lift.side) &&
+           !tells(faulty.answers[latest], *right.answers[latest]);
+}
+
+bool is_large_towards(WarningSide side, double load_transfer) {
+    return (side == WarningSide::right ? load_transfer : -load_transfer) >= large_load_transfer;
+}
+
+// True where a warning for that side is near, or a reason for one.
+std::vector<bool> near_a_warning(const FaultedDrive& drive, const FaultyRun& right, WarningSide side) {
     const std::size_t size = right.answers.size();
     std::vector<bool> near(size, false);
     std::size_t filled = 0U;
     for (std::size_t cycle = 0U; cycle < size; ++cycle) {
-        if (!warns(right.answers[cycle], side)) {
+        if (!warns(right.answers[cycle], side) && !is_large_towards(side, drive.load_transfer[cycle])) {
             continue;
         }
         const std::size_t begin = cycle - std::min(cycle, nearby_cycles);
@@ -60,7 +74,7 @@ std::vector<bool> near_a_warning(const FaultyRun& right, WarningSide side) {
 bool warns_falsely(const FaultedDrive& drive, const FaultyRun& right, const FaultyRun& faulty,
                    WarningSide side) {
     constexpr int longest = longest_false_warning_without_code_ms / static_cast<int>(ms_a_cycle);
-    const std::vector<bool> near = near_a_warning(right, side);
+    const std::vector<bool> near = near_a_warning(drive, right, side);
     int lasting = 0;
     for (std::size_t cycle = 0U; cycle < end_of(drive); ++cycle) {
         const bool is_false = warns(faulty.answers[cycle], side) && !near[cycle] &&

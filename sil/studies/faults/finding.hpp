@@ -11,19 +11,22 @@
 namespace sil {
 
 enum class FindingKind : std::uint8_t {
-    missed_warning,          // due before two wheels lift; there is none in force, and no code says why
-    false_warning,           // that is due neither now nor soon nor before, for long and without a code
-    not_found,               // a dead or weak accelerometer, in a minute of ordinary driving
+    missed_warning,  // due before two wheels lift; there is none in force, and no code says why
+    false_warning,   // for long and without a code, where none is due and the wheels carry as they should
+    not_found,       // a dead or weak accelerometer, in a minute of ordinary driving
     second_sender_accepted,  // its frames are used, or the ECU's own identifier is taken, and nothing says so
     good_sensor_accused,     // a code, or "unavailable", without a fault
 };
 
 const char* to_string(FindingKind kind);
 
-// A warning must be in force so long before two wheels lift: least_lead_ms. A false one may last so long,
+// A warning must be in force least_lead_ms before two wheels lift, or longest_lead_loss_ms after it is due if
+// that is later. A false one may last so long,
 inline constexpr int longest_false_warning_without_code_ms = 500;
-// and is not false at all so long before or after a due one for the same side.
+// and is not false at all so long before or after a due one for the same side, or after or before the wheels
+// of that side truly carry so much more: nobody is annoyed by a warning there.
 inline constexpr int warning_nearby_ms = 2000;
+inline constexpr double large_load_transfer = 0.7;
 // A second sender must show in the ECU's state after so long.
 inline constexpr int second_sender_shows_ms = 200;
 

@@ -27,7 +27,8 @@ Channels roll_channels(SensorOptions& options) {
 }
 
 Channels motion_channels(SensorOptions& options) {
-    return {&options.motion.speed_mps, &options.motion.yaw_rate_radps, &options.motion.steering_wheel_angle_rad};
+    return {&options.motion.speed_mps, &options.motion.yaw_rate_radps,
+            &options.motion.steering_wheel_angle_rad};
 }
 
 Channels all_channels(SensorOptions& options) {

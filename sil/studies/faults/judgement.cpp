@@ -89,7 +89,8 @@ void measure_recovery(const FaultedDrive& drive, const FaultyRun& right, const F
 
 }  // namespace
 
-Reaction measure(const FaultedDrive& drive, const Fault& fault, const FaultyRun& right, const FaultyRun& faulty) {
+Reaction measure(const FaultedDrive& drive, const Fault& fault, const FaultyRun& right,
+                 const FaultyRun& faulty) {
     Reaction reaction;
     reaction.visible = faulty.visible.has_value();
     reaction.watchdog_fed = faulty.watchdog_fed;

@@ -38,7 +38,8 @@ struct Reaction {
 };
 
 // `right` is the run of the same drive without the fault.
-Reaction measure(const FaultedDrive& drive, const Fault& fault, const FaultyRun& right, const FaultyRun& faulty);
+Reaction measure(const FaultedDrive& drive, const Fault& fault, const FaultyRun& right,
+                 const FaultyRun& faulty);
 
 // What the issue is about: a single fault that turns a due warning into "ready", and nothing says so.
 bool silences_a_warning(const Reaction& reaction);

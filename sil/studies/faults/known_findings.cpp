@@ -55,7 +55,8 @@ const std::vector<KnownFinding>& known_findings() {
 
 bool is_known(const FindingClass& found) {
     const std::vector<KnownFinding>& all = known_findings();
-    return std::any_of(all.begin(), all.end(), [&found](const KnownFinding& each) { return each.found == found; });
+    return std::any_of(all.begin(), all.end(),
+                       [&found](const KnownFinding& each) { return each.found == found; });
 }
 
 std::vector<std::string> differences(const std::vector<CellFinding>& found,

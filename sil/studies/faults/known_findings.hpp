@@ -1,5 +1,5 @@
-// Known findings: those of sil/studies/faults/known_findings.toml. The state matrix must have exactly these, and the
-// search no others.
+// Known findings: those of sil/studies/faults/known_findings.toml. The state matrix must have exactly these,
+// and the search no others.
 #pragma once
 
 #include <string>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "sil/results/two_wheel_lift.hpp"
@@ -17,6 +18,14 @@ constexpr std::uint64_t noise_seed = 5U;
 constexpr double rolled_over_rad = 1.2;
 constexpr int steps_per_cycle = 10;
 
+double load_transfer_of(const Truth& truth) {
+    const auto& load = truth.wheel_load_n;
+    const double left = load[front_left] + load[rear_left];
+    const double right = load[front_right] + load[rear_right];
+    const double sum = left + right;
+    return sum > 0.0 ? (right - left) / sum : 0.0;
+}
+
 // Several sets of sensors in one vehicle.
 class Recorder {
  public:
@@ -31,6 +40,7 @@ class Recorder {
     void report(const Truth& truth) {
         for (std::size_t index = 0U; index < suites_.size(); ++index) {
             drives_[index].samples.push_back(suites_[index].report(truth));
+            drives_[index].load_transfer.push_back(load_transfer_of(truth));
         }
     }
     void lifts(std::size_t cycle) {
@@ -123,6 +133,18 @@ std::vector<RecordedDrive> record_rest(double duration_s, const std::vector<Sens
         recorder.report(truth);
     }
     return std::move(recorder).drives();
+}
+
+RecordedDrive part_of(const RecordedDrive& drive, std::size_t begin, std::size_t end) {
+    const auto range = [begin, end](const auto& all) {
+        return std::decay_t<decltype(all)>{all.begin() + static_cast<std::ptrdiff_t>(begin),
+                                           all.begin() + static_cast<std::ptrdiff_t>(end)};
+    };
+    RecordedDrive part{range(drive.samples), range(drive.load_transfer), {}};
+    if (drive.two_wheel_lift && *drive.two_wheel_lift >= begin) {
+        part.two_wheel_lift = *drive.two_wheel_lift - begin;
+    }
+    return part;
 }
 
 Manoeuvre with_lead_in(const Manoeuvre& manoeuvre, double lead_in_s, const Manoeuvre* lead_in) {

@@ -50,7 +50,8 @@ std::vector<Scene> record_scenes(const VehicleParameters& vehicle) {
             SceneKind::before_turn, "before the turn",
             "J-turn at 110 km/h that ends in a rollover; the fault begins 0.5 s before the driver steers and "
             "0.6 s before the warning is due (as he steers), and stays",
-            record(vehicle, with_lead_in(find_manoeuvre("j-turn-110"), straight_s)), steering_s - 0.5, forever_s),
+            record(vehicle, with_lead_in(find_manoeuvre("j-turn-110"), straight_s)), steering_s - 0.5,
+            forever_s),
     };
 }
 
@@ -62,7 +63,8 @@ std::vector<Scene> scenes_at_warning(const Scene& before_turn, std::size_t due) 
     return {
         at_warning(before_turn, SceneKind::steering, before_turn.name.c_str(),
                    before_turn.description.c_str(), due - cycle_count(0.6), end),
-        at_warning(before_turn, SceneKind::before_warning, warning, about_warning, due - cycle_count(0.3), end),
+        at_warning(before_turn, SceneKind::before_warning, warning, about_warning, due - cycle_count(0.3),
+                   end),
         at_warning(before_turn, SceneKind::warning, warning, about_warning, due - cycle_count(0.1), end),
         at_warning(before_turn, SceneKind::over, "over before the warning",
                    "the same; the fault begins 1 s before the warning is due, and ends 0.2 s before it",

@@ -59,19 +59,14 @@ std::pair<std::string, RecordedDrive> record(const DrawnRun& drawn, RandomStream
             record_drive(drawn.vehicle, manoeuvre_of(drawn, chance), options, {sensors}).front()};
 }
 
-// From one cycle to another, or to two-wheel lift-off if that comes before.
-FaultedDrive part_of(const RecordedDrive& drive, std::size_t begin) {
-    FaultedDrive part;
-    const std::size_t end = std::min(drive.samples.size(), drive.two_wheel_lift.value_or(drive.samples.size()) + 1U);
-    const auto at = [&drive](std::size_t cycle) {
-        return drive.samples.begin() + static_cast<std::ptrdiff_t>(cycle);
-    };
-    part.samples.assign(at(begin), at(end));
-    if (drive.two_wheel_lift) {
-        part.two_wheel_lift = *drive.two_wheel_lift - begin;
-    }
-    part.fault_end = part.samples.size();
-    return part;
+// From that cycle on, to two-wheel lift-off if there is one.
+FaultedDrive drive_from(const RecordedDrive& recorded, std::size_t begin) {
+    const std::size_t size = recorded.samples.size();
+    const std::size_t end = recorded.two_wheel_lift ? std::min(size, *recorded.two_wheel_lift + 1U) : size;
+    FaultedDrive drive;
+    static_cast<RecordedDrive&>(drive) = part_of(recorded, begin, end);
+    drive.fault_end = drive.samples.size();
+    return drive;
 }
 
 std::optional<std::size_t> first_warning_of(const FaultyRun& run) {
@@ -94,7 +89,7 @@ SearchDrive record_search_drive(const CampaignWorld& world, std::uint64_t number
     const bool reset = chance.between(0.0, 1.0) < share_reset;
     const auto begin =
         static_cast<std::size_t>(reset ? chance.between(0.0, latest_reset) * static_cast<double>(last) : 0.0);
-    const FaultedDrive drive = part_of(recorded, begin);
+    const FaultedDrive drive = drive_from(recorded, begin);
     RightRuns right{drive, drawn.calibration};
     const std::optional<std::size_t> due = first_warning_of(right.of(Fault{}));
     const std::string& file = world.settings().vehicles[drawn.draw.vehicle].parameters;

@@ -20,8 +20,9 @@ struct SearchDrive {
     std::optional<std::size_t> due{};  // first cycle of a warning without a fault
 };
 
-// Drawn from the settings' seed and the drive's number alone: a run of the campaign after some seconds straight ahead
-// or of gentle turns, or a vehicle at rest or at a crawl; the ECU starts with it or in the middle of it.
+// Drawn from the settings' seed and the drive's number alone: a run of the campaign after some seconds
+// straight ahead or of gentle turns, or a vehicle at rest or at a crawl; the ECU starts with it or in the
+// middle of it.
 SearchDrive record_search_drive(const CampaignWorld& world, std::uint64_t number);
 
 }  // namespace sil

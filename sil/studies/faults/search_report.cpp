@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t examples = 5U;
 
 FoundClass& class_in(std::vector<FoundClass>& all, const FindingClass& found) {
-    const auto held =
-        std::find_if(all.begin(), all.end(), [&found](const FoundClass& each) { return each.found == found; });
+    const auto held = std::find_if(all.begin(), all.end(),
+                                   [&found](const FoundClass& each) { return each.found == found; });
     if (held != all.end()) {
         return *held;
     }
@@ -46,9 +46,10 @@ SearchReport report_on(const std::vector<SearchOutcome>& outcomes, std::uint64_t
             class_in(report.found, {kind, outcome.fault, outcome.place}).scenarios.push_back(outcome.number);
         }
     }
-    std::stable_sort(report.found.begin(), report.found.end(), [](const FoundClass& left, const FoundClass& right) {
-        return left.scenarios.size() > right.scenarios.size();
-    });
+    std::stable_sort(report.found.begin(), report.found.end(),
+                     [](const FoundClass& left, const FoundClass& right) {
+                         return left.scenarios.size() > right.scenarios.size();
+                     });
     return report;
 }
 
@@ -83,20 +84,25 @@ std::string search_section(const SearchReport& report) {
     for (const FoundClass& each : report.found) {
         const bool misses = each.found.kind == FindingKind::missed_warning;
         (misses ? missed : false_warnings) += each.scenarios.size();
-        rows += fmt::format("| {} | {} | {} | {} | {} |\n", to_string(each.found.kind), to_string(each.found.fault),
-                            to_string(each.found.place), each.scenarios.size(), numbers(each));
+        rows += fmt::format("| {} | {} | {} | {} | {} |\n", to_string(each.found.kind),
+                            to_string(each.found.fault), to_string(each.found.place), each.scenarios.size(),
+                            numbers(each));
     }
     return fmt::format(
         "### {} scenarios, seed {}\n"
-        "In {} the fault was visible, {} were reported; in {} a warning was due. Missed warnings: {}, {:.1f} in 1,000 "
+        "In {} the fault was visible, {} were reported; in {} a warning was due. Missed warnings: {}, {:.1f} "
+        "in 1,000 "
         "of the\ndue ones. False warnings: {}, {:.1f} in 1,000 scenarios.\n\n"
         "| finding | fault | of | scenarios | the first of them |\n|---|---|---|---|---|\n{}\n",
         report.scenarios, report.seed, report.visible, report.told, report.due, missed,
-        share_in_1000(missed, report.due), false_warnings, share_in_1000(false_warnings, report.scenarios), rows);
+        share_in_1000(missed, report.due), false_warnings, share_in_1000(false_warnings, report.scenarios),
+        rows);
 }
 
 std::string search_document(const std::string& sections) {
-    return fill_template(fault_search_template, {{"scenarios_a_drive", fmt::format("{}", FaultSearch::scenarios_a_drive)}, {"sections", sections}});
+    return fill_template(
+        fault_search_template,
+        {{"scenarios_a_drive", fmt::format("{}", FaultSearch::scenarios_a_drive)}, {"sections", sections}});
 }
 
 }  // namespace sil

@@ -56,8 +56,8 @@ void collect(const std::vector<StateRow>& rows, const std::vector<DrivingState>&
         for (std::size_t state = 0U; state < row.cells.size(); ++state) {
             for (const StateOutcome& outcome : row.cells[state]) {
                 for (const FindingKind kind : outcome.findings) {
-                    found.push_back({{kind, row.fault.kind, row.fault.place},
-                                     outcome.name + " | " + states[state].name});
+                    found.push_back(
+                        {{kind, row.fault.kind, row.fault.place}, outcome.name + " | " + states[state].name});
                 }
             }
         }

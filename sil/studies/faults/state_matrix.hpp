@@ -1,5 +1,5 @@
-// State matrix: faults at rest, at a crawl, from the ECU's start on and long before they matter; second senders; and
-// sensors that are good, though slow, coarse, late or noisy.
+// State matrix: faults at rest, at a crawl, from the ECU's start on and long before they matter; second
+// senders; and sensors that are good, though slow, coarse, late or noisy.
 #pragma once
 
 #include <string>
@@ -23,8 +23,8 @@ struct StateOutcome {
 using StateCell = std::vector<StateOutcome>;
 
 struct StateRow {
-    Fault fault{};              // kind `none`: good sensors
-    std::string sensors{};      // those
+    Fault fault{};                   // kind `none`: good sensors
+    std::string sensors{};           // those
     std::vector<StateCell> cells{};  // one a state
 };
 

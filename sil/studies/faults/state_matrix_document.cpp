@@ -115,25 +115,26 @@ std::string headline_of(const StateMatrix& matrix) {
     for (const auto& [kind, number] : kinds) {
         parts.push_back(fmt::format("{} {}", to_string(kind), number));
     }
-    return fmt::format("**Of {} runs {} have a finding, all of them [known](#known-findings): {}.**", injections,
-                       with_finding, fmt::join(parts, ", "));
+    return fmt::format("**Of {} runs {} have a finding, all of them [known](#known-findings):\n{}.**",
+                       injections, with_finding, fmt::join(parts, ", "));
 }
 
 }  // namespace
 
 std::string state_matrix_document(const StateMatrix& matrix) {
-    return fill_template(
-        fault_states_template,
-        {{"headline", headline_of(matrix)},
-         {"states", list_states(matrix.states, 0U)},
-         {"least_lead_ms", fmt::format("{}", least_lead_ms)},
-         {"longest_false_ms", fmt::format("{}", longest_false_warning_without_code_ms)},
-         {"nearby_s", fmt::format("{}", warning_nearby_ms / 1000)},
-         {"sender_ms", fmt::format("{}", second_sender_shows_ms)},
-         {"faults", fault_table(matrix)},
-         {"drives", list_states(matrix.states_of_good_sensors, matrix.states.size())},
-         {"good_sensors", sensor_table(matrix)},
-         {"known", known_table()}});
+    return fill_template(fault_states_template,
+                         {{"headline", headline_of(matrix)},
+                          {"states", list_states(matrix.states, 0U)},
+                          {"least_lead_ms", fmt::format("{}", least_lead_ms)},
+                          {"lead_loss_ms", fmt::format("{}", longest_lead_loss_ms)},
+                          {"longest_false_ms", fmt::format("{}", longest_false_warning_without_code_ms)},
+                          {"nearby_s", fmt::format("{}", warning_nearby_ms / 1000)},
+                          {"large_load_transfer", fmt::format("{}", large_load_transfer)},
+                          {"sender_ms", fmt::format("{}", second_sender_shows_ms)},
+                          {"faults", fault_table(matrix)},
+                          {"drives", list_states(matrix.states_of_good_sensors, matrix.states.size())},
+                          {"good_sensors", sensor_table(matrix)},
+                          {"known", known_table()}});
 }
 
 }  // namespace sil

@@ -16,8 +16,7 @@ constexpr double held_s = 4.0;
 double share_of_turn(double time_s) {
     const double number = std::floor(time_s / gentle_turn_s);
     const double since_s = time_s - number * gentle_turn_s;
-    const double share =
-        std::clamp(std::min(since_s, 2.0 * ramp_s + held_s - since_s) / ramp_s, 0.0, 1.0);
+    const double share = std::clamp(std::min(since_s, 2.0 * ramp_s + held_s - since_s) / ramp_s, 0.0, 1.0);
     return std::fmod(number, 2.0) < 0.5 ? share : -share;
 }
 
@@ -32,9 +31,9 @@ Manoeuvre gentle_turns(double duration_s) {
     manoeuvre.make_road = flat_road();
     manoeuvre.make_driver = [](const VehicleParameters& parameters) {
         const double angle_rad = share_of_0_3_g * handwheel_angle_at_0_3_g_rad(parameters);
-        return open_loop(
-            [angle_rad](double time_s) { return DriverCommand{angle_rad * share_of_turn(time_s)}; })(
-            parameters);
+        return open_loop([angle_rad](double time_s) {
+            return DriverCommand{angle_rad * share_of_turn(time_s)};
+        })(parameters);
     };
     return manoeuvre;
 }

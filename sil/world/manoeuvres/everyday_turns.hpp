@@ -5,8 +5,8 @@
 
 namespace sil {
 
-// Turns of about 0.2 g at 50 mph on a level road, one to each side in turn, straight ahead between them. One lasts
-// gentle_turn_s with the straight after it.
+// Turns of about 0.2 g at 50 mph on a level road, one to each side in turn, straight ahead between them. One
+// lasts gentle_turn_s with the straight after it.
 inline constexpr double gentle_turn_s = 8.0;
 Manoeuvre gentle_turns(double duration_s);
 

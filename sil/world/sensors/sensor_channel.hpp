@@ -26,8 +26,8 @@ class SensorChannel {
  public:
     SensorChannel(const ChannelOptions& options, std::uint64_t seed, NoiseStream stream);
 
-    // The value that the sensor reports for this true one. Draws noise once a call. A late sensor says what it first
-    // measured until that is as old as it must be.
+    // The value that the sensor reports for this true one. Draws noise once a call. A late sensor says what
+    // it first measured until that is as old as it must be.
     double measure(double true_value);
 
  private:

@@ -5,8 +5,8 @@
 
 namespace sil {
 
-// One measured quantity, in the unit of the quantity: reported = round((true + bias + noise) / step) * step, of so many
-// reports before.
+// One measured quantity, in the unit of the quantity: reported = round((true + bias + noise) / step) * step,
+// of so many reports before.
 struct ChannelOptions {
     double noise_rms{0.0};          // standard deviation of the white noise on each reported value, >= 0
     double bias{0.0};               // not a number: the sensor reports "not available"
