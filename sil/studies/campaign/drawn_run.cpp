@@ -75,8 +75,13 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
                    const rsi::Parameters& calibration, const Manoeuvre& manoeuvre) {
     DrawnRun run;
     run.draw = draw;
-    // Who drives by chance drives otherwise in every run.
-    run.manoeuvre = manoeuvre.name == ordinary_driving_name ? ordinary_driving(draw.sensor_seed) : manoeuvre;
+    run.manoeuvre = manoeuvre;
+    run.options.steering_factor = draw.steering_factor;
+    // Who drives by chance drives otherwise in every run, and means an acceleration, not an angle.
+    if (manoeuvre.name == ordinary_driving_name) {
+        run.manoeuvre = ordinary_driving(draw.sensor_seed, ordinary_driving_s, draw.steering_factor);
+        run.options.steering_factor = 1.0;
+    }
     run.vehicle = vehicle;
     // What the manoeuvre changes in the vehicle belongs to the truth that load and errors are counted from.
     if (manoeuvre.adapt_vehicle) {
@@ -89,7 +94,6 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
     run.calibration = mistaken(calibration, run.vehicle, settings.spread, draw);
     run.options.mirrored = draw.mirrored;
     run.options.speed_factor = draw.speed_factor;
-    run.options.steering_factor = draw.steering_factor;
     run.options.duration_s = settings.manoeuvres[draw.manoeuvre].duration_s;
     run.sensors = drawn_sensors(settings, draw, run.vehicle);
     return run;

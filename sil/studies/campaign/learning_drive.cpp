@@ -32,11 +32,11 @@ class InputRecorder final : public RunObserver {
 
 std::vector<rsi::Inputs> learning_drive(const VehicleParameters& vehicle, const SensorOptions& sensors,
                                         const rsi::Parameters& calibration, double duration_s) {
-    const Manoeuvre manoeuvre = ordinary_driving(sensors.seed, duration_s);
+    const double share =
+        std::min(1.0, share_of_stability_factor * static_stability_factor(vehicle) / largest_acceleration_g);
+    const Manoeuvre manoeuvre = ordinary_driving(sensors.seed, duration_s, share);
     RunOptions options;
     options.speed_factor = from_kmh(speed_kmh) / manoeuvre.initial_speed_mps;
-    options.steering_factor =
-        std::min(1.0, share_of_stability_factor * static_stability_factor(vehicle) / largest_acceleration_g);
     InProcessRun run{vehicle, manoeuvre, options, sensors, calibration};
     InputRecorder recorder{run};
     run.run(recorder);

@@ -5,20 +5,25 @@
 
 #include "sil/random.hpp"
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/path_follower.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
 namespace sil {
 namespace {
 
 constexpr double largest_handwheel_rad = 6.0;
+constexpr double smallest_speed_mps = 5.0;
 
 // How hard a driver turns.
 struct Temper {
     double share_of_hard_turns;
-    double most_g;  // in the others
+    double most_g;             // in the others
+    double correction;         // share of what is felt too much or too little that goes into the wheel
+    double speed_share_per_s;  // how fast another speed is wanted
 };
-constexpr Temper mixed{0.4, 0.5};
-constexpr Temper ordinary{0.0, 0.4};
+constexpr Temper mixed{0.4, 0.5, 0.0, 1.0e3};
+// About 1 m/s^2: whoever accelerates or brakes harder than that in a turn takes the grip from an axle.
+constexpr Temper ordinary{0.0, 0.4, 1.5, 0.03};
 
 enum class Segment : std::uint8_t { straight, turn, lane_change, weave };
 
@@ -49,25 +54,36 @@ struct Course {
 
 class MixedDriver final : public Driver {
  public:
-    MixedDriver(const Temper& temper, std::uint64_t seed, double handwheel_at_0_3_g_rad)
-        : temper_{temper}, chance_{seed}, handwheel_at_0_3_g_rad_{handwheel_at_0_3_g_rad} {}
+    MixedDriver(const Temper& temper, std::uint64_t seed, const VehicleParameters& vehicle)
+        : temper_{temper},
+          chance_{seed},
+          ratio_{vehicle.steering.ratio},
+          wheelbase_m_{vehicle.geometry.front_axle_to_cg_m + vehicle.geometry.rear_axle_to_cg_m},
+          understeer_gradient_s2pm_{
+              understeer_gradient_s2pm(vehicle, handwheel_angle_at_0_3_g_rad(vehicle))} {}
 
     DriverCommand command(const Truth& truth) override {
         if (truth.time_s >= course_.begin_s + course_.duration_s) {
             course_ = next_course(truth.time_s);
         }
         DriverCommand command;
-        command.speed_share = course_.speed_share;
-        command.steering_wheel_angle_rad = angle_rad(truth.speed_mps) * course_.share(truth.time_s);
+        const double most_change = temper_.speed_share_per_s * (truth.time_s - last_s_);
+        last_s_ = truth.time_s;
+        speed_share_ += std::clamp(course_.speed_share - speed_share_, -most_change, most_change);
+        command.speed_share = speed_share_;
+        const double wanted_mps2 = course_.acceleration_mps2 * course_.share(truth.time_s);
+        command.steering_wheel_angle_rad =
+            angle_rad(wanted_mps2 + temper_.correction * (wanted_mps2 - truth.lateral_acceleration_mps2),
+                      truth.speed_mps);
         return command;
     }
 
  private:
-    // The linear single-track model has delta = a (l / v^2 + K); both parts are held to be equal at 50 mph.
-    double angle_rad(double speed_mps) const {
-        const double ratio = from_mph(50.0) / std::max(speed_mps, 5.0);
-        const double angle = handwheel_at_0_3_g_rad_ * course_.acceleration_mps2 / (0.3 * g_mps2) * 0.5 *
-                             (1.0 + ratio * ratio);
+    // What the linear single-track model takes for the acceleration: delta = a (l / v^2 + K).
+    double angle_rad(double acceleration_mps2, double speed_mps) const {
+        const double speed = std::max(speed_mps, smallest_speed_mps);
+        const double angle =
+            ratio_ * acceleration_mps2 * (wheelbase_m_ / (speed * speed) + understeer_gradient_s2pm_);
         return std::clamp(angle, -largest_handwheel_rad, largest_handwheel_rad);
     }
 
@@ -101,8 +117,12 @@ class MixedDriver final : public Driver {
 
     Temper temper_;
     RandomStream chance_;
-    double handwheel_at_0_3_g_rad_;
+    double ratio_;
+    double wheelbase_m_;
+    double understeer_gradient_s2pm_;
     Course course_{};
+    double speed_share_{1.0};
+    double last_s_{0.0};
 };
 
 Manoeuvre driving(const Temper& temper, const char* name, std::uint64_t seed, double duration_s) {
@@ -112,7 +132,7 @@ Manoeuvre driving(const Temper& temper, const char* name, std::uint64_t seed, do
     manoeuvre.initial_speed_mps = from_kmh(110.0);
     manoeuvre.make_road = flat_road();
     manoeuvre.make_driver = [temper, seed](const VehicleParameters& parameters) {
-        return std::make_unique<MixedDriver>(temper, seed, handwheel_angle_at_0_3_g_rad(parameters));
+        return std::make_unique<MixedDriver>(temper, seed, parameters);
     };
     return manoeuvre;
 }
@@ -123,8 +143,10 @@ Manoeuvre mixed_driving(std::uint64_t seed, double duration_s) {
     return driving(mixed, "mixed-driving", seed, duration_s);
 }
 
-Manoeuvre ordinary_driving(std::uint64_t seed, double duration_s) {
-    return driving(ordinary, ordinary_driving_name, seed, duration_s);
+Manoeuvre ordinary_driving(std::uint64_t seed, double duration_s, double share_of_acceleration) {
+    Temper temper = ordinary;
+    temper.most_g *= share_of_acceleration;
+    return driving(temper, ordinary_driving_name, seed, duration_s);
 }
 
 }  // namespace sil

@@ -11,9 +11,11 @@ namespace sil {
 // warning is due now and then and the vehicle may roll over. The same seed gives the same drive.
 Manoeuvre mixed_driving(std::uint64_t seed, double duration_s);
 
-// The same without hard turns: no more than about 0.4 g. No warning is due.
+// The same without hard turns: no more than about 0.4 g times `share_of_acceleration`, and the driver
+// corrects what the vehicle does otherwise than wanted. No warning is due.
 inline constexpr const char* ordinary_driving_name = "ordinary-driving";
 inline constexpr double ordinary_driving_s = 600.0;
-Manoeuvre ordinary_driving(std::uint64_t seed, double duration_s = ordinary_driving_s);
+Manoeuvre ordinary_driving(std::uint64_t seed, double duration_s = ordinary_driving_s,
+                           double share_of_acceleration = 1.0);
 
 }  // namespace sil
