@@ -67,8 +67,8 @@ void fail_if_any(const std::vector<std::string>& found, const char* what) {
         fmt::print("{}: {}\n", what, each);
     }
     if (!found.empty()) {
-        throw std::runtime_error(fmt::format(
-            "{} {} in sil/studies/faults/known_findings.toml: see the lines above", found.size(), what));
+        throw std::runtime_error(
+            "the findings are not those of sil/studies/faults/known_findings.toml: see the lines above");
     }
 }
 
@@ -84,9 +84,9 @@ void run_searches(const FaultSearchRequest& request) {
         unknown.insert(unknown.end(), more.begin(), more.end());
     }
     fmt::print("{}", sections);
-    fail_if_any(unknown, "finding not");
+    fail_if_any(unknown, "not known");
     if (!request.document.empty()) {
-        fail_if_any(vanished_findings(reports), "finding no longer found but");
+        fail_if_any(vanished_findings(reports), "known, but no longer found");
         write_file_atomically(request.document, search_document(sections));
     }
     if (!request.checked.empty() && read_whole_file(request.checked).find(sections) == std::string::npos) {
@@ -100,6 +100,9 @@ void run_search(const FaultSearchRequest& request) {
     if (request.single) {
         fmt::print("{}", FaultSearch{settings_of(request, 1U)}.explain(*request.single));
         return;
+    }
+    if (request.scenarios.empty()) {
+        throw CLI::RequiredError{"--scenarios or --scenario"};
     }
     run_searches(request);
 }
