@@ -17,6 +17,8 @@ try:
     import jinja2
 
     from model import DbcError, load, senders
+
+    import whole_file
 except ModuleNotFoundError as missing:
     sys.exit(f"generate.py: Python package '{missing.name}' is missing for {sys.executable}.\n"
              f"Install the generator's packages: {sys.executable} -m pip install -r {FOLDER / 'requirements.txt'}")
@@ -55,7 +57,7 @@ def main():
         print(f"generate.py: {arguments.dbc}: {error}", file=sys.stderr)
         return 2
     if not arguments.check:
-        arguments.output.write_text(text, encoding="utf-8")
+        whole_file.write(arguments.output, text)
         return 0
     changes = difference(arguments.output, text)
     if changes:

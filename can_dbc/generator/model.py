@@ -2,6 +2,7 @@
 import pathlib
 import re
 import struct
+import sys
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
@@ -9,6 +10,9 @@ from math import ceil, floor, lcm
 
 import cantools
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "cmake/environment"))
+
+import whole_file  # noqa: E402
 from names import CONVERSIONS, RESERVED, TAKEN, TAKEN_TYPES, UNIT_ENDINGS, camel_case, is_usable, snake_case
 
 NOT_AVAILABLE = "not available"
@@ -89,9 +93,11 @@ class Message:
 def load(path):
     """The messages of a DBC file, in the file's order."""
     try:
-        text = pathlib.Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise DbcError(f"cannot be read: {error}") from error
+        text = whole_file.read(path)
+    except OSError as error:
+        raise DbcError(f"cannot be read: {error.strerror}; check the path and the permissions") from error
+    except UnicodeDecodeError as error:
+        raise DbcError(f"cannot be read: it is no text in UTF-8: {error}") from error
     if re.search(r"^SIG_VALTYPE_\s+\d", text, re.MULTILINE):
         raise DbcError("SIG_VALTYPE_: signals in IEEE floating point are not supported; give the signal a factor")
     try:

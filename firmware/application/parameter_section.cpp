@@ -2,24 +2,10 @@
 
 #include <cstring>
 
+#include "application/little_endian.hpp"
+
 namespace application {
 namespace {
-
-std::uint32_t word_at(const std::uint8_t* bytes) {
-    return static_cast<std::uint32_t>(bytes[0]) | (static_cast<std::uint32_t>(bytes[1]) << 8U) |
-           (static_cast<std::uint32_t>(bytes[2]) << 16U) | (static_cast<std::uint32_t>(bytes[3]) << 24U);
-}
-
-std::uint32_t half_word_at(const std::uint8_t* bytes) {
-    return static_cast<std::uint32_t>(bytes[0]) | (static_cast<std::uint32_t>(bytes[1]) << 8U);
-}
-
-float float_at(const std::uint8_t* bytes) {
-    const std::uint32_t word = word_at(bytes);
-    float value = 0.0F;
-    std::memcpy(&value, &word, sizeof value);
-    return value;
-}
 
 bool has_magic(const std::uint8_t* bytes, std::size_t length) {
     bool same = (length >= section::magic.size());
@@ -37,30 +23,31 @@ ParametersRefusal check_form(const std::uint8_t* bytes, std::size_t length) {
     if (length < section::values_at) {
         return ParametersRefusal::length;
     }
-    if (half_word_at(bytes + section::version_at) != section::format_version) {
+    if (half_word_at(bytes, section::version_at) != section::format_version) {
         return ParametersRefusal::version;
     }
-    if ((half_word_at(bytes + section::count_at) != section::value_count) ||
-        (word_at(bytes + section::layout_at) != section::layout)) {
+    if ((half_word_at(bytes, section::count_at) != section::value_count) ||
+        (word_at(bytes, section::layout_at) != section::layout)) {
         return ParametersRefusal::layout;
     }
-    if ((length < section::length) || (word_at(bytes + section::length_at) != section::length)) {
+    if ((length < section::length) || (word_at(bytes, section::length_at) != section::length)) {
         return ParametersRefusal::length;
     }
-    const bool intact = (crc32(bytes, section::checksum_at) == word_at(bytes + section::checksum_at));
+    const bool intact = (crc32(bytes, section::checksum_at) == word_at(bytes, section::checksum_at));
     return intact ? ParametersRefusal::none : ParametersRefusal::checksum;
 }
 
-rsi::Parameters values_at(const std::uint8_t* bytes) {
+rsi::Parameters values_of(const std::uint8_t* bytes) {
     rsi::Parameters parameters{};
+    std::size_t place = section::values_at;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
-        parameters.*field.member = float_at(bytes);
-        bytes += 4;
+        parameters.*field.member = float_at(bytes, place);
+        place += 4U;
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
-        const std::uint32_t word = word_at(bytes);
+        const std::uint32_t word = word_at(bytes, place);
         std::memcpy(&(parameters.*field.member), &word, sizeof word);
-        bytes += 4;
+        place += 4U;
     }
     return parameters;
 }
@@ -73,7 +60,7 @@ ParameterSectionAnswer read_parameter_section(const std::uint8_t* bytes, std::si
     if (answer.refusal != ParametersRefusal::none) {
         return answer;
     }
-    const rsi::Parameters read = values_at(bytes + section::values_at);
+    const rsi::Parameters read = values_of(bytes);
     answer.validation = rsi::validate(read);
     if (answer.validation.accepted != 0) {
         parameters = read;

@@ -53,7 +53,6 @@ inline constexpr std::size_t value_count = float_count + rsi::selection_fields.s
 inline constexpr std::size_t checksum_at = values_at + 4U * value_count;
 inline constexpr std::size_t length = checksum_at + 4U;
 
-static_assert(sizeof(float) == 4U, "a value is four bytes");
 static_assert(
     sizeof(rsi::Parameters) == 4U * value_count,
     "a field of rsi_parameters is missing in rsi/parameters.hpp, so the section would not carry it");

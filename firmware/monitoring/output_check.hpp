@@ -1,6 +1,7 @@
 // Output check: whether what the component has computed can be published.
 #pragma once
 
+#include "rsi/adaptation/load_bounds.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/output_table.hpp"
 #include "rsi/types.hpp"
@@ -19,8 +20,8 @@ inline bool estimate_is_in_range(const rsi::Outputs& outputs) noexcept {
     return rsi::is_within_magnitude(outputs.roll_centre_vertical_m, 2.0F) &&
            rsi::is_within_magnitude(outputs.roll_stiffness_deviation_nmprad, 1.0e10F) &&
            rsi::is_within_magnitude(outputs.roll_damping_deviation_nmsprad, 1.0e5F) &&
-           rsi::is_within(outputs.load_excess, -0.45F, 1.0F) &&
-           rsi::is_within(outputs.load_excess_deviation, 0.0F, 0.25F);
+           rsi::is_within(outputs.load_excess, rsi::least_load_excess, rsi::largest_load_excess) &&
+           rsi::is_within(outputs.load_excess_deviation, 0.0F, rsi::largest_load_excess_deviation);
 }
 
 // Everything that the table of outputs says is always there.

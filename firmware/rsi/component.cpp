@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "rsi/indicator/extended_indicator.hpp"
 #include "rsi/indicator/roll_stability_indicator.hpp"
 #include "rsi/model/roll_centre.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
@@ -70,7 +71,6 @@ void Component::start(const Parameters& parameters) {
     estimator_.init(parameters);
     threshold_.init(parameters);
     load_transfer_.init(parameters);
-    extended_.init(parameters);
     steering_demand_.init(parameters);
     lateral_response_.init(parameters);
     moment_arm_error_.init(parameters);
@@ -96,7 +96,6 @@ void Component::assume_body(const SprungBody& body) {
     estimator_.assume_body(body);
     threshold_.assume_body(body);
     load_transfer_.assume_body(body);
-    extended_.assume_body(body);
     moment_arm_error_.assume_body(body);
     predictor_.assume_body(body);
 }
@@ -143,7 +142,7 @@ void Component::assume_body(const SprungBody& body) {
     // Load transfer, (26), and the extended RSI.
     const TransferredLoad load = load_transfer_.evaluate(motion);
     outputs.load_transfer_ratio = load.ratio;
-    outputs.rsi_extended = extended_.level(motion);
+    outputs.rsi_extended = extended_level(motion, load_transfer_.vehicle());
 
     // Predict both.
     const DemandedForce demand = steering_demand_.evaluate(inputs, measured);
@@ -152,7 +151,7 @@ void Component::assume_body(const SprungBody& body) {
     const LateralResponse* const response =
         lateral_response_.update(motion, demand) ? &lateral_response_ : nullptr;
     const Prediction predicted =
-        predictor_.evaluate(motion, load, demand, response, moment_arm_error, load_transfer_, extended_);
+        predictor_.evaluate(motion, load, demand, response, moment_arm_error, load_transfer_);
     outputs.predicted_load_transfer_ratio = predicted.load_transfer_ratio;
     outputs.opposite_load_transfer_ratio = predicted.opposite_ratio;
     outputs.predicted_rsi = larger(outputs.rsi_extended, predicted.rsi_extended);

@@ -4,7 +4,6 @@
 #include "rsi/adaptation/load_adaptation.hpp"
 #include "rsi/comparison/classic_indices.hpp"
 #include "rsi/estimation/roll_centre_estimator.hpp"
-#include "rsi/indicator/extended_indicator.hpp"
 #include "rsi/indicator/load_transfer.hpp"
 #include "rsi/indicator/stability_threshold.hpp"
 #include "rsi/measurement/measurement.hpp"
@@ -63,7 +62,6 @@ class Component {
     RollCentreEstimator estimator_{};
     StabilityThresholdStage threshold_{};
     LoadTransfer load_transfer_{};
-    ExtendedIndicator extended_{};
     SteeringDemand steering_demand_{};
     LateralResponse lateral_response_{};
     MomentArmError moment_arm_error_{};

@@ -5,8 +5,14 @@
 
 #include <charconv>
 #include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <limits>
+#include <new>
+#include <system_error>
 #include <vector>
+
+#include "sil/files/standard_streams.hpp"
 
 namespace sil {
 namespace {
@@ -63,21 +69,51 @@ std::string cause_of(const CLI::App& app, const CLI::ParseError& error) {
     return text;
 }
 
-}  // namespace
-
-int report(const CLI::App& app, const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-        return app.exit(error);
-    }
-    return report_usage_error(app, cause_of(app, error));
-}
-
-int report_usage_error(const CLI::App& app, const std::string& cause) {
+int usage_error(const CLI::App& app, const std::string& cause) {
     const CLI::App& command = innermost(app);
     const std::string words =
         &command == &app ? app.get_name() : fmt::format("{} {}", app.get_name(), command.get_name());
-    fmt::print(stderr, "{}: {}\nTry: {} --help\n", app.get_name(), cause, words);
+    tell(fmt::format("{}: {}\nTry: {} --help\n", app.get_name(), cause, words));
     return usage_error_status;
+}
+
+int failure(const CLI::App& app, const std::string& cause) {
+    tell(fmt::format("{}: {}\n", app.get_name(), cause));
+    return 1;
+}
+
+int status_of(const CLI::App& app, const std::function<void()>& work) {
+    try {
+        work();
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return error.get_exit_code() == 0 ? app.exit(error) : usage_error(app, cause_of(app, error));
+    } catch (const UsageError& error) {
+        return usage_error(app, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return failure(app, fmt::format("{}: {}; check the path and the permissions", error.path1().string(),
+                                        error.code().message()));
+    } catch (const std::system_error& error) {
+        // fmt's when stdout cannot be written, of which the program's end tells.
+        return std::ferror(stdout) != 0 ? 1 : failure(app, error.what());
+    } catch (const std::bad_alloc&) {
+        return failure(app, "there is not enough memory for this; give less at a time");
+    } catch (const std::exception& error) {
+        return failure(app, error.what());
+    }
+}
+
+}  // namespace
+
+int run_program(const CLI::App& app, const std::function<void()>& work) {
+    occupy_closed_streams();
+    const int status = status_of(app, work);
+    const int lost = finish_output(app.get_name());
+    return status == 0 ? lost : status;
+}
+
+void tell(const std::string& text) {
+    static_cast<void>(std::fputs(text.c_str(), stderr));
 }
 
 std::function<std::string(const std::string&)> number_within(double minimum, double maximum) {

@@ -1,22 +1,31 @@
-// Command line: what rsi-sil and rsi-ecu say when theirs is wrong, and checks of values.
+// Command line: how rsi-sil and rsi-ecu begin and end, what they say when something is wrong, and checks of
+// values.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace sil {
 
 inline constexpr int usage_error_status = 2;
 
-// Returns the exit status. A request for help is answered on stdout; what is wrong is said on stderr in one
-// line "PROGRAM: cause", followed by the command that shows the help.
-int report(const CLI::App& app, const CLI::ParseError& error);
+// The command line is wrong in a way that CLI11 does not know of.
+class UsageError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
 
-// The same for a cause that CLI11 does not know of.
-int report_usage_error(const CLI::App& app, const std::string& cause);
+// All that a program does, and its exit status. A request for help is answered on stdout. What is wrong is
+// said on stderr in one line "PROGRAM: cause", after a wrong command line (status 2) followed by the command
+// that shows the help. Output that could not be written is a failure, too.
+int run_program(const CLI::App& app, const std::function<void()>& work);
+
+// On stderr. Without a reader nothing is lost that matters, so that is no error.
+void tell(const std::string& text);
 
 // A check for an option: empty when good, else what is wanted. CLI11's own range checks let NaN pass.
 std::function<std::string(const std::string&)> number_within(double minimum, double maximum);

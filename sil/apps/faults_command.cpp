@@ -91,14 +91,13 @@ struct EnduranceRequest {
 
 EnduranceResult run_with_progress(const EnduranceRequest& request, const EnduranceSettings& settings) {
     const auto progress = [&settings](double share) {
-        fmt::print(stderr, "\r{:g} simulated hours, seed {}: {:3.0f} %", settings.hours, settings.seed,
-                   share * 100.0);
-        std::fflush(stderr);
+        tell(fmt::format("\r{:g} simulated hours, seed {}: {:3.0f} %", settings.hours, settings.seed,
+                         share * 100.0));
     };
     const EnduranceResult result = run_endurance(
         load_vehicle(request.vehicle_file), load_calibration(request.calibration_file), settings, progress);
     progress(1.0);
-    fmt::print(stderr, "\n");
+    tell("\n");
     return result;
 }
 

@@ -42,7 +42,7 @@ struct IdentifyRequest {
 void simulate_drives(IdentifyRequest& request) {
     const VehicleParameters vehicle = load_vehicle(request.simulated_vehicle);
     const std::filesystem::path folder = request.output / "drives";
-    std::filesystem::create_directories(folder);
+    make_folder(folder);
     const auto drive = [&](const char* manoeuvre, std::vector<std::string>& files) {
         const std::filesystem::path file = folder / (std::string{manoeuvre} + ".csv");
         write_file_atomically(file,
@@ -82,11 +82,11 @@ std::vector<Drive> read_all(const std::vector<std::string>& files) {
 
 // Results of an earlier identification must not be taken for those of this one, should it fail.
 void prepare_folder(const std::filesystem::path& output) {
-    std::filesystem::create_directories(output);
+    make_folder(output);
     for (const char* name :
          {"calibration.toml", "report.txt", "fit.csv", "curve.csv", "fit.gp", "calibration.refused.toml",
           "roll_stiffness.svg", "roll_stiffness.png", "fit.svg", "fit.png"}) {
-        std::filesystem::remove(output / name);
+        remove_file(output / name);
     }
 }
 
@@ -99,10 +99,10 @@ void draw(const std::filesystem::path& output) {
     const bool drawn = posix_spawn(&child, script.c_str(), nullptr, nullptr, arguments, environ) == 0 &&
                        waitpid(child, &status, 0) == child && status == 0;
     if (!drawn) {
-        fmt::print(stderr,
-                   "rsi-sil: no pictures were drawn; the calibration does not need them. Later: "
-                   "sil/studies/identification/draw {}\n",
-                   output.string());
+        tell(
+            fmt::format("rsi-sil: no pictures were drawn; the calibration does not need them. Later: "
+                        "sil/studies/identification/draw {}\n",
+                        output.string()));
     }
 }
 
@@ -119,13 +119,13 @@ void identify_vehicle(IdentifyRequest& request) {
     const Identification result =
         identify(vehicle, read_all(request.ramps), read_all(request.dynamics), options);
     const std::string report = identification_report(result);
-    fmt::print("{}", report);
     write_file_atomically(request.output / "report.txt", report);
     write_file_atomically(request.output / "fit.csv", fit_csv(result));
     write_file_atomically(request.output / "curve.csv", curve_csv(result));
     write_file_atomically(request.output / "fit.gp", fit_marks(result));
     const std::filesystem::path calibration = request.output / "calibration.toml";
     write_file_atomically(calibration, calibration_text(result));
+    fmt::print("{}", report);
     try {
         load_calibration(calibration.string());
     } catch (const InputError& error) {

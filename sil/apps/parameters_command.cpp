@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "sil/files/calibration_file.hpp"
@@ -25,6 +29,17 @@ struct ParametersRequest {
     std::string name;
     std::filesystem::path checked;
 };
+
+std::optional<std::uint32_t> address(std::string_view text) {
+    const bool is_hexadecimal = text.substr(0U, 2U) == "0x";
+    if (is_hexadecimal) {
+        text.remove_prefix(2U);
+    }
+    std::uint32_t value = 0U;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value, is_hexadecimal ? 16 : 10);
+    return error == std::errc{} && rest == end ? std::optional{value} : std::nullopt;
+}
 
 std::string content_of(const ParametersRequest& request, const rsi::Parameters& parameters,
                        const std::string& name) {
@@ -89,8 +104,18 @@ void add_parameters_command(CLI::App& app) {
                               ->capture_default_str()
                               ->needs(output);
     command
-        ->add_option("--address", request->address,
-                     "Where the section lies in memory, for example 0x00180000")
+        ->add_option_function<std::string>(
+            "--address",
+            [request](const std::string& text) {
+                request->address = address(text).value_or(request->address);
+            },
+            "Where the section lies in memory, for example 0x00180000")
+        ->check([](const std::string& text) {
+            return address(text)
+                       ? std::string{}
+                       : fmt::format("wants an address of 32 bits, decimal or as 0x00180000, not {}", text);
+        })
+        ->type_name("UINT")
         ->needs(format);
     command->add_option("--name", request->name, "Name in the section (default: the file's)")->needs(output);
     CLI::Option* check =

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <utility>
+
+#include "sil/apps/command_line.hpp"
 
 namespace sil {
 
@@ -18,8 +19,8 @@ void ProgressLine::show(const RowProgress& progress) {
     next_s_ = progress.elapsed_s + (terminal_ ? 0.5 : 10.0);
     const double rate = static_cast<double>(progress.finished - progress.begun_with) / progress.elapsed_s;
     const double left_s = static_cast<double>(progress.total - progress.finished) / rate;
-    fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", text_(progress, rate, left_s),
-               terminal_ && !last ? "      " : "\n");
+    tell(fmt::format("{}{}{}", terminal_ ? "\r" : "", text_(progress, rate, left_s),
+                     terminal_ && !last ? "      " : "\n"));
 }
 
 }  // namespace sil

@@ -6,11 +6,14 @@
 
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "sil/apps/command_line.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/candump_log.hpp"
 #include "sil/files/whole_file.hpp"
 #include "sil/results/event_marks.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
@@ -44,16 +47,15 @@ const std::vector<std::string>& replay_contents() {
 }
 
 // The first line of a log begins with "(", no CSV header does.
-bool is_candump_log(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    char first = '\0';
-    stream >> first;
-    return first == '(';
+bool is_candump_log(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && text[first] == '(';
 }
 
-DriveReplay replay_log(const std::filesystem::path& file, const rsi::Parameters& parameters) {
+DriveReplay replay_log(const std::vector<LoggedFrame>& log, const std::filesystem::path& file,
+                       const rsi::Parameters& parameters) {
     try {
-        return replay_drive(read_candump_log(file), parameters, is_interrupted);
+        return replay_drive(log, parameters, is_interrupted);
     } catch (const ReplayError& error) {
         throw std::runtime_error(error.line() > 0U
                                      ? fmt::format("{}:{}:1: {}", file.string(), error.line(), error.what())
@@ -83,8 +85,8 @@ class Replayer {
           names_{drive_names(request.files)} {}
 
     void run() {
-        std::filesystem::create_directories(request_.output);
-        std::filesystem::remove(request_.output / "table.csv");
+        make_folder(request_.output);
+        remove_file(request_.output / "table.csv");
         for (std::size_t index = 0U; index < request_.files.size(); ++index) {
             replay_or_tell(index);
         }
@@ -101,7 +103,7 @@ class Replayer {
  private:
     void replay_or_tell(std::size_t index) {
         const std::string file = request_.files[index].string();
-        fmt::print(stderr, "[{}/{}] {}\n", index + 1U, request_.files.size(), file);
+        tell(fmt::format("[{}/{}] {}\n", index + 1U, request_.files.size(), file));
         try {
             rows_.push_back(replay_row(file, names_[index], replay_file(index)));
         } catch (const ReplayInterrupted&) {
@@ -109,7 +111,7 @@ class Replayer {
                 "interrupted at {}; there are whole results of the {} files before it, and no table", file,
                 index));
         } catch (const std::exception& error) {
-            fmt::print(stderr, "rsi-sil: {}\n", error.what());
+            tell(fmt::format("rsi-sil: {}\n", error.what()));
             rows_.push_back(failed_row(file, names_[index]));
             failed_ += (failed_.empty() ? "" : ", ") + file;
             ++failed_count_;
@@ -121,11 +123,12 @@ class Replayer {
         WholeFolder folder{request_.output / names_[index], replay_contents()};
         ReplaySource source{names_[index], file.string(), "csv", request_.parameters.stem().string(), {}};
         DriveReplay replay;
-        if (is_candump_log(file)) {
+        const std::string text = read_whole_file(file);
+        if (is_candump_log(text)) {
             source.kind = "candump";
-            replay = replay_log(file, parameters_);
+            replay = replay_log(parse_candump_log(text, file), file, parameters_);
         } else {
-            const Drive drive = read_drive_csv(file);
+            const Drive drive = parse_drive_csv(text, file);
             tell_ignored(drive);
             source.ignored_columns = drive.ignored_columns;
             replay = replay_drive(drive, parameters_, is_interrupted);
@@ -145,7 +148,7 @@ class Replayer {
         for (const std::string& name : drive.ignored_columns) {
             names += (names.empty() ? "" : ", ") + name;
         }
-        fmt::print(stderr, "  columns that a replay does not use: {}\n", names);
+        tell(fmt::format("  columns that a replay does not use: {}\n", names));
     }
 
     void write(const std::filesystem::path& folder, const ReplaySource& source, const DriveReplay& replay) {

@@ -4,8 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -26,11 +24,6 @@ struct ReplayRequest {
     std::filesystem::path output;
 };
 
-class UsageError : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
-
 // A handler may only set this; the loop looks at it once a cycle.
 volatile std::sig_atomic_t end_requested = 0;
 
@@ -41,12 +34,13 @@ void request_end(int) {
 void run_loop(const sil::EcuRequest& request, const std::string& parameters) {
     std::signal(SIGTERM, request_end);
     std::signal(SIGINT, request_end);
+    std::signal(SIGPIPE, SIG_IGN);  // it warns on, whoever has read its messages
     sil::run_ecu(request, sil::load_calibration(parameters), end_requested);
 }
 
 void require_parameters(const std::string& parameters) {
     if (parameters.empty()) {
-        throw UsageError{
+        throw sil::UsageError{
             "--parameters FILE is missing: the calibration of the component. The project has some in "
             "firmware/calibrations, for example firmware/calibrations/large_suv.toml"};
     }
@@ -66,7 +60,7 @@ std::vector<sil::LoggedFrame> answers_to(const ReplayRequest& request) {
 void replay_log(const ReplayRequest& request) {
     std::error_code ignored;  // set when the output does not exist, as it should be
     if (std::filesystem::equivalent(request.log, request.output, ignored)) {
-        throw UsageError{
+        throw sil::UsageError{
             fmt::format("--output {} is the log to replay, which would be lost; choose another name",
                         request.output.string())};
     }
@@ -102,7 +96,7 @@ int main(int argc, char** argv) {
     replayed->add_option("--parameters", replay.parameters, "Calibration of the component (TOML)");
     replayed->add_option("--output", replay.output, "Log of the frames that the firmware sends")->required();
 
-    try {
+    return sil::run_program(app, [&] {
         app.parse(argc, argv);
         if (replayed->parsed()) {
             require_parameters(replay.parameters);
@@ -111,13 +105,5 @@ int main(int argc, char** argv) {
             require_parameters(parameters);
             run_loop(request, parameters);
         }
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        return sil::report(app, error);
-    } catch (const UsageError& error) {
-        return sil::report_usage_error(app, error.what());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "rsi-ecu: {}\n", error.what());
-        return 1;
-    }
+    });
 }

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -118,15 +116,11 @@ int main(int argc, char** argv) {
     sil::add_fault_search_command(app);
     sil::add_identify_command(app);
     sil::add_parameters_command(app);
-    try {
-        app.parse(argc, argv);
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        return sil::report(app, error);
-    } catch (const sil::UnknownManoeuvre& error) {
-        return sil::report_usage_error(app, error.what());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "rsi-sil: {}\n", error.what());
-        return 1;
-    }
+    return sil::run_program(app, [&] {
+        try {
+            app.parse(argc, argv);
+        } catch (const sil::UnknownManoeuvre& error) {
+            throw sil::UsageError{error.what()};
+        }
+    });
 }

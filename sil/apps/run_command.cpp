@@ -7,6 +7,7 @@
 #include "sil/apps/run_recorder.hpp"
 #include "sil/apps/run_timing.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/results/summary.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
@@ -14,12 +15,16 @@
 namespace sil {
 namespace {
 
+// In real time somebody else may write a log of this name.
+std::filesystem::path log_of(const RunRequest& request) {
+    return request.output / "candump.log";
+}
+
 std::unique_ptr<RunTiming> timing_of(const RunRequest& request, const rsi::Parameters& calibration) {
-    const std::filesystem::path log = request.output / "candump.log";
     if (request.in_process) {
-        return in_process(calibration, request.interface, log);
+        return in_process(calibration, request.interface, log_of(request));
     }
-    return request.lock_step ? lock_step(request.interface, log) : real_time(request.interface);
+    return request.lock_step ? lock_step(request.interface, log_of(request)) : real_time(request.interface);
 }
 
 const char* pace_name(const RunRequest& request) {
@@ -65,6 +70,9 @@ void run_manoeuvre(const RunRequest& request) {
         check_interface(request.interface);
     }
     prepare_run_folder(request.output);
+    if (request.in_process || request.lock_step) {
+        remove_file(log_of(request));
+    }
     const std::unique_ptr<RunTiming> timing = timing_of(request, calibration);
     RunRecorder recorder{request.output, plant.duration_s()};
     if (timing->outputs() != nullptr) {

@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "sil/files/whole_file.hpp"
 #include "sil/results/event_marks.hpp"
 
 namespace sil {
 
 void prepare_run_folder(const std::filesystem::path& output) {
-    std::filesystem::create_directories(output);
+    make_folder(output);
     for (const char* name : {"signals.csv", "events.gp", "summary.json", "firmware.csv", "lifts.csv"}) {
-        std::filesystem::remove(output / name);
+        remove_file(output / name);
     }
 }
 

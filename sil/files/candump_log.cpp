@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <iterator>
-#include <sstream>
-#include <stdexcept>
+#include <utility>
 
 #include "sil/files/whole_file.hpp"
 #include "sil/input_error.hpp"
@@ -207,10 +204,6 @@ class LineParser {
     LoggedFrame logged_;
 };
 
-std::string reason_of_failure() {
-    return errno != 0 ? std::strerror(errno) : "unknown reason";
-}
-
 }  // namespace
 
 std::string format_candump_line(const LoggedFrame& logged) {
@@ -250,16 +243,20 @@ ParsedCandumpLine parse_candump_line(std::string_view line) {
 }
 
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path) {
-    std::istringstream text(read_whole_file(path));
+    return parse_candump_log(read_whole_file(path), path);
+}
+
+std::vector<LoggedFrame> parse_candump_log(std::string_view text, const std::filesystem::path& file) {
     std::vector<LoggedFrame> frames;
-    std::string line;
-    for (std::size_t number = 1U; std::getline(text, line); ++number) {
+    for (std::size_t number = 1U; !text.empty(); ++number) {
+        const std::string_view line = text.substr(0U, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1U, text.size()));
         if (line.empty() || line == "\r") {
             continue;
         }
         ParsedCandumpLine parsed = parse_candump_line(line);
         if (!parsed.frame) {
-            throw InputError(fmt::format("{}:{}:{}: {}", path.string(), number, parsed.error.column,
+            throw InputError(fmt::format("{}:{}:{}: {}", file.string(), number, parsed.error.column,
                                          parsed.error.message));
         }
         frames.push_back(std::move(*parsed.frame));
@@ -268,25 +265,8 @@ std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path) {
     return frames;
 }
 
-CandumpLogWriter::CandumpLogWriter(const std::filesystem::path& path) : path_(path) {
-    errno = 0;
-    file_.open(path, std::ios::binary | std::ios::trunc);
-    if (!file_) {
-        throw std::runtime_error(
-            fmt::format("cannot write {}: {}; check that the folder exists and may be written", path.string(),
-                        reason_of_failure()));
-    }
-}
-
 void CandumpLogWriter::write(const LoggedFrame& logged) {
-    file_ << format_candump_line(logged) << '\n';
-}
-
-void CandumpLogWriter::close() {
-    file_.close();
-    if (!file_) {
-        throw std::runtime_error(fmt::format("cannot finish {}: is the disk full?", path_.string()));
-    }
+    file_.write(format_candump_line(logged) + '\n');
 }
 
 }  // namespace sil

@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hal/interface/can_bus.hpp"
+#include "sil/files/whole_file.hpp"
 
 namespace sil {
 
@@ -50,19 +50,22 @@ ParsedCandumpLine parse_candump_line(std::string_view line);
 // "FILE:LINE:COLUMN: what is wrong", or that the file cannot be read.
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& path);
 
+// The same of a text that was read from `file`.
+std::vector<LoggedFrame> parse_candump_log(std::string_view text, const std::filesystem::path& file);
+
 class CandumpLogWriter {
  public:
-    // Throws std::runtime_error with path and reason.
-    explicit CandumpLogWriter(const std::filesystem::path& path);
+    // Begins the file (sil/files/whole_file.hpp). Throws std::runtime_error with path and reason, like all of
+    // it.
+    explicit CandumpLogWriter(const std::filesystem::path& path) : file_{path} {}
 
     void write(const LoggedFrame& logged);
 
-    // Flushes and checks that everything has reached the file; throws std::runtime_error if not.
-    void close();
+    // From here on the log is there.
+    void close() { file_.finish(); }
 
  private:
-    std::filesystem::path path_;
-    std::ofstream file_;
+    GrowingFile file_;
 };
 
 }  // namespace sil

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <iterator>
-#include <stdexcept>
-#include <utility>
 
 namespace sil {
 
@@ -62,22 +58,8 @@ std::string csv_header(const std::vector<std::string>& columns) {
     return row.line();
 }
 
-CsvFile::CsvFile(std::filesystem::path path, const std::string& header) : path_{std::move(path)} {
-    errno = 0;
-    file_.open(path_, std::ios::binary | std::ios::trunc);
-    if (!file_) {
-        throw std::runtime_error(
-            fmt::format("cannot write {}: {}; check that the folder exists and may be written",
-                        path_.string(), std::strerror(errno)));
-    }
+CsvFile::CsvFile(const std::filesystem::path& path, const std::string& header) : file_{path} {
     write(header);
-}
-
-void CsvFile::close() {
-    file_.close();
-    if (!file_) {
-        throw std::runtime_error(fmt::format("cannot finish {}: is the disk full?", path_.string()));
-    }
 }
 
 }  // namespace sil

@@ -3,11 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "sil/files/whole_file.hpp"
 
 namespace sil {
 
@@ -59,17 +60,17 @@ std::string csv_header(const std::vector<std::string>& columns);
 
 class CsvFile {
  public:
-    // Opens the file and writes the header. Throws std::runtime_error with path and reason.
-    CsvFile(std::filesystem::path path, const std::string& header);
+    // Begins the file (sil/files/whole_file.hpp) with the header. Throws std::runtime_error with path and
+    // reason, like all of it.
+    CsvFile(const std::filesystem::path& path, const std::string& header);
 
-    void write(const std::string& line) { file_ << line << '\n'; }
+    void write(const std::string& line) { file_.write(line + '\n'); }
 
-    // Flushes and checks that everything has reached the file; throws std::runtime_error if not.
-    void close();
+    // From here on the file is there.
+    void close() { file_.finish(); }
 
  private:
-    std::filesystem::path path_;
-    std::ofstream file_;
+    GrowingFile file_;
 };
 
 }  // namespace sil

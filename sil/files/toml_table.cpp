@@ -17,6 +17,10 @@
 namespace sil {
 namespace {
 
+// A hundred times what the settings of a campaign with a thousand vehicles need; what is parsed takes many
+// times as much.
+constexpr std::uint64_t longest_toml_bytes = 16U * 1024U * 1024U;
+
 struct Document {
     std::string file;
     toml::table root{};
@@ -25,7 +29,7 @@ struct Document {
 
 std::string text_of(const std::filesystem::path& path, std::string_view example) {
     try {
-        return read_whole_file(path);
+        return read_whole_file(path, longest_toml_bytes);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}{}{}", error.what(), example.empty() ? "" : ", or ", example));
     }
@@ -75,7 +79,7 @@ struct TomlTable::State {
         const auto changed = document->changes.find(full_name(key));
         const std::string label = fmt::format("\"{}\"", full_name(printable(key)));
         return changed != document->changes.end()
-                   ? fmt::format("{}: {}", changed->second, label)
+                   ? fmt::format("{}: {}", printable(changed->second), label)
                    : fmt::format("{}:{}: {}", document->file, where.begin.line, label);
     }
 
@@ -132,13 +136,13 @@ void TomlTable::change(const std::string& text, std::string_view example) {
     const std::size_t equals = text.find('=');
     const std::string key = text.substr(0U, text.find_last_not_of(" =", equals) + 1U);
     if (equals == std::string::npos || !state_->is_known(key)) {
-        throw InputError(
-            fmt::format("\"{}\" must be KEY=VALUE with a key of {}, such as {}", text, file(), example));
+        throw InputError(fmt::format("\"{}\" must be KEY=VALUE with a key of {}, such as {}", printable(text),
+                                     file(), example));
     }
     const std::string value = text.substr(equals + 1U);
     toml::table changed = value_of(value);
     if (changed.size() != 1U) {
-        throw InputError(fmt::format("\"{}\": {} is not one value", text, value));
+        throw InputError(fmt::format("\"{}\": {} is not one value", printable(text), printable(value)));
     }
     state_->table->insert_or_assign(key, std::move(*changed.get("value")));
     state_->document->changes[state_->full_name(key)] = text;
@@ -156,6 +160,10 @@ void TomlTable::refuse_unknown_keys() const {
                             state_->place(key.source(), key.str()), fmt::join(state_->known, ", ")));
         }
     }
+}
+
+bool TomlTable::is_empty() const {
+    return state_->table->empty();
 }
 
 bool TomlTable::has(std::string_view key) {

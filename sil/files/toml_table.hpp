@@ -39,6 +39,7 @@ class TomlTable {
     // Throws at the first key that is not known.
     void refuse_unknown_keys() const;
 
+    bool is_empty() const;
     bool has(std::string_view key);
 
     double number(std::string_view key);

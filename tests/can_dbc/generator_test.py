@@ -1,4 +1,5 @@
 """The generator refuses what it cannot carry, naming the place; it notices drift; and the project's DBC file is complete."""
+import os
 import pathlib
 import re
 import subprocess
@@ -116,6 +117,19 @@ class Refusals(Refusing):
         self.assertEqual(result.returncode, 2)
         self.assertIn("no_such.dbc", result.stderr)
         self.assertNotIn("Traceback", result.stderr)
+
+    def test_a_file_without_an_end(self):
+        result = generate("--dbc", "/dev/zero", "--output", "unused.hpp")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("/dev/zero: cannot be read: it is a device or a pipe and no ordinary file", result.stderr)
+
+    def test_a_header_that_cannot_be_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for place, why in ((pathlib.Path(folder, "none", "header.hpp"), "No such file or directory"), (folder, "it is a folder")):
+                result = generate("--output", place)
+                self.assertEqual(result.returncode, 1)
+                self.assertIn(f"cannot write {os.path.realpath(place)}: {why}", result.stderr)
+                self.assertNotIn("Traceback", result.stderr)
 
     def test_a_python_without_its_packages(self):
         result = generate("--check", options=("-S",))

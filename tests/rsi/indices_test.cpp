@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "rsi/component.hpp"
+#include "rsi/indicator/extended_indicator.hpp"
+#include "rsi/indicator/load_transfer.hpp"
 #include "rsi/model/critical_roll_angle.hpp"
 #include "tests/rsi/support/body_kinematics.hpp"
 #include "tests/rsi/support/damage.hpp"
@@ -401,8 +403,8 @@ TEST(CriticalRollAngle, IsFoundUpToOneRadianAndNotBeyond) {
 
 // Where nothing rights the vehicle, T_dyn is 0.001 + 0.05 |A/N|.
 TEST(ExtendedIndicator, EndsShortOfTwenty) {
-    rsi::ExtendedIndicator extended;
-    extended.init(rsi_test::large_suv());
+    rsi::LoadTransfer load_transfer;
+    load_transfer.init(rsi_test::large_suv());
     for (const double N : {1.0, 5.0}) {
         for (const double side : {1.0, -1.0}) {
             const double expected = (60.0 / N) / (0.001 + 0.05 * 60.0 / N);
@@ -410,7 +412,8 @@ TEST(ExtendedIndicator, EndsShortOfTwenty) {
             motion.road_parallel_force_mps2 = static_cast<float>(side * 60.0);
             motion.road_normal_force_mps2 = static_cast<float>(N);
             motion.roll_angle_rad = static_cast<float>(side * 1.66);  // a tangent above 3
-            EXPECT_NEAR(wide(extended.level(motion)), expected, 1.0e-4 * expected);
+            EXPECT_NEAR(wide(rsi::extended_level(motion, load_transfer.vehicle())), expected,
+                        1.0e-4 * expected);
         }
     }
 }

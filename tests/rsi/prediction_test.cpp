@@ -22,19 +22,17 @@ class Look {
     explicit Look(const rsi_parameters& parameters) {
         predictor_.init(parameters);
         load_transfer_.init(parameters);
-        extended_.init(parameters);
     }
     rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {},
                           const rsi::LateralResponse* response = nullptr) const {
         return predictor_.evaluate(motion, load_transfer_.evaluate(motion), demand, response, 0.0F,
-                                   load_transfer_, extended_);
+                                   load_transfer_);
     }
     float present(const rsi::RollMotion& motion) const { return load_transfer_.evaluate(motion).ratio; }
 
  private:
     rsi::RollPredictor predictor_{};
     rsi::LoadTransfer load_transfer_{};
-    rsi::ExtendedIndicator extended_{};
 };
 
 rsi::RollMotion motion_with(double A, double phi, double rate, double force_rate = 0.0) {
@@ -248,9 +246,11 @@ TEST(ResponsePrediction, TheHorizonIsRoundedToSteps) {
     const auto level = [&](double ahead_s) {
         return LookAlongTheResponse{ahead_s, 0.0}(motion, 8.0).load_transfer_ratio;
     };
-    ASSERT_GT(level(0.02), level(0.0));
-    EXPECT_EQ(level(0.0105), level(0.02));
-    EXPECT_EQ(level(0.0095), level(0.0));
+    ASSERT_GT(level(0.04), level(0.0));
+    EXPECT_EQ(level(0.0205), level(0.04));
+    EXPECT_EQ(level(0.0195), level(0.0));
+    EXPECT_EQ(level(0.0605), level(0.08));
+    EXPECT_EQ(level(0.0595), level(0.04));
 }
 
 // What lies further ahead than a tenth of a second counts less by the margin, what is nearer and the present
@@ -261,9 +261,9 @@ TEST(ResponsePrediction, TheMarginGrowsWithTheTimeAhead) {
         return static_cast<double>(
             LookAlongTheResponse{ahead_s, margin_per_s}(motion, 8.0).load_transfer_ratio);
     };
-    EXPECT_EQ(level(0.1, 0.0), level(0.1, 1.0));
+    EXPECT_EQ(level(0.08, 0.0), level(0.08, 1.0));
     EXPECT_NEAR(level(0.12, 0.0) - level(0.12, 1.0), 0.02, 1e-4);
-    EXPECT_NEAR(level(0.3, 0.0) - level(0.3, 1.0), 0.2, 1e-4);
+    EXPECT_NEAR(level(0.28, 0.0) - level(0.28, 1.0), 0.18, 1e-4);
     const double present = level(0.0, 0.0);
     EXPECT_EQ(level(0.3, 2.0) >= present, true);
     EXPECT_EQ(LookAlongTheResponse(0.0, 0.0).present(motion), present);

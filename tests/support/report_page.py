@@ -1,5 +1,12 @@
 """A page of docs/reports: written whole by a command, never by hand."""
 
+import pathlib
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "cmake/environment"))
+
+import whole_file  # noqa: E402
+
 
 class Report:
     def __init__(self, path, title, command, introduction):
@@ -13,7 +20,7 @@ class Report:
         return page.is_file() and page.read_text(encoding="utf-8") == self.head + text
 
     def put(self, project, text):
-        (project / self.path).write_text(self.head + text, encoding="utf-8")
+        whole_file.write(project / self.path, self.head + text)
 
     def out_of_date(self):
         return f"{self.path} is not what was measured; run: {self.command}"

@@ -2,13 +2,16 @@
 
 With --document PAGE writes that page instead: tests/system/faults_on_vcan."""
 
-import pathlib
 import sys
 import unittest
 
 import bus_faults
 import bus_load_test
 import programs
+
+sys.path.append(str(programs.PROJECT / "cmake/environment"))
+
+import whole_file  # noqa: E402
 
 PAGE = programs.PROJECT / "docs/reports/safety/faults_on_vcan.md"
 TEXT = """<!-- Written by tests/system/faults_on_vcan; do not edit. -->
@@ -92,7 +95,7 @@ def document(path):
         filtered=bus_load_test.flooded_run(good=held).describe(),
         unfiltered=bus_load_test.flooded_run("--receive-everything", good=fast_enough).describe(),
     )
-    pathlib.Path(path).write_text(page, encoding="utf-8")
+    whole_file.write(path, page)
 
 
 if __name__ == "__main__":

@@ -14,6 +14,13 @@ class Interface(unittest.TestCase):
                 with self.subTest(options=options, signal=with_signal), programs.Ecu(*options) as ecu:
                     self.assertEqual(ecu.stop(with_signal), 0, ecu.output)
 
+    def test_rsi_ecu_goes_on_when_nobody_reads_its_messages_and_fails_at_the_end(self):
+        with programs.Ecu() as ecu:
+            ecu.process.stdout.close()
+            ecu.process.stdout = None
+            ecu.process.send_signal(signal.SIGTERM)
+            self.assertEqual(ecu.process.wait(programs.LONGEST_S), 1)
+
     def test_rsi_ecu_without_its_interface_says_how_to_make_one(self):
         finished = programs.run("rsi-ecu", "--interface", "missing0", "--parameters", programs.CALIBRATION)
         self.assertEqual(finished.returncode, 1)

@@ -1,5 +1,6 @@
 #include "rsi/adaptation/load_regression.hpp"
 
+#include "rsi/adaptation/load_bounds.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/square.hpp"
@@ -13,8 +14,8 @@ constexpr float ordinary_from_mps2 = 0.8F;
 constexpr float ordinary_to_mps2 = 4.0F;
 constexpr float ordinary_load_transfer = 0.7F;
 
-// Before anything is learnt, standard deviations: cars carry up to a fifth more m_s H, trucks twice it.
-constexpr float excess_prior = 0.25F;
+// Before anything is learnt, standard deviations.
+constexpr float excess_prior = largest_load_excess_deviation;
 constexpr float load_offset_prior_mps2 = 0.5F;
 constexpr float largest_load_offset_mps2 = 2.0F;
 // No drive shows x better: the calibration's springs are not known to so little.
@@ -104,7 +105,7 @@ bool LoadRegression::keep_in_bounds() {
     if (!sound) {
         forget();
     }
-    theta_(excess_at) = clamp(theta_(excess_at), least_excess, largest_excess);
+    theta_(excess_at) = clamp(theta_(excess_at), least_load_excess, largest_load_excess);
     theta_(offset_at) = clamp_magnitude(theta_(offset_at), largest_load_offset_mps2);
     float& variance = covariance_(excess_at, excess_at);
     float& offset_variance = covariance_(offset_at, offset_at);
@@ -115,18 +116,19 @@ bool LoadRegression::keep_in_bounds() {
 
 void LoadRegression::doubt(float expected) {
     theta_(excess_at) =
-        clamp(expected + kept_share * (theta_(excess_at) - expected), least_excess, largest_excess);
+        clamp(expected + kept_share * (theta_(excess_at) - expected), least_load_excess, largest_load_excess);
     const float variance = covariance_(excess_at, excess_at) + square(doubted_deviation);
     covariance_ << smaller(variance, square(excess_prior)), 0.0F, 0.0F, square(load_offset_prior_mps2);
 }
 
 void LoadRegression::expect_change(float change) {
     const float unknown_share = covariance_(excess_at, excess_at) * (1.0F / square(excess_prior));
-    theta_(excess_at) = clamp(theta_(excess_at) + unknown_share * change, least_excess, largest_excess);
+    theta_(excess_at) =
+        clamp(theta_(excess_at) + unknown_share * change, least_load_excess, largest_load_excess);
 }
 
 void LoadRegression::add_load(float change) {
-    theta_(excess_at) = clamp(theta_(excess_at) + change, least_excess, largest_excess);
+    theta_(excess_at) = clamp(theta_(excess_at) + change, least_load_excess, largest_load_excess);
     const float variance = covariance_(excess_at, excess_at) + square(0.5F * change);
     covariance_ << smaller(variance, square(excess_prior)), 0.0F, 0.0F, square(load_offset_prior_mps2);
 }
@@ -140,7 +142,7 @@ LearntLoad LoadRegression::learnt() const {
 }
 
 bool LoadRegression::restore(const LearntLoad& learnt) {
-    if (!is_within(learnt.excess, least_excess, largest_excess) ||
+    if (!is_within(learnt.excess, least_load_excess, largest_load_excess) ||
         !is_within(learnt.excess_deviation, least_excess_deviation, excess_prior) ||
         !is_within_magnitude(learnt.offset_mps2, largest_load_offset_mps2)) {
         return false;

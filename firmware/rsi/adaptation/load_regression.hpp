@@ -17,9 +17,6 @@ namespace rsi {
 // Slow, because only what lasts is a load: the roll centre moves within every turn.
 class LoadRegression {
  public:
-    static constexpr float least_excess = -0.45F;  // of a truck that has been emptied
-    static constexpr float largest_excess = 1.0F;
-
     [[gnu::cold]] void init(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void forget();
 

@@ -24,11 +24,9 @@ void LoadTransfer::init(const Parameters& parameters) {
 }
 
 void LoadTransfer::assume_body(const SprungBody& body) {
-    height_moment_kgm_ = body.mass_kg * body.cg_height_m + unsprung_moment_kgm_;
-    shift_moment_kgm_ = body.moment_arm_kgm();
-    roll_inertia_kgm2_ = body.roll_inertia_kgm2;
+    vehicle_ = VehicleMoments{body.mass_kg * body.cg_height_m + unsprung_moment_kgm_, body.moment_arm_kgm(),
+                              body.roll_inertia_kgm2, (body.mass_kg + unsprung_mass_kg_) * half_track_m_};
     force_arm_kgm_ = body.mass_kg * roll_centre_height_m_ + unsprung_moment_kgm_;
-    half_weight_arm_kgm_ = (body.mass_kg + unsprung_mass_kg_) * half_track_m_;
 }
 
 TransferredLoad LoadTransfer::evaluate(const RollMotion& motion) const {
@@ -36,9 +34,9 @@ TransferredLoad LoadTransfer::evaluate(const RollMotion& motion) const {
     const float N = motion.road_normal_force_mps2;
     const float suspension_nm = suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps);
     const float by_suspension_nm = force_arm_kgm_ * A + suspension_nm;
-    const float by_forces_nm = height_moment_kgm_ * A +
-                               shift_moment_kgm_ * (N * short_tangent(motion.roll_angle_rad)) -
-                               roll_inertia_kgm2_ * motion.roll_acceleration_radps2;
+    const float by_forces_nm = vehicle_.height_kgm * A +
+                               vehicle_.shift_kgm * (N * short_tangent(motion.roll_angle_rad)) -
+                               vehicle_.roll_inertia_kgm2 * motion.roll_acceleration_radps2;
     const float moment_nm = by_suspension_nm + inertial_weight_ * (by_forces_nm - by_suspension_nm);
     // Where even springs without bump stops would hold more than the weight, the wheels of the other side are
     // up, and a suspension that has left the road says nothing.
@@ -48,7 +46,7 @@ TransferredLoad LoadTransfer::evaluate(const RollMotion& motion) const {
 }
 
 float LoadTransfer::ratio(float moment_nm, float normal_force_mps2) const {
-    return clamp_magnitude(moment_nm / (normal_force_mps2 * half_weight_arm_kgm_), largest_ratio);
+    return clamp_magnitude(moment_nm / (normal_force_mps2 * vehicle_.half_weight_kgm), largest_ratio);
 }
 
 }  // namespace rsi

@@ -4,6 +4,7 @@
 #include "rsi/measurement/roll_motion.hpp"
 #include "rsi/model/roll_stiffness_curve.hpp"
 #include "rsi/model/sprung_body.hpp"
+#include "rsi/model/vehicle_moments.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -40,6 +41,8 @@ class LoadTransfer {
     // At present.
     TransferredLoad evaluate(const RollMotion& motion) const;
 
+    const VehicleMoments& vehicle() const { return vehicle_; }
+
     // alpha: how much the moment grows for each m/s^2 of A while the suspension's moment stays.
     float force_arm_kgm() const { return force_arm_kgm_; }
 
@@ -48,14 +51,11 @@ class LoadTransfer {
 
  private:
     RollStiffnessCurve curve_{};
+    VehicleMoments vehicle_{};
     float inertial_weight_{0.0F};
-    float force_arm_kgm_{0.0F};      // alpha
-    float height_moment_kgm_{0.0F};  // m_s h + m_u h_u
-    float shift_moment_kgm_{0.0F};   // m_s (h - h_frc)
-    float roll_inertia_kgm2_{0.0F};
+    float force_arm_kgm_{0.0F};  // alpha
     float roll_stiffness_nmprad_{0.0F};
     float roll_damping_nmsprad_{0.0F};
-    float half_weight_arm_kgm_{1.0F};  // m c_w / 2
     // What a load leaves.
     float roll_centre_height_m_{0.0F};  // h_frc
     float half_track_m_{1.0F};

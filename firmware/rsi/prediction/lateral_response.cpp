@@ -19,15 +19,20 @@ void LateralResponse::init(const Parameters& parameters) {
     is_known_ = (w > 0.0F);
     lead_s_ = is_known_ ? 2.0F * zeta / w : 0.0F;
     largest_mps2_ = parameters.largest_lateral_acceleration_mps2;
-    // The divisor is at least 1.
-    const float half = 0.5F * step_s;
-    const float spring = half * half * w * w;
-    const float damper = 2.0F * half * zeta * w;
+    // The trapezoidal rule over half a step, which is accurate enough; its divisor is at least 1.
+    const float quarter = 0.25F * step_s;
+    const float spring = quarter * quarter * w * w;
+    const float damper = 2.0F * quarter * zeta * w;
     const float scale = 1.0F / (1.0F + damper + spring);
-    force_by_force_ = scale * (1.0F + damper - spring);
-    force_by_rate_ = scale * step_s;
-    rate_by_force_ = -scale * step_s * w * w;
-    rate_by_rate_ = scale * (1.0F - damper - spring);
+    const float force_by_force = scale * (1.0F + damper - spring);
+    const float force_by_rate = scale * 2.0F * quarter;
+    const float rate_by_force = -scale * 2.0F * quarter * w * w;
+    const float rate_by_rate = scale * (1.0F - damper - spring);
+    // Twice.
+    force_by_force_ = force_by_force * force_by_force + force_by_rate * rate_by_force;
+    force_by_rate_ = (force_by_force + rate_by_rate) * force_by_rate;
+    rate_by_force_ = (force_by_force + rate_by_rate) * rate_by_force;
+    rate_by_rate_ = rate_by_force * force_by_rate + rate_by_rate * rate_by_rate;
     reset();
 }
 

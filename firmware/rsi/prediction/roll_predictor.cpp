@@ -1,5 +1,6 @@
 #include "rsi/prediction/roll_predictor.hpp"
 
+#include "rsi/indicator/extended_indicator.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
 
@@ -8,8 +9,8 @@ namespace {
 
 // Of e: it is noisy, and a little too little of it costs less than too much.
 constexpr float trusted_share = 0.75F;
-// So many steps of the response, 0.1 s, are as sure as the present.
-constexpr float margin_starts_after = 5.0F;
+// So much of the response is as sure as the present.
+constexpr float sure_s = 0.1F;
 
 }  // namespace
 
@@ -17,7 +18,7 @@ void RollPredictor::init(const Parameters& parameters) {
     trend_horizon_s_ = parameters.prediction_horizon_s;
     const float trend_s = parameters.acceleration_trend_s;
     trend_after_horizon_s_ = trend_s * (1.0F - decaying_exponential(trend_horizon_s_ / trend_s));
-    // Validated to 0 .. 0.5 s: at most 25 steps.
+    // Validated to 0 .. 0.5 s: at most 13 steps.
     response_steps_ =
         static_cast<std::uint32_t>(parameters.response_horizon_s * (1.0F / LateralResponse::step_s) + 0.5F);
     margin_per_step_ = parameters.response_margin_per_s * LateralResponse::step_s;
@@ -65,7 +66,7 @@ void RollPredictor::follow_response(const RollMotion& motion, const State& prese
     const float A = motion.road_parallel_force_mps2;
     ForceCourse force{A, motion.road_parallel_force_rate_mps3};
     State roll = present;
-    float margin = -margin_starts_after * margin_per_step_;
+    float margin = -(sure_s / LateralResponse::step_s) * margin_per_step_;
     for (std::uint32_t step = 0U; step < response_steps_; ++step) {
         const ForceCourse next = response.after_step(force);
         roll = after_step(roll, LateralResponse::step_s, 0.5F * (force.force_mps2 + next.force_mps2), moments,
@@ -82,8 +83,7 @@ void RollPredictor::follow_response(const RollMotion& motion, const State& prese
 
 Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLoad& load,
                                    const DemandedForce& demand, const LateralResponse* response,
-                                   float moment_arm_error, const LoadTransfer& load_transfer,
-                                   const ExtendedIndicator& extended) const {
+                                   float moment_arm_error, const LoadTransfer& load_transfer) const {
     const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
     const float correction_kgm = trusted_share * moment_arm_error * moment_arm_kgm_;
@@ -111,7 +111,7 @@ Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLo
     largest.left = (load.ratio >= 1.0F) ? 0.0F : largest.left;
     const bool is_right = largest.right >= largest.left;
     return Prediction{is_right ? largest.right : -largest.left, is_right ? largest.left : largest.right,
-                      extended.level_under_load(worst_force_mps2, N, worst_nm)};
+                      extended_level_under_load(worst_force_mps2, N, worst_nm, load_transfer.vehicle())};
 }
 
 }  // namespace rsi

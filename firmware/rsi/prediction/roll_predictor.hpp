@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "rsi/indicator/extended_indicator.hpp"
 #include "rsi/indicator/load_transfer.hpp"
 #include "rsi/measurement/roll_motion.hpp"
 #include "rsi/model/sprung_body.hpp"
@@ -26,7 +25,7 @@ struct Prediction {
 // what the motion changes in alpha A + M(phi) + c_f phi'. There are two forces a:
 //   the trend, in one step over the short horizon,
 //     a = A + A' tau_j (1 - exp(-t/tau_j)), within [min(A, a_d, 0), max(A, a_d, 0)] where a_d is known;
-//   the lateral response, in steps of 20 ms over the long horizon, where steering and response are known.
+//   the lateral response, in steps of 40 ms over the long horizon, where steering and response are known.
 // Along the response a load transfer counts less by a margin that grows with time: what is further is less
 // sure.
 class RollPredictor {
@@ -43,7 +42,7 @@ class RollPredictor {
     // `moment_arm_error`: e of MomentArmError.
     Prediction evaluate(const RollMotion& motion, const TransferredLoad& load, const DemandedForce& demand,
                         const LateralResponse* response, float moment_arm_error,
-                        const LoadTransfer& load_transfer, const ExtendedIndicator& extended) const;
+                        const LoadTransfer& load_transfer) const;
 
  private:
     // The roll moment of the sample, and how it follows the motion.

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <exception>
 
+#include "sil/files/standard_streams.hpp"
 #include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -59,7 +62,7 @@ void print(const RecordedDrive& drive) {
 
 }  // namespace
 
-int main() {
+int main() try {
     for (const char* vehicle : {"large_suv", "ordinary_suv"}) {
         fmt::print("\n{}\n\n| manoeuvre | roll | bank | roll with K 10 % low / high |\n|---|---|---|---|\n",
                    vehicle);
@@ -67,4 +70,8 @@ int main() {
             print(sil::accuracy::record(manoeuvre.name, vehicle));
         }
     }
+    return sil::finish_output("observer_table");
+} catch (const std::exception& error) {
+    static_cast<void>(std::fprintf(stderr, "observer_table: %s\n", error.what()));
+    return 1;
 }

@@ -2,6 +2,10 @@
 // the table of docs/theory.md.
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <exception>
+
+#include "sil/files/standard_streams.hpp"
 #include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 
@@ -55,7 +59,7 @@ void print(const RecordedDrive& drive) {
 
 }  // namespace
 
-int main() {
+int main() try {
     for (const char* vehicle : {"large_suv", "ordinary_suv"}) {
         fmt::print(
             "\n{}: RMS error of h_rc against (24), mm, and of the compensated roll angle, deg; sensor noise "
@@ -70,4 +74,8 @@ int main() {
             }
         }
     }
+    return sil::finish_output("roll_centre_table");
+} catch (const std::exception& error) {
+    static_cast<void>(std::fprintf(stderr, "roll_centre_table: %s\n", error.what()));
+    return 1;
 }

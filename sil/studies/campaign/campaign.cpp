@@ -6,6 +6,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "sil/files/whole_file.hpp"
 #include "sil/studies/campaign/campaign_folder.hpp"
 #include "sil/studies/campaign/row_file.hpp"
 #include "sil/studies/campaign/run_trace.hpp"
@@ -45,7 +46,7 @@ RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path
     const std::filesystem::path traces = with_traces ? output / "traces" : std::filesystem::path{};
     if (with_traces) {
         refuse_rows_without_traces(file, traces);
-        std::filesystem::create_directories(traces);
+        make_folder(traces);
     }
     const auto make = [&world, &traces](std::uint64_t number) { return drive(world, number, traces); };
     return make_rows(file, {world.settings().runs, jobs, make}, stop, listener);

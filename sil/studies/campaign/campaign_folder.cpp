@@ -69,11 +69,7 @@ void refuse_difference(const std::filesystem::path& path, const std::string& sto
 
 CampaignFolder::CampaignFolder(const std::filesystem::path& path, const CampaignSettings& settings)
     : path_{path} {
-    std::error_code error;
-    std::filesystem::create_directories(path_, error);
-    if (error) {
-        throw InputError(fmt::format("{}: cannot be made: {}", path_.string(), error.message()));
-    }
+    make_folder(path_);
     lock();
     try {
         compare_or_store(settings);

@@ -119,14 +119,17 @@ void RowFile::close() {
 
 void RowFile::append(std::uint64_t run, const std::string& line) {
     const std::string text = line + "\n";
+    const off_t end = ::lseek(descriptor_, 0, SEEK_END);
     std::size_t written = 0U;
     while (written < text.size()) {
         const ssize_t count = ::write(descriptor_, text.data() + written, text.size() - written);
         if (count < 0 && errno != EINTR) {
+            const std::string reason = std::strerror(errno);
+            static_cast<void>(::ftruncate(descriptor_, end));  // half a line is no row
             throw InputError(
                 fmt::format("{}: cannot be written: {}. What is finished is kept; run the "
                             "same command again when there is room.",
-                            path_.string(), std::strerror(errno)));
+                            path_.string(), reason));
         }
         written += count > 0 ? static_cast<std::size_t>(count) : 0U;
     }

@@ -122,7 +122,13 @@ CampaignSettings default_campaign() {
 
 CampaignSettings load_campaign(const std::filesystem::path& path) {
     static const CampaignSettings defaults = default_campaign();
-    return read_settings(TomlTable::load(path), defaults);
+    const TomlTable top = TomlTable::load(path);
+    if (top.is_empty()) {
+        throw InputError(fmt::format(
+            "{}:1: there is nothing in it; was the copy finished? Without --settings those built in are used",
+            path.string()));
+    }
+    return read_settings(top, defaults);
 }
 
 }  // namespace sil

@@ -21,6 +21,8 @@ constexpr double largest_value = 1.0e9;
 constexpr double largest_time = 1.0e15;
 // A longer silence is no drive, but two recordings on clocks of their own.
 constexpr double longest_gap_s = 3600.0;
+// Of more there is not room in the memory of every machine.
+constexpr double longest_drive_s = 12.0 * 3600.0;
 
 class DriveCsvParser {
  public:
@@ -135,6 +137,11 @@ class DriveCsvParser {
         }
         if (time_s - previous_s > longest_gap_s) {
             place_.fail(line.number, column, fmt::format("a gap of {:.0f} s", time_s - previous_s),
+                        "cut the recording in two before this line");
+        }
+        if (time_s - drive_.samples.front().time_s > longest_drive_s) {
+            place_.fail(line.number, column,
+                        fmt::format("the drive is longer than {:.0f} h", longest_drive_s / 3600.0),
                         "cut the recording in two before this line");
         }
     }

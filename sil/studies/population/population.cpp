@@ -146,14 +146,10 @@ FinishedVehicle make_vehicle(const PopulationRequest& request, std::uint64_t num
 
 // What the files in the folder are of, so that those of different seeds or programs do not get mixed.
 void prepare_folder(const PopulationRequest& request) {
+    make_folder(request.output);
     for (const char* name : {"vehicles", "vehicles_loaded", "data", "data_loaded", "calibrations",
                              "calibrations_without_loads", "calibrations_loaded"}) {
-        std::error_code error;
-        std::filesystem::create_directories(request.output / name, error);
-        if (error) {
-            throw InputError(
-                fmt::format("{}: cannot be made: {}", (request.output / name).string(), error.message()));
-        }
+        make_folder(request.output / name);
     }
     const Versions versions = built_versions();
     const std::string wanted = fmt::format(
@@ -200,6 +196,11 @@ void write_settings(const PopulationRequest& request) {
 
 RowProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,
                             const RowListener& listener) {
+    constexpr std::uint64_t most_vehicles = 1'000'000U;
+    if (request.vehicles < 1U || request.vehicles > most_vehicles) {
+        throw InputError(
+            fmt::format("--vehicles wants a number from 1 to {}, not {}", most_vehicles, request.vehicles));
+    }
     prepare_folder(request);
     RowFile file{request.output / "vehicles.csv", line_of({}, true)};
     if (!file.finished_runs().empty() && *file.finished_runs().rbegin() >= request.vehicles) {

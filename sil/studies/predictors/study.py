@@ -17,6 +17,10 @@ import recorded_runs
 import report
 import samples
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "cmake/environment"))
+
+import whole_file  # noqa: E402
+
 FOLDS = 2
 # Manoeuvres that begin alike; all others are turns, or drives straight on.
 KINDS = {"fishhook-1a": "fishhooks", "fishhook-1b": "fishhooks", "double-lane-change": "lane changes",
@@ -107,10 +111,13 @@ def main(arguments):
             of_unseen = unseen_manoeuvre_predictions(name, chosen, level_runs + reported)
             add(f"{name}, unseen manoeuvres", of_unseen, of_unseen)
     add(PERFECT, perfect_predictions(level_runs), perfect_predictions(reported))
-    page.write_text(report.page(chosen, reported, rows, groups, PERFECT_S), encoding="utf-8")
-    data.write_text(report.curve_data(rows[0], curves), encoding="utf-8")
+    whole_file.write(page, report.page(chosen, reported, rows, groups, PERFECT_S))
+    whole_file.write(data, report.curve_data(rows[0], curves))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except OSError as error:
+        sys.exit(f"study.py: {error.filename}: {error.strerror}; sil/studies/predictors/run makes what is read here")

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "sil/files/standard_streams.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
@@ -68,7 +69,7 @@ int main(int argc, char** argv) {
     }
     try {
         print(argv[1]);
-        return 0;
+        return sil::finish_output("roll_centre_ablation");
     } catch (const std::exception& error) {
         fmt::print(stderr, "roll_centre_ablation: {}\n", error.what());
         return 1;

@@ -14,6 +14,8 @@ namespace {
 // A longer silence is no drive, but two recordings on clocks of their own; stepping through it could take for
 // ever.
 constexpr hal::Time longest_gap = hal::Time::from_milliseconds(3'600'000);
+// Of more there is not room in the memory of every machine.
+constexpr hal::Time longest_log = hal::Time::from_milliseconds(12 * 3'600'000);
 
 double seconds(hal::Time time) {
     return static_cast<double>(time.nanoseconds) * 1.0e-9;
@@ -51,6 +53,11 @@ std::vector<hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log
                 fmt::format(
                     "a gap of {:.0f} s between two sensor frames; cut the recording in two before this line",
                     seconds(time - frames.back().receive_time))};
+        }
+        if (!frames.empty() && longest_log < time - frames.front().receive_time) {
+            throw ReplayError{logged.line,
+                              fmt::format("the log is longer than {:.0f} h; cut it in two before this line",
+                                          seconds(longest_log) / 3600.0)};
         }
         frames.push_back(logged.frame);
     }

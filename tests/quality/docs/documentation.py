@@ -2,10 +2,15 @@
 
 import pathlib
 import re
+import sys
 
 import figures
 import references
 from page import COMMENT, Page, all_pages, newest_changes, tracked, written_pages
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "cmake/environment"))
+
+import whole_file  # noqa: E402
 
 EVERYDAY = pathlib.Path(__file__).resolve().parent / "everyday.txt"
 README_LINES = 120
@@ -95,5 +100,5 @@ def refresh(project):
         page = Page(project, path)
         text = figures.refreshed(page, files)
         if text != page.text:
-            (project / path).write_text(text, encoding="utf-8")
+            whole_file.write(project / path, text)
             print(f"docs: {path} refreshed")

@@ -113,6 +113,14 @@ const std::vector<Fault> faults{
      [](Lines& l) { l[20] = "9999,0.5,9.81,0.25,1.5,36,0"; },
      "21:1",
      {"gap", "cut the recording"}},
+    {"LongerThanMemory",
+     [](Lines& l) {
+         for (std::size_t row = 6U; row <= 20U; ++row) {
+             l[row] = std::to_string(3000U * (row - 5U)) + ",0.5,9.81,0.25,1.5,36,0";
+         }
+     },
+     "21:1",
+     {"longer than 12 h", "cut the recording"}},
     {"TooFewFields", [](Lines& l) { l[4] = "0.03,0.5,9.81,0.25"; }, "5:19", {"4 fields", "7 columns"}},
     {"TooManyFields", [](Lines& l) { l[4] += ",1"; }, "5:29", {"8 fields", "7 columns"}},
     {"DecimalCommas",

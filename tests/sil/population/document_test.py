@@ -64,6 +64,21 @@ class Goals(unittest.TestCase):
         table = document.goal_table({"clean": {"all": group()}, "errors": {"all": group(warned=995, early=990, earlier=800, median=0.36, alarms=(0, 3, 250), wrong_s=0.1)}})
         self.assertEqual([line.split(" | ")[6].strip(" |") for line in table.splitlines()[2:]], ["yes"] * 8)
 
+    def test_nothing_to_measure_a_share_in_is_no_goal_reached(self):
+        nothing = group()
+        nothing["indices"]["warning"]["alarms"]["0.7 to 0.8"] = share(0, 0)
+        line = document.goal_table({"clean": {"all": nothing}, "errors": {"all": group()}}).splitlines()[7]
+        self.assertEqual(line.split(" | ")[:4], ["| alarms, 0.7 to 0.8", "at most 0 %", "-", "**no**"])
+
+    def test_the_validation_judges_by_the_goals_with_errors_all_vehicles_and_the_van(self):
+        just_met = group(warned=995, early=990, earlier=800, median=0.36, alarms=(0, 3, 250), wrong_s=0.1)
+        missed = group(warned=994, early=989, earlier=799, median=0.359, alarms=(1, 4, 251), wrong_s=0.11)
+        named = [dict(missed, name="van"), dict(missed, name="other")]
+        lines = document.campaign.goal_table({"all": just_met, "vehicles": named}).splitlines()[2:]
+        self.assertEqual([line.split(" | ")[-1] for line in lines], ["yes |"] * 8 + ["**no** |"] * 8)
+        self.assertEqual(lines[0], "| all vehicles | warned, right side | at least 99.5 % | 99.50 % | yes |")
+        self.assertEqual(lines[11], "| van | median lead | at least 0.36 s | 0.359 s | **no** |")
+
 
 class Campaigns(unittest.TestCase):
     def test_an_unfinished_one_is_refused(self):

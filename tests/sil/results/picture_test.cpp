@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/sil/results/example_run.hpp"
+#include "tests/support/full_disk.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace {
@@ -37,7 +38,7 @@ void expect_four_pictures(const example_run::Options& options) {
         EXPECT_EQ(svg.find("NaN"), std::string::npos);
     }
     for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-        EXPECT_EQ(entry.path().filename().string().rfind("draw.", 0), std::string::npos) << entry.path();
+        EXPECT_EQ(entry.path().filename().string().find(".partial"), std::string::npos) << entry.path();
     }
 }
 
@@ -65,6 +66,21 @@ TEST(Picture, AMissingInputFileIsNamed) {
     EXPECT_NE(draw(folder.path(), folder.path() / "messages"), 0);
     EXPECT_NE(text_of(folder.path() / "messages").find("events.gp is missing"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "run.png"));
+}
+
+// gnuplot itself says nothing of it and leaves what there was room for.
+TEST(Picture, AFullDiskLeavesNoHalfOfAPicture) {
+    const ScratchFolder folder;
+    example_run::write({}, folder.path());
+    {
+        const test_support::FullDisk full{8192U};
+        EXPECT_NE(draw(folder.path(), folder.path() / "messages"), 0);
+    }
+    EXPECT_NE(text_of(folder.path() / "messages").find("is there room on the disk?"), std::string::npos);
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+        const std::string ending = entry.path().extension().string();
+        EXPECT_TRUE(ending != ".svg" && ending != ".png" && ending != ".partial") << entry.path();
+    }
 }
 
 TEST(Picture, AMissingFolderIsNamed) {

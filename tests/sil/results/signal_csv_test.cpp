@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/full_disk.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace {
@@ -168,12 +169,12 @@ TEST(SignalCsvWriter, AFileThatCannotBeWrittenIsNamed) {
 }
 
 TEST(SignalCsvWriter, AFullDiskIsAnError) {
-    if (!std::filesystem::exists("/dev/full")) {
-        GTEST_SKIP() << "this system has no /dev/full";
-    }
-    sil::SignalCsvWriter writer("/dev/full");
+    const ScratchFolder folder;
+    const test_support::FullDisk full{100U};
+    sil::SignalCsvWriter writer(folder.path() / "signals.csv");
     writer.write({}, {}, {});
     EXPECT_THROW(writer.close(), std::runtime_error);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "signals.csv"));
 }
 
 }  // namespace

@@ -87,6 +87,20 @@ TEST(AReplay, OfTwoRecordingsOnClocksOfTheirOwnIsRefusedNamingTheLine) {
     }
 }
 
+TEST(AReplay, OfALogForWhichThereIsNotEnoughMemoryIsRefusedNamingTheLine) {
+    std::vector<sil::LoggedFrame> log;
+    for (std::size_t line = 1U; line <= 14U; ++line) {
+        log.push_back(frame_at(0x120U, static_cast<std::int64_t>(line) * 3'600'000, line));
+    }
+    try {
+        sil::replay(log, large_suv_calibration());
+        FAIL() << "accepted";
+    } catch (const sil::ReplayError& error) {
+        EXPECT_EQ(error.line(), 14U);
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("longer than 12 h; cut it in two before this line"));
+    }
+}
+
 TEST(AReplay, AcceptsEqualTimesAndDisorderedFramesThatAreNotForTheFirmware) {
     const std::vector<sil::LoggedFrame> log{frame_at(0x120U, 10, 1U), frame_at(0x121U, 10, 2U),
                                             frame_at(0x0D0U, 0, 3U), frame_at(0x120U, 20, 4U)};

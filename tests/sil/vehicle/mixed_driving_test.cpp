@@ -29,7 +29,8 @@ Extremes driven(const sil::VehicleParameters& vehicle, const sil::Manoeuvre& man
     while (!run.finished()) {
         run.step();
         const sil::Truth& truth = run.truth();
-        most.lateral_g = std::max(most.lateral_g, std::abs(truth.lateral_acceleration_mps2) / sil::gravity_mps2);
+        most.lateral_g =
+            std::max(most.lateral_g, std::abs(truth.lateral_acceleration_mps2) / sil::gravity_mps2);
         most.slowest_mps = std::min(most.slowest_mps, truth.speed_mps);
         most.fastest_mps = std::max(most.fastest_mps, truth.speed_mps);
         if (truth.time_s > then_s + moment_s) {

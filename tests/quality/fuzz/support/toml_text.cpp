@@ -23,7 +23,7 @@ void set_toml_text(std::string_view text) {
 }  // namespace fuzz
 
 // In place of that of sil/files/whole_file.cpp, which is not linked.
-std::string sil::read_whole_file(const std::filesystem::path& path) {
+std::string sil::read_whole_file(const std::filesystem::path& path, std::uint64_t) {
     fuzz::require(path == fuzz::toml_path(), "the file that was given is the one that is read");
     return std::string{current_text};
 }
