@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/measured_page.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/whole_file.hpp"
 #include "sil/studies/faults/endurance.hpp"
@@ -24,25 +25,8 @@ namespace {
 struct FaultsRequest {
     std::string vehicle_file;
     std::string calibration_file;
-    std::filesystem::path document;
-    std::filesystem::path checked;
+    MeasuredPage page;
 };
-
-// The first line in which two texts differ, for a message.
-std::string first_difference(const std::string& held, const std::string& measured) {
-    std::size_t begin = 0U;
-    std::size_t position = 0U;
-    while (position < held.size() && position < measured.size() && held[position] == measured[position]) {
-        if (held[position] == '\n') {
-            begin = position + 1U;
-        }
-        ++position;
-    }
-    const auto line = [begin](const std::string& text) {
-        return text.substr(std::min(begin, text.size()), text.find('\n', begin) - begin);
-    };
-    return fmt::format("  the document: {}\n  measured:     {}", line(held), line(measured));
-}
 
 void print_unexpected(const Scene& scene, const Injection& injection) {
     if (injection.verdict.shortfalls.empty()) {
@@ -93,17 +77,7 @@ void run_faults(const FaultsRequest& request) {
         count.all, matrix.rows.size(), scene_count, count.as_expected, count.invisible,
         count.known_undetected, count.silenced, count.with_due_warning, count.silenced_known_undetected);
     check_injections(count);
-    if (!request.document.empty()) {
-        write_file_atomically(request.document, document);
-    }
-    if (!request.checked.empty()) {
-        const std::string held = read_whole_file(request.checked);
-        if (held != document) {
-            throw std::runtime_error(fmt::format(
-                "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
-                request.checked.string(), first_difference(held, document)));
-        }
-    }
+    write_or_check(request.page, document);
 }
 
 struct EnduranceRequest {
@@ -195,8 +169,7 @@ void add_faults_command(CLI::App& app) {
         ->required();
     command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
         ->required();
-    command->add_option("--document", request->document, "Write the matrix as a page");
-    command->add_option("--check", request->checked, "Compare the matrix with a page; other figures fail");
+    add_page_options(*command, request->page);
     command->callback([request] { run_faults(*request); });
     add_endurance(app);
 }

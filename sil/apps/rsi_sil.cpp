@@ -9,6 +9,8 @@
 
 #include "sil/apps/campaign_command.hpp"
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/fault_search_command.hpp"
+#include "sil/apps/fault_states_command.hpp"
 #include "sil/apps/faults_command.hpp"
 #include "sil/apps/identify_command.hpp"
 #include "sil/apps/parameters_command.hpp"
@@ -110,6 +112,8 @@ int main(int argc, char** argv) {
     sil::add_campaign(app);
     sil::add_population_command(app);
     sil::add_faults_command(app);
+    sil::add_fault_states_command(app);
+    sil::add_fault_search_command(app);
     sil::add_identify_command(app);
     sil::add_parameters_command(app);
     return sil::run_program(app, [&] {

@@ -8,6 +8,7 @@
 
 #include "contradictions.hpp"
 #include "sil/files/toml_table.hpp"
+#include "sil/studies/faults/names.hpp"
 
 namespace sil {
 namespace {
@@ -16,16 +17,6 @@ namespace {
 constexpr std::array scene_names{"rest",     "straight",       "turn",   "before_turn",
                                  "steering", "before_warning", "warning"};
 static_assert(scene_names.size() == std::tuple_size_v<decltype(Contradiction::limits_ms)>);
-
-// The value of an enumeration whose name the key gives.
-template <typename Value>
-Value named(TomlTable& table, std::string_view key, Value last) {
-    std::vector<std::string_view> names;
-    for (std::size_t value = 0U; value <= static_cast<std::size_t>(last); ++value) {
-        names.emplace_back(to_string(static_cast<Value>(value)));
-    }
-    return static_cast<Value>(table.choice(key, names));
-}
 
 int milliseconds(TomlTable& table, std::string_view key) {
     return static_cast<int>(table.number(key, {0.0, 1.0e5}));

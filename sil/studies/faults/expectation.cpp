@@ -87,6 +87,12 @@ Expectation contradiction(const Fault& fault, SceneKind scene) {
     return expected;
 }
 
+// Where it shows, and how soon, is not stated yet: what counts is what the ECU says.
+Expectation right_or_reported(FaultKind kind, SceneKind scene) {
+    const Return back = return_from(kind, scene);
+    return {Demand::right, 0, back.recovery_ms, back.healing_ms, wrong_ms, longest_lead_loss_ms, any_time_ms};
+}
+
 // Of the other two frames only the silence at its beginning shows; then the statement comes late.
 Expectation delay(FaultPlace place) {
     Expectation expected =
@@ -105,6 +111,9 @@ Expectation expectation_while_there(const Fault& fault, SceneKind scene) {
         case FaultKind::noise:
         case FaultKind::sign_flip:
             return contradiction(fault, scene);
+        case FaultKind::gain:
+        case FaultKind::noise_alone:
+            return right_or_reported(fault.kind, scene);
         case FaultKind::saturated:
             return at_once(demand_of_loss(fault.place), 0, of_saturation);
         case FaultKind::not_available:
@@ -126,6 +135,11 @@ Expectation expectation_while_there(const Fault& fault, SceneKind scene) {
             // Two frames are lost: Imu among them, or RollAngle and VehicleMotion, without which no roll
             // angle is known.
             return at_once(Demand::unavailable);
+        case FaultKind::sender_before:
+        case FaultKind::sender_after:
+        case FaultKind::sender_tenfold:
+            return at_once(fault.place == FaultPlace::warning_frame ? Demand::reported
+                                                                    : demand_of_loss(fault.place));
         case FaultKind::doubled:
         case FaultKind::error_passive:
             return at_once(Demand::usable);

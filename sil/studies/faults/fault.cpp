@@ -42,6 +42,14 @@ constexpr std::array other_faults{Fault{FaultKind::lost, FaultPlace::all_sensor_
                                   Fault{FaultKind::process_stop, FaultPlace::processor, 200.0},
                                   Fault{FaultKind::process_stop, FaultPlace::processor, 2000.0}};
 
+constexpr std::array gains{0.0, 0.2, 0.5, 0.8, 1.25, 2.0, 3.0};
+
+// Of the matrix' offset: the largest is about the end of the sensor's range.
+constexpr std::array offset_shares{2.0, 4.0, 8.0};
+
+constexpr std::array second_senders{FaultKind::sender_before, FaultKind::sender_after,
+                                    FaultKind::sender_tenfold};
+
 double magnitude_of(FaultKind kind, const SensorSignal& signal) {
     switch (kind) {
         case FaultKind::offset:
@@ -80,6 +88,29 @@ std::vector<Fault> make_all() {
     return all;
 }
 
+std::vector<Fault> make_further() {
+    std::vector<Fault> all;
+    for (const SensorSignal& signal : sensor_signals) {
+        for (const double gain : gains) {
+            all.push_back({FaultKind::gain, signal.place, gain});
+        }
+        all.push_back({FaultKind::noise_alone, signal.place, signal.own_noise * signal.unit_si});
+    }
+    for (const SensorSignal& signal : sensor_signals) {
+        for (const double share : offset_shares) {
+            all.push_back({FaultKind::offset, signal.place, share * signal.offset * signal.unit_si});
+        }
+    }
+    for (const FaultKind kind : second_senders) {
+        for (const FaultPlace frame : sensor_frames) {
+            all.push_back({kind, frame, 1.0});
+        }
+    }
+    all.push_back({FaultKind::sender_before, FaultPlace::warning_frame, 1.0});
+    all.push_back({FaultKind::sender_tenfold, FaultPlace::warning_frame, 1.0});
+    return all;
+}
+
 }  // namespace
 
 const std::vector<Fault>& all_faults() {
@@ -87,9 +118,15 @@ const std::vector<Fault>& all_faults() {
     return all;
 }
 
+const std::vector<Fault>& further_faults() {
+    static const std::vector<Fault> all = make_further();
+    return all;
+}
+
 std::vector<Fault> in_each_sign(const Fault& fault) {
     // A saturated speed has one end: the lower one is a vehicle at rest.
     const bool has_sign = fault.kind == FaultKind::offset || fault.kind == FaultKind::drift ||
+                          is_second_sender(fault.kind) ||
                           (fault.kind == FaultKind::saturated && fault.place != FaultPlace::speed);
     if (!has_sign) {
         return {fault};
@@ -107,6 +144,8 @@ const char* to_string(FaultKind kind) {
                                "saturated",
                                "not available",
                                "code out of range",
+                               "gain",
+                               "noise without signal",
                                "lost",
                                "delayed",
                                "bad CRC",
@@ -115,6 +154,9 @@ const char* to_string(FaultKind kind) {
                                "identifier of the next frame",
                                "doubled",
                                "wrong DLC",
+                               "second sender before",
+                               "second sender after",
+                               "second sender tenfold",
                                "foreign frames",
                                "damaged Imu frames",
                                "bus-off",
@@ -137,6 +179,7 @@ const char* to_string(FaultPlace place) {
                                "RollAngle",
                                "VehicleMotion",
                                "all sensor frames",
+                               "RolloverWarning",
                                "bus",
                                "processor"};
     return names[static_cast<std::size_t>(place)];
@@ -148,7 +191,14 @@ std::string describe(const Fault& fault) {
     switch (fault.kind) {
         case FaultKind::offset:
             return fmt::format("{}, {:+.3g} {}", name, fault.magnitude / signal->unit_si, signal->unit);
+        case FaultKind::gain:
+            return fmt::format("{}, {:.3g}", name, fault.magnitude);
+        case FaultKind::sender_before:
+        case FaultKind::sender_after:
+        case FaultKind::sender_tenfold:
+            return name + (fault.magnitude < 0.0 ? ", calm" : ", alarming");
         case FaultKind::noise:
+        case FaultKind::noise_alone:
             return fmt::format("{}, {:.3g} {} rms", name, fault.magnitude / signal->unit_si, signal->unit);
         case FaultKind::drift:
             return fmt::format("{}, {:+.3g} {} a second", name, fault.magnitude / signal->unit_si,
@@ -174,6 +224,9 @@ std::string describe_each_sign(const Fault& fault) {
     }
     if (fault.kind == FaultKind::saturated) {
         return std::string{to_string(fault.kind)} + ", either end";
+    }
+    if (is_second_sender(fault.kind)) {
+        return std::string{to_string(fault.kind)} + ", alarming or calm";
     }
     return text.replace(text.find('+'), 1U, "\u00B1");
 }

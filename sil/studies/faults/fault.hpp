@@ -19,6 +19,8 @@ enum class FaultKind : std::uint8_t {
     saturated,      // at an end of the signal's range: the lower one when `magnitude` is negative
     not_available,  // its code
     out_of_range,   // a code beyond the signal's range
+    gain,           // times `magnitude`
+    noise_alone,    // a dead sensor: noise around zero, `magnitude` rms
     // Of a frame, after its protection.
     lost,            //
     delayed,         // by `magnitude` milliseconds: a gap at first, then each frame late
@@ -28,6 +30,11 @@ enum class FaultKind : std::uint8_t {
     swapped,         // identifiers exchanged with the next sensor frame's
     doubled,         // each frame twice
     wrong_length,    // one byte short
+    // A second sender, whose frames have a right CRC and a right counter; `magnitude` says of what kind its
+    // content is (second_sender.hpp).
+    sender_before,   // its frame comes just before the genuine one, with the same counter
+    sender_after,    // just after it, with the next counter
+    sender_tenfold,  // ten frames a cycle, with a counter of their own
     flood_foreign,   // `magnitude` frames a cycle of an identifier that the ECU does not receive
     flood_own,       // `magnitude` damaged frames a cycle with the identifier of Imu
     bus_off,         // of the ECU's controller
@@ -49,6 +56,7 @@ enum class FaultPlace : std::uint8_t {
     roll_angle_frame,
     vehicle_motion_frame,
     all_sensor_frames,
+    warning_frame,  // of the ECU itself
     bus,
     processor,
 };
@@ -69,7 +77,11 @@ std::string describe(const Fault& fault);
 std::string describe_each_sign(const Fault& fault);
 
 constexpr bool is_signal_fault(FaultKind kind) {
-    return kind > FaultKind::none && kind <= FaultKind::out_of_range;
+    return kind > FaultKind::none && kind <= FaultKind::noise_alone;
+}
+
+constexpr bool is_second_sender(FaultKind kind) {
+    return kind >= FaultKind::sender_before && kind <= FaultKind::sender_tenfold;
 }
 
 // The fault, and where its error can have either sign, with the other one too.
@@ -77,5 +89,8 @@ std::vector<Fault> in_each_sign(const Fault& fault);
 
 // Every fault of the matrix, in its order; of those with a sign only the positive ones.
 const std::vector<Fault>& all_faults();
+
+// The further ones that the matrix of states has: gains, dead sensors, large offsets, second senders.
+const std::vector<Fault>& further_faults();
 
 }  // namespace sil

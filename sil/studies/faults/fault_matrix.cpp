@@ -31,18 +31,16 @@ std::vector<Scene> all_scenes(const VehicleParameters& vehicle, const rsi::Param
 
 void inject_all(FaultMatrix& matrix, std::size_t scene_index, const rsi::Parameters& calibration) {
     const Scene& scene = matrix.scenes[scene_index];
-    const FaultyRun without_bank = run_with_fault(scene, Fault{}, calibration);
-    const FaultyRun with_bank =
-        run_with_fault(scene, Fault{FaultKind::none, FaultPlace::bank_angle, 0.0}, calibration);
+    const RightRuns right{scene, calibration};
     const bool new_column = scene_index == 0U || matrix.scenes[scene_index - 1U].name != scene.name;
     for (FaultRow& row : matrix.rows) {
         if (new_column) {
             row.cells.emplace_back();
         }
-        const FaultyRun& right = row.fault.place == FaultPlace::bank_angle ? with_bank : without_bank;
         for (const Fault& fault : in_each_sign(row.fault)) {
             Injection injection{fault, scene_index, {}, {}};
-            injection.reaction = measure(scene, fault, right, run_with_fault(scene, fault, calibration));
+            injection.reaction =
+                measure(scene, fault, right.of(fault), run_with_fault(scene, fault, calibration));
             injection.verdict = judge(expectation_of(fault, scene.kind), injection.reaction);
             row.cells.back().push_back(std::move(injection));
         }
@@ -75,14 +73,14 @@ void inject_sizes(FaultMatrix& matrix, const rsi::Parameters& calibration) {
         if (scene.kind < SceneKind::before_turn || scene.kind >= SceneKind::over) {
             continue;
         }
-        const FaultyRun without_bank = run_with_fault(scene, Fault{}, calibration);
-        const FaultyRun with_bank =
-            run_with_fault(scene, Fault{FaultKind::none, FaultPlace::bank_angle, 0.0}, calibration);
+        const RightRuns right{scene, calibration};
         for (std::size_t error = 0U; error < errors.size(); ++error) {
             const Fault& fault = errors[error];
-            const FaultyRun& right = fault.place == FaultPlace::bank_angle ? with_bank : without_bank;
             matrix.sizes[error].push_back(
-                {fault, index, measure(scene, fault, right, run_with_fault(scene, fault, calibration)), {}});
+                {fault,
+                 index,
+                 measure(scene, fault, right.of(fault), run_with_fault(scene, fault, calibration)),
+                 {}});
         }
     }
 }

@@ -6,6 +6,7 @@
 
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/studies/faults/second_sender.hpp"
 #include "sil/studies/faults/sensor_signal.hpp"
 #include "sil/world/simulation/pace.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t foreign_identifier = 0x010U;  // of high priority
 constexpr std::uint8_t counter_jump = 5U;             // beyond the step of one that every frame makes
+constexpr int frames_of_tenfold_sender = 10;          // a cycle
 
 struct SensorFrame {
     FaultPlace place;
@@ -62,6 +64,10 @@ std::uint8_t counter_of(const hal::CanFrame& frame) {
     return can_dbc::e2e::profile_11_counter(frame.data.data());
 }
 
+std::uint8_t after(std::uint8_t counter, unsigned step = 1U) {
+    return static_cast<std::uint8_t>((counter + step) % (can_dbc::e2e::profile_11_largest_counter + 1U));
+}
+
 // The signal's code replaced, and the frame protected as if its sender had sent that.
 void write_code(hal::CanFrame& frame, const SensorSignal& signal) {
     const std::uint16_t code = signal.code_out_of_range;
@@ -86,6 +92,7 @@ void FaultyBus::begin_cycle(bool active) {
     visible_ = false;
     if (active) {
         send_flood();
+        send_as_ecu();
     }
 }
 
@@ -101,6 +108,43 @@ void FaultyBus::send_flood() {
         bus_.send(frame);
     }
     visible_ = true;
+}
+
+// With the ECU's own identifier; the ECU's frames are not those that pass here.
+void FaultyBus::send_as_ecu() {
+    if (!is_second_sender(fault_.kind) || fault_.place != FaultPlace::warning_frame) {
+        return;
+    }
+    const int frames = fault_.kind == FaultKind::sender_tenfold ? frames_of_tenfold_sender : 1;
+    for (int count = 0; count < frames; ++count) {
+        bus_.send(second_senders_frame(fault_.place, fault_.magnitude, next_counter()));
+    }
+    visible_ = true;
+}
+
+// The genuine frame, and those of the second sender.
+hal::SendResult FaultyBus::send_beside(const hal::CanFrame& frame) {
+    const auto send_another = [&](std::uint8_t counter) {
+        bus_.send(second_senders_frame(fault_.place, fault_.magnitude, counter));
+    };
+    if (fault_.kind == FaultKind::sender_before) {
+        send_another(counter_of(frame));
+        return bus_.send(frame);
+    }
+    const hal::SendResult result = bus_.send(frame);
+    if (fault_.kind == FaultKind::sender_after) {
+        send_another(after(counter_of(frame)));
+        return result;
+    }
+    for (int count = 0; count < frames_of_tenfold_sender; ++count) {
+        send_another(next_counter());
+    }
+    return result;
+}
+
+std::uint8_t FaultyBus::next_counter() {
+    counter_ = after(counter_);
+    return counter_;
 }
 
 bool FaultyBus::is_concerned(const hal::CanFrame& frame) const {
@@ -131,6 +175,10 @@ hal::SendResult FaultyBus::send(const hal::CanFrame& frame) noexcept {
         case FaultKind::doubled:
             bus_.send(frame);
             return bus_.send(frame);
+        case FaultKind::sender_before:
+        case FaultKind::sender_after:
+        case FaultKind::sender_tenfold:
+            return send_beside(frame);
         default:
             return bus_.send(changed(frame));
     }
@@ -161,8 +209,7 @@ hal::CanFrame FaultyBus::changed(const hal::CanFrame& frame) {
             }
             protect_again(faulty, counter_);
             const unsigned step = fault_.kind == FaultKind::counter_jumps ? 1U + counter_jump : 0U;
-            counter_ = static_cast<std::uint8_t>((counter_ + step) %
-                                                 (can_dbc::e2e::profile_11_largest_counter + 1U));
+            counter_ = after(counter_, step);
             break;
         }
         case FaultKind::swapped:

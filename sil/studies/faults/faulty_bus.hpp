@@ -30,6 +30,9 @@ class FaultyBus final : public hal::CanBus {
  private:
     bool is_concerned(const hal::CanFrame& frame) const;
     void send_flood();
+    void send_as_ecu();
+    hal::SendResult send_beside(const hal::CanFrame& frame);
+    std::uint8_t next_counter();
     hal::SendResult send_delayed(const hal::CanFrame& frame);
     hal::CanFrame changed(const hal::CanFrame& frame);
 

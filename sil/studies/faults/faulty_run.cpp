@@ -14,7 +14,11 @@ SensorSample as_equipped(SensorSample sample, const Fault& fault) {
     return sample;
 }
 
-FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Parameters& calibration) {
+RightRuns::RightRuns(const FaultedDrive& drive, const rsi::Parameters& calibration)
+    : without_bank_{run_with_fault(drive, Fault{}, calibration)},
+      with_bank_{run_with_fault(drive, Fault{FaultKind::none, FaultPlace::bank_angle, 0.0}, calibration)} {}
+
+FaultyRun run_with_fault(const FaultedDrive& drive, const Fault& fault, const rsi::Parameters& calibration) {
     FaultyEcu ecu{calibration};
     ecu.inject(fault);
     FaultyBus bus{ecu.world_bus(), fault};
@@ -22,13 +26,13 @@ FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Para
     SensorFrames frames;
     EcuAnswerReader reader;
     FaultyRun run;
-    run.over = scene.fault_end;
+    run.over = drive.fault_end;
     int stepped = 0;
-    for (std::size_t cycle = 0U; cycle < scene.samples.size(); ++cycle) {
-        const bool active = cycle >= scene.fault_begin && cycle < scene.fault_end;
+    for (std::size_t cycle = 0U; cycle < drive.samples.size(); ++cycle) {
+        const bool active = cycle >= drive.fault_begin && cycle < drive.fault_end;
         ecu.begin_cycle(cycle, active);
         bus.begin_cycle(active);
-        frames.send(bus, sensor.apply(as_equipped(scene.samples[cycle], fault), active));
+        frames.send(bus, sensor.apply(as_equipped(drive.samples[cycle], fault), active));
         std::optional<EcuAnswer> answer;
         if (ecu.step()) {
             answer = reader.read(ecu.world_bus());
@@ -40,7 +44,7 @@ FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Para
         run.answers.push_back(answer);
     }
     if (fault.kind == FaultKind::clock_jump || fault.kind == FaultKind::process_stop) {
-        run.over = run.visible.value_or(scene.samples.size());  // over in that moment
+        run.over = run.visible.value_or(drive.samples.size());  // over in that moment
     }
     run.watchdog_fed = ecu.watchdog_feeds() == stepped;
     return run;

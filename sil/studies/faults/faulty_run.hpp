@@ -1,4 +1,4 @@
-// Faulty run: one scene with one fault, and all that the ECU answered.
+// Faulty run: one drive with one fault, and all that the ECU answered.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 #include "rsi/types.hpp"
 #include "sil/studies/faults/ecu_answer.hpp"
 #include "sil/studies/faults/fault.hpp"
-#include "sil/studies/faults/scene.hpp"
+#include "sil/studies/faults/recorded_drive.hpp"
 
 namespace sil {
 
@@ -18,9 +18,23 @@ struct FaultyRun {
     bool watchdog_fed{true};                          // once in each cycle that was computed
 };
 
-// Without a fault (kind `none`): the scene as it is, with a bank sensor if the place is that. Throws
+// Without a fault (kind `none`): the drive as it is, with a bank sensor if the place is that. Throws
 // std::invalid_argument when the calibration is refused.
-FaultyRun run_with_fault(const Scene& scene, const Fault& fault, const rsi::Parameters& calibration);
+FaultyRun run_with_fault(const FaultedDrive& drive, const Fault& fault, const rsi::Parameters& calibration);
+
+// Without a fault, with and without a bank sensor: what a run with a fault is compared with.
+class RightRuns {
+ public:
+    RightRuns(const FaultedDrive& drive, const rsi::Parameters& calibration);
+
+    const FaultyRun& of(const Fault& fault) const {
+        return fault.place == FaultPlace::bank_angle ? with_bank_ : without_bank_;
+    }
+
+ private:
+    FaultyRun without_bank_;
+    FaultyRun with_bank_;
+};
 
 // Most vehicles have no bank sensor; only a fault of it needs one.
 SensorSample as_equipped(SensorSample sample, const Fault& fault);

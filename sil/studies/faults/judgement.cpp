@@ -32,8 +32,8 @@ std::optional<std::size_t> first_warning(const FaultyRun& run) {
 }
 
 // While the controller is off the bus the ECU's frames reach nobody.
-bool is_heard(const Fault& fault, const FaultyRun& run, const Scene& scene, std::size_t cycle) {
-    const bool off = fault.kind == FaultKind::bus_off && cycle >= scene.fault_begin && cycle < run.over;
+bool is_heard(const Fault& fault, const FaultyRun& run, const FaultedDrive& drive, std::size_t cycle) {
+    const bool off = fault.kind == FaultKind::bus_off && cycle >= drive.fault_begin && cycle < run.over;
     return run.answers[cycle].has_value() && !off;
 }
 
@@ -43,7 +43,7 @@ void keep_first(std::optional<int>& time, bool happened, int now) {
     }
 }
 
-void measure_warning(const Scene& scene, const FaultyRun& right, const FaultyRun& faulty,
+void measure_warning(const FaultedDrive& drive, const FaultyRun& right, const FaultyRun& faulty,
                      Reaction& reaction) {
     const std::optional<std::size_t> due = first_warning(right);
     if (!due) {
@@ -53,8 +53,8 @@ void measure_warning(const Scene& scene, const FaultyRun& right, const FaultyRun
     reaction.warning_missed = !came;
     if (came) {
         reaction.lead_loss = to_ms(*came, *due);
-        if (scene.two_wheel_lift) {
-            reaction.lead = to_ms(*scene.two_wheel_lift, *came);
+        if (drive.two_wheel_lift) {
+            reaction.lead = to_ms(*drive.two_wheel_lift, *came);
         }
     }
 }
@@ -71,10 +71,10 @@ std::optional<int> time_to_agreement(const FaultyRun& right, const FaultyRun& fa
     return since < end ? std::optional<int>{to_ms(since, faulty.over)} : std::nullopt;
 }
 
-void measure_recovery(const Scene& scene, const FaultyRun& right, const FaultyRun& faulty,
+void measure_recovery(const FaultedDrive& drive, const FaultyRun& right, const FaultyRun& faulty,
                       Reaction& reaction) {
     // With two wheels in the air the vehicle is no longer what the checks know.
-    const std::size_t end = scene.two_wheel_lift.value_or(scene.samples.size());
+    const std::size_t end = drive.two_wheel_lift.value_or(drive.samples.size());
     if (faulty.over >= end) {
         return;
     }
@@ -89,17 +89,18 @@ void measure_recovery(const Scene& scene, const FaultyRun& right, const FaultyRu
 
 }  // namespace
 
-Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right, const FaultyRun& faulty) {
+Reaction measure(const FaultedDrive& drive, const Fault& fault, const FaultyRun& right,
+                 const FaultyRun& faulty) {
     Reaction reaction;
     reaction.visible = faulty.visible.has_value();
     reaction.watchdog_fed = faulty.watchdog_fed;
-    const std::size_t since = faulty.visible.value_or(scene.fault_begin);
+    const std::size_t since = faulty.visible.value_or(drive.fault_begin);
     reaction.warning_due = first_warning(right).has_value();
     int silence = 0;
     int wrong = 0;
     int lapse = 0;
-    for (std::size_t cycle = scene.fault_begin; cycle < scene.samples.size(); ++cycle) {
-        if (!is_heard(fault, faulty, scene, cycle)) {
+    for (std::size_t cycle = drive.fault_begin; cycle < drive.samples.size(); ++cycle) {
+        if (!is_heard(fault, faulty, drive, cycle)) {
             continue;
         }
         const EcuAnswer& was = *right.answers[cycle];
@@ -127,8 +128,8 @@ Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right,
         reaction.incomplete_cycles += is.complete ? 0U : 1U;
         reaction.undefined_cycles += is.defined ? 0U : 1U;
     }
-    measure_warning(scene, right, faulty, reaction);
-    measure_recovery(scene, right, faulty, reaction);
+    measure_warning(drive, right, faulty, reaction);
+    measure_recovery(drive, right, faulty, reaction);
     return reaction;
 }
 

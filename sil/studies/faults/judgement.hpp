@@ -27,18 +27,19 @@ struct Reaction {
     int silence{0};                 // longest, without code: "ready" while a warning is due
     int wrong{0};                   // longest, without code: another state than without the fault
     int lapse{0};                   // longest, after the first code and while the fault is there, without one
-    int false_warning{0};           // in all, where none is due in the whole scene
+    int false_warning{0};           // in all, where none is due in the whole drive
     std::optional<int> due{};       // after the end of the fault; none: no warning is due, or due before it
-    std::optional<int> recovery{};  // none: not until the scene's end, or the scene ends with the fault
+    std::optional<int> recovery{};  // none: not until the drive's end, or the drive ends with the fault
     std::optional<int> healing{};   // the same of the codes
-    int watched_ms{0};              // from the end of the fault to two-wheel lift-off or the scene's end
+    int watched_ms{0};              // from the end of the fault to two-wheel lift-off or the drive's end
     std::size_t incomplete_cycles{0};  // without one of the ECU's frames, or with a damaged one
     std::size_t undefined_cycles{0};   // with a code that the DBC file does not define
     bool watchdog_fed{true};
 };
 
-// `right` is the run of the same scene without the fault.
-Reaction measure(const Scene& scene, const Fault& fault, const FaultyRun& right, const FaultyRun& faulty);
+// `right` is the run of the same drive without the fault.
+Reaction measure(const FaultedDrive& drive, const Fault& fault, const FaultyRun& right,
+                 const FaultyRun& faulty);
 
 // What the issue is about: a single fault that turns a due warning into "ready", and nothing says so.
 bool silences_a_warning(const Reaction& reaction);

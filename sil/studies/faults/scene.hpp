@@ -3,11 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "sil/world/sensors/sensor_sample.hpp"
+#include "sil/studies/faults/recorded_drive.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {
@@ -25,16 +24,11 @@ enum class SceneKind : std::uint8_t {
 };
 inline constexpr std::size_t scene_count = 8U;
 
-// The ECU only warns, so no answer of its changes the drive: one recording serves every fault. Scenes of one
-// name stand in one column of the matrix.
-struct Scene {
+// Scenes of one name stand in one column of the matrix.
+struct Scene : FaultedDrive {
     SceneKind kind{};
     std::string name{};
     std::string description{};
-    std::vector<SensorSample> samples{};  // one a cycle
-    std::size_t fault_begin{0U};          // cycle
-    std::size_t fault_end{0U};  // cycle after the last one; samples.size() when the scene ends first
-    std::optional<std::size_t> two_wheel_lift{};  // cycle in which both wheels of a side have lifted
 };
 
 // At rest, straight ahead, in a turn, before a turn that leads to a warning. The sensors have noise.

@@ -23,6 +23,7 @@ struct SensorSignal {
     double offset;          // in `unit`: of the matrix
     double drift_ps;        // in `unit` a second: of the matrix
     double noise;           // in `unit`, rms: of the matrix
+    double own_noise;       // in `unit`, rms: of a good sensor
 };
 
 inline constexpr std::size_t sensor_signal_count = 8U;

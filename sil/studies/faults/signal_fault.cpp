@@ -48,6 +48,10 @@ double SignalFault::faulty(double value) {
             return value + drifted_;
         case FaultKind::noise:
             return value + fault_.magnitude * noise_.next();
+        case FaultKind::gain:
+            return fault_.magnitude * value;
+        case FaultKind::noise_alone:
+            return fault_.magnitude * noise_.next();
         case FaultKind::sign_flip:
             return -value;
         case FaultKind::saturated:

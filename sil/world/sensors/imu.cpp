@@ -24,12 +24,17 @@ std::array<double, 3> specific_force_at(const Truth& truth, const MountingPositi
 
 Imu::Imu(const ImuOptions& options, std::uint64_t seed)
     : position_(options.position),
+      averaged_(options.averaged),
       lateral_(options.lateral_acceleration_mps2, seed, NoiseStream::lateral_acceleration),
       vertical_(options.vertical_acceleration_mps2, seed, NoiseStream::vertical_acceleration),
       roll_rate_(options.roll_rate_radps, seed, NoiseStream::roll_rate) {}
 
 void Imu::observe(const Truth& truth) {
     const Vector force = specific_force_at(truth, position_);
+    if (!averaged_) {
+        lateral_sum_mps2_ = vertical_sum_mps2_ = roll_rate_sum_radps_ = 0.0;
+        observed_ = 0;
+    }
     lateral_sum_mps2_ += force[1];
     vertical_sum_mps2_ += force[2];
     roll_rate_sum_radps_ += truth.angular_velocity_radps[0];

@@ -16,7 +16,8 @@ namespace sil {
 std::array<double, 3> specific_force_at(const Truth& truth, const MountingPosition& position);
 
 // Reports the mean of what it has observed since its last report, as an automotive IMU's decimation filter
-// does. Fed every 1 ms and read every 10 ms, that is a delay of 4.5 ms against the latest truth.
+// does; one without such a filter reports the latest. Fed every 1 ms and read every 10 ms, the mean is a
+// delay of 4.5 ms against the latest truth.
 class Imu {
  public:
     Imu(const ImuOptions& options, std::uint64_t seed);
@@ -29,6 +30,7 @@ class Imu {
 
  private:
     MountingPosition position_;
+    bool averaged_;
     SensorChannel lateral_;
     SensorChannel vertical_;
     SensorChannel roll_rate_;

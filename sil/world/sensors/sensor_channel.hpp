@@ -1,7 +1,8 @@
-// SensorChannel: one measured quantity with its bias, noise and quantisation.
+// SensorChannel: one measured quantity with its bias, noise, quantisation, delay and rate.
 #pragma once
 
 #include <cstdint>
+#include <deque>
 
 #include "sil/world/sensors/noise_source.hpp"
 #include "sil/world/sensors/sensor_options.hpp"
@@ -25,12 +26,18 @@ class SensorChannel {
  public:
     SensorChannel(const ChannelOptions& options, std::uint64_t seed, NoiseStream stream);
 
-    // The value that the sensor reports for this true one. Draws noise once a call.
+    // The value that the sensor reports for this true one. Draws noise once a call. A late sensor says what
+    // it first measured until that is as old as it must be.
     double measure(double true_value);
 
  private:
+    double disturbed(double true_value);
+
     ChannelOptions options_;
     NoiseSource noise_;
+    std::deque<double> under_way_{};
+    double held_{0.0};
+    unsigned reports_of_held_{0U};
 };
 
 }  // namespace sil

@@ -5,11 +5,14 @@
 
 namespace sil {
 
-// One measured quantity, in the unit of the quantity: reported = round((true + bias + noise) / step) * step.
+// One measured quantity, in the unit of the quantity: reported = round((true + bias + noise) / step) * step,
+// of so many reports before.
 struct ChannelOptions {
     double noise_rms{0.0};          // standard deviation of the white noise on each reported value, >= 0
     double bias{0.0};               // not a number: the sensor reports "not available"
     double quantisation_step{0.0};  // 0: none; the CAN encoding quantises in any case
+    unsigned reports_late{0U};      // a report is one bus cycle
+    unsigned reports_a_value{1U};   // a slow sensor's value is reported so often
 };
 
 // Position in body axes relative to the sprung mass's centre of gravity.
@@ -21,6 +24,7 @@ struct MountingPosition {
 
 struct ImuOptions {
     MountingPosition position;
+    bool averaged{true};  // false: no decimation filter; each report is the value of its instant
     ChannelOptions lateral_acceleration_mps2;
     ChannelOptions vertical_acceleration_mps2;
     ChannelOptions roll_rate_radps;

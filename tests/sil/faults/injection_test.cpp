@@ -81,17 +81,29 @@ class Injection {
     std::vector<std::size_t> counts_{};
 };
 
-std::vector<Fault> all_signs() {
+std::vector<Fault> signs_of(const std::vector<Fault>& faults) {
     std::vector<Fault> all;
-    for (const Fault& fault : sil::all_faults()) {
+    for (const Fault& fault : faults) {
         const std::vector<Fault> signs = in_each_sign(fault);
         all.insert(all.end(), signs.begin(), signs.end());
     }
     return all;
 }
 
+std::vector<Fault> all_signs() {
+    return signs_of(sil::all_faults());
+}
+
+// With those of the matrix of states.
+std::vector<Fault> all_and_further_signs() {
+    std::vector<Fault> all = all_signs();
+    const std::vector<Fault> further = signs_of(sil::further_faults());
+    all.insert(all.end(), further.begin(), further.end());
+    return all;
+}
+
 TEST(SignalFault, ChangesItsOwnSignalAloneAndOnlyWhileActive) {
-    for (const Fault& fault : all_signs()) {
+    for (const Fault& fault : all_and_further_signs()) {
         if (!sil::is_signal_fault(fault.kind) || fault.kind == FaultKind::out_of_range) {
             continue;
         }
@@ -154,8 +166,25 @@ TEST(SignalFault, IsVisibleFromTheSmallestErrorOn) {
     EXPECT_TRUE(frozen.is_visible());
 }
 
+TEST(SignalFault, ScalesTheSignalOrLeavesItsNoiseAlone) {
+    const auto reported = [](const Fault& fault) {
+        sil::SignalFault sensor{fault};
+        return sensor.apply(sample_of(2.0), true).lateral_acceleration_mps2;
+    };
+    EXPECT_EQ(reported({FaultKind::gain, FaultPlace::lateral_acceleration, 0.0}), 0.0);
+    EXPECT_EQ(reported({FaultKind::gain, FaultPlace::lateral_acceleration, 1.25}), 2.5);
+    sil::SignalFault dead{{FaultKind::noise_alone, FaultPlace::lateral_acceleration, 0.2}};
+    double sum_of_squares = 0.0;
+    constexpr int count = 10000;
+    for (int cycle = 0; cycle < count; ++cycle) {
+        const double value = dead.apply(sample_of(2.0), true).lateral_acceleration_mps2;
+        sum_of_squares += value * value;
+    }
+    EXPECT_NEAR(std::sqrt(sum_of_squares / count), 0.2, 0.01) << "whatever the signal";
+}
+
 TEST(FaultyBus, LeavesEverythingAloneOutsideTheFault) {
-    for (const Fault& fault : sil::all_faults()) {
+    for (const Fault& fault : all_and_further_signs()) {
         SCOPED_TRACE(describe(fault) + " of " + to_string(fault.place));
         const Injection injection{fault};
         for (const std::size_t cycle : {0U, 1U, 9U, 11U}) {
@@ -223,6 +252,65 @@ TEST(FaultyBus, DoublesFrames) {
     const std::vector<hal::CanFrame> twice = of_identifier(injection.cycle(4U), can_dbc::Imu::identifier);
     ASSERT_EQ(twice.size(), 2U);
     EXPECT_EQ(twice[0].data, twice[1].data);
+}
+
+// Imu frames of a second sender among them; the genuine one says 1 m/s^2.
+TEST(FaultyBus, ASecondSenderComesBeforeOrAfterTheGenuineOneWithAGoodCounter) {
+    const auto lateral = [](const hal::CanFrame& frame) {
+        return can_dbc::decode<can_dbc::Imu>(frame.data).value.lateral_acceleration_mps2;
+    };
+    const auto in_cycle_4 = [](FaultKind kind, double content) {
+        const Injection injection{{kind, FaultPlace::imu_frame, content}};
+        EXPECT_EQ(injection.cycle(4U).size(), kind == FaultKind::sender_tenfold ? 13U : 4U);
+        std::vector<hal::CanFrame> frames = of_identifier(injection.cycle(4U), can_dbc::Imu::identifier);
+        for (const hal::CanFrame& frame : frames) {
+            EXPECT_EQ(imu_error(frame), CheckError::none);
+        }
+        return frames;
+    };
+    const std::vector<hal::CanFrame> before = in_cycle_4(FaultKind::sender_before, 1.0);
+    ASSERT_EQ(before.size(), 2U);
+    EXPECT_NEAR(lateral(before[0]), 8.0F, 0.01F);
+    EXPECT_NEAR(lateral(before[1]), 1.0F, 0.01F);
+    EXPECT_EQ(counter_of(before[0]), 4U);
+    EXPECT_EQ(counter_of(before[1]), 4U);
+    const std::vector<hal::CanFrame> after = in_cycle_4(FaultKind::sender_after, -1.0);
+    ASSERT_EQ(after.size(), 2U);
+    EXPECT_NEAR(lateral(after[0]), 1.0F, 0.01F);
+    EXPECT_NEAR(lateral(after[1]), 0.0F, 0.01F);
+    EXPECT_EQ(counter_of(after[0]), 4U);
+    EXPECT_EQ(counter_of(after[1]), 5U);
+    const std::vector<hal::CanFrame> tenfold = in_cycle_4(FaultKind::sender_tenfold, 1.0);
+    ASSERT_EQ(tenfold.size(), 11U);
+    for (std::size_t index = 2U; index < tenfold.size(); ++index) {
+        EXPECT_EQ(counter_of(tenfold[index]), (counter_of(tenfold[index - 1U]) + 1U) % 15U);
+    }
+}
+
+TEST(FaultyBus, ASecondSenderSpeaksForTheOtherSensorsAndForTheEcu) {
+    const auto frames = [](FaultPlace place, std::uint32_t identifier, double content) {
+        const Injection injection{{FaultKind::sender_before, place, content}};
+        return of_identifier(injection.cycle(4U), identifier);
+    };
+    for (const double content : {1.0, -1.0}) {
+        const bool alarming = content > 0.0;
+        const auto roll = frames(FaultPlace::roll_angle_frame, can_dbc::RollAngle::identifier, content);
+        ASSERT_EQ(roll.size(), 2U);
+        EXPECT_NEAR(can_dbc::decode<can_dbc::RollAngle>(roll[0].data).value.roll_angle_deg,
+                    alarming ? 9.0F : 0.0F, 0.01F);
+        const auto motion =
+            frames(FaultPlace::vehicle_motion_frame, can_dbc::VehicleMotion::identifier, content);
+        ASSERT_EQ(motion.size(), 2U);
+        EXPECT_NEAR(can_dbc::decode<can_dbc::VehicleMotion>(motion[0].data).value.yaw_rate_deg_per_s,
+                    alarming ? 20.0F : 0.0F, 0.01F);
+        const auto warning = frames(FaultPlace::warning_frame, can_dbc::RolloverWarning::identifier, content);
+        ASSERT_EQ(warning.size(), 1U);
+        using Warning = can_dbc::RolloverWarning;
+        EXPECT_EQ(can_dbc::decode<Warning>(warning[0].data).value.state,
+                  alarming ? Warning::State::warning : Warning::State::ready);
+    }
+    const Injection tenfold{{FaultKind::sender_tenfold, FaultPlace::warning_frame, 1.0}};
+    EXPECT_EQ(of_identifier(tenfold.cycle(4U), can_dbc::RolloverWarning::identifier).size(), 10U);
 }
 
 TEST(FaultyBus, FloodsBeforeTheSensorFrames) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "sil/world/sensors/sensor_suite.hpp"
 
@@ -174,6 +175,23 @@ TEST(Imu, ReportsTheMeanOfTheTruthsSinceItsLastReport) {
     }
 }
 
+TEST(Imu, WithoutAFilterReportsTheLatestTruth) {
+    sil::ImuOptions options;
+    options.averaged = false;
+    sil::Imu imu(options, 1U);
+    sil::Truth truth;
+    for (const double force : {4.0, 5.0, 9.0}) {
+        truth.specific_force_mps2 = {0.0, force, 2.0 * force};
+        imu.observe(truth);
+    }
+    sil::SensorSample sample;
+    imu.report(sample);
+    EXPECT_EQ(sample.lateral_acceleration_mps2, 9.0);
+    EXPECT_EQ(sample.vertical_acceleration_mps2, 18.0);
+    imu.report(sample);
+    EXPECT_TRUE(std::isnan(sample.lateral_acceleration_mps2));
+}
+
 TEST(Imu, WithNothingObservedIsNotAvailable) {
     sil::Imu imu(sil::noisy_sensors(1U).imu, 1U);
     sil::SensorSample sample;
@@ -263,6 +281,34 @@ TEST(SensorSuite, AddsTheBiasAndRoundsToTheStep) {
     EXPECT_DOUBLE_EQ(sensors.report(truth).roll_angle_rad, 0.07);  // 0.067: to the nearest, not down
     truth.roll_angle_rad = -0.08;
     EXPECT_DOUBLE_EQ(sensors.report(truth).roll_angle_rad, -0.07);  // -0.067
+}
+
+// The speed of each report where the true one is 1, 2, 3, ... m/s.
+std::vector<double> reported_speeds(const sil::ChannelOptions& options, int reports) {
+    sil::SensorOptions all;
+    all.motion.speed_mps = options;
+    sil::SensorSuite sensors(all);
+    std::vector<double> speeds;
+    sil::Truth truth;
+    for (int report = 1; report <= reports; ++report) {
+        truth.speed_mps = report;
+        speeds.push_back(sensors.report(truth).speed_mps);
+    }
+    return speeds;
+}
+
+TEST(SensorSuite, ALateSensorTellsWhatWas) {
+    sil::ChannelOptions late;
+    late.reports_late = 2U;
+    EXPECT_EQ(reported_speeds(late, 6), (std::vector<double>{1.0, 1.0, 1.0, 2.0, 3.0, 4.0}));
+}
+
+TEST(SensorSuite, ASlowSensorRepeatsItsValue) {
+    sil::ChannelOptions slow;
+    slow.reports_a_value = 2U;
+    EXPECT_EQ(reported_speeds(slow, 6), (std::vector<double>{1.0, 1.0, 3.0, 3.0, 5.0, 5.0}));
+    slow.reports_late = 1U;
+    EXPECT_EQ(reported_speeds(slow, 6), (std::vector<double>{1.0, 1.0, 2.0, 2.0, 4.0, 4.0}));
 }
 
 TEST(SensorSuite, SpeedFromWheelSpeedsNeverGetsNegative) {

@@ -1,0 +1,156 @@
+#include "sil/apps/fault_search_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sil/apps/command_line.hpp"
+#include "sil/apps/progress_line.hpp"
+#include "sil/apps/stop_request.hpp"
+#include "sil/files/whole_file.hpp"
+#include "sil/studies/faults/search_report.hpp"
+
+namespace sil {
+namespace {
+
+struct FaultSearchRequest {
+    std::filesystem::path settings{"sil/studies/faults/search.toml"};
+    std::vector<std::uint64_t> scenarios{};
+    std::uint64_t seed{1U};
+    std::optional<std::uint64_t> single{};
+    unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
+    std::filesystem::path output{"fault_search"};
+    std::filesystem::path document{};
+    std::filesystem::path checked{};
+};
+
+std::uint64_t number_of(const std::string& text) {
+    return whole_number(text).value_or(0U);  // checked before
+}
+
+CampaignSettings settings_of(const FaultSearchRequest& request, std::uint64_t scenarios) {
+    CampaignSettings settings = load_campaign(request.settings);
+    settings.runs = scenarios;
+    settings.seed = request.seed;
+    check_campaign(settings);
+    return settings;
+}
+
+SearchReport search(const FaultSearchRequest& request, std::uint64_t scenarios) {
+    const FaultSearch search{settings_of(request, scenarios)};
+    const std::filesystem::path folder = request.output / fmt::format("{}-{}", scenarios, request.seed);
+    ProgressLine line{[](const RowProgress& now, double rate, double left_s) {
+        return fmt::format("{} of {} scenarios, {:.0f} a second, {:.0f} s left", now.finished, now.total,
+                           rate, left_s);
+    }};
+    const RowProgress progress = run_fault_search(search, folder, request.jobs, stop_on_signals(),
+                                                  [&line](const RowProgress& now) { line.show(now); });
+    if (progress.finished < progress.total) {
+        throw std::runtime_error(
+            fmt::format("interrupted after {} of {} scenarios, which are kept in {}. The same command goes "
+                        "on from there.",
+                        progress.finished, progress.total, folder.string()));
+    }
+    return report_on(load_search(folder), request.seed);
+}
+
+void fail_if_any(const std::vector<std::string>& found, const char* what) {
+    for (const std::string& each : found) {
+        fmt::print("{}: {}\n", what, each);
+    }
+    if (!found.empty()) {
+        throw std::runtime_error(
+            "the findings are not those of sil/studies/faults/known_findings.toml: see the lines above");
+    }
+}
+
+// A search that makes the page is long enough to find all that is known by searches alone.
+void run_searches(const FaultSearchRequest& request) {
+    std::vector<SearchReport> reports;
+    std::string sections;
+    std::vector<std::string> unknown;
+    for (const std::uint64_t scenarios : request.scenarios) {
+        reports.push_back(search(request, scenarios));
+        sections += search_section(reports.back());
+        const std::vector<std::string> more = unknown_findings(reports.back());
+        unknown.insert(unknown.end(), more.begin(), more.end());
+    }
+    fmt::print("{}", sections);
+    fail_if_any(unknown, "not known");
+    if (!request.document.empty()) {
+        fail_if_any(vanished_findings(reports), "known, but no longer found");
+        write_file_atomically(request.document, search_document(sections));
+    }
+    if (!request.checked.empty() && read_whole_file(request.checked).find(sections) == std::string::npos) {
+        throw std::runtime_error(
+            fmt::format("{} does not hold these figures; sil/studies/faults/run --search renews it",
+                        request.checked.string()));
+    }
+}
+
+void run_search(const FaultSearchRequest& request) {
+    if (request.single) {
+        fmt::print("{}", FaultSearch{settings_of(request, 1U)}.explain(*request.single));
+        return;
+    }
+    if (request.scenarios.empty()) {
+        throw CLI::RequiredError{"--scenarios or --scenario"};
+    }
+    run_searches(request);
+}
+
+}  // namespace
+
+void add_fault_search_command(CLI::App& app) {
+    const auto request = std::make_shared<FaultSearchRequest>();
+    CLI::App* command = app.add_subcommand(
+        "fault-search",
+        "Random faults in random drives: is a due warning missed, or a false one given, silently?");
+    command->add_option("--settings", request->settings, "What drives are drawn from (TOML)")
+        ->capture_default_str();
+    // Not CLI11's own conversion, which takes 010 for eight.
+    CLI::Option* scenarios = command
+                                 ->add_option_function<std::vector<std::string>>(
+                                     "--scenarios",
+                                     [request](const std::vector<std::string>& texts) {
+                                         for (const std::string& text : texts) {
+                                             request->scenarios.push_back(number_of(text));
+                                         }
+                                     },
+                                     "How many; repeated: one search after the other")
+                                 ->allow_extra_args(false)
+                                 ->check(check_whole_number)
+                                 ->type_name("UINT");
+    command
+        ->add_option_function<std::string>(
+            "--seed", [request](const std::string& text) { request->seed = number_of(text); },
+            "Seed of everything drawn")
+        ->check(check_whole_number)
+        ->type_name("UINT")
+        ->default_str("1");
+    command
+        ->add_option_function<std::string>(
+            "--scenario", [request](const std::string& text) { request->single = number_of(text); },
+            "No search: run the scenario of this number and say what happens")
+        ->check(check_whole_number)
+        ->type_name("UINT")
+        ->excludes(scenarios);
+    command->add_option("--jobs", request->jobs, "Threads")
+        ->check(CLI::Range(1U, 1024U))
+        ->capture_default_str();
+    command->add_option("--output", request->output, "Folder of the rows; taken up where it was left")
+        ->capture_default_str();
+    command->add_option("--document", request->document, "Write the page with these searches");
+    command->add_option("--check", request->checked, "A page that must hold these searches");
+    command->callback([request] { run_search(*request); });
+}
+
+}  // namespace sil

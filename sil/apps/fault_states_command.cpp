@@ -1,0 +1,54 @@
+#include "sil/apps/fault_states_command.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "sil/apps/measured_page.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/studies/faults/state_matrix.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
+
+namespace sil {
+namespace {
+
+struct FaultStatesRequest {
+    std::string vehicle_file;
+    std::string calibration_file;
+    MeasuredPage page;
+};
+
+void run_fault_states(const FaultStatesRequest& request) {
+    const StateMatrix matrix =
+        run_state_matrix(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file));
+    const std::vector<CellFinding> found = findings_in(matrix);
+    const std::vector<std::string> unexpected = differences(found);
+    for (const std::string& each : unexpected) {
+        fmt::print("{}\n", each);
+    }
+    fmt::print("{} findings; {} differ from sil/studies/faults/known_findings.toml\n", found.size(),
+               unexpected.size());
+    if (!unexpected.empty()) {
+        throw std::runtime_error(
+            "the findings are not those of sil/studies/faults/known_findings.toml: see the lines above");
+    }
+    write_or_check(request.page, state_matrix_document(matrix));
+}
+
+}  // namespace
+
+void add_fault_states_command(CLI::App& app) {
+    const auto request = std::make_shared<FaultStatesRequest>();
+    CLI::App* command = app.add_subcommand(
+        "fault-states", "Inject every fault in every state of driving, and try every kind of good sensor");
+    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
+        ->required();
+    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
+        ->required();
+    add_page_options(*command, request->page);
+    command->callback([request] { run_fault_states(*request); });
+}
+
+}  // namespace sil

@@ -1,0 +1,51 @@
+#include "sil/apps/measured_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sil/files/whole_file.hpp"
+
+namespace sil {
+namespace {
+
+// The first line in which two texts differ, for a message.
+std::string first_difference(const std::string& held, const std::string& measured) {
+    std::size_t begin = 0U;
+    std::size_t position = 0U;
+    while (position < held.size() && position < measured.size() && held[position] == measured[position]) {
+        if (held[position] == '\n') {
+            begin = position + 1U;
+        }
+        ++position;
+    }
+    const auto line = [begin](const std::string& text) {
+        return text.substr(std::min(begin, text.size()), text.find('\n', begin) - begin);
+    };
+    return fmt::format("  the document: {}\n  measured:     {}", line(held), line(measured));
+}
+
+}  // namespace
+
+void add_page_options(CLI::App& command, MeasuredPage& page) {
+    command.add_option("--document", page.written, "Write the figures as a page");
+    command.add_option("--check", page.checked, "Compare the figures with a page; other ones fail");
+}
+
+void write_or_check(const MeasuredPage& page, const std::string& document) {
+    if (!page.written.empty()) {
+        write_file_atomically(page.written, document);
+    }
+    if (page.checked.empty()) {
+        return;
+    }
+    const std::string held = read_whole_file(page.checked);
+    if (held != document) {
+        throw std::runtime_error(fmt::format(
+            "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
+            page.checked.string(), first_difference(held, document)));
+    }
+}
+
+}  // namespace sil

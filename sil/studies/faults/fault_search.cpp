@@ -1,0 +1,181 @@
+#include "sil/studies/faults/fault_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sil/random.hpp"
+#include "sil/studies/faults/judgement.hpp"
+#include "sil/studies/faults/sensor_signal.hpp"
+#include "sil/world/simulation/pace.hpp"
+
+namespace sil {
+namespace {
+
+constexpr std::size_t most_drives_kept = 8U;
+constexpr std::uint64_t scenario_stream = 0x5CE9A710U;  // other random numbers than the drives'
+
+constexpr double share_from_start = 0.3;
+constexpr double share_towards_warning = 0.4;
+constexpr double longest_before_warning_s = 3.0;
+constexpr double share_that_stays = 0.5;
+constexpr double shortest_s = 0.05;
+constexpr double longest_s = 5.0;
+
+// Of the sizes of the matrix.
+constexpr double smallest_size = 0.25;
+constexpr double largest_size = 8.0;
+
+constexpr double milliseconds_a_cycle = 1.0e3 * cycle_time_s;
+
+double logarithmic(RandomStream& chance, double low, double high) {
+    return low * std::pow(high / low, chance.between(0.0, 1.0));
+}
+
+// Every kind at every place, once.
+const std::vector<Fault>& kinds_at_places() {
+    static const std::vector<Fault> all = [] {
+        std::vector<Fault> found;
+        for (const std::vector<Fault>& faults : {all_faults(), further_faults()}) {
+            for (const Fault& fault : faults) {
+                const bool is_there = std::any_of(found.begin(), found.end(), [&fault](const Fault& each) {
+                    return each.kind == fault.kind && each.place == fault.place;
+                });
+                if (!is_there) {
+                    found.push_back(fault);
+                }
+            }
+        }
+        return found;
+    }();
+    return all;
+}
+
+double drawn_magnitude(const Fault& fault, RandomStream& chance) {
+    switch (fault.kind) {
+        case FaultKind::offset:
+        case FaultKind::drift:
+        case FaultKind::noise:
+        case FaultKind::noise_alone:
+            return fault.magnitude * logarithmic(chance, smallest_size, largest_size);
+        case FaultKind::gain:
+            return chance.between(0.0, 1.0) < 0.5 ? chance.between(0.0, 1.0) : chance.between(1.0, 3.0);
+        case FaultKind::delayed:
+            return std::round(chance.between(1.0, 20.0)) * milliseconds_a_cycle;
+        case FaultKind::process_stop:
+            return std::round(logarithmic(chance, 1.0, 200.0)) * milliseconds_a_cycle;
+        case FaultKind::clock_jump:
+            return (chance.below(2U) == 0U ? 1.0 : -1.0) * std::round(logarithmic(chance, 1.0, 2000.0));
+        case FaultKind::flood_foreign:
+        case FaultKind::flood_own:
+            return std::round(logarithmic(chance, 1.0, 150.0));
+        default:
+            return fault.magnitude;
+    }
+}
+
+Fault drawn_fault(RandomStream& chance) {
+    Fault fault = kinds_at_places()[chance.below(kinds_at_places().size())];
+    fault.magnitude = drawn_magnitude(fault, chance);
+    const std::vector<Fault> signs = in_each_sign(fault);
+    return signs[chance.below(signs.size())];
+}
+
+std::size_t drawn_begin(const SearchDrive& drive, RandomStream& chance) {
+    const double way = chance.between(0.0, 1.0);
+    const double place = chance.between(0.0, 1.0);
+    if (way < share_from_start) {
+        return 0U;
+    }
+    if (drive.due && way < share_from_start + share_towards_warning) {
+        return *drive.due - std::min(*drive.due, cycle_count(place * longest_before_warning_s));
+    }
+    return static_cast<std::size_t>(place * static_cast<double>(drive.drive.samples.size()));
+}
+
+FaultedDrive with_scenario(const FaultedDrive& drive, const SearchScenario& scenario) {
+    FaultedDrive faulted = drive;
+    faulted.fault_begin = scenario.begin;
+    faulted.fault_end = scenario.end;
+    return faulted;
+}
+
+bool is_told_of(const Reaction& reaction) {
+    return reaction.code || reaction.unavailable;
+}
+
+}  // namespace
+
+SearchScenario FaultSearch::draw(std::uint64_t number, const SearchDrive& drive) const {
+    RandomStream chance{scrambled(scrambled(settings().seed ^ scenario_stream) ^ number)};
+    SearchScenario scenario;
+    scenario.fault = drawn_fault(chance);
+    scenario.begin = drawn_begin(drive, chance);
+    const bool stays = chance.between(0.0, 1.0) < share_that_stays;
+    const std::size_t lasts = cycle_count(logarithmic(chance, shortest_s, longest_s));
+    const std::size_t size = drive.drive.samples.size();
+    scenario.end = stays ? size : std::min(size, scenario.begin + lasts);
+    return scenario;
+}
+
+std::shared_ptr<const FaultSearch::Slot> FaultSearch::drive_of(std::uint64_t number) const {
+    const std::uint64_t drive = number / scenarios_a_drive;
+    std::shared_ptr<Slot> slot;
+    {
+        const std::lock_guard<std::mutex> lock{mutex_};
+        std::shared_ptr<Slot>& held = drives_[drive];
+        if (!held) {
+            held = std::make_shared<Slot>();
+        }
+        slot = held;
+        if (drives_.size() > most_drives_kept) {
+            drives_.erase(drives_.begin());
+        }
+    }
+    std::call_once(slot->recorded, [&] {
+        slot->drive = std::make_unique<const SearchDrive>(record_search_drive(world_, drive));
+    });
+    return slot;
+}
+
+SearchOutcome FaultSearch::run(std::uint64_t number) const {
+    const std::shared_ptr<const Slot> slot = drive_of(number);
+    const SearchDrive& drive = *slot->drive;
+    const SearchScenario scenario = draw(number, drive);
+    const FaultedDrive faulted = with_scenario(drive.drive, scenario);
+    const FaultyRun& right = drive.right.of(scenario.fault);
+    const FaultyRun faulty = run_with_fault(faulted, scenario.fault, drive.calibration);
+    return {number,
+            scenario.fault.kind,
+            scenario.fault.place,
+            faulty.visible.has_value(),
+            drive.due.has_value(),
+            is_told_of(measure(faulted, scenario.fault, right, faulty)),
+            silent_findings(faulted, right, faulty)};
+}
+
+std::string FaultSearch::explain(std::uint64_t number) const {
+    const std::shared_ptr<const Slot> slot = drive_of(number);
+    const SearchDrive& drive = *slot->drive;
+    const SearchScenario scenario = draw(number, drive);
+    const FaultedDrive faulted = with_scenario(drive.drive, scenario);
+    const FaultyRun& right = drive.right.of(scenario.fault);
+    const FaultyRun faulty = run_with_fault(faulted, scenario.fault, drive.calibration);
+    const auto seconds = [](std::size_t cycle) { return static_cast<double>(cycle) * cycle_time_s; };
+    std::string text = fmt::format(
+        "Scenario {}: {}, {}, {:.2f} s long{}; the ECU starts {:.2f} s after the drive\n"
+        "  {} of {} from {:.2f} to {:.2f} s; a warning is due {}\n  reaction, ms: {}\n",
+        number, drive.vehicle, drive.name, seconds(faulted.samples.size()),
+        faulted.two_wheel_lift ? ", ends with two-wheel lift-off" : "", drive.ecu_starts_at_s,
+        describe(scenario.fault), to_string(scenario.fault.place), seconds(scenario.begin),
+        seconds(scenario.end), drive.due ? fmt::format("at {:.2f} s", seconds(*drive.due)) : "at no time",
+        describe({measure(faulted, scenario.fault, right, faulty)}));
+    for (const FindingKind kind : silent_findings(faulted, right, faulty)) {
+        text += fmt::format("  {}\n", to_string(kind));
+    }
+    return text;
+}
+
+}  // namespace sil

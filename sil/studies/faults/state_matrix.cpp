@@ -1,0 +1,102 @@
+#include "sil/studies/faults/state_matrix.hpp"
+
+#include "sil/studies/faults/good_sensors.hpp"
+
+namespace sil {
+namespace {
+
+std::vector<StateRow> rows_of_all_faults() {
+    std::vector<StateRow> rows;
+    for (const std::vector<Fault>& faults : {all_faults(), further_faults()}) {
+        for (const Fault& fault : faults) {
+            rows.push_back({fault, {}, {}});
+        }
+    }
+    return rows;
+}
+
+StateCell inject(const DrivingState& state, const Fault& each_sign, const RightRuns& right,
+                 const rsi::Parameters& calibration) {
+    StateCell cell;
+    for (const Fault& fault : in_each_sign(each_sign)) {
+        const FaultyRun faulty = run_with_fault(state, fault, calibration);
+        cell.push_back({describe(fault), measure(state, fault, right.of(fault), faulty),
+                        findings_of(state, fault, right.of(fault), faulty, state.ordinary_end)});
+    }
+    return cell;
+}
+
+void inject_rows(StateMatrix& matrix, const DrivingState& state, const rsi::Parameters& calibration) {
+    const RightRuns right{state, calibration};
+    for (StateRow& row : matrix.rows) {
+        const bool wanted = state.with_frame_faults || is_signal_fault(row.fault.kind);
+        row.cells.push_back(wanted ? inject(state, row.fault, right, calibration) : StateCell{});
+    }
+}
+
+// The first set of sensors is the usual one.
+void try_good_sensors(StateMatrix& matrix, const std::vector<std::vector<DrivingState>>& drives,
+                      const rsi::Parameters& calibration) {
+    for (std::size_t state = 0U; state < drives.front().size(); ++state) {
+        const FaultyRun right = run_with_fault(drives.front()[state], Fault{}, calibration);
+        for (std::size_t index = 0U; index < matrix.rows_of_good_sensors.size(); ++index) {
+            StateRow& row = matrix.rows_of_good_sensors[index];
+            const DrivingState& drive = drives[index + 1U][state];
+            FaultyRun other = run_with_fault(drive, Fault{}, calibration);
+            other.visible = 0U;
+            row.cells.push_back({{row.sensors, measure(drive, Fault{}, right, other),
+                                  findings_of_good_sensors(drive, right, other)}});
+        }
+    }
+}
+
+void collect(const std::vector<StateRow>& rows, const std::vector<DrivingState>& states,
+             std::vector<CellFinding>& found) {
+    for (const StateRow& row : rows) {
+        for (std::size_t state = 0U; state < row.cells.size(); ++state) {
+            for (const StateOutcome& outcome : row.cells[state]) {
+                for (const FindingKind kind : outcome.findings) {
+                    found.push_back(
+                        {{kind, row.fault.kind, row.fault.place}, outcome.name + " | " + states[state].name});
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+StateMatrix run_state_matrix(const VehicleParameters& vehicle, const rsi::Parameters& calibration) {
+    const std::vector<GoodSensors> good = good_sensors(vehicle);
+    std::vector<SensorOptions> sensors{recording_sensors(vehicle)};
+    for (const GoodSensors& each : good) {
+        sensors.push_back(each.options);
+    }
+    const std::vector<std::vector<DrivingState>> states = record_states(vehicle, sensors);
+    const std::vector<std::vector<DrivingState>> drives = record_drives_of_good_sensors(vehicle, sensors);
+
+    StateMatrix matrix;
+    matrix.states = states.front();
+    matrix.rows = rows_of_all_faults();
+    for (const DrivingState& state : matrix.states) {
+        inject_rows(matrix, state, calibration);
+    }
+    for (const GoodSensors& each : good) {
+        matrix.rows_of_good_sensors.push_back({Fault{}, each.name, {}});
+    }
+    matrix.states_of_good_sensors = states.front();
+    matrix.states_of_good_sensors.insert(matrix.states_of_good_sensors.end(), drives.front().begin(),
+                                         drives.front().end());
+    try_good_sensors(matrix, states, calibration);
+    try_good_sensors(matrix, drives, calibration);
+    return matrix;
+}
+
+std::vector<CellFinding> findings_in(const StateMatrix& matrix) {
+    std::vector<CellFinding> found;
+    collect(matrix.rows, matrix.states, found);
+    collect(matrix.rows_of_good_sensors, matrix.states_of_good_sensors, found);
+    return found;
+}
+
+}  // namespace sil
