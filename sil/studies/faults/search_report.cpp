@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "page_templates.hpp"
 #include "sil/studies/faults/page_template.hpp"
@@ -20,6 +21,15 @@ FoundClass& class_in(std::vector<FoundClass>& all, const FindingClass& found) {
     }
     all.push_back({found, {}});
     return all.back();
+}
+
+// The most frequent first; of equals the one with the earlier scenario.
+bool is_before(const FoundClass& left, const FoundClass& right) {
+    const auto key = [](const FoundClass& each) {
+        return std::make_tuple(-static_cast<std::int64_t>(each.scenarios.size()), each.scenarios.front(),
+                               each.found.kind);
+    };
+    return key(left) < key(right);
 }
 
 std::string numbers(const FoundClass& found) {
@@ -46,10 +56,7 @@ SearchReport report_on(const std::vector<SearchOutcome>& outcomes, std::uint64_t
             class_in(report.found, {kind, outcome.fault, outcome.place}).scenarios.push_back(outcome.number);
         }
     }
-    std::stable_sort(report.found.begin(), report.found.end(),
-                     [](const FoundClass& left, const FoundClass& right) {
-                         return left.scenarios.size() > right.scenarios.size();
-                     });
+    std::sort(report.found.begin(), report.found.end(), is_before);
     return report;
 }
 
