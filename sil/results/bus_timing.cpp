@@ -50,7 +50,8 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
     std::vector<double> reaction_ms;
     std::optional<hal::Time> first_warning;
     std::optional<hal::Time> last_warning;
-    std::optional<hal::Time> last_sensor;
+    hal::Time last_sensor{};
+    bool is_answered = true;
     for (const LoggedFrame& logged : log) {
         const hal::Time time = logged.frame.receive_time;
         if (logged.frame.identifier == simulation_dbc::SimulationSync::identifier) {
@@ -61,14 +62,15 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
         }
         if (is_sensor_frame(logged.frame)) {
             last_sensor = time;
+            is_answered = false;
         } else if (logged.frame.identifier == can_dbc::RolloverWarning::identifier) {
             ++timing.warning_frames;
             if (last_warning) {
                 jitter_ms.push_back(std::abs(milliseconds(time - *last_warning) - cycle_ms));
             }
-            if (last_sensor) {
-                reaction_ms.push_back(milliseconds(time - *last_sensor));
-                last_sensor.reset();
+            if (!is_answered) {
+                reaction_ms.push_back(milliseconds(time - last_sensor));
+                is_answered = true;
             }
             first_warning = first_warning.value_or(time);
             last_warning = time;
