@@ -101,7 +101,7 @@ class Planted(unittest.TestCase):
             other.write_bytes(program.read_bytes() + b" ")
             cls.asked_of_others = {}
             for changed in (False, True):
-                sources = {"planted.hpp": "changed"} if changed else {}
+                sources = {"elsewhere.hpp": "changed"} if changed else {}
                 others = trial.Trial({"planted_test": other}, cls.record, folder, sources)
                 cls.asked_of_others[changed] = {mutant.id: sum(others._groups(mutant), []) for mutant in cls.all}
 

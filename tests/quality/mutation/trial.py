@@ -16,7 +16,7 @@ SURVIVED = "survived"
 
 class Trial:
     """Results are written down one by one, and taken up again by the next run of the very same programs. Of runs of other
-    programs a hint is taken: what killed a mutant then is tried first, and what survived, while its file was what it is now
+    programs a hint is taken: what killed a mutant then is tried first, and what survived, while every source was what it is now
     (`sources`: a digest for each file), is tried on tests of another name only."""
 
     def __init__(self, programs, record, folder, sources=None, anew=False):
@@ -43,7 +43,7 @@ class Trial:
         of_sources, tests = json.loads(asked.read_text()) if asked.is_file() else ({}, [])
         tests = set(map(tuple, tests))
         for _, key, answer, _ in results:
-            if answer == SURVIVED and of_sources.get(key[0]) == sources.get(key[0]):
+            if answer == SURVIVED and of_sources == sources:
                 self._asked[tuple(key)] = self._asked.get(tuple(key), set()) | tests
 
     def _cost(self, tests):
