@@ -35,7 +35,7 @@ rsi_parameters calibrated_loaded() {
 // learn from, as a share of the largest value.
 class Difference {
  public:
-    explicit Difference(float rsi_outputs::*output) : output_{output} {}
+    explicit Difference(float rsi_outputs::* output) : output_{output} {}
 
     void take(const rsi_outputs& of_one, const rsi_outputs& of_other) {
         largest_ = std::max(largest_, std::abs(of_one.*output_));
@@ -44,12 +44,12 @@ class Difference {
     float share() const { return difference_ / largest_; }
 
  private:
-    float rsi_outputs::*output_;
+    float rsi_outputs::* output_;
     float largest_{0.0F};
     float difference_{0.0F};
 };
 
-float difference(float rsi_outputs::*output) {
+float difference(float rsi_outputs::* output) {
     rsi::Component learnt;
     rsi::Component calibrated;
     EXPECT_EQ(learnt.init(calibrated_empty(1.0F)).accepted, 1);
