@@ -25,7 +25,8 @@ struct EnumerationSignal {
 
 // Saturates to the signal's range. `Integer` is bool or an integer of up to 32 bits.
 template <typename Integer>
-constexpr void write_signal(const IntegerSignal& signal, Integer value, std::uint8_t* payload) {
+[[gnu::always_inline]] constexpr void write_signal(const IntegerSignal& signal, Integer value,
+                                                   std::uint8_t* payload) {
     const auto wide = static_cast<std::int64_t>(value);
     const std::int64_t floored = wide < signal.minimum ? signal.minimum : wide;
     write_bits(signal.field, floored > signal.maximum ? signal.maximum : floored, payload);
@@ -33,8 +34,8 @@ constexpr void write_signal(const IntegerSignal& signal, Integer value, std::uin
 
 // `value` is the start value unless the status is valid.
 template <typename Integer>
-constexpr void read_signal(const IntegerSignal& signal, const std::uint8_t* payload, Integer& value,
-                           SignalStatus& status) {
+[[gnu::always_inline]] constexpr void read_signal(const IntegerSignal& signal, const std::uint8_t* payload,
+                                                  Integer& value, SignalStatus& status) {
     const std::int64_t raw = read_bits(signal.field, payload);
     const bool in_range = raw >= signal.minimum && raw <= signal.maximum;
     status = in_range ? SignalStatus::valid : SignalStatus::out_of_range;
@@ -43,16 +44,19 @@ constexpr void read_signal(const IntegerSignal& signal, const std::uint8_t* payl
 
 // A value that is no enumerator is sent as the start value.
 template <typename Enumeration>
-constexpr void write_enumeration(const EnumerationSignal& signal, bool (*is_known)(Enumeration),
-                                 Enumeration value, std::uint8_t* payload) {
+[[gnu::always_inline]] constexpr void write_enumeration(const EnumerationSignal& signal,
+                                                        bool (*is_known)(Enumeration), Enumeration value,
+                                                        std::uint8_t* payload) {
     write_bits(signal.field, is_known(value) ? static_cast<std::int64_t>(value) : signal.start_value,
                payload);
 }
 
 // `value` is the start value when the status is out_of_range.
 template <typename Enumeration>
-constexpr void read_enumeration(const EnumerationSignal& signal, bool (*is_known)(Enumeration),
-                                const std::uint8_t* payload, Enumeration& value, SignalStatus& status) {
+[[gnu::always_inline]] constexpr void read_enumeration(const EnumerationSignal& signal,
+                                                       bool (*is_known)(Enumeration),
+                                                       const std::uint8_t* payload, Enumeration& value,
+                                                       SignalStatus& status) {
     const std::int64_t raw = read_bits(signal.field, payload);
     value = static_cast<Enumeration>(raw);
     if (!is_known(value)) {

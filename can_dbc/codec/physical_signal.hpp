@@ -79,14 +79,16 @@ constexpr float physical_from_raw(const PhysicalSignal<Raw>& signal, Raw raw) {
 }
 
 template <typename Raw>
-constexpr void write_signal(const PhysicalSignal<Raw>& signal, float value, std::uint8_t* payload) {
+[[gnu::always_inline]] constexpr void write_signal(const PhysicalSignal<Raw>& signal, float value,
+                                                   std::uint8_t* payload) {
     write_bits(signal.field, raw_from_physical(signal, value), payload);
 }
 
 // `value` is NaN unless the status is valid, so that it cannot be used by oversight.
 template <typename Raw>
-constexpr void read_signal(const PhysicalSignal<Raw>& signal, const std::uint8_t* payload, float& value,
-                           SignalStatus& status) {
+[[gnu::always_inline]] constexpr void read_signal(const PhysicalSignal<Raw>& signal,
+                                                  const std::uint8_t* payload, float& value,
+                                                  SignalStatus& status) {
     const auto raw = static_cast<Raw>(read_bits(signal.field, payload));
     status = status_of_raw(signal, raw);
     value = status == SignalStatus::valid ? physical_from_raw(signal, raw) : not_available;

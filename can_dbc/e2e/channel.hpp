@@ -27,7 +27,8 @@ class Sender {
     template <std::size_t size>
     constexpr void protect(std::array<std::uint8_t, size>& payload) {
         Profile::protect(payload, data_id_, counter_);
-        counter_ = static_cast<std::uint8_t>((counter_ + 1U) % Profile::counter_range);
+        const unsigned next = counter_ + 1U;
+        counter_ = static_cast<std::uint8_t>((next < Profile::counter_range) ? next : 0U);
     }
 
  private:

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace can_dbc::e2e {
 
@@ -40,19 +41,39 @@ struct Crc {
 
     static constexpr Remainder start = start_value;
 
-    // The remainder after `length` more bytes.
+    // The remainder after one more byte.
+    static constexpr Remainder update(Remainder remainder, std::uint8_t byte) {
+        const unsigned wide = static_cast<unsigned>(remainder);
+        const unsigned top = (wide >> (detail::crc_width<Remainder> - 8U)) ^ byte;
+        return static_cast<Remainder>((wide << 8U) ^ detail::crc_table<Remainder, polynomial>[top]);
+    }
+
+    // After `length` more bytes.
     static constexpr Remainder update(Remainder remainder, const std::uint8_t* data, std::size_t length) {
         for (std::size_t index = 0U; index < length; ++index) {
-            const unsigned wide = static_cast<unsigned>(remainder);
-            const unsigned top = (wide >> (detail::crc_width<Remainder> - 8U)) ^ data[index];
-            remainder = static_cast<Remainder>((wide << 8U) ^ detail::crc_table<Remainder, polynomial>[top]);
+            remainder = update(remainder, data[index]);
         }
         return remainder;
+    }
+
+    // After the bytes of `payload` from `begin` on, without a loop, which would be half of the work.
+    template <std::size_t begin, std::size_t size>
+    static constexpr Remainder update_from(Remainder remainder,
+                                           const std::array<std::uint8_t, size>& payload) {
+        return update_each(remainder, payload.data() + begin, std::make_index_sequence<size - begin>{});
     }
 
     // The plain checksum.
     static constexpr Remainder checksum(const std::uint8_t* data, std::size_t length) {
         return static_cast<Remainder>(update(start, data, length) ^ final_xor);
+    }
+
+ private:
+    template <std::size_t... index>
+    static constexpr Remainder update_each(Remainder remainder, const std::uint8_t* data,
+                                           std::index_sequence<index...>) {
+        ((remainder = update(remainder, data[index])), ...);
+        return remainder;
     }
 };
 

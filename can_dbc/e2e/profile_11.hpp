@@ -22,11 +22,10 @@ inline constexpr std::uint16_t profile_11_largest_data_id = 0x0FFFU;
 
 namespace detail {
 
-constexpr std::uint8_t profile_11_crc(const std::uint8_t* payload, std::size_t length,
-                                      std::uint16_t data_id) {
-    const std::array<std::uint8_t, 2> prefix{static_cast<std::uint8_t>(data_id & 0xFFU), 0U};
-    const std::uint8_t start = Crc8SaeJ1850::update(0U, prefix.data(), prefix.size());
-    return Crc8SaeJ1850::update(start, payload + 1, length - 1U);
+// Of the identifier's low byte and the zero byte, which go before the payload.
+constexpr std::uint8_t profile_11_start(std::uint16_t data_id) {
+    const auto after_identifier = Crc8SaeJ1850::update(0U, static_cast<std::uint8_t>(data_id & 0xFFU));
+    return Crc8SaeJ1850::update(after_identifier, std::uint8_t{0U});
 }
 
 constexpr std::uint8_t profile_11_nibble(std::uint16_t data_id) {
@@ -43,7 +42,7 @@ constexpr void protect_profile_11(std::array<std::uint8_t, size>& payload, std::
     static_assert(size >= profile_11_header_length, "profile 11 needs two bytes of the payload");
     const unsigned nibble = detail::profile_11_nibble(data_id);
     payload[1] = static_cast<std::uint8_t>((nibble << 4U) | (counter & 0x0FU));
-    payload[0] = detail::profile_11_crc(payload.data(), size, data_id);
+    payload[0] = Crc8SaeJ1850::update_from<1U>(detail::profile_11_start(data_id), payload);
 }
 
 // The counter of a payload of at least profile_11_header_length bytes; 15 is one that no sender may use.
@@ -57,7 +56,7 @@ constexpr CheckError verify_profile_11(const std::uint8_t* payload, std::size_t 
     if (length != expected_length || length < profile_11_header_length) {
         return CheckError::length;
     }
-    if (payload[0] != detail::profile_11_crc(payload, length, data_id)) {
+    if (payload[0] != Crc8SaeJ1850::update(detail::profile_11_start(data_id), payload + 1, length - 1U)) {
         return CheckError::crc;
     }
     if ((payload[1] >> 4U) != detail::profile_11_nibble(data_id)) {

@@ -84,12 +84,13 @@ class StateMachine {
  private:
     // Repeated frames, wrong sequences and empty cycles take a place in the window and count as neither.
     constexpr void remember(CheckStatus status) {
-        CheckStatus& oldest = window_[next_];
+        // Bounded before it is used: within the window, whatever memory has made of it.
+        newest_ = static_cast<std::uint8_t>((newest_ + 1U) % settings.window_size);
+        CheckStatus& oldest = window_[newest_];
         ok_count_ = static_cast<std::uint8_t>(ok_count_ - count_of_ok(oldest) + count_of_ok(status));
         error_count_ =
             static_cast<std::uint8_t>(error_count_ - count_of_error(oldest) + count_of_error(status));
         oldest = status;
-        next_ = static_cast<std::uint8_t>((next_ + 1U) % settings.window_size);
     }
 
     static constexpr std::uint8_t count_of_ok(CheckStatus status) { return is_usable(status) ? 1U : 0U; }
@@ -121,7 +122,7 @@ class StateMachine {
     }
 
     std::array<CheckStatus, settings.window_size> window_{make_empty_window()};
-    std::uint8_t next_{0U};  // the place of the oldest check, which the next one takes
+    std::uint8_t newest_{0U};  // the place of the last check; the next one takes that after it
     std::uint8_t ok_count_{0U};
     std::uint8_t error_count_{0U};
     ChannelState state_{ChannelState::no_data};

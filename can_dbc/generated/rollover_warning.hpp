@@ -1105,6 +1105,8 @@ struct RolloverDiagnosis {
         bus_error = 42,
         receive_overflow = 43,
         roll_angle_reference_wrong = 44,
+        lateral_acceleration_gain = 45,
+        memory_restored = 46,
     };
 
     // How far that code has come.
@@ -1264,6 +1266,8 @@ struct RolloverDiagnosis {
             case Code::bus_error:
             case Code::receive_overflow:
             case Code::roll_angle_reference_wrong:
+            case Code::lateral_acceleration_gain:
+            case Code::memory_restored:
                 return true;
         }
         return false;
@@ -1362,6 +1366,10 @@ struct RolloverDiagnosis {
                 return "receive overflow";
             case Code::roll_angle_reference_wrong:
                 return "roll angle reference wrong";
+            case Code::lateral_acceleration_gain:
+                return "lateral acceleration gain";
+            case Code::memory_restored:
+                return "memory restored";
         }
         return "unknown";
     }

@@ -23,9 +23,7 @@ bool has_changed(std::uint32_t count, std::uint32_t& previous) {
 rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     const rsi::Validation answer = component_.init(parameters);
     parameters_ = parameters;
-    restore_load();
-    parameter_guard_.start(parameters_);
-    input_monitor_.start(parameters_);
+    start_checks();
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
     return answer;
 }
@@ -34,11 +32,16 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
     parameters_ = rsi::Parameters{};  // which the component refuses, unless the section replaces them
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
     static_cast<void>(component_.init(parameters_));
-    restore_load();
-    parameter_guard_.start(parameters_);
-    input_monitor_.start(parameters_);
+    start_checks();
     refusal_ = answer.refusal;
     return answer;
+}
+
+void RolloverEcu::start_checks() noexcept {
+    restore_load();
+    component_guard_.keep(component_);
+    parameter_guard_.start(parameters_);
+    input_monitor_.start(parameters_);
 }
 
 // Who was reset while running carries what he did; who was without power may have been loaded or emptied.
@@ -58,8 +61,10 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     report_platform(report, now, missed_cycles);
 
     inputs_ = qualified(inputs, report.reception, missed_cycles);
+    memory_.report(monitoring::DiagnosticCode::memory_restored, component_guard_.restore(component_));
     component_.step(inputs_, outputs_);
     const bool healthy = check_itself();
+    component_guard_.keep(component_);
     if (healthy) {
         load_keeper_.keep(component_.learnt_load());
     }
@@ -84,11 +89,11 @@ rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionRep
     return input_monitor_.qualify(inputs, fresh, outputs_, memory_);
 }
 
-// False when this cycle has found the parameters, the estimate or an output damaged; as long as one of these
-// codes is confirmed there is no statement on the risk.
+// False when this cycle has found the parameters, the component's memory, the estimate or an output damaged;
+// as long as one of these codes is confirmed there is no statement on the risk.
 bool RolloverEcu::check_itself() noexcept {
     using monitoring::DiagnosticCode;
-    const bool parameters_good = !parameter_guard_.is_damaged(parameters_);
+    const bool parameters_good = !parameter_guard_.is_damaged(parameters_) && !component_guard_.is_failing();
     const bool computed = monitoring::has_computed(outputs_);
     const bool estimate_good = !computed || monitoring::estimate_is_in_range(outputs_);
     const bool outputs_good = !computed || monitoring::outputs_are_sound(outputs_);

@@ -16,6 +16,7 @@
 #include "monitoring/clock_check.hpp"
 #include "monitoring/diagnostic_memory.hpp"
 #include "monitoring/input_monitor.hpp"
+#include "monitoring/memory_guard.hpp"
 #include "monitoring/parameter_guard.hpp"
 #include "rsi/component.hpp"
 
@@ -59,6 +60,7 @@ class RolloverEcu {
     void report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept;
     rsi::Inputs qualified(const rsi::Inputs& inputs, const ReceptionReport& reception,
                           std::uint32_t missed_cycles) noexcept;
+    [[gnu::cold]] void start_checks() noexcept;
     bool check_itself() noexcept;
     bool internal_fault() const noexcept;
     bool bus_error() noexcept;
@@ -74,6 +76,7 @@ class RolloverEcu {
     monitoring::DiagnosticMemory memory_{};
     monitoring::InputMonitor input_monitor_{};
     monitoring::ParameterGuard parameter_guard_{};
+    monitoring::MemoryGuard<rsi::Component> component_guard_{component_};
     monitoring::ClockCheck clock_check_{};
     LoadKeeper load_keeper_{};
     rsi::Inputs inputs_{no_inputs};

@@ -41,11 +41,14 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::roll_sensor_contradicts_observer:
         case DiagnosticCode::yaw_rate_contradicts_lateral_acceleration:
             return {1U, 100U};  // their filters, and the component's own check, are the debounce
+        case DiagnosticCode::lateral_acceleration_gain:
+            return {1U, 20U};  // its sums are the debounce
         case DiagnosticCode::roll_angle_reference_wrong:
             return {1U, 500U};  // its count is the debounce
         case DiagnosticCode::parameters_refused:
             return {1U, 1U};
         case DiagnosticCode::parameters_damaged:
+        case DiagnosticCode::memory_restored:
         case DiagnosticCode::estimate_out_of_range:
         case DiagnosticCode::output_not_finite:
         case DiagnosticCode::cycle_overrun:

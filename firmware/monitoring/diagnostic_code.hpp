@@ -65,10 +65,25 @@ enum class DiagnosticCode : std::uint8_t {
 
     // Later than the numbers above were fixed, which service tools know: the calibration against the sensors
     roll_angle_reference_wrong,
+
+    // A sensor against the others, over turns
+    lateral_acceleration_gain,
+
+    // The control unit's own memory
+    memory_restored,
 };
 
 inline constexpr std::size_t diagnostic_code_count =
-    static_cast<std::size_t>(DiagnosticCode::roll_angle_reference_wrong) + 1U;
+    static_cast<std::size_t>(DiagnosticCode::memory_restored) + 1U;
+
+// A set: the bit of each code is its number.
+using CodeSet = std::uint64_t;
+static_assert(diagnostic_code_count <= 64U);
+
+template <typename... Codes>
+constexpr CodeSet set_of(Codes... codes) noexcept {
+    return (CodeSet{0U} | ... | (CodeSet{1U} << static_cast<unsigned>(codes)));
+}
 
 // In cycles of 10 ms. Confirmed after so many cycles with the fault (with good ones between them: after more,
 // as DiagnosticEvent says); healed after so many good ones in a row.

@@ -42,6 +42,9 @@ class DiagnosticMemory {
 
     // No code fails or waits to heal: another good cycle of any code would change nothing.
     bool no_active_codes() const noexcept { return active_ == 0U; }
+    CodeSet active_codes() const noexcept { return active_; }
+    CodeSet confirmed_codes() const noexcept { return confirmed_; }
+    bool active(DiagnosticCode code) const noexcept { return !entries_[index_of(code)].event.is_inactive(); }
     EventStatus status(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.status(); }
     bool confirmed(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.confirmed(); }
 
@@ -53,11 +56,11 @@ class DiagnosticMemory {
     struct Entry {
         DiagnosticEvent event{};
         Snapshot first{};
-        bool unreported{false};  // confirmed, and not yet reported
     };
 
     void update(DiagnosticCode code, bool failed) noexcept;
     std::size_t next_to_report() noexcept;
+    std::size_t next_of(CodeSet codes) const noexcept;
 
     static constexpr std::size_t index_of(DiagnosticCode code) noexcept {
         return static_cast<std::size_t>(code);
@@ -66,8 +69,10 @@ class DiagnosticMemory {
     std::array<Entry, diagnostic_code_count> entries_{};  // that of `none` stays empty
     Snapshot snapshot_{};
     std::size_t last_reported_{0U};
-    std::uint32_t active_{0U};  // number of codes that are not inactive
-    bool empty_{true};          // no code has ever been seen
+    CodeSet active_{0U};  // set or confirmed
+    CodeSet confirmed_{0U};
+    CodeSet seen_{0U};        // that have something to report
+    CodeSet unreported_{0U};  // confirmed, and not yet reported
 };
 
 }  // namespace monitoring

@@ -2,6 +2,7 @@
 // motion, which the body makes under that force. Is the accelerometer alone?
 #pragma once
 
+#include "monitoring/lateral_forces.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
@@ -37,42 +38,47 @@ class ForceVote {
         }
     }
 
-    // One sample; one that is not finite, of a body far over or of a vehicle that stands or spins starts
-    // anew.
-    void update(const rsi::Inputs& inputs, bool rolls_on) noexcept {
-        const float yaw_mps2 = inputs.yaw_rate_radps * inputs.speed_mps;
-        const float imu_mps = imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps;
-        const float held_mps2 = held_share_ * (force_per_angle_mps2_ * inputs.roll_angle_rad +
-                                               force_per_rate_mps_ * inputs.roll_rate_radps);
+    // One sample; one that is not finite, or of a body far over, starts anew.
+    void update(const rsi::Inputs& inputs) noexcept {
+        // Where the IMU sits turning adds to the force, and rolling needs a force for the inertia: both are a
+        // rate of change, which through the lag is what the lag has yet to follow, over its time.
+        const float imu = (imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps) / lag_s;
+        const float inertia = (force_per_acceleration_m_ / lag_s) * inputs.roll_rate_radps;
+        const float held = held_share_ * (force_per_angle_mps2_ * inputs.roll_angle_rad +
+                                          force_per_rate_mps_ * inputs.roll_rate_radps);
+        const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
+        const float by_yaw = force_by_yaw(turn, inputs);
         const bool knew = known_;
-        known_ = rolls_on && rsi::is_within_magnitude(inputs.roll_angle_rad, 0.15F) &&
-                 rsi::is_finite(inputs.lateral_specific_force_mps2 + yaw_mps2 + imu_mps + held_mps2);
+        known_ = rsi::is_within_magnitude(inputs.roll_angle_rad, 0.15F) &&
+                 rsi::is_finite(inputs.lateral_specific_force_mps2 + turn + imu + held);
         if (!known_) {
             return;
         }
-        if (!knew) {
-            imu_mps_ = imu_mps;
-            roll_rate_radps_ = inputs.roll_rate_radps;
-            less_yaw_mps2_ = 0.0F;
-            less_held_mps2_ = 0.0F;
+        if (!knew) {  // nobody contradicts yet
+            shown_ = by_yaw + imu;
+            by_yaw_ = by_yaw;
+            by_roll_ = by_yaw - inertia;
         }
-        follow(imu_mps, imu_mps_);
-        follow(inputs.roll_rate_radps, roll_rate_radps_);
-        follow(inputs.lateral_specific_force_mps2 - yaw_mps2, less_yaw_mps2_);
-        follow(inputs.lateral_specific_force_mps2 - held_mps2, less_held_mps2_);
-        // What a lag has yet to follow, over its time, is the mean of the rate of change: here, what the
-        // IMU's place adds to the force at the centre of gravity, and the roll acceleration.
-        const float imu_mps2 = (imu_mps - imu_mps_) / lag_s;
-        const float roll_radps2 = (inputs.roll_rate_radps - roll_rate_radps_) / lag_s;
-        against_yaw_mps2_ = less_yaw_mps2_ - imu_mps2;
-        against_roll_mps2_ = less_held_mps2_ - imu_mps2 - force_per_acceleration_m_ * roll_radps2;
+        const float ahead = (latest_s / lag_s) * (inputs.lateral_specific_force_mps2 + imu - shown_);
+        follow(inputs.lateral_specific_force_mps2 + imu, shown_);
+        follow(by_yaw, by_yaw_);
+        follow(held - inertia, by_roll_);
+        const float shown = shown_ - imu;
+        forces_ = LateralForces{shown, shown + ahead, by_yaw_, by_roll_ + inertia};
+        against_yaw_mps2_ = forces_.shown_mps2 - forces_.by_yaw_mps2;
+        against_roll_mps2_ = forces_.shown_mps2 - forces_.by_roll_mps2;
     }
 
+    // Whether the last sample was one; then the three forces.
+    bool known() const noexcept { return known_; }
+    const LateralForces& forces() const noexcept { return forces_; }
+
     bool accelerometer_is_alone() const noexcept {
-        const float least = rsi::smaller(rsi::absolute(against_yaw_mps2_), rsi::absolute(against_roll_mps2_));
-        return known_ && (against_yaw_mps2_ * against_roll_mps2_ > 0.0F) && (least > 3.0F) &&
-               (rsi::absolute(against_roll_mps2_ - against_yaw_mps2_) < 0.5F * least);
+        const float least = lesser_contradiction_mps2();
+        return (least > 3.0F) && (rsi::absolute(against_roll_mps2_ - against_yaw_mps2_) < 0.5F * least);
     }
+    // Half of that, however the others agree.
+    bool accelerometer_is_suspect() const noexcept { return lesser_contradiction_mps2() > 1.5F; }
     // Half of what counts as a contradiction: the yaw rate alone may be ahead in a weave.
     bool roll_motion_agrees() const noexcept {
         return known_ && rsi::is_within_magnitude(against_roll_mps2_, 1.5F);
@@ -80,6 +86,22 @@ class ForceVote {
 
  private:
     static constexpr float lag_s = 0.3F;
+    static constexpr float latest_s = 0.08F;
+    static constexpr float forwards_from_mps = 5.0F;
+
+    // The speed has no sign: of a vehicle that may be rolling backwards either one may be right.
+    static float force_by_yaw(float turn_mps2, const rsi::Inputs& inputs) noexcept {
+        return (inputs.speed_mps > forwards_from_mps)
+                   ? turn_mps2
+                   : rsi::clamp_magnitude(inputs.lateral_specific_force_mps2, rsi::absolute(turn_mps2));
+    }
+
+    // 0 where nobody knows, or they contradict it on different sides.
+    float lesser_contradiction_mps2() const noexcept {
+        const bool same_side = known_ && (against_yaw_mps2_ * against_roll_mps2_ > 0.0F);
+        return same_side ? rsi::smaller(rsi::absolute(against_yaw_mps2_), rsi::absolute(against_roll_mps2_))
+                         : 0.0F;
+    }
 
     static void follow(float value, float& mean) noexcept {
         mean += (rsi::sample_time_s / lag_s) * (value - mean);
@@ -93,11 +115,11 @@ class ForceVote {
     float imu_x_m_{0.0F};
     float imu_z_m_{0.0F};
     bool known_{false};
-    // Means with this lag.
-    float imu_mps_{0.0F};
-    float roll_rate_radps_{0.0F};
-    float less_yaw_mps2_{0.0F};
-    float less_held_mps2_{0.0F};
+    // Means with this lag, the first and the third with what makes a rate of change of them.
+    float shown_{0.0F};
+    float by_yaw_{0.0F};
+    float by_roll_{0.0F};
+    LateralForces forces_{};
     float against_yaw_mps2_{0.0F};
     float against_roll_mps2_{0.0F};
 };

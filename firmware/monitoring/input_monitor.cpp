@@ -1,5 +1,7 @@
 #include "monitoring/input_monitor.hpp"
 
+#include "monitoring/inclination.hpp"
+#include "monitoring/signatures.hpp"
 #include "rsi/numeric/bounded.hpp"
 
 namespace monitoring {
@@ -28,65 +30,47 @@ float sure_load_excess(const rsi::Outputs& before) noexcept {
     return (before.load_excess_deviation >= sure_excess_deviation) ? 0.0F : before.load_excess;
 }
 
-// Of the body against the horizon: what the lateral force is more than the turn needs, as a component of
-// gravity. It takes a slide for an inclination, and so is no proof of one.
-float inclination_rad(const rsi::Inputs& inputs) noexcept {
-    constexpr float per_gravity = 1.0F / rsi::gravity_mps2;
-    const float sine =
-        (inputs.lateral_specific_force_mps2 - inputs.yaw_rate_radps * inputs.speed_mps) * per_gravity;
-    return rsi::is_within_magnitude(sine, 0.5F) ? sine * (1.0F + sine * sine * (1.0F / 6.0F))
-                                                : rsi::not_available;
+// Whom a row can concern: only who is accused can be acquitted.
+bool concerns(const Signature& row, const DiagnosticMemory& memory) noexcept {
+    switch (row.verdict) {
+        case Verdict::keeps:
+            return memory.confirmed(row.code);
+        case Verdict::acquits:
+            return memory.active(row.code);
+        default:
+            return true;
+    }
 }
 
-bool either_confirmed(const DiagnosticMemory& memory, DiagnosticCode a, DiagnosticCode b) noexcept {
-    return memory.confirmed(a) || memory.confirmed(b);
+OfRoll wrong_of(Facts seen) noexcept {
+    for (const Suspicion& each : suspicions) {
+        if (each.fits(seen)) {
+            return each.wrong;
+        }
+    }
+    return otherwise_wrong;
 }
 
-// Roll rate and roll angle, each other.
-bool roll_contradicts(const DiagnosticMemory& memory) noexcept {
-    return either_confirmed(memory, DiagnosticCode::roll_rate_contradicts_roll_angle,
-                            DiagnosticCode::roll_rate_offset);
-}
-
-// Seen, if only once.
-bool suspected(const DiagnosticMemory& memory, DiagnosticCode code) noexcept {
-    const EventStatus status = memory.status(code);
-    return (status == EventStatus::set) || (status == EventStatus::confirmed);
-}
-
-// The value, or NaN when it fails by itself: then it says nothing of the others.
-float trusted(float value, const DiagnosticMemory& memory, DiagnosticCode invalid,
-              DiagnosticCode jump) noexcept {
-    return (suspected(memory, invalid) || suspected(memory, jump)) ? rsi::not_available : value;
-}
-
-rsi::Inputs witnesses(const rsi::Inputs& inputs, const DiagnosticMemory& memory) noexcept {
-    rsi::Inputs kept = inputs;
-    kept.lateral_specific_force_mps2 =
-        trusted(inputs.lateral_specific_force_mps2, memory, DiagnosticCode::lateral_acceleration_invalid,
-                DiagnosticCode::lateral_acceleration_jump);
-    kept.roll_rate_radps = trusted(inputs.roll_rate_radps, memory, DiagnosticCode::roll_rate_invalid,
-                                   DiagnosticCode::roll_rate_jump);
-    kept.roll_angle_rad = trusted(inputs.roll_angle_rad, memory, DiagnosticCode::roll_angle_invalid,
-                                  DiagnosticCode::roll_angle_jump);
-    kept.yaw_rate_radps = trusted(inputs.yaw_rate_radps, memory, DiagnosticCode::yaw_rate_invalid,
-                                  DiagnosticCode::yaw_rate_jump);
-    kept.speed_mps =
-        trusted(inputs.speed_mps, memory, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump);
-    kept.vertical_specific_force_mps2 =
-        trusted(inputs.vertical_specific_force_mps2, memory, DiagnosticCode::vertical_acceleration_invalid,
-                DiagnosticCode::vertical_acceleration_jump);
-    kept.steering_wheel_angle_rad = trusted(inputs.steering_wheel_angle_rad, memory,
-                                            DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump);
-    return kept;
+// Without the signals that fail by themselves: they say nothing of the others.
+rsi::Inputs witnesses_of(const rsi::Inputs& inputs, CodeSet active) noexcept {
+    rsi::Inputs witnesses = inputs;
+    for (const Consequence& each : consequences) {
+        if ((active & each.no_witness) != 0U) {
+            witnesses.*each.signal = rsi::not_available;
+        }
+    }
+    return witnesses;
 }
 
 }  // namespace
 
 void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
-    const bool roll_rate_is_wrong = roll_rate_is_wrong_;  // the code outlives a stall, and so must the blame
+    // A code outlives a stall, and so must what it was set for.
+    const OfRoll wrong_of_roll = wrong_of_roll_;
+    const ForceGain force_gain = force_gain_;
     *this = InputMonitor{};
-    roll_rate_is_wrong_ = roll_rate_is_wrong;
+    wrong_of_roll_ = wrong_of_roll;
+    force_gain_ = force_gain;
     against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
     roll_reference_.start(parameters);
     force_vote_.start(parameters);
@@ -95,15 +79,22 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
 rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
-    const rsi::Inputs kept = memory.no_active_codes() ? inputs : witnesses(inputs, memory);
-    check_stuck(kept, memory);
-    check_roll(kept, fresh.late_roll_angle_rad, memory);
-    check_vertical(kept, before, memory);
-    check_turn(kept, before, memory);
-    check_reference(kept, before, memory);
-    check_observer(inputs, before, memory);
-    if (!memory.no_active_codes()) {
-        invalidate_confirmed(qualified, memory);
+    const bool all_are_witnesses = (memory.active_codes() & no_witness_codes) == 0U;
+    const rsi::Inputs witnesses = all_are_witnesses ? inputs : witnesses_of(inputs, memory.active_codes());
+    check_stuck(witnesses, memory);
+    const bool contradicted = (memory.confirmed_codes() & roll_contradictions) != 0U;
+    Facts seen = roll_facts(witnesses, contradicted ? fresh.late_roll_angle_rad : rsi::not_available);
+    seen |= turn_facts(witnesses, before);
+    seen |= vertical_facts(witnesses, before);
+    seen |= reference_facts(witnesses, before);
+    seen |= observer_facts(inputs, before);
+    judge(seen, memory);
+    const CodeSet confirmed = memory.confirmed_codes();
+    if (confirmed != 0U) {
+        if (!contradicted && ((confirmed & roll_contradictions) != 0U)) {
+            wrong_of_roll_ = wrong_of(suspicion_facts(witnesses));
+        }
+        take_out(qualified, confirmed);
     }
     return qualified;
 }
@@ -170,52 +161,39 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
 }
 
-// An angle that is held back cannot confirm a contradiction, but only with it can one heal.
-void InputMonitor::check_roll(const rsi::Inputs& inputs, float late_roll_angle_rad,
-                              DiagnosticMemory& memory) noexcept {
-    const bool before = roll_contradicts(memory);
-    const bool only_heals = before && !rsi::is_finite(inputs.roll_angle_rad);
-    roll_consistency_.update(only_heals ? late_roll_angle_rad : inputs.roll_angle_rad, inputs.roll_rate_radps,
-                             inclination_rad(inputs));
-    if (!roll_consistency_.known()) {
-        return;
-    }
-    // Of an angle that does not fit the force the sensor is to blame, not the road.
-    const bool may_twist = force_vote_.roll_motion_agrees();
-    memory.report(DiagnosticCode::roll_rate_contradicts_roll_angle, roll_consistency_.contradicts(may_twist));
-    memory.report(DiagnosticCode::roll_rate_offset, roll_consistency_.has_offset(may_twist));
-    if (roll_contradicts(memory) && !before) {
-        roll_rate_is_wrong_ = !roll_angle_is_wrong(inputs);
-    }
+// An angle that is held back cannot show a contradiction, but only with it can one be over.
+Facts InputMonitor::roll_facts(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept {
+    const bool there = rsi::is_finite(inputs.roll_angle_rad);
+    roll_consistency_.update(
+        there ? inputs.roll_angle_rad : late_roll_angle_rad, inputs.roll_rate_radps,
+        inclination_rad(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps));
+    // Of an angle that does not fit the force the sensor is to blame, not the road; and who stands on a road
+    // does not come to where it twists.
+    const bool may_twist = turn_consistency_.known() && force_vote_.roll_motion_agrees();
+    return fact_if(roll_consistency_.known(), Fact::roll_valid) |
+           fact_if(roll_consistency_.contradicts(may_twist), Fact::roll_beyond_short) |
+           fact_if(roll_consistency_.has_offset(may_twist), Fact::roll_beyond_long);
 }
 
-// Which of the two is wrong: one that repeats itself; else the angle if the body
-// seems to lean into the turn; else the rate, without which there is no statement.
-bool InputMonitor::roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept {
-    if (roll_angle_stuck_.seems_frozen() != roll_rate_stuck_.seems_frozen()) {
-        return roll_angle_stuck_.seems_frozen();
-    }
+Facts InputMonitor::suspicion_facts(const rsi::Inputs& inputs) const noexcept {
     const float force = inputs.lateral_specific_force_mps2;
-    return !rsi::is_within_magnitude(force, clear_force_mps2) && (force * roll_against_road(inputs) < 0.0F);
+    const bool clear = !rsi::is_within_magnitude(force, clear_force_mps2);
+    return fact_if(roll_angle_stuck_.seems_frozen(), Fact::roll_angle_frozen) |
+           fact_if(roll_rate_stuck_.seems_frozen(), Fact::roll_rate_frozen) |
+           fact_if(clear && (force * roll_against_road(inputs) < 0.0F), Fact::leans_into_turn);
 }
 
-// In a warning wheels lift and come down: nothing is confirmed or cleared meanwhile. The force depends so
-// little on the roll angle that the observer's will do where the sensor's contains a bank.
-void InputMonitor::check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
-                                  DiagnosticMemory& memory) noexcept {
+// The force depends so little on the roll angle that the observer's will do where the sensor's contains a
+// bank.
+Facts InputMonitor::vertical_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
                             against_horizon_ ? before.observed_roll_angle_rad : inputs.roll_angle_rad);
-    if (vertical_offset_.known()) {
-        constexpr DiagnosticCode code = DiagnosticCode::vertical_acceleration_offset;
-        const bool calm = (before.state == RSI_STATE_READY) || (before.state == RSI_STATE_ADVISORY);
-        memory.report(code, vertical_offset_.has_offset(!calm && !memory.confirmed(code)));
-    }
+    const bool calm = (before.state == RSI_STATE_READY) || (before.state == RSI_STATE_ADVISORY);
+    return fact_if(vertical_offset_.is_within(), Fact::vertical_within) |
+           fact_if(vertical_offset_.is_beyond(!calm), Fact::vertical_beyond);
 }
 
-void InputMonitor::check_turn(const rsi::Inputs& inputs, const rsi::Outputs& before,
-                              DiagnosticMemory& memory) noexcept {
-    constexpr DiagnosticCode yaw_rate = DiagnosticCode::yaw_rate_contradicts_lateral_acceleration;
-    constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
+Facts InputMonitor::turn_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
     const float yaw_acceleration =
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
@@ -223,24 +201,31 @@ void InputMonitor::check_turn(const rsi::Inputs& inputs, const rsi::Outputs& bef
     against_road.roll_angle_rad = roll_against_road(inputs);
     turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
     force_vote_.assume_load(sure_load_excess(before));
-    force_vote_.update(against_road, turn_consistency_.known() && !turn_consistency_.spins());
-    if (!turn_consistency_.known()) {
-        // Too slow to confirm a fault, but a vehicle at rest must be able to clear one.
-        if (turn_consistency_.agrees()) {
-            memory.report(yaw_rate, false);
-            memory.report(lateral, false);
-        }
-        return;
+    force_vote_.update(against_road);
+    slow_vehicle_.update(inputs);
+    return gain_facts(before) | fact_if(turn_consistency_.known(), Fact::turn_valid) |
+           fact_if(turn_consistency_.agrees(), Fact::turn_within) |
+           fact_if(turn_consistency_.suspicious(), Fact::turn_beyond_banks) |
+           fact_if(turn_consistency_.contradicts(), Fact::turn_beyond_slides) |
+           fact_if(turn_consistency_.spins(), Fact::spinning) |
+           fact_if(turn_signs_.lateral_acceleration_is_alone(), Fact::lateral_sign_alone) |
+           fact_if(turn_signs_.yaw_rate_is_alone(), Fact::yaw_sign_alone) |
+           fact_if(force_vote_.known(), Fact::roll_force_valid) |
+           fact_if(force_vote_.roll_motion_agrees(), Fact::roll_force_within) |
+           fact_if(force_vote_.accelerometer_is_alone(), Fact::lateral_alone) |
+           fact_if(force_vote_.accelerometer_is_suspect(), Fact::lateral_suspect) |
+           fact_if(slow_vehicle_.lateral_acceleration_is_impossible(), Fact::slow_vehicle_beyond);
+}
+
+// A roll angle that is not used for what contradicts it is no witness, nor is the speed of wheels that slide
+// sideways, as at the end of a spin.
+Facts InputMonitor::gain_facts(const rsi::Outputs& before) noexcept {
+    const bool both_are_witnesses = turn_consistency_.known() && (before.roll_source != RSI_ROLL_OBSERVER);
+    if (!force_vote_.known() || !both_are_witnesses) {
+        return facts();
     }
-    memory.report(yaw_rate, memory.confirmed(yaw_rate)
-                                ? !turn_consistency_.agrees()
-                                : (turn_consistency_.contradicts() || turn_signs_.yaw_rate_is_alone()));
-    const bool alone = turn_signs_.lateral_acceleration_is_alone() || force_vote_.accelerometer_is_alone();
-    // While the yaw rate alone contradicts, as in a weave near the limit, neither good nor bad is shown.
-    const bool good = turn_consistency_.agrees() && !alone;
-    if (alone || (memory.confirmed(lateral) && (good || !force_vote_.roll_motion_agrees()))) {
-        memory.report(lateral, !good);
-    }
+    force_gain_.update(force_vote_.forces(), before.state == RSI_STATE_WARNING);
+    return facts(Fact::gain_valid) | fact_if(force_gain_.is_wrong(), Fact::gain_beyond);
 }
 
 // The angle against the road that is a witness against the other sensors. One against the horizon needs the
@@ -257,75 +242,52 @@ float InputMonitor::roll_beyond_observed(const rsi::Inputs& inputs,
 }
 
 // A wrong calibration does not show on a level road; once it has shown, no angle is what it is taken for.
-void InputMonitor::check_reference(const rsi::Inputs& inputs, const rsi::Outputs& before,
-                                   DiagnosticMemory& memory) noexcept {
+Facts InputMonitor::reference_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     roll_reference_.update(inputs.roll_angle_rad, before.observed_roll_angle_rad,
                            known_bank_rad(inputs, before));
-    if (roll_reference_.known()) {
-        memory.report(DiagnosticCode::roll_angle_reference_wrong, roll_reference_.contradicts());
-    }
+    const bool known = roll_reference_.known();
+    return fact_if(known, Fact::reference_valid) |
+           fact_if(known && roll_reference_.contradicts(), Fact::reference_beyond);
 }
 
-// The observer makes the roll angle of the lateral force and the roll rate. Where it contradicts the roll
-// sensor, one of the sensors is wrong: the accelerometer, if it contradicts the yaw rate too, else the
-// roll sensor. The component's own check, confirmed for 0.3 s, decides when the observer is reliable.
-void InputMonitor::check_observer(const rsi::Inputs& inputs, const rsi::Outputs& before,
-                                  DiagnosticMemory& memory) noexcept {
-    constexpr DiagnosticCode roll_sensor = DiagnosticCode::roll_sensor_contradicts_observer;
-    constexpr DiagnosticCode lateral = DiagnosticCode::lateral_acceleration_contradicts_yaw_rate;
+// The observer makes the roll angle of the lateral force and the roll rate. The component's own check,
+// confirmed for 0.3 s, decides when it is reliable.
+Facts InputMonitor::observer_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept {
     const float difference = roll_beyond_observed(inputs, before);
-    if (memory.confirmed(roll_sensor)) {
-        if (rsi::is_finite(difference)) {
-            memory.report(roll_sensor, !rsi::is_within_magnitude(difference, agreement_rad));
-        }
-        return;
+    if (!rsi::is_finite(difference)) {
+        return facts();
     }
-    if (turn_consistency_.spins()) {
-        return;
-    }
-    // A roll sensor that is out for another reason does not come back as long as the observer contradicts it.
     const bool out = (before.roll_source == RSI_ROLL_OBSERVER);
-    const bool contradicted =
-        out ? !rsi::is_within_magnitude(difference, 2.0F * agreement_rad) : before.roll_sensor_disagrees != 0;
-    const bool disagrees = rsi::is_finite(difference) && contradicted;
-    const bool lateral_is_wrong = disagrees && !out && turn_consistency_.suspicious();
-    if (lateral_is_wrong) {
-        memory.report(lateral, true);
-    }
-    memory.report(roll_sensor, disagrees && !lateral_is_wrong);
+    const bool far = !rsi::is_within_magnitude(difference, 2.0F * agreement_rad);
+    return facts(Fact::observer_valid) |
+           fact_if(rsi::is_within_magnitude(difference, agreement_rad), Fact::observer_within) |
+           fact_if(!out && (before.roll_sensor_disagrees != 0), Fact::observer_beyond) |
+           fact_if(out && far, Fact::observer_far);
 }
 
-void InputMonitor::invalidate_confirmed(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept {
-    const bool roll_contradiction = roll_contradicts(memory);
-    if (either_confirmed(memory, DiagnosticCode::lateral_acceleration_stuck,
-                         DiagnosticCode::lateral_acceleration_contradicts_yaw_rate)) {
-        inputs.lateral_specific_force_mps2 = rsi::not_available;
+// Where nobody is accused, nobody can be acquitted.
+void InputMonitor::judge(Facts seen, DiagnosticMemory& memory) noexcept {
+    if (((memory.active_codes() & judged_codes) == 0U) && ((seen & accusing_facts) == 0U)) {
+        return;
     }
-    if (either_confirmed(memory, DiagnosticCode::vertical_acceleration_stuck,
-                         DiagnosticCode::vertical_acceleration_offset)) {
-        inputs.vertical_specific_force_mps2 = rsi::not_available;
+    DiagnosticCode judged = DiagnosticCode::none;
+    for (const Signature& each : signatures) {
+        if (each.fits(seen) && (each.code != judged) && concerns(each, memory)) {
+            memory.report(each.code, each.verdict != Verdict::acquits);
+            judged = each.code;
+        }
     }
-    if (memory.confirmed(DiagnosticCode::roll_rate_stuck) || (roll_contradiction && roll_rate_is_wrong_)) {
-        inputs.roll_rate_radps = rsi::not_available;
+}
+
+void InputMonitor::take_out(rsi::Inputs& qualified, CodeSet confirmed) const noexcept {
+    for (const Consequence& each : consequences) {
+        if ((confirmed & each.not_used) != 0U) {
+            qualified.*each.signal = rsi::not_available;
+        }
     }
-    if (either_confirmed(memory, DiagnosticCode::roll_angle_stuck,
-                         DiagnosticCode::roll_sensor_contradicts_observer) ||
-        memory.confirmed(DiagnosticCode::roll_angle_reference_wrong) ||
-        (roll_contradiction && !roll_rate_is_wrong_)) {
-        inputs.roll_angle_rad = rsi::not_available;
-    }
-    if (either_confirmed(memory, DiagnosticCode::yaw_rate_stuck,
-                         DiagnosticCode::yaw_rate_contradicts_lateral_acceleration)) {
-        inputs.yaw_rate_radps = rsi::not_available;
-    }
-    if (memory.confirmed(DiagnosticCode::speed_stuck)) {
-        inputs.speed_mps = rsi::not_available;
-    }
-    if (memory.confirmed(DiagnosticCode::steering_stuck)) {
-        inputs.steering_wheel_angle_rad = rsi::not_available;
-    }
-    if (memory.confirmed(DiagnosticCode::bank_angle_invalid)) {
-        inputs.bank_angle_rad = rsi::not_available;
+    if ((confirmed & roll_contradictions) != 0U) {
+        const bool rate = (wrong_of_roll_ == OfRoll::rate);
+        (rate ? qualified.roll_rate_radps : qualified.roll_angle_rad) = rsi::not_available;
     }
 }
 

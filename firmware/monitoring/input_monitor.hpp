@@ -2,10 +2,13 @@
 #pragma once
 
 #include "monitoring/diagnostic_memory.hpp"
+#include "monitoring/force_gain.hpp"
 #include "monitoring/force_vote.hpp"
 #include "monitoring/roll_consistency.hpp"
 #include "monitoring/roll_reference_check.hpp"
 #include "monitoring/signal_check.hpp"
+#include "monitoring/signatures.hpp"
+#include "monitoring/slow_vehicle.hpp"
 #include "monitoring/steering_check.hpp"
 #include "monitoring/stuck_check.hpp"
 #include "monitoring/turn_consistency.hpp"
@@ -38,16 +41,15 @@ class InputMonitor {
     rsi::Inputs check_each(const rsi::Inputs& inputs, const FreshFrames& fresh,
                            DiagnosticMemory& memory) noexcept;
     void check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
-    void check_roll(const rsi::Inputs& inputs, float late_roll_angle_rad, DiagnosticMemory& memory) noexcept;
-    bool roll_angle_is_wrong(const rsi::Inputs& inputs) const noexcept;
-    void check_vertical(const rsi::Inputs& inputs, const rsi::Outputs& before,
-                        DiagnosticMemory& memory) noexcept;
-    void check_turn(const rsi::Inputs& inputs, const rsi::Outputs& before, DiagnosticMemory& memory) noexcept;
-    void check_reference(const rsi::Inputs& inputs, const rsi::Outputs& before,
-                         DiagnosticMemory& memory) noexcept;
-    void check_observer(const rsi::Inputs& inputs, const rsi::Outputs& before,
-                        DiagnosticMemory& memory) noexcept;
-    void invalidate_confirmed(rsi::Inputs& inputs, const DiagnosticMemory& memory) const noexcept;
+    Facts roll_facts(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept;
+    Facts suspicion_facts(const rsi::Inputs& inputs) const noexcept;
+    Facts turn_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Facts gain_facts(const rsi::Outputs& before) noexcept;
+    Facts vertical_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Facts reference_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Facts observer_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
+    static void judge(Facts seen, DiagnosticMemory& memory) noexcept;
+    void take_out(rsi::Inputs& qualified, CodeSet confirmed) const noexcept;
     float roll_against_road(const rsi::Inputs& inputs) const noexcept;
     float roll_beyond_observed(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
 
@@ -88,9 +90,12 @@ class InputMonitor {
     TurnConsistency turn_consistency_{};
     TurnSigns turn_signs_{};
     ForceVote force_vote_{};
+    ForceGain force_gain_{};
+    SlowVehicle slow_vehicle_{};
     VerticalOffset vertical_offset_{};
-    float turned_rad_{0.0F};          // integral of the roll rate, as a witness
-    bool roll_rate_is_wrong_{false};  // of roll rate and roll angle, which contradict each other
+    float turned_rad_{0.0F};  // integral of the roll rate, as a witness
+    // Of roll rate and roll angle, as long as they contradict each other.
+    OfRoll wrong_of_roll_{otherwise_wrong};
 };
 
 }  // namespace monitoring

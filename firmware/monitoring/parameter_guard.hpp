@@ -1,10 +1,10 @@
 // Parameter guard: a check word over the parameters in memory, computed anew a slice a cycle.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "rsi/types.hpp"
 
@@ -18,7 +18,9 @@ class ParameterGuard {
     // What the parameters are from now on.
     void start(const rsi::Parameters& parameters) noexcept {
         expected_ = Sums{};
-        add(parameters, 0U, word_count, expected_);
+        for (std::size_t slice = 0U; slice < slice_count; ++slice) {
+            add(parameters, slice, expected_);
+        }
         sums_ = Sums{};
         next_ = 0U;
         damaged_ = false;
@@ -26,10 +28,11 @@ class ParameterGuard {
 
     // One cycle; true from the first pass that found a change.
     bool is_damaged(const rsi::Parameters& parameters) noexcept {
-        const std::size_t end = (next_ + slice < word_count) ? next_ + slice : word_count;
-        add(parameters, next_, end, sums_);
-        next_ = end;
-        if (next_ == word_count) {
+        // A number that memory has changed makes a wrong sum, and no more.
+        const std::size_t slice = (next_ < slice_count) ? next_ : 0U;
+        add(parameters, slice, sums_);
+        next_ = slice + 1U;
+        if (next_ == slice_count) {
             damaged_ = damaged_ || (sums_.plain != expected_.plain) || (sums_.weighted != expected_.weighted);
             sums_ = Sums{};
             next_ = 0U;
@@ -43,18 +46,31 @@ class ParameterGuard {
         std::uint32_t weighted{0U};
     };
 
+    static constexpr std::size_t slice_count = 4U;
     static constexpr std::size_t word_count = sizeof(rsi::Parameters) / sizeof(std::uint32_t);
-    static constexpr std::size_t slice = (word_count + 3U) / 4U;
-    static_assert(sizeof(rsi::Parameters) % sizeof(std::uint32_t) == 0U, "the guard takes whole words");
+    static constexpr std::size_t words_of_slice = word_count / slice_count;
+    static_assert(sizeof(rsi::Parameters) % (slice_count * sizeof(std::uint32_t)) == 0U,
+                  "the guard takes whole words, as many in each cycle");
 
-    static void add(const rsi::Parameters& parameters, std::size_t begin, std::size_t end,
-                    Sums& sums) noexcept {
-        std::array<std::uint32_t, word_count> words{};
-        std::memcpy(words.data(), &parameters, sizeof(words));
-        for (std::size_t word = begin; word < end; ++word) {
-            sums.plain += words[word];
-            sums.weighted += sums.plain;
-        }
+    static void add(const rsi::Parameters& parameters, std::size_t slice, Sums& sums) noexcept {
+        const auto* const bytes = static_cast<const unsigned char*>(static_cast<const void*>(&parameters));
+        add_each(bytes + slice * words_of_slice * sizeof(std::uint32_t), sums,
+                 std::make_index_sequence<words_of_slice>{});
+    }
+
+    // Without a loop, which would be half of the work.
+    template <std::size_t... index>
+    static void add_each(const unsigned char* bytes, Sums& sums, std::index_sequence<index...>) noexcept {
+        Sums now = sums;
+        (add_word(bytes + index * sizeof(std::uint32_t), now), ...);
+        sums = now;
+    }
+
+    static void add_word(const unsigned char* bytes, Sums& sums) noexcept {
+        std::uint32_t word = 0U;
+        std::memcpy(&word, bytes, sizeof(word));
+        sums.plain += word;
+        sums.weighted += sums.plain;
     }
 
     Sums expected_{};

@@ -10,8 +10,9 @@ constexpr float inclination_lag_s = 0.05F;
 
 void RollConsistency::update(float roll_angle_rad, float roll_rate_radps, float inclination_rad) noexcept {
     if (!rsi::is_finite(roll_angle_rad) || !rsi::is_finite(roll_rate_radps) ||
-        !rsi::is_within_magnitude(turned_rad_, largest_turn_rad)) {
+        !rsi::is_within_magnitude(turned_rad_, largest_turn_rad) || (next_ >= long_window)) {
         filled_ = 0U;
+        next_ = 0U;  // within the history, whatever has become of it in memory
         turned_rad_ = 0.0F;
         return;
     }

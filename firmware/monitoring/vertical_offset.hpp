@@ -20,12 +20,16 @@ class VerticalOffset {
         mean_mps2_ = known_ ? mean_mps2_ + (rsi::sample_time_s / 0.4F) * (difference - mean_mps2_) : 0.0F;
     }
 
-    bool known() const noexcept { return known_; }
-    bool has_offset(bool warned) const noexcept {
-        return known_ && !rsi::is_within_magnitude(mean_mps2_, warned ? 3.5F : 1.5F);
+    bool is_within() const noexcept { return known_ && rsi::is_within_magnitude(mean_mps2_, bound_mps2); }
+    // `may_lift`: wheels may lift and come down. Between the two bounds neither is shown then.
+    bool is_beyond(bool may_lift) const noexcept {
+        return known_ && !rsi::is_within_magnitude(mean_mps2_, may_lift ? lifting_bound_mps2 : bound_mps2);
     }
 
  private:
+    static constexpr float bound_mps2 = 1.5F;
+    static constexpr float lifting_bound_mps2 = 3.5F;
+
     bool known_{false};
     float mean_mps2_{0.0F};
 };

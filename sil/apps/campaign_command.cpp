@@ -81,12 +81,7 @@ void run(const CampaignRequest& request) {
     const RowProgress progress = run_campaign(
         world, request.output, request.jobs, stop, [&line](const RowProgress& now) { line.show(now); },
         request.with_traces);
-    if (progress.finished < progress.total) {
-        throw std::runtime_error(fmt::format(
-            "interrupted after {} of {} runs, which are kept in {}. The same command goes on from "
-            "there.",
-            progress.finished, progress.total, request.output.string()));
-    }
+    require_finished(progress, "runs", request.output);
 }
 
 void run_one(const CampaignRequest& request, std::uint64_t number) {
@@ -94,16 +89,6 @@ void run_one(const CampaignRequest& request, std::uint64_t number) {
     const CampaignRow row = drive_single_run(CampaignWorld{settings_of(request)}, number, output);
     write_file_atomically(output / "row.csv", row_header() + "\n" + row_line(row) + "\n");
     fmt::print("All of it is in {0}; sil/results/draw {0} makes the pictures.\n", output.string());
-}
-
-void add_whole_number(CLI::App& command, const std::string& name, std::optional<std::uint64_t>& value,
-                      const std::string& description) {
-    // Not CLI11's own conversion, which takes 010 for eight.
-    command
-        .add_option_function<std::string>(
-            name, [&value](const std::string& text) { value = whole_number(text); }, description)
-        ->check(check_whole_number)
-        ->type_name("UINT");
 }
 
 }  // namespace

@@ -138,4 +138,21 @@ std::string check_whole_number(const std::string& text) {
                                             std::numeric_limits<std::uint64_t>::max(), text);
 }
 
+CLI::Option* add_whole_numbers(CLI::App& command, const std::string& name, std::vector<std::uint64_t>& values,
+                               const std::string& description) {
+    return command
+        .add_option_function<std::vector<std::string>>(
+            name,
+            [&values](const std::vector<std::string>& texts) {
+                values.clear();
+                for (const std::string& text : texts) {
+                    values.push_back(*whole_number(text));
+                }
+            },
+            description)
+        ->allow_extra_args(false)
+        ->check(check_whole_number)
+        ->type_name("UINT");
+}
+
 }  // namespace sil

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace sil {
 
@@ -34,5 +35,21 @@ std::function<std::string(const std::string&)> number_within(double minimum, dou
 std::optional<std::uint64_t> whole_number(const std::string& text);
 
 std::string check_whole_number(const std::string& text);
+
+// An option for a whole number; Value: std::uint64_t, or an optional one. Not CLI11's own conversion, which
+// takes 010 for eight. `value` must live as long as `command`.
+template <typename Value>
+CLI::Option* add_whole_number(CLI::App& command, const std::string& name, Value& value,
+                              const std::string& description) {
+    return command
+        .add_option_function<std::string>(
+            name, [&value](const std::string& text) { value = *whole_number(text); }, description)
+        ->check(check_whole_number)  // before the function
+        ->type_name("UINT");
+}
+
+// The same for one that may be repeated.
+CLI::Option* add_whole_numbers(CLI::App& command, const std::string& name, std::vector<std::uint64_t>& values,
+                               const std::string& description);
 
 }  // namespace sil

@@ -32,10 +32,6 @@ struct FaultSearchRequest {
     std::filesystem::path checked{};
 };
 
-std::uint64_t number_of(const std::string& text) {
-    return whole_number(text).value_or(0U);  // checked before
-}
-
 CampaignSettings settings_of(const FaultSearchRequest& request, std::uint64_t scenarios) {
     CampaignSettings settings = load_campaign(request.settings);
     settings.runs = scenarios;
@@ -53,12 +49,7 @@ SearchReport search(const FaultSearchRequest& request, std::uint64_t scenarios) 
     }};
     const RowProgress progress = run_fault_search(search, folder, request.jobs, stop_on_signals(),
                                                   [&line](const RowProgress& now) { line.show(now); });
-    if (progress.finished < progress.total) {
-        throw std::runtime_error(
-            fmt::format("interrupted after {} of {} scenarios, which are kept in {}. The same command goes "
-                        "on from there.",
-                        progress.finished, progress.total, folder.string()));
-    }
+    require_finished(progress, "scenarios", folder);
     return report_on(load_search(folder), request.seed);
 }
 
@@ -116,32 +107,11 @@ void add_fault_search_command(CLI::App& app) {
         "Random faults in random drives: is a due warning missed, or a false one given, silently?");
     command->add_option("--settings", request->settings, "What drives are drawn from (TOML)")
         ->capture_default_str();
-    // Not CLI11's own conversion, which takes 010 for eight.
-    CLI::Option* scenarios = command
-                                 ->add_option_function<std::vector<std::string>>(
-                                     "--scenarios",
-                                     [request](const std::vector<std::string>& texts) {
-                                         for (const std::string& text : texts) {
-                                             request->scenarios.push_back(number_of(text));
-                                         }
-                                     },
-                                     "How many; repeated: one search after the other")
-                                 ->allow_extra_args(false)
-                                 ->check(check_whole_number)
-                                 ->type_name("UINT");
-    command
-        ->add_option_function<std::string>(
-            "--seed", [request](const std::string& text) { request->seed = number_of(text); },
-            "Seed of everything drawn")
-        ->check(check_whole_number)
-        ->type_name("UINT")
-        ->default_str("1");
-    command
-        ->add_option_function<std::string>(
-            "--scenario", [request](const std::string& text) { request->single = number_of(text); },
-            "No search: run the scenario of this number and say what happens")
-        ->check(check_whole_number)
-        ->type_name("UINT")
+    CLI::Option* scenarios = add_whole_numbers(*command, "--scenarios", request->scenarios,
+                                               "How many; repeated: one search after the other");
+    add_whole_number(*command, "--seed", request->seed, "Seed of everything drawn")->default_str("1");
+    add_whole_number(*command, "--scenario", request->single,
+                     "No search: run the scenario of this number and say what happens")
         ->excludes(scenarios);
     command->add_option("--jobs", request->jobs, "Threads")
         ->check(CLI::Range(1U, 1024U))

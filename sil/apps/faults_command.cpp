@@ -140,19 +140,8 @@ void add_endurance(CLI::App& app) {
         ->required()
         ->allow_extra_args(false)
         ->check(number_within(0.01, 1000.0));
-    command
-        ->add_option_function<std::vector<std::string>>(
-            "--seed",
-            [request](const std::vector<std::string>& texts) {
-                request->seeds.clear();
-                for (const std::string& text : texts) {
-                    request->seeds.push_back(whole_number(text).value_or(0U));  // checked below
-                }
-            },
-            "Seed of drive, noise and faults; repeated: each of --hours with each of them")
-        ->allow_extra_args(false)
-        ->check(check_whole_number)
-        ->type_name("UINT")
+    add_whole_numbers(*command, "--seed", request->seeds,
+                      "Seed of drive, noise and faults; repeated: each of --hours with each of them")
         ->default_str("1");
     command->add_option("--document", request->document, "Write the page with these runs");
     command->add_option("--check", request->checked, "A page that must hold these runs");

@@ -168,15 +168,7 @@ void add_identify_command(CLI::App& app) {
     identify->add_option("--simulate", request->simulated_vehicle,
                          "Drive this simulated vehicle (TOML) in place of --ramp and --dynamic");
     identify->add_flag("--noise", request->sensors.noise, "Simulated sensors with noise");
-    identify
-        ->add_option_function<std::string>(
-            "--seed",
-            [request](const std::string& text) {
-                request->sensors.seed = whole_number(text).value_or(request->sensors.seed);
-            },
-            "Seed of the noise")
-        ->check(check_whole_number)
-        ->type_name("UINT");
+    add_whole_number(*identify, "--seed", request->sensors.seed, "Seed of the noise");
     identify->add_flag("--no-pictures", request->no_pictures, "Leave the pictures out");
     identify->callback([request] { identify_vehicle(*request); });
 }

@@ -24,11 +24,7 @@ void make(const PopulationRequest& request) {
     }};
     const RowProgress progress =
         make_population(request, stop, [&line](const RowProgress& now) { line.show(now); });
-    if (progress.finished < progress.total) {
-        throw std::runtime_error(fmt::format(
-            "interrupted after {} of {} vehicles, which are kept in {}. The same command goes on from there.",
-            progress.finished, progress.total, request.output.string()));
-    }
+    require_finished(progress, "vehicles", request.output);
     fmt::print("{}", describe_population(request.output));
 }
 
@@ -42,18 +38,10 @@ void add_population_command(CLI::App& app) {
                                            "Draw plausible vehicles of many classes, calibrate each by "
                                            "identify alone, and write the settings of campaigns "
                                            "on either half of them");
-    const auto add_whole_number = [command](const char* name, std::uint64_t& value, const char* description) {
-        // Not CLI11's own conversion, which takes 010 for eight.
-        command
-            ->add_option_function<std::string>(
-                name, [&value](const std::string& text) { value = whole_number(text).value_or(value); },
-                description)
-            ->check(check_whole_number)
-            ->type_name("UINT")
-            ->default_str(fmt::format("{}", value));
-    };
-    add_whole_number("--vehicles", request->vehicles, "How many; may grow later");
-    add_whole_number("--seed", request->seed, "Seed of everything drawn");
+    add_whole_number(*command, "--vehicles", request->vehicles, "How many; may grow later")
+        ->default_str(fmt::format("{}", request->vehicles));
+    add_whole_number(*command, "--seed", request->seed, "Seed of everything drawn")
+        ->default_str(fmt::format("{}", request->seed));
     command->add_option("--output", request->output, "Folder of the vehicles; taken up where it was left")
         ->capture_default_str();
     command->add_option("--jobs", request->jobs, "Threads")

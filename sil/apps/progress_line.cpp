@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include "sil/apps/command_line.hpp"
@@ -21,6 +22,14 @@ void ProgressLine::show(const RowProgress& progress) {
     const double left_s = static_cast<double>(progress.total - progress.finished) / rate;
     tell(fmt::format("{}{}{}", terminal_ ? "\r" : "", text_(progress, rate, left_s),
                      terminal_ && !last ? "      " : "\n"));
+}
+
+void require_finished(const RowProgress& progress, const char* rows, const std::filesystem::path& folder) {
+    if (progress.finished < progress.total) {
+        throw std::runtime_error(fmt::format(
+            "interrupted after {} of {} {}, which are kept in {}. The same command goes on from there.",
+            progress.finished, progress.total, rows, folder.string()));
+    }
 }
 
 }  // namespace sil

@@ -1,6 +1,7 @@
 // Progress line: how far long work has come, on stderr: over and over on a terminal, now and then in a log.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -22,5 +23,8 @@ class ProgressLine {
     bool terminal_;
     double next_s_{0.0};
 };
+
+// Throws std::runtime_error where not all `rows` of work that goes on in `folder` are finished.
+void require_finished(const RowProgress& progress, const char* rows, const std::filesystem::path& folder);
 
 }  // namespace sil

@@ -13,6 +13,7 @@
 #include "sil/apps/fault_states_command.hpp"
 #include "sil/apps/faults_command.hpp"
 #include "sil/apps/identify_command.hpp"
+#include "sil/apps/memory_flips_command.hpp"
 #include "sil/apps/parameters_command.hpp"
 #include "sil/apps/population_command.hpp"
 #include "sil/apps/replay_command.hpp"
@@ -62,15 +63,7 @@ void add_run(CLI::App& app, sil::RunRequest& request) {
     run->add_option("--vehicle", request.vehicle_file, "Parameter file of the simulated vehicle (TOML)")
         ->required();
     run->add_option("--output", request.output, "Folder for the results")->required();
-    // Not CLI11's own conversion, which takes 010 for eight.
-    run->add_option_function<std::string>(
-           "--seed",
-           [&request](const std::string& text) {
-               request.sensors.seed = sil::whole_number(text).value_or(request.sensors.seed);
-           },
-           "Seed of the sensor noise")
-        ->check(sil::check_whole_number)
-        ->type_name("UINT")
+    sil::add_whole_number(*run, "--seed", request.sensors.seed, "Seed of the sensor noise")
         ->default_str(fmt::format("{}", request.sensors.seed));
     run->add_option("--duration", request.duration_s, "Seconds of simulated time (default: the manoeuvre's)")
         ->check(sil::number_within(0.01, 1.0e6));
@@ -114,6 +107,7 @@ int main(int argc, char** argv) {
     sil::add_faults_command(app);
     sil::add_fault_states_command(app);
     sil::add_fault_search_command(app);
+    sil::add_memory_flips_command(app);
     sil::add_identify_command(app);
     sil::add_parameters_command(app);
     return sil::run_program(app, [&] {

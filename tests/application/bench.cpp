@@ -1,9 +1,6 @@
 #include "tests/application/bench.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "tests/application/end_to_end.hpp"
 
 namespace testing_application {
 
@@ -66,12 +63,7 @@ void Bench::send(Line& line, const Message& message) {
     if (line.silent) {
         return;
     }
-    hal::CanFrame frame;
-    frame.identifier = Message::identifier;
-    frame.length = Message::length;
-    const auto payload = can_dbc::encode(message);
-    std::copy(payload.begin(), payload.end(), frame.data.begin());
-    protect(frame, Message::e2e_data_id, line.counter);
+    hal::CanFrame frame = frame_of(message, line.counter);
     if (!line.counter_stands) {
         line.counter = (line.counter + 1U) % 15U;
     }

@@ -2,6 +2,7 @@
 // bus.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "tests/application/end_to_end.hpp"
 #include "tests/support/large_suv.h"
 
 namespace testing_application {
@@ -52,6 +54,18 @@ struct Cycle {
 
     can_dbc::RolloverWarning::State state() const { return warning.value.state; }
 };
+
+// As a sensor sends it, with this counter.
+template <typename Message>
+hal::CanFrame frame_of(const Message& message, unsigned counter) {
+    hal::CanFrame frame;
+    frame.identifier = Message::identifier;
+    frame.length = Message::length;
+    const auto payload = can_dbc::encode(message);
+    std::copy(payload.begin(), payload.end(), frame.data.begin());
+    protect(frame, Message::e2e_data_id, counter);
+    return frame;
+}
 
 // For tests that put an ECU on a bus of their own.
 struct NoWatchdog final : hal::Watchdog {

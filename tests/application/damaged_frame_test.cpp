@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "tests/application/bench.hpp"
@@ -148,6 +149,31 @@ TEST_P(DamagedFrames, WithAnExtendedIdentifierAreIgnored) {
 
 INSTANTIATE_TEST_SUITE_P(OfEachSensor, DamagedFrames, ::testing::ValuesIn(all_sensors),
                          [](const auto& tested) { return std::string{name_of(tested.param)}; });
+
+hal::CanFrame mass_frame(unsigned counter, bool damaged) {
+    hal::CanFrame frame = frame_of(can_dbc::VehicleMass{2500.0F}, counter);
+    frame.data[0] ^= damaged ? 1U : 0U;
+    return frame;
+}
+
+// Five of the last eight withdraw what it says; those before a silence of eight cycles no longer count.
+TEST(DamagedFramesOfTheVehiclesMass, AreCountedAndForgottenInSilence) {
+    Bench bench;
+    bench.run_until_ready();
+    const auto mass_kg_after = [&bench](const hal::CanFrame& frame) {
+        bench.send_foreign(frame);
+        bench.run_cycles(1);
+        return bench.inputs().vehicle_mass_kg;
+    };
+    EXPECT_EQ(mass_kg_after(mass_frame(0U, false)), 2500.0F);
+    for (unsigned counter = 1U; counter <= 5U; ++counter) {
+        mass_kg_after(mass_frame(counter, true));
+    }
+    EXPECT_EQ(bench.status().frames_rejected, 5U);
+    EXPECT_TRUE(std::isnan(mass_kg_after(mass_frame(6U, false))));
+    bench.run_cycles(8);
+    EXPECT_EQ(mass_kg_after(mass_frame(7U, false)), 2500.0F);
+}
 
 TEST(ForeignFrames, OfEveryOtherIdentifierAreIgnored) {
     Bench bench;

@@ -5,13 +5,19 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
+#include "application/crc32.hpp"
+#include "application/little_endian.hpp"
 #include "application/load_record.hpp"
+#include "application/parameter_section.hpp"
 #include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/memory_storage.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "tests/application/bench.hpp"
+
+extern "C" const unsigned char rsi_parameter_section[application::section::length];
 
 namespace testing_application {
 namespace {
@@ -58,6 +64,32 @@ TEST(TheLoadsRecord, IsRefusedWithAnyByteChangedErasedOrOfOtherParameters) {
     }
     EXPECT_FALSE(application::read_load_record(good, 78U, read));
     EXPECT_EQ(read.excess, 0.1F);
+}
+
+TEST(TheLoadsRecord, IsRefusedWithoutItsMagicThoughItsChecksumIsGood) {
+    LoadRecord record = application::write_load_record(learnt, 77U);
+    record[0] ^= 1U;
+    application::put_word(record.data(), 20U, application::crc32(record.data(), 20U));
+    rsi::LearntLoad read{};
+    EXPECT_FALSE(application::read_load_record(record, 77U, read));
+}
+
+// So that it can be found again by whoever reads a record elsewhere.
+TEST(TheParametersCheckWord, IsTheCrc32OfTheirBytesInTheOrderOfTheirTables) {
+    const rsi::Parameters parameters = large_suv();
+    std::vector<std::uint8_t> bytes;
+    const auto append = [&bytes](std::uint32_t word) {
+        for (const std::uint32_t shift : {0U, 8U, 16U, 24U}) {
+            bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+        }
+    };
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        append(application::word_of(parameters.*field.member));
+    }
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        append(static_cast<std::uint32_t>(parameters.*field.member));
+    }
+    EXPECT_EQ(application::check_word_of(parameters), application::crc32(bytes.data(), bytes.size()));
 }
 
 TEST(TheParametersCheckWord, IsAnotherForEachParameterThatChanges) {
@@ -114,6 +146,32 @@ TEST_F(Keeping, StoresNothingThatIsNotKnownOrNotNew) {
     EXPECT_EQ(storage.writes(), 1U);
     keep({0.031F - 0.029F, 0.02F, 0.0F}, 2 * cycles_in_a_minute);
     EXPECT_EQ(storage.writes(), 1U);
+}
+
+TEST_F(Keeping, StoresALoadThatHasBeenTakenOff) {
+    keep(learnt, cycles_in_a_minute);
+    keep({learnt.excess - 0.031F, 0.02F, 0.0F}, cycles_in_a_minute);
+    EXPECT_EQ(storage.writes(), 2U);
+}
+
+TEST_F(Keeping, DoesNotStoreAgainWhatItHasBroughtBack) {
+    keep(learnt, cycles_in_a_minute);
+    rsi::Component restarted;
+    ASSERT_EQ(restarted.init(large_suv()).accepted, 1);
+    LoadKeeper other;
+    other.use(storage);
+    other.restore(large_suv(), restarted, false);
+    for (int cycle = 0; cycle < 2 * cycles_in_a_minute; ++cycle) {
+        other.keep(restarted.learnt_load());
+    }
+    EXPECT_EQ(storage.writes(), 1U);
+}
+
+TEST_F(Keeping, WaitsForAMinuteAfterAStartToo) {
+    keep(learnt, cycles_in_a_minute - 1);
+    keeper.restore(large_suv(), component, false);
+    keep(learnt, cycles_in_a_minute - 1);
+    EXPECT_EQ(storage.writes(), 0U);
 }
 
 TEST_F(Keeping, TriesAgainWhileTheStorageIsBusy) {
@@ -190,33 +248,90 @@ TEST(AKeeperWithoutAStorage, DoesNothing) {
     EXPECT_EQ(component.learnt_load().excess, 0.0F);
 }
 
-// The control unit as a whole: its storage is read at its start. What it says of the load in its first cycle.
-float excess_at_start(hal::ResetReason reason) {
-    Storage storage;
-    const LoadRecord record = application::write_load_record(learnt, application::check_word_of(large_suv()));
-    EXPECT_TRUE(storage.write(record.data(), record.size()));
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U> bus{clock};
-    NoWatchdog watchdog;
-    application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
-    ecu.use_storage(storage);
-    ecu.set_reset_reason(reason);
-    EXPECT_EQ(ecu.init(large_suv()).accepted, 1);
-    hal::CanFrame frame;
-    Bench bench;  // whose sensors it hears
-    bench.run_cycles(1);
-    for (const Sensor sensor : all_sensors) {
-        frame = bench.last_frame(sensor);
-        bus.endpoint(1U).send(frame);
+// The control unit as a whole, on a bus of its own, started after a reset or a loss of power.
+class AnEcuWithAStorage {
+ public:
+    explicit AnEcuWithAStorage(hal::ResetReason reason) {
+        ecu_.use_storage(storage);
+        ecu_.set_reset_reason(reason);
     }
-    ecu.step(0U);
-    return ecu.outputs().load_excess;
+    // What was learnt before the start, with these parameters.
+    void had_learnt(const rsi::LearntLoad& load, const rsi::Parameters& parameters) {
+        const LoadRecord record =
+            application::write_load_record(load, application::check_word_of(parameters));
+        EXPECT_TRUE(storage.write(record.data(), record.size()));
+    }
+    application::RolloverEcu& ecu() { return ecu_; }
+
+    void hear(const hal::CanFrame& frame) { bus_.endpoint(1U).send(frame); }
+    void hear_all_sensors() {
+        Bench bench;
+        bench.run_cycles(1);
+        for (const Sensor sensor : all_sensors) {
+            hear(bench.last_frame(sensor));
+        }
+    }
+    void hear_mass(float mass_kg, unsigned counter) {
+        hear(frame_of(can_dbc::VehicleMass{mass_kg}, counter));
+    }
+    float load_excess_in_the_first_cycle() {
+        hear_all_sensors();
+        ecu_.step(0U);
+        return ecu_.outputs().load_excess;
+    }
+
+    Storage storage{};
+
+ private:
+    hal::VirtualClock clock_{};
+    hal::MemoryBus<2U> bus_{clock_};
+    NoWatchdog watchdog_{};
+    application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
+};
+
+float excess_at_start(hal::ResetReason reason) {
+    AnEcuWithAStorage unit{reason};
+    unit.had_learnt(learnt, large_suv());
+    EXPECT_EQ(unit.ecu().init(large_suv()).accepted, 1);
+    return unit.load_excess_in_the_first_cycle();
 }
 
 TEST(TheEcu, StartsWithTheLoadThatItsStorageHoldsAndDoubtsItAfterALossOfPower) {
     EXPECT_NEAR(excess_at_start(hal::ResetReason::power_on), 0.5F * learnt.excess, 0.001F);
     EXPECT_NEAR(excess_at_start(hal::ResetReason::outside), learnt.excess, 0.001F);
     EXPECT_NEAR(excess_at_start(hal::ResetReason::data_abort), learnt.excess, 0.001F);
+}
+
+TEST(TheEcu, StartsWithThatLoadWhereItsParametersAreASectionToo) {
+    rsi::Parameters parameters{};
+    application::read_parameter_section(rsi_parameter_section, application::section::length, parameters);
+    AnEcuWithAStorage unit{hal::ResetReason::outside};
+    unit.had_learnt(learnt, parameters);
+    unit.ecu().init(rsi_parameter_section, application::section::length);
+    EXPECT_NEAR(unit.load_excess_in_the_first_cycle(), learnt.excess, 0.001F);
+}
+
+// 130 kg more than a moment ago.
+TEST(TheEcu, StoresALoadThatHasBeenPutOnAfterAMinute) {
+    AnEcuWithAStorage unit{hal::ResetReason::outside};
+    unit.had_learnt({0.4F, 0.02F, 0.0F}, large_suv());
+    ASSERT_EQ(unit.ecu().init(large_suv()).accepted, 1);
+    unit.hear_all_sensors();
+    unit.hear_mass(2370.0F, 0U);
+    unit.ecu().step(0U);
+    unit.hear_all_sensors();
+    unit.hear_mass(2500.0F, 1U);
+    for (int cycle = 2; cycle < cycles_in_a_minute; ++cycle) {
+        unit.ecu().step(0U);
+    }
+    EXPECT_EQ(unit.storage.writes(), 1U);
+    unit.ecu().step(0U);
+    ASSERT_EQ(unit.storage.writes(), 2U);
+    LoadRecord record{};
+    rsi::LearntLoad stored{};
+    ASSERT_TRUE(unit.storage.read(record.data(), record.size()));
+    ASSERT_TRUE(application::read_load_record(record, application::check_word_of(large_suv()), stored));
+    EXPECT_NEAR(stored.excess, 0.4F + 130.0F / 2060.0F, 0.001F);
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(TheParameterGuard, SeesTwoExchangedWords) {
 }
 
 // A slalom, so that there is an estimate. The component heals much by itself, so what is damaged here is what
-// it heals by: the constants that it has made of the parameters, in its own memory.
+// it heals by: the constants that it has made of the parameters, in its own memory and in the copy of it.
 class ADamagedComponent : public ::testing::Test {
  protected:
     static rsi::Parameters parameters() {
@@ -152,6 +152,64 @@ TEST_F(ADamagedComponent, WhoseEstimateLeavesItsRangeStartsAnewFromTheParameters
 TEST_F(ADamagedComponent, WhoseAnswerIsNoNumberStartsAnewFromTheParameters) {
     damage(parameters().roll_damping_nmsprad, std::numeric_limits<float>::quiet_NaN());
     expect_reset_and_recovery(Code::output_not_finite);
+}
+
+// One bit, of the component alone: the copy that is kept of it is good.
+class AComponentOfWhichABitChanges : public ::testing::Test {
+ protected:
+    struct Driven {
+        Driven() {
+            bench.drive([this](double time_s) {
+                vehicle.advance(4.0 * std::sin(2.0 * time_s));
+                return vehicle.motion();
+            });
+            bench.run_for(4.0);
+        }
+        Bench bench{large_suv()};
+        RollPlaneVehicle vehicle{large_suv()};
+    };
+
+    // The component comes before the parameters that it was started with.
+    unsigned char& byte_of_component() {
+        const rsi::Parameters parameters = large_suv();
+        const std::size_t end = places_of(disturbed.bench, &parameters, sizeof parameters).at(0);
+        return disturbed.bench.memory()[end - sizeof(rsi::Component) / 2U];
+    }
+
+    Driven sound;
+    Driven disturbed;
+};
+
+TEST_F(AComponentOfWhichABitChanges, GoesOnAsIfNothingHadHappenedAndSaysSo) {
+    Bench& bench = disturbed.bench;
+    ASSERT_EQ(bench.state(), State::ready);
+    const std::size_t from = bench.cycles().size();
+    const int feeds = bench.watchdog_feeds();
+    byte_of_component() ^= 0x40U;
+    for (int cycle = 0; cycle < 130; ++cycle) {
+        sound.bench.run_cycles(1);
+        bench.run_cycles(1);
+        ASSERT_EQ(std::memcmp(&bench.outputs(), &sound.bench.outputs(), sizeof(rsi::Outputs)), 0) << cycle;
+        EXPECT_EQ(bench.state(), sound.bench.state());
+        EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::full);
+    }
+    EXPECT_EQ(bench.watchdog_feeds(), feeds + 130);
+    EXPECT_TRUE(told(bench, from, Code::memory_restored, CodeStatus::confirmed));
+    EXPECT_TRUE(told(bench, from, Code::memory_restored, CodeStatus::healed));
+}
+
+TEST_F(AComponentOfWhichABitChanges, StarvesTheWatchdogWhereItDoesNotStayRestored) {
+    Bench& bench = disturbed.bench;
+    const std::size_t from = bench.cycles().size();
+    const int feeds = bench.watchdog_feeds();
+    for (int cycle = 0; cycle < 5; ++cycle) {
+        byte_of_component() ^= 0x40U;
+        bench.run_cycles(1);
+    }
+    EXPECT_EQ(bench.watchdog_feeds(), feeds + 1);
+    EXPECT_TRUE(told(bench, from, Code::parameters_damaged, CodeStatus::confirmed));
+    EXPECT_EQ(bench.state(), State::unavailable);
+    EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::internal_fault);
 }
 
 // A reset keeps what init finds by iterating. Where that is damaged, only a start from new helps.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "monitoring/force_vote.hpp"
+#include "monitoring/inclination.hpp"
 #include "monitoring/roll_consistency.hpp"
 #include "monitoring/turn_consistency.hpp"
 #include "monitoring/vertical_offset.hpp"
@@ -186,6 +187,27 @@ TEST_F(ATwistingRoad, TakesTheInclinationThroughALagOf50MillisecondsButForItsFir
     EXPECT_TRUE(check.contradicts(false));
     check.update(0.07F, 0.0F, 0.6F);
     EXPECT_TRUE(check.contradicts(true));
+    // One of 0.31 rad is beyond it.
+    check = RollConsistency{};
+    for (int sample = 0; sample < 100; ++sample) {
+        check.update(0.0F, 0.0F, 0.3F);
+    }
+    check.update(0.07F, 0.0F, 0.61F);
+    EXPECT_TRUE(check.contradicts(true));
+}
+
+// Nor does a lag have to settle first: neither from nothing, nor from where the body was before a gap.
+TEST_F(ATwistingRoad, DoesNotTwistByWhatTheBodyIsInclinedByFromTheStart) {
+    RollConsistency check;
+    for (const float inclination_rad : {0.7F, -0.7F}) {
+        for (int sample = 0; sample < 20; ++sample) {
+            check.update(0.0F, 0.0F, inclination_rad);
+        }
+        check.update(0.07F, 0.0F, inclination_rad);
+        EXPECT_TRUE(check.contradicts(false));
+        EXPECT_FALSE(check.contradicts(true));
+        check.update(nan, 0.0F, inclination_rad);
+    }
 }
 
 // Lateral acceleration against yaw rate times speed.
@@ -341,54 +363,56 @@ TEST_F(AVerticalForce, HasAnOffsetBeyondItsLimitAndBeyondALargerOneInAWarning) {
     for (const float sign : {1.0F, -1.0F}) {
         check = VerticalOffset{};
         run(1000, gravity + sign * 1.49F);
-        EXPECT_FALSE(check.has_offset(false));
+        EXPECT_TRUE(check.is_within());
+        EXPECT_FALSE(check.is_beyond(false));
         run(1000, gravity + sign * 1.51F);
-        EXPECT_TRUE(check.has_offset(false));
+        EXPECT_FALSE(check.is_within());
+        EXPECT_TRUE(check.is_beyond(false));
         run(1000, gravity + sign * 3.49F);
-        EXPECT_TRUE(check.has_offset(false));
-        EXPECT_FALSE(check.has_offset(true));
+        EXPECT_TRUE(check.is_beyond(false));
+        EXPECT_FALSE(check.is_beyond(true));
         run(1000, gravity + sign * 3.51F);
-        EXPECT_TRUE(check.has_offset(true));
+        EXPECT_TRUE(check.is_beyond(true));
     }
 }
 
 TEST_F(AVerticalForce, IsJudgedByItsMeanOver400Milliseconds) {
     run(27, gravity + 3.0F);
-    EXPECT_FALSE(check.has_offset(false));
+    EXPECT_FALSE(check.is_beyond(false));
     run(1, gravity + 3.0F);
-    EXPECT_TRUE(check.has_offset(false));
+    EXPECT_TRUE(check.is_beyond(false));
 }
 
 TEST_F(AVerticalForce, IsJudgedByItsMeanOver400MillisecondsAfterAGapToo) {
     for (const float sign : {1.0F, -1.0F}) {
         run(1, nan);
         run(27, gravity + sign * 3.0F);
-        EXPECT_FALSE(check.has_offset(false));
+        EXPECT_FALSE(check.is_beyond(false));
         run(1, gravity + sign * 3.0F);
-        EXPECT_TRUE(check.has_offset(false));
+        EXPECT_TRUE(check.is_beyond(false));
     }
 }
 
 TEST_F(AVerticalForce, IsJudgedWhileTheBodyIsUpright) {
     for (const float sign : {1.0F, -1.0F}) {
         run(1, gravity, sign * 11.0F, 0.0F);
-        EXPECT_TRUE(check.known());
+        EXPECT_TRUE(check.is_within());
         run(1, gravity, 0.0F, sign * 0.2F);
-        EXPECT_TRUE(check.known());
+        EXPECT_TRUE(check.is_within());
     }
 }
 
 TEST_F(AVerticalForce, IsSmallerInABodyThatLeansOutOfTheTurn) {
     run(1000, gravity - 10.0F * 0.19F, 10.0F, 0.19F);
-    EXPECT_TRUE(check.known());
-    EXPECT_FALSE(check.has_offset(false));
+    EXPECT_TRUE(check.is_within());
+    EXPECT_FALSE(check.is_beyond(false));
     run(1000, gravity, 10.0F, 0.19F);
-    EXPECT_TRUE(check.has_offset(false));
+    EXPECT_TRUE(check.is_beyond(false));
 }
 
 TEST_F(AVerticalForce, IsNotJudgedBeforeItsFirstSample) {
-    EXPECT_FALSE(check.known());
-    EXPECT_FALSE(check.has_offset(false));
+    EXPECT_FALSE(check.is_within());
+    EXPECT_FALSE(check.is_beyond(false));
 }
 
 TEST_F(AVerticalForce, StartsAnewWhereItIsNotKnown) {
@@ -402,14 +426,25 @@ TEST_F(AVerticalForce, StartsAnewWhereItIsNotKnown) {
          {Gap{nan, 0.0F, 0.0F}, Gap{infinity, 0.0F, 0.0F}, Gap{high, nan, 0.0F}, Gap{high, 0.0F, nan},
           Gap{high, 0.0F, 0.21F}, Gap{high, 0.0F, -0.21F}, Gap{high, 11.1F, 0.0F}, Gap{high, -11.1F, 0.0F}}) {
         run(1000, high);
-        ASSERT_TRUE(check.has_offset(true));
+        ASSERT_TRUE(check.is_beyond(true));
         run(1, gap.vertical, gap.lateral, gap.roll_angle);
-        EXPECT_FALSE(check.known());
-        EXPECT_FALSE(check.has_offset(false));
+        EXPECT_FALSE(check.is_within());
+        EXPECT_FALSE(check.is_beyond(false));
         run(1, high);
-        EXPECT_TRUE(check.known());
-        EXPECT_FALSE(check.has_offset(false));
+        EXPECT_TRUE(check.is_within());
+        EXPECT_FALSE(check.is_beyond(false));
     }
+}
+
+TEST(AnInclination, IsTheArcSineOfWhatTheForceIsMoreThanTheTurnNeeds) {
+    for (const float sign : {1.0F, -1.0F}) {
+        EXPECT_NEAR(monitoring::inclination_rad(sign * (2.0F + 0.3F * gravity), sign * 2.0F),
+                    sign * std::asin(0.3F), 2e-4F);
+        EXPECT_NEAR(monitoring::inclination_rad(sign * 0.49F * gravity, 0.0F), sign * 0.49F * 1.04001667F,
+                    1e-6F);
+        EXPECT_TRUE(std::isnan(monitoring::inclination_rad(sign * 0.51F * gravity, 0.0F)));
+    }
+    EXPECT_TRUE(std::isnan(monitoring::inclination_rad(nan, 0.0F)));
 }
 
 // As ForceVote takes it: at 20 m/s the yaw rate is given by what it says of the lateral acceleration.
@@ -439,7 +474,7 @@ class AForceVote : public ::testing::Test {
 
     bool alone_after(int samples, float accelerometer_mps2, float by_yaw_mps2, float by_roll_mps2) {
         for (int sample = 0; sample < samples; ++sample) {
-            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)), true);
+            vote.update(sample_of(accelerometer_mps2, by_yaw_mps2, roll_angle_rad(by_roll_mps2)));
         }
         return vote.accelerometer_is_alone();
     }
@@ -457,6 +492,38 @@ TEST_F(AForceVote, IsAgainstAnAccelerometerThatBothOthersContradict) {
 TEST_F(AForceVote, TakesAMeanOver300Milliseconds) {
     EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
     EXPECT_TRUE(alone_after(1, 10.0F, 0.0F, 0.0F));
+}
+
+// The body of a vehicle that is loaded so rolls under the same force as much further; what no load does is
+// not believed, and what is known stays.
+TEST_F(AForceVote, TakesTheForceOfTheLoadedBody) {
+    struct Load {
+        float excess;
+        float force_mps2;  // that rolls the loaded body as 4 m/s^2 would roll the calibrated one
+    };
+    rsi::Parameters suv = parameters();
+    suv.load_adaptation = 1.0F;
+    for (const Load& load : {Load{1.0F, 2.0F}, Load{-0.49F, 4.0F / 0.51F}, Load{1.49F, 4.0F / 2.49F},
+                             Load{-0.51F, 4.0F}, Load{1.51F, 4.0F}, Load{nan, 4.0F}}) {
+        vote = {};
+        vote.start(suv);
+        vote.assume_load(load.excess);
+        alone_after(500, 4.0F, 4.0F, 4.0F);
+        EXPECT_NEAR(vote.forces().by_roll_mps2, load.force_mps2, 1e-3F) << load.excess;
+    }
+    vote.assume_load(1.0F);
+    vote.assume_load(nan);
+    alone_after(500, 4.0F, 4.0F, 4.0F);
+    EXPECT_NEAR(vote.forces().by_roll_mps2, 2.0F, 1e-3F);
+}
+
+// A ramp of 20 m/s^3: 80 ms ahead it is 1.6 m/s^2 higher, and the lag's own delay does not matter.
+TEST_F(AForceVote, KnowsWhatTheAccelerometerShows80MillisecondsLater) {
+    for (int sample = 0; sample < 200; ++sample) {
+        const float force = 0.2F * static_cast<float>(sample);
+        vote.update(sample_of(force, force, roll_angle_rad(0.0F)));
+    }
+    EXPECT_NEAR(vote.forces().shown_soon_mps2 - vote.forces().shown_mps2, 1.6F, 0.02F);
 }
 
 TEST_F(AForceVote, NeedsOthersThatAgreeWithinHalfOfWhatTheyHaveAgainstIt) {
@@ -482,25 +549,80 @@ TEST_F(AForceVote, HasTheRollMotionAgreeWithin1500MillimetresPerSecondSquared) {
         EXPECT_FALSE(vote.roll_motion_agrees());
         alone_after(300, sign * 4.0F, sign * 1.0F, sign * 4.0F);
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)), true);
+        vote.update(sample_of(nan, 1.0F, roll_angle_rad(4.0F)));
         EXPECT_FALSE(vote.roll_motion_agrees());
     }
 }
 
-TEST_F(AForceVote, StartsAnewInASpinFarOverAndWithoutAWitness) {
+// Half of what makes it the only one, and the others need not agree.
+TEST_F(AForceVote, SuspectsAnAccelerometerBeyondBothOthersBy1500MillimetresPerSecondSquared) {
+    EXPECT_FALSE(vote.accelerometer_is_suspect());
+    for (const float sign : {1.0F, -1.0F}) {
+        alone_after(300, sign * 5.45F, sign * 4.0F, sign * -4.0F);
+        EXPECT_FALSE(vote.accelerometer_is_suspect());
+        alone_after(300, sign * 5.55F, sign * 4.0F, sign * -4.0F);
+        EXPECT_TRUE(vote.accelerometer_is_suspect());
+        alone_after(300, sign * 5.55F, sign * 10.0F, sign * 4.0F);  // between them
+        EXPECT_FALSE(vote.accelerometer_is_suspect());
+    }
+    vote.update(sample_of(nan, 0.0F, 0.0F));
+    EXPECT_FALSE(vote.accelerometer_is_suspect());
+}
+
+TEST_F(AForceVote, TellsTheForcesThatItCompares) {
+    EXPECT_FALSE(vote.known());
+    alone_after(500, 5.0F, 3.0F, 4.0F);
+    EXPECT_TRUE(vote.known());
+    EXPECT_NEAR(vote.forces().shown_mps2, 5.0F, 1.0e-3F);
+    EXPECT_NEAR(vote.forces().by_yaw_mps2, 3.0F, 1.0e-3F);
+    EXPECT_NEAR(vote.forces().by_roll_mps2, 4.0F, 1.0e-3F);
+    vote.update(sample_of(nan, 0.0F, 0.0F));
+    EXPECT_FALSE(vote.known());
+}
+
+// The speed has no sign: of a vehicle that turns to the left while it rolls backwards the force is to the
+// right. Above 5 m/s it goes forwards.
+TEST_F(AForceVote, TakesTheYawRateOfASlowVehicleForATurnToEitherSide) {
+    struct Turn {
+        float shown_mps2;
+        bool alone;
+    };
+    for (const float speed_mps : {5.0F, 5.1F}) {
+        for (const Turn turn : {Turn{3.9F, false}, Turn{-3.9F, speed_mps > 5.0F}, Turn{-4.1F, true}}) {
+            rsi::Inputs inputs = sample_of(turn.shown_mps2, 0.0F, 0.0F);
+            inputs.speed_mps = speed_mps;
+            inputs.yaw_rate_radps = 1.0F / speed_mps;
+            for (int sample = 0; sample < 500; ++sample) {
+                vote.update(inputs);
+            }
+            EXPECT_EQ(vote.accelerometer_is_alone(), turn.alone) << turn.shown_mps2 << " at " << speed_mps;
+        }
+    }
+}
+
+TEST_F(AForceVote, NeedsASpeedAndAYawRateHoweverSlowTheVehicleIs) {
+    for (const bool with_speed : {true, false}) {
+        rsi::Inputs inputs = sample_of(10.0F, 0.0F, 0.0F);
+        inputs.speed_mps = with_speed ? 1.0F : nan;
+        inputs.yaw_rate_radps = with_speed ? nan : 0.0F;
+        vote.update(inputs);
+        EXPECT_FALSE(vote.known());
+    }
+}
+
+TEST_F(AForceVote, StartsAnewFarOverAndWithoutAWitness) {
     struct Gap {
         float lateral;
         float by_yaw;
         float roll_angle;
         float roll_rate;
-        bool rolls_on;
     };
-    for (const Gap gap : {Gap{10.0F, 0.0F, 0.0F, 0.0F, false}, Gap{20.0F, 0.0F, 0.151F, 0.0F, true},
-                          Gap{-20.0F, 0.0F, -0.151F, 0.0F, true}, Gap{nan, 0.0F, 0.0F, 0.0F, true},
-                          Gap{10.0F, nan, 0.0F, 0.0F, true}, Gap{10.0F, 0.0F, nan, 0.0F, true},
-                          Gap{10.0F, 0.0F, 0.0F, nan, true}, Gap{infinity, 0.0F, 0.0F, 0.0F, true}}) {
+    for (const Gap gap :
+         {Gap{20.0F, 0.0F, 0.151F, 0.0F}, Gap{-20.0F, 0.0F, -0.151F, 0.0F}, Gap{nan, 0.0F, 0.0F, 0.0F},
+          Gap{10.0F, nan, 0.0F, 0.0F}, Gap{10.0F, 0.0F, nan, 0.0F}, Gap{10.0F, 0.0F, 0.0F, nan},
+          Gap{infinity, 0.0F, 0.0F, 0.0F}}) {
         ASSERT_TRUE(alone_after(100, 10.0F, 0.0F, 0.0F));
-        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate), gap.rolls_on);
+        vote.update(sample_of(gap.lateral, gap.by_yaw, gap.roll_angle, gap.roll_rate));
         EXPECT_FALSE(vote.accelerometer_is_alone());
         EXPECT_FALSE(alone_after(10, 10.0F, 0.0F, 0.0F));
     }
@@ -519,7 +641,7 @@ TEST_F(AForceVote, TakesThatMeanFromItsStartAndAfterAGapWhicheverOtherIsNearer) 
             for (int times = 0; times < 2; ++times) {
                 EXPECT_FALSE(alone_after(10, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
                 EXPECT_TRUE(alone_after(1, sign * 10.0F, sign * others.by_yaw, sign * others.by_roll));
-                vote.update(sample_of(nan, 0.0F, 0.0F), true);
+                vote.update(sample_of(nan, 0.0F, 0.0F));
             }
         }
     }
@@ -590,10 +712,9 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
             }
             const double at_imu_mps2 = force_mps2 + static_cast<double>(truck_.imu_x_m) * yaw_radps2 -
                                        static_cast<double>(truck_.imu_z_m) * acceleration_radps2;
-            vote.update(
-                sample_of(gain * static_cast<float>(at_imu_mps2), static_cast<float>(20.0 * yaw_radps),
-                          static_cast<float>(angle_rad), static_cast<float>(rate_radps)),
-                true);
+            vote.update(sample_of(gain * static_cast<float>(at_imu_mps2),
+                                  static_cast<float>(20.0 * yaw_radps), static_cast<float>(angle_rad),
+                                  static_cast<float>(rate_radps)));
             if (sample >= 300) {
                 said.alone += vote.accelerometer_is_alone() ? 1 : 0;
                 said.agrees += vote.roll_motion_agrees() ? 1 : 0;
@@ -621,12 +742,12 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationInItsFirstSample) {
     vote.start(truck_);
     const float angle_rad = 0.1F;
     for (int times = 0; times < 2; ++times) {
-        vote.update(sample_of(8.0F, 8.0F, angle_rad), true);  // yaws at 0.4 rad/s
+        vote.update(sample_of(8.0F, 8.0F, angle_rad));  // yaws at 0.4 rad/s
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F), true);
-        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F), true);
+        vote.update(sample_of(nan, 0.0F, 0.0F));
+        vote.update(sample_of(8.0F, 0.0F, angle_rad, 0.6F));
         EXPECT_TRUE(vote.roll_motion_agrees());
-        vote.update(sample_of(nan, 0.0F, 0.0F), true);
+        vote.update(sample_of(nan, 0.0F, 0.0F));
     }
 }
 
@@ -635,9 +756,9 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
     vote.start(truck_);
     const float rate_radps = 0.6F;
     const float force_mps2 = truck_.roll_damping_nmsprad / truck_.sprung_mass_kg * rate_radps;
-    vote.update(sample_of(0.0F, 0.0F, 0.0F), true);
+    vote.update(sample_of(0.0F, 0.0F, 0.0F));
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps), true);
+        vote.update(sample_of(force_mps2, 0.0F, 0.0F, rate_radps));
     }
     EXPECT_TRUE(vote.roll_motion_agrees());
 }
@@ -650,7 +771,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothWitnes
         rsi::Inputs inputs = sample_of(4.0F + truck_.imu_x_m, 0.0F, 0.0F);
         inputs.yaw_rate_radps = 0.01F * static_cast<float>(sample);
         inputs.speed_mps = 1.0F;
-        vote.update(inputs, true);
+        vote.update(inputs);
     }
     EXPECT_TRUE(vote.accelerometer_is_alone());
 }
@@ -658,7 +779,7 @@ TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothWitnes
 TEST(AForceVoteThatHasNotStarted, SaysNothing) {
     ForceVote vote;
     for (int sample = 0; sample < 300; ++sample) {
-        vote.update(sample_of(10.0F, 0.0F, 0.0F), true);
+        vote.update(sample_of(10.0F, 0.0F, 0.0F));
     }
     EXPECT_FALSE(vote.accelerometer_is_alone());
 }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+#include "tests/support/memory_damage.hpp"
+
 namespace monitoring_diagnostic_memory_test {
 namespace {
 
@@ -68,6 +70,8 @@ constexpr StatedDebounce stated_debounces[] = {
     {DiagnosticCode::bus_error, 3, 100},
     {DiagnosticCode::receive_overflow, 1, 100},
     {DiagnosticCode::roll_angle_reference_wrong, 1, 500},
+    {DiagnosticCode::lateral_acceleration_gain, 1, 20},
+    {DiagnosticCode::memory_restored, 1, 100},
 };
 
 class ADiagnosticMemory : public ::testing::Test {
@@ -123,6 +127,44 @@ TEST_F(ADiagnosticMemory, ConfirmsAFaultOfEverySecondCycleAfterHalfAsMuchTimeAga
     }
     memory.report(code, true);
     EXPECT_EQ(memory.status(code), EventStatus::confirmed);
+}
+
+TEST_F(ADiagnosticMemory, ReportsAnEntryThatItHasWhateverBitOfItHasChanged) {
+    memory.report(DiagnosticCode::speed_stuck, true);
+    memory.report(DiagnosticCode::roll_angle_lost, true);
+    static_cast<void>(memory.next());
+    for (std::size_t byte = 0U; byte < sizeof memory; ++byte) {
+        for (unsigned bit = 0U; bit < 8U; ++bit) {
+            DiagnosticMemory damaged = memory;
+            rsi_test::flip(damaged, byte, bit);
+            for (int cycle = 0; cycle < 3; ++cycle) {
+                EXPECT_LT(static_cast<std::size_t>(damaged.next().code), monitoring::diagnostic_code_count)
+                    << byte << ' ' << bit;
+            }
+        }
+    }
+}
+
+TEST_F(ADiagnosticMemory, KnowsTheSetsOfActiveAndConfirmedCodes) {
+    constexpr DiagnosticCode slow = DiagnosticCode::speed_invalid;  // 3 cycles, heals in 5
+    constexpr DiagnosticCode last = DiagnosticCode::lateral_acceleration_gain;
+    EXPECT_EQ(memory.active_codes(), 0U);
+    memory.report(slow, true);
+    EXPECT_EQ(memory.active_codes(), monitoring::set_of(slow));
+    EXPECT_EQ(memory.confirmed_codes(), 0U);
+    EXPECT_TRUE(memory.active(slow));
+    EXPECT_FALSE(memory.active(last));
+    memory.report(slow, true);
+    memory.report(slow, true);
+    memory.report(last, true);
+    EXPECT_EQ(memory.active_codes(), monitoring::set_of(slow, last));
+    EXPECT_EQ(memory.confirmed_codes(), monitoring::set_of(slow, last));
+    for (int cycle = 0; cycle < 5; ++cycle) {
+        memory.report(slow, false);
+    }
+    EXPECT_FALSE(memory.active(slow));
+    EXPECT_EQ(memory.active_codes(), monitoring::set_of(last));
+    EXPECT_EQ(memory.confirmed_codes(), monitoring::set_of(last));
 }
 
 TEST_F(ADiagnosticMemory, ForgetsASightingAfterTwiceAsManyGoodCycles) {
@@ -199,7 +241,7 @@ TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
 }
 
 TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
-    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::roll_angle_reference_wrong}) {
+    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::memory_restored}) {
         memory = {};
         confirm(code);
         for (int cycle = 0; cycle < 5; ++cycle) {

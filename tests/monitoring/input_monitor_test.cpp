@@ -645,6 +645,179 @@ TEST_F(AnInputMonitor, JudgesTheReferenceByTheBankSensorWhereThereIsOne) {
     EXPECT_FALSE(confirmed(reference_code));
 }
 
+// An accelerometer that shows half of the force.
+class AnInputMonitorWithAWeakAccelerometer : public AnInputMonitor {
+ protected:
+    void turn_with_half(float force_mps2, int cycles) {
+        turn_at(force_mps2);
+        inputs.lateral_specific_force_mps2 = 0.5F * force_mps2;
+        inputs.roll_angle_rad = force_mps2 * suv.sprung_mass_kg *
+                                (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+                                suv.roll_stiffness_nmprad;
+        run(cycles);
+    }
+
+    rsi::Parameters suv = rsi_test_large_suv();
+    static constexpr DiagnosticCode gain_code = DiagnosticCode::lateral_acceleration_gain;
+};
+
+TEST_F(AnInputMonitorWithAWeakAccelerometer, TakesItOutAfterTurnsToBothSides) {
+    turn_with_half(2.0F, 300);
+    EXPECT_FALSE(confirmed(gain_code));
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, 1.0F);
+    turn_with_half(-2.0F, 300);
+    EXPECT_TRUE(confirmed(gain_code));
+    EXPECT_TRUE(std::isnan(qualified.lateral_specific_force_mps2));
+    EXPECT_FALSE(confirmed(lateral_code));
+    turn_with_half(0.0F, 1000);  // on a straight it is as good as any
+    EXPECT_TRUE(confirmed(gain_code));
+}
+
+TEST_F(AnInputMonitorWithAWeakAccelerometer, TakesItOutInTheFirstHardTurn) {
+    turn_with_half(4.0F, 100);
+    EXPECT_TRUE(confirmed(gain_code));
+    EXPECT_TRUE(std::isnan(qualified.lateral_specific_force_mps2));
+}
+
+// A spin is no excuse: the body rolls as the force makes it.
+TEST_F(AnInputMonitorWithAWeakAccelerometer, TakesItOutInASpinToo) {
+    turn_with_half(6.0F, 1);
+    inputs.yaw_rate_radps = 10.6F / inputs.speed_mps;
+    run(100);
+    EXPECT_TRUE(confirmed(gain_code));
+}
+
+TEST_F(AnInputMonitorWithAWeakAccelerometer, StillKnowsItAfterAStall) {
+    turn_with_half(4.0F, 100);
+    ASSERT_TRUE(confirmed(gain_code));
+    monitor.start(suv);
+    turn_with_half(0.0F, 1000);
+    EXPECT_TRUE(confirmed(gain_code));
+}
+
+TEST_F(AnInputMonitorWithAWeakAccelerometer, TakesItBackAfterRightTurns) {
+    turn_with_half(4.0F, 100);
+    ASSERT_TRUE(confirmed(gain_code));
+    for (int cycle = 0; cycle < 300; ++cycle) {
+        turn_with_half(4.0F, 0);
+        inputs.lateral_specific_force_mps2 = 4.0F;
+        run(1);
+    }
+    EXPECT_FALSE(confirmed(gain_code));
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, 4.0F);
+}
+
+TEST_F(AnInputMonitorWithAWeakAccelerometer, AccusesNobodyInAWarningNorByARollAngleThatIsNotUsed) {
+    before.state = RSI_STATE_WARNING;
+    turn_with_half(4.0F, 1000);
+    EXPECT_FALSE(confirmed(gain_code));
+    before.state = RSI_STATE_READY;
+    before.roll_source = RSI_ROLL_OBSERVER;
+    before.observed_roll_angle_rad = inputs.roll_angle_rad;
+    run(1000);
+    EXPECT_FALSE(confirmed(gain_code));
+    before.roll_source = RSI_ROLL_SENSOR;
+    inputs.roll_angle_rad = nan;
+    run(1000);
+    EXPECT_FALSE(confirmed(gain_code));
+}
+
+// At the end of a spin: the tyres hold a force that neither the slow wheels nor the body's roll explain.
+TEST_F(AnInputMonitorWithAWeakAccelerometer, TakesNoVehicleThatSlidesSlowlyForOneThatTurns) {
+    for (const float speed_mps : {4.9F, 5.1F}) {
+        inputs.speed_mps = speed_mps;
+        turn_with_half(1.2F, 100);
+        inputs.lateral_specific_force_mps2 = 3.5F;
+        run(100);
+        EXPECT_EQ(confirmed(gain_code), speed_mps > 5.0F);
+    }
+}
+
+// 18 km/h or less: whoever stands upright has no force.
+class AnInputMonitorOfASlowVehicle : public AnInputMonitor {
+ protected:
+    AnInputMonitorOfASlowVehicle() { inputs.speed_mps = 2.0F; }
+};
+
+TEST_F(AnInputMonitorOfASlowVehicle, BlamesAnImpossibleLateralAccelerationAtOnce) {
+    run(100);
+    inputs.lateral_specific_force_mps2 = 8.6F;
+    run(1);
+    EXPECT_TRUE(confirmed(lateral_code));
+    EXPECT_TRUE(std::isnan(qualified.lateral_specific_force_mps2));
+    inputs.lateral_specific_force_mps2 = 0.0F;
+    run(99);
+    EXPECT_TRUE(confirmed(lateral_code));
+    run(100);
+    EXPECT_FALSE(confirmed(lateral_code));
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, 0.0F);
+}
+
+TEST_F(AnInputMonitorOfASlowVehicle, BlamesALateralAccelerationUnderWhichTheBodyDoesNotLean) {
+    inputs.lateral_specific_force_mps2 = 4.0F;
+    run(40);
+    EXPECT_FALSE(confirmed(lateral_code));
+    run(1);  // 4 m/s^2 with a lag of 0.3 s are 3 after 0.41 s
+    EXPECT_TRUE(confirmed(lateral_code));
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+}
+
+TEST_F(AnInputMonitorOfASlowVehicle, BlamesItAndNotTheRollSensorWhenTheObserverContradicts) {
+    inputs.lateral_specific_force_mps2 = 2.5F;
+    run(100);
+    before.roll_sensor_disagrees = 1;
+    run(1);
+    EXPECT_TRUE(confirmed(lateral_code));
+    EXPECT_FALSE(confirmed(roll_sensor_code));
+}
+
+// 0.42 rad, and the body leans with it.
+TEST_F(AnInputMonitorOfASlowVehicle, StandsOnTheSteepestRoad) {
+    const rsi::Parameters suv = rsi_test_large_suv();
+    inputs.lateral_specific_force_mps2 = 4.3F;
+    inputs.roll_angle_rad = 4.3F * suv.sprung_mass_kg *
+                            (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+                            suv.roll_stiffness_nmprad;
+    run(1000);
+    EXPECT_FALSE(confirmed(lateral_code));
+    EXPECT_EQ(qualified.lateral_specific_force_mps2, 4.3F);
+}
+
+// Where it cannot be judged, a good second has to come without a break.
+TEST_F(AnInputMonitorOfASlowVehicle, DoesNotJudgeALateralAccelerationWithoutASpeed) {
+    inputs.lateral_specific_force_mps2 = 6.0F;
+    run(50);
+    ASSERT_TRUE(confirmed(lateral_code));
+    inputs.lateral_specific_force_mps2 = 0.0F;
+    run(74);  // for the first 14 it is still beyond the others
+    inputs.speed_mps = nan;
+    run(500);
+    EXPECT_TRUE(confirmed(lateral_code));
+    inputs.speed_mps = 2.0F;
+    run(4 + 39);  // the speed is used from its fifth good cycle on
+    EXPECT_TRUE(confirmed(lateral_code));
+    run(1);
+    EXPECT_FALSE(confirmed(lateral_code));
+}
+
+// Twists of the road need a road that passes by.
+TEST_F(AnInputMonitorOfASlowVehicle, TakesNoTwistForAnExcuseOfTheRollRate) {
+    const rsi::Parameters suv = rsi_test_large_suv();
+    const float per_force = suv.sprung_mass_kg * (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
+                            suv.roll_stiffness_nmprad;
+    float bank_rad = 0.0F;
+    for (int cycle = 0; cycle < 300; ++cycle) {
+        const bool twists = cycle >= 100 && cycle < 200;
+        bank_rad += twists ? 0.0021F : 0.0F;
+        const float noise = (cycle % 2 == 0) ? 0.001F : -0.001F;
+        inputs.lateral_specific_force_mps2 = 9.80665F * std::sin(bank_rad) + noise;
+        inputs.roll_angle_rad = per_force * inputs.lateral_specific_force_mps2;
+        inputs.roll_rate_radps = (twists ? 0.21F : 0.0F) + noise;
+        run(1);
+    }
+    EXPECT_TRUE(confirmed(DiagnosticCode::roll_rate_offset));
+}
+
 class AnInputMonitorOfAnAttitudeSensor : public AnInputMonitor {
  protected:
     AnInputMonitorOfAnAttitudeSensor() {
@@ -701,6 +874,19 @@ TEST_F(AnInputMonitorOfAnAttitudeSensor, IsAWitnessOfATurnOnlyWithABankSensor) {
     run(20);
     EXPECT_TRUE(confirmed(lateral_code));
     EXPECT_FALSE(confirmed(yaw_code));
+}
+
+// On a bank of 0.1 rad the body leans by 0.02 rad to the left, and by as much to the right.
+TEST_F(AnInputMonitorOfAnAttitudeSensor, IsAWitnessOfATurnByWhatIsMoreThanTheBank) {
+    turn_at(2.1F);
+    inputs.lateral_specific_force_mps2 = -2.1F;
+    inputs.bank_angle_rad = 0.1F;
+    inputs.roll_angle_rad = 0.08F;
+    run(100);
+    EXPECT_FALSE(confirmed(lateral_code));
+    inputs.roll_angle_rad = 0.12F;
+    run(20);
+    EXPECT_TRUE(confirmed(lateral_code));
 }
 
 TEST_F(AnInputMonitorOfAnAttitudeSensor, JudgesTheVerticalAccelerationByTheObserversAngle) {

@@ -45,6 +45,7 @@ TEST(RollReferenceCheck, NeedsFiveSecondsOfTheOtherMeaning) {
         EXPECT_FALSE(repeat(check, 499, other));
         EXPECT_TRUE(repeat(check, 1, other));
         EXPECT_TRUE(repeat(check, 1000, other));
+        EXPECT_TRUE(repeat(check, 1, other));
     }
     for (const Sample& other : {against_road, against_road_mirrored}) {
         monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_HORIZON);
@@ -76,16 +77,18 @@ TEST(RollReferenceCheck, TakesOffTheTimeInWhichItAgreed) {
 
 TEST(RollReferenceCheck, SeesNothingWithoutAClearBankOrWithAnAngleBetweenBoth) {
     const Sample nothing[] = {
-        {0.049F, 0.0F, 0.049F},  // a bias of the accelerometer may look like that
-        {0.151F, 0.051F, 0.1F},  // a turn
-        {0.071F, 0.02F, 0.1F},   // half of the bank
-        {0.051F, 0.02F, 0.1F},   // three tenths
-        {0.089F, 0.02F, 0.1F},   // seven
-        {0.151F, 0.02F, 0.1F},   // thirteen
-        {-0.08F, 0.02F, 0.1F},   // the other way
-        {nan, 0.02F, 0.1F},      //
-        {0.12F, nan, 0.1F},      //
-        {0.12F, 0.02F, nan},     //
+        {0.049F, 0.0F, 0.049F},    // a bias of the accelerometer may look like that
+        {0.0F, 0.0F, 0.049F},      // nor is that a road's
+        {0.151F, 0.051F, 0.1F},    // a turn
+        {-0.051F, -0.051F, 0.1F},  // one that leans the other way
+        {0.071F, 0.02F, 0.1F},     // half of the bank
+        {0.051F, 0.02F, 0.1F},     // three tenths
+        {0.089F, 0.02F, 0.1F},     // seven
+        {0.151F, 0.02F, 0.1F},     // thirteen
+        {-0.08F, 0.02F, 0.1F},     // the other way
+        {nan, 0.02F, 0.1F},        //
+        {0.12F, nan, 0.1F},        //
+        {0.12F, 0.02F, nan},       //
     };
     for (const Sample& sample : nothing) {
         for (const auto reference : {RSI_ROLL_AGAINST_ROAD, RSI_ROLL_AGAINST_HORIZON}) {
@@ -97,6 +100,11 @@ TEST(RollReferenceCheck, SeesNothingWithoutAClearBankOrWithAnAngleBetweenBoth) {
     for (const Sample& sample : {Sample{0.051F, 0.0F, 0.051F}, Sample{0.149F, 0.049F, 0.1F},
                                  Sample{0.091F, 0.02F, 0.1F}, Sample{0.149F, 0.02F, 0.1F}}) {
         monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
+        EXPECT_TRUE(repeat(check, 500, sample)) << sample.sensor_rad << ' ' << sample.bank_rad;
+    }
+    for (const Sample& sample : {Sample{0.049F, 0.02F, 0.1F}, Sample{-0.009F, 0.02F, 0.1F},
+                                 Sample{-0.049F, -0.049F, 0.1F}, Sample{0.0F, 0.0F, 0.051F}}) {
+        monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_HORIZON);
         EXPECT_TRUE(repeat(check, 500, sample)) << sample.sensor_rad << ' ' << sample.bank_rad;
     }
 }

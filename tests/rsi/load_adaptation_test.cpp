@@ -62,6 +62,9 @@ TEST(LongStop, EndsAtHalfAMetrePerSecond) {
     EXPECT_FALSE(stop.begins(0.5F));
     EXPECT_FALSE(stop.is_standing());
     EXPECT_FALSE(stop.begins(0.0F));
+    EXPECT_TRUE(stop.is_standing());
+    stop.begins(-0.5F);  // in reverse
+    EXPECT_FALSE(stop.is_standing());
 }
 
 TEST(LongStop, WithoutASpeedItNeitherBeginsNorEnds) {
@@ -77,6 +80,8 @@ TEST(LongStop, WithoutASpeedItNeitherBeginsNorEnds) {
     }
     EXPECT_TRUE(stop.is_standing());
     EXPECT_TRUE(stop.begins(0.0F));
+    stop.begins(149.0F);
+    EXPECT_FALSE(stop.is_standing());
 }
 
 TEST(LoadSplit, SharesOutBetweenMassAndHeight) {
@@ -251,6 +256,9 @@ TEST(LoadAdaptation, AChangeOfTheMassIsALoadPutOnOrTakenOff) {
     ASSERT_LT(known.excess_deviation, 0.05F);
     stand(adaptation, 1, mass_with(1.049F));
     EXPECT_NEAR(adaptation.learnt().excess, known.excess, 0.001F);
+    rsi::LoadAdaptation slightly_laden = adaptation;
+    stand(slightly_laden, 1, mass_with(1.051F));
+    EXPECT_NEAR(slightly_laden.learnt().excess, known.excess + 0.051F, 0.001F);
     stand(adaptation, 1, mass_with(1.4F));
     EXPECT_NEAR(adaptation.learnt().excess, known.excess + 0.4F, 0.001F);
     EXPECT_NEAR(adaptation.learnt().excess_deviation, std::hypot(known.excess_deviation, 0.2F), 0.001F);
@@ -299,6 +307,31 @@ TEST(LoadAdaptation, AMassThatIsNotThisVehiclesIsNone) {
         EXPECT_EQ(adaptation.body().mass_kg, empty.mass_kg) << mass_kg;
         EXPECT_EQ(adaptation.learnt().excess, 0.0F) << mass_kg;
     }
+}
+
+TEST(LoadAdaptation, AMassFromAnEmptiedTrucksToThreeTimesTheCalibratedIs) {
+    for (const float factor : {0.61F, 2.99F}) {
+        rsi::LoadAdaptation adaptation = started();
+        stand(adaptation, 1, mass_with(factor));
+        EXPECT_NEAR(adaptation.known_mass_factor(), factor, 1.0e-5F);
+    }
+}
+
+// However little the first mass differs, it says what the calibration did not know.
+TEST(LoadAdaptation, AStartForgetsMassStopAndLoad) {
+    rsi::LoadAdaptation adaptation = started();
+    stand(adaptation, 3000, mass_with(1.5F));
+    adaptation.init(adapting());
+    EXPECT_EQ(adaptation.known_mass_factor(), 1.0F);
+    EXPECT_EQ(adaptation.learnt().excess, 0.0F);
+    rsi::LoadAdaptation with_slightly_more = adaptation;
+    stand(with_slightly_more, 1, mass_with(1.03F));
+    EXPECT_NEAR(with_slightly_more.learnt().excess, 0.03F, 1.0e-5F);
+    rsi::LoadAdaptation with_the_same = adaptation;
+    stand(with_the_same, 1, mass_with(1.5F));
+    EXPECT_NEAR(with_the_same.learnt().excess, 0.5F, 1.0e-5F);
+    drive(adaptation, loaded_by(0.4), 1000, {true, nan});  // which would not end a stop
+    EXPECT_GT(adaptation.learnt().excess, 0.0F);
 }
 
 TEST(LoadAdaptation, AssumesNoLoadThatTheSpringsDoNotHold) {

@@ -182,6 +182,44 @@ TEST(LoadRegression, AKerbTeachesLittle) {
     EXPECT_NEAR(regression.excess(), before, 0.005F);
 }
 
+// A sample of an upright body whose springs hold `beyond_mps2` more than the calibrated body needs.
+Turn upright_turn(float force_mps2, float beyond_mps2) {
+    const rsi_parameters p = rsi_test::large_suv();
+    Turn turn = turn_with(force_mps2, 0.5F);
+    turn.motion.roll_angle_rad = 0.0F;
+    turn.load.suspension_moment_nm =
+        p.sprung_mass_kg * (p.sprung_cg_height_m - p.fixed_roll_centre_height_m) * (force_mps2 + beyond_mps2);
+    return turn;
+}
+
+// At first, by hand: P = diag(0.0625, 0.25) and psi = [3; 1] spread the equation by 0.8125, its own noise is
+// (0.03 g)^2 = 0.08655 m^2/s^4 and as large for 200 samples, so that three standard deviations are 2.84
+// m/s^2.
+TEST(LoadRegression, BeyondThreeStandardDeviationsASampleLosesWeightWithItsSize) {
+    const auto learnt_from = [](float beyond_mps2) {
+        rsi::LoadRegression regression = fresh();
+        const Turn turn = upright_turn(3.0F, beyond_mps2);
+        regression.update(turn.motion, turn.load);
+        return regression.excess();
+    };
+    constexpr float for_one_mps2 = 0.0103455F;  // 0.1875 / (0.8125 + 200 * 0.08655)
+    EXPECT_NEAR(learnt_from(2.8F), 2.8F * for_one_mps2, 1.0e-5F);
+    EXPECT_NEAR(learnt_from(10.0F), 8.0916F / 10.0F * for_one_mps2, 1.0e-5F);
+    EXPECT_NEAR(learnt_from(-10.0F), -8.0916F / 10.0F * for_one_mps2, 1.0e-5F);
+}
+
+// Sensors that are off by more are not excused by the offset.
+TEST(LoadRegression, TheOffsetEndsAtItsBound) {
+    for (const float offset_mps2 : {-4.0F, 4.0F}) {
+        rsi::LoadRegression regression = fresh();
+        for (int k = 0; k < 20000; ++k) {
+            const Turn turn = upright_turn((k % 2 == 0) ? 3.0F : -3.0F, offset_mps2);
+            regression.update(turn.motion, turn.load);
+        }
+        EXPECT_EQ(regression.learnt().offset_mps2, std::copysign(2.0F, offset_mps2));
+    }
+}
+
 TEST(LoadRegression, ForgetsWithTimeHowWellItKnew) {
     rsi::LoadRegression regression = after_two_minutes(LoadedVehicle{});
     const float known = regression.excess_deviation();
@@ -210,6 +248,18 @@ TEST(LoadRegression, ADoubtHalvesWhatIsLearntAndWidensTheDeviation) {
     EXPECT_NEAR(regression.excess(), 0.4F, 0.05F);
 }
 
+rsi::LoadRegression knowing(const rsi::LearntLoad& learnt) {
+    rsi::LoadRegression regression = fresh();
+    EXPECT_TRUE(regression.restore(learnt));
+    return regression;
+}
+
+TEST(LoadRegression, ADoubtAddsADeviationOf15Percent) {
+    rsi::LoadRegression regression = knowing({0.4F, 0.08F, 0.1F});
+    regression.doubt(0.0F);
+    EXPECT_NEAR(regression.excess_deviation(), 0.17F, 1.0e-6F);  // 0.08^2 + 0.15^2
+}
+
 TEST(LoadRegression, ADoubtGoesHalfTheWayToWhatIsExpected) {
     rsi::LoadRegression regression = fresh();
     regression.doubt(0.4F);
@@ -218,6 +268,10 @@ TEST(LoadRegression, ADoubtGoesHalfTheWayToWhatIsExpected) {
         regression.doubt(3.0F);
     }
     EXPECT_EQ(regression.excess(), 1.0F);
+    for (int k = 0; k < 10; ++k) {
+        regression.doubt(-3.0F);
+    }
+    EXPECT_EQ(regression.excess(), -0.45F);
 }
 
 TEST(LoadRegression, AnExpectationMovesWhatIsNotKnown) {
@@ -226,10 +280,24 @@ TEST(LoadRegression, AnExpectationMovesWhatIsNotKnown) {
     EXPECT_NEAR(regression.excess(), 0.4F, 1.0e-6F);
     regression.expect_change(5.0F);
     EXPECT_EQ(regression.excess(), 1.0F);
+    regression.expect_change(-5.0F);
+    EXPECT_EQ(regression.excess(), -0.45F);
     rsi::LoadRegression driven = after_two_minutes(LoadedVehicle{});
     const float known = driven.excess();
     driven.expect_change(0.4F);
     EXPECT_NEAR(driven.excess(), known, 0.02F);
+}
+
+TEST(LoadRegression, ALoadThatIsPutOnIsKnownToHalfOfIt) {
+    rsi::LoadRegression regression = knowing({0.1F, 0.03F, 0.1F});
+    regression.add_load(0.08F);
+    EXPECT_NEAR(regression.excess(), 0.18F, 1.0e-6F);
+    EXPECT_NEAR(regression.excess_deviation(), 0.05F, 1.0e-6F);  // 0.03^2 + 0.04^2
+    regression.add_load(5.0F);
+    EXPECT_EQ(regression.excess(), 1.0F);
+    EXPECT_EQ(regression.excess_deviation(), 0.25F);  // not less than nothing is known
+    regression.add_load(-5.0F);
+    EXPECT_EQ(regression.excess(), -0.45F);
 }
 
 TEST(LoadRegression, WhatWasLearntComesBack) {
@@ -245,17 +313,21 @@ TEST(LoadRegression, WhatWasLearntComesBack) {
 
 // The load and the offset are as independent then as at first: what a turn shows beyond them moves both the
 // same way.
-TEST(LoadRegression, WhatComesBackSharesOutWhatIsNewBetweenLoadAndOffset) {
+TEST(LoadRegression, WhatComesBackOrIsPutOnSharesOutWhatIsNewBetweenLoadAndOffset) {
     const rsi::LearntLoad learnt{0.4F, 0.02F, 0.1F};
-    for (const float force_mps2 : {-3.0F, 3.0F}) {
-        rsi::LoadRegression regression = fresh();
-        ASSERT_TRUE(regression.restore(learnt));
-        const Turn turn = turn_with(force_mps2, 0.5F);
-        regression.update(turn.motion, turn.load);
-        const float of_load = force_mps2 * (regression.excess() - learnt.excess);
-        const float of_offset = regression.learnt().offset_mps2 - learnt.offset_mps2;
-        EXPECT_GT(of_load * of_offset, 0.0F);
-        EXPECT_LT(std::abs(of_load), 0.001F);
+    for (const bool puts_on : {false, true}) {
+        for (const float force_mps2 : {-3.0F, 3.0F}) {
+            rsi::LoadRegression regression = knowing(learnt);
+            if (puts_on) {
+                regression.add_load(0.0F);
+            }
+            const Turn turn = turn_with(force_mps2, 0.5F);
+            regression.update(turn.motion, turn.load);
+            const float of_load = force_mps2 * (regression.excess() - learnt.excess);
+            const float of_offset = regression.learnt().offset_mps2 - learnt.offset_mps2;
+            EXPECT_GT(of_load * of_offset, 0.0F);
+            EXPECT_LT(std::abs(of_load), 0.001F);
+        }
     }
 }
 
@@ -263,6 +335,8 @@ TEST(LoadRegression, RefusesWhatCannotHaveBeenLearnt) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const rsi::LearntLoad good{0.2F, 0.05F, 0.1F};
     ASSERT_TRUE(fresh().restore(good));
+    EXPECT_TRUE(fresh().restore({-0.449F, 0.0101F, -1.99F}));
+    EXPECT_TRUE(fresh().restore({0.999F, 0.249F, 1.99F}));
     for (const float excess : {nan, -0.46F, 1.01F}) {
         EXPECT_FALSE(fresh().restore({excess, 0.05F, 0.1F}));
     }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rsi/adaptation/load_split.hpp"
 #include "rsi/component.hpp"
+#include "tests/rsi/support/loaded_drive.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/random_manoeuvre.hpp"
 
@@ -49,21 +51,35 @@ class Difference {
     float difference_{0.0F};
 };
 
+// One that has learnt the load and one that is calibrated for it, and what they make of the same inputs.
+class Twins {
+ public:
+    Twins() {
+        EXPECT_EQ(learnt_.init(calibrated_empty(1.0F)).accepted, 1);
+        EXPECT_EQ(calibrated_.init(calibrated_loaded()).accepted, 1);
+        EXPECT_TRUE(learnt_.restore_load({moment_factor - 1.0F, 0.03F, 0.0F}, false));
+    }
+
+    void step(const rsi_inputs& inputs) {
+        learnt_.step(inputs, of_learnt);
+        calibrated_.step(inputs, of_calibrated);
+    }
+
+    rsi_outputs of_learnt{};
+    rsi_outputs of_calibrated{};
+
+ private:
+    rsi::Component learnt_{};
+    rsi::Component calibrated_{};
+};
+
 float difference(float rsi_outputs::* output) {
-    rsi::Component learnt;
-    rsi::Component calibrated;
-    EXPECT_EQ(learnt.init(calibrated_empty(1.0F)).accepted, 1);
-    EXPECT_EQ(calibrated.init(calibrated_loaded()).accepted, 1);
-    EXPECT_TRUE(learnt.restore_load({moment_factor - 1.0F, 0.03F, 0.0F}, false));
+    Twins twins;
     rsi_test::RandomManoeuvre drive(calibrated_loaded(), 73U, false);
     Difference result{output};
     for (int k = 0; k < 300; ++k) {
-        const rsi_inputs inputs = drive.next();
-        rsi_outputs of_learnt{};
-        rsi_outputs of_calibrated{};
-        learnt.step(inputs, of_learnt);
-        calibrated.step(inputs, of_calibrated);
-        result.take(of_learnt, of_calibrated);
+        twins.step(drive.next());
+        result.take(twins.of_learnt, twins.of_calibrated);
     }
     return result.share();
 }
@@ -80,19 +96,83 @@ TEST(ALoadedComponent, ComputesWhatOneThatIsCalibratedForTheLoadDoes) {
 
 // From the first step on, before anything else is learnt.
 TEST(ALoadedComponent, BeginsWithTheRestoredLoad) {
-    rsi::Component learnt;
-    rsi::Component calibrated;
-    ASSERT_EQ(learnt.init(calibrated_empty(1.0F)).accepted, 1);
-    ASSERT_EQ(calibrated.init(calibrated_loaded()).accepted, 1);
-    ASSERT_TRUE(learnt.restore_load({moment_factor - 1.0F, 0.03F, 0.0F}, false));
+    Twins twins;
     rsi_inputs inputs = rsi_test::RandomManoeuvre(calibrated_loaded(), 73U, false).next();
     inputs.lateral_specific_force_mps2 = 3.0F;
     inputs.roll_angle_rad = 0.05F;
-    rsi_outputs of_learnt{};
-    rsi_outputs of_calibrated{};
-    learnt.step(inputs, of_learnt);
-    calibrated.step(inputs, of_calibrated);
-    EXPECT_FLOAT_EQ(of_learnt.load_transfer_ratio, of_calibrated.load_transfer_ratio);
+    twins.step(inputs);
+    EXPECT_FLOAT_EQ(twins.of_learnt.load_transfer_ratio, twins.of_calibrated.load_transfer_ratio);
+}
+
+// By the filter that tells the one from the other, in half a minute of ordinary driving.
+TEST(ALoadedComponent, TakesALoadThatItKnowsForNoMovementOfTheRollCentre) {
+    const auto largest_movement_m = [](float load_adaptation) {
+        rsi_parameters parameters = calibrated_empty(load_adaptation);
+        parameters.estimator = RSI_ESTIMATOR_CONSIDER_KALMAN;
+        rsi::Component component;
+        EXPECT_EQ(component.init(parameters).accepted, 1);
+        EXPECT_TRUE(component.restore_load({moment_factor - 1.0F, 0.03F, 0.0F}, false));
+        rsi_test::LoadedVehicle vehicle;
+        vehicle.excess = 0.3;
+        rsi_test::LoadedDrive course(rsi_test::large_suv(), vehicle);
+        float largest = 0.0F;
+        for (int k = 0; k < 3000; ++k) {
+            course.advance();
+            rsi_outputs outputs{};
+            component.step(course.inputs(20.0), outputs);
+            largest = std::max(largest, std::abs(outputs.roll_centre_vertical_m));
+        }
+        return largest;
+    };
+    EXPECT_GT(largest_movement_m(0.0F), 0.08F);
+    EXPECT_LT(largest_movement_m(1.0F), 0.04F);
+}
+
+// A body of twice the mass rolls twice as far: only the mass on the bus excuses a sensor that shows it, not
+// what the sensor itself has taught.
+TEST(ALoadedComponent, BelievesItsRollSensorWhereTheMassIsKnown) {
+    const rsi_parameters parameters = calibrated_empty(1.0F);
+    const auto disagrees = [&parameters](float mass_kg) {
+        rsi::Component component;
+        EXPECT_EQ(component.init(parameters).accepted, 1);
+        rsi_inputs inputs = rsi_test::at_rest();
+        inputs.speed_mps = 20.0F;
+        inputs.lateral_specific_force_mps2 = 6.0F;
+        inputs.yaw_rate_radps = 0.3F;
+        inputs.vehicle_mass_kg = mass_kg;
+        rsi_outputs outputs{};
+        for (int k = 0; k < 400; ++k) {
+            component.step(inputs, outputs);
+            const float observed_rad = outputs.observed_roll_angle_rad;  // not known at first
+            inputs.roll_angle_rad = std::isfinite(observed_rad) ? 2.0F * observed_rad : 0.0F;
+        }
+        return outputs.roll_sensor_disagrees != 0;
+    };
+    EXPECT_TRUE(disagrees(std::numeric_limits<float>::quiet_NaN()));
+    EXPECT_TRUE(disagrees(parameters.sprung_mass_kg + parameters.unsprung_mass_kg));
+    EXPECT_FALSE(disagrees(2.0F * parameters.sprung_mass_kg + parameters.unsprung_mass_kg));
+}
+
+// As long as nothing is learnt, by its largest share: a tenth.
+TEST(ALoadedComponent, WarnsTheSoonerTheLessIsKnownOfTheLoad) {
+    rsi_parameters parameters = calibrated_empty(1.0F);
+    const auto outputs_with_margin = [&parameters](float margin) {
+        parameters.load_margin = margin;
+        rsi::Component component;
+        EXPECT_EQ(component.init(parameters).accepted, 1);
+        rsi_inputs inputs = rsi_test::at_rest();
+        inputs.lateral_specific_force_mps2 = 7.75F;
+        inputs.roll_angle_rad = 0.1F;
+        rsi_outputs outputs{};
+        for (int k = 0; k < 50; ++k) {
+            component.step(inputs, outputs);
+        }
+        return outputs;
+    };
+    const rsi_outputs without = outputs_with_margin(0.0F);
+    EXPECT_NEAR(without.warning_level, 0.95F, 0.03F);
+    EXPECT_EQ(without.state, RSI_STATE_ADVISORY);
+    EXPECT_EQ(outputs_with_margin(1.0F).state, RSI_STATE_WARNING);
 }
 
 }  // namespace

@@ -326,32 +326,54 @@ TEST(Measurement, TheRatesBeforeAGapOfTheRollAngleAreForgotten) {
     EXPECT_NEAR(static_cast<double>(measured.road_parallel_force_mps2), body.cg_force.y() + missing, 1.0e-5);
 }
 
+// Whether the roll sensor is seen to disagree in 4 s of a turn, left or right, in which it shows a share of
+// what the observer finds, and `offset_rad` more.
+bool disagrees_in_a_turn(rsi::MeasurementStage& stage, float side, float share, float offset_rad = 0.0F) {
+    rsi::Measurement measured;
+    rsi_inputs inputs = rsi_test::at_rest();
+    inputs.speed_mps = 20.0F;
+    inputs.lateral_specific_force_mps2 = side * 6.0F;
+    inputs.yaw_rate_radps = side * 0.3F;
+    for (int k = 0; k < 400; ++k) {
+        EXPECT_TRUE(stage.update(inputs, measured));
+        const float observed_rad = measured.observed.roll_angle_rad;  // not known at first
+        inputs.roll_angle_rad = std::isfinite(observed_rad) ? share * observed_rad + offset_rad : 0.0F;
+    }
+    EXPECT_GT(side * measured.observed.roll_angle_rad, 0.06F);
+    return measured.observed.sensor_disagrees;
+}
+
 // Beyond both what the observer finds and what a body of that mass would do.
 TEST(Measurement, AKnownMassExcusesARollAngleUpToItsShare) {
-    const auto disagrees = [](float mass_factor, float sensed_over_observed) {
+    for (const float side : {1.0F, -1.0F}) {
+        const auto disagrees = [side](float mass_factor, float sensed_over_observed) {
+            rsi::MeasurementStage stage = stage_of(rsi_test::large_suv());
+            stage.assume_mass(mass_factor);
+            return disagrees_in_a_turn(stage, side, sensed_over_observed);
+        };
+        EXPECT_FALSE(disagrees(1.0F, 1.0F));
+        EXPECT_TRUE(disagrees(1.0F, 2.0F));
+        EXPECT_FALSE(disagrees(2.0F, 2.0F));
+        EXPECT_FALSE(disagrees(2.0F, 1.0F));
+        EXPECT_TRUE(disagrees(2.0F, 3.0F));
+        EXPECT_TRUE(disagrees(2.0F, 0.0F));
+        EXPECT_TRUE(disagrees(0.6F, 2.0F));
+        EXPECT_FALSE(disagrees(0.6F, 0.6F));
+    }
+}
+
+// 0.05 rad are the calibrated limit.
+TEST(Measurement, AfterAStartNoMassExcusesAnything) {
+    const auto disagrees = [](float offset_rad) {
         rsi::MeasurementStage stage = stage_of(rsi_test::large_suv());
-        stage.assume_mass(mass_factor);
-        rsi::Measurement measured;
-        rsi_inputs inputs = rsi_test::at_rest();
-        inputs.speed_mps = 20.0F;
-        inputs.lateral_specific_force_mps2 = 6.0F;
-        inputs.yaw_rate_radps = 0.3F;
-        for (int k = 0; k < 400; ++k) {
-            EXPECT_TRUE(stage.update(inputs, measured));
-            const float observed_rad = measured.observed.roll_angle_rad;  // not known at first
-            inputs.roll_angle_rad = std::isfinite(observed_rad) ? sensed_over_observed * observed_rad : 0.0F;
-        }
-        EXPECT_GT(measured.observed.roll_angle_rad, 0.06F);
-        return measured.observed.sensor_disagrees;
+        stage.assume_mass(2.0F);
+        stage.reinitialise(rsi_test::large_suv());
+        return disagrees_in_a_turn(stage, 1.0F, 1.0F, offset_rad);
     };
-    EXPECT_FALSE(disagrees(1.0F, 1.0F));
-    EXPECT_TRUE(disagrees(1.0F, 2.0F));
-    EXPECT_FALSE(disagrees(2.0F, 2.0F));
-    EXPECT_FALSE(disagrees(2.0F, 1.0F));
-    EXPECT_TRUE(disagrees(2.0F, 3.0F));
-    EXPECT_TRUE(disagrees(2.0F, 0.0F));
-    EXPECT_TRUE(disagrees(0.6F, 2.0F));
-    EXPECT_FALSE(disagrees(0.6F, 0.6F));
+    EXPECT_TRUE(disagrees(0.052F));
+    EXPECT_FALSE(disagrees(0.048F));
+    EXPECT_TRUE(disagrees(-0.052F));
+    EXPECT_FALSE(disagrees(-0.048F));
 }
 
 // The roll sensor of a tipping vehicle is not compared with a model that ends there: what was found before

@@ -231,6 +231,19 @@ TEST(AngleAgainstTheHorizon, NeedsNeitherSpeedNorYawRate) {
     }
 }
 
+TEST(AngleAgainstTheHorizon, AStartForgetsTheBank) {
+    rsi::MeasurementStage stage = stage_of(horizon_vehicle());
+    rsi::Measurement measured;
+    rsi_inputs inputs = rsi_test::at_rest();
+    inputs.bank_angle_rad = nan;
+    for (int k = 0; k < 100; ++k) {
+        stage.update(inputs, measured);
+    }
+    ASSERT_TRUE(stage.update(inputs, measured));
+    stage.reinitialise(horizon_vehicle());
+    EXPECT_FALSE(stage.update(inputs, measured));
+}
+
 TEST(AngleAgainstTheHorizon, ABankBeforeAGapOfTheSensorIsForgotten) {
     rsi::MeasurementStage stage = stage_of(horizon_vehicle());
     rsi::Measurement measured;
@@ -269,6 +282,26 @@ TEST(AngleAgainstTheHorizon, KeepsTheBankWhileTheVehicleTips) {
     }
     EXPECT_EQ(measured.roll_source, RSI_ROLL_SENSOR);
     EXPECT_NEAR(measured.roll_angle_rad, 0.6F, 0.01F);
+}
+
+TEST(RoadBank, BeginsWithItsFirstSampleAndIsNoSteeperThan420Milliradians) {
+    for (const float side : {1.0F, -1.0F}) {
+        rsi::RoadBank bank;
+        EXPECT_FALSE(bank.known());
+        bank.follow(side * 0.11F, side * 0.01F);
+        EXPECT_TRUE(bank.known());
+        EXPECT_FLOAT_EQ(bank.angle_rad(), side * 0.1F);
+        bank.forget();
+        bank.follow(side * 0.43F, 0.0F);
+        EXPECT_EQ(bank.angle_rad(), side * 0.42F);
+    }
+}
+
+TEST(RoadBank, FollowsAnUprightBodyThroughALagOf50Milliseconds) {
+    rsi::RoadBank bank;
+    bank.follow(0.0F, 0.0F);
+    bank.follow(0.1F, 0.0F);
+    EXPECT_FLOAT_EQ(bank.angle_rad(), 0.02F);
 }
 
 TEST(RoadBank, FollowsTheSlowerTheMoreTheBodyRolls) {

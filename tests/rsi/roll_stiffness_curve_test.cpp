@@ -72,6 +72,16 @@ TEST(RollStiffnessCurve, GoesStraightOnWhereThePowersHaveFallenToAQuarterOfTheFi
     }
 }
 
+// By hand: the powers up to there, then the slope that they have there.
+TEST(RollStiffnessCurve, GoesStraightOnFrom1500MilliradiansAtTheLatest) {
+    EXPECT_NEAR(curve_of(with(40.0e3F, 0.0F)).moment_nm(2.0F), 255.0e3F + 0.5F * 350.0e3F, 1.0F);
+    // 3 K_2 z = -0.75 K_f at 1.45 rad; at 1.55 rad it would be too far.
+    const float soon = -20.0e3F / (1.45F * 1.45F);
+    EXPECT_NEAR(curve_of(with(soon, 0.0F)).moment_nm(2.0F), 87.0e3F + 0.55F * 20.0e3F, 1.0F);
+    const float late = -20.0e3F / (1.55F * 1.55F);
+    EXPECT_NEAR(curve_of(with(late, 0.0F)).moment_nm(2.0F), 91904.3F + 0.5F * 23808.5F, 1.0F);
+}
+
 TEST(RollStiffnessCurve, EndsAtTheSameAngleWhateverItIsMultipliedBy) {
     const rsi::Parameters p = with(0.0F, -1.2e8F);
     const rsi::RollStiffnessCurve curve = curve_of(p);

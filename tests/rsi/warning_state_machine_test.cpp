@@ -215,6 +215,18 @@ TEST(WarningStateMachine, AWarningNamesNoSideOnceBothRisksAreOver) {
     EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
 }
 
+// Which of them it is does not wait for a higher level: no side is named yet that could stay.
+TEST(WarningStateMachine, AHeldWarningWithoutASideNamesTheRiskierOneOnceBothAreBackAtTheOffLevel) {
+    rsi_parameters parameters = quick();
+    parameters.warning_hold_s = 1.0F;
+    Warning warning(parameters);
+    warning.after(1.0F, 1.0F);
+    warning.after(0.0F, 1.0F);
+    EXPECT_EQ(warning.side(), RSI_SIDE_NONE);
+    EXPECT_EQ(warning.after(0.75F, -1.0F, 0.72F), RSI_STATE_WARNING);
+    EXPECT_EQ(warning.side(), RSI_SIDE_LEFT);
+}
+
 TEST(WarningStateMachine, TheOtherSideTakesOverAtTheStatesLevelThoughTheFirstOnesRiskLasts) {
     Warning warning(quick());
     warning.after(1.2F, 1.0F);

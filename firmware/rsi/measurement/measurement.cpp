@@ -111,16 +111,14 @@ BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs, bool yaw_known) {
 
 // Of an angle against the horizon the observer has to tell the roll from the bank. Force and gyro are enough
 // for that, so it goes on without yaw rate and speed, but is no substitute for a sensor then.
-bool MeasurementStage::run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg) {
+void MeasurementStage::run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg) {
     if (motion_known) {
-        return observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
-                                inputs.speed_mps);
+        observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps, inputs.speed_mps);
+    } else if (against_horizon_) {
+        observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, 0.0F, 0.0F);
+    } else {
+        observer_.reset();
     }
-    if (against_horizon_) {
-        return observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, 0.0F, 0.0F);
-    }
-    observer_.reset();
-    return false;
 }
 
 float MeasurementStage::sensed_roll_rad(const Inputs& inputs) {
@@ -153,10 +151,10 @@ float MeasurementStage::beyond_observed_rad(float sensed_rad, float observed_rad
 void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg,
                                Measurement& measurement) {
     const bool motion_known = yaw_known && within(inputs.speed_mps, largest_speed_mps);
-    const bool observer_knows = run_observer(inputs, motion_known, at_cg);
+    run_observer(inputs, motion_known, at_cg);
     const float sensed_rad = sensed_roll_rad(inputs);
     const bool sensor_available = is_finite(sensed_rad);
-    const bool roll_known = observer_knows && motion_known;
+    const bool roll_known = motion_known && observer_.roll_known();
     RollObservation& observed = measurement.observed;
     observed.roll_angle_rad = roll_known ? observer_.roll_angle_rad() : not_available;
     observed.bank_angle_rad = observer_.bank_known() ? observer_.bank_angle_rad() : not_available;

@@ -63,7 +63,7 @@ class MeasurementStage {
     // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
     BodyForces carry_to_cg(const Inputs& inputs, bool yaw_known);
     void observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg, Measurement& measurement);
-    bool run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg);
+    void run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg);
 
     // The sensor's angle against the road; NaN where it has none, or where what it contains of a bank is not
     // known.

@@ -21,10 +21,10 @@ class RoadBank {
         if (!known_) {
             angle_rad_ = now_rad;
             known_ = true;
-            return;
+        } else {
+            const float lag_s = least_lag_s + lag_per_roll_s * absolute(against_road_rad);
+            angle_rad_ += (sample_time_s / lag_s) * (now_rad - angle_rad_);
         }
-        const float lag_s = least_lag_s + lag_per_roll_s * absolute(against_road_rad);
-        angle_rad_ += (sample_time_s / lag_s) * (now_rad - angle_rad_);
     }
 
     bool known() const { return known_; }

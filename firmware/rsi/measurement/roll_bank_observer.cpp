@@ -89,11 +89,11 @@ void RollBankObserver::assume_movement(float vertical_movement_m) {
         movement_to_acceleration_ * clamp_magnitude(vertical_movement_m, largest_movement_m);
 }
 
-bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps,
+void RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps,
                               float speed_mps) {
     if (!running_) {
         start(lateral_force_mps2, roll_rate_radps);
-        return false;
+        return;
     }
     predict(lateral_force_mps2);
     correct_by_roll_rate(roll_rate_radps);
@@ -104,7 +104,6 @@ bool RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, f
         correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
     }
     keep_in_bounds();
-    return roll_known();
 }
 
 // In balance on a level road; not known yet.

@@ -32,8 +32,8 @@ class RollBankObserver {
     void reset() { running_ = false; }
 
     // One sample. All values finite; `lateral_force_mps2` is f_yb, the specific force at the sprung CG along
-    // the body's y axis. A state that is not finite starts anew at the next sample. Returns roll_known().
-    bool update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps);
+    // the body's y axis. A state that is not finite starts anew at the next sample.
+    void update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps);
 
     // dh from now on, 0 where no sound estimate is. Only its first 0.05 m count: dh has been learnt from the
     // roll sensor, and an implausible sensor must not move the observer with it.

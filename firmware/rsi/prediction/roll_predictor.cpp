@@ -11,6 +11,7 @@ namespace {
 constexpr float trusted_share = 0.75F;
 // So much of the response is as sure as the present.
 constexpr float sure_s = 0.1F;
+constexpr std::uint32_t most_response_steps = 13U;
 
 }  // namespace
 
@@ -67,7 +68,10 @@ void RollPredictor::follow_response(const RollMotion& motion, const State& prese
     ForceCourse force{A, motion.road_parallel_force_rate_mps3};
     State roll = present;
     float margin = -(sure_s / LateralResponse::step_s) * margin_per_step_;
-    for (std::uint32_t step = 0U; step < response_steps_; ++step) {
+    // Bounded whatever becomes of the number in memory.
+    const std::uint32_t steps =
+        (response_steps_ < most_response_steps) ? response_steps_ : most_response_steps;
+    for (std::uint32_t step = 0U; step < steps; ++step) {
         const ForceCourse next = response.after_step(force);
         roll = after_step(roll, LateralResponse::step_s, 0.5F * (force.force_mps2 + next.force_mps2), moments,
                           load_transfer);

@@ -95,18 +95,19 @@ std::size_t drawn_begin(const SearchDrive& drive, RandomStream& chance) {
     return static_cast<std::size_t>(place * static_cast<double>(drive.drive.samples.size()));
 }
 
-FaultedDrive with_scenario(const FaultedDrive& drive, const SearchScenario& scenario) {
-    FaultedDrive faulted = drive;
-    faulted.fault_begin = scenario.begin;
-    faulted.fault_end = scenario.end;
-    return faulted;
-}
-
-bool is_told_of(const Reaction& reaction) {
-    return reaction.code || reaction.unavailable;
-}
-
 }  // namespace
+
+struct FaultSearch::Injection {
+    std::shared_ptr<const Slot> slot{};
+    SearchScenario scenario{};
+    FaultedDrive drive{};
+    FaultyRun faulty{};
+
+    const SearchDrive& recorded() const { return *slot->drive; }
+    const FaultyRun& right() const { return recorded().right.of(scenario.fault); }
+    Reaction reaction() const { return measure(drive, scenario.fault, right(), faulty); }
+    std::vector<FindingKind> findings() const { return silent_findings(drive, right(), faulty); }
+};
 
 SearchScenario FaultSearch::draw(std::uint64_t number, const SearchDrive& drive) const {
     RandomStream chance{scrambled(scrambled(settings().seed ^ scenario_stream) ^ number)};
@@ -140,39 +141,45 @@ std::shared_ptr<const FaultSearch::Slot> FaultSearch::drive_of(std::uint64_t num
     return slot;
 }
 
+FaultSearch::Injection FaultSearch::inject(std::uint64_t number) const {
+    Injection injection;
+    injection.slot = drive_of(number);
+    const SearchDrive& recorded = injection.recorded();
+    injection.scenario = draw(number, recorded);
+    injection.drive = recorded.drive;
+    injection.drive.fault_begin = injection.scenario.begin;
+    injection.drive.fault_end = injection.scenario.end;
+    injection.faulty = run_with_fault(injection.drive, injection.scenario.fault, recorded.calibration);
+    return injection;
+}
+
 SearchOutcome FaultSearch::run(std::uint64_t number) const {
-    const std::shared_ptr<const Slot> slot = drive_of(number);
-    const SearchDrive& drive = *slot->drive;
-    const SearchScenario scenario = draw(number, drive);
-    const FaultedDrive faulted = with_scenario(drive.drive, scenario);
-    const FaultyRun& right = drive.right.of(scenario.fault);
-    const FaultyRun faulty = run_with_fault(faulted, scenario.fault, drive.calibration);
+    const Injection injection = inject(number);
+    const Fault& fault = injection.scenario.fault;
+    const Reaction reaction = injection.reaction();
     return {number,
-            scenario.fault.kind,
-            scenario.fault.place,
-            faulty.visible.has_value(),
-            drive.due.has_value(),
-            is_told_of(measure(faulted, scenario.fault, right, faulty)),
-            silent_findings(faulted, right, faulty)};
+            fault.kind,
+            fault.place,
+            injection.faulty.visible.has_value(),
+            injection.recorded().due.has_value(),
+            reaction.code || reaction.unavailable,
+            injection.findings()};
 }
 
 std::string FaultSearch::explain(std::uint64_t number) const {
-    const std::shared_ptr<const Slot> slot = drive_of(number);
-    const SearchDrive& drive = *slot->drive;
-    const SearchScenario scenario = draw(number, drive);
-    const FaultedDrive faulted = with_scenario(drive.drive, scenario);
-    const FaultyRun& right = drive.right.of(scenario.fault);
-    const FaultyRun faulty = run_with_fault(faulted, scenario.fault, drive.calibration);
+    const Injection injection = inject(number);
+    const SearchDrive& drive = injection.recorded();
+    const SearchScenario& scenario = injection.scenario;
     const auto seconds = [](std::size_t cycle) { return static_cast<double>(cycle) * cycle_time_s; };
     std::string text = fmt::format(
         "Scenario {}: {}, {}, {:.2f} s long{}; the ECU starts {:.2f} s after the drive\n"
         "  {} of {} from {:.2f} to {:.2f} s; a warning is due {}\n  reaction, ms: {}\n",
-        number, drive.vehicle, drive.name, seconds(faulted.samples.size()),
-        faulted.two_wheel_lift ? ", ends with two-wheel lift-off" : "", drive.ecu_starts_at_s,
+        number, drive.vehicle, drive.name, seconds(injection.drive.samples.size()),
+        injection.drive.two_wheel_lift ? ", ends with two-wheel lift-off" : "", drive.ecu_starts_at_s,
         describe(scenario.fault), to_string(scenario.fault.place), seconds(scenario.begin),
         seconds(scenario.end), drive.due ? fmt::format("at {:.2f} s", seconds(*drive.due)) : "at no time",
-        describe({measure(faulted, scenario.fault, right, faulty)}));
-    for (const FindingKind kind : silent_findings(faulted, right, faulty)) {
+        describe({injection.reaction()}));
+    for (const FindingKind kind : injection.findings()) {
         text += fmt::format("  {}\n", to_string(kind));
     }
     return text;

@@ -53,8 +53,11 @@ class FaultSearch {
         std::once_flag recorded{};
         std::unique_ptr<const SearchDrive> drive{};
     };
+    // A scenario as it is driven.
+    struct Injection;
     std::shared_ptr<const Slot> drive_of(std::uint64_t number) const;
     SearchScenario draw(std::uint64_t number, const SearchDrive& drive) const;
+    Injection inject(std::uint64_t number) const;
 
     CampaignWorld world_;
     mutable std::mutex mutex_{};

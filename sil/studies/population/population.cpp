@@ -81,7 +81,7 @@ std::string line_of(const FinishedVehicle& vehicle, bool names) {
     cells.count("rigid_front", drawn.rigid_front ? 1U : 0U);
     cells.count("rigid_rear", drawn.rigid_rear ? 1U : 0U);
     cells.number("mass_kg", total_mass_kg(v));
-    cells.number("wheelbase_m", v.geometry.front_axle_to_cg_m + v.geometry.rear_axle_to_cg_m);
+    cells.number("wheelbase_m", wheelbase_m(v.geometry));
     cells.number("track_width_m", v.geometry.track_width_m);
     cells.number("cg_height_m", p.cg_height_m);
     cells.number("sprung_cg_height_m", v.geometry.cg_height_m);

@@ -3,17 +3,14 @@
 #include <cmath>
 
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/steady_steering.hpp"
 #include "sil/world/vehicle/tyre.hpp"
 
 namespace sil {
 namespace {
 
-double wheelbase_m(const VehicleParameters& v) {
-    return v.geometry.front_axle_to_cg_m + v.geometry.rear_axle_to_cg_m;
-}
-
 double front_share(const VehicleParameters& v) {
-    return v.geometry.rear_axle_to_cg_m / wheelbase_m(v);
+    return v.geometry.rear_axle_to_cg_m / wheelbase_m(v.geometry);
 }
 
 double front_wheel_load_n(const VehicleParameters& v) {
@@ -104,7 +101,7 @@ VehicleProperties properties(const VehicleParameters& v) {
 
 double handwheel_for_rad(const VehicleParameters& v, double acceleration_mps2, double speed_mps) {
     const double gradient = properties(v).understeer_gradient_s2pm;
-    return v.steering.ratio * acceleration_mps2 * (wheelbase_m(v) / (speed_mps * speed_mps) + gradient);
+    return SteadySteering{v, gradient}.handwheel_rad(acceleration_mps2, speed_mps);
 }
 
 }  // namespace sil

@@ -139,7 +139,7 @@ std::string vehicle_data_toml(const VehicleParameters& vehicle) {
         .number("sprung_cg_height_m", geometry.cg_height_m)
         .number("wheel_radius_m", geometry.wheel_radius_m)
         .number("track_width_m", geometry.track_width_m)
-        .number("wheelbase_m", geometry.front_axle_to_cg_m + geometry.rear_axle_to_cg_m)
+        .number("wheelbase_m", wheelbase_m(geometry))
         .number("steering_ratio", vehicle.steering.ratio)
         .number("imu_x_m", vehicle.imu_mount.x_m)
         .number("imu_y_m", vehicle.imu_mount.y_m)

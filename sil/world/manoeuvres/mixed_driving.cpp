@@ -7,6 +7,7 @@
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/path_follower.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
+#include "sil/world/manoeuvres/steady_steering.hpp"
 
 namespace sil {
 namespace {
@@ -27,7 +28,7 @@ constexpr Temper ordinary{0.0, 0.4, 1.5, 0.03};
 
 enum class Segment : std::uint8_t { straight, turn, lane_change, weave };
 
-// The course of the handwheel in one segment, as a share of its angle.
+// The course of one segment: of its acceleration, the share that is wanted.
 struct Course {
     Segment segment{Segment::straight};
     double begin_s{0.0};
@@ -44,7 +45,7 @@ struct Course {
                 return std::clamp(std::min(since_s, duration_s - since_s) / ramp_s, 0.0, 1.0);
             case Segment::lane_change:
             case Segment::weave:
-                return std::sin(2.0 * 3.14159265358979323846 * since_s / period_s);
+                return std::sin(2.0 * pi * since_s / period_s);
             case Segment::straight:
                 break;
         }
@@ -57,10 +58,7 @@ class MixedDriver final : public Driver {
     MixedDriver(const Temper& temper, std::uint64_t seed, const VehicleParameters& vehicle)
         : temper_{temper},
           chance_{seed},
-          ratio_{vehicle.steering.ratio},
-          wheelbase_m_{vehicle.geometry.front_axle_to_cg_m + vehicle.geometry.rear_axle_to_cg_m},
-          understeer_gradient_s2pm_{
-              understeer_gradient_s2pm(vehicle, handwheel_angle_at_0_3_g_rad(vehicle))} {}
+          steering_{vehicle, understeer_gradient_s2pm(vehicle, handwheel_angle_at_0_3_g_rad(vehicle))} {}
 
     DriverCommand command(const Truth& truth) override {
         if (truth.time_s >= course_.begin_s + course_.duration_s) {
@@ -79,11 +77,9 @@ class MixedDriver final : public Driver {
     }
 
  private:
-    // What the linear single-track model takes for the acceleration: delta = a (l / v^2 + K).
     double angle_rad(double acceleration_mps2, double speed_mps) const {
-        const double speed = std::max(speed_mps, smallest_speed_mps);
         const double angle =
-            ratio_ * acceleration_mps2 * (wheelbase_m_ / (speed * speed) + understeer_gradient_s2pm_);
+            steering_.handwheel_rad(acceleration_mps2, std::max(speed_mps, smallest_speed_mps));
         return std::clamp(angle, -largest_handwheel_rad, largest_handwheel_rad);
     }
 
@@ -117,9 +113,7 @@ class MixedDriver final : public Driver {
 
     Temper temper_;
     RandomStream chance_;
-    double ratio_;
-    double wheelbase_m_;
-    double understeer_gradient_s2pm_;
+    SteadySteering steering_;
     Course course_{};
     double speed_share_{1.0};
     double last_s_{0.0};

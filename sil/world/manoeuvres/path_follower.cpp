@@ -31,9 +31,8 @@ double PathFollower::handwheel_rad(const Truth& truth, const PathPoint& target) 
 
 double understeer_gradient_s2pm(const VehicleParameters& parameters, double handwheel_at_0_3_g_rad) {
     const double speed = from_mph(50.0);
-    const double wheelbase = parameters.geometry.front_axle_to_cg_m + parameters.geometry.rear_axle_to_cg_m;
     return handwheel_at_0_3_g_rad / (parameters.steering.ratio * 0.3 * gravity_mps2) -
-           wheelbase / (speed * speed);
+           wheelbase_m(parameters.geometry) / (speed * speed);
 }
 
 }  // namespace sil

@@ -19,7 +19,7 @@ class PathFollower {
     // `understeer_gradient_s2pm`: extra road wheel angle per lateral acceleration.
     PathFollower(const VehicleParameters& parameters, double understeer_gradient_s2pm, double preview_s)
         : ratio_{parameters.steering.ratio},
-          wheelbase_m_{parameters.geometry.front_axle_to_cg_m + parameters.geometry.rear_axle_to_cg_m},
+          wheelbase_m_{wheelbase_m(parameters.geometry)},
           understeer_gradient_s2pm_{understeer_gradient_s2pm},
           preview_s_{preview_s} {}
 

@@ -139,6 +139,10 @@ inline double static_stability_factor(const VehicleParameters& parameters) {
     return parameters.geometry.track_width_m / (2.0 * parameters.geometry.cg_height_m);
 }
 
+inline double wheelbase_m(const GeometryParameters& geometry) {
+    return geometry.front_axle_to_cg_m + geometry.rear_axle_to_cg_m;
+}
+
 inline double total_mass_kg(const VehicleParameters& parameters) {
     return parameters.mass.sprung_kg + 2.0 * parameters.mass.front_unsprung_kg + parameters.mass.rear_axle_kg;
 }

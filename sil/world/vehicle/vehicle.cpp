@@ -15,10 +15,6 @@ namespace {
 constexpr double hull_may_touch_below = 0.7;  // cosine of the angle between body z and road normal
 constexpr double smallest_heading = 1e-6;
 
-double wheelbase_m(const GeometryParameters& geometry) {
-    return geometry.front_axle_to_cg_m + geometry.rear_axle_to_cg_m;
-}
-
 // Sprung weight on each front or rear wheel in static equilibrium.
 double front_spring_load_n(const VehicleParameters& p) {
     return 0.5 * p.mass.sprung_kg * gravity_mps2 * p.geometry.rear_axle_to_cg_m / wheelbase_m(p.geometry);

@@ -18,7 +18,7 @@ _TOKEN = re.compile(
 
 # Headers that make neither heap nor streams nor threads necessary.
 HEADERS = {
-    "array", "cstddef", "cstdint", "cstring", "limits", "new", "numeric", "stdint.h", "type_traits",
+    "array", "cstddef", "cstdint", "cstring", "limits", "new", "numeric", "stdint.h", "type_traits", "utility",
     "Eigen/Core",
 }
 

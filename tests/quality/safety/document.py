@@ -173,8 +173,11 @@ def failure_modes(argument, evidence):
 
 
 def pages(argument, evidence):
-    return {
+    made = {
         "trace.md": trace(argument, evidence),
         "hazards.md": hazards(argument),
         "failure_modes.md": failure_modes(argument, evidence),
     }
+    if evidence.signatures:
+        made["signatures.md"] = evidence.signatures
+    return made

@@ -44,15 +44,17 @@ def tests_of(listing):
 
 
 class Evidence:
-    """`codes`: the diagnostic codes that the ECU can send; empty while there is no frame for them. `sources`: test to file."""
+    """`codes`: the diagnostic codes that the ECU can send; empty while there is no frame for them. `sources`: test to file.
+    `signatures`: the page of the tables by which the ECU accuses a sensor; empty where there are none."""
 
-    def __init__(self, project, tests, groups, signals, codes, sources):
+    def __init__(self, project, tests, groups, signals, codes, sources, signatures=""):
         self.project = project
         self.tests = tests
         self.groups = groups
         self.signals = signals
         self.codes = codes
         self.sources = sources
+        self.signatures = signatures
 
     def matching(self, pattern):
         """The tests that a name, perhaps with *, stands for."""
@@ -120,4 +122,5 @@ def collect(project, build):
     signals, codes = signals_and_codes(
         project / "can_dbc/rollover_warning.dbc", project / "sil/lock_step/simulation.dbc"
     )
-    return Evidence(project, tests, groups, signals, codes, sources_of(project))
+    signatures = output(build / "tests/quality/safety/signature_page")
+    return Evidence(project, tests, groups, signals, codes, sources_of(project), signatures)

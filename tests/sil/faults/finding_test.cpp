@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sil/studies/faults/known_findings.hpp"
+#include "tests/sil/faults/written_answer.hpp"
 
 namespace faults_test {
 namespace {
@@ -26,14 +27,7 @@ constexpr std::size_t lift = 1500U;
 constexpr std::size_t fault_begins = 100U;
 
 EcuAnswer saying(WarningState state, WarningSide side = WarningSide::none, sil::DiagnosticCodes codes = 0U) {
-    EcuAnswer one;
-    one.complete = true;
-    one.state = state;
-    one.side = side;
-    one.codes = codes;
-    one.degradation =
-        state == WarningState::unavailable ? sil::Degradation::unavailable : sil::Degradation::full;
-    return one;
+    return written_answer(state, side, codes);
 }
 
 const EcuAnswer ready = saying(WarningState::ready);

@@ -9,6 +9,7 @@
 #include "sil/studies/faults/contradiction.hpp"
 #include "sil/studies/faults/expectation.hpp"
 #include "sil/studies/faults/known_undetected.hpp"
+#include "tests/sil/faults/written_answer.hpp"
 
 namespace faults_test {
 namespace {
@@ -32,14 +33,7 @@ constexpr Fault hardly_lying{FaultKind::offset, FaultPlace::lateral_acceleration
 constexpr Fault known_undetected{FaultKind::offset, FaultPlace::lateral_acceleration, -2.0};
 
 EcuAnswer answer(WarningState state, sil::DiagnosticCodes codes = 0U) {
-    EcuAnswer one;
-    one.complete = true;
-    one.state = state;
-    one.roll_source = sil::RollSource::sensor;
-    one.degradation =
-        state == WarningState::unavailable ? sil::Degradation::unavailable : sil::Degradation::full;
-    one.codes = codes;
-    return one;
+    return written_answer(state, sil::WarningSide::none, codes);
 }
 
 // A drive in which the ECU says the same all the time, but for what a test changes.

@@ -1,0 +1,73 @@
+#include "sil/apps/memory_flips_command.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "sil/apps/command_line.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/studies/faults/memory_flips.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
+
+namespace sil {
+namespace {
+
+struct MemoryFlipsRequest {
+    std::string vehicle_file;
+    std::string calibration_file;
+    std::uint64_t flips{10000U};
+    std::uint64_t seed{1U};
+    double most_silent{1000.0};
+};
+
+void require_few(const FlipCount& count, double most_of_1000, const char* whose) {
+    if (1000.0 * static_cast<double>(silent(count)) > most_of_1000 * static_cast<double>(total(count))) {
+        throw std::runtime_error(
+            fmt::format("{} of {} flips in the memory of {} make a warning silently late, missing or false",
+                        silent(count), total(count), whose));
+    }
+}
+
+void run(const MemoryFlipsRequest& request) {
+    const MemoryFlips result =
+        run_memory_flips(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file),
+                         request.flips, request.seed);
+    fmt::print("{}{}", memory_flips_table(result), silent_flips(result));
+    require_few(count_component_flips(result), request.most_silent, "the component");
+    require_few(count_flips(result), request.most_silent, "the ECU");
+}
+
+void add_number(CLI::App& command, const char* option, std::uint64_t& number, const char* description) {
+    // Not CLI11's own conversion, which takes 010 for eight.
+    command
+        .add_option_function<std::string>(
+            option, [&number](const std::string& text) { number = whole_number(text).value_or(number); },
+            description)
+        ->check(check_whole_number)
+        ->type_name("UINT")
+        ->default_str(fmt::format("{}", number));
+}
+
+}  // namespace
+
+void add_memory_flips_command(CLI::App& app) {
+    const auto request = std::make_shared<MemoryFlipsRequest>();
+    CLI::App* command = app.add_subcommand(
+        "memory-flips", "Change single bits of the ECU's memory and judge what becomes of the warning");
+    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
+        ->required();
+    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
+        ->required();
+    add_number(*command, "--flips", request->flips, "How many");
+    add_number(*command, "--seed", request->seed, "Seed of drive, moment and bit");
+    command
+        ->add_option("--most-silent", request->most_silent,
+                     "Of 1,000 flips; more that are silently late, missing or false fail")
+        ->check(number_within(0.0, 1000.0));
+    command->callback([request] { run(*request); });
+}
+
+}  // namespace sil

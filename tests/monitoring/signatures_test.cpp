@@ -1,0 +1,118 @@
+// The tables by which a sensor is accused: that they are complete, and how one row is read.
+#include "monitoring/signatures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace monitoring_signatures_test {
+namespace {
+
+using monitoring::accuses;
+using monitoring::CodeSet;
+using monitoring::Consequence;
+using monitoring::DiagnosticCode;
+using monitoring::Fact;
+using monitoring::facts;
+using monitoring::set_of;
+using monitoring::Signature;
+using monitoring::signatures;
+using monitoring::Suspicion;
+using monitoring::Verdict;
+
+TEST(ASignature, FitsWhereAllOfItIsSeenAndNoExcuse) {
+    const Signature row =
+        accuses(DiagnosticCode::speed_stuck, Fact::turn_valid).with(Fact::gain_valid).unless(Fact::spinning);
+    EXPECT_TRUE(row.fits(facts(Fact::turn_valid, Fact::gain_valid)));
+    EXPECT_TRUE(row.fits(facts(Fact::turn_valid, Fact::gain_valid, Fact::roll_valid)));
+    EXPECT_FALSE(row.fits(facts(Fact::turn_valid)));
+    EXPECT_FALSE(row.fits(facts(Fact::gain_valid)));
+    EXPECT_FALSE(row.fits(facts(Fact::turn_valid, Fact::gain_valid, Fact::spinning)));
+    EXPECT_FALSE(row.fits(facts()));
+}
+
+TEST(ASignature, SaysByItsVerdictWhatItIs) {
+    for (const DiagnosticCode code : {DiagnosticCode::speed_stuck, DiagnosticCode::yaw_rate_stuck}) {
+        for (const Fact fact : {Fact::turn_valid, Fact::roll_valid}) {
+            for (const Signature& row :
+                 {accuses(code, fact), monitoring::keeps(code, fact), monitoring::acquits(code, fact)}) {
+                EXPECT_EQ(row.code, code);
+                EXPECT_TRUE(row.fits(facts(fact)));
+                EXPECT_FALSE(row.fits(facts(Fact::spinning)));
+            }
+            EXPECT_EQ(accuses(code, fact).verdict, Verdict::accuses);
+            EXPECT_EQ(monitoring::keeps(code, fact).verdict, Verdict::keeps);
+            EXPECT_EQ(monitoring::acquits(code, fact).verdict, Verdict::acquits);
+            EXPECT_FALSE(accuses(code, fact).with(Fact::gain_valid).fits(facts(fact)));
+            EXPECT_FALSE(accuses(code, fact).unless(Fact::gain_valid).fits(facts(fact, Fact::gain_valid)));
+        }
+    }
+}
+
+TEST(ASuspicion, FitsWhereAllOfItIsSeenAndNoExcuse) {
+    const Suspicion row{facts(Fact::leans_into_turn), facts(Fact::spinning), monitoring::OfRoll::angle};
+    EXPECT_TRUE(row.fits(facts(Fact::leans_into_turn)));
+    EXPECT_FALSE(row.fits(facts()));
+    EXPECT_FALSE(row.fits(facts(Fact::leans_into_turn, Fact::spinning)));
+}
+
+// The rows of a code are read as one, so they stand together; and each code can come and go.
+TEST(TheSignatures, HoldEachCodeOnceWithAnAccusationAndAnAcquittal) {
+    std::vector<DiagnosticCode> codes;
+    for (const Signature& row : signatures) {
+        if (codes.empty() || codes.back() != row.code) {
+            EXPECT_EQ(std::count(codes.begin(), codes.end(), row.code), 0);
+            codes.push_back(row.code);
+        }
+    }
+    for (const DiagnosticCode code : codes) {
+        for (const Verdict verdict : {Verdict::accuses, Verdict::acquits}) {
+            EXPECT_TRUE(std::any_of(signatures.begin(), signatures.end(), [&](const Signature& row) {
+                return row.code == code && row.verdict == verdict;
+            })) << static_cast<int>(code);
+        }
+    }
+}
+
+TEST(TheSignatures, TakeOutASignalForEachCode) {
+    CodeSet taken_out = monitoring::roll_contradictions;
+    for (const Consequence& each : monitoring::consequences) {
+        taken_out |= each.not_used;
+    }
+    for (const Signature& row : signatures) {
+        EXPECT_NE(taken_out & set_of(row.code), 0U) << static_cast<int>(row.code);
+    }
+}
+
+TEST(TheSignatures, AreSummedUpAsACompilerDoes) {
+    EXPECT_EQ(monitoring::find_accusing_facts(), monitoring::accusing_facts);
+    EXPECT_EQ(monitoring::find_judged_codes(), monitoring::judged_codes);
+    EXPECT_EQ(monitoring::find_no_witness_codes(), monitoring::no_witness_codes);
+    for (const Signature& row : signatures) {
+        EXPECT_NE(monitoring::judged_codes & set_of(row.code), 0U);
+    }
+    EXPECT_EQ(monitoring::no_witness_codes & set_of(DiagnosticCode::speed_jump, DiagnosticCode::speed_stuck),
+              set_of(DiagnosticCode::speed_jump));
+}
+
+TEST(TheSignatures, AccuseByAFactThatAccusesAlone) {
+    for (const Signature& row : signatures) {
+        if (row.verdict == Verdict::accuses) {
+            EXPECT_NE(row.needed & monitoring::accusing_facts, 0U) << static_cast<int>(row.code);
+        }
+    }
+}
+
+TEST(TheSignatures, AccuseNobodyForWhatIsWithinOrCannotBeJudged) {
+    const auto innocent =
+        facts(Fact::turn_valid, Fact::turn_within, Fact::turn_beyond_banks, Fact::spinning,
+              Fact::roll_force_valid, Fact::roll_force_within, Fact::lateral_suspect, Fact::gain_valid,
+              Fact::roll_valid, Fact::roll_angle_frozen, Fact::roll_rate_frozen, Fact::leans_into_turn,
+              Fact::observer_valid, Fact::observer_within, Fact::vertical_within, Fact::reference_valid);
+    EXPECT_EQ(monitoring::accusing_facts & innocent, 0U);
+    EXPECT_EQ(monitoring::accusing_facts | innocent, facts(Fact::count) - 1U);
+}
+
+}  // namespace
+}  // namespace monitoring_signatures_test

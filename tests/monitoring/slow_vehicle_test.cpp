@@ -1,0 +1,67 @@
+// The lateral acceleration of a vehicle that hardly moves.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "monitoring/slow_vehicle.hpp"
+
+namespace monitoring_slow_vehicle_test {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+class ASlowVehicle : public ::testing::Test {
+ protected:
+    bool impossible(int samples, float lateral_mps2, float speed_mps = 0.0F, float yaw_rate_radps = 0.0F) {
+        rsi::Inputs inputs{};
+        inputs.lateral_specific_force_mps2 = lateral_mps2;
+        inputs.speed_mps = speed_mps;
+        inputs.yaw_rate_radps = yaw_rate_radps;
+        for (int sample = 0; sample < samples; ++sample) {
+            vehicle.update(inputs);
+        }
+        return vehicle.lateral_acceleration_is_impossible();
+    }
+
+    monitoring::SlowVehicle vehicle;
+};
+
+TEST_F(ASlowVehicle, HasNoMoreThan8500MillimetresPerSecondSquared) {
+    EXPECT_FALSE(vehicle.lateral_acceleration_is_impossible());
+    for (const float sign : {1.0F, -1.0F}) {
+        EXPECT_FALSE(impossible(1, sign * 8.49F));
+        EXPECT_TRUE(impossible(1, sign * 8.51F));
+        EXPECT_FALSE(impossible(1, sign * 8.49F));
+    }
+}
+
+// Backwards as well: the speed has no sign.
+TEST_F(ASlowVehicle, HasWhatItTurnsWithBesides) {
+    for (const float yaw_rate : {0.5F, -0.5F}) {
+        EXPECT_FALSE(impossible(1, 10.49F, 4.0F, yaw_rate));
+        EXPECT_TRUE(impossible(1, 10.51F, 4.0F, yaw_rate));
+    }
+}
+
+TEST_F(ASlowVehicle, IsNoLongerSlowAbove5MetresPerSecond) {
+    EXPECT_TRUE(impossible(1, 20.0F, 5.0F));
+    EXPECT_FALSE(impossible(1, 20.0F, 5.01F));
+}
+
+// The wheels of one that slides sideways roll slowly.
+TEST_F(ASlowVehicle, MayStillSlideFor3Seconds) {
+    impossible(1, 9.0F, 20.0F);
+    EXPECT_FALSE(impossible(299, 9.0F));
+    EXPECT_TRUE(impossible(1, 9.0F));
+}
+
+TEST_F(ASlowVehicle, SaysNothingOfWhatIsNotKnown) {
+    EXPECT_FALSE(impossible(1, nan));
+    EXPECT_FALSE(impossible(1, 20.0F, 0.0F, nan));
+    EXPECT_FALSE(impossible(1, 20.0F, nan));
+    EXPECT_FALSE(impossible(299, 20.0F));
+    EXPECT_TRUE(impossible(1, 20.0F));
+}
+
+}  // namespace
+}  // namespace monitoring_slow_vehicle_test

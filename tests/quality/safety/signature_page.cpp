@@ -1,0 +1,198 @@
+// Signature page: prints the tables of firmware/monitoring/signatures.hpp, from which it is compiled, as a
+// page of docs/reports/safety.
+#include <array>
+#include <cstddef>
+#include <iostream>
+#include <string>
+
+#include "can_dbc/generated/rollover_warning.hpp"
+#include "monitoring/signatures.hpp"
+
+namespace {
+
+using monitoring::CodeSet;
+using monitoring::Fact;
+using monitoring::Facts;
+using monitoring::SensorSignal;
+using monitoring::Verdict;
+
+constexpr auto fact_count = static_cast<std::size_t>(Fact::count);
+
+struct FactText {
+    Fact fact;
+    const char* name;
+    const char* meaning;
+};
+
+// In the order of the enumeration.
+constexpr std::array<FactText, fact_count> fact_texts{{
+    {Fact::turn_valid, "turn valid", "faster than 18 km/h, with lateral acceleration, yaw rate and speed"},
+    {Fact::turn_within, "turn within", "lateral acceleration agrees with yaw rate times speed in this cycle"},
+    {Fact::turn_beyond_banks, "turn beyond banks", "they differ by more than most roads' bank, over 0.3 s"},
+    {Fact::turn_beyond_slides, "turn beyond slides", "they differ by more than any slide, over 4 s"},
+    {Fact::spinning, "spinning", "yaws faster than tyres can turn it, or did within a second"},
+    {Fact::lateral_sign_alone, "lateral sign alone", "yaw rate and roll angle show a turn to the other side"},
+    {Fact::yaw_sign_alone, "yaw sign alone",
+     "lateral acceleration and roll angle show a turn to the other side"},
+    {Fact::roll_force_valid, "roll force valid", "the force that rolls the body is known, no wheel far up"},
+    {Fact::roll_force_within, "roll force within", "lateral acceleration agrees with it"},
+    {Fact::lateral_alone, "lateral alone", "yaw rate times speed and roll force agree against it"},
+    {Fact::lateral_suspect, "lateral suspect", "both are against it, by half as much"},
+    {Fact::gain_valid, "gain valid", "turn and roll force valid, roll angle in use"},
+    {Fact::gain_beyond, "gain beyond", "too weak or too strong for both, in turns to both sides or clearly"},
+    {Fact::slow_vehicle_beyond, "slow vehicle beyond", "more than turn, road and sway of a slow vehicle"},
+    {Fact::roll_valid, "roll valid", "roll angle and roll rate for 0.2 s"},
+    {Fact::roll_beyond_short, "roll beyond, short", "they come apart within 0.2 s, and no road twists so"},
+    {Fact::roll_beyond_long, "roll beyond, long", "they come apart within 1 s, and no road twists so"},
+    {Fact::roll_angle_frozen, "roll angle frozen", "repeats its value"},
+    {Fact::roll_rate_frozen, "roll rate frozen", "repeats its value"},
+    {Fact::leans_into_turn, "leans into turn", "of a clear lateral acceleration, by the roll angle"},
+    {Fact::observer_valid, "observer valid", "roll angle of the sensor and of the observer are known"},
+    {Fact::observer_within, "observer within", "they agree clearly"},
+    {Fact::observer_beyond, "observer beyond", "the component's check contradicts a sensor in use"},
+    {Fact::observer_far, "observer far", "they differ, and the sensor is out for another reason"},
+    {Fact::vertical_within, "vertical within", "vertical acceleration is that of a body that does not heave"},
+    {Fact::vertical_beyond, "vertical beyond", "it is not, by a larger bound while wheels may lift"},
+    {Fact::reference_valid, "reference valid", "a clear bank under a body that hardly rolls"},
+    {Fact::reference_beyond, "reference beyond",
+     "the angle has long been against what the calibration says that it is not"},
+}};
+
+constexpr bool are_in_order() {
+    for (std::size_t index = 0U; index < fact_count; ++index) {
+        if (static_cast<std::size_t>(fact_texts[index].fact) != index || fact_texts[index].name == nullptr) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(are_in_order());
+
+struct SignalText {
+    SensorSignal signal;
+    const char* name;
+};
+
+constexpr std::array<SignalText, 8> signal_texts{{
+    {&rsi::Inputs::lateral_specific_force_mps2, "lateral acceleration"},
+    {&rsi::Inputs::vertical_specific_force_mps2, "vertical acceleration"},
+    {&rsi::Inputs::roll_rate_radps, "roll rate"},
+    {&rsi::Inputs::roll_angle_rad, "roll angle"},
+    {&rsi::Inputs::yaw_rate_radps, "yaw rate"},
+    {&rsi::Inputs::speed_mps, "speed"},
+    {&rsi::Inputs::steering_wheel_angle_rad, "steering wheel angle"},
+    {&rsi::Inputs::bank_angle_rad, "bank angle"},
+}};
+
+const char* name_of(SensorSignal signal) {
+    for (const SignalText& each : signal_texts) {
+        if (each.signal == signal) {
+            return each.name;
+        }
+    }
+    return "?";
+}
+
+std::string code_name(std::size_t number) {
+    using can_dbc::RolloverDiagnosis;
+    return RolloverDiagnosis::name_of(static_cast<RolloverDiagnosis::Code>(number));
+}
+
+std::string joined(const std::string& list, const std::string& next) {
+    return list.empty() ? next : list + ", " + next;
+}
+
+std::string fact_names(Facts facts) {
+    std::string all;
+    for (const FactText& each : fact_texts) {
+        if ((facts & monitoring::facts(each.fact)) != 0U) {
+            all = joined(all, each.name);
+        }
+    }
+    return all;
+}
+
+std::string code_names(CodeSet codes) {
+    std::string all;
+    for (std::size_t code = 0U; code < monitoring::diagnostic_code_count; ++code) {
+        if (((codes >> code) & 1U) != 0U) {
+            all = joined(all, code_name(code));
+        }
+    }
+    return all;
+}
+
+const char* name_of(monitoring::OfRoll wrong) {
+    return wrong == monitoring::OfRoll::rate ? "roll rate" : "roll angle";
+}
+
+const char* name_of(Verdict verdict) {
+    constexpr std::array names{"accuses", "keeps", "acquits"};
+    return names[static_cast<std::size_t>(verdict)];
+}
+
+void print_facts() {
+    std::cout << "\n## Facts\nWhat the relations show in one cycle. The first word is the relation.\n\n"
+                 "| fact | shown when |\n|---|---|\n";
+    for (const FactText& each : fact_texts) {
+        std::cout << "| " << each.name << " | " << each.meaning << " |\n";
+    }
+}
+
+void print_signatures() {
+    std::cout
+        << "\n## Signatures\n"
+           "Of each code the first row that fits counts; where none does, it neither comes nor goes. "
+           "*Keeps*: "
+           "only a code that\nis confirmed. *Acquits*: only one that is active. How many cycles it takes: "
+           "[safety](../../safety.md#diagnostic-codes).\n\n"
+           "| code | | when | unless |\n|---|---|---|---|\n";
+    for (const monitoring::Signature& each : monitoring::signatures) {
+        std::cout << "| " << code_name(static_cast<std::size_t>(each.code)) << " | " << name_of(each.verdict)
+                  << " | " << fact_names(each.needed) << " | " << fact_names(each.relevant & ~each.needed)
+                  << " |\n";
+    }
+}
+
+void print_suspicions() {
+    std::cout
+        << "\n## Roll rate against roll angle\n"
+           "Which of the two is wrong: the first row that fits, when they begin to contradict each other.\n\n"
+           "| when | unless | wrong |\n|---|---|---|\n";
+    for (const monitoring::Suspicion& each : monitoring::suspicions) {
+        std::cout << "| " << fact_names(each.seen) << " | " << fact_names(each.excuses) << " | "
+                  << name_of(each.wrong) << " |\n";
+    }
+    std::cout << "| otherwise | | " << name_of(monitoring::otherwise_wrong) << " |\n";
+}
+
+void print_consequences() {
+    std::cout
+        << "\n## Consequences\n"
+           "| signal | no witness against others while active | not used while confirmed |\n|---|---|---|\n";
+    for (const monitoring::Consequence& each : monitoring::consequences) {
+        const bool is_of_roll =
+            each.signal == &rsi::Inputs::roll_rate_radps || each.signal == &rsi::Inputs::roll_angle_rad;
+        std::cout << "| " << name_of(each.signal) << " | " << code_names(each.no_witness) << " | "
+                  << code_names(each.not_used);
+        if (is_of_roll) {
+            std::cout << ", " << code_names(monitoring::roll_contradictions) << " if it is the wrong one";
+        }
+        std::cout << " |\n";
+    }
+}
+
+}  // namespace
+
+int main() {
+    std::cout
+        << "<!-- Written by tests/quality/safety/trace --document from firmware/monitoring/signatures.hpp; "
+           "do not edit. -->\n"
+           "# Which sensor is accused\n\n"
+           "The relations between the sensors, and the tables by which the ECU decides which of them is "
+           "wrong. Bounds and reasons:\n[safety](../../safety.md#diagnostic-codes).\n";
+    print_facts();
+    print_signatures();
+    print_suspicions();
+    print_consequences();
+}
