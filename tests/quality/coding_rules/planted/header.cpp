@@ -2,7 +2,7 @@
 // Caught by: header
 #include "tests/quality/coding_rules/planted/planted.hpp"
 
-#include <utility>
+#include <string>
 
 namespace planted {
 
