@@ -40,17 +40,6 @@ void run(const MemoryFlipsRequest& request) {
     require_few(count_flips(result), request.most_silent, "the ECU");
 }
 
-void add_number(CLI::App& command, const char* option, std::uint64_t& number, const char* description) {
-    // Not CLI11's own conversion, which takes 010 for eight.
-    command
-        .add_option_function<std::string>(
-            option, [&number](const std::string& text) { number = whole_number(text).value_or(number); },
-            description)
-        ->check(check_whole_number)
-        ->type_name("UINT")
-        ->default_str(fmt::format("{}", number));
-}
-
 }  // namespace
 
 void add_memory_flips_command(CLI::App& app) {
@@ -61,8 +50,10 @@ void add_memory_flips_command(CLI::App& app) {
         ->required();
     command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
         ->required();
-    add_number(*command, "--flips", request->flips, "How many");
-    add_number(*command, "--seed", request->seed, "Seed of drive, moment and bit");
+    add_whole_number(*command, "--flips", request->flips, "How many")
+        ->default_str(fmt::format("{}", request->flips));
+    add_whole_number(*command, "--seed", request->seed, "Seed of drive, moment and bit")
+        ->default_str(fmt::format("{}", request->seed));
     command
         ->add_option("--most-silent", request->most_silent,
                      "Of 1,000 flips; more that are silently late, missing or false fail")

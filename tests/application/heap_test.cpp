@@ -6,19 +6,13 @@
 #include <vector>
 
 #include "application/rollover_ecu.hpp"
-#include "can_dbc/codec/message.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "tests/application/allocation_count.hpp"
 #include "tests/application/bench.hpp"
-#include "tests/application/end_to_end.hpp"
 
 namespace testing_application {
 namespace {
-
-struct NoWatchdog final : hal::Watchdog {
-    void feed() noexcept override {}
-};
 
 void* volatile kept_from_the_optimiser = nullptr;
 
@@ -48,33 +42,23 @@ TEST(TheAllocationCount, SeesEveryWayToTheHeap) {
     delete static_cast<Aligned*>(kept_from_the_optimiser);
 }
 
-template <typename Message>
-hal::CanFrame protected_frame(const Message& message, unsigned counter) {
-    hal::CanFrame frame;
-    frame.identifier = Message::identifier;
-    frame.length = Message::length;
-    const auto payload = can_dbc::encode(message);
-    std::copy(payload.begin(), payload.end(), frame.data.begin());
-    protect(frame, Message::e2e_data_id, counter % 15U);
-    return frame;
-}
-
 class RunningEcu : public ::testing::Test {
  protected:
     // Good frames, with every seventh damaged, silence in each third second, and a hard turn in every fourth.
     void cycle(unsigned number) {
         Motion motion;
+        const unsigned counter = number % 15U;
         const unsigned second = number / 100U;
         motion.imu.lateral_acceleration_mps2 = second % 4U == 3U ? 9.0F : 0.1F;
         motion.roll_angle.roll_angle_deg = second % 4U == 3U ? 6.0F : 0.0F;
         if (second % 3U != 2U) {
-            hal::CanFrame imu = protected_frame(motion.imu, number);
+            hal::CanFrame imu = frame_of(motion.imu, counter);
             if (number % 7U == 0U) {
                 imu.data[0] ^= 0xFFU;
             }
             bus.endpoint(1U).send(imu);
-            bus.endpoint(1U).send(protected_frame(motion.roll_angle, number));
-            bus.endpoint(1U).send(protected_frame(motion.vehicle_motion, number));
+            bus.endpoint(1U).send(frame_of(motion.roll_angle, counter));
+            bus.endpoint(1U).send(frame_of(motion.vehicle_motion, counter));
         }
         clock.advance(hal::Time::from_milliseconds(10));
         ecu.step(number % 50U == 0U ? 1U : 0U);

@@ -16,6 +16,7 @@
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "tests/application/end_to_end.hpp"
+#include "tests/quality/fuzz/support/any_calibration.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
 #include "tests/support/large_suv.h"
@@ -86,12 +87,7 @@ Section any_section(ByteReader& bytes) {
 
 rsi::Parameters any_parameters(ByteReader& bytes) {
     rsi::Parameters parameters = rsi_test_large_suv();
-    const unsigned choices = bytes.below(4U);  // one byte for both, as the committed inputs have it
-    parameters.estimator = static_cast<std::int32_t>(choices % 2U);
-    parameters.roll_angle_reference = static_cast<std::int32_t>(choices / 2U);
-    parameters.warning_indicator = static_cast<std::int32_t>(bytes.below(13U));
-    if (bytes.one_in(2U)) {
-        parameters.recovery_s = parameters.advisory_hold_s = parameters.warning_hold_s = 0.0F;
+    if (fuzz::choose_any(parameters, bytes)) {
         parameters.warning_confirmation_s = 0.0F;
     }
     return parameters;
