@@ -33,6 +33,7 @@ class ForceGain {
         const float least = rsi::smaller(by_yaw, by_roll);
         const float most = rsi::larger(by_yaw, by_roll);
         if (least < clear_mps2) {
+            go_straight(forces);
             return;
         }
         if (!tipping) {
@@ -43,13 +44,28 @@ class ForceGain {
         strong_.take(left, at_least - 1.6F * most, clearly);
     }
 
-    // From then on until turns to one side have been right again.
+    // From then on until turns to one side have been right again, or on probation after a calm while.
     bool is_wrong() const noexcept { return weak_.is_enough() || strong_.is_enough(); }
 
  private:
     // Below this, the sensors' offsets are what is seen.
     static constexpr float clear_mps2 = 1.0F;
     static constexpr float clearly_mps2 = 1.5F;
+    static constexpr std::uint32_t calm_samples = 800U;
+
+    // Without a turn a factor cannot be seen, nor that it is gone; noise can, by now. An accelerometer that has
+    // been calm for so long is believed until the next turn.
+    void go_straight(const LateralForces& forces) noexcept {
+        if (rsi::is_within_magnitude(forces.by_yaw_mps2, clear_mps2)) {
+            const bool calm = rsi::is_within_magnitude(forces.shown_mps2, clear_mps2);
+            calm_samples_ = (calm && is_wrong()) ? calm_samples_ + 1U : 0U;
+        }
+        if (calm_samples_ >= calm_samples) {
+            weak_.put_on_probation();
+            strong_.put_on_probation();
+            calm_samples_ = 0U;
+        }
+    }
 
     // Against the accelerometer, from turns to each side: by how much it was outside, times how long.
     class Evidence {
@@ -69,6 +85,15 @@ class ForceGain {
 
         bool is_enough() const noexcept { return enough_; }
 
+        // The next that is seen is enough.
+        void put_on_probation() noexcept {
+            if (enough_) {
+                left_mps_ = enough_mps;
+                right_mps_ = enough_mps;
+                enough_ = false;
+            }
+        }
+
      private:
         static constexpr float enough_mps = 0.4F;
         static constexpr float most_mps = 0.5F;  // the yaw rate's lead takes some back as a turn ends
@@ -82,6 +107,7 @@ class ForceGain {
 
     Evidence weak_{};
     Evidence strong_{};
+    std::uint32_t calm_samples_{0U};  // on straights, since it is wrong
 };
 
 }  // namespace monitoring

@@ -44,7 +44,7 @@ bool concerns(const Signature& row, const DiagnosticMemory& memory) noexcept {
 
 OfRoll wrong_of(Facts seen) noexcept {
     for (const Suspicion& each : suspicions) {
-        if (each.fits(seen)) {
+        if (each.pattern.fits(seen)) {
             return each.wrong;
         }
     }
@@ -272,7 +272,7 @@ void InputMonitor::judge(Facts seen, DiagnosticMemory& memory) noexcept {
     }
     DiagnosticCode judged = DiagnosticCode::none;
     for (const Signature& each : signatures) {
-        if (each.fits(seen) && (each.code != judged) && concerns(each, memory)) {
+        if (each.pattern.fits(seen) && (each.code != judged) && concerns(each, memory)) {
             memory.report(each.code, each.verdict != Verdict::acquits);
             judged = each.code;
         }

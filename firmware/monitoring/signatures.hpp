@@ -19,30 +19,35 @@ enum class Verdict : std::uint8_t {
     acquits,  // a code that is active is shown to be over
 };
 
-// All of `needed` is seen, and of `relevant` nothing else: the rest of that are its excuses.
+// Fits when all of `needed` is seen and none of `excuses`.
+struct Pattern {
+    Facts needed;
+    Facts excuses;
+
+    constexpr bool fits(Facts seen) const noexcept { return (seen & (needed | excuses)) == needed; }
+};
+
 struct Signature {
     DiagnosticCode code;
     Verdict verdict;
-    Facts needed;
-    Facts relevant;
+    Pattern pattern;
 
     constexpr Signature with(Fact other) const noexcept {
-        return {code, verdict, needed | facts(other), relevant | facts(other)};
+        return {code, verdict, {pattern.needed | facts(other), pattern.excuses}};
     }
     constexpr Signature unless(Fact excuse) const noexcept {
-        return {code, verdict, needed, relevant | facts(excuse)};
+        return {code, verdict, {pattern.needed, pattern.excuses | facts(excuse)}};
     }
-    constexpr bool fits(Facts seen) const noexcept { return (seen & relevant) == needed; }
 };
 
 constexpr Signature accuses(DiagnosticCode code, Fact fact) noexcept {
-    return {code, Verdict::accuses, facts(fact), facts(fact)};
+    return {code, Verdict::accuses, {facts(fact), facts()}};
 }
 constexpr Signature keeps(DiagnosticCode code, Fact fact) noexcept {
-    return {code, Verdict::keeps, facts(fact), facts(fact)};
+    return {code, Verdict::keeps, {facts(fact), facts()}};
 }
 constexpr Signature acquits(DiagnosticCode code, Fact fact) noexcept {
-    return {code, Verdict::acquits, facts(fact), facts(fact)};
+    return {code, Verdict::acquits, {facts(fact), facts()}};
 }
 
 namespace row {
@@ -104,8 +109,9 @@ inline constexpr std::array<Signature, 26> signatures{{
 constexpr Facts find_accusing_facts() noexcept {
     Facts all = 0U;
     for (const Signature& each : signatures) {
-        const bool is_alone = (each.needed & (each.needed - 1U)) == 0U;
-        all |= (is_alone && (each.verdict == Verdict::accuses)) ? each.needed : Facts{0U};
+        const Facts needed = each.pattern.needed;
+        const bool is_alone = (needed & (needed - 1U)) == 0U;
+        all |= (is_alone && (each.verdict == Verdict::accuses)) ? needed : Facts{0U};
     }
     return all;
 }
@@ -124,16 +130,13 @@ inline constexpr CodeSet judged_codes = find_judged_codes();
 // none does, it is the roll rate, without which there is no statement on the risk.
 enum class OfRoll : std::uint8_t { rate, angle };
 struct Suspicion {
-    Facts seen;
-    Facts excuses;
+    Pattern pattern;
     OfRoll wrong;
-
-    constexpr bool fits(Facts all) const noexcept { return (all & (seen | excuses)) == seen; }
 };
 inline constexpr std::array<Suspicion, 3> suspicions{{
-    {facts(Fact::roll_angle_frozen), facts(Fact::roll_rate_frozen), OfRoll::angle},
-    {facts(Fact::roll_rate_frozen), facts(Fact::roll_angle_frozen), OfRoll::rate},
-    {facts(Fact::leans_into_turn), facts(), OfRoll::angle},
+    Suspicion{{facts(Fact::roll_angle_frozen), facts(Fact::roll_rate_frozen)}, OfRoll::angle},
+    Suspicion{{facts(Fact::roll_rate_frozen), facts(Fact::roll_angle_frozen)}, OfRoll::rate},
+    Suspicion{{facts(Fact::leans_into_turn), facts()}, OfRoll::angle},
 }};
 inline constexpr OfRoll otherwise_wrong = OfRoll::rate;
 inline constexpr CodeSet roll_contradictions = set_of(row::roll_short, row::roll_long);

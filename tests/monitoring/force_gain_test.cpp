@@ -183,11 +183,62 @@ TEST_F(AForceGain, IsNotTooWeakWhileTheInnerWheelsMayBeInTheAir) {
     EXPECT_TRUE(gain.is_wrong());
 }
 
-TEST_F(AForceGain, StaysWrongWhileNothingShowsThatItIsRight) {
+TEST_F(AForceGain, StaysWrongThroughTurnsThatShowIt) {
     turn(5, 2.0F, 5.0F, 5.0F);
-    turn(1000, 0.0F, 0.0F, 0.0F);
     drive(0.5F, 100);
     EXPECT_TRUE(gain.is_wrong());
+}
+
+TEST_F(AForceGain, IsBelievedAfterEightSecondsOfCalmStraights) {
+    for (const float shown : {2.0F, 10.0F}) {
+        gain = {};
+        turn(5, shown, 5.0F, 5.0F);
+        turn(799, 0.99F, -0.99F, 0.0F);
+        EXPECT_TRUE(gain.is_wrong());
+        turn(1, -0.99F, 0.99F, 0.0F);
+        EXPECT_FALSE(gain.is_wrong());
+    }
+}
+
+// It is noise that shows a force where there is none; a contradiction between the witnesses shows nothing.
+TEST_F(AForceGain, IsBelievedOnlyIfTheWholeOfThatWasCalm) {
+    turn(799, 0.0F, 0.0F, 0.0F);
+    turn(5, 2.0F, 5.0F, 5.0F);
+    turn(799, 0.0F, 0.0F, 0.0F);
+    turn(1, 1.01F, 0.0F, 0.0F);
+    turn(799, 0.0F, 0.0F, 0.0F);
+    turn(100, 0.0F, 1.01F, 0.0F);
+    drive(0.5F, 2);
+    EXPECT_TRUE(gain.is_wrong());
+    turn(1, 0.0F, 0.0F, 0.0F);
+    EXPECT_FALSE(gain.is_wrong());
+}
+
+// Half of the force again, a moment to each side; not so one that shows it.
+TEST_F(AForceGain, NeedsLittleToBeWrongAgain) {
+    for (const float share : {0.5F, 1.75F}) {
+        gain = {};
+        drive(share, 2, 2.0F);
+        turn(800, 0.0F, 0.0F, 0.0F);
+        drive(share, 1, 1.0F);
+        EXPECT_FALSE(gain.is_wrong());
+        drive(share, 2, 0.01F);
+        EXPECT_TRUE(gain.is_wrong());
+        gain = {};
+        drive(share, 2, 2.0F);
+        turn(800, 0.0F, 0.0F, 0.0F);
+        drive(1.0F, 2);
+        drive(share, 2, 0.5F);
+        EXPECT_FALSE(gain.is_wrong());
+    }
+}
+
+// What has shown nothing is not suspected of it.
+TEST_F(AForceGain, ThatWasTooWeakIsNotOnProbationForTooStrong) {
+    turn(5, 2.0F, 5.0F, 5.0F);
+    turn(800, 0.0F, 0.0F, 0.0F);
+    drive(1.75F, 2, 0.5F);
+    EXPECT_FALSE(gain.is_wrong());
 }
 
 // 0.5 m/s, of which a turn of 2 m/s^2 takes 0.5 m/s^2 back.

@@ -15,21 +15,22 @@ using monitoring::Consequence;
 using monitoring::DiagnosticCode;
 using monitoring::Fact;
 using monitoring::facts;
+using monitoring::Pattern;
 using monitoring::set_of;
 using monitoring::Signature;
 using monitoring::signatures;
-using monitoring::Suspicion;
+
 using monitoring::Verdict;
 
 TEST(ASignature, FitsWhereAllOfItIsSeenAndNoExcuse) {
     const Signature row =
         accuses(DiagnosticCode::speed_stuck, Fact::turn_valid).with(Fact::gain_valid).unless(Fact::spinning);
-    EXPECT_TRUE(row.fits(facts(Fact::turn_valid, Fact::gain_valid)));
-    EXPECT_TRUE(row.fits(facts(Fact::turn_valid, Fact::gain_valid, Fact::roll_valid)));
-    EXPECT_FALSE(row.fits(facts(Fact::turn_valid)));
-    EXPECT_FALSE(row.fits(facts(Fact::gain_valid)));
-    EXPECT_FALSE(row.fits(facts(Fact::turn_valid, Fact::gain_valid, Fact::spinning)));
-    EXPECT_FALSE(row.fits(facts()));
+    EXPECT_TRUE(row.pattern.fits(facts(Fact::turn_valid, Fact::gain_valid)));
+    EXPECT_TRUE(row.pattern.fits(facts(Fact::turn_valid, Fact::gain_valid, Fact::roll_valid)));
+    EXPECT_FALSE(row.pattern.fits(facts(Fact::turn_valid)));
+    EXPECT_FALSE(row.pattern.fits(facts(Fact::gain_valid)));
+    EXPECT_FALSE(row.pattern.fits(facts(Fact::turn_valid, Fact::gain_valid, Fact::spinning)));
+    EXPECT_FALSE(row.pattern.fits(facts()));
 }
 
 TEST(ASignature, SaysByItsVerdictWhatItIs) {
@@ -38,23 +39,23 @@ TEST(ASignature, SaysByItsVerdictWhatItIs) {
             for (const Signature& row :
                  {accuses(code, fact), monitoring::keeps(code, fact), monitoring::acquits(code, fact)}) {
                 EXPECT_EQ(row.code, code);
-                EXPECT_TRUE(row.fits(facts(fact)));
-                EXPECT_FALSE(row.fits(facts(Fact::spinning)));
+                EXPECT_TRUE(row.pattern.fits(facts(fact)));
+                EXPECT_FALSE(row.pattern.fits(facts(Fact::spinning)));
             }
             EXPECT_EQ(accuses(code, fact).verdict, Verdict::accuses);
             EXPECT_EQ(monitoring::keeps(code, fact).verdict, Verdict::keeps);
             EXPECT_EQ(monitoring::acquits(code, fact).verdict, Verdict::acquits);
-            EXPECT_FALSE(accuses(code, fact).with(Fact::gain_valid).fits(facts(fact)));
-            EXPECT_FALSE(accuses(code, fact).unless(Fact::gain_valid).fits(facts(fact, Fact::gain_valid)));
+            EXPECT_FALSE(accuses(code, fact).with(Fact::gain_valid).pattern.fits(facts(fact)));
+            EXPECT_FALSE(accuses(code, fact).unless(Fact::gain_valid).pattern.fits(facts(fact, Fact::gain_valid)));
         }
     }
 }
 
-TEST(ASuspicion, FitsWhereAllOfItIsSeenAndNoExcuse) {
-    const Suspicion row{facts(Fact::leans_into_turn), facts(Fact::spinning), monitoring::OfRoll::angle};
-    EXPECT_TRUE(row.fits(facts(Fact::leans_into_turn)));
-    EXPECT_FALSE(row.fits(facts()));
-    EXPECT_FALSE(row.fits(facts(Fact::leans_into_turn, Fact::spinning)));
+TEST(APattern, FitsWhereAllOfItIsSeenAndNoExcuse) {
+    const Pattern pattern{facts(Fact::leans_into_turn), facts(Fact::spinning)};
+    EXPECT_TRUE(pattern.fits(facts(Fact::leans_into_turn)));
+    EXPECT_FALSE(pattern.fits(facts()));
+    EXPECT_FALSE(pattern.fits(facts(Fact::leans_into_turn, Fact::spinning)));
 }
 
 // The rows of a code are read as one, so they stand together; and each code can come and go.
@@ -99,7 +100,7 @@ TEST(TheSignatures, AreSummedUpAsACompilerDoes) {
 TEST(TheSignatures, AccuseByAFactThatAccusesAlone) {
     for (const Signature& row : signatures) {
         if (row.verdict == Verdict::accuses) {
-            EXPECT_NE(row.needed & monitoring::accusing_facts, 0U) << static_cast<int>(row.code);
+            EXPECT_NE(row.pattern.needed & monitoring::accusing_facts, 0U) << static_cast<int>(row.code);
         }
     }
 }

@@ -1,11 +1,13 @@
 // False codes: drives whose sensors are good, noise and offsets of good sensors included, must not set any
 // diagnostic code. Every manoeuvre with every vehicle, then drawn runs of the built-in campaign and the van,
 // with a roll angle against the road and against the horizon.
-//   false_codes FIRST COUNT     the drawn runs; exit status 1 when a code was set
+//   false_codes FIRST COUNT [SETTINGS]    the drawn runs, or those of these settings alone, as of a
+//                                         population; exit status 1 when a code was set
 #include <fmt/core.h>
 
 #include <cstdint>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -121,21 +123,30 @@ sil::CampaignSettings built_in_and_van(std::uint64_t runs) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    if (argc != 3) {
-        fmt::print(stderr, "Use: false_codes FIRST COUNT, the numbers of the drawn runs\n");
+int main(int argc, char** argv) try {
+    if (argc != 3 && argc != 4) {
+        fmt::print(stderr, "Use: false_codes FIRST COUNT [SETTINGS], the numbers of the drawn runs\n");
         return 2;
     }
     const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
     const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
+    Search search;
+    if (argc == 4) {
+        sil::CampaignSettings settings = sil::load_campaign(argv[3]);
+        settings.runs = first + count;
+        drive_campaign(search, settings, first, count);
+        return search.report();
+    }
     const sil::CampaignSettings against_road = built_in_and_van(first + count);
     sil::CampaignSettings against_horizon = against_road;
     against_horizon.spread.attitude_sensor = true;
     against_horizon.changes.emplace_back("roll_angle_reference=horizon");
-    Search search;
     for (const sil::CampaignSettings& settings : {against_road, against_horizon}) {
         drive_catalogue(search, settings);
         drive_campaign(search, settings, first, count);
     }
     return search.report();
+} catch (const std::exception& error) {
+    fmt::print(stderr, "false_codes: {}\n", error.what());
+    return EXIT_FAILURE;
 }

@@ -149,7 +149,7 @@ void print_signatures() {
            "| code | | when | unless |\n|---|---|---|---|\n";
     for (const monitoring::Signature& each : monitoring::signatures) {
         std::cout << "| " << code_name(static_cast<std::size_t>(each.code)) << " | " << name_of(each.verdict)
-                  << " | " << fact_names(each.needed) << " | " << fact_names(each.relevant & ~each.needed)
+                  << " | " << fact_names(each.pattern.needed) << " | " << fact_names(each.pattern.excuses)
                   << " |\n";
     }
 }
@@ -160,7 +160,7 @@ void print_suspicions() {
            "Which of the two is wrong: the first row that fits, when they begin to contradict each other.\n\n"
            "| when | unless | wrong |\n|---|---|---|\n";
     for (const monitoring::Suspicion& each : monitoring::suspicions) {
-        std::cout << "| " << fact_names(each.seen) << " | " << fact_names(each.excuses) << " | "
+        std::cout << "| " << fact_names(each.pattern.needed) << " | " << fact_names(each.pattern.excuses) << " | "
                   << name_of(each.wrong) << " |\n";
     }
     std::cout << "| otherwise | | " << name_of(monitoring::otherwise_wrong) << " |\n";
