@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "application/sender_rate.hpp"
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/e2e/state_machine.hpp"
@@ -35,6 +36,7 @@ struct FrameFaults {
     bool checksum_error{false};  // CRC, data identifier or length
     bool counter_error{false};   // repeated, or more frames lost than tolerated
     bool signal_invalid{false};  // the latest usable frame carries a signal that is not valid
+    bool two_senders{false};     // more frames come than one sender sends
 };
 
 // Message is one of the structures that can_dbc generates.
@@ -45,6 +47,7 @@ class FrameMonitor {
         if (!heard_) {  // in the cycle that has ended
             follow(receiver_.no_frame());
         }
+        sender_rate_.end_cycle();
         heard_ = false;
         checksum_error_ = false;
         counter_error_ = false;
@@ -56,6 +59,7 @@ class FrameMonitor {
         const can_dbc::e2e::CheckResult check = receiver_.check(frame.data, frame.length);
         heard_ = true;
         count(check);
+        count_sender(check, frame);
         follow(check);
         if (channel_.is_valid() && can_dbc::e2e::is_usable(check.status)) {
             latest_ = can_dbc::decode<Message>(frame.data);
@@ -70,7 +74,8 @@ class FrameMonitor {
 
     bool is_fresh(hal::Time now) const noexcept {
         const hal::Time age = now - latest_time_;
-        return received_ && !withdrawn_ && !(frame_time_limit < age) && !(age < no_older);
+        return received_ && !withdrawn_ && !has_two_senders() && !(frame_time_limit < age) &&
+               !(age < no_older);
     }
 
     // The last usable values; only meaningful while is_fresh().
@@ -81,6 +86,8 @@ class FrameMonitor {
     can_dbc::e2e::ChannelState channel_state() const noexcept { return channel_.state(); }
     bool checksum_error() const noexcept { return checksum_error_; }
     bool counter_error() const noexcept { return counter_error_; }
+    // Which of them says what is measured, nobody knows.
+    bool has_two_senders() const noexcept { return sender_rate_.is_doubled(); }
     std::uint32_t frames_rejected() const noexcept { return frames_rejected_; }
     std::uint32_t frames_lost() const noexcept { return frames_lost_; }
 
@@ -102,6 +109,20 @@ class FrameMonitor {
         hal::count_up(frames_lost_, check.lost_frames);
     }
 
+    // Whatever the counter: a second sender may have one of its own, or imitate the genuine one. A frame that
+    // is sent twice over says nothing else, and equal checksums of eight bits under the same counter show it.
+    void count_sender(const can_dbc::e2e::CheckResult& check, const hal::CanFrame& frame) noexcept {
+        using can_dbc::e2e::CheckStatus;
+        if (check.status == CheckStatus::error) {
+            return;
+        }
+        const std::uint8_t checksum = frame.data[0];
+        if ((check.status != CheckStatus::repeated) || (checksum != checksum_)) {
+            sender_rate_.count(frame.receive_time);
+        }
+        checksum_ = checksum;
+    }
+
     static_assert(Message::e2e_profile == 11U, "this monitor checks end-to-end profile 11");
 
     can_dbc::e2e::Profile11Receiver receiver_{Message::e2e_data_id, Message::length, largest_counter_step};
@@ -109,6 +130,7 @@ class FrameMonitor {
     can_dbc::Decoded<Message> latest_{};
     hal::Time latest_time_{};
     std::uint8_t latest_counter_{0U};
+    std::uint8_t checksum_{0U};  // of the newest undamaged frame
     bool received_{false};
     bool withdrawn_{false};  // the channel was not valid since the latest usable frame
     bool heard_{true};       // a frame came in this cycle, good or not; the first cycle has none before it
@@ -116,6 +138,7 @@ class FrameMonitor {
     bool counter_error_{false};
     std::uint32_t frames_rejected_{0U};
     std::uint32_t frames_lost_{0U};
+    SenderRate sender_rate_{};
 };
 
 }  // namespace application

@@ -118,16 +118,20 @@ bool RolloverEcu::internal_fault() const noexcept {
 
 void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
     using monitoring::DiagnosticCode;
-    const auto report = [this](const FrameFaults& faults, DiagnosticCode lost, DiagnosticCode damaged) {
+    const auto report = [this](const FrameFaults& faults, DiagnosticCode lost, DiagnosticCode damaged,
+                               DiagnosticCode two_senders) {
         if (faults.received || (cycles_ > start_cycles)) {
             memory_.report(lost, faults.timeout);
         }
         memory_.report(damaged, faults.checksum_error || faults.counter_error);
+        memory_.report(two_senders, faults.two_senders);
     };
-    report(reception.imu, DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged);
-    report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
+    report(reception.imu, DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged,
+           DiagnosticCode::imu_two_senders);
+    report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged,
+           DiagnosticCode::roll_angle_two_senders);
     report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
-           DiagnosticCode::vehicle_motion_damaged);
+           DiagnosticCode::vehicle_motion_damaged, DiagnosticCode::vehicle_motion_two_senders);
 }
 
 void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept {

@@ -12,8 +12,9 @@ constexpr float mps_per_kmh = 1.0F / 3.6F;
 
 template <typename Message>
 FrameFaults faults(const FrameMonitor<Message>& monitor, bool fresh, bool signals_valid) {
-    return FrameFaults{monitor.received(), !fresh, monitor.checksum_error(), monitor.counter_error(),
-                       fresh && !signals_valid};
+    return FrameFaults{monitor.received(),       !fresh,
+                       monitor.checksum_error(), monitor.counter_error(),
+                       fresh && !signals_valid,  monitor.has_two_senders()};
 }
 
 template <typename Message>
