@@ -47,26 +47,30 @@ class FrameMonitor {
         if (!heard_) {  // in the cycle that has ended
             follow(receiver_.no_frame());
         }
-        sender_rate_.end_cycle();
+        if (sender_rate_.end_cycle()) {
+            withdrawn_ = withdrawn_ || has_two_senders();
+        }
         heard_ = false;
         checksum_error_ = false;
         counter_error_ = false;
     }
+
+    // So many cycles were left out before this one.
+    void miss_cycles(std::uint32_t cycles) noexcept { sender_rate_.miss(cycles); }
 
     // Judges one frame with this message's identifier; keeps its values only when the end-to-end check
     // accepts it and the channel is valid.
     void take(const hal::CanFrame& frame) noexcept {
         const can_dbc::e2e::CheckResult check = receiver_.check(frame.data, frame.length);
         heard_ = true;
-        count(check);
-        count_sender(check, frame);
+        count(check, frame.data[0]);
         follow(check);
         if (channel_.is_valid() && can_dbc::e2e::is_usable(check.status)) {
             latest_ = can_dbc::decode<Message>(frame.data);
             latest_time_ = frame.receive_time;
             latest_counter_ = can_dbc::e2e::profile_11_counter(frame.data.data());
             received_ = true;
-            withdrawn_ = false;
+            withdrawn_ = has_two_senders();
         }
     }
 
@@ -74,8 +78,7 @@ class FrameMonitor {
 
     bool is_fresh(hal::Time now) const noexcept {
         const hal::Time age = now - latest_time_;
-        return received_ && !withdrawn_ && !has_two_senders() && !(frame_time_limit < age) &&
-               !(age < no_older);
+        return received_ && !withdrawn_ && !(frame_time_limit < age) && !(age < no_older);
     }
 
     // The last usable values; only meaningful while is_fresh().
@@ -98,29 +101,29 @@ class FrameMonitor {
         withdrawn_ = withdrawn_ || !channel_.is_valid();
     }
 
-    void count(const can_dbc::e2e::CheckResult& check) noexcept {
+    void count(const can_dbc::e2e::CheckResult& check, std::uint8_t checksum) noexcept {
         using can_dbc::e2e::CheckStatus;
         checksum_error_ = checksum_error_ || (check.status == CheckStatus::error);
         counter_error_ = counter_error_ || (check.status == CheckStatus::repeated) ||
                          (check.status == CheckStatus::wrong_sequence);
-        if (!can_dbc::e2e::is_usable(check.status)) {
+        if (can_dbc::e2e::is_usable(check.status)) {
+            sender_rate_.count();
+        } else {
             hal::count_up(frames_rejected_);
+            count_in_disorder(check.status, checksum);
         }
+        checksum_ = checksum;
         hal::count_up(frames_lost_, check.lost_frames);
     }
 
-    // Whatever the counter: a second sender may have one of its own, or imitate the genuine one. A frame that
-    // is sent twice over says nothing else, and equal checksums of eight bits under the same counter show it.
-    void count_sender(const can_dbc::e2e::CheckResult& check, const hal::CanFrame& frame) noexcept {
+    // A second sender may have a counter of its own, or imitate the genuine one. But a frame that is sent twice
+    // over says nothing else, as equal checksums under the same counter show.
+    void count_in_disorder(can_dbc::e2e::CheckStatus status, std::uint8_t checksum) noexcept {
         using can_dbc::e2e::CheckStatus;
-        if (check.status == CheckStatus::error) {
-            return;
+        const bool is_copy = (status == CheckStatus::repeated) && (checksum == checksum_);
+        if ((status != CheckStatus::error) && !is_copy) {
+            sender_rate_.count();
         }
-        const std::uint8_t checksum = frame.data[0];
-        if ((check.status != CheckStatus::repeated) || (checksum != checksum_)) {
-            sender_rate_.count(frame.receive_time);
-        }
-        checksum_ = checksum;
     }
 
     static_assert(Message::e2e_profile == 11U, "this monitor checks end-to-end profile 11");
@@ -130,15 +133,15 @@ class FrameMonitor {
     can_dbc::Decoded<Message> latest_{};
     hal::Time latest_time_{};
     std::uint8_t latest_counter_{0U};
-    std::uint8_t checksum_{0U};  // of the newest undamaged frame
+    std::uint8_t checksum_{0U};  // of the newest frame
     bool received_{false};
-    bool withdrawn_{false};  // the channel was not valid since the latest usable frame
+    bool withdrawn_{false};  // the channel was not valid since the latest usable frame, or has two senders
     bool heard_{true};       // a frame came in this cycle, good or not; the first cycle has none before it
     bool checksum_error_{false};
     bool counter_error_{false};
+    SenderRate sender_rate_{};
     std::uint32_t frames_rejected_{0U};
     std::uint32_t frames_lost_{0U};
-    SenderRate sender_rate_{};
 };
 
 }  // namespace application

@@ -174,8 +174,8 @@ TEST_P(ASecondSender, OfOneFrameIsNoReasonToDoWithoutTheOthers) {
 INSTANTIATE_TEST_SUITE_P(OfEachFrameInEachManner, ASecondSender,
                          ::testing::Combine(::testing::ValuesIn(all_sensors),
                                             ::testing::Values(Manner::same_counter_before,
-                                                              Manner::next_counter_after,
-                                                              Manner::own_counter, Manner::tenfold)),
+                                                              Manner::next_counter_after, Manner::own_counter,
+                                                              Manner::tenfold)),
                          [](const auto& tested) {
                              return std::string{name_of(std::get<0>(tested.param))} +
                                     name_of(std::get<1>(tested.param));
@@ -209,11 +209,11 @@ TEST(ASecondSenderOfTheMass, IsNotUsedEither) {
     }
     EXPECT_FALSE(std::isfinite(bench.inputs().vehicle_mass_kg));
     EXPECT_EQ(bench.state(), State::ready);
-    bench.run_for(0.6);
+    bench.run_for(0.65);
     EXPECT_TRUE(std::isfinite(bench.inputs().vehicle_mass_kg));
 }
 
-// The reading cycle's time, where the driver has no other; and more frames than a cycle reads.
+// More frames than a cycle reads.
 TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsAccusesNobody) {
     Bench bench;
     bench.run_for(0.5);
@@ -245,32 +245,12 @@ TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsAccusesNobody) {
     EXPECT_EQ(bench.state(), State::ready);
 }
 
-// The times of reception, where the driver has them.
-TEST(AFrameMonitor, ThatReadsTheFramesOf640MillisecondsAtOnceSeesOneSender) {
-    application::FrameMonitor<can_dbc::Imu> monitor;
-    unsigned counter = 0U;
-    const auto read = [&monitor, &counter](int frames) {
-        monitor.begin_cycle();
-        for (int count = 0; count < frames; ++count) {
-            hal::CanFrame frame = frame_of(can_dbc::Imu{}, counter % counters);
-            frame.receive_time = hal::Time::from_milliseconds(10 * std::int64_t{counter});
-            monitor.take(frame);
-            ++counter;
-        }
-    };
-    for (int cycle = 0; cycle < 500; ++cycle) {
-        read((cycle % 100 == 99) ? 64 : 1);
-        ASSERT_FALSE(monitor.has_two_senders()) << "cycle " << cycle;
-    }
-}
-
 // A damaged frame is nobody's.
 TEST(AFrameMonitor, CountsNoDamagedFramesAsThoseOfASecondSender) {
     application::FrameMonitor<can_dbc::Imu> monitor;
     for (unsigned cycle = 0U; cycle < 300U; ++cycle) {
         monitor.begin_cycle();
         hal::CanFrame frame = frame_of(can_dbc::Imu{}, cycle % counters);
-        frame.receive_time = hal::Time::from_milliseconds(10 * std::int64_t{cycle});
         monitor.take(frame);
         frame.data[4] ^= 0x08U;
         monitor.take(frame);
