@@ -116,8 +116,8 @@ class FrameMonitor {
         hal::count_up(frames_lost_, check.lost_frames);
     }
 
-    // A second sender may have a counter of its own, or imitate the genuine one. But a frame that is sent twice
-    // over says nothing else, as equal checksums under the same counter show.
+    // A second sender may have a counter of its own, or imitate the genuine one. But a frame that is sent
+    // twice over says nothing else, as equal checksums under the same counter show.
     void count_in_disorder(can_dbc::e2e::CheckStatus status, std::uint8_t checksum) noexcept {
         using can_dbc::e2e::CheckStatus;
         const bool is_copy = (status == CheckStatus::repeated) && (checksum == checksum_);

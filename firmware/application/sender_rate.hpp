@@ -22,8 +22,8 @@ class SenderRate {
     // So many cycles were left out before this one.
     void miss(std::uint32_t cycles) noexcept;
 
-    // Before the first frame of the next cycle. False when nothing has changed, as in nearly every cycle; this
-    // is the path that must be cheap.
+    // Before the first frame of the next cycle. False when nothing has changed, as in nearly every cycle;
+    // this is the path that must be cheap.
     bool end_cycle() noexcept {
         const bool changes = (frames_ != settled_frames_);
         if (changes) {
