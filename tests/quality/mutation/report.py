@@ -2,8 +2,9 @@
 
 import collections
 import hashlib
+import re
 
-GOAL = 0.9
+UNEXPLAINED = "## Survivors that nobody has explained"
 
 
 def draw(mutants, count, seed):
@@ -36,10 +37,10 @@ def summary(results, wanted):
             f"{how['survived']} survive.\n")
 
 
-def missed_goal(results):
+def missed_goal(results, goal):
     killed, tried = _killed(results.values()), len(results)
-    if tried and killed < GOAL * tried:
-        return [f"{killed} of {tried} mutants are killed, {100 * killed / tried:.1f} %; the goal is {100 * GOAL:.0f} %"]
+    if tried and killed < goal * tried:
+        return [f"{killed} of {tried} mutants are killed, {100 * killed / tried:.1f} %; the goal is {100 * goal:.0f} %"]
     return []
 
 
@@ -55,16 +56,44 @@ def _table(heading, mutants, results, of):
     return rows + [""]
 
 
-def page(mutants, wanted, results, reviewed):
+def _survivors_by_file(mutants):
+    rows, file = [], None
+    for mutant in mutants:
+        if mutant.file != file:
+            file = mutant.file
+            rows += [""] * bool(rows) + [f"**`{file}`**", ""]
+        rows.append(f"- `{mutant.name()}`")
+    return rows + [""]
+
+
+def listed(page):
+    """The keys of the survivors that a page lists as unexplained."""
+    keys, file = set(), None
+    for line in page.partition(UNEXPLAINED)[2].splitlines():
+        if found := re.fullmatch(r"\*\*`(.*)`\*\*", line):
+            file = found.group(1)
+        elif found := re.fullmatch(r"- `(.*)`", line):
+            keys.add((file, found.group(1)))
+    return keys
+
+
+def page(scope, mutants, wanted, results, reviewed):
     """What the documentation shows of a run."""
     compiled = len(mutants) - len(wanted)
     rows = [summary(results, len(wanted))]
+    rows += _table("folder", mutants, results, lambda mutant: f"`{mutant.file.rpartition('/')[0]}`")
     rows += _table("file", mutants, results, lambda mutant: f"`{mutant.file}`")
     rows += _table("operator", mutants, results, lambda mutant: mutant.operator)
     rows += [f"Not mutated, or not tried: {compiled} mutants of constants that only the compiler evaluates; "
              + "; ".join(f"{why}: {count}" for why, count in mutants.skipped.most_common()) + ".", ""]
-    rows += ["## The survivors", ""]
+    if scope.left_out:
+        rows += ["Left out:", ""] + [f"- `{name}`: {why}" for name, why in sorted(scope.left_out.items())] + [""]
+    rows += [f"Not asked are tests that take more than {scope.longest_ms} ms.", ""]
+    rows += ["## The survivors", ""] if reviewed.groups else []
     for group in sorted(reviewed.groups, key=lambda group: group["file"]):
         names = [f"`{name}`" for name in group["mutants"]]
         rows += [f"**`{group['file']}`** {group['why']}", ""] + [f"- {name}" for name in names] + [""]
+    unexplained = [mutant for mutant in wanted if results.get(mutant.id) == "survived" and not reviewed.reason(mutant)]
+    if unexplained:
+        rows += [UNEXPLAINED, ""] + _survivors_by_file(unexplained)
     return "\n".join(rows)
