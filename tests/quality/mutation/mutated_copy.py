@@ -10,8 +10,11 @@ import re
 import subprocess
 
 import edited_source
-import mutate
+import expressions
+import kinds
 import mutants
+import mutate
+import statements
 from scope import PROJECT
 
 HELPERS = "tests/quality/mutation/schemata.hpp"
@@ -62,11 +65,14 @@ def refused_places(output, names, source, build):
 
 
 class MutatedCopy:
-    def __init__(self, scope):
+    def __init__(self, scope, is_wanted=lambda name: True):
+        """All of the scope is mutated; of the programs those are built that are asked about a file that is wanted."""
         self.scope = scope
         self.folder = PROJECT / scope.work
-        self.programs = {name: self.folder / "build" / folder / name for name, folder in scope.programs.items()}
         self._names = scope.sources()
+        asked = set().union(*(scope.asked_about(name) for name in self._names if is_wanted(name)))
+        self.programs = {name: self.folder / "build" / folder / name
+                         for name, folder in scope.programs.items() if name in asked}
         self._source, self._build = self.folder / "source", self.folder / "build"
         self._declarations = None  # of the sources, once clang has read them
 
@@ -122,10 +128,11 @@ class MutatedCopy:
 
     def _digest(self, *more):
         """Of what clang reads, and of the tool."""
-        read = hashlib.sha256(repr(more).encode())
+        read = hashlib.sha256(repr((ARGUMENTS, more)).encode())
         headers = [path for folder in self.scope.headers for path in (PROJECT / folder).rglob("*")
                    if path.suffix in (".hpp", ".h", ".toml", ".in")]
-        for path in sorted({*headers, *(PROJECT / name for name in self._names), *pathlib.Path(__file__).parent.glob("*.py")}):
+        tools = [pathlib.Path(module.__file__) for module in (edited_source, expressions, kinds, mutants, mutate, statements)]
+        for path in sorted({*headers, *(PROJECT / name for name in self._names), *tools}):
             read.update(path.read_bytes())
         return read.hexdigest()[:16]
 

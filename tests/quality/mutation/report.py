@@ -15,9 +15,10 @@ def draw(mutants, count, seed):
     return sorted(sorted(mutants, key=place)[:count], key=lambda mutant: mutant.id)
 
 
-def only_compiled(mutant, record):
-    """A constant that only the compiler uses: no run of a program can have it changed."""
-    return mutant.id not in record.executed
+def only_compiled(mutant, record, all_executed):
+    """A constant that only the compiler uses: no run of a program can have it changed. Where not all is executed, a named one
+    at most is taken for that: what no test executes survives."""
+    return mutant.id not in record.executed and (all_executed or not mutant.function)
 
 
 def _killed(answers):
@@ -28,13 +29,14 @@ def _share(answers):
     return f"{100 * _killed(answers) / len(answers):.1f} %" if answers else ""
 
 
-def summary(results, wanted):
+def summary(results, wanted, record):
     answers = list(results.values())
+    idle = sum(number not in record.executed for number in results)
     how = collections.Counter(answers)
     part = f"Of {wanted} mutants, {len(answers)} were tried, most of them drawn at random. " if len(answers) < wanted else ""
     return (f"{part}{_killed(answers)} of {len(answers)} mutants are killed, {_share(answers)}: {how['killed by a test']} by a failing "
             f"test, {how['killed by a crash']} by a crash, {how['killed by the time limit']} by the time limit; "
-            f"{how['survived']} survive.\n")
+            f"{how['survived']} survive" + (f", {idle} of them executed by no test that is asked" if idle else "") + ".\n")
 
 
 def missed_goal(results, goal):
@@ -77,10 +79,10 @@ def listed(page):
     return keys
 
 
-def page(scope, mutants, wanted, results, reviewed):
+def page(scope, mutants, wanted, results, reviewed, record):
     """What the documentation shows of a run."""
     compiled = len(mutants) - len(wanted)
-    rows = [summary(results, len(wanted))]
+    rows = [summary(results, len(wanted), record)]
     rows += _table("folder", mutants, results, lambda mutant: f"`{mutant.file.rpartition('/')[0]}`")
     rows += _table("file", mutants, results, lambda mutant: f"`{mutant.file}`")
     rows += _table("operator", mutants, results, lambda mutant: mutant.operator)

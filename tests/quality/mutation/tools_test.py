@@ -227,10 +227,19 @@ class Reported(unittest.TestCase):
         results = {1: "survived", 2: "killed by a test", 3: "survived", 100: "survived"}
         reviewed = review.Review("survivors.toml", '[[survivors]]\nfile = "a.cpp"\nwhy = "equivalent"\n'
                                  f'mutants = ["{self.MUTANTS[0].name()}"]\n')
-        page = report.page(asked, mutants, list(mutants), results, reviewed)
+        record = test_program.Record([("a_test", "A.B", 1, [1, 2, 3], [])])
+        page = report.page(asked, mutants, list(mutants), results, reviewed, record)
+        self.assertIn("3 survive, 1 of them executed by no test", page)
         self.assertEqual(report.listed(page), {mutants[2].key(), mutants[3].key()})
         self.assertEqual(reviewed.unexplained(mutants, results, report.listed(page)), [])
         self.assertIn("- `b.cpp`: says nothing", page)
+
+    def test_what_no_test_executes_survives_unless_all_is_executed_or_it_is_a_named_constant(self):
+        record = test_program.Record([("a_test", "A.B", 1, [1], [])])
+        named = dataclasses.replace(self.MUTANTS[3], function="")
+        for all_executed, expected in ((True, [False, True, True]), (False, [False, False, True])):
+            self.assertEqual([report.only_compiled(mutant, record, all_executed) for mutant in (*self.MUTANTS[:2], named)],
+                             expected)
 
 
 class Scopes(unittest.TestCase):
