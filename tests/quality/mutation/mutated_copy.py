@@ -7,6 +7,7 @@ import os
 import pathlib
 import pickle
 import re
+import shutil
 import subprocess
 
 import edited_source
@@ -52,6 +53,31 @@ def write_if_other(path, text):
         path.write_text(text)
 
 
+def link_everything_else(names, project, source):
+    """One link for a folder without a mutated file, folders of their own for those with one. What an earlier copy has there
+    may be of the other kind; nothing is ever written through a link."""
+    mutated = {project / name for name in names}
+    parents = {parent for path in mutated for parent in path.parents}
+    def link(folder):
+        for entry in sorted(folder.iterdir()):
+            place = source / entry.relative_to(project)
+            if entry in parents or entry in mutated:
+                if place.is_symlink():
+                    place.unlink()
+                if entry in parents:
+                    place.mkdir(parents=True, exist_ok=True)
+                    link(entry)
+            elif entry.name not in ("build", ".git", "output") and not place.is_symlink():
+                if place.is_dir():
+                    shutil.rmtree(place)
+                place.unlink(missing_ok=True)
+                place.symlink_to(entry)
+    source.mkdir(parents=True, exist_ok=True)
+    for old in [path for path in source.rglob("*") if path.is_symlink() and not path.exists()]:
+        old.unlink()
+    link(project)
+
+
 def refused_places(output, names, source, build):
     """File and line of every error in a mutated file."""
     places = set()
@@ -78,7 +104,7 @@ class MutatedCopy:
 
     def make(self, jobs):
         """Writes, builds; a line that does not compile when mutated is left out, and counted. Gives all mutants."""
-        self._link_everything_else()
+        link_everything_else(self._names, PROJECT, self._source)
         self._configure()
         left_out = self._refused_earlier()
         while True:
@@ -93,24 +119,6 @@ class MutatedCopy:
             if not refused:
                 raise SystemExit(f"{built.stdout[-6000:]}\nmutation: the mutated copy does not build; the reason is above")
             left_out |= refused
-
-    def _link_everything_else(self):
-        """One link for a folder without a mutated file, folders of their own for those with one."""
-        mutated = {PROJECT / name for name in self._names}
-        parents = {parent for path in mutated for parent in path.parents}
-        def link(folder):
-            for entry in sorted(folder.iterdir()):
-                place = self._source / entry.relative_to(PROJECT)
-                if entry in parents:
-                    place.mkdir(parents=True, exist_ok=True)
-                    link(entry)
-                elif entry not in mutated and entry.name not in ("build", ".git", "output"):
-                    if not place.is_symlink():
-                        place.symlink_to(entry)
-        self._source.mkdir(parents=True, exist_ok=True)
-        for old in [path for path in self._source.rglob("*") if path.is_symlink() and not path.exists()]:
-            old.unlink()
-        link(PROJECT)
 
     def _configure(self):
         """Before anything is mutated, for clang reads headers that this writes."""

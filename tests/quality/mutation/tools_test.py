@@ -242,6 +242,22 @@ class Reported(unittest.TestCase):
                              expected)
 
 
+class Linked(unittest.TestCase):
+    def test_nothing_is_written_through_a_link_of_a_smaller_scope(self):
+        with tempfile.TemporaryDirectory() as name:
+            project, source = pathlib.Path(name) / "project", pathlib.Path(name) / "source"
+            for file in ("a/one.cpp", "a/two.cpp", "b/three.cpp"):
+                (project / file).parent.mkdir(parents=True, exist_ok=True)
+                (project / file).write_text("original")
+            for mutated in (["a/one.cpp"], ["a/one.cpp", "a/two.cpp", "b/three.cpp"], ["a/two.cpp"]):
+                mutated_copy.link_everything_else(mutated, project, source)
+                for file in mutated:
+                    mutated_copy.write_if_other(source / file, "mutated")
+                for file in ("a/one.cpp", "a/two.cpp", "b/three.cpp"):
+                    self.assertEqual((project / file).read_text(), "original", file)
+                    self.assertEqual((source / file).read_text(), "mutated" if file in mutated else "original", file)
+
+
 class Scopes(unittest.TestCase):
     def test_what_is_left_out_and_who_is_asked_is_there(self):
         for asked in scope.SCOPES.values():
