@@ -28,9 +28,6 @@ class Scope:
         """The programs whose tests a mutant of this file is tried on."""
         return set().union(*(programs for folder, programs in self.asked.items() if file.startswith(folder + "/")))
 
-    def is_asked(self, mutant, program):
-        return program in self.asked_about(mutant.file)
-
     def sources(self, project=PROJECT):
         """All that is mutated, in the order of the names."""
         found = {str(path.relative_to(project)) for folder in self.asked
@@ -57,11 +54,10 @@ JUDGES = Scope(
     name="judges", what="what judges the firmware", work="build/mutation_of_judges", programs=JUDGES_PROGRAMS,
     asked={"sil/results": {"results_test"}, "hal": {"hal_test", "zynqmp_r5_test"}},
     left_out={"sil/results/versions.cpp": "names versions, decides nothing",
-              "hal/mps2": BARE, "hal/semihosting": BARE, "hal/zynqmp_r5/emulator": "stands in for what the emulator lacks; no silicon has it",
-               "hal/zynqmp_r5/startup": BARE,
-              **{f"hal/socketcan/{name}": INTERFACE
-                 for name in ("can_socket.cpp", "controller_restart.cpp", "interface_lookup.cpp", "route_netlink.cpp",
-                              "socket_can_bus.cpp")},
+              **{f"hal/{name}": BARE for name in ("mps2", "semihosting", "zynqmp_r5/startup")},
+              **{f"hal/socketcan/{name}.cpp": INTERFACE
+                 for name in ("can_socket", "controller_restart", "interface_lookup", "route_netlink", "socket_can_bus")},
+              "hal/zynqmp_r5/emulator": "stands in for what the emulator lacks; no silicon has it",
               "hal/zynqmp_r5/policy.hpp": "names one of two other headers"},
     headers=("can_dbc", "firmware", "hal", "sil"), options=("-DRSI_TESTS_COMPILE_OPTIONS=-O0",),
     review="survivors_of_judges.toml", page="docs/reports/mutation_of_judges.md", title="Mutation testing of the judges",
