@@ -1107,6 +1107,9 @@ struct RolloverDiagnosis {
         roll_angle_reference_wrong = 44,
         lateral_acceleration_gain = 45,
         memory_restored = 46,
+        imu_two_senders = 47,
+        roll_angle_two_senders = 48,
+        vehicle_motion_two_senders = 49,
     };
 
     // How far that code has come.
@@ -1268,6 +1271,9 @@ struct RolloverDiagnosis {
             case Code::roll_angle_reference_wrong:
             case Code::lateral_acceleration_gain:
             case Code::memory_restored:
+            case Code::imu_two_senders:
+            case Code::roll_angle_two_senders:
+            case Code::vehicle_motion_two_senders:
                 return true;
         }
         return false;
@@ -1370,6 +1376,12 @@ struct RolloverDiagnosis {
                 return "lateral acceleration gain";
             case Code::memory_restored:
                 return "memory restored";
+            case Code::imu_two_senders:
+                return "imu two senders";
+            case Code::roll_angle_two_senders:
+                return "roll angle two senders";
+            case Code::vehicle_motion_two_senders:
+                return "vehicle motion two senders";
         }
         return "unknown";
     }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "application/sender_rate.hpp"
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/e2e/state_machine.hpp"
@@ -35,6 +36,7 @@ struct FrameFaults {
     bool checksum_error{false};  // CRC, data identifier or length
     bool counter_error{false};   // repeated, or more frames lost than tolerated
     bool signal_invalid{false};  // the latest usable frame carries a signal that is not valid
+    bool two_senders{false};     // more frames come than one sender sends
 };
 
 // Message is one of the structures that can_dbc generates.
@@ -45,24 +47,30 @@ class FrameMonitor {
         if (!heard_) {  // in the cycle that has ended
             follow(receiver_.no_frame());
         }
+        if (sender_rate_.end_cycle()) {
+            withdrawn_ = withdrawn_ || has_two_senders();
+        }
         heard_ = false;
         checksum_error_ = false;
         counter_error_ = false;
     }
+
+    // So many cycles were left out before this one.
+    void miss_cycles(std::uint32_t cycles) noexcept { sender_rate_.miss(cycles); }
 
     // Judges one frame with this message's identifier; keeps its values only when the end-to-end check
     // accepts it and the channel is valid.
     void take(const hal::CanFrame& frame) noexcept {
         const can_dbc::e2e::CheckResult check = receiver_.check(frame.data, frame.length);
         heard_ = true;
-        count(check);
+        count(check, frame.data[0]);
         follow(check);
         if (channel_.is_valid() && can_dbc::e2e::is_usable(check.status)) {
             latest_ = can_dbc::decode<Message>(frame.data);
             latest_time_ = frame.receive_time;
             latest_counter_ = can_dbc::e2e::profile_11_counter(frame.data.data());
             received_ = true;
-            withdrawn_ = false;
+            withdrawn_ = has_two_senders();
         }
     }
 
@@ -81,6 +89,8 @@ class FrameMonitor {
     can_dbc::e2e::ChannelState channel_state() const noexcept { return channel_.state(); }
     bool checksum_error() const noexcept { return checksum_error_; }
     bool counter_error() const noexcept { return counter_error_; }
+    // Which of them says what is measured, nobody knows.
+    bool has_two_senders() const noexcept { return sender_rate_.is_doubled(); }
     std::uint32_t frames_rejected() const noexcept { return frames_rejected_; }
     std::uint32_t frames_lost() const noexcept { return frames_lost_; }
 
@@ -91,15 +101,29 @@ class FrameMonitor {
         withdrawn_ = withdrawn_ || !channel_.is_valid();
     }
 
-    void count(const can_dbc::e2e::CheckResult& check) noexcept {
+    void count(const can_dbc::e2e::CheckResult& check, std::uint8_t checksum) noexcept {
         using can_dbc::e2e::CheckStatus;
         checksum_error_ = checksum_error_ || (check.status == CheckStatus::error);
         counter_error_ = counter_error_ || (check.status == CheckStatus::repeated) ||
                          (check.status == CheckStatus::wrong_sequence);
-        if (!can_dbc::e2e::is_usable(check.status)) {
+        if (can_dbc::e2e::is_usable(check.status)) {
+            sender_rate_.count();
+        } else {
             hal::count_up(frames_rejected_);
+            count_in_disorder(check.status, checksum);
         }
+        checksum_ = checksum;
         hal::count_up(frames_lost_, check.lost_frames);
+    }
+
+    // A second sender may have a counter of its own, or imitate the genuine one. But a frame that is sent
+    // twice over says nothing else, as equal checksums under the same counter show.
+    void count_in_disorder(can_dbc::e2e::CheckStatus status, std::uint8_t checksum) noexcept {
+        using can_dbc::e2e::CheckStatus;
+        const bool is_copy = (status == CheckStatus::repeated) && (checksum == checksum_);
+        if ((status != CheckStatus::error) && !is_copy) {
+            sender_rate_.count();
+        }
     }
 
     static_assert(Message::e2e_profile == 11U, "this monitor checks end-to-end profile 11");
@@ -109,11 +133,13 @@ class FrameMonitor {
     can_dbc::Decoded<Message> latest_{};
     hal::Time latest_time_{};
     std::uint8_t latest_counter_{0U};
+    std::uint8_t checksum_{0U};  // of the newest frame
     bool received_{false};
-    bool withdrawn_{false};  // the channel was not valid since the latest usable frame
+    bool withdrawn_{false};  // the channel was not valid since the latest usable frame, or has two senders
     bool heard_{true};       // a frame came in this cycle, good or not; the first cycle has none before it
     bool checksum_error_{false};
     bool counter_error_{false};
+    SenderRate sender_rate_{};
     std::uint32_t frames_rejected_{0U};
     std::uint32_t frames_lost_{0U};
 };

@@ -11,6 +11,10 @@ constexpr std::uint32_t most_missed_cycles = 2U;
 // A sensor that has not yet sent anything is no fault for so long after the start.
 constexpr std::uint32_t start_cycles = 100U;
 
+constexpr monitoring::CodeSet two_senders = monitoring::set_of(
+    monitoring::DiagnosticCode::imu_two_senders, monitoring::DiagnosticCode::roll_angle_two_senders,
+    monitoring::DiagnosticCode::vehicle_motion_two_senders);
+
 // True when `count` is not what it was at the last call.
 bool has_changed(std::uint32_t count, std::uint32_t& previous) {
     const bool changed = (count != previous);
@@ -50,7 +54,7 @@ void RolloverEcu::restore_load() noexcept {
 }
 
 void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
-    reception_.receive(bus_);
+    reception_.receive(bus_, missed_cycles);
     const hal::Time now = clock_.now();
     const rsi::Inputs inputs = reception_.inputs(now);
     Health report = health(now, missed_cycles);
@@ -128,6 +132,11 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
     report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
     report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
            DiagnosticCode::vehicle_motion_damaged);
+    if (reception.has_two_senders() || ((memory_.active_codes() & two_senders) != 0U)) {
+        memory_.report(DiagnosticCode::imu_two_senders, reception.imu.two_senders);
+        memory_.report(DiagnosticCode::roll_angle_two_senders, reception.roll_angle.two_senders);
+        memory_.report(DiagnosticCode::vehicle_motion_two_senders, reception.vehicle_motion.two_senders);
+    }
 }
 
 void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept {

@@ -12,8 +12,9 @@ constexpr float mps_per_kmh = 1.0F / 3.6F;
 
 template <typename Message>
 FrameFaults faults(const FrameMonitor<Message>& monitor, bool fresh, bool signals_valid) {
-    return FrameFaults{monitor.received(), !fresh, monitor.checksum_error(), monitor.counter_error(),
-                       fresh && !signals_valid};
+    return FrameFaults{monitor.received(),       !fresh,
+                       monitor.checksum_error(), monitor.counter_error(),
+                       fresh && !signals_valid,  monitor.has_two_senders()};
 }
 
 template <typename Message>
@@ -24,11 +25,17 @@ void add_counts(const FrameMonitor<Message>& monitor, ReceptionReport& report) {
 
 }  // namespace
 
-void SensorReception::receive(hal::CanBus& bus) noexcept {
+void SensorReception::receive(hal::CanBus& bus, std::uint32_t missed_cycles) noexcept {
     imu_.begin_cycle();
     roll_angle_.begin_cycle();
     vehicle_motion_.begin_cycle();
     vehicle_mass_.begin_cycle();
+    if (missed_cycles > 0U) {
+        imu_.miss_cycles(missed_cycles);
+        roll_angle_.miss_cycles(missed_cycles);
+        vehicle_motion_.miss_cycles(missed_cycles);
+        vehicle_mass_.miss_cycles(missed_cycles);
+    }
     hal::CanFrame frame{};
     for (std::uint32_t count = 0U; count < most_frames_per_cycle; ++count) {
         if (bus.receive(frame) != hal::ReceiveResult::frame) {

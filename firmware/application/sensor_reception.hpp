@@ -28,6 +28,10 @@ struct ReceptionReport {
     std::uint32_t frames_lost{0U};      // since the start, by the counters
     // The newest roll angle while it is held back, and for that not among the inputs; else NaN.
     float late_roll_angle_rad{rsi::not_available};
+
+    bool has_two_senders() const noexcept {
+        return imu.two_senders || roll_angle.two_senders || vehicle_motion.two_senders;
+    }
 };
 
 // A cycle in which nothing is known.
@@ -37,8 +41,8 @@ inline constexpr rsi::Inputs no_inputs{rsi::not_available, rsi::not_available, r
 
 class SensorReception {
  public:
-    // Reads what waits on the bus.
-    void receive(hal::CanBus& bus) noexcept;
+    // Reads what waits on the bus. `missed_cycles` were left out before this one.
+    void receive(hal::CanBus& bus, std::uint32_t missed_cycles) noexcept;
 
     // The newest values in SI units; NaN where a frame is stale or a signal is not valid.
     rsi::Inputs inputs(hal::Time now) const noexcept;

@@ -12,6 +12,10 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::roll_angle_damaged:
         case DiagnosticCode::vehicle_motion_damaged:
             return {3U, 100U};
+        case DiagnosticCode::imu_two_senders:
+        case DiagnosticCode::roll_angle_two_senders:
+        case DiagnosticCode::vehicle_motion_two_senders:
+            return {1U, 100U};  // the surplus of frames is the debounce
         case DiagnosticCode::lateral_acceleration_invalid:
         case DiagnosticCode::vertical_acceleration_invalid:
         case DiagnosticCode::roll_rate_invalid:

@@ -71,10 +71,15 @@ enum class DiagnosticCode : std::uint8_t {
 
     // The control unit's own memory
     memory_restored,
+
+    // A frame of which more come than its sender sends
+    imu_two_senders,
+    roll_angle_two_senders,
+    vehicle_motion_two_senders,
 };
 
 inline constexpr std::size_t diagnostic_code_count =
-    static_cast<std::size_t>(DiagnosticCode::memory_restored) + 1U;
+    static_cast<std::size_t>(DiagnosticCode::vehicle_motion_two_senders) + 1U;
 
 // A set: the bit of each code is its number.
 using CodeSet = std::uint64_t;

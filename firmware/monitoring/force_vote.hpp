@@ -2,6 +2,7 @@
 // motion, which the body makes under that force. Is the accelerometer alone?
 #pragma once
 
+#include "monitoring/driving_speed.hpp"
 #include "monitoring/lateral_forces.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
@@ -87,11 +88,10 @@ class ForceVote {
  private:
     static constexpr float lag_s = 0.3F;
     static constexpr float latest_s = 0.08F;
-    static constexpr float forwards_from_mps = 5.0F;
 
-    // The speed has no sign: of a vehicle that may be rolling backwards either one may be right.
+    // Of a vehicle that may be rolling backwards either one may be right.
     static float force_by_yaw(float turn_mps2, const rsi::Inputs& inputs) noexcept {
-        return (inputs.speed_mps > forwards_from_mps)
+        return (inputs.speed_mps > driving_speed_mps)
                    ? turn_mps2
                    : rsi::clamp_magnitude(inputs.lateral_specific_force_mps2, rsi::absolute(turn_mps2));
     }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "monitoring/driving_speed.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
@@ -18,7 +19,7 @@ class TurnConsistency {
     void update(float lateral_force_mps2, float yaw_rate_radps, float speed_mps) noexcept {
         const float difference = lateral_force_mps2 - yaw_rate_radps * speed_mps;
         difference_mps2_ = difference;
-        known_ = rsi::is_finite(difference) && (speed_mps > smallest_speed_mps);
+        known_ = rsi::is_finite(difference) && (speed_mps > driving_speed_mps);
         const bool spins = known_ && !rsi::is_within_magnitude(yaw_rate_radps * speed_mps, tyres_give_mps2);
         const std::uint32_t fewer = (after_spin_ > 0U) ? after_spin_ - 1U : 0U;
         after_spin_ = spins ? spin_samples : fewer;
@@ -43,7 +44,6 @@ class TurnConsistency {
     bool agrees() const noexcept { return rsi::is_within_magnitude(difference_mps2_, 2.0F); }
 
  private:
-    static constexpr float smallest_speed_mps = 5.0F;
     static constexpr float tyres_give_mps2 = 10.5F;
     static constexpr std::uint32_t spin_samples = 100U;
 

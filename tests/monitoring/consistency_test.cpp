@@ -526,6 +526,15 @@ TEST_F(AForceVote, KnowsWhatTheAccelerometerShows80MillisecondsLater) {
     EXPECT_NEAR(vote.forces().shown_soon_mps2 - vote.forces().shown_mps2, 1.6F, 0.02F);
 }
 
+// Where the IMU sits a steady turn adds nothing.
+TEST_F(AForceVote, KnowsItOfAnImuAheadOfTheCentreOfGravityToo) {
+    rsi::Parameters suv = parameters();
+    suv.imu_x_m = 2.0F;
+    vote.start(suv);
+    alone_after(500, 4.0F, 4.0F, 4.0F);
+    EXPECT_NEAR(vote.forces().shown_soon_mps2, vote.forces().shown_mps2, 1e-3F);
+}
+
 TEST_F(AForceVote, NeedsOthersThatAgreeWithinHalfOfWhatTheyHaveAgainstIt) {
     EXPECT_TRUE(alone_after(300, 9.0F, 0.0F, 2.9F));  // 2.9 against half of 6.1
     EXPECT_FALSE(alone_after(300, 9.0F, 0.0F, 3.1F));
@@ -598,6 +607,17 @@ TEST_F(AForceVote, TakesTheYawRateOfASlowVehicleForATurnToEitherSide) {
             EXPECT_EQ(vote.accelerometer_is_alone(), turn.alone) << turn.shown_mps2 << " at " << speed_mps;
         }
     }
+}
+
+// Which way it rolls nobody knows: what the accelerometer shows is right up to the turn to either side.
+TEST_F(AForceVote, TakesATurnToTheRightForOneToEitherSideAsWell) {
+    rsi::Inputs inputs = sample_of(3.9F, 0.0F, 0.0F);
+    inputs.speed_mps = 5.0F;
+    inputs.yaw_rate_radps = -0.2F;
+    for (int sample = 0; sample < 500; ++sample) {
+        vote.update(inputs);
+    }
+    EXPECT_NEAR(vote.forces().by_yaw_mps2, 1.0F, 1e-3F);
 }
 
 TEST_F(AForceVote, NeedsASpeedAndAYawRateHoweverSlowTheVehicleIs) {

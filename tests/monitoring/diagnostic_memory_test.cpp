@@ -72,6 +72,9 @@ constexpr StatedDebounce stated_debounces[] = {
     {DiagnosticCode::roll_angle_reference_wrong, 1, 500},
     {DiagnosticCode::lateral_acceleration_gain, 1, 20},
     {DiagnosticCode::memory_restored, 1, 100},
+    {DiagnosticCode::imu_two_senders, 1, 100},
+    {DiagnosticCode::roll_angle_two_senders, 1, 100},
+    {DiagnosticCode::vehicle_motion_two_senders, 1, 100},
 };
 
 class ADiagnosticMemory : public ::testing::Test {
@@ -241,7 +244,7 @@ TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
 }
 
 TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
-    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::memory_restored}) {
+    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::vehicle_motion_two_senders}) {
         memory = {};
         confirm(code);
         for (int cycle = 0; cycle < 5; ++cycle) {

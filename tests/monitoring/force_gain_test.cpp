@@ -135,6 +135,9 @@ TEST_F(AForceGain, NeedsNoSecondTurnForLessThan58PerCentAndMoreThan1500Millimetr
         EXPECT_FALSE(gain.is_wrong());
         turn(1, side * 2.87F, side * 5.0F, side * 6.0F);
         EXPECT_TRUE(gain.is_wrong());
+        gain = {};
+        turn(5, side * 1.48F, side * 3.0F, side * 3.0F);  // 1.52 m/s^2
+        EXPECT_TRUE(gain.is_wrong());
     }
 }
 
@@ -148,10 +151,16 @@ TEST_F(AForceGain, NeedsNoSecondTurnForMoreThan180PerCentAndMoreThan1500Millimet
         EXPECT_FALSE(gain.is_wrong());
         turn(1, side * 7.24F, side * 3.0F, side * 4.0F);
         EXPECT_TRUE(gain.is_wrong());
+        gain = {};
+        turn(5, side * 3.32F, side * 1.8F, side * 1.8F);  // 1.52 m/s^2
+        EXPECT_TRUE(gain.is_wrong());
     }
 }
 
 TEST_F(AForceGain, TakesNoFourSamplesForFive) {
+    turn(4, 2.0F, 5.0F, 5.0F);
+    EXPECT_FALSE(gain.is_wrong());
+    turn(20, 5.0F, 5.0F, 5.0F);
     for (int times = 0; times < 10; ++times) {
         turn(4, 2.0F, 5.0F, 5.0F);
         turn(20, 5.0F, 5.0F, 5.0F);
@@ -164,11 +173,30 @@ TEST_F(AForceGain, AdmitsALateSensorWhileTheForceGrowsOrFades) {
     for (const float side : {1.0F, -1.0F}) {
         for (int sample = 0; sample < 100; ++sample) {
             gain.update({side * 2.3F, side * 3.9F, side * 5.0F, side * 5.0F}, false);
+            EXPECT_FALSE(gain.is_wrong());
         }
         for (int sample = 0; sample < 100; ++sample) {
             gain.update({side * 6.0F, side * 3.1F, side * 2.0F, side * 2.0F}, false);
+            EXPECT_FALSE(gain.is_wrong());
+        }
+        for (int sample = 0; sample < 100; ++sample) {
+            gain.update({side * 3.9F, side * 2.3F, side * 5.0F, side * 5.0F}, false);
+            EXPECT_FALSE(gain.is_wrong());
+        }
+        for (int sample = 0; sample < 100; ++sample) {
+            gain.update({side * 3.1F, side * 6.0F, side * 2.0F, side * 2.0F}, false);
+            EXPECT_FALSE(gain.is_wrong());
         }
     }
+}
+
+// However long it lasts: neither what was right nor what was wrong is held for longer than a turn.
+TEST_F(AForceGain, ForgetsHowLongItWasRightOrWrong) {
+    drive(1.0F, 100);
+    drive(0.5F, 2, 0.82F);
+    EXPECT_TRUE(gain.is_wrong());
+    drive(0.5F, 100);
+    turn(101, 2.0F, 2.0F, 2.0F);
     EXPECT_FALSE(gain.is_wrong());
 }
 
@@ -205,10 +233,17 @@ TEST_F(AForceGain, IsBelievedOnlyIfTheWholeOfThatWasCalm) {
     turn(799, 0.0F, 0.0F, 0.0F);
     turn(5, 2.0F, 5.0F, 5.0F);
     turn(799, 0.0F, 0.0F, 0.0F);
+    EXPECT_TRUE(gain.is_wrong());
     turn(1, 1.01F, 0.0F, 0.0F);
+    EXPECT_TRUE(gain.is_wrong());
     turn(799, 0.0F, 0.0F, 0.0F);
     turn(100, 0.0F, 1.01F, 0.0F);
     drive(0.5F, 2);
+    EXPECT_TRUE(gain.is_wrong());
+    turn(1, 0.0F, 0.0F, 0.0F);
+    EXPECT_FALSE(gain.is_wrong());
+    turn(5, 2.0F, 5.0F, 5.0F);
+    turn(799, 0.0F, 0.0F, 0.0F);
     EXPECT_TRUE(gain.is_wrong());
     turn(1, 0.0F, 0.0F, 0.0F);
     EXPECT_FALSE(gain.is_wrong());
@@ -224,6 +259,9 @@ TEST_F(AForceGain, NeedsLittleToBeWrongAgain) {
         EXPECT_FALSE(gain.is_wrong());
         drive(share, 2, 0.01F);
         EXPECT_TRUE(gain.is_wrong());
+        turn(800, 0.0F, 0.0F, 0.0F);
+        turn(100, -2.0F * share, -2.0F, -2.0F);
+        EXPECT_FALSE(gain.is_wrong());
         gain = {};
         drive(share, 2, 2.0F);
         turn(800, 0.0F, 0.0F, 0.0F);

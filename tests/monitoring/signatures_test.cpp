@@ -46,7 +46,8 @@ TEST(ASignature, SaysByItsVerdictWhatItIs) {
             EXPECT_EQ(monitoring::keeps(code, fact).verdict, Verdict::keeps);
             EXPECT_EQ(monitoring::acquits(code, fact).verdict, Verdict::acquits);
             EXPECT_FALSE(accuses(code, fact).with(Fact::gain_valid).pattern.fits(facts(fact)));
-            EXPECT_FALSE(accuses(code, fact).unless(Fact::gain_valid).pattern.fits(facts(fact, Fact::gain_valid)));
+            EXPECT_FALSE(
+                accuses(code, fact).unless(Fact::gain_valid).pattern.fits(facts(fact, Fact::gain_valid)));
         }
     }
 }

@@ -48,10 +48,28 @@ TEST_F(ASlowVehicle, IsNoLongerSlowAbove5MetresPerSecond) {
     EXPECT_FALSE(impossible(1, 20.0F, 5.01F));
 }
 
-// The wheels of one that slides sideways roll slowly.
-TEST_F(ASlowVehicle, MayStillSlideFor3Seconds) {
-    impossible(1, 9.0F, 20.0F);
-    EXPECT_FALSE(impossible(299, 9.0F));
+TEST_F(ASlowVehicle, IsOneAfter3Seconds) {
+    for (const float sign : {1.0F, -1.0F}) {
+        impossible(1, 0.0F, 20.0F);
+        EXPECT_FALSE(impossible(299, sign * 3.99F));
+        EXPECT_FALSE(impossible(1, sign * 9.0F));
+        EXPECT_FALSE(impossible(1, sign * 3.99F));
+        EXPECT_TRUE(impossible(1, sign * 9.0F));
+    }
+}
+
+// Its wheels roll slowly while it slides sideways, and it may tip over as it stops.
+TEST_F(ASlowVehicle, IsNoneWhileItSlides) {
+    impossible(1, 0.0F, 20.0F);
+    EXPECT_FALSE(impossible(1000, 4.01F));
+    EXPECT_FALSE(impossible(100, 9.0F));
+    EXPECT_FALSE(impossible(1000, nan));
+    EXPECT_FALSE(impossible(1, 9.0F));
+}
+
+TEST_F(ASlowVehicle, SlidesByWhatIsMoreThanTheTurn) {
+    impossible(1, 0.0F, 20.0F);
+    impossible(300, 5.99F, 4.0F, -0.5F);
     EXPECT_TRUE(impossible(1, 9.0F));
 }
 
@@ -59,8 +77,7 @@ TEST_F(ASlowVehicle, SaysNothingOfWhatIsNotKnown) {
     EXPECT_FALSE(impossible(1, nan));
     EXPECT_FALSE(impossible(1, 20.0F, 0.0F, nan));
     EXPECT_FALSE(impossible(1, 20.0F, nan));
-    EXPECT_FALSE(impossible(299, 20.0F));
-    EXPECT_TRUE(impossible(1, 20.0F));
+    EXPECT_FALSE(impossible(1, 20.0F));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "application/rollover_ecu.hpp"
-#include "hal/memory/virtual_clock.hpp"
+#include "hal/interface/clock.hpp"
 #include "sil/files/require_accepted.hpp"
 #include "sil/random.hpp"
 #include "sil/studies/faults/ecu_answer.hpp"
@@ -143,6 +143,7 @@ class Line {
     }
 
  private:
+    // Goes back as well, with the ECU.
     struct SteeredClock final : hal::Clock {
         hal::Time now() const noexcept override { return now_; }
         hal::Time now_{};

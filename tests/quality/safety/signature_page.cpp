@@ -160,8 +160,8 @@ void print_suspicions() {
            "Which of the two is wrong: the first row that fits, when they begin to contradict each other.\n\n"
            "| when | unless | wrong |\n|---|---|---|\n";
     for (const monitoring::Suspicion& each : monitoring::suspicions) {
-        std::cout << "| " << fact_names(each.pattern.needed) << " | " << fact_names(each.pattern.excuses) << " | "
-                  << name_of(each.wrong) << " |\n";
+        std::cout << "| " << fact_names(each.pattern.needed) << " | " << fact_names(each.pattern.excuses)
+                  << " | " << name_of(each.wrong) << " |\n";
     }
     std::cout << "| otherwise | | " << name_of(monitoring::otherwise_wrong) << " |\n";
 }

@@ -104,7 +104,7 @@ TEST_P(RecordedSignals, GiveTheEstimatesOfTheDoublePrecisionReference) {
     for (hal::Time time = frames.front().receive_time; !player.finished();
          time = time + hal::Time::from_milliseconds(10)) {
         player.run_until(time);
-        reception.receive(bus.endpoint(1U));
+        reception.receive(bus.endpoint(1U), 0U);
         const rsi::Inputs inputs = reception.inputs(clock.now());
         rsi::Outputs outputs;
         component.step(inputs, outputs);

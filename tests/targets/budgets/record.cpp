@@ -56,7 +56,7 @@ std::vector<budgets::Record> manoeuvre(const std::string& name, const rsi::Param
     application::SensorReception reception;
     std::vector<budgets::Record> records;
     const auto end_cycle = [&] {
-        reception.receive(bus.endpoint(0U));
+        reception.receive(bus.endpoint(0U), 0U);
         records.push_back(budgets::Record{reception.inputs(clock.now()), 0U});
     };
     bool begun = false;
