@@ -162,6 +162,17 @@ TEST(DurationHistogram, KeepsWhatIsBeyondItsRangeInCountAndLargest) {
     EXPECT_EQ(histogram.quantile(0.5), milliseconds(3000));
 }
 
+TEST(DurationHistogram, TellsDurationsApartUpToTwentyMilliseconds) {
+    DurationHistogram within;
+    within.record(Time{19'999'999});
+    within.record(milliseconds(3000));
+    EXPECT_EQ(within.quantile(0.5), milliseconds(20));
+    DurationHistogram beyond;
+    beyond.record(milliseconds(20));
+    beyond.record(milliseconds(3000));
+    EXPECT_EQ(beyond.quantile(0.5), milliseconds(3000));
+}
+
 TEST(DurationHistogram, TakesNegativeDurationsAsZero) {
     DurationHistogram histogram;
     histogram.record(Time{-5});

@@ -98,10 +98,22 @@ TEST_F(CanControllerTest, RefusesImpossibleSettingsWithoutTouchingTheController)
     EXPECT_EQ(controller.send(make_frame(0x123U, {})), SendResult::failed);
 }
 
+TEST_F(CanControllerTest, TakesAsManyIdentifiersAsThereAreFilters) {
+    CanSettings settings = three_identifiers();
+    settings.identifiers[3] = 0x7FFU;
+    settings.identifier_count = 4U;
+    EXPECT_TRUE(controller.open(settings));
+}
+
+TEST_F(CanControllerTest, BeforeItIsOpenedItDoesNotTouchTheController) {
+    EXPECT_EQ(controller.receive(frame), ReceiveResult::failed);
+    EXPECT_EQ(device.accesses, 0U);
+}
+
 TEST_F(CanControllerTest, AControllerThatDoesNotRespondCostsABoundedTimeAndIsTriedAgain) {
     device.responds_to_reset = false;
     EXPECT_FALSE(controller.open(three_identifiers()));
-    EXPECT_LE(device.accesses, most_can_polls + 1U);
+    EXPECT_EQ(device.accesses, 1001U) << "one that asks for the reset, and a thousand looks";
     EXPECT_EQ(controller.state(), BusState::closed);
     EXPECT_EQ(controller.receive(frame), ReceiveResult::failed);
 

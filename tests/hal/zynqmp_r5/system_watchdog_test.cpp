@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hal/zynqmp_r5/emulator/supervisor.hpp"
+#include "hal/zynqmp_r5/silicon_policy.hpp"
 #include "hal/zynqmp_r5/system_reset.hpp"
 #include "tests/hal/zynqmp_r5/register_fake.hpp"
 
@@ -49,7 +50,7 @@ class WatchdogDevice final : public Device {
 class SystemWatchdogTest : public ::testing::Test {
  protected:
     WatchdogDevice device;
-    SystemWatchdog<FakeRegisters, clock_hz, 50U> dog{FakeRegisters{&device}};
+    SiliconPolicy::Watchdog<FakeRegisters> dog{FakeRegisters{&device}};
 };
 
 TEST_F(SystemWatchdogTest, StartsByTheseWritesInThisOrder) {

@@ -16,6 +16,7 @@ BOUNDING = {"smaller": ("Smaller", ("the first argument", "the second argument")
             "clamp": ("Clamp", ("no lower bound", "no upper bound")),
             "clamp_magnitude": ("ClampMagnitude", ("no bound",)),
             "absolute": ("Absolute", ("the sign stays",))}
+STANDARD_BOUNDING = {"std::min": "Least", "std::max": "Greatest"}
 NUMBER = re.compile(r"^[0-9.][0-9A-Fa-fxX.'+-]*[uUlLfF]*$|^[0-9.]+[eE][-+]?[0-9]+[fF]?$")
 
 
@@ -85,6 +86,15 @@ def call(file, cursor):
         for argument in children[1:]:
             file.visit(argument, cursor)
         return False
+    if len(children) == 3 and file.source.holds(children[0]) and kinds.is_number(cursor):
+        name, *arguments = children
+        helper = STANDARD_BOUNDING.get(file.source.text_of(name))
+        if helper:
+            mutant = file.new(cursor, "bounding", file.source.text_of(cursor), *map(file.source.text_of, arguments))
+            file.source.replace(file.source.start(name), file.source.end(name), f"::mutation::{helper}<{mutant}>{{}}")
+            for argument in arguments:
+                file.visit(argument, cursor)
+            return False
     if cursor.spelling == "operator<" and len(children) == 3:
         left, right = children[0], children[2]
         found = file.source.operator_between(left, right)
@@ -132,7 +142,7 @@ def _is_zero_or_one(text):
 def reference(file, cursor):
     """A named constant is mutated where it is used, so that it stays a constant."""
     declared = cursor.referenced
-    first = file.mutants.of_constant.get(declared.get_usr()) if declared is not None else None
+    first = file.mutants.of_constant.get(kinds.name_of_constant(declared)) if declared is not None else None
     if first is None or not file.source.text_of(cursor).endswith(declared.spelling):
         return True
     helper = "real" if kinds.is_float(declared) else "integer"

@@ -33,6 +33,12 @@ def is_numeric_constant(cursor):
     return cursor.kind == Kind.VAR_DECL and is_number(cursor) and declares_constant(cursor)
 
 
+def name_of_constant(declared):
+    """clang's name (USR) and the file: constants of two files may have the same name where nobody else sees them."""
+    file = declared.location.file
+    return declared.get_usr(), file.name if file else ""
+
+
 def full_name(member):
     parent = member.semantic_parent
     return f"{parent.spelling}::{member.spelling}" if parent and parent.kind in CLASSES else member.spelling

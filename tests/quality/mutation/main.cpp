@@ -19,6 +19,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -71,10 +72,18 @@ void limit_resources(long cpu_limit_ms) {
     alarm(static_cast<unsigned>(60 + cpu_limit_ms / 50));  // should it wait for ever
 }
 
+// Files of its own: the same test may run at the same time with another mutant, and one that is ended leaves
+// them behind.
 Outcome run_in_child(int mutant, long cpu_limit_ms, const std::string& filter) {
     std::fflush(nullptr);
+    char folder[] = "/tmp/rsi_mutation_XXXXXX";
+    if (mkdtemp(folder) == nullptr) {
+        std::abort();
+    }
     const pid_t child = fork();
     if (child == 0) {
+        setenv("TMPDIR", folder, 1);
+        setenv("TEST_TMPDIR", folder, 1);
         mutation::active = mutant;
         mutation::recording = (mutant == 0);
         static_cast<void>(std::freopen("/dev/null", "w", stdout));
@@ -86,6 +95,8 @@ Outcome run_in_child(int mutant, long cpu_limit_ms, const std::string& filter) {
     int status = 0;
     rusage used{};
     wait4(child, &status, 0, &used);
+    std::error_code left;
+    std::filesystem::remove_all(folder, left);
     return {status, used.ru_utime.tv_sec * 1000L + used.ru_utime.tv_usec / 1000L};
 }
 

@@ -25,12 +25,12 @@ STRUCTURE = kinds.FUNCTIONS | kinds.CLASSES | {Kind.COMPOUND_STMT, Kind.NAMESPAC
 
 
 class FileMutator:
-    """Walks over one file. `left_out`: lines without mutants."""
+    """Walks over one file. `declarations`: what stands at its top; `left_out`: lines without mutants."""
 
-    def __init__(self, mutants, name, path, unit, left_out=frozenset()):
+    def __init__(self, mutants, name, path, declarations, left_out=frozenset()):
         self.mutants = mutants
         self.source = edited_source.EditedSource(name, path)
-        self._unit = unit
+        self._declarations = declarations
         self._left_out = left_out
         self._seen = set()
         self._function = ""
@@ -43,21 +43,23 @@ class FileMutator:
 
     def find_constants(self):
         """Numbers the mutants of the named constants; before mutated() of any file."""
-        self._find_constants_in(self._unit.cursor)
+        self._find_constants_in(self._declarations)
 
     def mutated(self):
-        self.visit_children(self._unit.cursor)
+        for declared in self._declarations:
+            self.visit(declared, declared.semantic_parent)
         return self.source.text()
 
-    def _find_constants_in(self, cursor):
+    def _find_constants_in(self, cursors):
         of_constant = self.mutants.of_constant
-        for child in filter(self.source.holds, cursor.get_children()):
-            if kinds.is_numeric_constant(child) and child.get_usr() not in of_constant:
-                of_constant[child.get_usr()] = expressions.numbers(self, child, child.spelling)
+        for child in filter(self.source.holds, cursors):
+            name = kinds.name_of_constant(child)
+            if kinds.is_numeric_constant(child) and name not in of_constant:
+                of_constant[name] = expressions.numbers(self, child, child.spelling)
             outer = self._function
             if child.kind in kinds.FUNCTIONS:
                 self._function = kinds.full_name(child)
-            self._find_constants_in(child)
+            self._find_constants_in(child.get_children())
             self._function = outer
 
     def visit_children(self, cursor):

@@ -2,69 +2,49 @@
 
 import concurrent.futures
 import hashlib
+import json
 import os
 import pathlib
 import pickle
 import re
+import shutil
 import subprocess
 
 import edited_source
-import mutate
+import expressions
+import kinds
 import mutants
+import mutate
+import statements
+from scope import PROJECT
 
-PROJECT = pathlib.Path(__file__).resolve().parents[3]
-FOLDER = PROJECT / "build/mutation"
-SOURCE, BUILD = FOLDER / "source", FOLDER / "build"
-PROGRAMS = {"codec_test": "tests/can_dbc", "rsi_tests": "tests/rsi", "monitoring_tests": "tests/monitoring",
-            "application_test": "tests/application", "replay_test": "tests/quality/mutation"}
-# Which programs are asked about what: a test of the frames seldom sees in the algorithm what its own tests and a drive do not.
-SCOPE = {"firmware/rsi": {"rsi_tests", "monitoring_tests", "replay_test"},
-         "firmware/monitoring": {"rsi_tests", "monitoring_tests", "application_test", "replay_test"},
-         "firmware/application": set(PROGRAMS), "can_dbc/e2e": set(PROGRAMS)}
-INCLUDES = ["-I", "{project}", "-I", "{project}/firmware", "-isystem", "/usr/include/eigen3"]
 HELPERS = "tests/quality/mutation/schemata.hpp"
+ARGUMENTS = ["-x", "c++", "-std=c++17", "-DEIGEN_DONT_VECTORIZE", "-resource-dir=/usr/lib/llvm-19/lib/clang/19", "-w",
+             "-isystem", "/usr/include/eigen3", "-DRSI_SOURCE_DIR=\"\"", "-DRSI_IDENTIFICATION_DRAW_SCRIPT=\"\"",
+             "-DRSI_REPLAY_DRAW_SCRIPT=\"\""]
 
 
-def is_asked(mutant, program):
-    return any(mutant.file.startswith(folder) and program in programs for folder, programs in SCOPE.items())
+def declarations_of(names, project, generated=()):
+    """What stands at the top of each file, as clang reads it. `generated`: folders of headers that the build writes."""
+    arguments = ARGUMENTS + [part for folder in (project, project / "firmware", *generated) for part in ("-I", str(folder))]
+    folders = {}
+    for name in names:
+        folders.setdefault(str(pathlib.Path(name).parent), []).append(project / name)
+    declarations = {}
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for of_folder in pool.map(lambda paths: edited_source.parse(paths, arguments), folders.values()):
+            declarations.update(of_folder)
+    return declarations
 
 
-def sources(project=PROJECT, scope=SCOPE):
-    return sorted(str(path.relative_to(project)) for folder in scope
-                  for path in (project / folder).rglob("*") if path.suffix in (".cpp", ".hpp"))
-
-
-def parse_arguments(project):
-    return ["-x", "c++", "-std=c++17", "-DEIGEN_DONT_VECTORIZE", "-resource-dir=/usr/lib/llvm-19/lib/clang/19", "-w"] + [
-        part.format(project=project) for part in INCLUDES]
-
-
-def mutated_texts(names, project, left_out=frozenset()):
+def mutated_texts(names, project, declarations, left_out=frozenset()):
     """The mutated text of each file and all mutants. `left_out`: (file, line) that does not compile when mutated."""
     all_mutants = mutants.Mutants()
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        units = pool.map(lambda name: edited_source.parse(project / name, parse_arguments(project)), names)
-    files = [mutate.FileMutator(all_mutants, name, project / name, unit,
-                                {line for file, line in left_out if file == name}) for name, unit in zip(names, units)]
+    files = [mutate.FileMutator(all_mutants, name, project / name, declarations[str(project / name)],
+                                {line for file, line in left_out if file == name}) for name in names]
     for file in files:
         file.find_constants()
     return {file.source.name: file.mutated() for file in files}, all_mutants
-
-
-def kept_mutated_texts(names, left_out):
-    """Those of the last run, unless a source, a header next to it, or the tool has changed: clang takes its time."""
-    read = hashlib.sha256(repr(sorted(left_out)).encode())
-    for path in [PROJECT / name for name in names] + sorted((PROJECT / "can_dbc").rglob("*.hpp")) + sorted(
-            (PROJECT / "hal/interface").rglob("*.hpp")) + sorted(pathlib.Path(__file__).parent.glob("*.py")):
-        read.update(path.read_bytes())
-    kept = FOLDER / f"mutants_{read.hexdigest()[:16]}.pickle"
-    if not kept.is_file():
-        texts, all_mutants = mutated_texts(names, PROJECT, left_out)
-        all_mutants.sources = {name: hashlib.sha256((PROJECT / name).read_bytes()).hexdigest() for name in names}
-        for old in FOLDER.glob("mutants_*.pickle"):
-            old.unlink()
-        kept.write_bytes(pickle.dumps((texts, all_mutants)))
-    return pickle.loads(kept.read_bytes())
 
 
 def write_if_other(path, text):
@@ -73,62 +53,113 @@ def write_if_other(path, text):
         path.write_text(text)
 
 
-def link_everything_else(names):
-    """One link for a folder without a mutated file, folders of their own for those with one."""
-    mutated = {PROJECT / name for name in names}
+def link_everything_else(names, project, source):
+    """One link for a folder without a mutated file, folders of their own for those with one. What an earlier copy has there
+    may be of the other kind; nothing is ever written through a link."""
+    mutated = {project / name for name in names}
     parents = {parent for path in mutated for parent in path.parents}
     def link(folder):
         for entry in sorted(folder.iterdir()):
-            place = SOURCE / entry.relative_to(PROJECT)
-            if entry in parents:
-                place.mkdir(parents=True, exist_ok=True)
-                link(entry)
-            elif entry not in mutated and entry.name not in ("build", ".git", "output"):
-                if not place.is_symlink():
-                    place.symlink_to(entry)
-    SOURCE.mkdir(parents=True, exist_ok=True)
-    for old in [path for path in SOURCE.rglob("*") if path.is_symlink() and not path.exists()]:
+            place = source / entry.relative_to(project)
+            if entry in parents or entry in mutated:
+                if place.is_symlink():
+                    place.unlink()
+                if entry in parents:
+                    place.mkdir(parents=True, exist_ok=True)
+                    link(entry)
+            elif entry.name not in ("build", ".git", "output") and not place.is_symlink():
+                if place.is_dir():
+                    shutil.rmtree(place)
+                place.unlink(missing_ok=True)
+                place.symlink_to(entry)
+    source.mkdir(parents=True, exist_ok=True)
+    for old in [path for path in source.rglob("*") if path.is_symlink() and not path.exists()]:
         old.unlink()
-    link(PROJECT)
+    link(project)
 
 
-def build(jobs):
-    flags = f"-O1 -w -Wno-narrowing -D_GLIBCXX_ASSERTIONS -include {PROJECT / HELPERS}"
-    if not (BUILD / "build.ninja").is_file():
-        configured = subprocess.run(
-            ["cmake", "-S", SOURCE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DRSI_BUILD_SIL=OFF",
-             "-DRSI_MUTATION=ON", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}"], capture_output=True, text=True)
-        if configured.returncode != 0:
-            raise SystemExit(f"{configured.stdout}{configured.stderr}\nmutation: could not configure {BUILD}")
-    return subprocess.run(["ninja", "-C", BUILD, "-j", str(jobs), "-k", "0", *PROGRAMS], capture_output=True, text=True)
-
-
-def refused_places(output, names):
+def refused_places(output, names, source, build):
     """File and line of every error in a mutated file."""
     places = set()
     for file, line in re.findall(r"^([^\s:]+):(\d+):\d+: (?:fatal )?error:", output, re.M) + re.findall(
             r"^([^\s:]+):(\d+):\d+:   (?:required|in .constexpr. expansion)", output, re.M):
-        path = (BUILD / file).resolve()
+        path = (build / file).resolve()
         for name in names:
-            if path == (SOURCE / name).resolve():
+            if path == (source / name).resolve():
                 places.add((name, int(line)))
     return places
 
 
-def make(jobs):
-    """Writes, builds; a line that does not compile when mutated is left out, and counted. Gives all mutants."""
-    names = sources()
-    link_everything_else(names)
-    left_out = set()
-    while True:
-        texts, all_mutants = kept_mutated_texts(names, left_out)
-        for name, text in texts.items():
-            write_if_other(SOURCE / name, text)
-        built = build(jobs)
-        if built.returncode == 0:
-            break
-        refused = refused_places(built.stdout, names) - left_out
-        if not refused:
-            raise SystemExit(f"{built.stdout[-6000:]}\nmutation: the mutated copy does not build; the reason is above")
-        left_out |= refused
-    return all_mutants
+class MutatedCopy:
+    def __init__(self, scope, is_wanted=lambda name: True):
+        """All of the scope is mutated; of the programs those are built that are asked about a file that is wanted."""
+        self.scope = scope
+        self.folder = PROJECT / scope.work
+        self._names = scope.sources()
+        asked = set().union(*(scope.asked_about(name) for name in self._names if is_wanted(name)))
+        self.programs = {name: self.folder / "build" / folder / name
+                         for name, folder in scope.programs.items() if name in asked}
+        self._source, self._build = self.folder / "source", self.folder / "build"
+        self._declarations = None  # of the sources, once clang has read them
+
+    def make(self, jobs):
+        """Writes, builds; a line that does not compile when mutated is left out, and counted. Gives all mutants."""
+        link_everything_else(self._names, PROJECT, self._source)
+        self._configure()
+        left_out = self._refused_earlier()
+        while True:
+            texts, all_mutants = self._kept_mutated_texts(left_out)
+            for name, text in texts.items():
+                write_if_other(self._source / name, text)
+            built = subprocess.run(["ninja", "-C", self._build, "-j", str(jobs), "-k", "0", *self.programs],
+                                   capture_output=True, text=True)
+            if built.returncode == 0:
+                return all_mutants
+            refused = refused_places(built.stdout, self._names, self._source, self._build) - left_out
+            if not refused:
+                raise SystemExit(f"{built.stdout[-6000:]}\nmutation: the mutated copy does not build; the reason is above")
+            left_out |= refused
+
+    def _configure(self):
+        """Before anything is mutated, for clang reads headers that this writes."""
+        if (self._build / "build.ninja").is_file():
+            return
+        for name in self._names:
+            write_if_other(self._source / name, (PROJECT / name).read_text())
+        flags = f"-O1 -w -Wno-narrowing -D_GLIBCXX_ASSERTIONS -include {PROJECT / HELPERS}"
+        configured = subprocess.run(
+            ["cmake", "-S", self._source, "-B", self._build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+             f"-DRSI_MUTATION={self.scope.name}", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}", *self.scope.options],
+            capture_output=True, text=True)
+        if configured.returncode != 0:
+            raise SystemExit(f"{configured.stdout}{configured.stderr}\nmutation: could not configure {self._build}")
+
+    def _digest(self, *more):
+        """Of what clang reads, and of the tool."""
+        read = hashlib.sha256(repr((ARGUMENTS, more)).encode())
+        headers = [path for folder in self.scope.headers for path in (PROJECT / folder).rglob("*")
+                   if path.suffix in (".hpp", ".h", ".toml", ".in")]
+        tools = [pathlib.Path(module.__file__) for module in (edited_source, expressions, kinds, mutants, mutate, statements)]
+        for path in sorted({*headers, *(PROJECT / name for name in self._names), *tools}):
+            read.update(path.read_bytes())
+        return read.hexdigest()[:16]
+
+    def _refused_earlier(self):
+        """So that the same sources are not built, and refused, again."""
+        kept = self.folder / f"refused_{self._digest()}.json"
+        return {tuple(place) for place in json.loads(kept.read_text())} if kept.is_file() else set()
+
+    def _kept_mutated_texts(self, left_out):
+        """Those of the last run, unless a source, a header it reads, or the tool has changed: clang takes its time."""
+        kept = self.folder / f"mutants_{self._digest(sorted(left_out))}.pickle"
+        if not kept.is_file():
+            if self._declarations is None:
+                generated = sorted((self._build / "sil").rglob("generated"))
+                self._declarations = declarations_of(self._names, PROJECT, generated)
+            texts, all_mutants = mutated_texts(self._names, PROJECT, self._declarations, left_out)
+            all_mutants.sources = {name: hashlib.sha256((PROJECT / name).read_bytes()).hexdigest() for name in self._names}
+            for old in [*self.folder.glob("mutants_*.pickle"), *self.folder.glob("refused_*.json")]:
+                old.unlink()
+            kept.write_bytes(pickle.dumps((texts, all_mutants)))
+            (self.folder / f"refused_{self._digest()}.json").write_text(json.dumps(sorted(left_out)))
+        return pickle.loads(kept.read_bytes())

@@ -34,21 +34,19 @@ class Program:
         self._process.wait()
 
 
-# What takes longer while it is recorded is not asked: hours of driving, millions of random frames look for what gets lost in
-# the long run, and each survivor would cost seconds.
-LONGEST_MS = 900
-RECORDING_ENDS_MS = 1050
 
 
 class Record:
     """What each test costs (ms of CPU time), and in which tests a mutant makes another value somewhere: no other can notice."""
 
-    def __init__(self, content, is_asked=lambda mutant, program: True):
-        """`is_asked`: whether a program is asked about a mutant, by its number."""
+    def __init__(self, content, is_asked=lambda mutant, program: True, longest_ms=900):
+        """`is_asked`: whether a program is asked about a mutant, by its number. What takes longer than `longest_ms` while it
+        is recorded is not asked: hours of driving, millions of random frames look for what gets lost in the long run, and
+        each survivor would cost seconds."""
         self.executed = {mutant for _, _, _, differing, same in content for mutant in differing + same}
         self.tests_of, self.cost, self.breadth = {}, {}, {}
         for program, test, ms, differing, _ in content:
-            if ms <= LONGEST_MS:
+            if ms <= longest_ms:
                 self.cost[program, test], self.breadth[program, test] = ms, len(differing)
                 for mutant in (mutant for mutant in differing if is_asked(mutant, program)):
                     self.tests_of.setdefault(mutant, []).append((program, test))
@@ -61,14 +59,14 @@ def digest(programs):
     return together.hexdigest()[:16]
 
 
-def _recorded(name, path, folder):
+def _recorded(name, path, folder, longest_ms):
     file = folder / f"record_{name}_{digest({name: path})}.json"
     if not file.is_file():
         print(f"mutation: finding out what the tests of {name} execute", file=sys.stderr)
         program = Program(path)
         content = []
         for test in program.tests():
-            answer = program.ask(f"record {RECORDING_ENDS_MS} {test}")
+            answer = program.ask(f"record {longest_ms + 150} {test}")
             if answer == "failed":
                 raise SystemExit(f"mutation: {name} fails without a mutant: {test}")
             (ms, *differing), same = (list(map(int, part.split())) for part in answer.split("|"))
@@ -80,7 +78,8 @@ def _recorded(name, path, folder):
     return json.loads(file.read_text())
 
 
-def recorded(programs, folder, jobs, is_asked=lambda mutant, program: True):
+def recorded(programs, folder, jobs, is_asked=lambda mutant, program: True, longest_ms=900):
     """Runs every test once, but those of programs that have been recorded already."""
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        return Record(sum(pool.map(lambda item: _recorded(*item, folder), programs.items()), []), is_asked)
+        content = sum(pool.map(lambda item: _recorded(*item, folder, longest_ms), programs.items()), [])
+    return Record(content, is_asked, longest_ms)

@@ -2,8 +2,9 @@
 
 import collections
 import hashlib
+import re
 
-GOAL = 0.9
+UNEXPLAINED = "## Survivors that nobody has explained"
 
 
 def draw(mutants, count, seed):
@@ -14,9 +15,10 @@ def draw(mutants, count, seed):
     return sorted(sorted(mutants, key=place)[:count], key=lambda mutant: mutant.id)
 
 
-def only_compiled(mutant, record):
-    """A constant that only the compiler uses: no run of a program can have it changed."""
-    return mutant.id not in record.executed
+def only_compiled(mutant, record, all_executed):
+    """A constant that only the compiler uses: no run of a program can have it changed. Where not all is executed, a named one
+    at most is taken for that: what no test executes survives."""
+    return mutant.id not in record.executed and (all_executed or not mutant.function)
 
 
 def _killed(answers):
@@ -27,19 +29,20 @@ def _share(answers):
     return f"{100 * _killed(answers) / len(answers):.1f} %" if answers else ""
 
 
-def summary(results, wanted):
+def summary(results, wanted, record):
     answers = list(results.values())
+    idle = sum(number not in record.executed for number in results)
     how = collections.Counter(answers)
     part = f"Of {wanted} mutants, {len(answers)} were tried, most of them drawn at random. " if len(answers) < wanted else ""
     return (f"{part}{_killed(answers)} of {len(answers)} mutants are killed, {_share(answers)}: {how['killed by a test']} by a failing "
             f"test, {how['killed by a crash']} by a crash, {how['killed by the time limit']} by the time limit; "
-            f"{how['survived']} survive.\n")
+            f"{how['survived']} survive" + (f", {idle} of them executed by no test that is asked" if idle else "") + ".\n")
 
 
-def missed_goal(results):
+def missed_goal(results, goal):
     killed, tried = _killed(results.values()), len(results)
-    if tried and killed < GOAL * tried:
-        return [f"{killed} of {tried} mutants are killed, {100 * killed / tried:.1f} %; the goal is {100 * GOAL:.0f} %"]
+    if tried and killed < goal * tried:
+        return [f"{killed} of {tried} mutants are killed, {100 * killed / tried:.1f} %; the goal is {100 * goal:.0f} %"]
     return []
 
 
@@ -55,16 +58,44 @@ def _table(heading, mutants, results, of):
     return rows + [""]
 
 
-def page(mutants, wanted, results, reviewed):
+def _survivors_by_file(mutants):
+    rows, file = [], None
+    for mutant in mutants:
+        if mutant.file != file:
+            file = mutant.file
+            rows += [""] * bool(rows) + [f"**`{file}`**", ""]
+        rows.append(f"- `{mutant.name()}`")
+    return rows + [""]
+
+
+def listed(page):
+    """The keys of the survivors that a page lists as unexplained."""
+    keys, file = set(), None
+    for line in page.partition(UNEXPLAINED)[2].splitlines():
+        if found := re.fullmatch(r"\*\*`(.*)`\*\*", line):
+            file = found.group(1)
+        elif found := re.fullmatch(r"- `(.*)`", line):
+            keys.add((file, found.group(1)))
+    return keys
+
+
+def page(scope, mutants, wanted, results, reviewed, record):
     """What the documentation shows of a run."""
     compiled = len(mutants) - len(wanted)
-    rows = [summary(results, len(wanted))]
+    rows = [summary(results, len(wanted), record)]
+    rows += _table("folder", mutants, results, lambda mutant: f"`{mutant.file.rpartition('/')[0]}`")
     rows += _table("file", mutants, results, lambda mutant: f"`{mutant.file}`")
     rows += _table("operator", mutants, results, lambda mutant: mutant.operator)
     rows += [f"Not mutated, or not tried: {compiled} mutants of constants that only the compiler evaluates; "
              + "; ".join(f"{why}: {count}" for why, count in mutants.skipped.most_common()) + ".", ""]
-    rows += ["## The survivors", ""]
+    if scope.left_out:
+        rows += ["Left out:", ""] + [f"- `{name}`: {why}" for name, why in sorted(scope.left_out.items())] + [""]
+    rows += [f"Not asked are tests that take more than {scope.longest_ms} ms.", ""]
+    rows += ["## The survivors", ""] if reviewed.groups else []
     for group in sorted(reviewed.groups, key=lambda group: group["file"]):
         names = [f"`{name}`" for name in group["mutants"]]
         rows += [f"**`{group['file']}`** {group['why']}", ""] + [f"- {name}" for name in names] + [""]
+    unexplained = [mutant for mutant in wanted if results.get(mutant.id) == "survived" and not reviewed.reason(mutant)]
+    if unexplained:
+        rows += [UNEXPLAINED, ""] + _survivors_by_file(unexplained)
     return "\n".join(rows)

@@ -6,24 +6,28 @@ FIELDS = {"file", "why", "mutants"}
 
 
 class Review:
-    def __init__(self, text):
+    def __init__(self, name, text):
+        """`name`: the file that `text` is of."""
+        self.name = name
         self.groups = tomllib.loads(text).get("survivors", [])
         self._reasons = {}
         for group in self.groups:
             if set(group) != FIELDS or not group["why"].strip() or not group["mutants"]:
-                raise SystemExit(f"mutation: survivors.toml: a group has {', '.join(sorted(FIELDS))} and no more, none of them "
+                raise SystemExit(f"mutation: {name}: a group has {', '.join(sorted(FIELDS))} and no more, none of them "
                                  f"empty; this one is not so: {group}")
-            for name in group["mutants"]:
-                if (group["file"], name) in self._reasons:
-                    raise SystemExit(f"mutation: survivors.toml names twice: {group['file']}: {name}")
-                self._reasons[group["file"], name] = group["why"]
+            for mutant in group["mutants"]:
+                if (group["file"], mutant) in self._reasons:
+                    raise SystemExit(f"mutation: {name} names twice: {group['file']}: {mutant}")
+                self._reasons[group["file"], mutant] = group["why"]
 
     def reason(self, mutant):
         return self._reasons.get(mutant.key())
 
-    def unexplained(self, mutants, results):
-        return [f"{mutant} survives; write a test, or explain it in tests/quality/mutation/survivors.toml"
-                for mutant in mutants if results.get(mutant.id) == "survived" and not self.reason(mutant)]
+    def unexplained(self, mutants, results, known=frozenset()):
+        """`known`: survivors that need no explanation yet."""
+        return [f"{mutant} survives; write a test, or explain it in tests/quality/mutation/{self.name}"
+                for mutant in mutants
+                if results.get(mutant.id) == "survived" and not self.reason(mutant) and mutant.key() not in known]
 
     def outdated(self, mutants, results):
         """Explanations of what is killed or gone; of what was not tried only the latter can be said."""
@@ -35,7 +39,7 @@ class Review:
             there = of_key.get(key, [])
             tried = [results[mutant.id] for mutant in there if mutant.id in results]
             if not there:
-                problems.append(f"survivors.toml explains what is no longer there; take it out: {': '.join(key)}")
+                problems.append(f"{self.name} explains what is no longer there; take it out: {': '.join(key)}")
             elif len(tried) == len(there) and "survived" not in tried:
-                problems.append(f"survivors.toml explains what is killed; take it out: {': '.join(key)}")
+                problems.append(f"{self.name} explains what is killed; take it out: {': '.join(key)}")
         return problems

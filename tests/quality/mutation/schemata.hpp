@@ -148,9 +148,15 @@ constexpr bool class_less(const A& a, const A& b) {
     return either<site + 1>(either<site>(a < b, !(b < a)), !(a < b));
 }
 
-template <int site>
-constexpr bool negated(bool condition) {
-    return either<site>(condition, !condition);
+template <int site, typename T>
+constexpr bool negated(const T& condition) {
+    return either<site>(static_cast<bool>(condition), !static_cast<bool>(condition));
+}
+
+// What is never refused.
+template <int site, typename T>
+constexpr bool never(const T& condition) {
+    return either<site>(static_cast<bool>(condition), false);
 }
 
 template <int site, typename T>
@@ -199,6 +205,20 @@ template <int site>
 struct Larger {
     constexpr float operator()(float a, float b) const {
         return either<site + 1>(either<site>((a > b) ? a : b, a), b);
+    }
+};
+template <int site>
+struct Least {
+    template <typename T>
+    constexpr T operator()(const T& a, const T& b) const {
+        return either<site + 1>(either<site>((b < a) ? b : a, a), b);
+    }
+};
+template <int site>
+struct Greatest {
+    template <typename T>
+    constexpr T operator()(const T& a, const T& b) const {
+        return either<site + 1>(either<site>((a < b) ? b : a, a), b);
     }
 };
 // First mutant: no lower bound; second: no upper one.

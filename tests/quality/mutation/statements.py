@@ -64,12 +64,22 @@ def condition(file, cursor):
         file.skip("if constexpr")
         return
     decision = next(iter(cursor.get_children()))
+    if cursor.kind == Kind.IF_STMT and file.source.holds(decision) and decision.kind != Kind.VAR_DECL and _refuses(cursor):
+        mutant = file.new(decision, "refusal", file.source.text_of(decision), "never refused")
+        file.source.wrap(decision, f"::mutation::never<{mutant}>(")
     if not file.source.holds(decision) or decision.kind == Kind.VAR_DECL or _is_decision(
             file.source, kinds.bare(decision)):
         return
     text = file.source.text_of(decision)
     mutant = file.new(decision, "negated condition", text, f"!({text})")
     file.source.wrap(decision, f"::mutation::negated<{mutant}>(")
+
+
+def _refuses(cursor):
+    """What is refused with an exception: a test of good input alone sees a condition's opposite, but not that it is gone."""
+    then = list(cursor.get_children())[1]
+    last = list(then.get_children())[-1:] if then.kind == Kind.COMPOUND_STMT else [then]
+    return bool(last) and kinds.bare(last[0]).kind == Kind.CXX_THROW_EXPR
 
 
 def _is_decision(source, cursor):

@@ -1,6 +1,7 @@
 """The tool itself, on a small planted source: which mutants there are, which of them are killed, which survive."""
 
 import collections
+import dataclasses
 import json
 import pathlib
 import subprocess
@@ -12,16 +13,17 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 
-import edited_source
+import mutated_copy
 import mutants as mutant_list
-import mutate
 import program as test_program
 import report
 import review
+import scope
 import trial
 
 PLANTED = """\
 #pragma once
+#include <algorithm>
 constexpr float limit = 2.5F;
 constexpr float smaller(float a, float b) { return (a < b) ? a : b; }
 constexpr int twice(int x) { return 2 * x; }
@@ -50,9 +52,17 @@ inline int sum_below(int end) {
     }
     return sum;
 }
+inline int checked(int x, const int* most) {
+    if (most && x > *most) {
+        throw x;
+    }
+    return std::max(x, -5);
+}
 """
 TESTS = """\
 #include <gtest/gtest.h>
+#include <fstream>
+#include <string>
 #include "planted.hpp"
 TEST(Planted, Counts) {
     Counter counter;
@@ -71,6 +81,17 @@ TEST(Planted, IsBounded) {
 }
 TEST(Planted, Doubles) { EXPECT_EQ(twice(4), 8); }
 TEST(Planted, Sums) { EXPECT_EQ(sum_below(4), 6); }
+TEST(Planted, TakesWhatIsGood) {
+    const int most = 2;
+    EXPECT_EQ(checked(2, &most), 2);
+    EXPECT_EQ(checked(3, nullptr), 3);
+    EXPECT_EQ(checked(-9, nullptr), -5);
+}
+TEST(Planted, HasFilesOfItsOwn) {
+    const std::string name = testing::TempDir() + "/planted";
+    EXPECT_FALSE(std::ifstream{name}.good()) << "left behind by another mutant";
+    std::ofstream{name} << sum_below(2);
+}
 """
 
 
@@ -81,12 +102,9 @@ class Planted(unittest.TestCase):
             folder = pathlib.Path(name)
             source = folder / "planted.hpp"
             source.write_text(PLANTED)
-            cls.all = mutant_list.Mutants()
-            unit = edited_source.parse(source, ["-x", "c++", "-std=c++17", "-w",
-                                                "-resource-dir=/usr/lib/llvm-19/lib/clang/19"])
-            file = mutate.FileMutator(cls.all, "planted.hpp", source, unit)
-            file.find_constants()
-            source.write_text(file.mutated())
+            declarations = mutated_copy.declarations_of(["planted.hpp"], folder)
+            texts, cls.all = mutated_copy.mutated_texts(["planted.hpp"], folder, declarations)
+            source.write_text(texts["planted.hpp"])
             (folder / "planted_test.cpp").write_text(TESTS)
             program = folder / "planted_test"
             subprocess.run(["g++", "-std=c++17", "-O1", "-w", "-include", HERE / "schemata.hpp", "-o", program,
@@ -114,14 +132,14 @@ class Planted(unittest.TestCase):
     def test_every_operator_makes_its_mutants(self):
         count = collections.Counter(mutant.operator for mutant in self.all)
         self.assertEqual(dict(count), {
-            "constant": 17, "arithmetic": 3, "relation": 6, "logical connector": 3, "negated condition": 2,
-            "statement": 4, "returned value": 5, "bounding": 2, "unary minus": 1})
+            "constant": 20, "arithmetic": 3, "relation": 8, "logical connector": 6, "negated condition": 3,
+            "refusal": 1, "statement": 4, "returned value": 6, "bounding": 4, "unary minus": 2})
 
     def test_planted_mistakes_are_killed(self):
         for operator, original in (("logical connector", "(step > 0) && !stopped_"), ("negated condition", "!stopped_"),
                                    ("statement", "count_ += step"), ("statement", "stopped_ = true"),
                                    ("arithmetic", "count_ += step"), ("arithmetic", "2 * x"), ("unary minus", "-x"),
-                                   ("bounding", "smaller(-x, limit)"), ("constant", "limit"),
+                                   ("bounding", "smaller(-x, limit)"), ("bounding", "std::max(x, -5)"), ("constant", "limit"),
                                    ("returned value", "count_"), ("returned value", "sum"), ("statement", "sum += i")):
             mutants = self.mutants(operator, original)
             self.assertTrue(mutants, (operator, original))
@@ -131,6 +149,12 @@ class Planted(unittest.TestCase):
     def test_what_no_test_looks_at_survives(self):
         self.assertIn(("statement", "last_ = step", "(nothing)"), self.survivors())
         self.assertIn(("relation", "step > 0", "step >= 0"), self.survivors())  # 0 adds nothing: equivalent
+
+    def test_a_refusal_that_nobody_tests_survives(self):
+        """Its condition's opposite does not: good input notices that."""
+        self.assertIn(("refusal", "most && x > *most", "never refused"), self.survivors())
+        self.assertEqual({self.results[m.id] for m in self.mutants("relation", "x > *most")
+                          if m.mutated == "x <= *most"}, {"killed by a test"})
 
     def test_what_cannot_be_mutated_is_counted_by_kind(self):
         self.assertEqual(self.all.skipped["static_assert, enumerator"], 1)
@@ -162,15 +186,15 @@ class Reviewed(unittest.TestCase):
     GROUP = '[[survivors]]\nfile = "a.cpp"\nwhy = "equivalent"\nmutants = ["f: relation: a < b -> a <= b"]\n'
 
     def test_an_explained_survivor_is_no_problem(self):
-        reviewed = review.Review(self.GROUP)
+        reviewed = review.Review("survivors.toml", self.GROUP)
         self.assertEqual(reviewed.unexplained([self.MUTANT], {7: "survived"}), [])
         self.assertEqual(reviewed.outdated([self.MUTANT], {7: "survived"}), [])
 
     def test_a_survivor_without_explanation_is_one(self):
-        self.assertEqual(len(review.Review("").unexplained([self.MUTANT], {7: "survived"})), 1)
+        self.assertEqual(len(review.Review("survivors.toml", "").unexplained([self.MUTANT], {7: "survived"})), 1)
 
     def test_an_explanation_of_what_is_killed_or_gone_is_one(self):
-        reviewed = review.Review(self.GROUP)
+        reviewed = review.Review("survivors.toml", self.GROUP)
         self.assertEqual(len(reviewed.outdated([self.MUTANT], {7: "killed by a test"})), 1)
         self.assertEqual(len(reviewed.outdated([], {7: "survived"})), 1)
         self.assertEqual(reviewed.outdated([self.MUTANT], {}), [])
@@ -178,15 +202,15 @@ class Reviewed(unittest.TestCase):
     def test_a_group_without_a_reason_or_twice_the_same_is_refused(self):
         for text in (self.GROUP.replace("equivalent", " "), self.GROUP + self.GROUP):
             with self.assertRaises(SystemExit):
-                review.Review(text)
+                review.Review("survivors.toml", text)
 
 
 class Reported(unittest.TestCase):
     MUTANTS = [mutant_list.Mutant(number, "a.cpp", number, "f", "constant", str(number), "0") for number in range(1, 100)]
 
     def test_a_score_below_the_goal_is_told(self):
-        self.assertEqual(len(report.missed_goal({1: "survived", 2: "killed by a test"})), 1)
-        self.assertEqual(report.missed_goal({1: "killed by a crash"}), [])
+        self.assertEqual(len(report.missed_goal({1: "survived", 2: "killed by a test"}, 0.9)), 1)
+        self.assertEqual(report.missed_goal({1: "killed by a crash"}, 0.9), [])
 
     def test_a_mutants_place_in_the_sample_does_not_depend_on_the_others(self):
         sample = report.draw(self.MUTANTS, 20, 1)
@@ -195,6 +219,57 @@ class Reported(unittest.TestCase):
         self.assertNotEqual(sample, report.draw(self.MUTANTS, 20, 2))
         left_out = next(m for m in self.MUTANTS if m not in sample)
         self.assertEqual(report.draw([m for m in self.MUTANTS if m != left_out], 20, 1), sample)
+
+    def test_what_a_page_lists_is_known_again(self):
+        asked = dataclasses.replace(scope.JUDGES, left_out={"b.cpp": "says nothing"})
+        mutants = mutant_list.Mutants()
+        mutants.extend([*self.MUTANTS[:3], mutant_list.Mutant(100, "b.cpp", 1, "g", "relation", "a | b < c", "a | b <= c")])
+        results = {1: "survived", 2: "killed by a test", 3: "survived", 100: "survived"}
+        reviewed = review.Review("survivors.toml", '[[survivors]]\nfile = "a.cpp"\nwhy = "equivalent"\n'
+                                 f'mutants = ["{self.MUTANTS[0].name()}"]\n')
+        record = test_program.Record([("a_test", "A.B", 1, [1, 2, 3], [])])
+        page = report.page(asked, mutants, list(mutants), results, reviewed, record)
+        self.assertIn("3 survive, 1 of them executed by no test", page)
+        self.assertEqual(report.listed(page), {mutants[2].key(), mutants[3].key()})
+        self.assertEqual(reviewed.unexplained(mutants, results, report.listed(page)), [])
+        self.assertIn("- `b.cpp`: says nothing", page)
+
+    def test_what_no_test_executes_survives_unless_all_is_executed_or_it_is_a_named_constant(self):
+        record = test_program.Record([("a_test", "A.B", 1, [1], [])])
+        named = dataclasses.replace(self.MUTANTS[3], function="")
+        for all_executed, expected in ((True, [False, True, True]), (False, [False, False, True])):
+            self.assertEqual([report.only_compiled(mutant, record, all_executed) for mutant in (*self.MUTANTS[:2], named)],
+                             expected)
+
+
+class Linked(unittest.TestCase):
+    def test_nothing_is_written_through_a_link_of_a_smaller_scope(self):
+        with tempfile.TemporaryDirectory() as name:
+            project, source = pathlib.Path(name) / "project", pathlib.Path(name) / "source"
+            for file in ("a/one.cpp", "a/two.cpp", "b/three.cpp"):
+                (project / file).parent.mkdir(parents=True, exist_ok=True)
+                (project / file).write_text("original")
+            for mutated in (["a/one.cpp"], ["a/one.cpp", "a/two.cpp", "b/three.cpp"], ["a/two.cpp"]):
+                mutated_copy.link_everything_else(mutated, project, source)
+                for file in mutated:
+                    mutated_copy.write_if_other(source / file, "mutated")
+                for file in ("a/one.cpp", "a/two.cpp", "b/three.cpp"):
+                    self.assertEqual((project / file).read_text(), "original", file)
+                    self.assertEqual((source / file).read_text(), "mutated" if file in mutated else "original", file)
+
+
+class Scopes(unittest.TestCase):
+    def test_what_is_left_out_and_who_is_asked_is_there(self):
+        for asked in scope.SCOPES.values():
+            self.assertTrue(asked.sources())
+            for name in asked.left_out:
+                self.assertTrue((scope.PROJECT / name).exists(), name)
+                self.assertFalse([source for source in asked.sources() if source == name or source.startswith(name + "/")])
+            self.assertEqual(set().union(*asked.asked.values()), set(asked.programs))
+
+    def test_a_folder_is_not_another_whose_name_begins_with_its(self):
+        self.assertEqual(scope.JUDGES.asked_about("sil/results/a.cpp"), {"results_test"})
+        self.assertEqual(scope.JUDGES.asked_about("sil/results_of/a.cpp"), set())
 
 
 if __name__ == "__main__":

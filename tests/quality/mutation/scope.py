@@ -1,0 +1,66 @@
+"""What is mutated, and which test programs are asked about it."""
+
+import dataclasses
+import pathlib
+
+PROJECT = pathlib.Path(__file__).resolve().parents[3]
+
+
+@dataclasses.dataclass(frozen=True)
+class Scope:
+    name: str
+    what: str                 # as the page's introduction calls it
+    work: str                 # folder of the mutated copy, within the project
+    programs: dict            # test program: its folder in the build
+    asked: dict               # mutated folder: the programs that are asked about it
+    left_out: dict            # file or folder in there that is not mutated: why
+    headers: tuple            # folders whose headers the mutated sources read
+    options: tuple            # of cmake
+    review: str               # the list of explained survivors
+    page: str
+    title: str
+    goal: float               # least share of killed mutants
+    longest_ms: int           # tests that take more CPU time are not asked
+    every_survivor_explained: bool  # otherwise those that the page lists are known
+    all_executed: bool              # every line, by the goals of the coverage: what is not, only the compiler uses
+
+    def asked_about(self, file):
+        """The programs whose tests a mutant of this file is tried on."""
+        return set().union(*(programs for folder, programs in self.asked.items() if file.startswith(folder + "/")))
+
+    def sources(self, project=PROJECT):
+        """All that is mutated, in the order of the names."""
+        found = {str(path.relative_to(project)) for folder in self.asked
+                 for path in (project / folder).rglob("*") if path.suffix in (".cpp", ".hpp")}
+        return sorted(name for name in found
+                      if not any(name == out or name.startswith(out + "/") for out in self.left_out))
+
+
+FIRMWARE_PROGRAMS = {"codec_test": "tests/can_dbc", "rsi_tests": "tests/rsi", "monitoring_tests": "tests/monitoring",
+                     "application_test": "tests/application", "replay_test": "tests/quality/mutation"}
+FIRMWARE = Scope(
+    name="firmware", what="the firmware", work="build/mutation", programs=FIRMWARE_PROGRAMS,
+    # A test of the frames seldom sees in the algorithm what its own tests and a drive do not.
+    asked={"firmware/rsi": {"rsi_tests", "monitoring_tests", "replay_test"},
+           "firmware/monitoring": {"rsi_tests", "monitoring_tests", "application_test", "replay_test"},
+           "firmware/application": set(FIRMWARE_PROGRAMS), "can_dbc/e2e": set(FIRMWARE_PROGRAMS)},
+    left_out={}, headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF",), review="survivors.toml",
+    page="docs/reports/mutation.md", title="Mutation testing", goal=0.9, longest_ms=900, every_survivor_explained=True, all_executed=True)
+
+JUDGES_PROGRAMS = {"results_test": "tests/sil/results", "hal_test": "tests/hal", "zynqmp_r5_test": "tests/hal/zynqmp_r5"}
+BARE = "start-up or board code: no test program of the host compiles it"
+INTERFACE = "needs a CAN interface: tests/system drives it, in a process of its own"
+JUDGES = Scope(
+    name="judges", what="what judges the firmware", work="build/mutation_of_judges", programs=JUDGES_PROGRAMS,
+    asked={"sil/results": {"results_test"}, "hal": {"hal_test", "zynqmp_r5_test"}},
+    left_out={"sil/results/versions.cpp": "names versions, decides nothing",
+              **{f"hal/{name}": BARE for name in ("mps2", "semihosting", "zynqmp_r5/startup")},
+              **{f"hal/socketcan/{name}.cpp": INTERFACE
+                 for name in ("can_socket", "controller_restart", "interface_lookup", "route_netlink", "socket_can_bus")},
+              "hal/zynqmp_r5/emulator": "stands in for what the emulator lacks; no silicon has it",
+              "hal/zynqmp_r5/policy.hpp": "names one of two other headers"},
+    headers=("can_dbc", "firmware", "hal", "sil"), options=("-DRSI_TESTS_COMPILE_OPTIONS=-O0",),
+    review="survivors_of_judges.toml", page="docs/reports/mutation_of_judges.md", title="Mutation testing of the judges",
+    goal=0.85, longest_ms=900, every_survivor_explained=False, all_executed=False)
+
+SCOPES = {scope.name: scope for scope in (FIRMWARE, JUDGES)}
