@@ -7,7 +7,7 @@ constexpr std::int32_t cycle_ms = 10;
 constexpr std::int32_t frame_ms = 9;
 constexpr std::int32_t most_frames = 4;  // that a cycle counts
 constexpr std::int32_t most_usual_frames = 2;
-constexpr std::int32_t usual_least_ms = -20;
+constexpr std::int32_t usual_least_ms = -30;
 constexpr std::int32_t most_ms = 60;
 
 constexpr std::int32_t bounded(std::int32_t value, std::int32_t least, std::int32_t most) {

@@ -8,7 +8,7 @@ namespace application {
 // Whoever sends a second time what a sensor sends, with good checksums and whatever counter, cannot hide that
 // more frames come. The surplus is the time that the frames of all cycles would take if each took a little
 // less than its 10 ms, less the time of the cycles. One sender keeps it at its lower end; a second one of the
-// same rate fills it within 0.1 s; one that sends every 80 ms takes some seconds, and a rarer one is not
+// same rate fills it within 0.12 s; one that sends every 80 ms takes some seconds, and a rarer one is not
 // seen. By cycles, because some drivers know no times of reception, and a clock may jump.
 //
 // Frames that were held up, on the bus or before a cycle that came late, are no second sender's:

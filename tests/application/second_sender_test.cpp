@@ -18,7 +18,7 @@ namespace {
 using Diagnosis = can_dbc::RolloverDiagnosis;
 using State = can_dbc::RolloverWarning::State;
 
-constexpr int longest_use_cycles = 12;  // of a second sender of the same rate
+constexpr int longest_use_cycles = 14;  // of a second sender of the same rate
 constexpr unsigned counters = 15U;
 
 // How the stranger's frames lie to the genuine one's.

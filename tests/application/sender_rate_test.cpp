@@ -59,9 +59,9 @@ TEST_F(ASenderRate, IsNotDoubledByOneSender) {
     run_alone(100'000);
 }
 
-TEST_F(ASenderRate, OfTwoSendersIsDoubledAfter100Milliseconds) {
+TEST_F(ASenderRate, OfTwoSendersIsDoubledAfter120Milliseconds) {
     start_anew();
-    EXPECT_EQ(cycles_until_doubled(2), 10);
+    EXPECT_EQ(cycles_until_doubled(2), 12);
 }
 
 // A few frames of a cycle are enough; that there are more proves no more.
@@ -71,7 +71,7 @@ TEST_F(ASenderRate, OfManyFramesIsDoubledAfter40MillisecondsHoweverManyTheyAre) 
         EXPECT_EQ(cycles_until_doubled(frames), 4) << frames;
     }
     start_anew();
-    EXPECT_EQ(cycles_until_doubled(3), 5);
+    EXPECT_EQ(cycles_until_doubled(3), 6);
 }
 
 TEST_F(ASenderRate, OfASecondSenderEvery80MillisecondsIsDoubledInTheEndAndOfOneEvery90Not) {
@@ -160,6 +160,15 @@ TEST_F(ASenderRate, IsNotDoubledWhereEverySecondCycleIsMissed) {
     EXPECT_LT(cycles, 30);
 }
 
+// They come beside the new ones when a delay of a tenth of a second ends at once.
+TEST_F(ASenderRate, IsNotDoubledByFramesThatNewOnesOvertake) {
+    run_alone(200);
+    pause(10);
+    run_alone(300);
+    EXPECT_EQ(cycles_until_doubled(2, 10), 10);
+    run_alone(100);
+}
+
 // What the bus has held up for 320 ms comes afterwards, faster than it was sent.
 TEST_F(ASenderRate, IsNotDoubledByFramesThatComeLaterAtAnySpeed) {
     for (const int first : {1, 2, 3}) {
@@ -188,12 +197,12 @@ TEST_F(ASenderRate, RemembersNoMoreThan320MillisecondsOfAllSilences) {
     for (const int cycles : {27, 28, 32, 10'000}) {
         start_anew();
         pause(cycles);
-        EXPECT_EQ(cycles_until_doubled(4), (cycles < 29) ? 14 : 15) << cycles;
+        EXPECT_EQ(cycles_until_doubled(4), (cycles < 28) ? 14 : 15) << cycles;
     }
-    for (const std::uint32_t missed : {28U, 29U, 30U, std::numeric_limits<std::uint32_t>::max()}) {
+    for (const std::uint32_t missed : {27U, 28U, 29U, std::numeric_limits<std::uint32_t>::max()}) {
         start_anew();
         rate.miss(missed);
-        EXPECT_EQ(cycles_until_doubled(4), (missed < 29U) ? 14 : 15) << missed;
+        EXPECT_EQ(cycles_until_doubled(4), (missed < 28U) ? 14 : 15) << missed;
     }
     start_anew();
     cycles_until_doubled(4);
@@ -221,7 +230,7 @@ TEST_F(ASenderRate, IsNotDoubledByFramesThatWaitAtTheStart) {
     }
     run_alone(100);
     rate = {};
-    EXPECT_EQ(cycles_until_doubled(2), 12);
+    EXPECT_EQ(cycles_until_doubled(2), 14);
     rate = {};
     EXPECT_EQ(cycles_until_doubled(11), 15);
 }
