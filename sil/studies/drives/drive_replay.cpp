@@ -46,8 +46,8 @@ class CodeListener {
                           diagnosis.code_status == Status::confirmed};
     }
 
-    DiagnosticCodes codes() const {
-        DiagnosticCodes codes;
+    CodeSets codes() const {
+        CodeSets codes;
         for (std::size_t code = 1U; code < code_count; ++code) {
             const Told& told = told_[code];
             const std::uint64_t bit = std::uint64_t{1U} << code;

@@ -18,7 +18,7 @@
 namespace sil {
 
 // Sets of diagnostic codes, one bit for each.
-struct DiagnosticCodes {
+struct CodeSets {
     std::uint64_t set{0U};  // the fault is there, or not yet gone for long enough; confirmed ones included
     std::uint64_t confirmed{0U};
 };
@@ -31,7 +31,7 @@ struct ReplayCycle {
     DriveSample sample;      // what was sent, before it became frames; of a log: what its frames say
     rsi::Outputs outputs{};  // what the component computed
     EcuOutput ecu;           // what the ECU's frames said
-    DiagnosticCodes codes;   // as far as its frames have told, one code a frame
+    CodeSets codes;          // as far as its frames have told, one code a frame
     double load_transfer_ratio{EcuOutput::not_available};  // of the wheel loads
     double warning_level{EcuOutput::not_available};  // of the indicator that drives the warning; 1: warn
 };

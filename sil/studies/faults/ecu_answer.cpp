@@ -34,13 +34,8 @@ constexpr std::array flags{
 };
 constexpr std::size_t roll_sensor_disagrees_bit = flags.size();
 
-constexpr DiagnosticCodes bit(std::size_t index) {
-    return DiagnosticCodes{1U} << index;
-}
-
 constexpr std::size_t first_code_bit = roll_sensor_disagrees_bit + 1U;
 using Diagnosis = can_dbc::RolloverDiagnosis;
-constexpr std::size_t last_bit = 63U;
 
 }  // namespace
 
@@ -56,8 +51,8 @@ std::string diagnostic_name(std::size_t index) {
 
 std::vector<std::string> diagnostic_names(DiagnosticCodes codes) {
     std::vector<std::string> names;
-    for (std::size_t index = 0U; index <= last_bit; ++index) {
-        if ((codes & bit(index)) != 0U) {
+    for (std::size_t index = 0U; index < codes.size(); ++index) {
+        if (codes.test(index)) {
             names.push_back(diagnostic_name(index));
         }
     }
@@ -89,24 +84,22 @@ void EcuAnswerReader::keep(const can_dbc::RolloverWarning& message, EcuAnswer& a
 
 void EcuAnswerReader::keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const {
     answer.roll_source = message.roll_source;
-    answer.codes |= message.roll_sensor_disagrees ? bit(roll_sensor_disagrees_bit) : 0U;
+    answer.codes.set(roll_sensor_disagrees_bit, message.roll_sensor_disagrees);
 }
 
 void EcuAnswerReader::keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const {
     for (std::size_t index = 0U; index < flags.size(); ++index) {
-        answer.codes |= message.*(flags[index].value) ? bit(index) : 0U;
+        answer.codes.set(index, message.*(flags[index].value));
     }
 }
 
 void EcuAnswerReader::keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer) {
     answer.degradation = message.degradation;
-    const DiagnosticCodes code = bit(first_code_bit + static_cast<std::size_t>(message.code));
     if (message.code == Diagnosis::Code::none) {
-        confirmed_ = 0U;
-    } else if (message.code_status == Diagnosis::CodeStatus::confirmed) {
-        confirmed_ |= code;
+        confirmed_.reset();
     } else {
-        confirmed_ &= ~code;
+        confirmed_.set(first_code_bit + static_cast<std::size_t>(message.code),
+                       message.code_status == Diagnosis::CodeStatus::confirmed);
     }
 }
 

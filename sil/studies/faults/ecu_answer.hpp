@@ -1,8 +1,8 @@
 // ECU answer: what the ECU's frames of one cycle said, and whether all of them were there and sound.
 #pragma once
 
+#include <bitset>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,8 +16,8 @@ namespace sil {
 using Degradation = can_dbc::RolloverDiagnosis::Degradation;
 
 // A set, one bit each: the flags of RolloverStatus, the observer's contradiction of the roll sensor, and the
-// codes of RolloverDiagnosis that are confirmed.
-using DiagnosticCodes = std::uint64_t;
+// codes of RolloverDiagnosis that are confirmed. A bit that it has no room for is an exception.
+using DiagnosticCodes = std::bitset<128U>;
 
 // The name of a bit.
 std::string diagnostic_name(std::size_t bit);
@@ -33,7 +33,7 @@ struct EcuAnswer {
     WarningSide side{WarningSide::none};
     RollSource roll_source{RollSource::none};
     Degradation degradation{Degradation::unavailable};
-    DiagnosticCodes codes{0U};
+    DiagnosticCodes codes{};
 };
 
 // Reads the ECU's frames from the bus, cycle by cycle. A cycle carries one diagnostic code only, so a
@@ -53,7 +53,7 @@ class EcuAnswerReader {
     template <typename Message>
     void keep(const Message&, EcuAnswer&) const {}
 
-    DiagnosticCodes confirmed_{0U};
+    DiagnosticCodes confirmed_{};
 };
 
 }  // namespace sil

@@ -27,7 +27,7 @@ constexpr std::uint64_t settling_cycles = 100U;  // of the first start, before t
 bool agree(const EcuAnswer& faulty, const EcuAnswer& right) {
     return (faulty.state == WarningState::unavailable) == (right.state == WarningState::unavailable) &&
            faulty.roll_source == right.roll_source && faulty.degradation == right.degradation &&
-           (faulty.codes & ~right.codes) == 0U;
+           (faulty.codes & ~right.codes).none();
 }
 
 std::string faults_at(std::uint64_t cycle, const FaultSchedule& schedule) {

@@ -21,7 +21,7 @@ bool warns(const std::optional<EcuAnswer>& answer, WarningSide side) {
 
 // More than the ECU without the fault says, or nothing at all, which the receiver takes for unavailable.
 bool tells(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right) {
-    return !faulty || (faulty->codes & ~right.codes) != 0U ||
+    return !faulty || (faulty->codes & ~right.codes).any() ||
            (faulty->state == WarningState::unavailable && right.state != WarningState::unavailable);
 }
 
@@ -113,7 +113,7 @@ bool is_as_demanded(const EcuAnswer& answer, Demand demand) {
             return answer.degradation == Degradation::motion_lost ||
                    answer.degradation == Degradation::unavailable;
         default:
-            return answer.codes != 0U;
+            return answer.codes.any();
     }
 }
 

@@ -23,7 +23,7 @@ bool is_warned(const std::vector<Statement>& statements, std::size_t cycle, Warn
 
 bool says_more(const Statement& statement, const Statement& undisturbed) {
     return (statement.state == WarningState::unavailable && undisturbed.state != WarningState::unavailable) ||
-           statement.degradation != undisturbed.degradation || (statement.codes & ~undisturbed.codes) != 0U ||
+           statement.degradation != undisturbed.degradation || (statement.codes & ~undisturbed.codes).any() ||
            !statement.sound;
 }
 

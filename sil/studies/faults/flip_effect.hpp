@@ -14,7 +14,7 @@ struct Statement {
     WarningState state{};
     WarningSide side{};  // of a warning, else none
     Degradation degradation{};
-    DiagnosticCodes codes{0U};
+    DiagnosticCodes codes{};
     bool sound{true};  // all frames there, and the watchdog fed
 
     bool operator==(const Statement& other) const;

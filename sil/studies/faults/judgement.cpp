@@ -19,7 +19,7 @@ bool is_same_statement(const EcuAnswer& faulty, const EcuAnswer& right) {
 }
 
 bool has_no_further_code(const EcuAnswer& faulty, const EcuAnswer& right) {
-    return (faulty.codes & ~right.codes) == 0U;
+    return (faulty.codes & ~right.codes).none();
 }
 
 std::optional<std::size_t> first_warning(const FaultyRun& run) {
@@ -113,16 +113,16 @@ Reaction measure(const FaultedDrive& drive, const Fault& fault, const FaultyRun&
                    is.roll_source == RollSource::observer && was.roll_source == RollSource::sensor, now);
         keep_first(reaction.motion_lost,
                    is.degradation == Degradation::motion_lost && was.degradation == Degradation::full, now);
-        if (!reaction.code && new_codes != 0U) {
+        if (!reaction.code && new_codes.any()) {
             reaction.code = now;
             reaction.code_name = diagnostic_names(new_codes).front();
         }
         const bool due = was.state == WarningState::warning;
-        silence = due && is.state == WarningState::ready && is.codes == 0U ? silence + cycle_ms : 0;
+        silence = due && is.state == WarningState::ready && is.codes.none() ? silence + cycle_ms : 0;
         reaction.silence = std::max(reaction.silence, silence);
-        wrong = is.state != was.state && is.codes == 0U ? wrong + cycle_ms : 0;
+        wrong = is.state != was.state && is.codes.none() ? wrong + cycle_ms : 0;
         reaction.wrong = std::max(reaction.wrong, wrong);
-        lapse = reaction.code && cycle < faulty.over && new_codes == 0U ? lapse + cycle_ms : 0;
+        lapse = reaction.code && cycle < faulty.over && new_codes.none() ? lapse + cycle_ms : 0;
         reaction.lapse = std::max(reaction.lapse, lapse);
         reaction.false_warning += !reaction.warning_due && is.state == WarningState::warning ? cycle_ms : 0;
         reaction.incomplete_cycles += is.complete ? 0U : 1U;

@@ -19,8 +19,8 @@ bool SilenceWatch::cycle(const std::optional<EcuAnswer>& faulty, const EcuAnswer
     with_fault_ = with_fault_ || (due && near);
     answered_ = answered_ || (due && faulty && faulty->state == WarningState::warning);
     reported_ =
-        reported_ || (due && faulty && (faulty->state == WarningState::unavailable || faulty->codes != 0U));
-    const bool is_silent = due && faulty && faulty->state == WarningState::ready && faulty->codes == 0U;
+        reported_ || (due && faulty && (faulty->state == WarningState::unavailable || faulty->codes.any()));
+    const bool is_silent = due && faulty && faulty->state == WarningState::ready && faulty->codes.none();
     silence_ms_ = is_silent ? silence_ms_ + 10 : 0;
     result.longest_silence_ms = std::max(result.longest_silence_ms, silence_ms_);
     const bool first = is_silent && !silent_;

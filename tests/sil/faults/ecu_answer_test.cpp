@@ -9,6 +9,7 @@
 
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
+#include "monitoring/diagnostic_code.hpp"
 #include "sil/world/simulation/sensor_frames.hpp"
 #include "tests/sil/faults/recorded_frames.hpp"
 
@@ -59,7 +60,7 @@ TEST(EcuAnswerReader, ReadsACompleteCycle) {
     const sil::EcuAnswer answer = answer_to(all_frames());
     EXPECT_TRUE(answer.complete);
     EXPECT_TRUE(answer.defined);
-    EXPECT_EQ(answer.codes, 0U);
+    EXPECT_TRUE(answer.codes.none());
 }
 
 TEST(EcuAnswerReader, NoticesAMissingADoubledAndADamagedFrame) {
@@ -86,11 +87,21 @@ TEST(EcuAnswerReader, NoticesAnUndefinedCode) {
     EXPECT_FALSE(answer_to(frames).defined);
 }
 
+TEST(EcuAnswerReader, TellsEachCodeByItsName) {
+    const auto last = static_cast<unsigned>(monitoring::diagnostic_code_count);
+    for (unsigned raw = 1U; raw < last; ++raw) {
+        const auto code = static_cast<Diagnosis::Code>(raw);
+        const sil::EcuAnswer answer =
+            answer_to(all_frames(diagnosis(code, Diagnosis::CodeStatus::confirmed)));
+        EXPECT_THAT(sil::diagnostic_names(answer.codes), testing::ElementsAre(Diagnosis::name_of(code)));
+    }
+}
+
 TEST(EcuAnswerReader, RemembersConfirmedCodesUntilTheyHeal) {
     using Code = Diagnosis::Code;
     using Status = Diagnosis::CodeStatus;
     sil::EcuAnswerReader reader;
-    EXPECT_EQ(answer_to(reader, all_frames(diagnosis(Code::imu_lost, Status::set))).codes, 0U);
+    EXPECT_TRUE(answer_to(reader, all_frames(diagnosis(Code::imu_lost, Status::set))).codes.none());
     answer_to(reader, all_frames(diagnosis(Code::imu_lost, Status::confirmed)));
     const sil::EcuAnswer both = answer_to(reader, all_frames(diagnosis(Code::bus_error, Status::confirmed)));
     EXPECT_THAT(sil::diagnostic_names(both.codes), testing::ElementsAre("imu lost", "bus error"));
