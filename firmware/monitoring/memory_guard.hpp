@@ -3,10 +3,11 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
+
+#include "monitoring/memory_word.hpp"
 
 namespace monitoring {
 
@@ -39,7 +40,7 @@ class MemoryGuard {
     bool is_failing() const noexcept { return is_failing_; }
 
  private:
-    using Word = std::uint32_t;
+    using Word = MemoryWord;
     using Bytes = std::array<unsigned char, sizeof(Object)>;
 
     static_assert(std::is_trivially_destructible_v<Object>, "it owns nothing: its bytes are all of it");
@@ -70,15 +71,9 @@ class MemoryGuard {
         std::memcpy(to + in_blocks, from + in_blocks, rest);
     }
 
-    static Word word_at(const unsigned char* bytes) noexcept {
-        Word word = 0U;
-        std::memcpy(&word, bytes, sizeof(word));
-        return word;
-    }
-
     template <std::size_t... index>
     static Word sum_of_words(const unsigned char* bytes, std::index_sequence<index...>) noexcept {
-        return (0U + ... + word_at(bytes + index * sizeof(Word)));
+        return (0U + ... + memory_word_at(bytes + index * sizeof(Word)));
     }
 
     static Word sum_of(const Object& object) noexcept {

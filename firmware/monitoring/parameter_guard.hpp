@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <utility>
 
+#include "monitoring/memory_word.hpp"
 #include "rsi/types.hpp"
 
 namespace monitoring {
@@ -42,19 +41,19 @@ class ParameterGuard {
 
  private:
     struct Sums {
-        std::uint32_t plain{0U};
-        std::uint32_t weighted{0U};
+        MemoryWord plain{0U};
+        MemoryWord weighted{0U};
     };
 
     static constexpr std::size_t slice_count = 4U;
-    static constexpr std::size_t word_count = sizeof(rsi::Parameters) / sizeof(std::uint32_t);
+    static constexpr std::size_t word_count = sizeof(rsi::Parameters) / sizeof(MemoryWord);
     static constexpr std::size_t words_of_slice = word_count / slice_count;
-    static_assert(sizeof(rsi::Parameters) % (slice_count * sizeof(std::uint32_t)) == 0U,
+    static_assert(sizeof(rsi::Parameters) % (slice_count * sizeof(MemoryWord)) == 0U,
                   "the guard takes whole words, as many in each cycle");
 
     static void add(const rsi::Parameters& parameters, std::size_t slice, Sums& sums) noexcept {
         const auto* const bytes = static_cast<const unsigned char*>(static_cast<const void*>(&parameters));
-        add_each(bytes + slice * words_of_slice * sizeof(std::uint32_t), sums,
+        add_each(bytes + slice * words_of_slice * sizeof(MemoryWord), sums,
                  std::make_index_sequence<words_of_slice>{});
     }
 
@@ -62,14 +61,12 @@ class ParameterGuard {
     template <std::size_t... index>
     static void add_each(const unsigned char* bytes, Sums& sums, std::index_sequence<index...>) noexcept {
         Sums now = sums;
-        (add_word(bytes + index * sizeof(std::uint32_t), now), ...);
+        (add_word(bytes + index * sizeof(MemoryWord), now), ...);
         sums = now;
     }
 
     static void add_word(const unsigned char* bytes, Sums& sums) noexcept {
-        std::uint32_t word = 0U;
-        std::memcpy(&word, bytes, sizeof(word));
-        sums.plain += word;
+        sums.plain += memory_word_at(bytes);
         sums.weighted += sums.plain;
     }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sil/apps/measured_page.hpp"
+#include "sil/apps/vehicle_options.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/faults/state_matrix.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
@@ -15,14 +16,13 @@ namespace sil {
 namespace {
 
 struct FaultStatesRequest {
-    std::string vehicle_file;
-    std::string calibration_file;
+    VehicleFiles files;
     MeasuredPage page;
 };
 
 void run_fault_states(const FaultStatesRequest& request) {
     const StateMatrix matrix =
-        run_state_matrix(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file));
+        run_state_matrix(load_vehicle(request.files.vehicle), load_calibration(request.files.calibration));
     const std::vector<CellFinding> found = findings_in(matrix);
     const std::vector<std::string> unexpected = differences(found);
     for (const std::string& each : unexpected) {
@@ -43,10 +43,7 @@ void add_fault_states_command(CLI::App& app) {
     const auto request = std::make_shared<FaultStatesRequest>();
     CLI::App* command = app.add_subcommand(
         "fault-states", "Inject every fault in every state of driving, and try every kind of good sensor");
-    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
-        ->required();
-    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
-        ->required();
+    add_vehicle_options(*command, request->files);
     add_page_options(*command, request->page);
     command->callback([request] { run_fault_states(*request); });
 }

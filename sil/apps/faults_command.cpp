@@ -12,6 +12,7 @@
 
 #include "sil/apps/command_line.hpp"
 #include "sil/apps/measured_page.hpp"
+#include "sil/apps/vehicle_options.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/whole_file.hpp"
 #include "sil/studies/faults/endurance.hpp"
@@ -23,8 +24,7 @@ namespace sil {
 namespace {
 
 struct FaultsRequest {
-    std::string vehicle_file;
-    std::string calibration_file;
+    VehicleFiles files;
     MeasuredPage page;
 };
 
@@ -67,7 +67,7 @@ void check_injections(const InjectionCount& count) {
 
 void run_faults(const FaultsRequest& request) {
     const FaultMatrix matrix =
-        run_fault_matrix(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file));
+        run_fault_matrix(load_vehicle(request.files.vehicle), load_calibration(request.files.calibration));
     const std::string document = fault_matrix_document(matrix);
     const InjectionCount count = count_injections(matrix);
     print_unexpected(matrix);
@@ -81,8 +81,7 @@ void run_faults(const FaultsRequest& request) {
 }
 
 struct EnduranceRequest {
-    std::string vehicle_file;
-    std::string calibration_file;
+    VehicleFiles files;
     std::vector<double> hours;
     std::vector<std::uint64_t> seeds{1U};
     std::filesystem::path document;
@@ -95,7 +94,7 @@ EnduranceResult run_with_progress(const EnduranceRequest& request, const Enduran
                          share * 100.0));
     };
     const EnduranceResult result = run_endurance(
-        load_vehicle(request.vehicle_file), load_calibration(request.calibration_file), settings, progress);
+        load_vehicle(request.files.vehicle), load_calibration(request.files.calibration), settings, progress);
     progress(1.0);
     tell("\n");
     return result;
@@ -132,10 +131,7 @@ void add_endurance(CLI::App& app) {
     const auto request = std::make_shared<EnduranceRequest>();
     CLI::App* command =
         app.add_subcommand("endurance", "Hours of mixed driving with random faults, in process");
-    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
-        ->required();
-    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
-        ->required();
+    add_vehicle_options(*command, request->files);
     command->add_option("--hours", request->hours, "Simulated hours; repeated: one run after the other")
         ->required()
         ->allow_extra_args(false)
@@ -154,10 +150,7 @@ void add_faults_command(CLI::App& app) {
     const auto request = std::make_shared<FaultsRequest>();
     CLI::App* command =
         app.add_subcommand("faults", "Inject every fault into every scene and judge what the ECU does");
-    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
-        ->required();
-    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
-        ->required();
+    add_vehicle_options(*command, request->files);
     add_page_options(*command, request->page);
     command->callback([request] { run_faults(*request); });
     add_endurance(app);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/vehicle_options.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/faults/memory_flips.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
@@ -16,8 +17,7 @@ namespace sil {
 namespace {
 
 struct MemoryFlipsRequest {
-    std::string vehicle_file;
-    std::string calibration_file;
+    VehicleFiles files;
     std::uint64_t flips{10000U};
     std::uint64_t seed{1U};
     double most_silent{1000.0};
@@ -33,7 +33,7 @@ void require_few(const FlipCount& count, double most_of_1000, const char* whose)
 
 void run(const MemoryFlipsRequest& request) {
     const MemoryFlips result =
-        run_memory_flips(load_vehicle(request.vehicle_file), load_calibration(request.calibration_file),
+        run_memory_flips(load_vehicle(request.files.vehicle), load_calibration(request.files.calibration),
                          request.flips, request.seed);
     fmt::print("{}{}", memory_flips_table(result), silent_flips(result));
     require_few(count_component_flips(result), request.most_silent, "the component");
@@ -46,10 +46,7 @@ void add_memory_flips_command(CLI::App& app) {
     const auto request = std::make_shared<MemoryFlipsRequest>();
     CLI::App* command = app.add_subcommand(
         "memory-flips", "Change single bits of the ECU's memory and judge what becomes of the warning");
-    command->add_option("--vehicle", request->vehicle_file, "Parameter file of the simulated vehicle (TOML)")
-        ->required();
-    command->add_option("--parameters", request->calibration_file, "Calibration of the firmware (TOML)")
-        ->required();
+    add_vehicle_options(*command, request->files);
     add_whole_number(*command, "--flips", request->flips, "How many")
         ->default_str(fmt::format("{}", request->flips));
     add_whole_number(*command, "--seed", request->seed, "Seed of drive, moment and bit")

@@ -9,6 +9,7 @@
 #include "monitoring/roll_consistency.hpp"
 #include "monitoring/turn_consistency.hpp"
 #include "monitoring/vertical_offset.hpp"
+#include "tests/monitoring/leaning_body.hpp"
 #include "tests/support/large_suv.h"
 
 namespace monitoring_consistency_test {
@@ -467,9 +468,7 @@ class AForceVote : public ::testing::Test {
     static rsi::Parameters parameters() { return rsi_test_large_suv(); }
 
     static float roll_angle_rad(float force_mps2) {
-        const rsi::Parameters suv = parameters();
-        return force_mps2 * suv.sprung_mass_kg * (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
-               suv.roll_stiffness_nmprad;
+        return monitoring_test::held_roll_angle_rad(parameters(), force_mps2);
     }
 
     bool alone_after(int samples, float accelerometer_mps2, float by_yaw_mps2, float by_roll_mps2) {

@@ -22,6 +22,26 @@ class AForceGain : public ::testing::Test {
         }
     }
 
+    struct Turn {
+        float shown_mps2;
+        float by_yaw_mps2;
+        float by_roll_mps2;
+    };
+
+    // To either side: five samples of the one do not accuse the sensor, nor do four of the other, but five
+    // do.
+    void expect_accused_at_once_between(const Turn& admitted, const Turn& accused) {
+        for (const float side : {1.0F, -1.0F}) {
+            gain = {};
+            turn(5, side * admitted.shown_mps2, side * admitted.by_yaw_mps2, side * admitted.by_roll_mps2);
+            EXPECT_FALSE(gain.is_wrong());
+            turn(4, side * accused.shown_mps2, side * accused.by_yaw_mps2, side * accused.by_roll_mps2);
+            EXPECT_FALSE(gain.is_wrong());
+            turn(1, side * accused.shown_mps2, side * accused.by_yaw_mps2, side * accused.by_roll_mps2);
+            EXPECT_TRUE(gain.is_wrong());
+        }
+    }
+
     monitoring::ForceGain gain;
 };
 
@@ -126,35 +146,21 @@ TEST_F(AForceGain, NeedsBothWitnessesBeyond1MetrePerSecondSquaredOnOneSide) {
 
 // A load of 70 % under which the vehicle slides stays below it.
 TEST_F(AForceGain, NeedsNoSecondTurnForLessThan58PerCentAndMoreThan1500MillimetresPerSecondSquared) {
-    for (const float side : {1.0F, -1.0F}) {
-        gain = {};
-        turn(5, side * 2.93F, side * 5.0F, side * 6.0F);  // 58.6 %
-        turn(5, side * 1.51F, side * 3.0F, side * 3.0F);  // 1.49 m/s^2
-        EXPECT_FALSE(gain.is_wrong());
-        turn(4, side * 2.87F, side * 5.0F, side * 6.0F);
-        EXPECT_FALSE(gain.is_wrong());
-        turn(1, side * 2.87F, side * 5.0F, side * 6.0F);
-        EXPECT_TRUE(gain.is_wrong());
-        gain = {};
-        turn(5, side * 1.48F, side * 3.0F, side * 3.0F);  // 1.52 m/s^2
-        EXPECT_TRUE(gain.is_wrong());
-    }
+    const Turn by_586_per_mille{2.93F, 5.0F, 6.0F};
+    const Turn by_574_per_mille{2.87F, 5.0F, 6.0F};
+    expect_accused_at_once_between(by_586_per_mille, by_574_per_mille);
+    const Turn by_1490_mmps2{1.51F, 3.0F, 3.0F};
+    const Turn by_1520_mmps2{1.48F, 3.0F, 3.0F};
+    expect_accused_at_once_between(by_1490_mmps2, by_1520_mmps2);
 }
 
 TEST_F(AForceGain, NeedsNoSecondTurnForMoreThan180PerCentAndMoreThan1500MillimetresPerSecondSquared) {
-    for (const float side : {1.0F, -1.0F}) {
-        gain = {};
-        turn(5, side * 7.12F, side * 3.0F, side * 4.0F);  // 178 %
-        turn(5, side * 3.29F, side * 1.8F, side * 1.8F);  // 1.49 m/s^2
-        EXPECT_FALSE(gain.is_wrong());
-        turn(4, side * 7.24F, side * 3.0F, side * 4.0F);
-        EXPECT_FALSE(gain.is_wrong());
-        turn(1, side * 7.24F, side * 3.0F, side * 4.0F);
-        EXPECT_TRUE(gain.is_wrong());
-        gain = {};
-        turn(5, side * 3.32F, side * 1.8F, side * 1.8F);  // 1.52 m/s^2
-        EXPECT_TRUE(gain.is_wrong());
-    }
+    const Turn by_178_per_cent{7.12F, 3.0F, 4.0F};
+    const Turn by_181_per_cent{7.24F, 3.0F, 4.0F};
+    expect_accused_at_once_between(by_178_per_cent, by_181_per_cent);
+    const Turn by_1490_mmps2{3.29F, 1.8F, 1.8F};
+    const Turn by_1520_mmps2{3.32F, 1.8F, 1.8F};
+    expect_accused_at_once_between(by_1490_mmps2, by_1520_mmps2);
 }
 
 TEST_F(AForceGain, TakesNoFourSamplesForFive) {

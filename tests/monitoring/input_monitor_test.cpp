@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "monitoring/input_monitor.hpp"
+#include "tests/monitoring/leaning_body.hpp"
 #include "tests/support/large_suv.h"
 
 namespace monitoring_input_monitor_test {
@@ -101,9 +102,7 @@ TEST_F(AnInputMonitor, TakesALoadThatMinutesHaveShownForNoFaultOfTheAcceleromete
     monitor.start(suv);
     inputs.lateral_specific_force_mps2 = 4.0F;
     inputs.yaw_rate_radps = 8.0F / inputs.speed_mps;
-    inputs.roll_angle_rad = 8.0F * suv.sprung_mass_kg *
-                            (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
-                            suv.roll_stiffness_nmprad;
+    inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 8.0F);
     before.load_excess = 1.0F;
     before.load_excess_deviation = 0.059F;
     run(200);
@@ -122,8 +121,6 @@ TEST_F(AnInputMonitor, TakesALoadThatMinutesHaveShownForNoFaultOfTheAcceleromete
 // Onto a bank of 12 deg within a second, straight on: the body leans against the road as its weight makes it.
 TEST_F(AnInputMonitor, TakesARoadThatTwistsForNoFaultOfTheRollRate) {
     const rsi::Parameters suv = rsi_test_large_suv();
-    const float per_force = suv.sprung_mass_kg * (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
-                            suv.roll_stiffness_nmprad;
     for (const float seen : {1.0F, 0.0F}) {
         float bank_rad = 0.0F;
         for (int cycle = 0; cycle < 300; ++cycle) {
@@ -131,7 +128,8 @@ TEST_F(AnInputMonitor, TakesARoadThatTwistsForNoFaultOfTheRollRate) {
             bank_rad += twists ? 0.0021F : 0.0F;
             const float noise = (cycle % 2 == 0) ? 0.001F : -0.001F;
             inputs.lateral_specific_force_mps2 = seen * 9.80665F * std::sin(bank_rad) + noise;
-            inputs.roll_angle_rad = per_force * inputs.lateral_specific_force_mps2;
+            inputs.roll_angle_rad =
+                monitoring_test::held_roll_angle_rad(suv, inputs.lateral_specific_force_mps2);
             inputs.roll_rate_radps = (twists ? 0.21F : 0.0F) + noise;
             run(1);
         }
@@ -157,9 +155,7 @@ TEST_F(AnInputMonitor, AdmitsAVerticalAccelerationThatChangesBy12MetresPerSecond
 TEST_F(AnInputMonitor, AccusesNoAccelerometerInASpin) {
     const rsi::Parameters suv = rsi_test_large_suv();
     inputs.lateral_specific_force_mps2 = 0.0F;
-    angle_rad = inputs.roll_angle_rad = 8.5F * suv.sprung_mass_kg *
-                                        (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
-                                        suv.roll_stiffness_nmprad;
+    angle_rad = inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 8.5F);
     ASSERT_LT(angle_rad, 0.15F);
     inputs.yaw_rate_radps = 10.6F / inputs.speed_mps;
     run(60);
@@ -576,21 +572,17 @@ TEST_F(AnInputMonitor, TakesTheRollRateBackOnceTheContradictionHasHealed) {
 // by more than half of what would blame it lets the second begin anew.
 TEST_F(AnInputMonitor, LetsAnAccelerometersSecondWaitWhileTheYawRateAloneIsAhead) {
     const rsi::Parameters suv = rsi_test_large_suv();
-    const float roll_per_force = suv.sprung_mass_kg *
-                                 (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
-                                 suv.roll_stiffness_nmprad;
-    const auto cycles_to_heal = [this, &suv, roll_per_force](float roll_contradicts_by_mps2,
-                                                             int ahead_cycles) {
+    const auto cycles_to_heal = [this, &suv](float roll_contradicts_by_mps2, int ahead_cycles) {
         monitor.start(suv);
         memory = {};
         turn_at(4.0F);
-        inputs.roll_angle_rad = roll_per_force * 4.0F;
+        inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 4.0F);
         run(100);
         inputs.lateral_specific_force_mps2 = 9.0F;
         run(50);
         EXPECT_TRUE(confirmed(lateral_code));
         inputs.lateral_specific_force_mps2 = 4.0F;
-        inputs.roll_angle_rad = roll_per_force * (4.0F - roll_contradicts_by_mps2);
+        inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 4.0F - roll_contradicts_by_mps2);
         run(100);
         EXPECT_TRUE(confirmed(lateral_code));
         inputs.yaw_rate_radps = 7.0F / inputs.speed_mps;
@@ -651,9 +643,7 @@ class AnInputMonitorWithAWeakAccelerometer : public AnInputMonitor {
     void turn_with_half(float force_mps2, int cycles) {
         turn_at(force_mps2);
         inputs.lateral_specific_force_mps2 = 0.5F * force_mps2;
-        inputs.roll_angle_rad = force_mps2 * suv.sprung_mass_kg *
-                                (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
-                                suv.roll_stiffness_nmprad;
+        inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, force_mps2);
         run(cycles);
     }
 
@@ -777,9 +767,7 @@ TEST_F(AnInputMonitorOfASlowVehicle, BlamesItAndNotTheRollSensorWhenTheObserverC
 TEST_F(AnInputMonitorOfASlowVehicle, StandsOnTheSteepestRoad) {
     const rsi::Parameters suv = rsi_test_large_suv();
     inputs.lateral_specific_force_mps2 = 4.3F;
-    inputs.roll_angle_rad = 4.3F * suv.sprung_mass_kg *
-                            (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
-                            suv.roll_stiffness_nmprad;
+    inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 4.3F);
     run(1000);
     EXPECT_FALSE(confirmed(lateral_code));
     EXPECT_EQ(qualified.lateral_specific_force_mps2, 4.3F);
@@ -805,15 +793,13 @@ TEST_F(AnInputMonitorOfASlowVehicle, DoesNotJudgeALateralAccelerationWithoutASpe
 // Twists of the road need a road that passes by.
 TEST_F(AnInputMonitorOfASlowVehicle, TakesNoTwistForAnExcuseOfTheRollRate) {
     const rsi::Parameters suv = rsi_test_large_suv();
-    const float per_force = suv.sprung_mass_kg * (suv.sprung_cg_height_m - suv.fixed_roll_centre_height_m) /
-                            suv.roll_stiffness_nmprad;
     float bank_rad = 0.0F;
     for (int cycle = 0; cycle < 300; ++cycle) {
         const bool twists = cycle >= 100 && cycle < 200;
         bank_rad += twists ? 0.0021F : 0.0F;
         const float noise = (cycle % 2 == 0) ? 0.001F : -0.001F;
         inputs.lateral_specific_force_mps2 = 9.80665F * std::sin(bank_rad) + noise;
-        inputs.roll_angle_rad = per_force * inputs.lateral_specific_force_mps2;
+        inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, inputs.lateral_specific_force_mps2);
         inputs.roll_rate_radps = (twists ? 0.21F : 0.0F) + noise;
         run(1);
     }

@@ -34,8 +34,6 @@ class Program:
         self._process.wait()
 
 
-
-
 class Record:
     """What each test costs (ms of CPU time), and in which tests a mutant makes another value somewhere: no other can notice."""
 
