@@ -37,6 +37,9 @@ struct FrameFaults {
     bool counter_error{false};   // repeated, or more frames lost than tolerated
     bool signal_invalid{false};  // the latest usable frame carries a signal that is not valid
     bool two_senders{false};     // more frames come than one sender sends
+
+    // Never of a sensor that the vehicle does not have: nothing of it times out.
+    bool is_fresh() const noexcept { return received && !timeout; }
 };
 
 // Message is one of the structures that can_dbc generates.

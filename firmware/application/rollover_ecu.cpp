@@ -46,6 +46,7 @@ void RolloverEcu::start_checks() noexcept {
     component_guard_.keep(component_);
     parameter_guard_.start(parameters_);
     input_monitor_.start(parameters_);
+    reception_.start(parameters_);
 }
 
 // Who was reset while running carries what he did; who was without power may have been loaded or emptied.
@@ -88,8 +89,8 @@ rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionRep
         input_monitor_.start(parameters_);
         return no_inputs;
     }
-    const monitoring::FreshFrames fresh{!reception.imu.timeout, !reception.roll_angle.timeout,
-                                        !reception.vehicle_motion.timeout, reception.late_roll_angle_rad};
+    const monitoring::FreshFrames fresh{reception.imu.is_fresh(), reception.roll_angle.is_fresh(),
+                                        reception.vehicle_motion.is_fresh(), reception.late_roll_angle_rad};
     return input_monitor_.qualify(inputs, fresh, outputs_, memory_);
 }
 

@@ -57,10 +57,14 @@ void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
             imu_.take(frame);
             break;
         case can_dbc::RollAngle::identifier:
-            roll_angle_.take(frame);
+            if (roll_angle_fitted_) {
+                roll_angle_.take(frame);
+            }
             break;
         case can_dbc::VehicleMotion::identifier:
-            vehicle_motion_.take(frame);
+            if (motion_fitted_) {
+                vehicle_motion_.take(frame);
+            }
             break;
         case can_dbc::VehicleMass::identifier:
             vehicle_mass_.take(frame);
@@ -88,7 +92,8 @@ rsi::Inputs SensorReception::inputs(hal::Time now) const noexcept {
     inputs.bank_angle_rad = roll.bank_angle_deg * radians_per_degree;
     inputs.yaw_rate_radps = motion.yaw_rate_deg_per_s * radians_per_degree;
     inputs.speed_mps = motion.speed_kmh * mps_per_kmh;
-    inputs.steering_wheel_angle_rad = motion.steering_wheel_angle_deg * radians_per_degree;
+    inputs.steering_wheel_angle_rad =
+        steering_fitted_ ? motion.steering_wheel_angle_deg * radians_per_degree : rsi::not_available;
     inputs.vehicle_mass_kg = mass.mass_kg;
     return inputs;
 }
@@ -98,12 +103,19 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
     // Most vehicles have no bank sensor, so a bank that is not available is no fault.
     const bool roll_valid =
         (roll.roll_angle_deg == SignalStatus::valid) && (roll.bank_angle_deg != SignalStatus::out_of_range);
+    const can_dbc::VehicleMotion::Status& motion = vehicle_motion_.latest().status;
+    const bool motion_valid = (motion.speed_kmh == SignalStatus::valid) &&
+                              (motion.yaw_rate_deg_per_s == SignalStatus::valid) &&
+                              (!steering_fitted_ || (motion.steering_wheel_angle_deg == SignalStatus::valid));
 
     ReceptionReport report{};
     report.imu = faults(imu_, imu_.is_fresh(now), imu_.latest().status.all_valid());
-    report.roll_angle = faults(roll_angle_, is_roll_angle_fresh(now), roll_valid);
-    report.vehicle_motion =
-        faults(vehicle_motion_, vehicle_motion_.is_fresh(now), vehicle_motion_.latest().status.all_valid());
+    if (roll_angle_fitted_) {
+        report.roll_angle = faults(roll_angle_, is_roll_angle_fresh(now), roll_valid);
+    }
+    if (motion_fitted_) {
+        report.vehicle_motion = faults(vehicle_motion_, vehicle_motion_.is_fresh(now), motion_valid);
+    }
     if (roll_angle_delay_.is_late() && roll_angle_.is_fresh(now)) {
         report.late_roll_angle_rad = roll_angle_.latest().value.roll_angle_deg * radians_per_degree;
     }

@@ -41,6 +41,13 @@ inline constexpr rsi::Inputs no_inputs{rsi::not_available, rsi::not_available, r
 
 class SensorReception {
  public:
+    // Which sensors the vehicle has: frames of others are not read, and not missed.
+    void start(const rsi::Parameters& parameters) noexcept {
+        roll_angle_fitted_ = (parameters.roll_angle_sensor != RSI_ROLL_SENSOR_NOT_FITTED);
+        motion_fitted_ = (parameters.vehicle_motion_sensors != RSI_MOTION_NOT_FITTED);
+        steering_fitted_ = (parameters.vehicle_motion_sensors == RSI_MOTION_WITH_STEERING);
+    }
+
     // Reads what waits on the bus. `missed_cycles` were left out before this one.
     void receive(hal::CanBus& bus, std::uint32_t missed_cycles) noexcept;
 
@@ -60,6 +67,9 @@ class SensorReception {
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
     FrameMonitor<can_dbc::VehicleMass> vehicle_mass_{};  // few vehicles send it, so its absence is no fault
     RollAngleDelay roll_angle_delay_{};
+    bool roll_angle_fitted_{true};
+    bool motion_fitted_{true};
+    bool steering_fitted_{true};
 };
 
 }  // namespace application

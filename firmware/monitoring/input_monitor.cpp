@@ -18,6 +18,9 @@ constexpr float clear_force_mps2 = 2.0F;
 
 constexpr float sure_excess_deviation = 0.06F;
 
+// A speed in larger steps repeats its value in turns at a constant speed.
+constexpr float largest_fine_step_mps = 0.05F;
+
 // Of the road: measured, or as the observer has it.
 float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     const bool measured = rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad);
@@ -72,6 +75,10 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     wrong_of_roll_ = wrong_of_roll;
     force_gain_ = force_gain;
     against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
+    steering_fitted_ = (parameters.vehicle_motion_sensors == RSI_MOTION_WITH_STEERING);
+    speed_is_fine_ = (parameters.speed_resolution_mps <= largest_fine_step_mps);
+    lateral_.admit_noise(parameters.accelerometer_noise_mps2);
+    vertical_.admit_noise(parameters.accelerometer_noise_mps2);
     roll_reference_.start(parameters);
     force_vote_.start(parameters);
 }
@@ -127,7 +134,9 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
     if (fresh.vehicle_motion) {
         qualified.yaw_rate_radps = yaw_rate_.qualify(inputs.yaw_rate_radps, memory);
         qualified.speed_mps = speed_.qualify(inputs.speed_mps, memory);
-        qualified.steering_wheel_angle_rad = steering_.qualify(inputs.steering_wheel_angle_rad, memory);
+        if (steering_fitted_) {
+            qualified.steering_wheel_angle_rad = steering_.qualify(inputs.steering_wheel_angle_rad, memory);
+        }
     } else {
         yaw_rate_.forget();
         speed_.forget();
@@ -157,7 +166,9 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
            inputs.roll_angle_rad - turned);
     report(DiagnosticCode::roll_angle_stuck, roll_angle_stuck_, inputs.roll_angle_rad, turned);
     report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_, inputs.yaw_rate_radps, lateral);
-    report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
+    if (speed_is_fine_) {
+        report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
+    }
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
 }
 

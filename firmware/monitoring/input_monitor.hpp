@@ -54,6 +54,8 @@ class InputMonitor {
     float roll_beyond_observed(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
 
     bool against_horizon_{false};  // the roll sensor's angle, as calibrated
+    bool steering_fitted_{true};
+    bool speed_is_fine_{true};  // its steps are small enough that one at work does not repeat its value
 
     // Ranges: beyond what a vehicle does, and below the end of the sensor's range, so that a saturated sensor
     // counts as failed. Jumps: half as much again as the largest change within a cycle over 2,900 drawn runs

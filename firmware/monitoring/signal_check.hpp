@@ -28,6 +28,13 @@ class SignalCheck {
     // once.
     float qualify(float value, DiagnosticMemory& memory, float expected_change = 0.0F) noexcept;
 
+    // Noise of a good sensor, rms, besides what the limits admit: they grow by that of its second difference.
+    void admit_noise(float rms) noexcept {
+        const float second_difference = 2.45F * rms;
+        limits_.jump += second_difference;
+        limits_.shake += second_difference;
+    }
+
     // A cycle without its frame.
     void forget() noexcept {
         known_ = false;

@@ -28,7 +28,7 @@ struct SelectionField {
 };
 
 // Every float field of Parameters, in its order; a test holds the count against the structure's size.
-inline constexpr std::array<ParameterField, 61> parameter_fields{{
+inline constexpr std::array<ParameterField, 63> parameter_fields{{
     {"sprung_mass_kg", &Parameters::sprung_mass_kg, 100.0F, 60000.0F},
     {"sprung_cg_height_m", &Parameters::sprung_cg_height_m, 0.2F, 4.0F},
     {"track_width_m", &Parameters::track_width_m, 0.8F, 3.0F},
@@ -90,19 +90,30 @@ inline constexpr std::array<ParameterField, 61> parameter_fields{{
     {"advisory_hold_s", &Parameters::advisory_hold_s, 0.0F, 60.0F},
     {"warning_hold_s", &Parameters::warning_hold_s, 0.0F, 60.0F},
     {"recovery_s", &Parameters::recovery_s, 0.0F, 60.0F},
+    {"accelerometer_noise_mps2", &Parameters::accelerometer_noise_mps2, 0.0F, 2.0F},
+    {"speed_resolution_mps", &Parameters::speed_resolution_mps, 0.0F, 1.0F},
 }};
 
 inline constexpr std::array<const char*, 2> estimator_choices{{"published", "consider_kalman"}};
 
 inline constexpr std::array<const char*, 2> roll_angle_reference_choices{{"road", "horizon"}};
 
-inline constexpr std::array<SelectionField, 3> selection_fields{{
+inline constexpr std::array<const char*, 2> roll_angle_sensor_choices{{"fitted", "none"}};
+
+inline constexpr std::array<const char*, 3> vehicle_motion_sensors_choices{
+    {"with_steering", "without_steering", "none"}};
+
+inline constexpr std::array<SelectionField, 5> selection_fields{{
     {"estimator", &Parameters::estimator, estimator_choices.data(),
      static_cast<std::int32_t>(estimator_choices.size()), 2},
     {"warning_indicator", &Parameters::warning_indicator, indicator_choices.data(),
      static_cast<std::int32_t>(indicator_choices.size()), 12},
     {"roll_angle_reference", &Parameters::roll_angle_reference, roll_angle_reference_choices.data(),
      static_cast<std::int32_t>(roll_angle_reference_choices.size()), 2},
+    {"roll_angle_sensor", &Parameters::roll_angle_sensor, roll_angle_sensor_choices.data(),
+     static_cast<std::int32_t>(roll_angle_sensor_choices.size()), 2},
+    {"vehicle_motion_sensors", &Parameters::vehicle_motion_sensors, vehicle_motion_sensors_choices.data(),
+     static_cast<std::int32_t>(vehicle_motion_sensors_choices.size()), 3},
 }};
 
 // Accepts, or names the first field that is refused and why.

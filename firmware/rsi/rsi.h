@@ -55,6 +55,16 @@ typedef enum {
     RSI_ROLL_AGAINST_HORIZON = 1 /* of an attitude sensor: the same and the road's bank */
 } rsi_roll_angle_reference;
 
+/* Whether the vehicle has a roll sensor. What it does not have is not missed, and not read if it is sent. */
+typedef enum { RSI_ROLL_SENSOR_FITTED = 0, RSI_ROLL_SENSOR_NOT_FITTED = 1 } rsi_roll_angle_sensor;
+
+/* What the vehicle tells of its motion. */
+typedef enum {
+    RSI_MOTION_WITH_STEERING = 0, /* speed, yaw rate and steering wheel angle */
+    RSI_MOTION_WITHOUT_STEERING = 1,
+    RSI_MOTION_NOT_FITTED = 2 /* nothing */
+} rsi_vehicle_motion_sensors;
+
 /* Where the roll angle in use comes from. */
 typedef enum { RSI_ROLL_NONE = 0, RSI_ROLL_SENSOR = 1, RSI_ROLL_OBSERVER = 2 } rsi_roll_source;
 
@@ -162,10 +172,16 @@ typedef struct {
     float warning_hold_s;         /* least time in the warning state */
     float recovery_s;             /* inputs must be good this long before "unavailable" is left */
 
+    /* Sensors: what the monitoring of the inputs has to admit */
+    float accelerometer_noise_mps2; /* rms at the rate of the frames; 0: filtered, as most are */
+    float speed_resolution_mps;     /* one step of the speed's value */
+
     /* Selections */
-    int32_t estimator;            /* rsi_estimator */
-    int32_t warning_indicator;    /* rsi_indicator */
-    int32_t roll_angle_reference; /* rsi_roll_angle_reference */
+    int32_t estimator;              /* rsi_estimator */
+    int32_t warning_indicator;      /* rsi_indicator */
+    int32_t roll_angle_reference;   /* rsi_roll_angle_reference */
+    int32_t roll_angle_sensor;      /* rsi_roll_angle_sensor */
+    int32_t vehicle_motion_sensors; /* rsi_vehicle_motion_sensors */
 } rsi_parameters;
 
 /* One sample of the sensors, all body-fixed. A value that is not finite or outside its range is "not

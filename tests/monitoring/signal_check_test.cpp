@@ -30,7 +30,7 @@ class ASignalOfTheInputMonitor : public ::testing::Test {
     ASignalOfTheInputMonitor() { start(); }
 
     void start() {
-        monitor.start(rsi_test_large_suv());
+        monitor.start(vehicle);
         memory = {};
         inputs = {};
         inputs.vertical_specific_force_mps2 = 10.0F;
@@ -56,6 +56,7 @@ class ASignalOfTheInputMonitor : public ::testing::Test {
 
     static constexpr FreshFrames all{true, true, true};
 
+    rsi::Parameters vehicle{rsi_test_large_suv()};
     monitoring::InputMonitor monitor;
     monitoring::DiagnosticMemory memory;
     rsi::Inputs inputs{};
@@ -260,6 +261,26 @@ TEST_P(ASignal, ForgetsItsNoiseInACycleWithoutItsFrame) {
     run_without(limits.without_its_frame, 1);
     send_alternating(0.49F * limits.shake, 8);
     EXPECT_EQ(status(limits.jumps), EventStatus::none);
+}
+
+// Accelerometers without a filter. The second difference of white noise of 1 m/s^2 is one of 2.45 m/s^2.
+TEST_P(ASignal, IsAdmittedTheNoiseThatIsCalibrated) {
+    vehicle.accelerometer_noise_mps2 = 1.0F;
+    const bool accelerometer = limits.maximum >= 40.0F && limits.jump == 12.0F;
+    const float admitted = accelerometer ? 2.45F : 0.0F;
+    start();
+    run(5);
+    send(usual + 0.999F * (limits.jump + admitted));
+    EXPECT_EQ(status(limits.jumps), EventStatus::none);
+    start();
+    run(5);
+    send(usual + 1.001F * (limits.jump + admitted));
+    EXPECT_EQ(status(limits.jumps), EventStatus::set);
+    start();
+    send_alternating(0.249F * (limits.shake + admitted), 300);
+    EXPECT_EQ(status(limits.jumps), EventStatus::none);
+    send_alternating(0.251F * (limits.shake + admitted), 100);
+    EXPECT_EQ(status(limits.jumps), EventStatus::confirmed);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachSensor, ASignal, ::testing::ValuesIn(stated_limits),
@@ -508,6 +529,21 @@ INSTANTIATE_TEST_SUITE_P(
                       StatedWitness{"Speed", DiagnosticCode::speed_stuck, &rsi::Inputs::speed_mps,
                                     &rsi::Inputs::yaw_rate_radps, 4.5F / 30.0F, 1}),
     [](const auto& tested) { return std::string{tested.param.name}; });
+
+// A speed in large steps stays the same through any turn.
+TEST_F(ASignalOfTheInputMonitor, SpeedIsNotStuckInStepsOfMoreThan5CentimetresPerSecond) {
+    for (const float step_mps : {0.05F, std::nextafter(0.05F, 1.0F)}) {
+        vehicle.speed_resolution_mps = step_mps;
+        start();
+        run(1);
+        for (int turn = 0; turn < 10; ++turn) {
+            inputs.yaw_rate_radps = (turn % 2 == 0) ? 0.2F : -0.2F;
+            run(20);
+        }
+        EXPECT_EQ(status(DiagnosticCode::speed_stuck),
+                  step_mps > 0.05F ? EventStatus::none : EventStatus::confirmed);
+    }
+}
 
 }  // namespace
 }  // namespace monitoring_signal_check_test

@@ -15,8 +15,9 @@
 SAME(sizeof(rsi_outputs) == 0U RSI_OUTPUTS(ROW, ROW, ROW), outputs_have_no_gaps);
 SAME(sizeof(rsi_inputs) == 9U * 4U, inputs_have_no_gaps);
 SAME(sizeof(rsi_learnt_load) == 3U * 4U, the_load_has_no_gaps);
-SAME(sizeof(rsi_parameters) == offsetof(rsi_parameters, roll_angle_reference) + 4U, parameters_have_no_tail);
-SAME(offsetof(rsi_parameters, roll_angle_reference) == offsetof(rsi_parameters, estimator) + 8U,
+SAME(sizeof(rsi_parameters) == offsetof(rsi_parameters, vehicle_motion_sensors) + 4U,
+     parameters_have_no_tail);
+SAME(offsetof(rsi_parameters, vehicle_motion_sensors) == offsetof(rsi_parameters, estimator) + 16U,
      choices_are_words);
 SAME(offsetof(rsi_validation, field) == sizeof(void*), the_answer_is_padded_to_a_pointer);
 SAME(sizeof(rsi_validation) == 3U * sizeof(void*), the_answer_has_no_tail);

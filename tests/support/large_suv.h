@@ -69,9 +69,13 @@ static inline rsi_parameters rsi_test_large_suv(void) {
     parameters.advisory_hold_s = 0.5F;
     parameters.warning_hold_s = 1.0F;
     parameters.recovery_s = 0.1F;
+    parameters.accelerometer_noise_mps2 = 0.0F;
+    parameters.speed_resolution_mps = 0.01F;
     parameters.estimator = RSI_ESTIMATOR_PUBLISHED;
     parameters.warning_indicator = RSI_INDICATOR_PUBLISHED;
     parameters.roll_angle_reference = RSI_ROLL_AGAINST_ROAD;
+    parameters.roll_angle_sensor = RSI_ROLL_SENSOR_FITTED;
+    parameters.vehicle_motion_sensors = RSI_MOTION_WITH_STEERING;
     return parameters;
 }
 

@@ -13,15 +13,20 @@ constexpr std::size_t lead_cycles = least_lead_ms / ms_a_cycle;
 constexpr std::size_t lead_loss_cycles = longest_lead_loss_ms / ms_a_cycle;
 constexpr std::size_t nearby_cycles = warning_nearby_ms / ms_a_cycle;
 constexpr std::size_t cycles_until_a_sender_counts = second_sender_shows_ms / ms_a_cycle;
+constexpr std::size_t start_cycles = start_ms / ms_a_cycle;
 constexpr double weak_gain = 0.5;
 
 bool warns(const std::optional<EcuAnswer>& answer, WarningSide side) {
     return answer && answer->state == WarningState::warning && answer->side == side;
 }
 
+bool tells_a_code(const EcuAnswer& faulty, const EcuAnswer& right) {
+    return (faulty.codes & ~right.codes).any();
+}
+
 // More than the ECU without the fault says, or nothing at all, which the receiver takes for unavailable.
 bool tells(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right) {
-    return !faulty || (faulty->codes & ~right.codes).any() ||
+    return !faulty || tells_a_code(*faulty, right) ||
            (faulty->state == WarningState::unavailable && right.state != WarningState::unavailable);
 }
 
@@ -102,6 +107,16 @@ bool is_told(const FaultyRun& right, const FaultyRun& faulty, std::size_t begin,
     return false;
 }
 
+bool accuses_good_sensors(const FaultyRun& right, const FaultyRun& other, std::size_t end) {
+    const std::size_t started = std::min(start_cycles, end);
+    for (std::size_t cycle = 0U; cycle < started; ++cycle) {
+        if (other.answers[cycle] && tells_a_code(*other.answers[cycle], *right.answers[cycle])) {
+            return true;
+        }
+    }
+    return is_told(right, other, started, end);
+}
+
 bool is_as_demanded(const EcuAnswer& answer, Demand demand) {
     switch (demand) {
         case Demand::unavailable:
@@ -165,7 +180,7 @@ std::vector<FindingKind> findings_of(const FaultedDrive& drive, const Fault& fau
 std::vector<FindingKind> findings_of_good_sensors(const FaultedDrive& drive, const FaultyRun& right,
                                                   const FaultyRun& other) {
     std::vector<FindingKind> found = silent_findings(drive, right, other);
-    if (is_told(right, other, 0U, end_of(drive))) {
+    if (accuses_good_sensors(right, other, end_of(drive))) {
         found.push_back(FindingKind::good_sensor_accused);
     }
     return found;

@@ -29,6 +29,8 @@ inline constexpr int warning_nearby_ms = 2000;
 inline constexpr double large_load_transfer = 0.7;
 // A second sender must show in the ECU's state after so long.
 inline constexpr int second_sender_shows_ms = 200;
+// For so long after the start "unavailable" accuses nobody: without a roll sensor the observer settles first.
+inline constexpr int start_ms = 300;
 
 // Judged against the run of the same drive without the fault, until two wheels lift: a missed and a false
 // warning, whatever the fault.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <limits>
 
 #include "sil/studies/faults/recorded_drive.hpp"
 #include "sil/units.hpp"
@@ -12,9 +13,11 @@ namespace {
 
 constexpr double half_degree = 0.5 / degrees_per_radian;
 constexpr double one_kmh = 1.0 / 3.6;
+constexpr double finest_unchecked_mps = 0.05;  // up to it a speed that repeats its value may be stuck
 constexpr double raw_noise_mps2 = 1.0;  // rms, of an accelerometer without a filter in a vehicle that drives
 
 using Change = std::function<void(SensorOptions&)>;
+using Calibration = std::function<void(rsi::Parameters&)>;
 using Channels = std::vector<ChannelOptions*>;
 
 Channels imu_channels(SensorOptions& options) {
@@ -48,8 +51,30 @@ void coarse_rates(SensorOptions& options) {
     options.motion.yaw_rate_radps.quantisation_step = half_degree;
 }
 
+void leave_out(const Channels& channels) {
+    for (ChannelOptions* const channel : channels) {
+        channel->bias = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+void without_roll_sensor(SensorOptions& options) {
+    leave_out(roll_channels(options));
+}
+
+void without_motion(SensorOptions& options) {
+    leave_out(motion_channels(options));
+}
+
+void without_steering(SensorOptions& options) {
+    leave_out({&options.motion.steering_wheel_angle_rad});
+}
+
 void coarse_speed(SensorOptions& options) {
     options.motion.speed_mps.quantisation_step = one_kmh;
+}
+
+void fine_speed(SensorOptions& options) {
+    options.motion.speed_mps.quantisation_step = finest_unchecked_mps;
 }
 
 void all_coarse(SensorOptions& options) {
@@ -81,15 +106,33 @@ Change late(Channels (*channels)(SensorOptions&), unsigned cycles) {
 struct Kind {
     std::string name;
     Change change;
+    Calibration calibrate{};  // empty: as for the usual sensors
 };
 
+void with_coarse_speed(rsi::Parameters& calibration) {
+    calibration.speed_resolution_mps = static_cast<float>(one_kmh);
+}
+
+void with_raw_accelerometers(rsi::Parameters& calibration) {
+    calibration.accelerometer_noise_mps2 = static_cast<float>(raw_noise_mps2);
+}
+
 std::vector<Kind> all_kinds() {
-    std::vector<Kind> kinds{{"all at 50 Hz", at_50_hz},
-                            {"roll angle in steps of 0.5 deg", coarse_angle},
-                            {"roll and yaw rate in steps of 0.5 deg/s", coarse_rates},
-                            {"speed in steps of 1 km/h", coarse_speed},
-                            {"all of these steps", all_coarse},
-                            {"accelerometers without a filter, noise of 1 m/s^2 rms", raw_accelerometers}};
+    std::vector<Kind> kinds{
+        {"all at 50 Hz", at_50_hz},
+        {"roll angle in steps of 0.5 deg", coarse_angle},
+        {"roll and yaw rate in steps of 0.5 deg/s", coarse_rates},
+        {"speed in steps of 0.05 m/s", fine_speed},
+        {"speed in steps of 1 km/h", coarse_speed, with_coarse_speed},
+        {"all of these steps", all_coarse, with_coarse_speed},
+        {"accelerometers without a filter, noise of 1 m/s^2 rms", raw_accelerometers,
+         with_raw_accelerometers},
+        {"no roll sensor", without_roll_sensor,
+         [](rsi::Parameters& one) { one.roll_angle_sensor = RSI_ROLL_SENSOR_NOT_FITTED; }},
+        {"no steering", without_steering,
+         [](rsi::Parameters& one) { one.vehicle_motion_sensors = RSI_MOTION_WITHOUT_STEERING; }},
+        {"no speed, yaw rate and steering", without_motion,
+         [](rsi::Parameters& one) { one.vehicle_motion_sensors = RSI_MOTION_NOT_FITTED; }}};
     for (const unsigned cycles : {2U, 4U, 8U}) {
         const unsigned ms = 10U * cycles;
         kinds.push_back({fmt::format("Imu {} ms late", ms), late(imu_channels, cycles)});
@@ -102,11 +145,14 @@ std::vector<Kind> all_kinds() {
 
 }  // namespace
 
-std::vector<GoodSensors> good_sensors(const VehicleParameters& vehicle) {
+std::vector<GoodSensors> good_sensors(const VehicleParameters& vehicle, const rsi::Parameters& calibration) {
     std::vector<GoodSensors> all;
     for (const Kind& kind : all_kinds()) {
-        all.push_back({kind.name, recording_sensors(vehicle)});
+        all.push_back({kind.name, recording_sensors(vehicle), calibration});
         kind.change(all.back().options);
+        if (kind.calibrate) {
+            kind.calibrate(all.back().calibration);
+        }
     }
     return all;
 }

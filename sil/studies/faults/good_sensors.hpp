@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rsi/types.hpp"
 #include "sil/world/sensors/sensor_options.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
@@ -12,9 +13,10 @@ namespace sil {
 struct GoodSensors {
     std::string name{};
     SensorOptions options{};
+    rsi::Parameters calibration{};  // as it says which sensors the vehicle has
 };
 
-// Slow ones, coarse ones, late ones, and accelerometers without a filter.
-std::vector<GoodSensors> good_sensors(const VehicleParameters& vehicle);
+// Slow ones, coarse ones, late ones, accelerometers without a filter, and vehicles that lack some.
+std::vector<GoodSensors> good_sensors(const VehicleParameters& vehicle, const rsi::Parameters& calibration);
 
 }  // namespace sil

@@ -36,13 +36,13 @@ void inject_rows(StateMatrix& matrix, const DrivingState& state, const rsi::Para
 
 // The first set of sensors is the usual one.
 void try_good_sensors(StateMatrix& matrix, const std::vector<std::vector<DrivingState>>& drives,
-                      const rsi::Parameters& calibration) {
+                      const std::vector<GoodSensors>& good, const rsi::Parameters& calibration) {
     for (std::size_t state = 0U; state < drives.front().size(); ++state) {
         const FaultyRun right = run_with_fault(drives.front()[state], Fault{}, calibration);
         for (std::size_t index = 0U; index < matrix.rows_of_good_sensors.size(); ++index) {
             StateRow& row = matrix.rows_of_good_sensors[index];
             const DrivingState& drive = drives[index + 1U][state];
-            FaultyRun other = run_with_fault(drive, Fault{}, calibration);
+            FaultyRun other = run_with_fault(drive, Fault{}, good[index].calibration);
             other.visible = 0U;
             row.cells.push_back({{row.sensors, measure(drive, Fault{}, right, other),
                                   findings_of_good_sensors(drive, right, other)}});
@@ -67,7 +67,7 @@ void collect(const std::vector<StateRow>& rows, const std::vector<DrivingState>&
 }  // namespace
 
 StateMatrix run_state_matrix(const VehicleParameters& vehicle, const rsi::Parameters& calibration) {
-    const std::vector<GoodSensors> good = good_sensors(vehicle);
+    const std::vector<GoodSensors> good = good_sensors(vehicle, calibration);
     std::vector<SensorOptions> sensors{recording_sensors(vehicle)};
     for (const GoodSensors& each : good) {
         sensors.push_back(each.options);
@@ -87,8 +87,8 @@ StateMatrix run_state_matrix(const VehicleParameters& vehicle, const rsi::Parame
     matrix.states_of_good_sensors = states.front();
     matrix.states_of_good_sensors.insert(matrix.states_of_good_sensors.end(), drives.front().begin(),
                                          drives.front().end());
-    try_good_sensors(matrix, states, calibration);
-    try_good_sensors(matrix, drives, calibration);
+    try_good_sensors(matrix, states, good, calibration);
+    try_good_sensors(matrix, drives, good, calibration);
     return matrix;
 }
 

@@ -131,6 +131,7 @@ std::string state_matrix_document(const StateMatrix& matrix) {
                           {"nearby_s", fmt::format("{}", warning_nearby_ms / 1000)},
                           {"large_load_transfer", fmt::format("{}", large_load_transfer)},
                           {"sender_ms", fmt::format("{}", second_sender_shows_ms)},
+                          {"start_ms", fmt::format("{}", start_ms)},
                           {"faults", fault_table(matrix)},
                           {"drives", list_states(matrix.states_of_good_sensors, matrix.states.size())},
                           {"good_sensors", sensor_table(matrix)},

@@ -8,6 +8,7 @@
 
 #include "sil/studies/faults/good_sensors.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
+#include "tests/support/large_suv.h"
 
 namespace faults_test {
 namespace {
@@ -91,7 +92,7 @@ TEST(DrivingState, DrivesAMinuteOfTurnsOfAFifthOfGToBothSides) {
 // The same drive for all of them, and each differs from the usual ones.
 TEST(GoodSensors, SeeTheSameDriveInAnotherWay) {
     std::vector<sil::SensorOptions> options{sil::recording_sensors(large_suv())};
-    const std::vector<sil::GoodSensors> good = sil::good_sensors(large_suv());
+    const std::vector<sil::GoodSensors> good = sil::good_sensors(large_suv(), rsi_test_large_suv());
     for (const sil::GoodSensors& each : good) {
         options.push_back(each.options);
     }
@@ -109,7 +110,7 @@ TEST(GoodSensors, SeeTheSameDriveInAnotherWay) {
             const SensorSample& b = other.samples[cycle];
             differs = differs || a.lateral_acceleration_mps2 != b.lateral_acceleration_mps2 ||
                       a.roll_angle_rad != b.roll_angle_rad || a.roll_rate_radps != b.roll_rate_radps ||
-                      a.speed_mps != b.speed_mps;
+                      a.speed_mps != b.speed_mps || a.steering_wheel_angle_rad != b.steering_wheel_angle_rad;
         }
         EXPECT_TRUE(differs);
     }

@@ -210,7 +210,12 @@ TEST(Finding, IsACodeAgainstGoodSensors) {
     const EcuAnswer code = saying(WarningState::ready, WarningSide::none, 4U);
     const auto accused = ElementsAre(FindingKind::good_sensor_accused);
     EXPECT_THAT(Drive{}.say(0U, 1U, code).of_good_sensors(), accused);
-    EXPECT_THAT(Drive{}.say(5U, 6U, saying(WarningState::unavailable)).of_good_sensors(), accused);
+    const EcuAnswer unavailable = saying(WarningState::unavailable);
+    EXPECT_THAT(Drive{}.say(0U, 30U, unavailable).of_good_sensors(), IsEmpty()) << "at the start";
+    EXPECT_THAT(Drive{}.say(30U, 31U, unavailable).of_good_sensors(), accused);
+    EXPECT_THAT(
+        Drive{}.say(29U, 30U, saying(WarningState::unavailable, WarningSide::none, 4U)).of_good_sensors(),
+        accused);
     EXPECT_THAT(Drive{}.say(lift, drive_cycles, code).of_good_sensors(), IsEmpty()) << "after lift-off";
     EXPECT_THAT(Drive{}.say(lift - 60U, drive_cycles, ready).of_good_sensors(),
                 ElementsAre(FindingKind::missed_warning));
