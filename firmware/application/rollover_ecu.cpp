@@ -57,8 +57,8 @@ void RolloverEcu::restore_load() noexcept {
 void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     reception_.receive(bus_, missed_cycles);
     const hal::Time now = clock_.now();
-    const rsi::Inputs inputs = reception_.inputs(now);
     Health report = health(now, missed_cycles);
+    const rsi::Inputs inputs = reception_.inputs(report.reception);
     hal::count_up(cycles_);
     memory_.begin_cycle(monitoring::Snapshot{inputs.lateral_specific_force_mps2, inputs.roll_rate_radps,
                                              inputs.roll_angle_rad, inputs.speed_mps});
@@ -152,15 +152,15 @@ void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint
 
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {
     hal::count_up(cycle_overruns_, missed_cycles);
-    Health health{};
-    health.parameters_refusal = refusal_;
-    health.reset_reason = reset_reason_;
-    health.receive_overflow = receive_overflow();
-    health.bus_error = bus_error();
-    health.cycle_overrun = (missed_cycles > 0U);
-    health.cycle_overruns = cycle_overruns_;
-    health.reception = reception_.report(now);
-    return health;
+    return Health{refusal_,
+                  receive_overflow(),
+                  bus_error(),
+                  missed_cycles > 0U,
+                  cycle_overruns_,
+                  reset_reason_,
+                  reception_.report(now),
+                  {},
+                  {}};
 }
 
 // The bus is not error-active, or did not take a frame in the last cycle.

@@ -75,14 +75,14 @@ void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
 }
 
 // A signal that is not valid was decoded as NaN, which is what the component takes for "not available".
-rsi::Inputs SensorReception::inputs(hal::Time now) const noexcept {
-    const can_dbc::Imu imu = imu_.is_fresh(now) ? imu_.latest().value : can_dbc::Imu{};
+rsi::Inputs SensorReception::inputs(const ReceptionReport& report) const noexcept {
+    const can_dbc::Imu imu = report.imu.is_fresh() ? imu_.latest().value : can_dbc::Imu{};
     const can_dbc::RollAngle roll =
-        is_roll_angle_fresh(now) ? roll_angle_.latest().value : can_dbc::RollAngle{};
+        report.roll_angle.is_fresh() ? roll_angle_.latest().value : can_dbc::RollAngle{};
     const can_dbc::VehicleMotion motion =
-        vehicle_motion_.is_fresh(now) ? vehicle_motion_.latest().value : can_dbc::VehicleMotion{};
+        report.vehicle_motion.is_fresh() ? vehicle_motion_.latest().value : can_dbc::VehicleMotion{};
     const can_dbc::VehicleMass mass =
-        vehicle_mass_.is_fresh(now) ? vehicle_mass_.latest().value : can_dbc::VehicleMass{};
+        report.vehicle_mass_is_fresh ? vehicle_mass_.latest().value : can_dbc::VehicleMass{};
 
     rsi::Inputs inputs{};
     inputs.lateral_specific_force_mps2 = imu.lateral_acceleration_mps2;
@@ -116,6 +116,7 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
     if (motion_fitted_) {
         report.vehicle_motion = faults(vehicle_motion_, vehicle_motion_.is_fresh(now), motion_valid);
     }
+    report.vehicle_mass_is_fresh = vehicle_mass_.is_fresh(now);
     if (roll_angle_delay_.is_late() && roll_angle_.is_fresh(now)) {
         report.late_roll_angle_rad = roll_angle_.latest().value.roll_angle_deg * radians_per_degree;
     }

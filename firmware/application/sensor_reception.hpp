@@ -24,6 +24,7 @@ struct ReceptionReport {
     FrameFaults imu{};
     FrameFaults roll_angle{};
     FrameFaults vehicle_motion{};
+    bool vehicle_mass_is_fresh{false};  // few vehicles send it
     std::uint32_t frames_rejected{0U};  // since the start
     std::uint32_t frames_lost{0U};      // since the start, by the counters
     // The newest roll angle while it is held back, and for that not among the inputs; else NaN.
@@ -51,10 +52,10 @@ class SensorReception {
     // Reads what waits on the bus. `missed_cycles` were left out before this one.
     void receive(hal::CanBus& bus, std::uint32_t missed_cycles) noexcept;
 
-    // The newest values in SI units; NaN where a frame is stale or a signal is not valid.
-    rsi::Inputs inputs(hal::Time now) const noexcept;
-
     ReceptionReport report(hal::Time now) const noexcept;
+
+    // The newest values in SI units; NaN where a frame is not fresh, by that report, or a signal not valid.
+    rsi::Inputs inputs(const ReceptionReport& report) const noexcept;
 
  private:
     void dispatch(const hal::CanFrame& frame) noexcept;

@@ -20,6 +20,7 @@ constexpr float sure_excess_deviation = 0.06F;
 
 // A speed in larger steps repeats its value in turns at a constant speed.
 constexpr float largest_fine_step_mps = 0.05F;
+constexpr float further_than_any_witness = 1.0e6F;
 
 // Of the road: measured, or as the observer has it.
 float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
@@ -76,7 +77,9 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     force_gain_ = force_gain;
     against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
     steering_fitted_ = (parameters.vehicle_motion_sensors == RSI_MOTION_WITH_STEERING);
-    speed_is_fine_ = (parameters.speed_resolution_mps <= largest_fine_step_mps);
+    if (parameters.speed_resolution_mps > largest_fine_step_mps) {
+        speed_stuck_ = StuckCheck{further_than_any_witness};
+    }
     lateral_.admit_noise(parameters.accelerometer_noise_mps2);
     vertical_.admit_noise(parameters.accelerometer_noise_mps2);
     roll_reference_.start(parameters);
@@ -166,9 +169,7 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
            inputs.roll_angle_rad - turned);
     report(DiagnosticCode::roll_angle_stuck, roll_angle_stuck_, inputs.roll_angle_rad, turned);
     report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_, inputs.yaw_rate_radps, lateral);
-    if (speed_is_fine_) {
-        report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
-    }
+    report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
     report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
 }
 

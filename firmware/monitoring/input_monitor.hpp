@@ -55,7 +55,6 @@ class InputMonitor {
 
     bool against_horizon_{false};  // the roll sensor's angle, as calibrated
     bool steering_fitted_{true};
-    bool speed_is_fine_{true};  // its steps are small enough that one at work does not repeat its value
 
     // Ranges: beyond what a vehicle does, and below the end of the sensor's range, so that a saturated sensor
     // counts as failed. Jumps: half as much again as the largest change within a cycle over 2,900 drawn runs

@@ -105,7 +105,7 @@ TEST_P(RecordedSignals, GiveTheEstimatesOfTheDoublePrecisionReference) {
          time = time + hal::Time::from_milliseconds(10)) {
         player.run_until(time);
         reception.receive(bus.endpoint(1U), 0U);
-        const rsi::Inputs inputs = reception.inputs(clock.now());
+        const rsi::Inputs inputs = reception.inputs(reception.report(clock.now()));
         rsi::Outputs outputs;
         component.step(inputs, outputs);
         if (compared == 0) {

@@ -57,7 +57,7 @@ std::vector<budgets::Record> manoeuvre(const std::string& name, const rsi::Param
     std::vector<budgets::Record> records;
     const auto end_cycle = [&] {
         reception.receive(bus.endpoint(0U), 0U);
-        records.push_back(budgets::Record{reception.inputs(clock.now()), 0U});
+        records.push_back(budgets::Record{reception.inputs(reception.report(clock.now())), 0U});
     };
     bool begun = false;
     for (const sil::LoggedFrame& logged : sil::read_candump_log(log_path)) {
