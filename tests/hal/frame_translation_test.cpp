@@ -55,6 +55,25 @@ TEST(FrameTranslation, AFlexibleDataRateFrameIsMarkedAndCarries64Bytes) {
     EXPECT_EQ(kernel_frame.flags, 0x04U);
 }
 
+TEST(FrameTranslation, NothingOfAnEarlierFrameIsLeft) {
+    canfd_frame kernel_frame{};
+    std::memset(&kernel_frame, 0xFF, sizeof(kernel_frame));
+    ASSERT_EQ(to_kernel(make_frame(0x122U, {0xAAU}), true, kernel_frame), classic_bytes);
+    EXPECT_EQ(kernel_frame.can_id, 0x122U);
+    EXPECT_EQ(kernel_frame.flags, 0U);
+    EXPECT_EQ(kernel_frame.data[1], 0U);
+}
+
+TEST(FrameTranslation, AnExtendedIdentifierComesBackWhole) {
+    CanFrame frame = make_frame(0x1ABC'DEF0U);
+    frame.extended = true;
+    canfd_frame kernel_frame{};
+    const std::size_t bytes = to_kernel(frame, true, kernel_frame);
+    EXPECT_EQ(from_kernel(kernel_frame, bytes, Time{}).identifier, 0x1ABC'DEF0U);
+    kernel_frame.can_id = 0xFFFU;  // more than eleven bits
+    EXPECT_EQ(from_kernel(kernel_frame, bytes, Time{}).identifier, 0x7FFU);
+}
+
 TEST(FrameTranslation, ThereAndBackIsTheSameFrame) {
     for (const bool extended : {false, true}) {
         for (const bool flexible : {false, true}) {
@@ -126,6 +145,7 @@ TEST(ErrorFrames, ReportsOfSingleErrorsLeaveTheState) {
         EXPECT_EQ(state_after_error(error_frame(CAN_ERR_CRTL, CAN_ERR_CRTL_RX_OVERFLOW), before), before);
         // Byte 1 means something only when the class says so.
         EXPECT_EQ(state_after_error(error_frame(CAN_ERR_LOSTARB, CAN_ERR_CRTL_TX_PASSIVE), before), before);
+        EXPECT_EQ(state_after_error(error_frame(CAN_ERR_LOSTARB, CAN_ERR_CRTL_ACTIVE), before), before);
     }
 }
 

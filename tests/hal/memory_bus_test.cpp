@@ -32,6 +32,22 @@ TEST_F(MemoryBusTest, EveryOtherEndpointReceivesWhatOneSends) {
     }
 }
 
+TEST_F(MemoryBusTest, AFrameArrivesWhole) {
+    CanFrame sent = make_frame(0x1ABC'DEF0U);
+    sent.extended = true;
+    sent.flexible_data_rate = true;
+    sent.length = 64U;
+    for (std::size_t byte = 0U; byte < sent.data.size(); ++byte) {
+        sent.data[byte] = static_cast<std::uint8_t>(byte + 1U);
+    }
+    ASSERT_EQ(sender.send(sent), SendResult::sent);
+    ASSERT_EQ(receiver.receive(frame), ReceiveResult::frame);
+    EXPECT_TRUE(frame.extended);
+    EXPECT_TRUE(frame.flexible_data_rate);
+    EXPECT_EQ(frame.length, 64U);
+    EXPECT_EQ(frame.data, sent.data);
+}
+
 TEST_F(MemoryBusTest, NobodyReceivesItsOwnFrames) {
     ASSERT_EQ(sender.send(make_frame(1U)), SendResult::sent);
     EXPECT_EQ(sender.receive(frame), ReceiveResult::empty);

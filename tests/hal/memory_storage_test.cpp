@@ -12,6 +12,7 @@ TEST(MemoryStorage, HasNothingBeforeTheFirstWrite) {
     Record read{1U, 2U, 3U, 4U};
     EXPECT_FALSE(storage.read(read.data(), read.size()));
     EXPECT_EQ(read, (Record{1U, 2U, 3U, 4U}));
+    EXPECT_FALSE(storage.read(read.data(), 1U));
 }
 
 TEST(MemoryStorage, GivesBackWhatWasWrittenLast) {

@@ -62,6 +62,11 @@ TEST(OpenFailureText, ANameWithFormattingCharactersOrOfGreatLengthDoesNoHarm) {
     EXPECT_LT(text_of(OpenFailure::interface_name, 0, long_name.c_str()).size(), OpenResult{}.text.size());
 }
 
+TEST(OpenFailureText, TheSystemsReasonIsInBracketsWhereThereIsOne) {
+    EXPECT_THAT(text_of(OpenFailure::system, EPERM), HasSubstr(" (Operation not permitted). Next: "));
+    EXPECT_THAT(text_of(OpenFailure::system, 0), HasSubstr("the system refused. Next: "));
+}
+
 TEST(OpenFailureText, SuccessHasNone) {
     const OpenResult result = describe_open_failure(OpenFailure::none, 0, "vcan7");
     EXPECT_TRUE(static_cast<bool>(result));

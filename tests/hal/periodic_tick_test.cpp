@@ -151,6 +151,13 @@ TEST(DurationHistogram, QuantilesAreTheTrueOnesRoundedUpToABin) {
     EXPECT_EQ(histogram.quantile(0.0), microseconds(5));
 }
 
+TEST(DurationHistogram, TheLowestQuantileIsThatOfTheShortest) {
+    DurationHistogram histogram;
+    histogram.record(microseconds(12));
+    histogram.record(microseconds(40));
+    EXPECT_EQ(histogram.quantile(0.0), microseconds(15));
+}
+
 TEST(DurationHistogram, KeepsWhatIsBeyondItsRangeInCountAndLargest) {
     DurationHistogram histogram;
     histogram.record(microseconds(1));

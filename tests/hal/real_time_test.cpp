@@ -28,21 +28,32 @@ void give_up_every_privilege() {
 [[noreturn]] void request_and_leave(const RealTimeSettings& settings) {
     give_up_every_privilege();
     const RealTimeResult result = enter_real_time(settings);
-    std::fprintf(stderr, "%s", result.message());
+    std::fprintf(stderr, "%d: %s", result.system_error, result.message());
     std::exit(static_cast<int>(result.failure));
 }
 
 TEST(RealTimeDeathTest, ARefusedPriorityNamesItAndTheWayToGetIt) {
     EXPECT_EXIT(request_and_leave({50, false}),
                 ::testing::ExitedWithCode(static_cast<int>(RealTimeFailure::scheduling)),
-                "priority 50 .*refused: Operation not permitted.*Next: .*root.*cap_sys_nice");
+                "^1: .*priority 50 .*refused: Operation not permitted.*Next: .*root.*cap_sys_nice");
+}
+
+TEST(RealTimeDeathTest, TheLowestAndTheHighestPriorityAreAskedFor) {
+    for (const int priority : {1, 99}) {
+        EXPECT_EXIT(request_and_leave({priority, false}),
+                    ::testing::ExitedWithCode(static_cast<int>(RealTimeFailure::scheduling)), "refused");
+    }
+}
+
+TEST(RealTimeDeathTest, ByDefaultNothingIsAskedFor) {
+    EXPECT_EXIT(request_and_leave({}), ::testing::ExitedWithCode(0), "^0: $");
 }
 
 #if !defined(RSI_ADDRESS_SANITIZER)  // AddressSanitizer turns mlockall into a call without effect
 TEST(RealTimeDeathTest, RefusedMemoryLockingNamesTheWayToGetIt) {
     EXPECT_EXIT(request_and_leave({0, true}),
                 ::testing::ExitedWithCode(static_cast<int>(RealTimeFailure::memory)),
-                "mlockall.*refused: .*Next: .*root.*cap_ipc_lock");
+                "^[1-9][0-9]*: .*mlockall.*refused: .*Next: .*root.*cap_ipc_lock");
 }
 #endif
 

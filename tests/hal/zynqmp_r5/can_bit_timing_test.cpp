@@ -46,6 +46,27 @@ TEST(CanBitTiming, SaysWhenTheClockGivesNoExactBitRate) {
     EXPECT_EQ(can_bit_segments(4'000'000U, 500'000U).prescaler, 0U);  // too few quanta
 }
 
+TEST(CanBitTiming, HasSixteenToTwentyFiveQuantaOfOneTo256ClockPeriods) {
+    const auto is = [](const CanBitSegments& is, std::uint32_t prescaler, std::uint32_t before,
+                       std::uint32_t after, std::uint32_t jump) {
+        return is.prescaler == prescaler && is.before_sample == before && is.after_sample == after &&
+               is.jump_width == jump;
+    };
+    EXPECT_TRUE(is(can_bit_segments(16'000'000U, 1'000'000U), 1U, 13U, 2U, 2U));
+    EXPECT_EQ(can_bit_segments(15'000'000U, 1'000'000U).prescaler, 0U);
+    EXPECT_TRUE(is(can_bit_segments(25'000'000U, 1'000'000U), 1U, 16U, 8U, 4U));
+    EXPECT_EQ(can_bit_segments(26'000'000U, 1'000'000U).prescaler, 0U);
+    EXPECT_TRUE(is(can_bit_segments(512'000'000U, 125'000U), 256U, 13U, 2U, 2U));
+    EXPECT_EQ(can_bit_segments(514'000'000U, 125'000U).prescaler, 0U);
+}
+
+TEST(CanBitTiming, HasTheSamplePointThatIsNearestToTheWantedOne) {
+    EXPECT_EQ(can_bit_segments(17'000'000U, 1'000'000U).sample_point_permille(), 882U);
+    EXPECT_EQ(can_bit_segments(18'000'000U, 1'000'000U).sample_point_permille(), 888U);
+    EXPECT_EQ(can_bit_segments(19'000'000U, 1'000'000U).sample_point_permille(), 894U);
+    EXPECT_EQ(can_bit_segments(20'000'000U, 1'000'000U).sample_point_permille(), 850U);
+}
+
 TEST(CanBitTiming, TheJumpIsNeverWiderThanTheSegmentAfterTheSamplePoint) {
     for (const std::uint32_t clock :
          {16'000'000U, 20'000'000U, 24'000'000U, 40'000'000U, 80'000'000U, 100'000'000U}) {

@@ -77,6 +77,19 @@ TEST(FaultRecord, AnyChangedBitMakesItWorthless) {
     }
 }
 
+TEST(FaultRecord, ARightCheckSumAloneMakesNothingValid) {
+    FaultRecord good{};
+    begin_run(good);
+    FaultRecord other_magic = good;
+    ++other_magic.magic;
+    other_magic.check = detail::check_of(other_magic);
+    EXPECT_EQ(begin_run(other_magic), ResetReason::power_on);
+    FaultRecord no_reason = good;
+    no_reason.reason = static_cast<std::uint32_t>(ResetReason::start_without_reset) + 1U;
+    no_reason.check = detail::check_of(no_reason);
+    EXPECT_EQ(begin_run(no_reason), ResetReason::power_on);
+}
+
 TEST(FaultRecord, TheCountOfResetsStaysAtItsLargestValue) {
     FaultRecord record{};
     begin_run(record);
@@ -84,8 +97,8 @@ TEST(FaultRecord, TheCountOfResetsStaysAtItsLargestValue) {
     record.check = detail::check_of(record);
     for (int reset = 0; reset < 3; ++reset) {
         EXPECT_NE(begin_run(record), ResetReason::power_on);
+        EXPECT_EQ(record.resets, 0xFFFF'FFFFU);
     }
-    EXPECT_EQ(record.resets, 0xFFFF'FFFFU);
 }
 
 }  // namespace

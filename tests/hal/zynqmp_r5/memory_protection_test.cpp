@@ -89,6 +89,7 @@ TEST(MemoryProtection, RegistersHoldTheExponentOfTheSizeAndThePartsLeftOut) {
     EXPECT_EQ(size_and_enable({0U, 0x40U, Access::data}), 0x0BU);
     EXPECT_EQ(size_and_enable({0U, 0x1'0000U, Access::data}), 0x1FU);
     EXPECT_EQ(size_and_enable({0U, 0x4000U, Access::data, 0xE5U}), 0xE51BU);
+    EXPECT_EQ(size_and_enable({0U, 0x8000'0000U, Access::data}), 0x3DU);
 }
 
 TEST(MemoryProtection, ImpossibleRegionsAreNoticed) {
@@ -97,6 +98,19 @@ TEST(MemoryProtection, ImpossibleRegionsAreNoticed) {
     EXPECT_FALSE(is_possible({0x1000U, 0x10U, Access::data}));         // too small
     EXPECT_FALSE(is_possible({0x1000U, 0x80U, Access::data, 0x01U}));  // too small for parts
     EXPECT_TRUE(is_possible({0x1000U, 0x1000U, Access::data, 0x01U}));
+    EXPECT_FALSE(is_possible({0x1001U, 0x1000U, Access::data}));  // not even one byte off
+    EXPECT_TRUE(is_possible({0x1000U, 0x20U, Access::data}));     // the smallest
+    EXPECT_TRUE(is_possible({0x1000U, 0x100U, Access::data, 0xFFU}));
+    EXPECT_FALSE(is_possible({0x1000U, 0x100U, Access::data, 0x100U}));  // there are eight parts
+}
+
+TEST(MemoryProtection, OneImpossibleRegionIsEnough) {
+    EXPECT_TRUE(are_possible(regions));
+    for (std::size_t place = 0U; place < regions.size(); ++place) {
+        std::array<Region, 10> with_one = regions;
+        with_one[place] = {0x1000U, 0x10U, Access::data};
+        EXPECT_FALSE(are_possible(with_one)) << place;
+    }
 }
 
 TEST(StackUse, IsWhatLiesAboveTheLowestWordThatLostItsPattern) {

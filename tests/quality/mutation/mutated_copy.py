@@ -48,6 +48,8 @@ def mutated_texts(names, project, declarations, left_out=frozenset()):
 
 
 def write_if_other(path, text):
+    if path.is_symlink():
+        raise ValueError(f"{path} is a link to the project's own file")
     if not path.is_file() or path.read_text() != text:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
@@ -135,8 +137,8 @@ class MutatedCopy:
             raise SystemExit(f"{configured.stdout}{configured.stderr}\nmutation: could not configure {self._build}")
 
     def _digest(self, *more):
-        """Of what clang reads, and of the tool."""
-        read = hashlib.sha256(repr((ARGUMENTS, more)).encode())
+        """Of what is mutated, what clang reads, and of the tool."""
+        read = hashlib.sha256(repr((ARGUMENTS, self._names, more)).encode())
         headers = [path for folder in self.scope.headers for path in (PROJECT / folder).rglob("*")
                    if path.suffix in (".hpp", ".h", ".toml", ".in")]
         tools = [pathlib.Path(module.__file__) for module in (edited_source, expressions, kinds, mutants, mutate, statements)]

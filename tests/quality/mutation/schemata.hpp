@@ -224,9 +224,16 @@ struct Greatest {
 // First mutant: no lower bound; second: no upper one.
 template <int site>
 struct Clamp {
-    constexpr float operator()(float value, float minimum, float maximum) const {
-        const float below = (value > maximum) ? maximum : value;
-        const float above = (value < minimum) ? minimum : value;
+    template <typename... Numbers>
+    constexpr auto operator()(Numbers... numbers) const {
+        return bounded<std::common_type_t<Numbers...>>(numbers...);
+    }
+
+ private:
+    template <typename T>
+    static constexpr T bounded(T value, T minimum, T maximum) {
+        const T below = (value > maximum) ? maximum : value;
+        const T above = (value < minimum) ? minimum : value;
         return either<site + 1>(either<site>((value < minimum) ? minimum : below, below), above);
     }
 };

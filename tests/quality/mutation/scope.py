@@ -6,13 +6,17 @@ import pathlib
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 
 
+def _is_within(file, place):
+    return file == place or file.startswith(place + "/")
+
+
 @dataclasses.dataclass(frozen=True)
 class Scope:
     name: str
     what: str                 # as the page's introduction calls it
     work: str                 # folder of the mutated copy, within the project
     programs: dict            # test program: its folder in the build
-    asked: dict               # mutated folder: the programs that are asked about it
+    asked: dict               # mutated folder or file: the programs that are asked about it
     left_out: dict            # file or folder in there that is not mutated: why
     headers: tuple            # folders whose headers the mutated sources read
     options: tuple            # of cmake
@@ -26,14 +30,13 @@ class Scope:
 
     def asked_about(self, file):
         """The programs whose tests a mutant of this file is tried on."""
-        return set().union(*(programs for folder, programs in self.asked.items() if file.startswith(folder + "/")))
+        return set().union(*(programs for place, programs in self.asked.items() if _is_within(file, place)))
 
     def sources(self, project=PROJECT):
         """All that is mutated, in the order of the names."""
-        found = {str(path.relative_to(project)) for folder in self.asked
-                 for path in (project / folder).rglob("*") if path.suffix in (".cpp", ".hpp")}
-        return sorted(name for name in found
-                      if not any(name == out or name.startswith(out + "/") for out in self.left_out))
+        found = {str(path.relative_to(project)) for place in self.asked
+                 for path in (project / place, *(project / place).rglob("*")) if path.suffix in (".cpp", ".hpp")}
+        return sorted(name for name in found if not any(_is_within(name, out) for out in self.left_out))
 
 
 FIRMWARE_PROGRAMS = {"codec_test": "tests/can_dbc", "rsi_tests": "tests/rsi", "monitoring_tests": "tests/monitoring",
@@ -47,18 +50,33 @@ FIRMWARE = Scope(
     left_out={}, headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF",), review="survivors.toml",
     page="docs/reports/mutation.md", title="Mutation testing", goal=0.9, longest_ms=900, every_survivor_explained=True, all_executed=True)
 
-JUDGES_PROGRAMS = {"results_test": "tests/sil/results", "hal_test": "tests/hal", "zynqmp_r5_test": "tests/hal/zynqmp_r5"}
+JUDGES_PROGRAMS = {"results_test": "tests/sil/results", "hal_test": "tests/hal", "zynqmp_r5_test": "tests/hal/zynqmp_r5",
+                   "campaign_tests": "tests/sil/campaign", "faults_tests": "tests/sil/faults", "files_test": "tests/sil/files"}
 BARE = "start-up or board code: no test program of the host compiles it"
 INTERFACE = "needs a CAN interface: tests/system drives it, in a process of its own"
+DRIVES = "decides what is driven, and judges none of it"
+KEEPS = "keeps rows of a campaign that was interrupted"
+WRITES = "writes what others have judged"
+JUDGES_OF_FAULTS = [f"sil/studies/faults/{name}" for name in (
+    "finding.cpp", "finding.hpp", "flip_effect.cpp", "flip_effect.hpp", "judgement.cpp", "judgement.hpp", "known_findings.cpp",
+    "known_findings.hpp", "recovery_watch.hpp", "silence_watch.cpp", "silence_watch.hpp")]
 JUDGES = Scope(
     name="judges", what="what judges the firmware", work="build/mutation_of_judges", programs=JUDGES_PROGRAMS,
-    asked={"sil/results": {"results_test"}, "hal": {"hal_test", "zynqmp_r5_test"}},
+    asked={"sil/results": {"results_test"}, "hal": {"hal_test", "zynqmp_r5_test"}, "sil/files": {"files_test"},
+           "sil/studies/campaign": {"campaign_tests"}, **{file: {"faults_tests"} for file in JUDGES_OF_FAULTS}},
     left_out={"sil/results/versions.cpp": "names versions, decides nothing",
               **{f"hal/{name}": BARE for name in ("mps2", "semihosting", "zynqmp_r5/startup")},
               **{f"hal/socketcan/{name}.cpp": INTERFACE
                  for name in ("can_socket", "controller_restart", "interface_lookup", "route_netlink", "socket_can_bus")},
               "hal/zynqmp_r5/emulator": "stands in for what the emulator lacks; no silicon has it",
-              "hal/zynqmp_r5/policy.hpp": "names one of two other headers"},
+              "hal/zynqmp_r5/policy.hpp": "names one of two other headers",
+              **{f"sil/studies/campaign/{name}{suffix}": why for why, names in (
+                  (DRIVES, ("campaign_run", "draw", "drawn_run", "learning_drive", "settings")),
+                  (KEEPS, ("campaign", "campaign_folder", "row_file", "row_workers")), (WRITES, ("run_trace",)))
+                 for name in names for suffix in (".cpp", ".hpp")},
+              "sil/studies/campaign/settings_file.cpp": DRIVES,
+              "sil/studies/campaign/false_codes.cpp": "a program of its own, which is itself a test",
+              **{f"sil/studies/campaign/{name}.cpp": WRITES for name in ("report_files", "report_text")}},
     headers=("can_dbc", "firmware", "hal", "sil"), options=("-DRSI_TESTS_COMPILE_OPTIONS=-O0",),
     review="survivors_of_judges.toml", page="docs/reports/mutation_of_judges.md", title="Mutation testing of the judges",
     goal=0.85, longest_ms=900, every_survivor_explained=False, all_executed=False)

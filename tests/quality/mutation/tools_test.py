@@ -256,20 +256,34 @@ class Linked(unittest.TestCase):
                 for file in ("a/one.cpp", "a/two.cpp", "b/three.cpp"):
                     self.assertEqual((project / file).read_text(), "original", file)
                     self.assertEqual((source / file).read_text(), "mutated" if file in mutated else "original", file)
+            with self.assertRaises(ValueError):
+                mutated_copy.write_if_other(source / "a/one.cpp", "mutated")
+
+    def test_the_mutants_of_a_larger_scope_are_not_taken_for_those_of_a_smaller_one(self):
+        smaller = dataclasses.replace(scope.JUDGES, left_out={**scope.JUDGES.left_out, "sil/results/events.cpp": "a test"})
+        self.assertNotEqual(*(mutated_copy.MutatedCopy(asked)._digest() for asked in (scope.JUDGES, smaller)))
 
 
 class Scopes(unittest.TestCase):
     def test_what_is_left_out_and_who_is_asked_is_there(self):
         for asked in scope.SCOPES.values():
             self.assertTrue(asked.sources())
-            for name in asked.left_out:
+            for name in (*asked.asked, *asked.left_out):
                 self.assertTrue((scope.PROJECT / name).exists(), name)
+            for name in asked.left_out:
                 self.assertFalse([source for source in asked.sources() if source == name or source.startswith(name + "/")])
             self.assertEqual(set().union(*asked.asked.values()), set(asked.programs))
 
     def test_a_folder_is_not_another_whose_name_begins_with_its(self):
         self.assertEqual(scope.JUDGES.asked_about("sil/results/a.cpp"), {"results_test"})
         self.assertEqual(scope.JUDGES.asked_about("sil/results_of/a.cpp"), set())
+
+    def test_a_file_alone_can_be_asked_about(self):
+        file = "sil/studies/faults/judgement.cpp"
+        asked = dataclasses.replace(scope.JUDGES, asked={file: {"faults_tests"}}, left_out={})
+        self.assertEqual(asked.sources(), [file])
+        self.assertEqual(asked.asked_about(file), {"faults_tests"})
+        self.assertEqual(asked.asked_about("sil/studies/faults/judgement.hpp"), set())
 
 
 if __name__ == "__main__":

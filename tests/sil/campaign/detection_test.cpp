@@ -36,6 +36,9 @@ TEST(Detection, RunsAreCalmBelowALoadTransferOfNineTenths) {
     EXPECT_TRUE(sil::is_calm(recorded(upright(0.899, false))));
     EXPECT_FALSE(sil::is_calm(recorded(upright(0.9, false))));
     EXPECT_FALSE(sil::is_calm(recorded(lifted({}))));
+    HandMadeRun lifted_by_a_bump = lifted({});
+    lifted_by_a_bump.largest_ltr = 0.5;
+    EXPECT_FALSE(sil::is_calm(recorded(lifted_by_a_bump)));
     EXPECT_TRUE(sil::is_lifted(recorded(lifted({}))));
     EXPECT_FALSE(sil::is_lifted(recorded(upright(1.0, false))));
 }
@@ -95,6 +98,12 @@ TEST(Detection, OfAnIndexAtAnotherThreshold) {
     expect_share(detection.warned_100ms, 2U, 2U);
     expect_share(detection.warned_200ms, 1U, 2U);
     expect_share(detection.false_alarms, 2U, 2U);
+    const sil::Detection at_limits = sil::detection_at({with(3.0, 1.0, 1.4, 0.6, 0.6)}, 0U, 0.6);
+    expect_share(at_limits.warned_100ms, 1U, 1U);
+    expect_share(at_limits.warned_200ms, 1U, 1U);
+    const sil::Detection above = sil::detection_at({with(3.0, 1.0, 1.4, 0.6, 0.6)}, 0U, 0.61);
+    expect_share(above.warned_100ms, 0U, 1U);
+    expect_share(above.warned_200ms, 0U, 1U);
     expect_share(sil::detection_at(five_runs(), 0U, 1.3).alarms[3], 1U, 1U);
     expect_share(sil::detection_at(five_runs(), 0U, 1.31).alarms[3], 0U, 1U);
 }

@@ -124,6 +124,21 @@ TEST_F(Outcome, HasNotRolledOverAtALargeAngleOnTwoWheels) {
     EXPECT_TRUE(outcome().rolled_over);
 }
 
+TEST(OutcomeObserver, KeepsTheLargestOfEitherSide) {
+    sil::OutcomeObserver observer;
+    EXPECT_EQ(observer.outcome().largest_lateral_acceleration_mps2, 0.0);
+    EXPECT_EQ(observer.outcome().largest_roll_angle_rad, 0.0);
+    EXPECT_EQ(observer.outcome().largest_ltr_before_lift, 0.0);
+    sil::Truth truth;
+    for (const double value : {0.1, -0.3, 0.2}) {
+        truth.lateral_acceleration_mps2 = 10.0 * value;
+        truth.roll_angle_rad = value;
+        observer.observe(truth);
+    }
+    EXPECT_DOUBLE_EQ(observer.outcome().largest_lateral_acceleration_mps2, 3.0);
+    EXPECT_DOUBLE_EQ(observer.outcome().largest_roll_angle_rad, 0.3);
+}
+
 TEST(OutcomeObserver, AddsUpTheWay) {
     sil::OutcomeObserver observer;
     sil::Truth truth;

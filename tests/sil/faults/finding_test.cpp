@@ -57,7 +57,7 @@ class Drive {
         faulty_.answers = right_.answers;
         return *this;
     }
-    Drive& say(std::size_t from, std::size_t until, const EcuAnswer& one) {
+    Drive& say(std::size_t from, std::size_t until, const std::optional<EcuAnswer>& one) {
         for (std::size_t cycle = from; cycle < until; ++cycle) {
             faulty_.answers[cycle] = one;
         }
@@ -65,6 +65,18 @@ class Drive {
     }
     Drive& carries_more(std::size_t cycle, double load_transfer) {
         drive_.load_transfer[cycle] = load_transfer;
+        return *this;
+    }
+    // Of both ECUs.
+    Drive& always_codes(sil::DiagnosticCodes codes) {
+        for (std::size_t cycle = 0U; cycle < drive_cycles; ++cycle) {
+            right_.answers[cycle]->codes = codes;
+        }
+        faulty_.answers = right_.answers;
+        return *this;
+    }
+    Drive& fault_ends(std::size_t cycle) {
+        drive_.fault_end = cycle;
         return *this;
     }
     Drive& without_lift() {
@@ -127,6 +139,18 @@ TEST(Finding, IsNoMissedWarningThatIsToldOf) {
                     .silent(),
                 ElementsAre(FindingKind::missed_warning))
         << "the code was gone by then";
+}
+
+TEST(Finding, IsNoMissedWarningOfAnEcuThatIsNotHeard) {
+    EXPECT_THAT(Drive{}.say(lift - 60U, drive_cycles, std::nullopt).silent(), IsEmpty());
+}
+
+TEST(Finding, IsNotToldByACodeThatIsThereWithoutTheFault) {
+    const EcuAnswer coded = saying(WarningState::ready, WarningSide::none, 4U);
+    EXPECT_THAT(Drive{}.always_codes(4U).say(lift - 60U, drive_cycles, coded).silent(),
+                ElementsAre(FindingKind::missed_warning));
+    EXPECT_THAT(Drive{}.always_codes(2U).say(lift - 60U, drive_cycles, coded).silent(), IsEmpty());
+    EXPECT_THAT(Drive{}.always_codes(4U).of_good_sensors(), IsEmpty());
 }
 
 TEST(Finding, IsAFalseWarningOfMoreThanHalfASecond) {
@@ -205,6 +229,53 @@ TEST(Finding, IsASecondSenderThatNeitherStateNorDegradationShows) {
                 ElementsAre(FindingKind::false_warning, FindingKind::second_sender_accepted));
 }
 
+TEST(Finding, IsADeadAccelerometerOnlyAndOnlyFromTheFaultOn) {
+    constexpr std::size_t end = 1000U;
+    const Fault dead{FaultKind::noise_alone, FaultPlace::lateral_acceleration, 0.2};
+    const EcuAnswer code = saying(WarningState::ready, WarningSide::none, 4U);
+    EXPECT_THAT(Drive{}.say(fault_begins - 1U, fault_begins, code).findings(dead, end),
+                ElementsAre(FindingKind::not_found));
+    EXPECT_THAT(Drive{}.say(fault_begins, fault_begins + 1U, code).findings(dead, end), IsEmpty());
+    EXPECT_THAT(Drive{}.findings({FaultKind::noise_alone, FaultPlace::roll_rate, 0.2}, end), IsEmpty());
+    EXPECT_THAT(Drive{}.findings({FaultKind::offset, FaultPlace::lateral_acceleration, 0.2}, end), IsEmpty());
+}
+
+TEST(Finding, IsASecondSenderOnlyWhileItSends) {
+    constexpr std::size_t shows = fault_begins + 20U;
+    const Fault sender{FaultKind::sender_tenfold, FaultPlace::imu_frame, 1.0};
+    const EcuAnswer unavailable = saying(WarningState::unavailable);
+    const auto accepted = ElementsAre(FindingKind::second_sender_accepted);
+    const auto shown_until = [&](std::size_t cycle) {
+        return Drive{}.fault_ends(200U).say(shows, cycle, unavailable).findings(sender);
+    };
+    EXPECT_THAT(shown_until(200U), IsEmpty());
+    EXPECT_THAT(shown_until(199U), accepted);
+    EXPECT_THAT(Drive{}.say(shows, lift, unavailable).findings(sender), IsEmpty()) << "after lift-off";
+    EXPECT_THAT(Drive{}.say(shows, lift - 1U, unavailable).findings(sender), accepted);
+    EXPECT_THAT(Drive{}.say(shows, drive_cycles, std::nullopt).findings(sender), IsEmpty())
+        << "nothing is heard";
+    EXPECT_THAT(Drive{}.findings({FaultKind::doubled, FaultPlace::imu_frame, 1.0}), IsEmpty())
+        << "no other sender";
+}
+
+TEST(Finding, IsNoSecondSenderWhereTheEcuIsUnavailable) {
+    for (const FaultPlace place :
+         {FaultPlace::imu_frame, FaultPlace::roll_angle_frame, FaultPlace::vehicle_motion_frame}) {
+        EXPECT_THAT(Drive{}
+                        .say(fault_begins + 20U, drive_cycles, saying(WarningState::unavailable))
+                        .findings({FaultKind::sender_after, place, 1.0}),
+                    IsEmpty());
+    }
+}
+
+TEST(Finding, HasANameForEachKind) {
+    EXPECT_STREQ(to_string(FindingKind::missed_warning), "missed warning");
+    EXPECT_STREQ(to_string(FindingKind::false_warning), "false warning");
+    EXPECT_STREQ(to_string(FindingKind::not_found), "not found");
+    EXPECT_STREQ(to_string(FindingKind::second_sender_accepted), "second sender accepted");
+    EXPECT_STREQ(to_string(FindingKind::good_sensor_accused), "good sensor accused");
+}
+
 TEST(Finding, IsACodeAgainstGoodSensors) {
     EXPECT_THAT(Drive{}.of_good_sensors(), IsEmpty());
     const EcuAnswer code = saying(WarningState::ready, WarningSide::none, 4U);
@@ -231,6 +302,18 @@ TEST(KnownFindings, AreNamedOnceEachWithAReason) {
         }
     }
     EXPECT_FALSE(sil::is_known({FindingKind::not_found, FaultKind::clock_jump, FaultPlace::processor}));
+}
+
+TEST(KnownFindings, AreOfOneKindFaultAndPlace) {
+    const sil::FindingClass found{FindingKind::missed_warning, FaultKind::gain, FaultPlace::yaw_rate};
+    EXPECT_TRUE(
+        (found == sil::FindingClass{FindingKind::missed_warning, FaultKind::gain, FaultPlace::yaw_rate}));
+    EXPECT_FALSE(
+        (found == sil::FindingClass{FindingKind::false_warning, FaultKind::gain, FaultPlace::yaw_rate}));
+    EXPECT_FALSE(
+        (found == sil::FindingClass{FindingKind::missed_warning, FaultKind::drift, FaultPlace::yaw_rate}));
+    EXPECT_FALSE(
+        (found == sil::FindingClass{FindingKind::missed_warning, FaultKind::gain, FaultPlace::speed}));
 }
 
 TEST(KnownFindings, DifferByWhatIsNewAndByWhatIsGone) {

@@ -56,6 +56,43 @@ TEST(AFlip, ThatChangesAnotherStatementOnlyIsInTime) {
     EXPECT_EQ(effect(advisory, all_ready()), FlipEffect::in_time);
 }
 
+TEST(AFlip, ThatChangesAnyPartOfTheStatementHasAnEffect) {
+    const auto effect_of_change = [](auto change) {
+        Statements statements = all_ready();
+        Statements undisturbed = all_ready();
+        undisturbed[50U].codes = 4U;
+        undisturbed[50U].sound = false;
+        undisturbed[50U].degradation = sil::Degradation::motion_lost;
+        statements = undisturbed;
+        change(statements[50U]);
+        return effect(statements, undisturbed);
+    };
+    EXPECT_EQ(effect_of_change([](Statement&) {}), FlipEffect::none);
+    EXPECT_EQ(effect_of_change([](Statement& one) { one.codes = 0U; }), FlipEffect::in_time);
+    EXPECT_EQ(effect_of_change([](Statement& one) { one.sound = true; }), FlipEffect::in_time);
+    EXPECT_EQ(effect_of_change([](Statement& one) { one.degradation = sil::Degradation::full; }),
+              FlipEffect::in_time);
+    EXPECT_EQ(effect_of_change([](Statement& one) { one.state = WarningState::advisory; }),
+              FlipEffect::in_time);
+}
+
+// A second due warning does not make up for the first.
+TEST(AFlip, ThatTakesOneOfTwoWarningsAwayIsMissing) {
+    EXPECT_EQ(effect(warned(70U, 90U), with_warning(warned(70U, 90U), 20U, 40U)), FlipEffect::missing);
+}
+
+TEST(AFlip, IsNotToldByAnEcuThatIsUnavailableWithoutIt) {
+    Statements undisturbed = all_ready();
+    undisturbed[45U].state = WarningState::unavailable;
+    Statements statements = with_warning(undisturbed, 50U, 51U);
+    EXPECT_EQ(effect(statements, undisturbed), FlipEffect::false_warning);
+}
+
+TEST(AFlip, AtTheBeginningOfTheDriveIsJudgedByWhatFollows) {
+    EXPECT_EQ(effect(warned(3U, 20U), warned(0U, 20U)), FlipEffect::in_time);
+    EXPECT_EQ(effect(warned(6U, 20U), warned(0U, 20U)), FlipEffect::late);
+}
+
 TEST(AFlip, ThatDelaysTheWarningByMoreIsLate) {
     EXPECT_EQ(effect(warned(46U, 60U), warned(40U, 60U)), FlipEffect::late);
 }

@@ -80,6 +80,48 @@ TEST(CsvLines, PassOverWhatIsNoLine) {
     EXPECT_FALSE(lines.next(line));
 }
 
+std::vector<std::string> fields_of(std::string_view line) {
+    std::vector<sil::CsvField> fields;
+    sil::split_fields(line, fields);
+    std::vector<std::string> texts;
+    for (const sil::CsvField& field : fields) {
+        texts.push_back(std::to_string(field.column) + ":" + std::string{field.text});
+    }
+    return texts;
+}
+
+TEST(SplitFields, TakesBlanksAndQuotesFromTheEnds) {
+    using testing::ElementsAre;
+    EXPECT_THAT(fields_of("a,b"), ElementsAre("1:a", "3:b"));
+    EXPECT_THAT(fields_of(" \ta b\t ,, c"), ElementsAre("3:a b", "9:", "11:c"));
+    EXPECT_THAT(fields_of("\"a\",\"\",\"b,\"c"), ElementsAre("2:a", "6:", "8:\"b", "11:\"c"));
+    EXPECT_THAT(fields_of("a,"), ElementsAre("1:a", "3:"));
+    EXPECT_THAT(fields_of("\""), ElementsAre("1:\""));
+    EXPECT_THAT(fields_of(" "), ElementsAre("2:"));
+}
+
+TEST(CsvLines, EndWithAnyEndOfALine) {
+    sil::CsvLines lines{"a\r\n\r\n \t\nb\nc\r"};
+    std::vector<std::string> seen;
+    for (sil::CsvLine line; lines.next(line);) {
+        seen.push_back(std::to_string(line.number) + (line.is_ended ? ":" : "?") + std::string{line.text});
+    }
+    EXPECT_THAT(seen, testing::ElementsAre("1:a", "4:b", "5?c\r"));
+    sil::CsvLines without_mark{
+        "\xEF\xBB"
+        "a\n"};
+    sil::CsvLine line;
+    ASSERT_TRUE(without_mark.next(line));
+    EXPECT_EQ(line.text,
+              "\xEF\xBB"
+              "a");
+}
+
+TEST(CsvHeader, HasTheNamesInTheirOrder) {
+    EXPECT_EQ(sil::csv_header({"a", "b,c", ""}), "a,\"b,c\",");
+    EXPECT_EQ(sil::csv_header({}), "");
+}
+
 TEST(FiniteNumber, IsAWholeFieldWithAPoint) {
     EXPECT_EQ(sil::finite_number("+1.5e1"), 15.0);
     EXPECT_EQ(sil::finite_number("-0"), 0.0);

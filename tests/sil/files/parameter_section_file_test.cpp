@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -92,6 +94,89 @@ TEST(AParameterSection, HasANameOfAtMost48PrintableCharacters) {
          {std::string(49U, 'x'), std::string{"two\nlines"}, std::string{"gr\xC3\xBCn"}}) {
         EXPECT_THROW(sil::parameter_section(parameters, bad), sil::InputError) << bad;
     }
+}
+
+rsi::Parameters large_suv() {
+    return sil::load_calibration(calibration_file("large_suv"));
+}
+
+TEST(AParameterSection, TakesEachPrintableCharacterInItsName) {
+    EXPECT_EQ(sil::section_name(sil::parameter_section(large_suv(), " ~")), " ~");
+    EXPECT_THROW(sil::parameter_section(large_suv(), "\x7F"), sil::InputError);
+    EXPECT_THROW(sil::parameter_section(large_suv(), "\x1F"), sil::InputError);
+}
+
+TEST(SectionSource, HasEachByteSixteenALine) {
+    const std::vector<std::uint8_t> section = sil::parameter_section(large_suv(), "name");
+    const std::string text = sil::section_source(section);
+    EXPECT_NE(text.find("\"name\""), std::string::npos);
+    std::string expected = "rsi_parameter_section[" + std::to_string(section.size()) + "] = {\n";
+    for (std::size_t at = 0U; at < section.size(); ++at) {
+        char byte[8];
+        std::snprintf(byte, sizeof byte, " 0x%02X,", unsigned{section[at]});
+        expected += (at % 16U == 0U ? "   " : "") + std::string{byte};
+        expected += at % 16U == 15U || at + 1U == section.size() ? "\n" : "";
+    }
+    EXPECT_NE(text.find(expected + "};\n"), std::string::npos) << text;
+}
+
+TEST(CalibrationToml, KeepsTheSignOfZero) {
+    rsi::Parameters changed = large_suv();
+    const rsi::ParameterField& field = rsi::parameter_fields[0];
+    const auto line_of = [&](float value) {
+        changed.*field.member = value;
+        const std::string text = sil::calibration_toml(changed);
+        return text.substr(0U, text.find('\n'));
+    };
+    const std::string name = field.name;
+    EXPECT_EQ(line_of(-0.0F), name + " = -0.0");
+    EXPECT_EQ(line_of(0.0F), name + " = 0.0");
+    EXPECT_EQ(line_of(2.0F), name + " = 2");
+    EXPECT_EQ(line_of(-2.0F), name + " = -2");
+    EXPECT_EQ(line_of(1.0F), name + " = 1");
+    EXPECT_EQ(line_of(-1.0F), name + " = -1");
+}
+
+TEST(CalibrationHeader, HasEachValue) {
+    const rsi::Parameters parameters = large_suv();
+    const std::string text = sil::calibration_header(parameters, "Large_suv9");
+    EXPECT_NE(text.find("static const rsi_parameters Large_suv9_parameters = {\n"), std::string::npos);
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        const std::string start = "    ." + std::string{field.name} + " = ";
+        const std::size_t at = text.find(start);
+        ASSERT_NE(at, std::string::npos) << field.name;
+        EXPECT_EQ(std::strtof(text.c_str() + at + start.size(), nullptr), parameters.*field.member)
+            << field.name;
+    }
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        const std::int32_t value = parameters.*field.member;
+        EXPECT_NE(text.find("    ." + std::string{field.name} + " = " + std::to_string(value) + ", /* " +
+                            field.choices[value] + " */\n"),
+                  std::string::npos)
+            << field.name;
+    }
+}
+
+TEST(CalibrationHeader, NeedsANameThatCTakes) {
+    for (const char* good : {"a", "z", "A", "Z", "_", "x0", "x9", "aZ_09"}) {
+        EXPECT_NO_THROW(sil::calibration_header(large_suv(), good)) << good;
+    }
+    for (const char* bad : {"", "0", "9a", "a-b", "a`", "a{", "a@", "a[", "a/", "a:", "a b"}) {
+        EXPECT_THROW(sil::calibration_header(large_suv(), bad), sil::InputError) << bad;
+    }
+}
+
+// A new segment of 64 KiB begins within these bytes.
+TEST(IntelHex, HasTheUpperAddressBeforeTheRecordsOfEachSegment) {
+    EXPECT_EQ(sil::intel_hex({1U, 2U, 3U}, 0x1'FFFEU),
+              ":020000040001F9\n:02FFFE000102FE\n:020000040002F8\n:0100000003FC\n:00000001FF\n");
+}
+
+TEST(IntelHex, HasSixteenBytesARecord) {
+    std::vector<std::uint8_t> bytes(17U);
+    std::iota(bytes.begin(), bytes.end(), std::uint8_t{0U});
+    EXPECT_EQ(sil::intel_hex(bytes, 0xFF01'0000U),
+              ":02000004FF01FA\n:10000000000102030405060708090A0B0C0D0E0F78\n:0100100010DF\n:00000001FF\n");
 }
 
 TEST(IntelHex, EndsAtTheLastAddress) {

@@ -69,6 +69,85 @@ TEST(TomlTable, NamesPlaceKeyAndRemedy) {
     EXPECT_THAT(error_of([] { parsed("a = 1\nb = = 2\n"); }), HasSubstr("a.toml:2: not valid TOML: "));
 }
 
+TEST(TomlTable, RefusesWhatIsOfAnotherKind) {
+    sil::TomlTable top = parsed(
+        "word = \"b\"\nless = -1\nhalf = 0.5\nmixed = [1, \"2\"]\nwords = [\"x\", \"y\"]\nflag = 1\nlist = "
+        "[1]\n");
+    EXPECT_EQ(error_of([&] { top.number("word"); }),
+              "a.toml:1: \"word\" must be a number; write a plain number in SI units");
+    EXPECT_EQ(error_of([&] { top.any_number("word"); }),
+              "a.toml:1: \"word\" must be a number; write a plain number in SI units");
+    EXPECT_EQ(error_of([&] { top.whole_number("less"); }),
+              "a.toml:2: \"less\" must be a whole number, 0 or above");
+    EXPECT_EQ(error_of([&] { top.whole_number("half"); }),
+              "a.toml:3: \"half\" must be a whole number, 0 or above");
+    EXPECT_EQ(error_of([&] { top.boolean("flag"); }), "a.toml:6: \"flag\" must be true or false");
+    EXPECT_EQ(error_of([&] { top.text("less"); }), "a.toml:2: \"less\" must be a text in quotation marks");
+    EXPECT_EQ(error_of([&] { top.choice("word", {"a", "c"}); }),
+              "a.toml:1: \"word\" must be one of \"a\", \"c\"");
+    EXPECT_EQ(error_of([&] { top.choice("less", {"a", "c"}); }),
+              "a.toml:2: \"less\" must be one of \"a\", \"c\"");
+    EXPECT_EQ(error_of([&] { top.numbers("less"); }),
+              "a.toml:2: \"less\" must be numbers in brackets, such as [0.5, 1.0]");
+    EXPECT_THAT(error_of([&] { top.numbers("mixed"); }), HasSubstr("a.toml:4: \"mixed\" must be a number; "));
+    EXPECT_THAT(top.texts("words"), ElementsAre("x", "y"));
+    for (const char* key : {"mixed", "list", "word"}) {
+        EXPECT_THAT(error_of([&] { top.texts(key); }),
+                    HasSubstr("must be texts in brackets, such as [\"a\", \"b\"]"));
+    }
+    EXPECT_EQ(error_of([&] { top.tables("list"); }), "a.toml:7: \"list\" must be written as [[list]]");
+}
+
+TEST(TomlTable, TakesTheEndsOfARangeAndAWholeNumberOfNought) {
+    sil::TomlTable top = parsed("low = 2\nhigh = 3\nbelow = 1.999\nabove = 3.001\nnought = 0\n");
+    EXPECT_EQ(top.number("low", {2.0, 3.0}), 2.0);
+    EXPECT_EQ(top.number("high", {2.0, 3.0}), 3.0);
+    EXPECT_EQ(top.whole_number("nought"), 0U);
+    EXPECT_EQ(error_of([&] { top.number("below", {2.0, 3.0}); }),
+              "a.toml:3: \"below\" is 1.999, which is out of range; give a number from 2 to 3, in SI units");
+    EXPECT_THAT(error_of([&] { top.number("above", {2.0, 3.0}); }),
+                HasSubstr("is 3.001, which is out of range"));
+}
+
+TEST(TomlTable, TellsWhetherItIsEmptyAndWhatItHas) {
+    sil::TomlTable top = parsed("a = 1\n[inner]\n");
+    EXPECT_FALSE(top.is_empty());
+    EXPECT_TRUE(top.table("inner").is_empty());
+    EXPECT_TRUE(top.has("a"));
+    EXPECT_FALSE(top.has("b"));
+    EXPECT_EQ(top.place("a"), "a.toml:1: \"a\"");
+    EXPECT_EQ(top.table("inner").place("none"), "a.toml:2: \"inner.none\"");
+    EXPECT_EQ(top.file(), "a.toml");
+}
+
+TEST(TomlTable, ListsEachKnownKeyOnce) {
+    sil::TomlTable top = parsed("a = 1\nz = 2\n");
+    top.number("a");
+    top.allow("a");
+    top.allow("b");
+    EXPECT_EQ(error_of([&] { top.refuse_unknown_keys(); }),
+              "a.toml:2: \"z\" is not known here; remove it or correct its spelling; known here: a, b");
+}
+
+TEST(TomlTable, TakesAChangeOfOneValueOnly) {
+    sil::TomlTable top = parsed("a = 1\n");
+    top.allow("a");
+    EXPECT_THAT(error_of([&] { top.change("a=1\nb=2", "a=3"); }), HasSubstr("is not one value"));
+    EXPECT_EQ(error_of([&] { top.change("a", "a=3"); }),
+              "\"a\" must be KEY=VALUE with a key of a.toml, such as a=3");
+    EXPECT_EQ(top.number("a"), 1.0);
+    top.change("a=4", "a=3");
+    EXPECT_EQ(top.number("a"), 4.0);
+}
+
+TEST(TomlTable, OfAFileThatCannotBeReadSaysWhatElseCanBe) {
+    EXPECT_THAT(error_of([] { sil::TomlTable::load("/no/such/file", "say --example"); }),
+                testing::AllOf(HasSubstr("/no/such/file: cannot be read: "),
+                               testing::EndsWith(", or say --example")));
+    EXPECT_THAT(error_of([] { sil::TomlTable::load("/no/such/file", ""); }),
+                testing::Not(HasSubstr(", or ")));
+}
+
 TEST(TomlTable, RefusesKeysThatNobodyAskedFor) {
     sil::TomlTable top = parsed("a = 1\nb = 2\n");
     top.allow("a");

@@ -87,6 +87,7 @@ TEST(TrueIndices, TheLoadTransferIsPositiveInALeftTurnAndOneWhereTheSideHasLifte
     const sil::Truth lifted = truth_with_loads(0.0, {3000.0, 0.0, 4000.0, 0.0});
     EXPECT_DOUBLE_EQ(sil::true_load_transfer_ratio(lifted), -1.0);
     EXPECT_TRUE(std::isnan(sil::true_load_transfer_ratio(truth_with_loads(0.0, {}))));
+    EXPECT_DOUBLE_EQ(sil::true_load_transfer_ratio(truth_with_loads(0.0, {0.1, 0.3, 0.1, 0.3})), 0.5);
 }
 
 TEST(EventObserver, EveryWheelCanBeTheFirstToLift) {
@@ -158,6 +159,26 @@ TEST(EventObserver, SsfIsCrossedInEitherDirectionAndOnlyTheFirstTimeCounts) {
         EXPECT_EQ(observer.events().ssf_crossing->roll_angle_rad, direction * 0.11);
         EXPECT_DOUBLE_EQ(observer.events().largest_lateral_acceleration_mps2, 0.9 * g_mps2);
     }
+}
+
+TEST(EventObserver, TheSsfItselfIsCrossedAndTheLargestAccelerationIsKept) {
+    sil::EventObserver observer(ssf);
+    observer.observe(truth_at(1.0, ssf));
+    observer.observe(truth_at(1.1, -0.3));
+    ASSERT_TRUE(observer.events().ssf_crossing);
+    EXPECT_EQ(observer.events().ssf_crossing->time_s, 1.0);
+    EXPECT_DOUBLE_EQ(observer.events().largest_lateral_acceleration_mps2, ssf * g_mps2);
+}
+
+TEST(EventObserver, BeforeTheFirstTruthNothingIsKnown) {
+    sil::EventObserver observer(ssf);
+    observer.observe(output_of(sil::WarningState::warning, sil::WarningSide::right), 0.25);
+    ASSERT_TRUE(observer.events().warning);
+    EXPECT_EQ(observer.events().warning->time_s, 0.25);
+    EXPECT_EQ(observer.events().warning->lateral_acceleration_mps2, 0.0);
+    EXPECT_EQ(observer.events().warning->roll_angle_rad, 0.0);
+    EXPECT_EQ(observer.events().end_time_s, 0.0);
+    EXPECT_EQ(observer.events().final_roll_angle_rad, 0.0);
 }
 
 TEST(EventObserver, TheFirstWarningCountsWithTheTruthOfItsMoment) {

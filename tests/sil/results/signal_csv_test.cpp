@@ -93,6 +93,12 @@ TEST(SignalCsv, NumbersKeepNineSignificantDigits) {
     }
 }
 
+TEST(SignalCsv, NumbersHaveNoMoreThanNineSignificantDigits) {
+    sil::Truth truth;
+    truth.lateral_acceleration_mps2 = 2.0 / 3.0;
+    EXPECT_EQ(field(sil::signal_csv_row(truth, {}, {}), "true_lateral_acceleration_mps2"), "0.666666667");
+}
+
 // 303 cycles of 10 ms add up to 3.0299999999999773 s.
 TEST(SignalCsv, RoundingOfSumsIsNotShown) {
     sil::Truth truth;

@@ -124,6 +124,34 @@ TEST(SummaryJson, WhatDidNotHappenIsNull) {
     EXPECT_EQ(json.at("frames_sent"), 0);
     EXPECT_EQ(json.at("load_transfer_band"), "below 0.7");
     EXPECT_EQ(json.at("wrong_side_duration_s"), 0.0);
+    EXPECT_EQ(json.at("mirrored"), false);
+    EXPECT_EQ(json.at("lock_step"), false);
+    EXPECT_EQ(json.at("frames_received"), 0);
+}
+
+TEST(SummaryJson, OfNothingHasZeros) {
+    const ordered_json json = ordered_json::parse(sil::summary_json({}));
+    for (const char* key : {"seed", "bias_g", "quantisation_g", "max_ay_g", "final_roll_deg"}) {
+        EXPECT_EQ(json.at(key), 0) << key;
+    }
+}
+
+TEST(SummaryJson, IsIndentedAndKeepsLettersOfOtherLanguages) {
+    sil::Summary summary = quiet_run();
+    summary.vehicle = "gr\u00fcn";
+    const std::string text = sil::summary_json(summary);
+    EXPECT_EQ(text.rfind("{\n  \"manoeuvre\": \"straight\",\n", 0), 0U) << text;
+    EXPECT_NE(text.find("gr\u00fcn"), std::string::npos);
+}
+
+TEST(SummaryJson, RoundsNothingToZeroButZero) {
+    sil::Summary summary = quiet_run();
+    for (const double lead_s : {1.0, -1.0, 1.0e-9}) {
+        summary.events.judgement.lead_s = lead_s;
+        EXPECT_EQ(ordered_json::parse(sil::summary_json(summary)).at("lead_time_s"), lead_s);
+    }
+    summary.events.judgement.lead_s = -1.0e-10;
+    EXPECT_NE(sil::summary_json(summary).find("\"lead_time_s\": 0.0,"), std::string::npos) << "and not -0.0";
 }
 
 TEST(SummaryJson, GivesTheEventsInTheirUnits) {
@@ -236,6 +264,11 @@ TEST(EventMarks, GiveGnuplotEveryEventOrNaN) {
     EXPECT_NE(rollover.find("\none_wheel_lift_time_s = 1.82\n"), std::string::npos);
     EXPECT_NE(rollover.find("\nssf_crossing_time_s = 2.095\n"), std::string::npos);
     EXPECT_NE(rollover.find("\nwarning_roll_deg = -5.15662016\n"), std::string::npos);  // 0.09 rad
+}
+
+TEST(EventMarks, HaveNoControlCharacterInTheTitle) {
+    const std::string marks = sil::event_marks(quiet_run().events, 0.81, "one\ntwo\x1Fthree!");
+    EXPECT_NE(marks.find("title_text = 'one two three!'\n"), std::string::npos) << marks;
 }
 
 TEST(EventMarks, DoNotShowTheRoundingOfSums) {

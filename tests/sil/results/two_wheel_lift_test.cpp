@@ -85,6 +85,18 @@ TEST_F(TwoWheelLift, OnlyTheFirstLastingOneCounts) {
     EXPECT_DOUBLE_EQ(brief_s().value(), 0.001);
 }
 
+// Times are compared to the millionth of a second.
+TEST(TwoWheelLiftObserver, TakesTheRoundingOfTimesForThatLong) {
+    const auto lasts = [](double lasting_s) {
+        sil::TwoWheelLiftObserver observer;
+        observer.observe({0.0, 0.0, 0.0}, true, false);
+        observer.observe({lasting_s, 0.0, 0.0}, true, false);
+        return observer.lift_off().has_value();
+    };
+    EXPECT_TRUE(lasts(0.050 - 1.0e-6));
+    EXPECT_FALSE(lasts(0.050 - 1.1e-6));
+}
+
 TEST(LoadedSide, IsRightWhereTheLoadTransferIsPositive) {
     EXPECT_EQ(sil::loaded_side(0.01), WarningSide::right);
     EXPECT_EQ(sil::loaded_side(-0.01), WarningSide::left);

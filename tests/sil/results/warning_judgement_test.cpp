@@ -30,6 +30,13 @@ class JudgedRun {
         judge_.observe(state, side, time_s());
         return *this;
     }
+    // So many cycles with this load transfer, and the same frame in each of them.
+    JudgedRun& drive_saying(int cycles, double load_transfer_ratio, WarningState state, WarningSide side) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            drive(1, load_transfer_ratio).say(state, side);
+        }
+        return *this;
+    }
     JudgedRun& warn(WarningSide side) { return say(WarningState::warning, side); }
     // The wheels have lifted so many cycles ago.
     JudgedRun& lift(WarningSide falling, int cycles_ago = 0) {
@@ -126,6 +133,42 @@ TEST(WarningJudge, ALateWarningMayComeAfterLiftOffIsKnown) {
     EXPECT_TRUE(JudgedRun{run}.warn(WarningSide::left).judgement().late);
 }
 
+TEST(WarningJudge, OnlyAWarningOfTheFallingSideIsLate) {
+    const auto run = ready().drive(10, 1.0).lift(WarningSide::left, 5);
+    EXPECT_FALSE(JudgedRun{run}.say(WarningState::advisory, WarningSide::left).judgement().late);
+    EXPECT_TRUE(JudgedRun{run}.warn(WarningSide::left).say(WarningState::ready).judgement().late)
+        << "it came";
+    EXPECT_FALSE(ready().warn(WarningSide::none).judgement().late) << "nothing has lifted";
+    EXPECT_FALSE(ready().judgement().late);
+}
+
+TEST(WarningJudge, OnlyAWarningOfTheFallingSideIsLateWhereLiftOffIsKnownAfterIt) {
+    const auto late = [](WarningState state, WarningSide side) {
+        return ready()
+            .drive(10, 1.0)
+            .say(state, side)
+            .drive(1, 1.0)
+            .say(WarningState::ready)
+            .drive(5, 1.0)
+            .lift(WarningSide::right, 8)
+            .judgement()
+            .late;
+    };
+    EXPECT_TRUE(late(WarningState::warning, WarningSide::right));
+    EXPECT_FALSE(late(WarningState::warning, WarningSide::left));
+    EXPECT_FALSE(late(WarningState::advisory, WarningSide::right));
+    const auto in_time_and_again = ready()
+                                       .warn(WarningSide::right)
+                                       .drive(10, 1.0)
+                                       .say(WarningState::ready)
+                                       .drive(1, 1.0)
+                                       .warn(WarningSide::right)
+                                       .drive(5, 1.0)
+                                       .lift(WarningSide::right, 8);
+    EXPECT_TRUE(in_time_and_again.judgement().lead_s);
+    EXPECT_FALSE(in_time_and_again.judgement().late);
+}
+
 TEST(WarningJudge, WhatTheWarningDoesAfterLiftOffDoesNotMatter) {
     const auto judged = ready()
                             .warn(WarningSide::right)
@@ -146,6 +189,8 @@ TEST(WarningJudge, ALeadIsEnoughFromTheWantedOneOnAndNotACycleLess) {
     EXPECT_FALSE(sil::is_warned(0.099, sil::early_s));
     EXPECT_TRUE(sil::is_warned(2.0 - 1.8, sil::very_early_s));
     EXPECT_FALSE(sil::is_warned(0.199, sil::very_early_s));
+    EXPECT_TRUE(sil::is_warned(-1.0e-6)) << "the rounding of times";
+    EXPECT_FALSE(sil::is_warned(-1.05e-6));
     EXPECT_EQ(sil::early_s, 0.1);
     EXPECT_EQ(sil::very_early_s, 0.2);
 }
@@ -158,6 +203,32 @@ TEST(WarningJudge, AWarningIsOnTheWrongSideFromATenthOfASecondAfterTheSwing) {
     EXPECT_EQ(wrong_s(11), 0.0);
     EXPECT_NEAR(wrong_s(12), 0.01, 1.0e-9);
     EXPECT_NEAR(wrong_s(31), 0.2, 1.0e-9);
+}
+
+// Frames come in every cycle; only what changes in them counts.
+TEST(WarningJudge, AFrameThatSaysTheSameChangesNothing) {
+    const auto judged = ready()
+                            .drive(30, -0.3)
+                            .drive_saying(20, -0.3, WarningState::warning, WarningSide::right)
+                            .drive_saying(20, 0.8, WarningState::warning, WarningSide::right)
+                            .lift(WarningSide::right)
+                            .judgement();
+    EXPECT_NEAR(judged.wrong_side_s, 0.0, 1.0e-9) << "the load swung to that side in time";
+    EXPECT_NEAR(judged.lead_s.value(), 0.39, 1.0e-9);
+    EXPECT_EQ(judged.warnings, 1U);
+}
+
+TEST(WarningJudge, AWarningWithoutASideOrALoadOfNoneIsNotOnTheWrongOne) {
+    EXPECT_EQ(ready().drive(30, 0.8).warn(WarningSide::none).drive(30, 0.8).judgement().wrong_side_s, 0.0);
+    const auto in_the_air = JudgedRun{}.drive(30, nan).warn(WarningSide::left).drive(30, nan).judgement();
+    EXPECT_EQ(in_the_air.wrong_side_s, 0.0);
+    EXPECT_EQ(in_the_air.largest_load_transfer_ratio, 0.0);
+}
+
+TEST(WarningJudge, ALoadThatSwingsForthAndBackFasterThanAWarningCostsNothing) {
+    const auto judged =
+        ready().drive(30, 0.3).warn(WarningSide::right).drive(5, -0.3).drive(20, 0.8).judgement();
+    EXPECT_EQ(judged.wrong_side_s, 0.0);
 }
 
 TEST(WarningJudge, AWarningOfTheLoadedSideIsNeverOnTheWrongOne) {
@@ -183,6 +254,7 @@ TEST(WarningJudge, AWarningMayNameTheSideToWhichTheLoadSwingsWithinThreeTenths) 
             .judgement()
             .wrong_side_s;
     };
+    EXPECT_NEAR(wrong_s(9, 0.8), 0.0, 1.0e-9);
     EXPECT_NEAR(wrong_s(29, 0.8), 0.0, 1.0e-9);
     EXPECT_NEAR(wrong_s(30, 0.8), 0.01, 1.0e-9);
     EXPECT_NEAR(wrong_s(49, 0.8), 0.2, 1.0e-9);
@@ -199,6 +271,18 @@ TEST(WarningJudge, ASideThatIsGivenUpBeforeTheSwingWasWrong) {
                             .drive(20, 0.8)
                             .judgement();
     EXPECT_NEAR(judged.wrong_side_s, 0.2 + 0.09, 1.0e-9);  // and the left one from 0.1 s after the swing
+}
+
+TEST(WarningJudge, ASideThatIsGivenUpAndTakenBackBeforeTheSwingWasWrong) {
+    const auto judged = ready()
+                            .drive(30, -0.3)
+                            .warn(WarningSide::right)
+                            .drive(20, -0.3)
+                            .warn(WarningSide::left)
+                            .warn(WarningSide::right)
+                            .drive(1, 0.8)
+                            .judgement();
+    EXPECT_NEAR(judged.wrong_side_s, 0.2 + 0.01 - 0.01, 1.0e-9);
 }
 
 TEST(WarningJudge, OnlyAWarningCanBeOnTheWrongSide) {
@@ -228,7 +312,9 @@ TEST(WarningJudge, CountsStatesAndTheirTimes) {
                             .say(WarningState::ready)
                             .drive(5, 0.1)
                             .say(WarningState::advisory, WarningSide::left)
-                            .drive(5, 0.1)
+                            .drive(3, 0.1)
+                            .say(WarningState::advisory, WarningSide::right)
+                            .drive(2, 0.1)
                             .judgement();
     EXPECT_EQ(judged.warnings, 1U) << "a change of side is no other warning";
     EXPECT_EQ(judged.advisories, 2U);
@@ -247,6 +333,15 @@ TEST(WarningJudge, UnavailableCountsAfterTheStartUp) {
     EXPECT_NEAR(later.unavailable_s, 0.07, 1.0e-9);
 }
 
+TEST(WarningJudge, UnavailableWithAnotherSideIsStillTheStartUp) {
+    const auto judged = JudgedRun{}
+                            .drive(1, 0.0)
+                            .say(WarningState::unavailable, WarningSide::right)
+                            .drive(20, 0.0)
+                            .judgement();
+    EXPECT_EQ(judged.unavailable_s, 0.0);
+}
+
 // However early it comes: with the first ready the start-up is over.
 TEST(WarningJudge, UnavailableCountsOnceTheEcuHasBeenReady) {
     const auto judged = ready().drive(3, 0.0).say(WarningState::unavailable).drive(5, 0.0).judgement();
@@ -257,6 +352,34 @@ TEST(WarningJudge, TheLoadTransferIsALargestMagnitude) {
     EXPECT_DOUBLE_EQ(
         ready().drive(1, 0.3).drive(1, -0.75).drive(1, 0.2).judgement().largest_load_transfer_ratio, 0.75);
     EXPECT_EQ(ready().drive(1, -0.75).judgement().band(), LoadBand::from_0_7);
+}
+
+// Times are compared to the millionth of a second: that far before a limit is at the limit.
+TEST(WarningJudge, ItsLimitsIncludeTheRoundingOfTimes) {
+    constexpr double rounding_s = 1.0e-6;
+    sil::WarningJudge start_up;
+    for (const double time_s : {0.0, 0.5 - rounding_s, 1.0}) {
+        start_up.observe(time_s, 0.0);
+    }
+    EXPECT_NEAR(start_up.judgement().unavailable_s, 0.5, 2.0e-6);
+    sil::WarningJudge swing;
+    swing.observe(WarningState::warning, WarningSide::left, 0.0);
+    for (const double time_s : {0.0, 0.1 - rounding_s, 1.0}) {
+        swing.observe(time_s, 0.8);
+    }
+    EXPECT_NEAR(swing.judgement().wrong_side_s, 0.9, 2.0e-6);
+    sil::WarningJudge lift_off;
+    lift_off.observe(WarningState::warning, WarningSide::right, rounding_s);
+    lift_off.lift_off({{0.0, 0.0, 0.0}, WarningSide::right});
+    EXPECT_EQ(lift_off.judgement().lead_s, 0.0) << "never less than none";
+}
+
+TEST(WarningInForce, OfNoSideIsNone) {
+    sil::WarningInForce in_force;
+    EXPECT_FALSE(in_force.lead_s(1.0, WarningSide::none));
+    in_force.observe(WarningState::warning, WarningSide::none, 0.5);
+    EXPECT_FALSE(in_force.lead_s(1.0, WarningSide::none));
+    EXPECT_EQ(in_force.side(), WarningSide::none);
 }
 
 TEST(LoadBand, BeginsAtItsLimit) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace testing_simulation {
+namespace bus_timing_test {
 namespace {
 
 sil::LoggedFrame frame(std::uint32_t identifier, std::int64_t time_us) {
@@ -114,4 +114,4 @@ TEST(BusTiming, IsDescribedWithItsFigures) {
 }
 
 }  // namespace
-}  // namespace testing_simulation
+}  // namespace bus_timing_test

@@ -1,0 +1,60 @@
+// Frames in words, and which of them are of the vehicle's sensors.
+#include "sil/files/frame_description.hpp"
+
+#include <gtest/gtest.h>
+
+#include "application/sensor_reception.hpp"
+#include "sil/files/require_accepted.hpp"
+#include "sil/files/sensor_frame.hpp"
+
+namespace frame_description_test {
+namespace {
+
+hal::CanFrame frame_of(std::uint32_t identifier, std::uint8_t length) {
+    hal::CanFrame frame;
+    frame.identifier = identifier;
+    frame.length = length;
+    return frame;
+}
+
+TEST(FrameDescription, NamesFramesOfTheSimulationToo) {
+    EXPECT_EQ(sil::describe_frame(frame_of(0x7F0U, 4U)), "SimulationSync CycleNumber=0");
+}
+
+TEST(FrameDescription, OfAnythingElseIsEmpty) {
+    EXPECT_EQ(sil::describe_frame(frame_of(0x7FFU, 8U)), "");
+    EXPECT_EQ(sil::describe_frame(frame_of(0x120U, 7U)), "");
+    EXPECT_EQ(sil::describe_frame(frame_of(0x7F0U, 8U)), "");
+    hal::CanFrame extended = frame_of(0x120U, 8U);
+    extended.extended = true;
+    EXPECT_EQ(sil::describe_frame(extended), "");
+}
+
+TEST(SensorFrame, IsOneThatTheEcuReceives) {
+    for (const std::uint32_t identifier : application::received_identifiers) {
+        hal::CanFrame frame = frame_of(identifier, 8U);
+        EXPECT_TRUE(sil::is_sensor_frame(frame)) << identifier;
+        frame.extended = true;
+        EXPECT_FALSE(sil::is_sensor_frame(frame)) << identifier;
+    }
+    EXPECT_FALSE(sil::is_sensor_frame(frame_of(0x0D0U, 8U))) << "of the ECU itself";
+    EXPECT_FALSE(sil::is_sensor_frame(frame_of(0x7FFU, 8U)));
+}
+
+TEST(RequireAccepted, NamesWhatIsRefused) {
+    rsi::Validation answer{};
+    answer.accepted = 1;
+    EXPECT_NO_THROW(sil::require_accepted(answer));
+    answer.accepted = 0;
+    answer.field = "warning_on";
+    answer.reason = "is too high";
+    try {
+        sil::require_accepted(answer);
+        ADD_FAILURE() << "was accepted";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "warning_on is too high");
+    }
+}
+
+}  // namespace
+}  // namespace frame_description_test
