@@ -14,8 +14,9 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using Texts = std::vector<std::string>;
 
-constexpr Demand all_demands[]{Demand::recovery,         Demand::unaffected,  Demand::right,      Demand::reported, Demand::usable,
-                               Demand::roll_sensor_lost, Demand::motion_lost, Demand::unavailable};
+constexpr Demand all_demands[]{Demand::recovery,    Demand::unaffected, Demand::right,
+                               Demand::reported,    Demand::usable,     Demand::roll_sensor_lost,
+                               Demand::motion_lost, Demand::unavailable};
 
 Expectation expecting(Demand demand) {
     Expectation expected;
@@ -80,7 +81,8 @@ TEST(JudgementLimits, OfEveryDemand) {
                     ElementsAre("a frame is missing or damaged"));
         EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.undefined_cycles = 1U; }),
                     ElementsAre("an undefined code on the bus"));
-        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.watchdog_fed = false; }), ElementsAre("watchdog"));
+        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.watchdog_fed = false; }),
+                    ElementsAre("watchdog"));
         EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.silence = 10; }),
                     ElementsAre("silent for 10 ms while a warning is due"));
         EXPECT_THAT(shortfalls(demand, [=](Reaction& is) { is.false_warning = false_ms; }),
@@ -131,11 +133,12 @@ TEST(JudgementLimits, OfTheReturnWhereAWarningIsDueSoon) {
 }
 
 TEST(JudgementLimits, OfTheCode) {
-    for (const Demand demand : {Demand::reported, Demand::usable, Demand::roll_sensor_lost, Demand::motion_lost,
-                                Demand::unavailable}) {
+    for (const Demand demand : {Demand::reported, Demand::usable, Demand::roll_sensor_lost,
+                                Demand::motion_lost, Demand::unavailable}) {
         SCOPED_TRACE(to_string(demand));
         EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.code = 51; }), ElementsAre("no code in time"));
-        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.code.reset(); }), ElementsAre("no code in time"));
+        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.code.reset(); }),
+                    ElementsAre("no code in time"));
         EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.lapse = 40; }),
                     ElementsAre("no code for 40 ms while the fault is there"));
     }
@@ -144,11 +147,13 @@ TEST(JudgementLimits, OfTheCode) {
         EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.code.reset(); }), IsEmpty());
         EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.lapse = 40; }), IsEmpty());
     }
-    EXPECT_THAT(shortfalls(Demand::unaffected, [](Reaction& is) { is.code = 500; }), ElementsAre("a reaction"));
+    EXPECT_THAT(shortfalls(Demand::unaffected, [](Reaction& is) { is.code = 500; }),
+                ElementsAre("a reaction"));
 }
 
 TEST(JudgementLimits, OfTheStateThatIsDemanded) {
-    const auto none_or_late = [](Demand demand, std::optional<int> Reaction::*time, const std::string& text) {
+    const auto none_or_late = [](Demand demand, std::optional<int> Reaction::* time,
+                                 const std::string& text) {
         EXPECT_THAT(shortfalls(demand, [=](Reaction& is) { is.*time = 51; }), ElementsAre(text));
         EXPECT_THAT(shortfalls(demand, [=](Reaction& is) { (is.*time).reset(); }), ElementsAre(text));
     };
@@ -158,14 +163,17 @@ TEST(JudgementLimits, OfTheStateThatIsDemanded) {
 }
 
 TEST(JudgementLimits, OfUnavailableWhereTheEcuHasToStayUsable) {
-    for (const Demand demand : {Demand::right, Demand::usable, Demand::roll_sensor_lost, Demand::motion_lost}) {
-        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.unavailable = 500; }), ElementsAre("unavailable"))
+    for (const Demand demand :
+         {Demand::right, Demand::usable, Demand::roll_sensor_lost, Demand::motion_lost}) {
+        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.unavailable = 500; }),
+                    ElementsAre("unavailable"))
             << to_string(demand);
     }
     EXPECT_THAT(shortfalls(Demand::unaffected, [](Reaction& is) { is.unavailable = 500; }),
                 ElementsAre("a reaction", "unavailable"));
     for (const Demand demand : {Demand::recovery, Demand::reported}) {
-        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.unavailable = 500; }), IsEmpty()) << to_string(demand);
+        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.unavailable = 500; }), IsEmpty())
+            << to_string(demand);
     }
 }
 
@@ -189,8 +197,10 @@ TEST(JudgementLimits, OfTheWarning) {
     for (const Demand demand :
          {Demand::unaffected, Demand::right, Demand::usable, Demand::roll_sensor_lost, Demand::motion_lost}) {
         SCOPED_TRACE(to_string(demand));
-        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.warning_missed = true; }), ElementsAre("no warning"));
-        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.lead_loss = 121; }), ElementsAre("warning late"));
+        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.warning_missed = true; }),
+                    ElementsAre("no warning"));
+        EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.lead_loss = 121; }),
+                    ElementsAre("warning late"));
         EXPECT_THAT(shortfalls(demand, [](Reaction& is) { is.lead = 99; }),
                     ElementsAre("warning too late before two-wheel lift-off"));
         EXPECT_THAT(shortfalls(demand,
@@ -236,8 +246,8 @@ TEST(JudgementLimits, OfAKnownUndetectedErrorItsEffectOnTheWarningStandsApart) {
     const sil::Verdict effect = judge(expected, reaction);
     EXPECT_THAT(effect.shortfalls, IsEmpty());
     EXPECT_THAT(effect.known_undetected,
-                ElementsAre("silent for 10 ms while a warning is due", "wrong for 91 ms without a code", "no warning",
-                            "warning late", "warning too late before two-wheel lift-off"));
+                ElementsAre("silent for 10 ms while a warning is due", "wrong for 91 ms without a code",
+                            "no warning", "warning late", "warning too late before two-wheel lift-off"));
     reaction = demanded(Demand::right);
     reaction.watchdog_fed = false;
     reaction.false_warning = 1;

@@ -52,7 +52,8 @@ struct Runs {
         faulty.visible = begins;
         faulty.over = is_over;
     }
-    static void write(Answers& answers, std::size_t from, std::size_t until, const std::optional<EcuAnswer>& one) {
+    static void write(Answers& answers, std::size_t from, std::size_t until,
+                      const std::optional<EcuAnswer>& one) {
         for (std::size_t cycle = from; cycle < until; ++cycle) {
             answers[cycle] = one;
         }
@@ -165,7 +166,8 @@ TEST(Reaction, OfAnEcuThatIsNotHeardIsNone) {
     EXPECT_EQ(Runs{}.say(begins, is_over + 1U, told).of(off).unavailable,
               10 * static_cast<int>(is_over - begins));
     EXPECT_EQ(Runs{}.say(begins, is_over, told).of(lost).unavailable, 0);
-    EXPECT_EQ(Runs{}.say(begins, begins + 7U, std::nullopt).say(begins + 7U, is_over, told).of().unavailable, 70);
+    EXPECT_EQ(Runs{}.say(begins, begins + 7U, std::nullopt).say(begins + 7U, is_over, told).of().unavailable,
+              70);
 }
 
 TEST(Reaction, SilenceIsTheLongestReadyWithoutACodeWhileAWarningIsDue) {
@@ -196,12 +198,9 @@ TEST(Reaction, LapseIsTheLongestTimeWithoutANewCodeAfterTheFirstAndDuringTheFaul
     EXPECT_EQ(Runs{}.say(150U, is_over, told).of().lapse, 0);
     EXPECT_EQ(Runs{}.say(150U, 151U, told).say(154U, 155U, told).say(156U, is_over, told).of().lapse, 30);
     EXPECT_EQ(Runs{}.say(150U, is_over - 2U, told).of().lapse, 20) << "what follows the fault does not count";
-    EXPECT_EQ(Runs{}
-                  .right_says(200U, 202U, saying(WarningState::ready, 1U))
-                  .say(150U, is_over, told)
-                  .of()
-                  .lapse,
-              20)
+    EXPECT_EQ(
+        Runs{}.right_says(200U, 202U, saying(WarningState::ready, 1U)).say(150U, is_over, told).of().lapse,
+        20)
         << "a code that is there without the fault";
 }
 
@@ -265,8 +264,9 @@ TEST(Reaction, RecoveryIsTheBeginningOfTheLastingAgreement) {
     const EcuAnswer advisory = saying(WarningState::advisory);
     EXPECT_EQ(Runs{}.say(begins, is_over + 12U, advisory).of().recovery, 120);
     EXPECT_EQ(Runs{}.say(begins, is_over, advisory).of().recovery, 0);
-    EXPECT_EQ(Runs{}.say(begins, is_over + 12U, advisory).say(is_over + 30U, is_over + 31U, advisory).of().recovery,
-              310);
+    EXPECT_EQ(
+        Runs{}.say(begins, is_over + 12U, advisory).say(is_over + 30U, is_over + 31U, advisory).of().recovery,
+        310);
     EXPECT_FALSE(Runs{}.say(length - 1U, length, advisory).of().recovery);
     EXPECT_EQ(Runs{}.say(length - 2U, length - 1U, advisory).of().recovery,
               10 * static_cast<int>(length - 1U - is_over));

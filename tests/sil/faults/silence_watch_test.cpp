@@ -72,8 +72,13 @@ TEST(SilenceWatch, CountsAWarningThatCameInSpiteOfTheFault) {
 }
 
 TEST(SilenceWatch, CountsEachWarningByItself) {
-    const Watched watched =
-        Watched{}.due(3, ready).no_longer_due().due(3, warning).no_longer_due().due(3, advisory).no_longer_due();
+    const Watched watched = Watched{}
+                                .due(3, ready)
+                                .no_longer_due()
+                                .due(3, warning)
+                                .no_longer_due()
+                                .due(3, advisory)
+                                .no_longer_due();
     EXPECT_EQ(watched.result.warnings_due, 3U);
     expect_counts(watched.result, {3U, 1U, 0U, 1U});
 }
@@ -89,8 +94,9 @@ TEST(SilenceWatch, CountsAWarningOnceItIsOver) {
 TEST(SilenceWatch, CountsNoFateWithoutAFault) {
     EXPECT_EQ(Watched{}.due(5, warning, far).no_longer_due().result.warnings_due, 1U);
     expect_counts(Watched{}.due(5, warning, far).no_longer_due().result, {0U, 0U, 0U, 0U});
-    expect_counts(Watched{}.due(5, warning, far).due(1, warning, near).due(5, warning, far).no_longer_due().result,
-                  {1U, 1U, 0U, 0U});
+    expect_counts(
+        Watched{}.due(5, warning, far).due(1, warning, near).due(5, warning, far).no_longer_due().result,
+        {1U, 1U, 0U, 0U});
 }
 
 TEST(SilenceWatch, OneCycleOfReadyWithoutACodeIsASilence) {
@@ -114,13 +120,14 @@ TEST(SilenceWatch, MeasuresTheLongestSilenceWithoutABreak) {
 }
 
 TEST(SilenceWatch, WhatIsToldIsNoSilence) {
-    for (const EcuAnswer& told :
-         {saying(WarningState::unavailable), saying(WarningState::ready, 4U), saying(WarningState::advisory, 4U)}) {
+    for (const EcuAnswer& told : {saying(WarningState::unavailable), saying(WarningState::ready, 4U),
+                                  saying(WarningState::advisory, 4U)}) {
         const Watched watched = Watched{}.due(5, told).no_longer_due();
         expect_counts(watched.result, {1U, 0U, 1U, 0U});
         EXPECT_EQ(watched.silences, 0);
     }
-    expect_counts(Watched{}.due(5, saying(WarningState::warning, 4U)).no_longer_due().result, {1U, 1U, 0U, 0U});
+    expect_counts(Watched{}.due(5, saying(WarningState::warning, 4U)).no_longer_due().result,
+                  {1U, 1U, 0U, 0U});
     expect_counts(Watched{}.due(3, saying(WarningState::unavailable)).due(1, warning).no_longer_due().result,
                   {1U, 1U, 0U, 0U});
 }
@@ -133,7 +140,8 @@ TEST(SilenceWatch, WhatWasToldOnceIsTold) {
 }
 
 TEST(SilenceWatch, AnAdvisoryOrAnEcuThatIsNotHeardIsNeitherSilenceNorWarning) {
-    for (const std::optional<EcuAnswer>& other : {std::optional<EcuAnswer>{advisory}, std::optional<EcuAnswer>{}}) {
+    for (const std::optional<EcuAnswer>& other :
+         {std::optional<EcuAnswer>{advisory}, std::optional<EcuAnswer>{}}) {
         const Watched watched = Watched{}.due(5, other).no_longer_due();
         expect_counts(watched.result, {1U, 0U, 0U, 0U});
         EXPECT_EQ(watched.silences, 0);
