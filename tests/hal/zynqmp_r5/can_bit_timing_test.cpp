@@ -47,10 +47,10 @@ TEST(CanBitTiming, SaysWhenTheClockGivesNoExactBitRate) {
 }
 
 TEST(CanBitTiming, HasSixteenToTwentyFiveQuantaOfOneTo256ClockPeriods) {
-    const auto is = [](const CanBitSegments& is, std::uint32_t prescaler, std::uint32_t before,
+    const auto is = [](const CanBitSegments& found, std::uint32_t prescaler, std::uint32_t before,
                        std::uint32_t after, std::uint32_t jump) {
-        return is.prescaler == prescaler && is.before_sample == before && is.after_sample == after &&
-               is.jump_width == jump;
+        return found.prescaler == prescaler && found.before_sample == before && found.after_sample == after &&
+               found.jump_width == jump;
     };
     EXPECT_TRUE(is(can_bit_segments(16'000'000U, 1'000'000U), 1U, 13U, 2U, 2U));
     EXPECT_EQ(can_bit_segments(15'000'000U, 1'000'000U).prescaler, 0U);
