@@ -41,6 +41,14 @@ hal::CanFrame strangers_frame(Sensor sensor, unsigned counter) {
     return {};
 }
 
+std::uint16_t data_id_of(const hal::CanFrame& frame) {
+    const bool is_imu = frame.identifier == can_dbc::Imu::identifier;
+    const bool is_roll_angle = frame.identifier == can_dbc::RollAngle::identifier;
+    return is_imu          ? can_dbc::Imu::e2e_data_id
+           : is_roll_angle ? can_dbc::RollAngle::e2e_data_id
+                           : can_dbc::VehicleMotion::e2e_data_id;
+}
+
 Diagnosis::Code two_senders_of(Sensor sensor) {
     constexpr std::array codes{Diagnosis::Code::imu_two_senders, Diagnosis::Code::roll_angle_two_senders,
                                Diagnosis::Code::vehicle_motion_two_senders};
@@ -219,11 +227,7 @@ TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsAccusesNobody) {
     bench.run_for(0.5);
     for (const Sensor sensor : all_sensors) {
         bench.tamper(sensor, [&bench](hal::CanFrame& frame) {
-            const bool is_imu = frame.identifier == can_dbc::Imu::identifier;
-            const bool is_roll_angle = frame.identifier == can_dbc::RollAngle::identifier;
-            const std::uint16_t data_id = is_imu          ? can_dbc::Imu::e2e_data_id
-                                          : is_roll_angle ? can_dbc::RollAngle::e2e_data_id
-                                                          : can_dbc::VehicleMotion::e2e_data_id;
+            const std::uint16_t data_id = data_id_of(frame);
             const unsigned counter = frame.data[1] & 0x0FU;
             for (unsigned count = 0U; count < 63U; ++count) {
                 protect(frame, data_id, (counter + count) % counters);
@@ -243,6 +247,32 @@ TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsAccusesNobody) {
     bench.run_for(3.0);
     EXPECT_FALSE(accuses(bench));
     EXPECT_EQ(bench.state(), State::ready);
+}
+
+// Each further one reads two frames of each sender.
+TEST(AnEcuThatMissesEverySecondCycle, AccusesNobody) {
+    Bench bench;
+    bench.run_for(0.5);
+    unsigned counter = 0U;
+    for (const Sensor sensor : all_sensors) {
+        bench.tamper(sensor, [&bench, &counter](hal::CanFrame& frame) {
+            protect(frame, data_id_of(frame), counter);
+            bench.send_foreign(frame);
+            protect(frame, data_id_of(frame), (counter + 1U) % counters);
+        });
+    }
+    bench.miss_cycles(1U);
+    for (int cycle = 0; cycle < 300; ++cycle) {
+        bench.send_foreign(frame_of(can_dbc::VehicleMass{2500.0F}, counter));
+        bench.send_foreign(frame_of(can_dbc::VehicleMass{2500.0F}, (counter + 1U) % counters));
+        bench.run_cycles(1);
+        counter = (counter + 2U) % counters;
+    }
+    EXPECT_FALSE(accuses(bench));
+    for (const Sensor sensor : all_sensors) {
+        EXPECT_TRUE(is_used(bench.inputs(), sensor)) << name_of(sensor);
+    }
+    EXPECT_TRUE(std::isfinite(bench.inputs().vehicle_mass_kg));
 }
 
 // A damaged frame is nobody's.
