@@ -210,8 +210,8 @@ TEST(ARollSensor, ThatContradictsTheObserverIsTakenOutUntilTheyAgreeForASecond) 
 }
 
 // Straight on, then a turn; what the steering and the yaw rate say of it is falsified.
-struct Turn {
-    explicit Turn(std::function<void(Motion&)> falsify) {
+struct FalsifiedTurn {
+    explicit FalsifiedTurn(std::function<void(Motion&)> falsify) {
         bench.drive([this, falsify](double time_s) {
             vehicle.advance(time_s < 2.0 ? 0.0 : std::min(4.0, 8.0 * (time_s - 2.0)));
             Motion motion = vehicle.motion();
@@ -232,7 +232,7 @@ struct Turn {
 };
 
 TEST(AFrozenSteeringWheel, IsFoundInTheFirstTurn) {
-    Turn turn{[](Motion& motion) { steering(motion) = 0.0F; }};
+    FalsifiedTurn turn{[](Motion& motion) { steering(motion) = 0.0F; }};
     turn.bench.run_for(2.3);
     EXPECT_FALSE(turn.told(Code::steering_stuck));
     turn.bench.run_for(0.4);
@@ -241,7 +241,7 @@ TEST(AFrozenSteeringWheel, IsFoundInTheFirstTurn) {
 }
 
 TEST(AYawRateOfTheWrongSign, IsFoundInAHeldTurn) {
-    Turn turn{[](Motion& motion) { yaw_rate(motion) = -yaw_rate(motion); }};
+    FalsifiedTurn turn{[](Motion& motion) { yaw_rate(motion) = -yaw_rate(motion); }};
     turn.bench.run_for(3.2);
     EXPECT_FALSE(turn.told(Code::yaw_rate_contradicts_lateral_acceleration));
     turn.bench.run_for(1.0);
@@ -253,7 +253,7 @@ TEST(AYawRateOfTheWrongSign, IsFoundInAHeldTurn) {
 TEST(AnOffsetOfTheLateralAcceleration, DoesNotBlameTheRollSensor) {
     for (const float offset : {2.0F, -2.0F, 2.4F, -2.4F, 3.0F, -3.0F, 5.0F, -5.0F}) {
         SCOPED_TRACE(offset);
-        Turn turn{[offset](Motion& motion) { lateral(motion) += offset; }};
+        FalsifiedTurn turn{[offset](Motion& motion) { lateral(motion) += offset; }};
         turn.bench.run_for(4.0);
         EXPECT_FALSE(turn.told(Code::roll_sensor_contradicts_observer));
     }
@@ -264,7 +264,7 @@ TEST(AnOffsetOfTheLateralAcceleration, ThatIsLargeTakesItOutWithinASecond) {
     for (const float offset : {4.0F, -4.0F, 6.0F, -6.0F}) {
         SCOPED_TRACE(offset);
         bool faulty = false;
-        Turn turn{[&faulty, offset](Motion& motion) { lateral(motion) += faulty ? offset : 0.0F; }};
+        FalsifiedTurn turn{[&faulty, offset](Motion& motion) { lateral(motion) += faulty ? offset : 0.0F; }};
         turn.bench.run_for(4.0);
         faulty = true;
         turn.bench.run_for(0.9);
@@ -338,7 +338,7 @@ TEST(ALieThatIsFound, IsNotBelievedWithoutItsWitness) {
 }
 
 TEST(GoodSensors, OfATurnSetNoCode) {
-    Turn turn{[](Motion&) {}};
+    FalsifiedTurn turn{[](Motion&) {}};
     turn.bench.run_for(4.0);
     for (const Cycle& cycle : turn.bench.cycles()) {
         ASSERT_EQ(cycle.diagnosis.value.code, Code::none);

@@ -9,7 +9,6 @@
 #include <string>
 #include <tuple>
 
-#include "application/frame_monitor.hpp"
 #include "tests/application/bench.hpp"
 
 namespace testing_application {
@@ -276,17 +275,6 @@ TEST(AnEcuThatMissesEverySecondCycle, AccusesNobody) {
 }
 
 // A damaged frame is nobody's.
-TEST(AFrameMonitor, CountsNoDamagedFramesAsThoseOfASecondSender) {
-    application::FrameMonitor<can_dbc::Imu> monitor;
-    for (unsigned cycle = 0U; cycle < 300U; ++cycle) {
-        monitor.begin_cycle();
-        hal::CanFrame frame = frame_of(can_dbc::Imu{}, cycle % counters);
-        monitor.take(frame);
-        frame.data[4] ^= 0x08U;
-        monitor.take(frame);
-        ASSERT_FALSE(monitor.has_two_senders()) << "cycle " << cycle;
-    }
-}
 
 }  // namespace
 }  // namespace testing_application

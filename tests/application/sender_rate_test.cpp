@@ -222,6 +222,17 @@ TEST_F(ASenderRate, ForgetsASilenceWhenUpToTwoFramesComeInTheSecondCycleAfterIt)
     }
 }
 
+// A missed cycle is a silence, too: what is read next does not end it, the cycle after it does.
+TEST_F(ASenderRate, RemembersMissedCyclesUntilTheSecondFrameAfterThem) {
+    start_anew();
+    read(1, 32U);
+    EXPECT_EQ(cycles_until_doubled(4), 15);
+    start_anew();
+    read(1, 32U);
+    run_alone(1);
+    EXPECT_EQ(cycles_until_doubled(4), 4);
+}
+
 // Nobody knows since when they have waited.
 TEST_F(ASenderRate, IsNotDoubledByFramesThatWaitAtTheStart) {
     for (int cycle = 0; cycle < 12; ++cycle) {

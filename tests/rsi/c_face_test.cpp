@@ -16,7 +16,7 @@ TEST(CFace, GivesTheBitsOfTheCppFace) {
     const rsi_parameters parameters = rsi_test::large_suv();
     rsi_test::RandomManoeuvre drive(parameters, 61U, true);
     std::vector<rsi_inputs> inputs;
-    for (int k = 0; k < 20000; ++k) {
+    for (int k = 0; k < 5000; ++k) {
         inputs.push_back(drive.next());
     }
     std::vector<rsi_outputs> from_c(inputs.size());

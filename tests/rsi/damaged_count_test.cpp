@@ -23,7 +23,7 @@ class ADamagedCount : public ::testing::Test {
 
     static rsi::Parameters responding() {
         rsi::Parameters parameters = rsi_test_large_suv();
-        parameters.lateral_response_frequency_radps = 8.0F;
+        parameters.lateral_response_frequency_radps = 3.0F;  // slow: the load transfer still grows at the end
         parameters.lateral_response_damping = 0.7F;
         parameters.response_margin_per_s = 0.0F;
         return parameters;
@@ -53,7 +53,7 @@ class ADamagedCount : public ::testing::Test {
 TEST_F(ADamagedCount, OfTheStepsAheadIsTakenForTheLongestHorizon) {
     const rsi::RollPredictor sound = with_horizon(0.2F);
     const float largest = ahead(with_horizon(0.5F));
-    ASSERT_GT(largest, ahead(sound));
+    ASSERT_GT(largest, ahead(with_horizon(0.48F)));  // all 13 steps
     int as_the_longest = 0;
     for (std::size_t byte = 0U; byte < sizeof sound; ++byte) {
         for (unsigned bit = 0U; bit < 8U; ++bit) {

@@ -342,6 +342,21 @@ TEST(ClassicIndices, EndAtTheirBounds) {
     }
 }
 
+TEST(ClassicIndices, OfTheStaticStabilityFactorIsTheShareOfItThatIsUsed) {
+    const rsi_parameters parameters = rsi_test::large_suv();
+    const ReferenceVehicle vehicle{parameters};
+    rsi::ClassicIndices indices;
+    indices.init(parameters);
+    for (const float acceleration : {-6.0F, 0.0F, 0.5F, 8.0F}) {
+        rsi::Measurement measured;
+        measured.lateral_acceleration_mps2 = acceleration;
+        rsi_outputs values{};
+        indices.evaluate(measured, rsi::RollMotion{}, values);
+        EXPECT_NEAR(wide(values.static_stability_level),
+                    std::fabs(wide(acceleration)) / (gravity_mps2 * vehicle.c_w / (2.0 * vehicle.h)), 1e-6);
+    }
+}
+
 // Each byte in turn; the critical roll angle is kept, so damage to it stays.
 TEST(ClassicIndices, ReinitialisingRepairsAllButTheCriticalRollAngle) {
     const rsi_parameters parameters = rsi_test::large_suv();

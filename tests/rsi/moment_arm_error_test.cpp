@@ -78,6 +78,7 @@ TEST(MomentArmError, IsSlowerThanATurn) {
 TEST(MomentArmError, LearnsNothingWithTheWheelsUpOrWithoutATurn) {
     const rsi_parameters p = rsi_test::large_suv();
     EXPECT_EQ(after(p, steady_turn(p, 5.0, 0.1), 100, 1.0F), 0.0F);
+    EXPECT_EQ(after(p, steady_turn(p, -5.0, 0.1), 100, -1.0F), 0.0F);
     EXPECT_EQ(after(p, steady_turn(p, 0.5, 0.1), 100), 0.0F);
 }
 
