@@ -67,16 +67,16 @@ void run_procedure(const ProcedureRequest& request) {
 
 void add_procedure_command(CLI::App& app) {
     const auto request = std::make_shared<ProcedureRequest>();
-    CLI::App* command = app.add_subcommand(
-        "procedure",
-        "Run a test of a rule book as written and print its verdict, with the ECU's warning beside it. A vehicle "
-        "that does not meet it is no error");
+    CLI::App* command = app.add_subcommand("procedure",
+                                           "Run a test of a rule book as written and print its verdict, with "
+                                           "the ECU's warning beside it. A vehicle "
+                                           "that does not meet it is no error");
     CLI::Option* name =
         command->add_option("procedure", request->name, "Its name; `rsi-sil procedure --list` names all");
     CLI::Option* vehicle = command->add_option("--vehicle", request->files.vehicle,
                                                "Parameter file of the simulated vehicle (TOML)");
-    CLI::Option* parameters = command->add_option("--parameters", request->files.calibration,
-                                                  "Calibration of the firmware (TOML)");
+    CLI::Option* parameters =
+        command->add_option("--parameters", request->files.calibration, "Calibration of the firmware (TOML)");
     CLI::Option* output =
         command->add_option("--output", request->output, "Folder for result.json and steps.csv");
     command

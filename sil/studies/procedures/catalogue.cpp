@@ -18,7 +18,8 @@ Procedure find_procedure(std::string_view name) {
         }
         known += (known.empty() ? "" : ", ") + procedure.name;
     }
-    throw UnknownProcedure("There is no procedure '" + std::string{name} + "'. Choose one of: " + known + ".");
+    throw UnknownProcedure("There is no procedure '" + std::string{name} + "'. Choose one of: " + known +
+                           ".");
 }
 
 }  // namespace sil

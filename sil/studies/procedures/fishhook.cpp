@@ -46,12 +46,13 @@ Procedure fishhook_1a_procedure() {
 }
 
 Procedure fishhook_1b_procedure() {
-    return {"fishhook-1b",
-            "6.5 A at 720 degrees/s, reversed at a roll rate of 1.5 degrees/s, at 35, 40, 45, 47.5 and 50 mph, "
-            "both directions",
-            {"NHTSA, Laboratory Test Procedure for Dynamic Rollover (NCAP, March 2013), sections 3.1 and 3.2",
-             "68 FR 59250 (14 October 2003)"},
-            run_fishhook_1b};
+    return {
+        "fishhook-1b",
+        "6.5 A at 720 degrees/s, reversed at a roll rate of 1.5 degrees/s, at 35, 40, 45, 47.5 and 50 mph, "
+        "both directions",
+        {"NHTSA, Laboratory Test Procedure for Dynamic Rollover (NCAP, March 2013), sections 3.1 and 3.2",
+         "68 FR 59250 (14 October 2003)"},
+        run_fishhook_1b};
 }
 
 }  // namespace sil

@@ -10,7 +10,8 @@ double handwheel_angle_of_both_sides_rad(const VehicleParameters& vehicle) {
 }
 
 Figure handwheel_figure(double angle_rad) {
-    return {"handwheel_at_0_3_g_deg", "handwheel angle of 0.3 g, A", "deg", 1, angle_rad * degrees_per_radian};
+    return {"handwheel_at_0_3_g_deg", "handwheel angle of 0.3 g, A", "deg", 1,
+            angle_rad * degrees_per_radian};
 }
 
 }  // namespace sil

@@ -93,7 +93,10 @@ std::string csv_columns(const ProcedureStep& step) {
             .text(criterion.measured.key + "_met");
     }
     row.text("two_wheel_lift_time_s").text("falling_side").text("ecu_state_at_lift_off");
-    row.text("ecu_lead_time_s").text("ecu_advisory_time_s").text("ecu_warning_time_s").text("ecu_warning_side");
+    row.text("ecu_lead_time_s")
+        .text("ecu_advisory_time_s")
+        .text("ecu_warning_time_s")
+        .text("ecu_warning_side");
     return row.line();
 }
 

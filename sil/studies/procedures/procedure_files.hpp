@@ -11,7 +11,8 @@ namespace sil {
 // A JSON object: procedure, description, sources, vehicle, outcome, verdict, before and results (lists of
 // figures), steps, notes, versions. A step has series, name, figures, criteria and ecu. Values that are not
 // there are null; numbers are rounded to nine decimals.
-std::string result_json(const Procedure& procedure, const std::string& vehicle, const ProcedureResult& result);
+std::string result_json(const Procedure& procedure, const std::string& vehicle,
+                        const ProcedureResult& result);
 
 // A header and a row a step: series, step, the keys of its figures; for each criterion its key (if no figure
 // has it), KEY_limit and KEY_met (1, 0, empty where the rule does not ask); what the ECU said.

@@ -26,12 +26,14 @@ std::string warning_at_lift_off(const WarningBeside& warning) {
                            *warning.lead_s);
     }
     const std::string said = state_and_side(warning.state_at_lift_off, warning.side_at_lift_off);
-    return fmt::format("NOT warned: {} as the vehicle falls to the {}", said, to_string(warning.falling_side));
+    return fmt::format("NOT warned: {} as the vehicle falls to the {}", said,
+                       to_string(warning.falling_side));
 }
 
 std::string criterion_text(const Criterion& criterion) {
     const std::string value = figure_text(criterion.measured);
-    const std::string limit = with_unit(criterion.limit, criterion.measured.decimals, criterion.measured.unit);
+    const std::string limit =
+        with_unit(criterion.limit, criterion.measured.decimals, criterion.measured.unit);
     const char* verdict = !criterion.asked ? "not asked" : (criterion.met() ? "met" : "NOT met");
     return fmt::format("{} {} ({} {}): {}", criterion.measured.name, value, to_string(criterion.bound), limit,
                        verdict);
@@ -82,9 +84,11 @@ std::string result_text(const ProcedureResult& result) {
     text += fmt::format("  {:<40} {}: {}\n", "verdict", to_string(result.outcome), result.verdict);
     const auto lifts = std::count_if(result.steps.begin(), result.steps.end(),
                                      [](const ProcedureStep& step) { return step.warning.lifted; });
-    const auto warned = std::count_if(result.steps.begin(), result.steps.end(),
-                                      [](const ProcedureStep& step) { return step.warning.lead_s.has_value(); });
-    text += fmt::format("  {:<40} {} of {} two-wheel lift-offs warned of, right side\n", "ECU", warned, lifts);
+    const auto warned =
+        std::count_if(result.steps.begin(), result.steps.end(),
+                      [](const ProcedureStep& step) { return step.warning.lead_s.has_value(); });
+    text +=
+        fmt::format("  {:<40} {} of {} two-wheel lift-offs warned of, right side\n", "ECU", warned, lifts);
     for (const std::string& note : result.notes) {
         text += fmt::format("  note: {}\n", note);
     }

@@ -15,16 +15,16 @@
 namespace sil {
 namespace {
 
-constexpr double first_factor = 1.5;         // S7.9.3
-constexpr double factor_step = 0.5;          // S7.9.3
-constexpr double last_factor = 6.5;          // S7.9.4
-constexpr double responsive_from = 5.0;      // S5.2.3
-constexpr double beginning_of_steer_deg = 5.0;  // S7.11.6
-constexpr double displaced_after_s = 1.07;   // S5.2.3
-constexpr double first_share_after_s = 1.0;  // S5.2.1
-constexpr double second_share_after_s = 1.75;  // S5.2.2
-constexpr double first_share_limit = 35.0;     // S5.2.1, per cent
-constexpr double second_share_limit = 20.0;    // S5.2.2
+constexpr double first_factor = 1.5;                  // S7.9.3
+constexpr double factor_step = 0.5;                   // S7.9.3
+constexpr double last_factor = 6.5;                   // S7.9.4
+constexpr double responsive_from = 5.0;               // S5.2.3
+constexpr double beginning_of_steer_deg = 5.0;        // S7.11.6
+constexpr double displaced_after_s = 1.07;            // S5.2.3
+constexpr double first_share_after_s = 1.0;           // S5.2.1
+constexpr double second_share_after_s = 1.75;         // S5.2.2
+constexpr double first_share_limit = 35.0;            // S5.2.1, per cent
+constexpr double second_share_limit = 20.0;           // S5.2.2
 constexpr double displacement_of_the_light_m = 1.83;  // S5.2.3
 constexpr double displacement_of_the_heavy_m = 1.52;
 constexpr double heavy_above_kg = 3500.0;
@@ -81,8 +81,8 @@ void SineWithDwellMeasurement::follow_peak(double yaw_rate_radps) {
         return;
     }
     largest_yaw_rate_radps_ = std::max(largest_yaw_rate_radps_, yaw_rate_radps);
-    peak_is_over_ = largest_yaw_rate_radps_ > 0.0 &&
-                    yaw_rate_radps < (1.0 - no_peak_within) * largest_yaw_rate_radps_;
+    peak_is_over_ =
+        largest_yaw_rate_radps_ > 0.0 && yaw_rate_radps < (1.0 - no_peak_within) * largest_yaw_rate_radps_;
 }
 
 std::optional<double> SineWithDwellMeasurement::peak_yaw_rate_radps() const {
@@ -164,8 +164,8 @@ ProcedureResult run_sine_with_dwell(const ProcedureWorld& world) {
         }
     }
     result.outcome = outcome_of(result.steps);
-    const auto failed =
-        std::count_if(result.steps.begin(), result.steps.end(), [](const ProcedureStep& step) { return !step.met(); });
+    const auto failed = std::count_if(result.steps.begin(), result.steps.end(),
+                                      [](const ProcedureStep& step) { return !step.met(); });
     result.verdict = failed == 0 ? fmt::format("all {} runs stay within the limits", result.steps.size())
                                  : fmt::format("{} of {} runs miss a limit", failed, result.steps.size());
     if (overturns > 0U) {

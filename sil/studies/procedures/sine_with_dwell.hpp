@@ -9,7 +9,8 @@
 namespace sil {
 
 // Amplitudes of one series in degrees: from 1.5 A in steps of 0.5 A to the last one, which is 6.5 A or 270
-// degrees, whichever is greater, but 300 degrees at most (FMVSS 126 S7.9.3, S7.9.4). `a_deg` must be positive.
+// degrees, whichever is greater, but 300 degrees at most (FMVSS 126 S7.9.3, S7.9.4). `a_deg` must be
+// positive.
 std::vector<double> sine_with_dwell_amplitudes_deg(double a_deg);
 
 // What the rule asks to measure in a run, from the truth of each step with the first turn to the left.

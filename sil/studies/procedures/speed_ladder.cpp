@@ -17,9 +17,9 @@ ProcedureStep drive_speed(const ProcedureWorld& world, const SpeedLadder& ladder
     step.series = to_the_right ? "right" : "left";
     step.name = fmt::format("{:g} mph", speed_mph);
     TwoWheelLiftMeasurement measurement{ladder.start_s};
-    const StepDrive drive = drive_step(world, fmt::format("{}-{:04.1f}-mph", step.series, speed_mph),
-                                       ladder.manoeuvre(from_mph(speed_mph), handwheel_rad), to_the_right,
-                                       measurement);
+    const StepDrive drive =
+        drive_step(world, fmt::format("{}-{:04.1f}-mph", step.series, speed_mph),
+                   ladder.manoeuvre(from_mph(speed_mph), handwheel_rad), to_the_right, measurement);
     const std::optional<double> entry = measurement.entry_speed_mps();
     step.figures = {
         {"handwheel_deg", "handwheel", "deg", 0, handwheel_rad * degrees_per_radian},
@@ -84,12 +84,13 @@ ProcedureResult run_speed_ladder(const ProcedureWorld& world, const SpeedLadder&
         const char* series = to_the_right ? "right" : "left";
         result.results.push_back({fmt::format("two_wheel_lift_{}_first_mph", series),
                                   fmt::format("two-wheel lift, {} first", series), "mph", 1, lift_mph});
-        result.verdict += (to_the_right ? "; " : "") +
-                          side_verdict(series, lift_mph, ladder.speeds_mph.back());
+        result.verdict +=
+            (to_the_right ? "; " : "") + side_verdict(series, lift_mph, ladder.speeds_mph.back());
     }
     result.outcome = outcome_of(result.steps);
     result.notes = {
-        "The vehicle is driven as its file has it, without the passengers, outriggers and worn-in tyres of the "
+        "The vehicle is driven as its file has it, without the passengers, outriggers and worn-in tyres of "
+        "the "
         "real test, and without stability control.",
         "Wheel heights are those of the lowest point of each tyre over the road, as the model has them."};
     return result;

@@ -17,10 +17,10 @@
 namespace sil {
 namespace {
 
-constexpr double radius_m = 100.0;                  // ISO 4138: the standard radius
-constexpr double acceleration_step_mps2 = 0.5;      // ISO 4138: no larger increments
+constexpr double radius_m = 100.0;              // ISO 4138: the standard radius
+constexpr double acceleration_step_mps2 = 0.5;  // ISO 4138: no larger increments
 constexpr double first_acceleration_mps2 = 0.5;
-constexpr double last_acceleration_mps2 = 12.0;     // no tyre holds more
+constexpr double last_acceleration_mps2 = 12.0;  // no tyre holds more
 constexpr double fit_from_mps2 = 1.0;
 constexpr double fit_to_mps2 = 4.0;
 constexpr double on_circle_within = 0.02;
@@ -42,12 +42,11 @@ class CircleDriver final : public Driver {
         const double share = ramp_and_hold(truth.time_s, start_s, 1.0 / entry_s, 1.0);
         if (truth.time_s > start_s + entry_s) {
             const double speed_mps = std::max(1.0, truth.speed_mps);
-            const double missing_mps2 =
-                speed_mps * (speed_mps / radius_m - truth.angular_velocity_radps[2]);
-            correction_rad_ +=
-                steering_.handwheel_rad(missing_mps2, speed_mps_) * step_s / correction_time_s;
+            const double missing_mps2 = speed_mps * (speed_mps / radius_m - truth.angular_velocity_radps[2]);
+            correction_rad_ += steering_.handwheel_rad(missing_mps2, speed_mps_) * step_s / correction_time_s;
         }
-        const double angle_rad = share * steering_.handwheel_rad(acceleration_mps2_, speed_mps_) + correction_rad_;
+        const double angle_rad =
+            share * steering_.handwheel_rad(acceleration_mps2_, speed_mps_) + correction_rad_;
         return {std::clamp(angle_rad, -largest_handwheel_rad, largest_handwheel_rad), SpeedPolicy::held};
     }
 
@@ -89,9 +88,8 @@ Circle drive_circle(const ProcedureWorld& world, double acceleration_mps2, doubl
     step.series = to_the_right ? "right" : "left";
     step.name = fmt::format("{:.1f} m/s^2", acceleration_mps2);
     SteadyTurnMeasurement measurement{duration_s};
-    const StepDrive drive =
-        drive_step(world, fmt::format("{}-{:04.1f}-mps2", step.series, acceleration_mps2),
-                   circle(acceleration_mps2, understeer_s2pm), to_the_right, measurement);
+    const StepDrive drive = drive_step(world, fmt::format("{}-{:04.1f}-mps2", step.series, acceleration_mps2),
+                                       circle(acceleration_mps2, understeer_s2pm), to_the_right, measurement);
     const std::optional<SteadyTurn> turn = measurement.mean();
     step.figures = {
         {"speed_kmh", "speed", "km/h", 1, in(turn, [](const SteadyTurn& t) { return 3.6 * t.speed_mps; })},
@@ -156,7 +154,8 @@ void add_results(const VehicleParameters& vehicle, const Series& series, const s
             {fmt::format("{}_{}", side, key), fmt::format("{}, {}", name, side), unit, decimals, value});
     };
     add("understeer_degpg", "understeer gradient", "deg/g", 2, understeer);
-    add("roll_gradient_degpg", "roll gradient", "deg/g", 2, per_g(gradient(series.turns, &SteadyTurn::roll_rad)));
+    add("roll_gradient_degpg", "roll gradient", "deg/g", 2,
+        per_g(gradient(series.turns, &SteadyTurn::roll_rad)));
     add("sideslip_gradient_degpg", "sideslip gradient", "deg/g", 2,
         per_g(gradient(series.turns, &SteadyTurn::sideslip_rad)));
     std::optional<double> largest;
@@ -204,7 +203,7 @@ std::optional<SteadyTurn> SteadyTurnMeasurement::mean() const {
         return std::nullopt;
     }
     SteadyTurn mean = sum_;
-    for (double SteadyTurn::*value :
+    for (double SteadyTurn::* value :
          {&SteadyTurn::speed_mps, &SteadyTurn::lateral_acceleration_mps2, &SteadyTurn::curvature_pm,
           &SteadyTurn::handwheel_rad, &SteadyTurn::sideslip_rad, &SteadyTurn::roll_rad}) {
         mean.*value /= count_;
@@ -216,7 +215,7 @@ bool is_on_circle(const std::optional<SteadyTurn>& turn, double radius_m) {
     return turn && std::abs(turn->curvature_pm * radius_m - 1.0) <= on_circle_within;
 }
 
-std::optional<double> gradient(const std::vector<SteadyTurn>& turns, double SteadyTurn::*quantity) {
+std::optional<double> gradient(const std::vector<SteadyTurn>& turns, double SteadyTurn::* quantity) {
     double count = 0.0;
     double x = 0.0;
     double y = 0.0;
@@ -237,10 +236,11 @@ std::optional<double> gradient(const std::vector<SteadyTurn>& turns, double Stea
 }
 
 Procedure steady_circle_procedure() {
-    return {"steady-circle",
-            "a circle of 100 m in steps of 0.5 m/s^2, both directions, until it is not kept or two wheels lift",
-            {"ISO 4138:2021, method 1 (constant radius), 8.3 and 8.4"},
-            run_steady_circle};
+    return {
+        "steady-circle",
+        "a circle of 100 m in steps of 0.5 m/s^2, both directions, until it is not kept or two wheels lift",
+        {"ISO 4138:2021, method 1 (constant radius), 8.3 and 8.4"},
+        run_steady_circle};
 }
 
 }  // namespace sil

@@ -42,6 +42,6 @@ bool is_on_circle(const std::optional<SteadyTurn>& turn, double radius_m);
 
 // Slope of the least-squares line of a quantity over the lateral acceleration, of the turns from 1 to 4
 // m/s^2; empty with fewer than two.
-std::optional<double> gradient(const std::vector<SteadyTurn>& turns, double SteadyTurn::*quantity);
+std::optional<double> gradient(const std::vector<SteadyTurn>& turns, double SteadyTurn::* quantity);
 
 }  // namespace sil

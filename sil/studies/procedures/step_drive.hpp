@@ -26,9 +26,9 @@ class StepMeasurement {
 
 struct StepDrive {
     WarningBeside warning{};
-    double largest_roll_rad{0.0};       // relative to the road, a magnitude
-    double two_wheel_height_m{0.0};     // the largest height of the lower of a side's two wheels
-    bool completed{false};              // to the end of the manoeuvre, or to where the measurement ends it
+    double largest_roll_rad{0.0};    // relative to the road, a magnitude
+    double two_wheel_height_m{0.0};  // the largest height of the lower of a side's two wheels
+    bool completed{false};           // to the end of the manoeuvre, or to where the measurement ends it
 };
 
 // Height over the road of the lower of the two wheels of a side, of the side where it is higher.

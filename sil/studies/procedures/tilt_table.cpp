@@ -76,12 +76,11 @@ ProcedureStep tilt(const ProcedureWorld& world, bool left_low) {
     const auto degrees = [](double angle_rad) { return angle_rad * degrees_per_radian; };
     const double angle_rad = measurement.two_wheel_angle_rad().value_or(measurement.angle_rad());
     const std::optional<double> first_rad = measurement.one_wheel_angle_rad();
-    step.figures = {
-        {"one_wheel_angle_deg", "one wheel lifts at", "deg", 2,
-         first_rad ? std::optional{degrees(*first_rad)} : std::nullopt},
-        {"threshold_g", "steady rollover threshold", "g", 3, std::tan(angle_rad)},
-        {"roll_deg", "roll on the table", "deg", 2, degrees(measurement.roll_rad())},
-        {"largest_ltr", "largest |LTR|", "", 2, drive.warning.largest_load_transfer_ratio}};
+    step.figures = {{"one_wheel_angle_deg", "one wheel lifts at", "deg", 2,
+                     first_rad ? std::optional{degrees(*first_rad)} : std::nullopt},
+                    {"threshold_g", "steady rollover threshold", "g", 3, std::tan(angle_rad)},
+                    {"roll_deg", "roll on the table", "deg", 2, degrees(measurement.roll_rad())},
+                    {"largest_ltr", "largest |LTR|", "", 2, drive.warning.largest_load_transfer_ratio}};
     step.criteria = {tilt_criterion(angle_rad)};
     step.warning = drive.warning;
     return step;
@@ -105,15 +104,18 @@ ProcedureResult run_tilt_table(const ProcedureWorld& world) {
     result.outcome = outcome_of(result.steps);
     const bool lifted = std::any_of(result.steps.begin(), result.steps.end(),
                                     [](const ProcedureStep& step) { return step.warning.lifted; });
-    result.verdict = fmt::format("{} {:.1f} degrees, {:.2f} g; UN R111 asks for {:.0f} degrees",
-                                 lifted ? "two wheels of a side lift at" : "no two wheels of a side lift up to",
-                                 smallest_deg, threshold_g, limit_deg);
+    result.verdict =
+        fmt::format("{} {:.1f} degrees, {:.2f} g; UN R111 asks for {:.0f} degrees",
+                    lifted ? "two wheels of a side lift at" : "no two wheels of a side lift up to",
+                    smallest_deg, threshold_g, limit_deg);
     result.notes = {
         "UN R111 holds for laden tank vehicles, ISO 16333 for heavy vehicles and buses; other vehicles are "
         "tilted to compare.",
-        "A high friction stands for the step that keeps the tyres from sliding; the brakes are on. The vehicle "
+        "A high friction stands for the step that keeps the tyres from sliding; the brakes are on. The "
+        "vehicle "
         "still creeps and turns by some degrees, and the angle is that across it.",
-        "The ECU is told of no bank and reckons with a level road, on which the vehicle would be turning: its "
+        "The ECU is told of no bank and reckons with a level road, on which the vehicle would be turning: "
+        "its "
         "answer is shown, and is not what it is made for."};
     return result;
 }
@@ -150,11 +152,12 @@ Criterion tilt_criterion(double angle_rad) {
 }
 
 Procedure tilt_table_procedure() {
-    return {"tilt-table",
-            "the vehicle stands on a table that tilts by 0.25 degrees/s, to either side, until both wheels of "
-            "the high side lift",
-            {"ISO 16333:2011", "UN R111, 5.3.1 and annex 3"},
-            run_tilt_table};
+    return {
+        "tilt-table",
+        "the vehicle stands on a table that tilts by 0.25 degrees/s, to either side, until both wheels of "
+        "the high side lift",
+        {"ISO 16333:2011", "UN R111, 5.3.1 and annex 3"},
+        run_tilt_table};
 }
 
 }  // namespace sil
