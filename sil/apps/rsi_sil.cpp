@@ -16,6 +16,7 @@
 #include "sil/apps/memory_flips_command.hpp"
 #include "sil/apps/parameters_command.hpp"
 #include "sil/apps/population_command.hpp"
+#include "sil/apps/procedure_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/results/bus_timing.hpp"
@@ -104,6 +105,7 @@ int main(int argc, char** argv) {
     sil::add_replay_command(app, replay);
     sil::add_campaign(app);
     sil::add_population_command(app);
+    sil::add_procedure_command(app);
     sil::add_faults_command(app);
     sil::add_fault_states_command(app);
     sil::add_fault_search_command(app);

@@ -1,11 +1,13 @@
 // Fishhook 1a and 1b after NHTSA: steer, dwell, counter-steer, each at 720 degrees per second; the amplitude
 // is 6.5 times the handwheel angle that gives 0.3 g in a slowly increasing steer. The throttle is released as
 // the steering begins.
+#include "sil/world/manoeuvres/fishhook.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
-#include "sil/world/manoeuvres/manoeuvre.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
 namespace sil {
@@ -13,18 +15,14 @@ namespace {
 
 constexpr double start_s = 2.0;
 constexpr double rate_radps = from_degrees(720.0);
-constexpr double amplitude_factor = 6.5;
 constexpr double fixed_dwell_s = 0.250;
 constexpr double small_roll_rate_radps = from_degrees(1.5);
 constexpr double countersteer_held_s = 3.0;
 constexpr double return_s = 2.0;
 
-// The reversal begins a fixed time after the first ramp, or when the body has stopped rolling.
-enum class Reversal { after_a_fixed_dwell, at_small_roll_rate };
-
 class FishhookDriver final : public Driver {
  public:
-    FishhookDriver(double amplitude_rad, Reversal reversal)
+    FishhookDriver(double amplitude_rad, FishhookReversal reversal)
         : amplitude_rad_{amplitude_rad}, reversal_{reversal} {}
 
     DriverCommand command(const Truth& truth) override {
@@ -38,7 +36,7 @@ class FishhookDriver final : public Driver {
  private:
     bool dwell_is_over(const Truth& truth) const {
         const double dwelt_s = truth.time_s - start_s - amplitude_rad_ / rate_radps;
-        if (reversal_ == Reversal::after_a_fixed_dwell) {
+        if (reversal_ == FishhookReversal::after_a_fixed_dwell) {
             return dwelt_s >= fixed_dwell_s;
         }
         return dwelt_s >= 0.0 && std::abs(truth.angular_velocity_radps[0]) <= small_roll_rate_radps;
@@ -55,26 +53,37 @@ class FishhookDriver final : public Driver {
     }
 
     double amplitude_rad_;
-    Reversal reversal_;
+    FishhookReversal reversal_;
     std::optional<double> reversal_s_{};
 };
 
-Manoeuvre fishhook(Reversal reversal) {
+Manoeuvre fishhook(FishhookReversal reversal, double speed_mps,
+                   std::function<double(const VehicleParameters&)> amplitude_rad) {
     Manoeuvre manoeuvre;
     manoeuvre.duration_s = 10.0;
-    manoeuvre.initial_speed_mps = from_kmh(88.0);
+    manoeuvre.initial_speed_mps = speed_mps;
     manoeuvre.make_road = flat_road();
-    manoeuvre.make_driver = [reversal](const VehicleParameters& parameters) {
-        return std::make_unique<FishhookDriver>(amplitude_factor * handwheel_angle_at_0_3_g_rad(parameters),
-                                                reversal);
+    manoeuvre.make_driver = [reversal,
+                             amplitude_rad = std::move(amplitude_rad)](const VehicleParameters& parameters) {
+        return std::make_unique<FishhookDriver>(amplitude_rad(parameters), reversal);
     };
     return manoeuvre;
 }
 
+Manoeuvre fishhook_of_the_vehicle(FishhookReversal reversal) {
+    return fishhook(reversal, from_kmh(88.0), [](const VehicleParameters& parameters) {
+        return fishhook_amplitude_factor * handwheel_angle_at_0_3_g_rad(parameters);
+    });
+}
+
 }  // namespace
 
+Manoeuvre fishhook(FishhookReversal reversal, double speed_mps, double amplitude_rad) {
+    return fishhook(reversal, speed_mps, [amplitude_rad](const VehicleParameters&) { return amplitude_rad; });
+}
+
 Manoeuvre fishhook_1a() {
-    Manoeuvre manoeuvre = fishhook(Reversal::after_a_fixed_dwell);
+    Manoeuvre manoeuvre = fishhook_of_the_vehicle(FishhookReversal::after_a_fixed_dwell);
     manoeuvre.name = "fishhook-1a";
     manoeuvre.description =
         "NHTSA fishhook 1a at 88 km/h: 6.5 times the angle for 0.3 g, 720 degrees/s, dwell 250 ms";
@@ -82,7 +91,7 @@ Manoeuvre fishhook_1a() {
 }
 
 Manoeuvre fishhook_1b() {
-    Manoeuvre manoeuvre = fishhook(Reversal::at_small_roll_rate);
+    Manoeuvre manoeuvre = fishhook_of_the_vehicle(FishhookReversal::at_small_roll_rate);
     manoeuvre.name = "fishhook-1b";
     manoeuvre.description =
         "NHTSA fishhook 1b at 88 km/h: as 1a, but reversed when the roll rate is within 1.5 degrees/s";

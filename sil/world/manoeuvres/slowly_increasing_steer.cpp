@@ -64,19 +64,21 @@ Manoeuvre slowly_increasing_steer() {
     return manoeuvre;
 }
 
-double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters) {
+double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters, bool mirrored) {
     RunOptions options;
     options.step_s = coarse_step_s;
+    options.mirrored = mirrored;
+    const double direction = mirrored ? -1.0 : 1.0;
     ManoeuvreRun run{parameters, steer_from(0.0), options};
     Line line;
     while (!run.finished()) {
         run.step();
-        const double acceleration = run.truth().lateral_acceleration_mps2;
+        const double acceleration = direction * run.truth().lateral_acceleration_mps2;
         if (acceleration > fit_to_mps2) {
             return line.at(read_at_mps2);
         }
         if (acceleration > fit_from_mps2) {
-            line.add(acceleration, run.truth().steering_wheel_angle_rad);
+            line.add(acceleration, direction * run.truth().steering_wheel_angle_rad);
         }
     }
     throw std::runtime_error(

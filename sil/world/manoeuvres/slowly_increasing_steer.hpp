@@ -6,8 +6,9 @@
 namespace sil {
 
 // Handwheel angle that gives 0.3 g at 50 mph, from a run of the manoeuvre `slowly-increasing-steer` of this
-// vehicle to the left on a level road; after NHTSA the line fitted from 0.1 to 0.375 g, read at 0.3 g. Takes
-// some 5 simulated seconds. Throws std::runtime_error if the vehicle does not reach 0.375 g.
-double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters);
+// vehicle on a level road, to the left or, mirrored, to the right; after NHTSA the line fitted from 0.1 to
+// 0.375 g, read at 0.3 g. A magnitude. Takes some 5 simulated seconds. Throws std::runtime_error if the
+// vehicle does not reach 0.375 g.
+double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters, bool mirrored = false);
 
 }  // namespace sil
