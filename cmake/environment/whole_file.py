@@ -2,6 +2,7 @@
 
 sil/files/whole_file.hpp is the same for the programs, cmake/environment/whole_file for shell scripts."""
 
+import contextlib
 import errno
 import os
 import pathlib
@@ -27,13 +28,23 @@ def read(path):
 def write(path, content):
     """Writes a text, or bytes, beside `path` and renames. If that fails, it ends the program with a sentence, and `path` is as
     it was."""
+    with growing(path) as file:
+        file.write(content.encode("utf-8") if isinstance(content, str) else content)
+
+
+@contextlib.contextmanager
+def growing(path):
+    """For a content that is not held as a whole: a binary file beside `path`, renamed when the block has ended well. Whoever
+    writes may close it. If that fails, as with write()."""
     path = pathlib.Path(os.path.realpath(path))
     partial = path.with_name(f"{path.name}.{os.getpid()}.tmp")
     try:
         if path.exists() and not path.is_file():
             raise OSError(errno.EINVAL, "it is a folder" if path.is_dir() else NO_ORDINARY_FILE)
-        partial.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
+        with partial.open("wb") as file:
+            yield file
         partial.replace(path)
     except OSError as error:
-        partial.unlink(missing_ok=True)
         sys.exit(f"cannot write {path}: {error.strerror}; check that its folder exists, may be written and has room")
+    finally:
+        partial.unlink(missing_ok=True)

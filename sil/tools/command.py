@@ -1,0 +1,34 @@
+"""The commands of sil/tools/logs."""
+
+import argparse
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "cmake/environment"))
+
+import own_frames
+from log_error import LogError
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(prog="sil/tools/logs", epilog="More: sil/tools/logs --help", add_help=False)
+    commands = parser.add_subparsers(dest="command", required=True)
+    convert = commands.add_parser("convert", add_help=False)
+    convert.add_argument("logs", nargs="+", type=pathlib.Path, metavar="LOG")
+    convert.add_argument("--output", required=True, type=pathlib.Path, metavar="DIR")
+    convert.add_argument("--bus")
+    return parser.parse_args(arguments)
+
+
+def main(arguments):
+    options = parse(arguments)
+    sys.unraisablehook = lambda _: None  # asammdf fails once more, in a destructor, after it has refused a file
+    try:
+        own_frames.convert(options.logs, options.output, options.bus)
+    except LogError as error:
+        sys.exit(f"sil/tools/logs: {error}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

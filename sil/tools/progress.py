@@ -1,0 +1,18 @@
+"""Says how far a long reading has come."""
+
+import sys
+import time
+
+EVERY_S = 5.0
+FRAMES = 10_000  # after so many the clock is looked at
+
+
+def told(log):
+    """The frames of a log."""
+    said_s = time.monotonic()
+    for number, frame in enumerate(log.frames()):
+        if number % FRAMES == 0 and time.monotonic() - said_s > EVERY_S:
+            said_s = time.monotonic()
+            share = min(100 * log.position() // max(log.size, 1), 100)
+            print(f"{log.path}: {share} %, {number} frames", file=sys.stderr, flush=True)
+        yield frame
