@@ -33,8 +33,8 @@ int mode_of(int stream) {
     return flags < 0 ? flags : flags & O_ACCMODE;
 }
 
-// A file that the program opens later must not get the number of a stream, or its messages would go there. What
-// stands in place of a closed stream can neither be read nor take what is written.
+// A file that the program opens later must not get the number of a stream, or its messages would go there.
+// What stands in place of a closed stream can neither be read nor take what is written.
 TEST(StandardStreams, ThatAreClosedAreOccupied) {
     for (int closed = 0; closed < 8; ++closed) {
         const int failed = status_of([closed] {
@@ -90,9 +90,10 @@ TEST_F(FinishedOutput, ThatIsWholeIsASuccess) {
 
 TEST_F(FinishedOutput, ThatIsLostIsToldAndAFailure) {
     EXPECT_EQ(finish("/dev/full"), 1);
-    EXPECT_EQ(test_support::text_of(error_file()),
-              "program: not all of the output could be written; check where it goes to: is it closed, or is the "
-              "disk full?\n");
+    EXPECT_EQ(
+        test_support::text_of(error_file()),
+        "program: not all of the output could be written; check where it goes to: is it closed, or is the "
+        "disk full?\n");
 }
 
 // The system refused an earlier piece, and took the last one.
