@@ -173,7 +173,7 @@ class Comparison {
 
     // '^^' below every byte that differs.
     void append_byte_marks(const LoggedFrame& expected, const LoggedFrame& actual) {
-        if (!same_kind(expected, actual) || same_content(expected, actual)) {
+        if (!same_kind(expected, actual)) {
             return;
         }
         LoggedFrame empty = actual;

@@ -67,15 +67,15 @@ class LineParser {
     }
 
  private:
-    bool at_end() const { return position_ >= line_.size(); }
-    char current() const { return at_end() ? '\0' : line_[position_]; }
+    // A zero at the end, which is no character of any line that is taken.
+    char current() const { return position_ < line_.size() ? line_[position_] : '\0'; }
 
     [[noreturn]] void fail(const std::string& message) const {
         throw CandumpLineError{position_ + 1U, message};
     }
 
     bool accept(char character) {
-        if (at_end() || current() != character) {
+        if (current() != character) {
             return false;
         }
         ++position_;
@@ -117,7 +117,7 @@ class LineParser {
 
     void parse_interface() {
         const std::size_t begin = position_;
-        while (!at_end() && current() > ' ' && current() < '\x7F') {
+        while (current() > ' ' && current() < '\x7F') {
             ++position_;
         }
         if (position_ == begin) {

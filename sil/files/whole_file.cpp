@@ -170,7 +170,6 @@ void GrowingFile::finish() {
 }
 
 void GrowingFile::give_up() {
-    waiting_.clear();
     close();
     ::unlink(growing_.c_str());
 }

@@ -161,9 +161,9 @@ std::vector<CurvePoint> detection_curve(const std::vector<RecordedCampaignRun>& 
 std::optional<CurvePoint> best_at(const std::vector<CurvePoint>& curve, double limit) {
     std::optional<CurvePoint> best;
     for (const CurvePoint& point : curve) {
-        // Lower thresholds only warn of more; of equals the highest is kept.
-        const bool allowed =
-            point.false_alarms.total > 0U && point.warned.total > 0U && point.false_alarms.value() <= limit;
+        // Lower thresholds only warn of more; of equals the highest is kept. Without calm runs the share of
+        // false alarms is no number, which no limit allows.
+        const bool allowed = point.warned.total > 0U && point.false_alarms.value() <= limit;
         const bool better = !best || point.warned.count > best->warned.count ||
                             point.warned_100ms.count > best->warned_100ms.count ||
                             point.warned_200ms.count > best->warned_200ms.count;

@@ -46,10 +46,11 @@ Share ShareByVehicle::share() const {
         squares += residual * residual;
     }
     const double variance = vehicles / (vehicles - 1.0) * squares / (total * total);
+    // Never below 1.8: the variance is largest where some vehicles always count and the others never.
     all.independent =
         all.count == 0U || all.count == all.total
             ? vehicles
-            : std::clamp(p * (1.0 - p) / std::max(variance, std::numeric_limits<double>::min()), 1.0, total);
+            : std::min(p * (1.0 - p) / std::max(variance, std::numeric_limits<double>::min()), total);
     return all;
 }
 

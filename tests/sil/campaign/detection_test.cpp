@@ -36,9 +36,9 @@ TEST(Detection, RunsAreCalmBelowALoadTransferOfNineTenths) {
     EXPECT_TRUE(sil::is_calm(recorded(upright(0.899, false))));
     EXPECT_FALSE(sil::is_calm(recorded(upright(0.9, false))));
     EXPECT_FALSE(sil::is_calm(recorded(lifted({}))));
-    HandMadeRun lifted_by_a_bump = lifted({});
+    sil::RecordedCampaignRun lifted_by_a_bump = recorded(lifted({}));
     lifted_by_a_bump.largest_ltr = 0.5;
-    EXPECT_FALSE(sil::is_calm(recorded(lifted_by_a_bump)));
+    EXPECT_FALSE(sil::is_calm(lifted_by_a_bump));
     EXPECT_TRUE(sil::is_lifted(recorded(lifted({}))));
     EXPECT_FALSE(sil::is_lifted(recorded(upright(1.0, false))));
 }
@@ -98,10 +98,12 @@ TEST(Detection, OfAnIndexAtAnotherThreshold) {
     expect_share(detection.warned_100ms, 2U, 2U);
     expect_share(detection.warned_200ms, 1U, 2U);
     expect_share(detection.false_alarms, 2U, 2U);
-    const sil::Detection at_limits = sil::detection_at({with(3.0, 1.0, 1.4, 0.6, 0.6)}, 0U, 0.6);
+    const sil::Detection at_limits = sil::detection_at({with(3.0, 1.0, 0.6, 0.6, 0.6)}, 0U, 0.6);
+    expect_share(at_limits.warned, 1U, 1U);
     expect_share(at_limits.warned_100ms, 1U, 1U);
     expect_share(at_limits.warned_200ms, 1U, 1U);
-    const sil::Detection above = sil::detection_at({with(3.0, 1.0, 1.4, 0.6, 0.6)}, 0U, 0.61);
+    const sil::Detection above = sil::detection_at({with(3.0, 1.0, 0.6, 0.6, 0.6)}, 0U, 0.61);
+    expect_share(above.warned, 0U, 1U);
     expect_share(above.warned_100ms, 0U, 1U);
     expect_share(above.warned_200ms, 0U, 1U);
     expect_share(sil::detection_at(five_runs(), 0U, 1.3).alarms[3], 1U, 1U);
@@ -128,6 +130,12 @@ TEST(DetectionCurve, HasAPointForEachThresholdFromTheHighest) {
     expect_share(curve[5].false_alarms, 2U, 2U);
 }
 
+TEST(DetectionCurve, HasNoPointWhereNothingWarnsOfAnyRun) {
+    EXPECT_TRUE(sil::detection_curve({}, 0U).empty());
+    EXPECT_TRUE(
+        sil::detection_curve({with(3.0, 1.0, 0.0, 0.0, 0.0), with({}, 0.5, 0.0, 0.0, 0.0)}, 0U).empty());
+}
+
 TEST(DetectionCurve, BestIsTheMostDetectionWithinTheAllowedFalseAlarms) {
     const std::vector<sil::CurvePoint> curve = sil::detection_curve(five_runs(), 0U);
     EXPECT_EQ(sil::best_at(curve, 0.01)->threshold, 1.2);
@@ -140,9 +148,12 @@ TEST(DetectionCurve, BestIsTheMostDetectionWithinTheAllowedFalseAlarms) {
 }
 
 TEST(DetectionCurve, WithoutCalmRunsOrLiftOffsNothingIsBest) {
-    EXPECT_FALSE(sil::best_at(sil::detection_curve({with(3.0, 1.0, 1.4, 1.1, 0.6)}, 0U), 0.01));
-    EXPECT_FALSE(sil::best_at(sil::detection_curve({with({}, 0.5, 1.4, 1.1, 0.6)}, 0U), 0.01));
-    EXPECT_FALSE(sil::best_at({}, 0.01));
+    const sil::RecordedCampaignRun lifted_one = with(3.0, 1.0, 1.4, 1.1, 0.6);
+    const sil::RecordedCampaignRun calm_one = with({}, 0.5, 0.4, 0.4, 0.4);
+    EXPECT_FALSE(sil::best_at(sil::detection_curve({lifted_one}, 0U), 1.0));
+    EXPECT_FALSE(sil::best_at(sil::detection_curve({calm_one}, 0U), 1.0));
+    EXPECT_FALSE(sil::best_at({}, 1.0));
+    EXPECT_EQ(sil::best_at(sil::detection_curve({lifted_one, calm_one}, 0U), 0.0)->threshold, 0.6);
 }
 
 TEST(DetectionCurve, AnIndexThatSaturatesHasNoThresholdForFewFalseAlarms) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rsi/output_table.hpp"
 #include "rsi/warning/indicator_level.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/campaign/drawn_run.hpp"
@@ -72,6 +73,26 @@ TEST(CampaignIndex, IsNewInEverySample) {
         repeated += (shown[k] == shown[k - 1U]) ? 1U : 0U;
     }
     EXPECT_LT(repeated, shown.size() / 5U);
+}
+
+// Of outputs in which each index has another value, whatever the calibration warns by.
+TEST(CampaignIndex, ReadsItsOwnOutput) {
+    const sil::CampaignVehicle vehicle = testing_campaign::small_campaign(1U).vehicles.front();
+    rsi::Parameters calibration = sil::load_calibration(vehicle.calibration);
+    rsi::Outputs outputs{};
+    for (std::size_t i = 0U; i < rsi::index_outputs.size(); ++i) {
+        outputs.*rsi::index_outputs[i].member = 0.1F + 0.05F * static_cast<float>(i);
+    }
+    const sil::Truth truth;
+    for (std::int32_t indicator = 0; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER; ++indicator) {
+        calibration.warning_indicator = indicator;
+        const float expected = rsi::indicator_level(outputs, calibration);
+        calibration.warning_indicator = RSI_INDICATOR_PUBLISHED;
+        const sil::IndexSample sample{outputs, truth, calibration};
+        const sil::Index& index = sil::campaign_indices()[static_cast<std::size_t>(indicator)];
+        EXPECT_EQ(index.level(sample), static_cast<double>(expected)) << index.name;
+        EXPECT_GT(expected, 0.0F) << index.name;
+    }
 }
 
 // The warning of a hard turn, cycle by cycle, and what the campaign makes of its indicator.

@@ -32,10 +32,10 @@ rsi::Parameters plain_calibration() {
 // In cycles of 10 ms.
 class Course {
  public:
-    Course& add(int cycles, float level, float side = 1.0F) {
+    Course& add(int cycles, float level, float side = 1.0F, float opposite = 0.0F) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
             course_.times_s.push_back(0.01 * static_cast<double>(course_.times_s.size()));
-            course_.risks.push_back({level, side});
+            course_.risks.push_back({level, side, opposite});
         }
         return *this;
     }
@@ -43,11 +43,13 @@ class Course {
 
     sil::IndexScore score() const { return sil::score_of(course_, plain_calibration(), {}); }
     // The wheels lift at the latest cycle.
-    sil::IndexScore lifted(sil::WarningSide side = sil::WarningSide::right) const {
-        return lifted_at(now_s(), side);
+    sil::IndexScore lifted(sil::WarningSide side = sil::WarningSide::right,
+                           const rsi::Parameters& calibration = plain_calibration()) const {
+        return lifted_at(now_s(), side, calibration);
     }
-    sil::IndexScore lifted_at(double time_s, sil::WarningSide side = sil::WarningSide::right) const {
-        return sil::score_of(course_, plain_calibration(), sil::TwoWheelLiftOff{{time_s, 0.0, 0.0}, side});
+    sil::IndexScore lifted_at(double time_s, sil::WarningSide side = sil::WarningSide::right,
+                              const rsi::Parameters& calibration = plain_calibration()) const {
+        return sil::score_of(course_, calibration, sil::TwoWheelLiftOff{{time_s, 0.0, 0.0}, side});
     }
 
  private:
@@ -80,6 +82,7 @@ TEST(IndexScore, EndsAtTheSmallestAndTheLargestThreshold) {
     EXPECT_EQ(Course{}.score().threshold, 0.0);
     expect_reached(Course{}.add(20, 0.205F).score().threshold, 0.205);
     expect_reached(Course{}.add(20, 20.0F).score().threshold, 5.0);
+    EXPECT_EQ(Course{}.add(20, std::numeric_limits<float>::infinity()).score().threshold, 0.0);  // no level
 }
 
 TEST(IndexScore, OfALiftOffNeedsTheFallingSide) {
@@ -101,6 +104,39 @@ TEST(IndexScore, EveryLeadHasItsOwnThreshold) {
     expect_reached(score.threshold_100ms, 1.1);
     expect_reached(score.threshold_200ms, 0.7);
     EXPECT_NEAR(score.lead_s.value(), 0.10, 1.0e-9);
+}
+
+// An earlier lead never has the larger threshold, however small all of them are.
+TEST(IndexScore, EveryLeadHasItsOwnThresholdBelowOneToo) {
+    const sil::IndexScore score = Course{}.add(20, 0.1F).add(10, 0.3F).add(10, 0.5F).add(11, 0.8F).lifted();
+    expect_reached(score.threshold, 0.8);
+    expect_reached(score.threshold_100ms, 0.5);
+    expect_reached(score.threshold_200ms, 0.3);
+    EXPECT_FALSE(score.lead_s);
+}
+
+TEST(IndexScore, LeadIsThatOfTheThresholdOne) {
+    const Course course = Course{}.add(20, 0.1F).add(10, 0.95F).add(10, 1.05F).add(12, 1.2F);
+    EXPECT_NEAR(course.lifted().lead_s.value(), 0.20, 1.0e-9);
+}
+
+// Ready after the first cycle, confirmed in the second.
+TEST(IndexScore, CountsFromTheFirstCycle) {
+    const Course course = Course{}.add(12, 1.1F);
+    expect_reached(course.lifted().threshold_100ms, 1.1);
+    EXPECT_NEAR(course.lifted().lead_s.value(), 0.10, 1.0e-9);
+}
+
+// The left side stays named while its own risk lasts, on the scale of the level, until the right side's is a
+// warning by itself.
+TEST(IndexScore, TheOtherSidesRiskIsOnTheSameScale) {
+    rsi::Parameters calibration = plain_calibration();
+    calibration.warning_off = 0.7F;
+    calibration.advisory_on = 0.65F;
+    calibration.advisory_off = 0.6F;
+    const Course course = Course{}.add(20, 0.1F).add(30, 0.46F, -1.0F).add(30, 0.4F, 1.0F, 0.35F);
+    expect_reached(course.lifted(sil::WarningSide::left, calibration).threshold, 0.46);
+    expect_reached(course.lifted(sil::WarningSide::right, calibration).threshold, 0.4);
 }
 
 TEST(IndexScore, ACycleLessIsTooLate) {

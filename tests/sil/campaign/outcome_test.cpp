@@ -83,6 +83,18 @@ TEST_F(Outcome, LoadTransferIsTheDifferenceOfTheSidesOverTheSum) {
     EXPECT_NEAR(outcome().largest_ltr_before_lift, 0.7, 1.0e-12);
 }
 
+TEST_F(Outcome, LargestLoadTransferStays) {
+    steps(10, {2000.0, 6000.0, 1000.0, 11000.0});
+    steps(10, level);
+    EXPECT_NEAR(outcome().largest_ltr, 0.7, 1.0e-12);
+    EXPECT_NEAR(outcome().largest_ltr_before_lift, 0.7, 1.0e-12);
+}
+
+TEST_F(Outcome, AWheelThatCarriesAlmostNothingHasNotLifted) {
+    steps(10, {0.5, 9999.5, 5000.0, 5000.0});
+    EXPECT_FALSE(outcome().one_wheel_lift_time_s);
+}
+
 TEST_F(Outcome, WithoutAnyWheelOnTheRoadThereIsNoLoadTransfer) {
     steps(10, in_the_air);
     EXPECT_EQ(outcome().largest_ltr, 0.0);
@@ -106,6 +118,21 @@ TEST_F(Outcome, IsSettledASecondAfterLiftOffAndNotBefore) {
     EXPECT_FALSE(settled());
     steps(2, left_up);
     EXPECT_TRUE(settled());
+}
+
+TEST(OutcomeObserver, IsSettledWhenMoreThanASecondHasPassed) {
+    sil::OutcomeObserver observer;
+    sil::Truth truth;
+    truth.wheel_load_n = {0.0, 10000.0, 0.0, 10000.0};
+    for (const double time_s : {1.0, 1.0625, 2.0}) {
+        truth.time_s = time_s;
+        observer.observe(truth);
+    }
+    EXPECT_EQ(observer.outcome().two_wheel_lift_time_s, 1.0);
+    EXPECT_FALSE(observer.settled());
+    truth.time_s = 2.0625;
+    observer.observe(truth);
+    EXPECT_TRUE(observer.settled());
 }
 
 TEST_F(Outcome, HasRolledOverBeyondOneRadianEitherWay) {

@@ -49,6 +49,28 @@ TEST(Report, GroupsByVehicleAndManoeuvre) {
     EXPECT_EQ(report.manoeuvres[1].calm, 2U);
 }
 
+TEST(Report, CountsRunsThatComeCloseAsNeitherCalmNorBrief) {
+    sil::RowTable table = four_runs();
+    table.runs.push_back(recorded({{}, 0.95, {}, 0U, 0.4, 0.4, 0.4}));
+    const sil::CampaignReport report = sil::make_report(table, 5U);
+    EXPECT_EQ(report.all.calm, 2U);
+    EXPECT_THAT(report.all.bands, testing::ElementsAre(1U, 1U, 0U, 1U));
+    EXPECT_EQ(report.all.brief_lifts, 1U);
+}
+
+TEST(Report, KeepsEachClassUnlessNoVehicleHasOne) {
+    sil::RowTable table = four_runs();
+    for (sil::RecordedCampaignRun& run : table.runs) {
+        run.in_class = "heavy";
+    }
+    ASSERT_EQ(sil::make_report(table, 4U).classes.size(), 1U);
+    EXPECT_EQ(sil::make_report(table, 4U).classes[0].name, "heavy");
+    table.runs[3].in_class = "";
+    ASSERT_EQ(sil::make_report(table, 4U).classes.size(), 2U);
+    EXPECT_EQ(sil::make_report(table, 4U).classes[0].name, "");
+    EXPECT_TRUE(sil::make_report({{"level"}, {}}, 4U).classes.empty());
+}
+
 TEST(Report, GroupsByClassWhereVehiclesHaveOne) {
     sil::RowTable table = four_runs();
     EXPECT_TRUE(sil::make_report(table, 4U).classes.empty());

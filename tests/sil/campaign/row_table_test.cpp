@@ -67,13 +67,22 @@ TEST(RowTable, LeavesOutALineThatWasCutOff) {
     EXPECT_EQ(load(header + row + "\n" + row).runs.size(), 1U);
 }
 
+TEST(RowTable, AColumnWithoutANameBeforeItsEndingIsOfNoIndex) {
+    std::string names = header;
+    names.replace(names.find("\n"), 1U, ",_threshold_100ms\n");
+    EXPECT_THAT(
+        load(names + "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.17,9\n").index_names,
+        testing::ElementsAre("x"));
+}
+
 TEST(RowTable, NamesLineAndColumnOfWhatIsWrong) {
     const std::string rest = ",,,1,1,,0,0,0,0,1,1,1";
     expect_refused(header + ("5,car,small,turn,much" + rest + ",\n"),
                    "runs.csv:2:18: column largest_ltr wants a number, not \"much\"");
     expect_refused(header + ("5,car,small,turn,nan" + rest + ",\n"), "column largest_ltr");
     expect_refused(header + ("5,car,small,turn,1" + rest + "\n"), "runs.csv:2:1: has 17 cells, not 18");
-    expect_refused("run,vehicle,class,manoeuvre\n5,car,,turn\n", "there is no column largest_ltr");
+    expect_refused("run,vehicle,class,manoeuvre\n5,car,,turn\n",
+                   "runs.csv:1:1: there is no column largest_ltr");
     expect_refused("", "there are no rows");
 }
 

@@ -30,6 +30,26 @@ TEST(Wilson, IsSymmetricInSuccessAndFailure) {
     EXPECT_NEAR(some.highest, 1.0 - others.lowest, 1.0e-12);
 }
 
+TEST(Wilson, StaysBetweenNoughtAndOne) {
+    for (int total = 1; total <= 200; ++total) {
+        EXPECT_GE(sil::wilson_interval(0.0, total).lowest, 0.0) << total;
+        EXPECT_LE(sil::wilson_interval(total, total).highest, 1.0) << total;
+    }
+}
+
+TEST(Share, HasTheIntervalOfAsManyTrialsAsItIsWorth) {
+    const auto expect_same = [](const sil::Share& share, double count, double total) {
+        EXPECT_EQ(share.confidence().lowest, sil::wilson_interval(count, total).lowest);
+        EXPECT_EQ(share.confidence().highest, sil::wilson_interval(count, total).highest);
+    };
+    expect_same({3U, 40U}, 3.0, 40.0);
+    expect_same({1U, 1U}, 1.0, 1.0);
+    expect_same({1U, 2U, 1.0}, 0.5, 1.0);
+    EXPECT_NEAR(sil::Share({1U, 1U}).confidence().lowest, 0.2065, 0.00005);
+    EXPECT_EQ(sil::Share{}.confidence().lowest, 0.0);
+    EXPECT_EQ(sil::Share{}.confidence().highest, 1.0);
+}
+
 TEST(Wilson, SaysNothingAboutNoRuns) {
     expect_interval(0U, 0U, 0.0, 1.0);
     EXPECT_TRUE(std::isnan(sil::Share{}.value()));
@@ -61,6 +81,20 @@ TEST(ShareByVehicle, CountsVehiclesThatAreAllOrNothing) {
     EXPECT_DOUBLE_EQ(share.value(), 0.5);
     EXPECT_NEAR(share.independent, 19.0, 1.0e-9);
     EXPECT_NEAR(share.confidence().lowest, sil::wilson_interval(9.5, 19.0).lowest, 1.0e-12);
+}
+
+// One vehicle of a hundred runs always, another never; eight more have a run each.
+TEST(ShareByVehicle, OfTwoVehiclesThatOutweighTheOthersIsTwoTrials) {
+    sil::ShareByVehicle shares;
+    for (int run = 0; run < 100; ++run) {
+        shares.add("always", true);
+        shares.add("never", false);
+    }
+    for (int vehicle = 0; vehicle < 8; ++vehicle) {
+        shares.add(std::to_string(vehicle), vehicle < 4);
+    }
+    // Residuals of 50 twice and of 1/2 eight times, of 208 runs.
+    EXPECT_NEAR(shares.share().independent, 0.25 / (10.0 / 9.0 * 5002.0 / (208.0 * 208.0)), 1.0e-9);
 }
 
 TEST(ShareByVehicle, CountsRunsWhereVehiclesAreAlike) {

@@ -1,13 +1,18 @@
 // Comparison of logs: what counts as a difference, and what a person gets to read.
 #include "sil/files/candump_compare.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <numeric>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace {
 
+using testing::ElementsAre;
 using Log = std::vector<sil::LoggedFrame>;
 
 Log log_of(const std::vector<std::string>& lines) {
@@ -18,6 +23,44 @@ Log log_of(const std::vector<std::string>& lines) {
         log.push_back(parsed.frame.value_or(sil::LoggedFrame{}));
     }
     return log;
+}
+
+// Frames of one identifier with these bytes, 10 ms apart.
+Log of_bytes(const std::vector<std::uint8_t>& bytes) {
+    Log log;
+    for (const std::uint8_t byte : bytes) {
+        sil::LoggedFrame logged;
+        logged.interface = "sil";
+        logged.frame.identifier = 0x123U;
+        logged.frame.length = 1U;
+        logged.frame.data[0] = byte;
+        log.push_back(logged);
+    }
+    return log;
+}
+
+// The same, each byte also as an identifier of its own, so that no frame can be a changed other one.
+Log of_kinds(const std::vector<std::uint8_t>& bytes) {
+    Log log = of_bytes(bytes);
+    for (sil::LoggedFrame& logged : log) {
+        logged.frame.identifier += logged.frame.data[0];
+    }
+    return log;
+}
+
+// What is wrong, a line for each difference.
+std::vector<std::string> differences(const Log& expected, const Log& actual,
+                                     const sil::CompareOptions& options = {}) {
+    const sil::LogComparison comparison = sil::compare_logs(expected, actual, options);
+    std::vector<std::string> lines;
+    std::istringstream report{comparison.report};
+    for (std::string line; std::getline(report, line);) {
+        if (line.find("difference: ") != std::string::npos) {
+            lines.push_back(line.substr(line.find("expected")));
+        }
+    }
+    EXPECT_TRUE(lines.size() == comparison.differences || lines.size() == options.differences_shown);
+    return lines;
 }
 
 // Three frames a cycle as the ECU sends them, with a counter in the payload.
@@ -113,6 +156,101 @@ TEST(CompareLogs, AChangedFrameThatLooksLikeALaterOneIsNotTakenForAnOmission) {
     EXPECT_EQ(sil::compare_logs(expected, actual).differences, 2U);
 }
 
+// As above; here each of the two is a changed frame, for the next ones are as expected, or stand where they
+// did.
+TEST(CompareLogs, AChangedFrameComesBeforeAnOmission) {
+    EXPECT_THAT(differences(of_bytes({0, 1, 2, 7, 1, 8, 9}), of_bytes({7, 1, 8, 7, 1, 8, 9})),
+                ElementsAre("expected frame 1, actual frame 1: other content",
+                            "expected frame 3, actual frame 3: other content"));
+}
+
+TEST(CompareLogs, AnAddedFrameBeforeEqualOnesIsOneDifference) {
+    EXPECT_THAT(differences(of_kinds({1, 1, 1, 2}), of_kinds({9, 1, 1, 1, 2})),
+                ElementsAre("expected frame 1, actual frame 1: 1 too many"));
+}
+
+TEST(CompareLogs, ThreeEqualFramesTellAnOmission) {
+    EXPECT_THAT(differences(of_kinds({1, 2, 3, 4, 5, 6, 7}), of_kinds({2, 3, 4, 99, 6, 7})),
+                ElementsAre("expected frame 1, actual frame 1: 1 missing",
+                            "expected frame 5, actual frame 4: another identifier"));
+    EXPECT_THAT(differences(of_kinds({1, 2, 3, 4, 5, 6}), of_kinds({2, 3, 99, 4, 5, 6})),
+                ElementsAre("expected frame 1, actual frame 1: another identifier",
+                            "expected frame 2, actual frame 2: another identifier",
+                            "expected frame 3, actual frame 3: another identifier"));
+}
+
+TEST(CompareLogs, FewerEqualFramesTellAnOmissionWhereALogEnds) {
+    EXPECT_THAT(differences(of_kinds({1, 2, 3}), of_kinds({1, 3})),
+                ElementsAre("expected frame 2, actual frame 2: 1 missing"));
+    EXPECT_THAT(differences(of_kinds({1, 2, 3}), of_kinds({1, 3, 7, 8})),
+                ElementsAre("expected frame 2, actual frame 2: 1 missing",
+                            "expected frame 4, actual frame 3: 1 too many",
+                            "expected frame 4, actual frame 4: 1 too many"));
+    EXPECT_THAT(differences(of_kinds({1, 3, 7, 8}), of_kinds({1, 2, 3})),
+                ElementsAre("expected frame 2, actual frame 2: 1 too many",
+                            "expected frame 3, actual frame 4: 1 missing",
+                            "expected frame 4, actual frame 4: 1 missing"));
+}
+
+TEST(CompareLogs, UpToThirtyTwoFramesAreOneDifference) {
+    std::vector<std::uint8_t> all(50U);
+    std::iota(all.begin(), all.end(), std::uint8_t{0U});
+    const auto without = [&all](std::ptrdiff_t count) {
+        std::vector<std::uint8_t> some = all;
+        some.erase(some.begin() + 5, some.begin() + 5 + count);
+        return of_kinds(some);
+    };
+    EXPECT_THAT(differences(of_kinds(all), without(32)),
+                ElementsAre("expected frame 6, actual frame 6: 32 missing"));
+    EXPECT_THAT(differences(without(32), of_kinds(all)),
+                ElementsAre("expected frame 6, actual frame 6: 32 too many"));
+    EXPECT_GT(sil::compare_logs(of_kinds(all), without(33)).differences, 1U);
+    EXPECT_GT(sil::compare_logs(without(33), of_kinds(all)).differences, 1U);
+}
+
+TEST(CompareLogs, EachFrameOfADifferenceIsShown) {
+    EXPECT_EQ(
+        sil::compare_logs(of_bytes({1, 2, 3, 4, 5, 6, 7, 8, 9}), of_bytes({1, 2, 5, 6, 7, 8, 9})).report,
+        "the logs differ in 1 places (9 frames expected, 7 found; '-' expected, '+' found)\n"
+        "first difference: expected frame 3, actual frame 3: 2 missing\n"
+        "    (0.000000) sil 123#01\n"
+        "    (0.000000) sil 123#02\n"
+        "  - (0.000000) sil 123#03\n"
+        "  - (0.000000) sil 123#04\n"
+        "    (0.000000) sil 123#05\n"
+        "    (0.000000) sil 123#06\n"
+        "    (0.000000) sil 123#07\n");
+    EXPECT_EQ(
+        sil::compare_logs(of_bytes({1, 2, 3, 4, 5, 6, 7}), of_bytes({1, 2, 3, 4, 8, 9, 5, 6, 7})).report,
+        "the logs differ in 1 places (7 frames expected, 9 found; '-' expected, '+' found)\n"
+        "first difference: expected frame 5, actual frame 5: 2 too many\n"
+        "    (0.000000) sil 123#02\n"
+        "    (0.000000) sil 123#03\n"
+        "    (0.000000) sil 123#04\n"
+        "  + (0.000000) sil 123#08\n"
+        "  + (0.000000) sil 123#09\n"
+        "    (0.000000) sil 123#05\n"
+        "    (0.000000) sil 123#06\n"
+        "    (0.000000) sil 123#07\n");
+}
+
+// The part of a report below the frames.
+std::string marks_below(const std::string& expected, const std::string& actual) {
+    const std::string report = sil::compare_logs(log_of({expected}), log_of({actual})).report;
+    return report.substr(report.find('\n', report.find("\n  + ") + 1U) + 1U);
+}
+
+TEST(CompareLogs, MarksBytesThatBothHave) {
+    const std::string before(4U + std::string("(0.000000) sil 123#").size(), ' ');
+    EXPECT_EQ(marks_below("(0.000000) sil 123#001122", "(0.000000) sil 123#011122"), before + "^^\n");
+    EXPECT_EQ(marks_below("(0.000000) sil 123#0011", "(0.000000) sil 123#01"), before + "^^\n");
+    EXPECT_EQ(marks_below("(0.000000) sil 123#01", "(0.000000) sil 123#0011"), before + "^^\n");
+    EXPECT_EQ(marks_below("(0.000000) sil 123#01", "(0.000000) sil 123#0111"), "");
+    EXPECT_EQ(marks_below("(0.000000) sil 123#01", "(0.000001) sil 123#01"), "");
+    const std::string long_one = "(0.000000) sil 123##0" + std::string(126U, '1');
+    EXPECT_EQ(marks_below(long_one + "00", long_one + "FF"), before + std::string(2U + 126U, ' ') + "^^\n");
+}
+
 TEST(CompareLogs, ExchangedFramesDiffer) {
     Log actual = cycles(10);
     std::swap(actual[3], actual[4]);
@@ -130,9 +268,13 @@ TEST(CompareLogs, ALogThatEndsEarlyOrIsEmptyDiffers) {
 
 TEST(CompareLogs, KindAndLengthCount) {
     const Log plain = log_of({"(0.000000) sil 123#00"});
-    EXPECT_FALSE(sil::compare_logs(plain, log_of({"(0.000000) sil 00000123#00"})).equal);
-    EXPECT_FALSE(sil::compare_logs(plain, log_of({"(0.000000) sil 123##000"})).equal);
-    EXPECT_FALSE(sil::compare_logs(plain, log_of({"(0.000000) sil 124#00"})).equal);
+    for (const char* other : {"(0.000000) sil 00000123#FF", "(0.000000) sil 123##0FF",
+                              "(0.000000) sil 124#FF", "(0.000000) sil 00000124##0FF"}) {
+        EXPECT_THAT(differences(plain, log_of({other})),
+                    ElementsAre("expected frame 1, actual frame 1: another identifier"));
+        EXPECT_EQ(marks_below("(0.000000) sil 123#00", other), "")
+            << "bytes of unlike frames are not compared";
+    }
     const sil::LogComparison longer = sil::compare_logs(plain, log_of({"(0.000000) sil 123#0000"}));
     EXPECT_NE(longer.report.find("1 bytes expected, 2 found"), std::string::npos) << longer.report;
 }
@@ -164,6 +306,9 @@ TEST(CompareLogs, TimesCanCountFromTheFirstFrame) {
     EXPECT_FALSE(sil::compare_logs(expected, actual, options).equal);
     options.times_relative_to_first = true;
     EXPECT_TRUE(sil::compare_logs(expected, actual, options).equal);
+    EXPECT_EQ(sil::compare_logs(expected, {}, options).differences, 2U);
+    EXPECT_EQ(sil::compare_logs({}, actual, options).differences, 2U);
+    EXPECT_TRUE(sil::compare_logs({}, {}, options).equal);
 }
 
 TEST(CompareLogs, ManyDifferencesAreCountedButNotAllShown) {
@@ -177,6 +322,19 @@ TEST(CompareLogs, ManyDifferencesAreCountedButNotAllShown) {
     EXPECT_EQ(comparison.differences, 300U);
     EXPECT_NE(comparison.report.find("... and 298 differences more\n"), std::string::npos);
     EXPECT_LT(comparison.report.size(), 1500U);
+}
+
+TEST(CompareLogs, TenDifferencesAreShown) {
+    const auto compared = [](std::size_t count) {
+        return sil::compare_logs(of_bytes(std::vector<std::uint8_t>(count, 0U)),
+                                 of_bytes(std::vector<std::uint8_t>(count, 1U)));
+    };
+    EXPECT_EQ(compared(10U).differences, 10U);
+    EXPECT_EQ(compared(10U).report.find("more"), std::string::npos);
+    EXPECT_NE(compared(10U).report.find("\ndifference: expected frame 10, "), std::string::npos);
+    EXPECT_EQ(compared(11U).differences, 11U);
+    EXPECT_NE(compared(11U).report.find("... and 1 differences more\n"), std::string::npos);
+    EXPECT_EQ(compared(11U).report.find("expected frame 11, "), std::string::npos);
 }
 
 }  // namespace

@@ -55,6 +55,16 @@ TEST(FormatCandumpLine, WritesWhatCandumpWrites) {
     EXPECT_EQ(sil::format_candump_line(flexible), "(0.000002) vcan0 123##10102");
 }
 
+TEST(FormatCandumpLine, CutsOffWhatDoesNotFitTheKind) {
+    sil::LoggedFrame logged = frame_of(-1, 0xFFFFFFFF, {});
+    logged.frame.length = 9U;
+    EXPECT_EQ(sil::format_candump_line(logged), "(0.000000) vcan0 7FF#0000000000000000");
+    logged.frame.extended = true;
+    logged.frame.flexible_data_rate = true;
+    logged.frame.length = 65U;
+    EXPECT_EQ(sil::format_candump_line(logged), "(0.000000) vcan0 1FFFFFFF##0" + std::string(128U, '0'));
+}
+
 TEST(ParseCandumpLine, ReadsLinesThatCandumpWrote) {
     const auto parsed = sil::parse_candump_line("(1436509052.249713) can0 044#2A366C2BBA");
     ASSERT_TRUE(parsed.frame);
@@ -81,6 +91,28 @@ TEST(ParseCandumpLine, AcceptsLowerCaseCarriageReturnAndTheDirection) {
         ASSERT_TRUE(parsed.frame) << line;
         expect_equal(*parsed.frame, frame_of(1, 0x0D0, {0xAB}));
     }
+}
+
+TEST(ParseCandumpLine, TakesEachHexadecimalDigitAndNoOtherCharacter) {
+    const auto parsed = sil::parse_candump_line("(0.000000) vcan0 123#09AFaf");
+    ASSERT_TRUE(parsed.frame);
+    expect_equal(*parsed.frame, frame_of(0, 0x123, {0x09, 0xAF, 0xAF}));
+    for (const char other : {'/', ':', ';', '@', 'G', '`', 'g'}) {
+        const auto refused = sil::parse_candump_line("(0.000000) vcan0 123#0" + std::string(1U, other));
+        EXPECT_FALSE(refused.frame) << other;
+        EXPECT_EQ(refused.error.message, "half a data byte: the number of hexadecimal digits is odd");
+        EXPECT_EQ(refused.error.column, 23U);
+    }
+}
+
+TEST(ParseCandumpLine, TakesTimesUpToNineThousandMillionSeconds) {
+    const auto last = sil::parse_candump_line("(9000000000.999999) vcan0 123#");
+    ASSERT_TRUE(last.frame);
+    EXPECT_EQ(last.frame->frame.receive_time.nanoseconds, 9'000'000'000'999'999'000);
+    EXPECT_EQ(last.frame->line, 0U) << "it is from no file";
+    const auto beyond = sil::parse_candump_line("(9000000001.000000) vcan0 123#");
+    EXPECT_FALSE(beyond.frame);
+    EXPECT_EQ(beyond.error.message, "the time is beyond 9000000000 s");
 }
 
 TEST(CandumpLine, AnyFrameSurvivesTheRoundTrip) {
@@ -145,7 +177,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"(1.000000) vcan0 20000080#00", 18U, "1FFFFFFF"},
                     Malformed{"(1.000000) vcan0 123456789#00", 26U, "'#'"},
                     Malformed{"(1.000000) vcan0 123", 21U, "'#'"},
+                    Malformed{"(1.000000) vc\x7F"
+                              "an0 123#R",
+                              14U, "a space after the interface"},
+                    Malformed{"(1.000000) vcan0", 17U, "a space after the interface"},
                     Malformed{"(1.000000) vcan0 123#R", 22U, "remote"},
+                    Malformed{"(1.000000) vcan0 123#r", 22U, "remote"},
                     Malformed{"(1.000000) vcan0 123#001", 25U, "odd"},
                     Malformed{"(1.000000) vcan0 123#00.11", 24U, "end of the line"},
                     Malformed{"(1.000000) vcan0 123#00 11", 24U, "end of the line"},
@@ -153,6 +190,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"(1.000000) vcan0 123#1122334455667788_9", 38U, "end of the line"},
                     Malformed{"(1.000000) vcan0 123##", 23U, "flags"},
                     Malformed{"(1.000000) vcan0 123##1112233445566778899", 42U, "9 bytes"}));
+
+TEST(ParseCandumpLine, TakesNoMoreBytesThanCanFdHas) {
+    const std::string longest = "(0.000000) vcan0 123##0" + std::string(128U, '1');
+    ASSERT_TRUE(sil::parse_candump_line(longest).frame);
+    EXPECT_EQ(sil::parse_candump_line(longest).frame->frame.length, 64U);
+    const auto beyond = sil::parse_candump_line(longest + "11");
+    EXPECT_FALSE(beyond.frame);
+    EXPECT_EQ(beyond.error.message, "more than 64 data bytes");
+}
 
 TEST(ParseCandumpLine, RandomBytesAreNeverMoreThanAnError) {
     std::mt19937_64 random(2U);
@@ -254,6 +300,10 @@ TEST(ReadCandumpLog, TheLastLineNeedsNoEnd) {
     const ScratchFolder folder;
     write_text(folder.path() / "a.log", "(0.010000) vcan0 120#00\r\n(0.020000) vcan0 121#01");
     EXPECT_EQ(sil::read_candump_log(folder.path() / "a.log").size(), 2U);
+}
+
+TEST(ReadCandumpLog, SkipsEmptyLinesOfEitherEnd) {
+    EXPECT_EQ(sil::parse_candump_log("\n\r\n(0.010000) vcan0 120#00\r\n\r\n", "a.log").size(), 1U);
 }
 
 TEST(ReadCandumpLog, FramesKnowTheirLineAndMayComeInAnyOrderOfTime) {

@@ -98,6 +98,16 @@ TEST(SplitFields, TakesBlanksAndQuotesFromTheEnds) {
     EXPECT_THAT(fields_of("a,"), ElementsAre("1:a", "3:"));
     EXPECT_THAT(fields_of("\""), ElementsAre("1:\""));
     EXPECT_THAT(fields_of(" "), ElementsAre("2:"));
+    EXPECT_THAT(fields_of(" ,b"), ElementsAre("2:", "3:b"));
+    EXPECT_THAT(fields_of("a\",b\""), ElementsAre("1:a\"", "4:b\""));
+}
+
+TEST(SplitFields, ForgetsTheLineBefore) {
+    std::vector<sil::CsvField> fields;
+    sil::split_fields("a,b", fields);
+    sil::split_fields("c", fields);
+    ASSERT_EQ(fields.size(), 1U);
+    EXPECT_EQ(fields[0].text, "c");
 }
 
 TEST(CsvLines, EndWithAnyEndOfALine) {
@@ -124,6 +134,9 @@ TEST(CsvHeader, HasTheNamesInTheirOrder) {
 
 TEST(FiniteNumber, IsAWholeFieldWithAPoint) {
     EXPECT_EQ(sil::finite_number("+1.5e1"), 15.0);
+    EXPECT_EQ(sil::finite_number("+1"), 1.0);
+    EXPECT_EQ(sil::finite_number("12"), 12.0);
+    EXPECT_EQ(sil::finite_number("-12.5"), -12.5);
     EXPECT_EQ(sil::finite_number("-0"), 0.0);
     for (const char* none : {"", "+", "+-1", "1,5", "1 ", "nan", "inf", "1e999", "0x10"}) {
         EXPECT_EQ(sil::finite_number(none), std::nullopt) << none;

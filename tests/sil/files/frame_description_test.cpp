@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "application/sensor_reception.hpp"
+#include "can_dbc/generated/rollover_warning.hpp"
 #include "sil/files/require_accepted.hpp"
 #include "sil/files/sensor_frame.hpp"
 
@@ -15,6 +19,24 @@ hal::CanFrame frame_of(std::uint32_t identifier, std::uint8_t length) {
     frame.identifier = identifier;
     frame.length = length;
     return frame;
+}
+
+// 500 of 0.002 m/s^2; the raw value that stands for "not available"; one beyond the range.
+TEST(FrameDescription, HasEachSignalWithItsUnit) {
+    hal::CanFrame imu = frame_of(0x120U, 8U);
+    imu.data = {0x00U, 0x00U, 0xF4U, 0x01U, 0x00U, 0x80U, 0xFFU, 0x7FU};
+    EXPECT_EQ(sil::describe_frame(imu),
+              "Imu LateralAcceleration=1 m/s^2 VerticalAcceleration=(not available) RollRate=(out of range)");
+}
+
+TEST(FrameDescription, HasNamesOfStatesAndNoUnitWhereThereIsNone) {
+    const auto warning = can_dbc::RolloverWarning{}.encode();
+    hal::CanFrame frame = frame_of(can_dbc::RolloverWarning::identifier, can_dbc::RolloverWarning::length);
+    std::copy(warning.begin(), warning.end(), frame.data.begin());
+    const std::string text = sil::describe_frame(frame);
+    EXPECT_EQ(text.substr(0U, text.find(" ParametersRefusal")),
+              "RolloverWarning State=unavailable Side=none");
+    EXPECT_EQ(text.find(" -"), std::string::npos) << text;
 }
 
 TEST(FrameDescription, NamesFramesOfTheSimulationToo) {

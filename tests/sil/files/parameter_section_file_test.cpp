@@ -120,6 +120,12 @@ TEST(SectionSource, HasEachByteSixteenALine) {
     EXPECT_NE(text.find(expected + "};\n"), std::string::npos) << text;
 }
 
+TEST(SectionSource, HasNoEmptyLineAfterTheLastByte) {
+    const std::string text = sil::section_source(std::vector<std::uint8_t>(128U));
+    const std::string end = " 0x00,\n};\n";
+    EXPECT_EQ(text.substr(text.size() - end.size()), end);
+}
+
 TEST(CalibrationToml, KeepsTheSignOfZero) {
     rsi::Parameters changed = large_suv();
     const rsi::ParameterField& field = rsi::parameter_fields[0];

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <string>
 
 #include "sil/input_error.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace toml_table_test {
 namespace {
@@ -55,6 +57,9 @@ TEST(TomlTable, NamesPlaceKeyAndRemedy) {
               "a.toml:4: \"inner.b\" is not a finite number; give a number from 0 to 1, in SI units");
     EXPECT_THAT(error_of([&] { inner.number("b"); }), HasSubstr("a.toml:4: \"inner.b\" is not a finite"));
     EXPECT_TRUE(std::isinf(inner.any_number("b")));
+    sil::TomlTable nothing = parsed("a = nan\n");
+    EXPECT_EQ(error_of([&] { nothing.number("a", {0.0, 1.0}); }),
+              "a.toml:1: \"a\" is not a finite number; give a number from 0 to 1, in SI units");
     EXPECT_EQ(
         error_of([&] { inner.number("c", {0.0, 1.0}, "share"); }),
         "a.toml:5: \"inner.c\" is 9, which is out of range (share); give a number from 0 to 1, in SI units");
@@ -146,6 +151,18 @@ TEST(TomlTable, OfAFileThatCannotBeReadSaysWhatElseCanBe) {
                                testing::EndsWith(", or say --example")));
     EXPECT_THAT(error_of([] { sil::TomlTable::load("/no/such/file", ""); }),
                 testing::Not(HasSubstr(", or ")));
+}
+
+// Sixteen MiB are read, and found to be no TOML.
+TEST(TomlTable, OfAFileThatIsTooLongIsNotParsed) {
+    const test_support::ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "long.toml";
+    test_support::write_text(file, "=");
+    std::filesystem::resize_file(file, 16U * 1024U * 1024U);
+    EXPECT_THAT(error_of([&] { sil::TomlTable::load(file, ""); }), HasSubstr(":1: not valid TOML: "));
+    std::filesystem::resize_file(file, 16U * 1024U * 1024U + 1U);
+    EXPECT_THAT(error_of([&] { sil::TomlTable::load(file, ""); }),
+                HasSubstr("long.toml: cannot be read: it is longer than 16 MiB; give a shorter file"));
 }
 
 TEST(TomlTable, RefusesKeysThatNobodyAskedFor) {

@@ -1,12 +1,15 @@
 // Whole files: what is no ordinary file is refused, and nothing is cut off under its name.
 #include "sil/files/whole_file.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -70,9 +73,96 @@ TEST_F(WholeFile, ALongFileIsReadUpToTheLimitAndRefusedBeyond) {
 // Nothing of it is read, or memory would not suffice.
 TEST_F(WholeFile, AHugeFileIsRefusedAtOnce) {
     write_text(path("huge"), "");
-    fs::resize_file(path("huge"), std::uintmax_t{1} << 42U);
-    EXPECT_THAT(error_of([&] { sil::read_whole_file(path("huge")); }),
-                HasSubstr("it is longer than 1024 MiB; give a shorter file"));
+    for (const std::uintmax_t length : {std::uintmax_t{1} << 42U, (std::uintmax_t{1} << 30U) + 1U}) {
+        fs::resize_file(path("huge"), length);
+        EXPECT_THAT(error_of([&] { sil::read_whole_file(path("huge")); }),
+                    HasSubstr("it is longer than 1024 MiB; give a shorter file"));
+    }
+}
+
+// Of a call that was interrupted before.
+TEST_F(WholeFile, AnOldInterruptionIsNoneOfTheReading) {
+    write_text(path("a"), std::string(100'000U, 'x'));
+    errno = EINTR;
+    EXPECT_EQ(sil::read_whole_file(path("a")).size(), 100'000U);
+}
+
+// The number that the system gives the next file.
+int next_descriptor() {
+    const int number = ::open("/dev/null", O_RDONLY);
+    ::close(number);
+    return number;
+}
+
+TEST_F(WholeFile, NothingStaysOpenAndNothingElseIsClosed) {
+    const int next = next_descriptor();
+    sil::write_file_atomically(path("a"), "x");
+    sil::read_whole_file(path("a"));
+    {
+        const sil::GrowingFile unfinished{path("a")};
+    }
+    EXPECT_EQ(next_descriptor(), next);
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        EXPECT_GE(::fcntl(standard, F_GETFD), 0) << standard;
+    }
+}
+
+// As of a service without a standard input: the first file has its number, 0.
+TEST_F(WholeFile, TheLowestDescriptorIsAsGoodAsAnyOther) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::close(STDIN_FILENO);
+        sil::write_file_atomically(path("a"), "x");
+        const bool is_free = next_descriptor() == STDIN_FILENO;
+        const bool is_read = sil::read_whole_file(path("a")) == "x";
+        ::_exit(is_free && is_read && next_descriptor() == STDIN_FILENO ? 0 : 1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+}
+
+TEST_F(WholeFile, MayBeReadByAllWhomTheSystemAllows) {
+    const mode_t before = ::umask(022);
+    sil::write_file_atomically(path("a"), "x");
+    ::umask(before);
+    EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms{0644});
+}
+
+TEST_F(WholeFile, TheSystemGetsEightKibibytesAtATime) {
+    sil::GrowingFile file{path("a")};
+    file.write(std::string(8191U, 'x'));
+    EXPECT_EQ(text_of(path("a.partial")).size(), 0U);
+    file.write("x");
+    EXPECT_EQ(text_of(path("a.partial")).size(), 8192U);
+    file.write("y");
+    EXPECT_EQ(text_of(path("a.partial")).size(), 8192U);
+    file.finish();
+    EXPECT_EQ(text_of(path("a")), std::string(8192U, 'x') + "y");
+}
+
+TEST_F(WholeFile, AFolderThatTookTheNameIsTold) {
+    sil::GrowingFile file{path("a")};
+    file.write("x");
+    fs::create_directory(path("a"));
+    EXPECT_EQ(error_of([&] { file.finish(); }),
+              "cannot write " + path("a").string() +
+                  ": Is a directory; check that the folder exists and may be "
+                  "written");
+    EXPECT_EQ(text_of(path("a.partial")), "x");
+}
+
+TEST_F(WholeFile, WhatFoundNoRoomIsWrittenOnceThereIsSome) {
+    sil::GrowingFile file{path("a")};
+    const std::string start(9'000U, 'x');
+    {
+        const FullDisk full{10'000U};
+        file.write(start);
+        EXPECT_THAT(error_of([&] { file.write(std::string(9'000U, 'y')); }), HasSubstr("File too large"));
+    }
+    file.write("z");
+    file.finish();
+    EXPECT_EQ(text_of(path("a")), start + std::string(9'000U, 'y') + "z");
 }
 
 TEST_F(WholeFile, GrowsBesideItsName) {

@@ -9,15 +9,16 @@
 #include <string>
 
 #include "rsi/parameters.hpp"
+#include "sil/files/parameter_field.hpp"
 #include "tests/support/scratch_folder.hpp"
 
-namespace testing_simulation {
+namespace calibration_file_test {
 namespace {
 
 using ::testing::HasSubstr;
 
 const std::filesystem::path calibrations =
-    std::filesystem::path{RSI_PROJECT_FOLDER} / "firmware" / "calibrations";
+    std::filesystem::path{RSI_SOURCE_DIR} / "firmware" / "calibrations";
 
 class CalibrationFile : public ::testing::Test {
  protected:
@@ -93,6 +94,12 @@ TEST_F(CalibrationFile, EveryNumberReachesItsOwnField) {
                 EXPECT_EQ(loaded.*other.member, good.*other.member) << other.name;
             }
         }
+    }
+}
+
+TEST(ParameterField, IsFoundByItsMember) {
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        EXPECT_STREQ(sil::parameter_field(field.member).name, field.name);
     }
 }
 
@@ -245,4 +252,4 @@ TEST_F(CalibrationFile, AChangeThatCannotBeIsRefusedByItsOwnText) {
 }
 
 }  // namespace
-}  // namespace testing_simulation
+}  // namespace calibration_file_test
