@@ -8,6 +8,7 @@
 #include "sil/apps/run_timing.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/whole_file.hpp"
+#include "sil/page/summary_facts.hpp"
 #include "sil/results/summary.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
@@ -25,11 +26,6 @@ std::unique_ptr<RunTiming> timing_of(const RunRequest& request, const rsi::Param
         return in_process(calibration, request.interface, log_of(request));
     }
     return request.lock_step ? lock_step(request.interface, log_of(request)) : real_time(request.interface);
-}
-
-const char* pace_name(const RunRequest& request) {
-    return request.in_process ? "in one process with the ECU"
-                              : (request.lock_step ? "in lock-step with the ECU" : "in real time");
 }
 
 Summary summary_of(const RunRequest& request, const ManoeuvreRun& plant, const ClosedLoop& loop,
@@ -80,13 +76,14 @@ void run_manoeuvre(const RunRequest& request) {
     }
     ClosedLoop loop{plant, sensors, timing->bus(), timing->pace()};
 
-    recorder.account().begin(manoeuvre, options, pace_name(request), plant.duration_s());
+    recorder.account().begin(manoeuvre, options, pace_name(request.in_process, request.lock_step),
+                             plant.duration_s());
     loop.run(recorder);
     recorder.account().end(loop.events(), loop.ecu(), loop.frames_sent(), timing->missed_cycles());
     recorder.close();
     timing->close();
     write_run_results(summary_of(request, plant, loop, recorder), plant.vehicle().parameters(),
-                      request.output);
+                      recorder.page(), request.output);
 }
 
 }  // namespace sil

@@ -23,9 +23,9 @@ struct RunRequest {
     std::vector<std::string> changes{};  // of the calibration, as "key=value"
 };
 
-// Drives the manoeuvre, prints the account and writes signals.csv, events.gp and summary.json into the
-// output folder, in lock-step candump.log too, and in process also firmware.csv and lifts.csv. Throws
-// std::exception with a message for the user.
+// Drives the manoeuvre, prints the account and writes signals.csv, events.gp, report.html and summary.json
+// into the output folder, in lock-step candump.log too, and in process also firmware.csv and lifts.csv.
+// Throws std::exception with a message for the user.
 void run_manoeuvre(const RunRequest& request);
 
 }  // namespace sil

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include "sil/files/whole_file.hpp"
+#include "sil/page/page_text.hpp"
+#include "sil/page/summary_facts.hpp"
 #include "sil/results/event_marks.hpp"
 
 namespace sil {
 
 void prepare_run_folder(const std::filesystem::path& output) {
     make_folder(output);
-    for (const char* name : {"signals.csv", "events.gp", "summary.json", "firmware.csv", "lifts.csv"}) {
+    for (const char* name :
+         {"signals.csv", "events.gp", "summary.json", "firmware.csv", "lifts.csv", "report.html"}) {
         remove_file(output / name);
     }
 }
@@ -24,7 +27,9 @@ void RunRecorder::look_inside(const rsi::Outputs& outputs, const rsi::Parameters
 
 void RunRecorder::cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
                         const RunEvents& events) {
-    csv_.write(truth, sample, ecu.output());
+    const std::string row = signal_csv_row(truth, sample, ecu.output());
+    csv_.write(row);
+    page_.cycle(row, ecu, truth.time_s);
     if (firmware_) {
         firmware_->write(truth);
     }
@@ -50,10 +55,15 @@ std::vector<std::pair<std::string, std::optional<double>>> RunRecorder::index_ti
                      : std::vector<std::pair<std::string, std::optional<double>>>{};
 }
 
-void write_run_results(const Summary& summary, const VehicleParameters& vehicle,
+void write_run_results(const Summary& summary, const VehicleParameters& vehicle, const PageRecording& page,
                        const std::filesystem::path& output) {
     write_event_marks(summary.events, static_stability_factor(vehicle),
                       fmt::format("{}, {}", summary.manoeuvre, summary.vehicle), output / "events.gp");
+    const PageHead head{
+        fmt::format("{}{}", summary.manoeuvre, summary.mirrored ? ", mirrored" : ""),
+        fmt::format("{}, {}", summary.vehicle, pace_name(summary.in_process, summary.lock_step)),
+        page_vehicle(vehicle), summary_facts(summary)};
+    write_file_atomically(output / "report.html", page_with(page.json(head, summary.events)));
     write_summary(summary, output / "summary.json");
 }
 

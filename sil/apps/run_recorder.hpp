@@ -9,6 +9,7 @@
 
 #include "sil/apps/account.hpp"
 #include "sil/apps/firmware_csv.hpp"
+#include "sil/page/page_recording.hpp"
 #include "sil/results/signal_csv.hpp"
 #include "sil/results/summary.hpp"
 #include "sil/world/simulation/closed_loop.hpp"
@@ -37,6 +38,8 @@ class RunRecorder final : public RunObserver {
 
     void close();
 
+    const PageRecording& page() const { return page_; }
+
     // See Summary.
     std::vector<std::pair<std::string, std::optional<double>>> index_times_s() const;
 
@@ -45,12 +48,13 @@ class RunRecorder final : public RunObserver {
     SignalCsvWriter csv_;
     std::optional<FirmwareCsvWriter> firmware_{};
     std::optional<LiftCsvWriter> lifts_{};
+    PageRecording page_{};
     Account account_{};
     double duration_s_;
 };
 
-// summary.json and events.gp.
-void write_run_results(const Summary& summary, const VehicleParameters& vehicle,
+// summary.json, events.gp and report.html.
+void write_run_results(const Summary& summary, const VehicleParameters& vehicle, const PageRecording& page,
                        const std::filesystem::path& output);
 
 }  // namespace sil

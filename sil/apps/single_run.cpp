@@ -5,6 +5,7 @@
 #include "sil/apps/run_recorder.hpp"
 #include "sil/files/parameter_section_file.hpp"
 #include "sil/files/whole_file.hpp"
+#include "sil/page/summary_facts.hpp"
 #include "sil/results/versions.hpp"
 
 namespace sil {
@@ -44,8 +45,7 @@ class SingleRun final : public RunWatch {
         fmt::print("{}", drawn_text(drawn));
         recorder_.emplace(output_, run.duration_s());
         recorder_->look_inside(run.outputs(), drawn.calibration);
-        recorder_->account().begin(drawn.manoeuvre, drawn.options, "in one process with the ECU",
-                                   run.duration_s());
+        recorder_->account().begin(drawn.manoeuvre, drawn.options, pace_name(true, false), run.duration_s());
     }
 
     void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
@@ -64,7 +64,7 @@ class SingleRun final : public RunWatch {
         summary_.index_times_s = recorder_->index_times_s();
         recorder_->account().end(summary_.events, frames_, summary_.frames_sent, 0U);
         recorder_->close();
-        write_run_results(summary_, vehicle_, output_);
+        write_run_results(summary_, vehicle_, recorder_->page(), output_);
     }
 
  private:

@@ -105,8 +105,4 @@ std::string signal_csv_row(const Truth& truth, const SensorSample& sample, const
 SignalCsvWriter::SignalCsvWriter(const std::filesystem::path& path)
     : file_{path, csv_header(signal_csv_columns())} {}
 
-void SignalCsvWriter::write(const Truth& truth, const SensorSample& sample, const EcuOutput& output) {
-    file_.write(signal_csv_row(truth, sample, output));
-}
-
 }  // namespace sil

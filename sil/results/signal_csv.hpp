@@ -26,7 +26,8 @@ class SignalCsvWriter {
     // Opens the file and writes the header. Throws std::runtime_error with path and reason.
     explicit SignalCsvWriter(const std::filesystem::path& path);
 
-    void write(const Truth& truth, const SensorSample& sample, const EcuOutput& output);
+    // One of signal_csv_row().
+    void write(const std::string& row) { file_.write(row); }
 
     void close() { file_.close(); }
 

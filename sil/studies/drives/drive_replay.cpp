@@ -1,11 +1,9 @@
 #include "sil/studies/drives/drive_replay.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "hal/memory/frame_replay.hpp"
-#include "monitoring/diagnostic_code.hpp"
 #include "sil/studies/drives/frame_samples.hpp"
 #include "sil/studies/drives/resample.hpp"
 #include "sil/world/simulation/ecu_frames.hpp"
@@ -27,46 +25,6 @@ Truth known_truth(const ReplayCycle& cycle) {
     truth.wheel_load_n.fill(1.0);
     return truth;
 }
-
-constexpr std::size_t code_count = monitoring::diagnostic_code_count;
-static_assert(code_count <= 64U, "a set of codes has 64 bits");
-
-// The frames tell of one code a cycle, round and round: one that is no longer told of is gone.
-class CodeListener {
- public:
-    void take(const can_dbc::RolloverDiagnosis& diagnosis) {
-        using Status = can_dbc::RolloverDiagnosis::CodeStatus;
-        ++now_;
-        const auto told = static_cast<std::size_t>(diagnosis.code);
-        if (told == 0U) {
-            told_.fill({});
-            return;
-        }
-        told_.at(told) = {now_, diagnosis.code_status == Status::set,
-                          diagnosis.code_status == Status::confirmed};
-    }
-
-    CodeSets codes() const {
-        CodeSets codes;
-        for (std::size_t code = 1U; code < code_count; ++code) {
-            const Told& told = told_[code];
-            const std::uint64_t bit = std::uint64_t{1U} << code;
-            const bool recent = now_ - told.at <= code_count;
-            codes.set |= recent && (told.set || told.confirmed) ? bit : 0U;
-            codes.confirmed |= recent && told.confirmed ? bit : 0U;
-        }
-        return codes;
-    }
-
- private:
-    struct Told {
-        std::size_t at{0U};
-        bool set{false};
-        bool confirmed{false};
-    };
-    std::array<Told, code_count> told_{};
-    std::size_t now_{0U};
-};
 
 // Steps the firmware and keeps what it says.
 class Recorder {
@@ -175,17 +133,6 @@ double seconds(hal::Time time) {
 }
 
 }  // namespace
-
-std::string code_names(std::uint64_t codes) {
-    std::string names;
-    for (std::size_t code = 1U; code < code_count; ++code) {
-        if (((codes >> code) & 1U) != 0U) {
-            names += (names.empty() ? "" : "; ") + std::string{can_dbc::RolloverDiagnosis::name_of(
-                                                       static_cast<can_dbc::RolloverDiagnosis::Code>(code))};
-        }
-    }
-    return names;
-}
 
 DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
                          const Interruption& interrupted) {

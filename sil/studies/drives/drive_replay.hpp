@@ -10,21 +10,13 @@
 
 #include "rsi/types.hpp"
 #include "sil/files/candump_log.hpp"
+#include "sil/results/diagnostic_codes.hpp"
 #include "sil/results/ecu_output.hpp"
 #include "sil/results/events.hpp"
 #include "sil/studies/drives/drive.hpp"
 #include "sil/studies/drives/lift_off.hpp"
 
 namespace sil {
-
-// Sets of diagnostic codes, one bit for each.
-struct CodeSets {
-    std::uint64_t set{0U};  // the fault is there, or not yet gone for long enough; confirmed ones included
-    std::uint64_t confirmed{0U};
-};
-
-// "imu lost; speed stuck"; empty without codes.
-std::string code_names(std::uint64_t codes);
 
 // One cycle of 10 ms.
 struct ReplayCycle {

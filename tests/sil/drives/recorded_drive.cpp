@@ -23,7 +23,7 @@ class CycleRecorder final : public sil::RunObserver {
     void cycle(const sil::Truth& truth, const sil::SensorSample& sample, const sil::EcuFrames& ecu,
                const sil::RunEvents&) override {
         drive_.ecu_outputs.push_back(ecu.output());
-        csv_.write(truth, sample, ecu.output());
+        csv_.write(sil::signal_csv_row(truth, sample, ecu.output()));
     }
     void close() { csv_.close(); }
 

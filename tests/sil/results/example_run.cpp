@@ -106,7 +106,7 @@ sil::RunEvents write(const Options& options, const std::filesystem::path& folder
             const sil::SensorSample sample = sensors.report(truth);
             output = count < 5 * steps_per_cycle ? sil::EcuOutput{} : respond(truth);
             observer.observe(output, truth.time_s);
-            csv.write(truth, sample, output);
+            csv.write(sil::signal_csv_row(truth, sample, output));
         }
         step(truth, options, step_s);
     }

@@ -148,9 +148,9 @@ TEST(SignalCsvWriter, WritesTheHeaderAndThenTheRows) {
     const ScratchFolder folder;
     sil::SignalCsvWriter writer(folder.path() / "signals.csv");
     sil::Truth truth;
-    writer.write(truth, {}, {});
+    writer.write(sil::signal_csv_row(truth, {}, {}));
     truth.time_s = 0.01;
-    writer.write(truth, {}, {});
+    writer.write(sil::signal_csv_row(truth, {}, {}));
     writer.close();
     std::istringstream file(text_of(folder.path() / "signals.csv"));
     std::string line;
@@ -178,7 +178,7 @@ TEST(SignalCsvWriter, AFullDiskIsAnError) {
     const ScratchFolder folder;
     const test_support::FullDisk full{100U};
     sil::SignalCsvWriter writer(folder.path() / "signals.csv");
-    writer.write({}, {}, {});
+    writer.write(sil::signal_csv_row({}, {}, {}));
     EXPECT_THROW(writer.close(), std::runtime_error);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "signals.csv"));
 }

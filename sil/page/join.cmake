@@ -1,0 +1,47 @@
+# Joins the page's sources into one text, page_html, that needs nothing else. Also a script, to look at the page alone:
+#   cmake -D OUTPUT=FILE [-D RECORDING=FILE.json] -P sil/page/join.cmake
+
+# The hash of an inline script or style as a content security policy names it.
+function(policy_source result text)
+    set(digits "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
+    string(SHA256 hash "${text}")
+    set(encoded "")
+    foreach(start RANGE 0 54 6)
+        string(SUBSTRING ${hash} ${start} 6 three_bytes)
+        foreach(shift 18 12 6 0)
+            math(EXPR digit "(0x${three_bytes} >> ${shift}) & 63")
+            string(SUBSTRING ${digits} ${digit} 1 character)
+            string(APPEND encoded ${character})
+        endforeach()
+    endforeach()
+    string(SUBSTRING ${hash} 60 4 two_bytes)
+    foreach(shift 12 6 0)
+        math(EXPR digit "((0x${two_bytes} << 2) >> ${shift}) & 63")
+        string(SUBSTRING ${digits} ${digit} 1 character)
+        string(APPEND encoded ${character})
+    endforeach()
+    set(${result} "'sha256-${encoded}='" PARENT_SCOPE)
+endfunction()
+
+set(page_sources page.html.in style.css recording.js charts.js scene.js page.js start.js)
+set(page_script "\n\"use strict\";\n")
+foreach(source recording charts scene page start)
+    file(READ ${CMAKE_CURRENT_LIST_DIR}/${source}.js text)
+    string(APPEND page_script "${text}")
+endforeach()
+file(READ ${CMAKE_CURRENT_LIST_DIR}/style.css page_style)
+policy_source(script_source "${page_script}")
+policy_source(style_source "${page_style}")
+# Nothing from anywhere else.
+string(CONCAT page_policy "default-src 'none'; script-src ${script_source}; style-src ${style_source}; img-src data:; "
+    "base-uri 'none'; form-action 'none'")
+file(READ ${CMAKE_CURRENT_LIST_DIR}/page.html.in page_html)
+string(CONFIGURE "${page_html}" page_html @ONLY)
+
+if(CMAKE_SCRIPT_MODE_FILE AND OUTPUT)
+    if(RECORDING)
+        file(READ ${RECORDING} recording)
+        string(REPLACE "application/json\">null<" "application/json\">${recording}<" page_html "${page_html}")
+    endif()
+    file(WRITE ${OUTPUT} "${page_html}")
+endif()

@@ -1,0 +1,84 @@
+// Page recording: what the page shows of a run, row by row as signals.csv has it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sil/results/diagnostic_codes.hpp"
+#include "sil/results/events.hpp"
+#include "sil/world/sensors/sensor_sample.hpp"
+#include "sil/world/simulation/ecu_frames.hpp"
+#include "sil/world/vehicle/parameters.hpp"
+
+namespace sil {
+
+// Its shape, for the picture from behind and for the limits.
+struct PageVehicle {
+    double track_width_m{0.0};
+    double cg_height_m{0.0};
+    double wheel_radius_m{0.0};
+    double half_width_m{0.0};
+    double top_above_cg_m{0.0};
+    double bottom_below_cg_m{0.0};
+    double mass_kg{0.0};
+    double static_stability_factor{0.0};
+};
+
+PageVehicle page_vehicle(const VehicleParameters& parameters);
+
+struct PageHead {
+    std::string title{};
+    std::string subtitle{};
+    PageVehicle vehicle{};
+    std::vector<std::pair<std::string, std::string>> facts{};  // name and value
+};
+
+// The columns of signals.csv that the page knows, in its order.
+const std::vector<std::string>& page_columns();
+
+// Of one line of signals.csv the cells of these columns, as a JSON array. What is not available is null.
+std::string page_row(const std::string& signal_csv_row);
+
+// One change of what the ECU's frames say of its diagnosis.
+struct PageDiagnosis {
+    double time_s{0.0};
+    can_dbc::RolloverDiagnosis::Degradation degradation{};
+    CodeSets codes{};
+};
+
+// Finds the changes, cycle by cycle.
+class DiagnosisWatch {
+ public:
+    // Whether it is another one than before; the first one is.
+    bool observe(double time_s, const can_dbc::RolloverDiagnosis& diagnosis);
+
+    const PageDiagnosis& latest() const { return latest_; }
+
+ private:
+    CodeListener listener_{};
+    PageDiagnosis latest_{};
+    bool heard_{false};
+};
+
+class PageRecording {
+ public:
+    // A long run is thinned out: of twice this many rows every other one stays.
+    static constexpr std::size_t longest_rows = 4000U;
+
+    // In every cycle, with the row of signals.csv.
+    void cycle(const std::string& signal_csv_row, const EcuFrames& ecu, double time_s);
+
+    // The page's recording; `events` as the run has left them.
+    std::string json(const PageHead& head, const RunEvents& events) const;
+
+ private:
+    std::vector<std::string> rows_{};
+    std::size_t cycles_{0U};
+    std::size_t every_{1U};  // how many cycles a row stands for
+    DiagnosisWatch watch_{};
+    std::vector<PageDiagnosis> diagnosis_{};
+};
+
+}  // namespace sil

@@ -1,0 +1,108 @@
+// Recording: what a run has told, row by row; the columns bear the names of the CSV file.
+const STANDARD_GRAVITY = 9.80665;
+const WHEELS = ["front_left", "front_right", "rear_left", "rear_right"];
+
+// A quantity, the columns that can tell of it (the first that is there does), and the factor to what people read.
+const QUANTITIES = {
+  steering: { columns: ["true_steering_wheel_angle_deg"], factor: 1 },
+  speed: { columns: ["true_speed_mps"], factor: 3.6 },
+  acceleration: { columns: ["true_lateral_acceleration_mps2", "lateral_acceleration_mps2"], factor: 1 / STANDARD_GRAVITY },
+  measuredAcceleration: { columns: ["sensor_lateral_acceleration_mps2"], factor: 1 / STANDARD_GRAVITY },
+  threshold: {
+    columns: ["ecu_lateral_acceleration_threshold_mps2", "lateral_acceleration_threshold_mps2"],
+    factor: 1 / STANDARD_GRAVITY,
+  },
+  level: { columns: ["ecu_warning_level", "warning_level"], factor: 1 },
+  rsi: { columns: ["ecu_rsi", "rsi"], factor: 1 },
+  roll: { columns: ["true_roll_angle_deg"], factor: 1 },
+  measuredRoll: { columns: ["sensor_roll_angle_deg"], factor: 1 },
+  rollRate: { columns: ["true_roll_rate_degps"], factor: 1 },
+  bank: { columns: ["true_bank_angle_deg"], factor: 1 },
+  state: { columns: ["ecu_state", "state"] },
+  side: { columns: ["ecu_side", "side"] },
+};
+for (const wheel of WHEELS) {
+  QUANTITIES["load_" + wheel] = { columns: ["true_wheel_load_" + wheel + "_n"], factor: 0.001 };
+  QUANTITIES["gap_" + wheel] = { columns: ["true_wheel_gap_" + wheel + "_m"], factor: 1 };
+}
+
+class Recording {
+  constructor(head) {
+    this.head = head;
+    this.rows = head.rows;
+    this.events = head.events;
+    this.judgement = head.judgement;
+    this.diagnosis = head.diagnosis;
+    this.places = {};
+    this.names = {};
+    for (const [quantity, { columns }] of Object.entries(QUANTITIES)) {
+      const name = columns.find((column) => head.columns.includes(column));
+      this.names[quantity] = name;
+      this.places[quantity] = name === undefined ? -1 : head.columns.indexOf(name);
+    }
+    this.timePlace = head.columns.indexOf("time_s");
+  }
+
+  get length() { return this.rows.length; }
+  get firstTime() { return this.rows.length ? this.rows[0][this.timePlace] : 0; }
+  get lastTime() { return this.rows.length ? this.rows[this.rows.length - 1][this.timePlace] : 0; }
+
+  has(quantity) { return this.places[quantity] >= 0; }
+  time(row) { return this.rows[row][this.timePlace]; }
+
+  // As the file says it; null where it says nothing.
+  raw(quantity, row) {
+    const place = this.places[quantity];
+    return place < 0 || row < 0 || row >= this.rows.length ? null : this.rows[row][place];
+  }
+
+  // In the unit that people read; NaN where there is nothing.
+  value(quantity, row) {
+    const raw = this.raw(quantity, row);
+    return raw === null ? NaN : raw * QUANTITIES[quantity].factor;
+  }
+
+  // The last row that is not after `time`; the first one before all of them.
+  rowAt(time) {
+    let low = 0;
+    let high = this.rows.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.time(middle) <= time + 1e-9) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return Math.max(low, 0);
+  }
+
+  // Between two rows, for pictures that move; texts show the row itself.
+  between(quantity, time) {
+    const row = this.rowAt(time);
+    const value = this.value(quantity, row);
+    if (row + 1 >= this.rows.length || time <= this.time(row)) {
+      return value;
+    }
+    const share = (time - this.time(row)) / (this.time(row + 1) - this.time(row));
+    const next = this.value(quantity, row + 1);
+    return Number.isNaN(next) ? value : value + share * (next - value);
+  }
+
+  diagnosisAt(time) {
+    let found = null;
+    for (const entry of this.diagnosis) {
+      if (entry.time_s > time + 1e-9) {
+        break;
+      }
+      found = entry;
+    }
+    return found;
+  }
+
+  // Until when the ranges of pictures look: a vehicle that falls over leaves every one of them.
+  get interestingEnd() {
+    const lift = this.events.two_wheel_lift;
+    return lift ? lift.time_s + 0.5 : Infinity;
+  }
+}

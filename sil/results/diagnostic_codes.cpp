@@ -1,0 +1,48 @@
+#include "sil/results/diagnostic_codes.hpp"
+
+namespace sil {
+
+std::vector<std::string> list_of_codes(std::uint64_t codes) {
+    std::vector<std::string> names;
+    for (std::size_t code = 1U; code < monitoring::diagnostic_code_count; ++code) {
+        if (((codes >> code) & 1U) != 0U) {
+            names.emplace_back(
+                can_dbc::RolloverDiagnosis::name_of(static_cast<can_dbc::RolloverDiagnosis::Code>(code)));
+        }
+    }
+    return names;
+}
+
+std::string code_names(std::uint64_t codes) {
+    std::string names;
+    for (const std::string& name : list_of_codes(codes)) {
+        names += (names.empty() ? "" : "; ") + name;
+    }
+    return names;
+}
+
+void CodeListener::take(const can_dbc::RolloverDiagnosis& diagnosis) {
+    using Status = can_dbc::RolloverDiagnosis::CodeStatus;
+    ++now_;
+    const auto told = static_cast<std::size_t>(diagnosis.code);
+    if (told == 0U) {
+        told_.fill({});
+        return;
+    }
+    told_.at(told) = {now_, diagnosis.code_status == Status::set,
+                      diagnosis.code_status == Status::confirmed};
+}
+
+CodeSets CodeListener::codes() const {
+    CodeSets codes;
+    for (std::size_t code = 1U; code < code_count; ++code) {
+        const Told& told = told_[code];
+        const std::uint64_t bit = std::uint64_t{1U} << code;
+        const bool recent = now_ - told.at <= code_count;
+        codes.set |= recent && (told.set || told.confirmed) ? bit : 0U;
+        codes.confirmed |= recent && told.confirmed ? bit : 0U;
+    }
+    return codes;
+}
+
+}  // namespace sil
