@@ -44,7 +44,7 @@ class StepObserver final : public RunObserver {
             changes_.push_back({truth.time_s, output.state(), output.side()});
         }
         if (csv_) {
-            csv_->write(truth, sample, output);
+            csv_->write(signal_csv_row(truth, sample, output));
         }
     }
 
