@@ -211,8 +211,8 @@ std::optional<SteadyTurn> SteadyTurnMeasurement::mean() const {
     return mean;
 }
 
-bool is_on_circle(const std::optional<SteadyTurn>& turn, double radius_m) {
-    return turn && std::abs(turn->curvature_pm * radius_m - 1.0) <= on_circle_within;
+bool is_on_circle(const std::optional<SteadyTurn>& turn, double circle_radius_m) {
+    return turn && std::abs(turn->curvature_pm * circle_radius_m - 1.0) <= on_circle_within;
 }
 
 std::optional<double> gradient(const std::vector<SteadyTurn>& turns, double SteadyTurn::* quantity) {

@@ -38,7 +38,7 @@ class SteadyTurnMeasurement final : public StepMeasurement {
 };
 
 // Whether the turn is on the circle: its curvature is within two per cent of the wanted one.
-bool is_on_circle(const std::optional<SteadyTurn>& turn, double radius_m);
+bool is_on_circle(const std::optional<SteadyTurn>& turn, double circle_radius_m);
 
 // Slope of the least-squares line of a quantity over the lateral acceleration, of the turns from 1 to 4
 // m/s^2; empty with fewer than two.
