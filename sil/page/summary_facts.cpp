@@ -37,7 +37,8 @@ std::vector<std::pair<std::string, std::string>> summary_facts(const Summary& su
         {"Largest |LTR|", fmt::format("{:.3f}", events.judgement.largest_load_transfer_ratio)},
         {"Largest |a_y|", fmt::format("{:.3f} g", events.largest_lateral_acceleration_mps2 / g_mps2)},
         {"Final roll angle", fmt::format("{:+.2f} deg", events.final_roll_angle_rad * degrees_per_radian)},
-        {"Sensors", summary.noise == "none" ? "without noise" : fmt::format("with noise, seed {}", summary.seed)},
+        {"Sensors",
+         summary.noise == "none" ? "without noise" : fmt::format("with noise, seed {}", summary.seed)},
         {"Frames sent, received", fmt::format("{}, {}", summary.frames_sent, summary.frames_received)},
         {"Component", fmt::format("{} {}", summary.versions.component, summary.versions.git_revision)},
     };

@@ -29,8 +29,7 @@ void CodeListener::take(const can_dbc::RolloverDiagnosis& diagnosis) {
         told_.fill({});
         return;
     }
-    told_.at(told) = {now_, diagnosis.code_status == Status::set,
-                      diagnosis.code_status == Status::confirmed};
+    told_.at(told) = {now_, diagnosis.code_status == Status::set, diagnosis.code_status == Status::confirmed};
 }
 
 CodeSets CodeListener::codes() const {

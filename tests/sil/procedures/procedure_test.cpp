@@ -62,7 +62,8 @@ TEST(ProcedureFiles, HoldEveryStepWithItsCriteria) {
     sil::ProcedureStep step;
     step.series = "left";
     step.name = "35 mph";
-    step.figures = {{"speed_kmh", "speed", "km/h", 1, 56.3}, {"peak_degps", "peak", "deg/s", 1, std::nullopt}};
+    step.figures = {{"speed_kmh", "speed", "km/h", 1, 56.3},
+                    {"peak_degps", "peak", "deg/s", 1, std::nullopt}};
     step.criteria = {criterion(sil::Bound::below, 50.8, 60.0), criterion(sil::Bound::at_most, 35.0, 1.0)};
     step.criteria[0].measured.key = "height_mm";
     step.criteria[1].measured.key = "share_pc";
@@ -75,11 +76,12 @@ TEST(ProcedureFiles, HoldEveryStepWithItsCriteria) {
     result.steps = {step};
     result.outcome = sil::outcome_of(result.steps);
     result.verdict = "the words";
-    EXPECT_EQ(sil::steps_csv(result),
-              "series,step,speed_kmh,peak_degps,height_mm,height_mm_limit,height_mm_met,share_pc,share_pc_limit,"
-              "share_pc_met,two_wheel_lift_time_s,falling_side,ecu_state_at_lift_off,ecu_lead_time_s,"
-              "ecu_advisory_time_s,ecu_warning_time_s,ecu_warning_side\n"
-              "left,35 mph,56.300000,,60.000000,50.800000,0,1.000000,35.000000,,2.500,right,advisory,,,,\n");
+    EXPECT_EQ(
+        sil::steps_csv(result),
+        "series,step,speed_kmh,peak_degps,height_mm,height_mm_limit,height_mm_met,share_pc,share_pc_limit,"
+        "share_pc_met,two_wheel_lift_time_s,falling_side,ecu_state_at_lift_off,ecu_lead_time_s,"
+        "ecu_advisory_time_s,ecu_warning_time_s,ecu_warning_side\n"
+        "left,35 mph,56.300000,,60.000000,50.800000,0,1.000000,35.000000,,2.500,right,advisory,,,,\n");
     const auto json =
         nlohmann::json::parse(sil::result_json(sil::find_procedure("fishhook-1a"), "a car", result));
     EXPECT_EQ(json["procedure"], "fishhook-1a");
@@ -123,7 +125,8 @@ sil::WarningSide other(sil::WarningSide side) {
                : (side == sil::WarningSide::right ? sil::WarningSide::left : sil::WarningSide::none);
 }
 
-void expect_mirrored(const sil::ProcedureStep& left, const sil::ProcedureStep& right, const std::string& name) {
+void expect_mirrored(const sil::ProcedureStep& left, const sil::ProcedureStep& right,
+                     const std::string& name) {
     EXPECT_NE(left.series, right.series) << name;
     for (std::size_t i = 0U; i < left.figures.size(); ++i) {
         ASSERT_EQ(left.figures[i].value.has_value(), right.figures[i].value.has_value()) << name;
@@ -146,7 +149,8 @@ TEST(Procedures, GiveTheMirroredResultToTheOtherSideOfASymmetricVehicle) {
         const std::vector<sil::ProcedureStep> steps = procedure.run(world).steps;
         ASSERT_EQ(steps.size() % 2U, 0U) << procedure.name;
         for (std::size_t i = 0U; i < steps.size() / 2U; ++i) {
-            expect_mirrored(steps[i], steps[steps.size() / 2U + i], procedure.name + " " + steps[i].name + " ");
+            expect_mirrored(steps[i], steps[steps.size() / 2U + i],
+                            procedure.name + " " + steps[i].name + " ");
         }
     }
 }

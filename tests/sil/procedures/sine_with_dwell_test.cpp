@@ -17,8 +17,8 @@ constexpr double completion_s = sil::SineWithDwell::completion_s;
 
 TEST(SineWithDwellAmplitudes, GrowByHalfAToTwoHundredAndSeventyDegreesAtLeast) {
     EXPECT_THAT(sil::sine_with_dwell_amplitudes_deg(40.0),
-                testing::ElementsAre(60.0, 80.0, 100.0, 120.0, 140.0, 160.0, 180.0, 200.0, 220.0, 240.0, 260.0,
-                                     270.0));
+                testing::ElementsAre(60.0, 80.0, 100.0, 120.0, 140.0, 160.0, 180.0, 200.0, 220.0, 240.0,
+                                     260.0, 270.0));
 }
 
 TEST(SineWithDwellAmplitudes, EndAtSixAndAHalfAOrThreeHundredDegreesIfThatIsLess) {
@@ -68,7 +68,8 @@ TEST(SineWithDwellMeasurement, MeasuresAtItsMomentsToTheStep) {
         feed(measurement, [after_s](double time_s) {
             return std::abs(time_s - completion_s - after_s) < 0.0011 ? 0.2 : 1.0;
         });
-        const auto share = after_s < 1.5 ? measurement.share_after_1_00_s() : measurement.share_after_1_75_s();
+        const auto share =
+            after_s < 1.5 ? measurement.share_after_1_00_s() : measurement.share_after_1_75_s();
         EXPECT_NEAR(share.value_or(-1.0), 20.0, 1e-9) << after_s;
     }
 }
