@@ -39,8 +39,7 @@ class Mutants(list):
         super().__init__()
         self.skipped = collections.Counter()  # why: how many places
         self._occurrences = collections.Counter()
-        self.sources = {}                     # file: digest of its text
-        self.of_constant = {}                 # name of a constant: number of its first mutant
+        self.of_constant = {}  # name of a constant: number of its first mutant
 
     def new(self, file, line, function, operator, original, *mutated):
         """The number of the first; the others follow."""

@@ -159,7 +159,6 @@ class MutatedCopy:
                 generated = sorted((self._build / "sil").rglob("generated"))
                 self._declarations = declarations_of(self._names, PROJECT, generated)
             texts, all_mutants = mutated_texts(self._names, PROJECT, self._declarations, left_out)
-            all_mutants.sources = {name: hashlib.sha256((PROJECT / name).read_bytes()).hexdigest() for name in self._names}
             for old in [*self.folder.glob("mutants_*.pickle"), *self.folder.glob("refused_*.json")]:
                 old.unlink()
             kept.write_bytes(pickle.dumps((texts, all_mutants)))

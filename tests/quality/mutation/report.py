@@ -39,10 +39,24 @@ def summary(results, wanted, record):
             f"{how['survived']} survive" + (f", {idle} of them executed by no test that is asked" if idle else "") + ".\n")
 
 
-def missed_goal(results, goal):
+def without_equivalents(mutants, results, reviewed):
+    """The results of those mutants that a test could kill."""
+    same = {mutant.id for mutant in mutants if reviewed.is_equivalent(mutant)}
+    return {number: answer for number, answer in results.items() if number not in same or answer != "survived"}
+
+
+def summary_without_equivalents(results, able):
+    """`able`: what without_equivalents() leaves of the results."""
+    if len(able) == len(results):
+        return ""
+    return (f"{len(results) - len(able)} of the survivors are equivalent: no input shows a difference. Without them "
+            f"{_killed(able.values())} of {len(able)} are killed, {_share(able.values())}.\n")
+
+
+def missed_goal(results, goal, of="mutants"):
     killed, tried = _killed(results.values()), len(results)
     if tried and killed < goal * tried:
-        return [f"{killed} of {tried} mutants are killed, {100 * killed / tried:.1f} %; the goal is {100 * goal:.0f} %"]
+        return [f"{killed} of {tried} {of} are killed, {100 * killed / tried:.1f} %; the goal is {100 * goal:.0f} %"]
     return []
 
 
@@ -82,7 +96,8 @@ def listed(page):
 def page(scope, mutants, wanted, results, reviewed, record):
     """What the documentation shows of a run."""
     compiled = len(mutants) - len(wanted)
-    rows = [summary(results, len(wanted), record)]
+    rows = [summary(results, len(wanted), record)
+            + summary_without_equivalents(results, without_equivalents(mutants, results, reviewed))]
     rows += _table("folder", mutants, results, lambda mutant: f"`{mutant.file.rpartition('/')[0]}`")
     rows += _table("file", mutants, results, lambda mutant: f"`{mutant.file}`")
     rows += _table("operator", mutants, results, lambda mutant: mutant.operator)
@@ -94,7 +109,8 @@ def page(scope, mutants, wanted, results, reviewed, record):
     rows += ["## The survivors", ""] if reviewed.groups else []
     for group in sorted(reviewed.groups, key=lambda group: group["file"]):
         names = [f"`{name}`" for name in group["mutants"]]
-        rows += [f"**`{group['file']}`** {group['why']}", ""] + [f"- {name}" for name in names] + [""]
+        kind = "Equivalent. " if "equivalent" in group else ""
+        rows += [f"**`{group['file']}`** {kind}{group['why']}", ""] + [f"- {name}" for name in names] + [""]
     unexplained = [mutant for mutant in wanted if results.get(mutant.id) == "survived" and not reviewed.reason(mutant)]
     if unexplained:
         rows += [UNEXPLAINED, ""] + _survivors_by_file(unexplained)

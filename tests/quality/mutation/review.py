@@ -3,6 +3,7 @@
 import tomllib
 
 FIELDS = {"file", "why", "mutants"}
+EQUIVALENT = {"equivalent"}  # true, or not there
 
 
 class Review:
@@ -11,17 +12,26 @@ class Review:
         self.name = name
         self.groups = tomllib.loads(text).get("survivors", [])
         self._reasons = {}
+        self._equivalent = set()
         for group in self.groups:
-            if set(group) != FIELDS or not group["why"].strip() or not group["mutants"]:
-                raise SystemExit(f"mutation: {name}: a group has {', '.join(sorted(FIELDS))} and no more, none of them "
-                                 f"empty; this one is not so: {group}")
+            if set(group) - EQUIVALENT != FIELDS or not group["why"].strip() or not group["mutants"]:
+                raise SystemExit(f"mutation: {name}: a group has {', '.join(sorted(FIELDS))} and no more but equivalent, none "
+                                 f"of them empty; this one is not so: {group}")
+            if group.get("equivalent", True) is not True:
+                raise SystemExit(f"mutation: {name}: equivalent is true or left out; here it is neither: {group}")
             for mutant in group["mutants"]:
                 if (group["file"], mutant) in self._reasons:
                     raise SystemExit(f"mutation: {name} names twice: {group['file']}: {mutant}")
                 self._reasons[group["file"], mutant] = group["why"]
+                if "equivalent" in group:
+                    self._equivalent.add((group["file"], mutant))
 
     def reason(self, mutant):
         return self._reasons.get(mutant.key())
+
+    def is_equivalent(self, mutant):
+        """No input whatever shows a difference: no test could kill it."""
+        return mutant.key() in self._equivalent
 
     def unexplained(self, mutants, results, known=frozenset()):
         """`known`: survivors that need no explanation yet."""

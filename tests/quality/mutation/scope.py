@@ -24,6 +24,7 @@ class Scope:
     page: str
     title: str
     goal: float               # least share of killed mutants
+    goal_of_able: float       # the same of those that are not equivalent
     longest_ms: int           # tests that take more CPU time are not asked
     every_survivor_explained: bool  # otherwise those that the page lists are known
     all_executed: bool              # every line, by the goals of the coverage: what is not, only the compiler uses
@@ -48,7 +49,7 @@ FIRMWARE = Scope(
            "firmware/monitoring": {"rsi_tests", "monitoring_tests", "application_test", "replay_test"},
            "firmware/application": set(FIRMWARE_PROGRAMS), "can_dbc/e2e": set(FIRMWARE_PROGRAMS)},
     left_out={}, headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF",), review="survivors.toml",
-    page="docs/reports/mutation.md", title="Mutation testing", goal=0.9, longest_ms=900, every_survivor_explained=True, all_executed=True)
+    page="docs/reports/mutation.md", title="Mutation testing", goal=0.9, goal_of_able=0.93, longest_ms=900, every_survivor_explained=True, all_executed=True)
 
 JUDGES_PROGRAMS = {"results_test": "tests/sil/results", "hal_test": "tests/hal", "zynqmp_r5_test": "tests/hal/zynqmp_r5",
                    "campaign_tests": "tests/sil/campaign", "faults_tests": "tests/sil/faults", "files_test": "tests/sil/files"}
@@ -79,6 +80,6 @@ JUDGES = Scope(
               **{f"sil/studies/campaign/{name}.cpp": WRITES for name in ("report_files", "report_text")}},
     headers=("can_dbc", "firmware", "hal", "sil"), options=("-DRSI_TESTS_COMPILE_OPTIONS=-O0",),
     review="survivors_of_judges.toml", page="docs/reports/mutation_of_judges.md", title="Mutation testing of the judges",
-    goal=0.85, longest_ms=900, every_survivor_explained=False, all_executed=False)
+    goal=0.85, goal_of_able=0.85, longest_ms=900, every_survivor_explained=False, all_executed=False)
 
 SCOPES = {scope.name: scope for scope in (FIRMWARE, JUDGES)}

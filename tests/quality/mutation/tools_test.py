@@ -117,11 +117,8 @@ class Planted(unittest.TestCase):
             cls.again = trial.Trial(programs, cls.record, folder).run(cls.all, 1)
             other = folder / "other_test"
             other.write_bytes(program.read_bytes() + b" ")
-            cls.asked_of_others = {}
-            for changed in (False, True):
-                sources = {"elsewhere.hpp": "changed"} if changed else {}
-                others = trial.Trial({"planted_test": other}, cls.record, folder, sources)
-                cls.asked_of_others[changed] = {mutant.id: sum(others._groups(mutant), []) for mutant in cls.all}
+            others = trial.Trial({"planted_test": other}, cls.record, folder)
+            cls.asked_of_others = {mutant.id: sum(others._groups(mutant), []) for mutant in cls.all}
 
     def mutants(self, operator, original=None):
         return [m for m in self.all if m.operator == operator and original in (None, m.original)]
@@ -163,14 +160,13 @@ class Planted(unittest.TestCase):
     def test_results_are_taken_up_again(self):
         self.assertEqual(self.results, self.again)
 
-    def test_tests_that_a_mutant_survived_are_not_asked_again_while_its_sources_stay(self):
+    # A test may have changed under its name: what survived it is tried on it again.
+    def test_of_other_programs_all_tests_are_asked_and_first_what_killed_the_mutant_before(self):
         for mutant in self.all:
-            survived = self.results[mutant.id] == "survived"
-            self.assertEqual(self.asked_of_others[True][mutant.id] == [], mutant.id not in self.record.tests_of, mutant)
-            if survived:
-                self.assertEqual(self.asked_of_others[False][mutant.id], [], mutant)
-            else:
-                self.assertEqual(list(self.asked_of_others[False][mutant.id][0]), self.killers[mutant.key()], mutant)
+            asked = self.asked_of_others[mutant.id]
+            self.assertEqual(set(asked), set(self.record.tests_of.get(mutant.id, [])), mutant)
+            if self.results[mutant.id] != "survived":
+                self.assertEqual(list(asked[0]), self.killers[mutant.key()], mutant)
 
     def test_the_test_that_kills_is_known(self):
         for mutant in self.mutants("arithmetic", "2 * x"):
@@ -205,12 +201,33 @@ class Reviewed(unittest.TestCase):
                 review.Review("survivors.toml", text)
 
 
+    def test_a_group_is_equivalent_or_does_not_say_so(self):
+        self.assertFalse(review.Review("survivors.toml", self.GROUP).is_equivalent(self.MUTANT))
+        reviewed = review.Review("survivors.toml", self.GROUP + "equivalent = true\n")
+        self.assertTrue(reviewed.is_equivalent(self.MUTANT))
+        self.assertFalse(reviewed.is_equivalent(dataclasses.replace(self.MUTANT, file="b.cpp")))
+        for wrong in ("equivalent = false\n", "equivalent = 1\n", "other = true\n"):
+            with self.assertRaises(SystemExit):
+                review.Review("survivors.toml", self.GROUP + wrong)
+
+
 class Reported(unittest.TestCase):
     MUTANTS = [mutant_list.Mutant(number, "a.cpp", number, "f", "constant", str(number), "0") for number in range(1, 100)]
 
     def test_a_score_below_the_goal_is_told(self):
         self.assertEqual(len(report.missed_goal({1: "survived", 2: "killed by a test"}, 0.9)), 1)
         self.assertEqual(report.missed_goal({1: "killed by a crash"}, 0.9), [])
+
+    def test_without_equivalents_only_their_survivors_are_left_out(self):
+        names = ", ".join(f'"{mutant.name()}"' for mutant in self.MUTANTS[:2])
+        reviewed = review.Review("survivors.toml", f'[[survivors]]\nfile = "a.cpp"\nwhy = "why"\nequivalent = true\n'
+                                 f"mutants = [{names}]\n")
+        results = {1: "survived", 2: "killed by a test", 3: "survived", 4: "killed by a crash"}
+        able = report.without_equivalents(self.MUTANTS, results, reviewed)
+        self.assertEqual(able, {2: "killed by a test", 3: "survived", 4: "killed by a crash"})
+        self.assertEqual(report.summary_without_equivalents(results, able), "1 of the survivors are equivalent: no input "
+                         "shows a difference. Without them 2 of 3 are killed, 66.7 %.\n")
+        self.assertEqual(report.summary_without_equivalents(results, results), "")
 
     def test_a_mutants_place_in_the_sample_does_not_depend_on_the_others(self):
         sample = report.draw(self.MUTANTS, 20, 1)

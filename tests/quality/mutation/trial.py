@@ -16,35 +16,27 @@ SURVIVED = "survived"
 
 class Trial:
     """Results are written down one by one, and taken up again by the next run of the very same programs. Of runs of other
-    programs a hint is taken: what killed a mutant then is tried first, and what survived, while every source was what it is now
-    (`sources`: a digest for each file), is tried on tests of another name only."""
+    programs a hint is taken: what killed a mutant then is tried first."""
 
-    def __init__(self, programs, record, folder, sources=None, anew=False):
+    def __init__(self, programs, record, folder, anew=False):
         self._programs = programs
         self._record = record
         name = test_program.digest(programs)
         self._file = folder / f"results_{name}.jsonl"
-        self._results, self._killer, self._asked = {}, {}, {}
+        self._results, self._killer = {}, {}
         if anew:
             for old in folder.glob("results_*.jsonl"):
                 old.unlink()
         for file in sorted(folder.glob("results_*.jsonl"), key=lambda path: path.stat().st_mtime):
-            self._take_hints(file, sources or {})
-        (folder / f"asked_{name}.json").write_text(json.dumps([sources or {}, list(record.cost)]))
+            self._take_hints(file)
         self._kills = {}  # test: how many mutants it has killed
         self._lock = threading.Lock()
 
-    def _take_hints(self, file, sources):
+    def _take_hints(self, file):
         results = [json.loads(line) for line in file.read_text().splitlines()]
         if file == self._file:
             self._results = {number: answer for number, _, answer, _ in results}
         self._killer.update({tuple(key): tuple(killer) for _, key, _, killer in results if killer})
-        asked = file.with_name(file.name.replace("results_", "asked_")).with_suffix(".json")
-        of_sources, tests = json.loads(asked.read_text()) if asked.is_file() else ({}, [])
-        tests = set(map(tuple, tests))
-        for _, key, answer, _ in results:
-            if answer == SURVIVED and of_sources == sources:
-                self._asked[tuple(key)] = self._asked.get(tuple(key), set()) | tests
 
     def _cost(self, tests):
         return sum(self._record.cost[test] for test in tests)
@@ -63,8 +55,7 @@ class Trial:
     def _groups(self, mutant):
         """Tests in which it makes a difference, in the order in which they are tried: a group is of one program."""
         record = self._record
-        asked = self._asked.get(mutant.key(), set())
-        tests = [test for test in record.tests_of.get(mutant.id, []) if test not in asked]
+        tests = record.tests_of.get(mutant.id, [])
         killer = self._killer.get(mutant.key())
         if killer in tests:
             yield [killer]
@@ -99,7 +90,7 @@ class Trial:
         First come those of earlier runs, then the others in a random order, so that what was tried is a random sample."""
         waiting = [mutant for mutant in mutants if mutant.id not in self._results]
         random.Random(1).shuffle(waiting)
-        waiting.sort(key=lambda mutant: mutant.key() in self._killer or mutant.key() in self._asked)
+        waiting.sort(key=lambda mutant: mutant.key() in self._killer)
         start, whole = time.monotonic(), len(waiting)
 
         def report():
