@@ -26,6 +26,10 @@ class IndexRecorder final : public RunObserver {
     void cycle(const Truth& truth, const SensorSample& sensors, const EcuFrames& ecu,
                const RunEvents& events) override {
         also_.cycle(truth, sensors, ecu, events);
+        const can_dbc::RolloverDiagnosis& diagnosis = ecu.diagnosis();
+        if (diagnosis.code_status == can_dbc::RolloverDiagnosis::CodeStatus::confirmed) {
+            codes_ |= std::uint64_t{1U} << static_cast<unsigned>(diagnosis.code);
+        }
         const rsi::Outputs& outputs = run_.outputs();
         const bool by_sensor = outputs.roll_source == RSI_ROLL_SENSOR;
         const IndexSample sample{outputs, truth, parameters_,
@@ -46,6 +50,7 @@ class IndexRecorder final : public RunObserver {
     bool settled() const override { return outcome_.settled(); }
 
     const Outcome& outcome() const { return outcome_.outcome(); }
+    std::uint64_t codes() const { return codes_; }
 
     std::vector<IndexScore> scores() const {
         std::vector<IndexScore> all;
@@ -60,6 +65,7 @@ class IndexRecorder final : public RunObserver {
     const rsi::Parameters& parameters_;
     RunObserver& also_;
     OutcomeObserver outcome_{};
+    std::uint64_t codes_{0U};
     std::vector<IndexCourse> courses_{};
 };
 
@@ -103,6 +109,7 @@ CampaignRow CampaignWorld::run(std::uint64_t number, RunWatch* watch) const {
         row.warning_time_s = run.events().warning->time_s;
     }
     row.judgement = run.events().judgement;
+    row.codes = recorder.codes();
     row.indices = recorder.scores();
     return row;
 }

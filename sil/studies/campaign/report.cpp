@@ -16,6 +16,7 @@ void count(TimeAccount& time, const RecordedCampaignRun& run) {
     time.unavailable_s += run.unavailable_s;
     time.alarms += run.warnings;
     time.advisories += run.advisories;
+    time.coded_runs += run.has_code ? 1U : 0U;
 }
 
 void count(RunGroup& group, const RecordedCampaignRun& run) {

@@ -37,6 +37,7 @@ struct TimeAccount {
     double unavailable_s{0.0};
     std::size_t alarms{0U};
     std::size_t advisories{0U};
+    std::size_t coded_runs{0U};  // with a confirmed diagnostic code
 };
 
 // Some runs: all, those of one vehicle, of one class of vehicles, or of one manoeuvre.

@@ -82,6 +82,7 @@ Json json_of(const TimeAccount& time) {
     add("advisories", static_cast<double>(time.advisories));
     add("unavailable_s", time.unavailable_s);
     add("wrong_side_s", time.wrong_side_s);
+    json["runs_with_diagnostic_code"] = time.coded_runs;
     return json;
 }
 
@@ -102,6 +103,7 @@ Json json_of(const RunGroup& group) {
     json["unavailable_s"] = number(group.time.unavailable_s);
     json["unavailable_s_per_1000_runs"] =
         per(1000.0 * group.time.unavailable_s, static_cast<double>(group.runs));
+    json["runs_with_diagnostic_code"] = group.time.coded_runs;
     for (const Judgement& judgement : group.judgements) {
         Json one = json_of(judgement.detection);
         for (std::size_t i = 0U; i < judgement.best.size(); ++i) {
@@ -261,6 +263,7 @@ std::string text_of_ordinary_driving(const CampaignReport& report) {
     row("alarms", static_cast<double>(time.alarms), 0);
     row("advisories", static_cast<double>(time.advisories), 0);
     row("unavailable, s", time.unavailable_s, 2);
+    row("drives with a diagnostic code", static_cast<double>(time.coded_runs), 0);
     return text;
 }
 
@@ -286,9 +289,10 @@ std::string text_of_drawn_runs(const CampaignReport& report) {
     const double runs = static_cast<double>(all.runs);
     text += fmt::format(
         "The firmware's warning names the wrong side, beyond {} s after the swing, for {:.2f} s in all "
-        "({:.2f} s in 1,000 runs); it is unavailable for {:.2f} s ({:.2f} s in 1,000 runs).\n\n",
+        "({:.2f} s in 1,000 runs); it is unavailable for {:.2f} s ({:.2f} s in 1,000 runs). Runs with a "
+        "diagnostic code: {}.\n\n",
         WarningJudge::swing_s, all.time.wrong_side_s, 1000.0 * all.time.wrong_side_s / runs,
-        all.time.unavailable_s, 1000.0 * all.time.unavailable_s / runs);
+        all.time.unavailable_s, 1000.0 * all.time.unavailable_s / runs, all.time.coded_runs);
     text += "## The firmware's warning, and every index with its threshold at 1\n" + table_at_one(all);
     text += "\n## Every index with its threshold where at most 1 % of calm runs alarm\n" + table_of_best(all);
     text += text_of_vehicles(report.vehicles);

@@ -2,6 +2,7 @@
 #include "sil/studies/campaign/row.hpp"
 
 #include "sil/files/csv_writer.hpp"
+#include "sil/results/diagnostic_codes.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/units.hpp"
 
@@ -77,6 +78,7 @@ void put_judgement(Cells& cells, const CampaignRow& row) {
     cells.time("warning_duration_s", judgement.warning_s);
     cells.time("advisory_duration_s", judgement.advisory_s);
     cells.time("unavailable_duration_s", judgement.unavailable_s);
+    cells.text("diagnostic_codes", code_names(row.codes));
 }
 
 void put_indices(Cells& cells, const CampaignRow& row) {

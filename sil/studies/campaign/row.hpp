@@ -1,6 +1,7 @@
 // Row: what a campaign keeps of one run, and its line in runs.csv.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct CampaignRow {
     Outcome outcome{};
     std::optional<double> warning_time_s{};  // of the firmware's first warning
     WarningJudgement judgement{};            // of the firmware's warning
+    std::uint64_t codes{0U};                 // that the firmware confirmed in it; see code_names
     std::vector<IndexScore> indices{};       // in the order of campaign_indices()
 };
 

@@ -89,6 +89,7 @@ RecordedCampaignRun run_of(const Row& row, const std::vector<std::string>& names
     run.warnings = static_cast<unsigned>(row.number("warnings"));
     run.advisories = static_cast<unsigned>(row.number("advisories"));
     run.unavailable_s = row.number("unavailable_duration_s");
+    run.has_code = !row.text("diagnostic_codes").empty();
     for (const std::string& name : names) {
         run.indices.push_back({row.number(name + "_threshold"), row.number(name + "_threshold_100ms"),
                                row.number(name + "_threshold_200ms"), row.time(name + "_lead_time_s")});

@@ -33,6 +33,7 @@ struct RecordedCampaignRun {
     unsigned warnings{0U};
     unsigned advisories{0U};
     double unavailable_s{0.0};
+    bool has_code{false};                  // the firmware confirmed a diagnostic code
     std::vector<RecordedIndex> indices{};  // in the order of RowTable::index_names
 };
 

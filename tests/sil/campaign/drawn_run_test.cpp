@@ -44,6 +44,14 @@ TEST(DrawnRun, TheFirmwareIsToldTheTruthTimesOnePlusTheError) {
     }
 }
 
+TEST(DrawnRun, TellsTheCodesThatItsSensorsSet) {
+    sil::CampaignSettings settings = small_campaign(1U);
+    settings.spread.accelerometer_bias_g = 0.0;
+    EXPECT_EQ(sil::CampaignWorld{settings}.run(0U).codes, 0U);
+    settings.spread.accelerometer_bias_g = 2.0;
+    EXPECT_NE(sil::CampaignWorld{settings}.run(0U).codes, 0U);
+}
+
 TEST(DrawnRun, ALoadThatNobodyToldIsNoPartOfTheError) {
     sil::CampaignSettings settings = small_campaign(20U);
     settings.spread.load_share = {0.2, 0.3};

@@ -26,6 +26,7 @@ sil::RowTable four_runs() {
     table.runs[0].brief_two_wheel_lift_time_s = 2.0;
     table.runs[1].wrong_side_s = 0.25;
     table.runs[2].unavailable_s = 0.5;
+    table.runs[2].has_code = true;
     table.runs[3].brief_two_wheel_lift_time_s = 2.0;
     return table;
 }
@@ -106,6 +107,7 @@ TEST(Report, JsonHasCountsSharesAndLeads) {
     EXPECT_EQ(json["all"]["wrong_side_s_per_1000_runs"], 62.5);
     EXPECT_EQ(json["all"]["unavailable_s"], 0.5);
     EXPECT_EQ(json["all"]["unavailable_s_per_1000_runs"], 125.0);
+    EXPECT_EQ(json["all"]["runs_with_diagnostic_code"], 1);
     EXPECT_TRUE(json["ordinary_driving"].is_null());
     const auto& level = json["all"]["indices"]["level"];
     EXPECT_EQ(level["false_alarms"]["count"], 0);
@@ -150,6 +152,7 @@ TEST(Report, OrdinaryDrivingCountsByHourAndKilometreAlone) {
         run.distance_m = 25'000.0;
         run.advisories = 2U;
         run.unavailable_s = 1.5;
+        run.has_code = drive == 1;
         table.runs.push_back(run);
     }
     const sil::CampaignReport report = sil::make_report(table, 6U);
@@ -164,6 +167,9 @@ TEST(Report, OrdinaryDrivingCountsByHourAndKilometreAlone) {
     EXPECT_EQ(json["alarms_per_1000_km"], 40.0);
     EXPECT_EQ(json["advisories_per_hour"], 4.0);
     EXPECT_EQ(json["unavailable_s_per_1000_km"], 60.0);
+    EXPECT_EQ(json["runs_with_diagnostic_code"], 1);
+    EXPECT_THAT(sil::report_markdown(report),
+                HasSubstr("| drives with a diagnostic code | 1 | 1.000 | 20.000 |\n"));
     EXPECT_THAT(sil::report_markdown(report), HasSubstr("| alarms | 2 | 2.000 | 40.000 |\n"));
 }
 

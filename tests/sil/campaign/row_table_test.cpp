@@ -15,6 +15,7 @@ using testing::HasSubstr;
 constexpr const char* header =
     "run,vehicle,class,manoeuvre,largest_ltr,two_wheel_lift_time_s,brief_two_wheel_lift_time_s,end_time_s,"
     "distance_m,lead_time_s,wrong_side_duration_s,warnings,advisories,unavailable_duration_s,"
+    "diagnostic_codes,"
     "x_threshold,x_threshold_100ms,x_threshold_200ms,x_lead_time_s\n";
 
 sil::RowTable load(const std::string& text) {
@@ -34,8 +35,9 @@ void expect_refused(const std::string& text, const std::string& why) {
 
 TEST(RowTable, ReadsEveryCellAndSortsByRun) {
     const sil::RowTable table =
-        load(std::string{header} + "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.17\n" +
-             "4,bus,,ramp,0.5,,1.5,9,90,,0,0,0,0,0.25,0.25,0.25,\n");
+        load(std::string{header} +
+             "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,imu lost,1.5,0.75,0.5,0.17\n" +
+             "4,bus,,ramp,0.5,,1.5,9,90,,0,0,0,0,,0.25,0.25,0.25,\n");
     EXPECT_THAT(table.index_names, testing::ElementsAre("x"));
     ASSERT_EQ(table.runs.size(), 2U);
     EXPECT_EQ(table.runs[0].number, 4U);
@@ -56,6 +58,8 @@ TEST(RowTable, ReadsEveryCellAndSortsByRun) {
     EXPECT_EQ(lifted.warnings, 2U);
     EXPECT_EQ(lifted.advisories, 3U);
     EXPECT_EQ(lifted.unavailable_s, 0.04);
+    EXPECT_TRUE(lifted.has_code);
+    EXPECT_FALSE(table.runs[0].has_code);
     EXPECT_EQ(lifted.indices[0].threshold, 1.5);
     EXPECT_EQ(lifted.indices[0].threshold_100ms, 0.75);
     EXPECT_EQ(lifted.indices[0].threshold_200ms, 0.5);
@@ -63,7 +67,7 @@ TEST(RowTable, ReadsEveryCellAndSortsByRun) {
 }
 
 TEST(RowTable, LeavesOutALineThatWasCutOff) {
-    const std::string row = "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.1";
+    const std::string row = "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,,1.5,0.75,0.5,0.1";
     EXPECT_EQ(load(header + row + "\n" + row).runs.size(), 1U);
 }
 
@@ -71,16 +75,16 @@ TEST(RowTable, AColumnWithoutANameBeforeItsEndingIsOfNoIndex) {
     std::string names = header;
     names.replace(names.find("\n"), 1U, ",_threshold_100ms\n");
     EXPECT_THAT(
-        load(names + "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,1.5,0.75,0.5,0.17,9\n").index_names,
+        load(names + "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,,1.5,0.75,0.5,0.17,9\n").index_names,
         testing::ElementsAre("x"));
 }
 
 TEST(RowTable, NamesLineAndColumnOfWhatIsWrong) {
-    const std::string rest = ",,,1,1,,0,0,0,0,1,1,1";
+    const std::string rest = ",,,1,1,,0,0,0,0,,1,1,1";
     expect_refused(header + ("5,car,small,turn,much" + rest + ",\n"),
                    "runs.csv:2:18: column largest_ltr wants a number, not \"much\"");
     expect_refused(header + ("5,car,small,turn,nan" + rest + ",\n"), "column largest_ltr");
-    expect_refused(header + ("5,car,small,turn,1" + rest + "\n"), "runs.csv:2:1: has 17 cells, not 18");
+    expect_refused(header + ("5,car,small,turn,1" + rest + "\n"), "runs.csv:2:1: has 18 cells, not 19");
     expect_refused("run,vehicle,class,manoeuvre\n5,car,,turn\n",
                    "runs.csv:1:1: there is no column largest_ltr");
     expect_refused("", "there are no rows");

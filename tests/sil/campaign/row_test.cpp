@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sil/files/csv_reader.hpp"
+#include "sil/results/diagnostic_codes.hpp"
 #include "sil/studies/campaign/indices.hpp"
 
 namespace row_test {
@@ -83,6 +84,7 @@ sil::CampaignRow row() {
     row.judgement.warning_s = 0.5;
     row.judgement.advisory_s = 0.6;
     row.judgement.unavailable_s = 0.04;
+    row.codes = std::uint64_t{0b110U};
     row.indices = {{1.5, 0.75, 0.5, 0.17}};
     return row;
 }
@@ -126,7 +128,8 @@ TEST(CampaignRow, HasEveryValueUnderItsName) {
                          {"advisories", "3"},
                          {"warning_duration_s", "0.500"},
                          {"advisory_duration_s", "0.600"},
-                         {"unavailable_duration_s", "0.040"}});
+                         {"unavailable_duration_s", "0.040"},
+                         {"diagnostic_codes", sil::code_names(0b110U)}});
     const std::string first = sil::campaign_indices().front().name;
     expect_cells(cells, {{first + "_threshold", "1.5"},
                          {first + "_threshold_100ms", "0.75"},
@@ -136,8 +139,9 @@ TEST(CampaignRow, HasEveryValueUnderItsName) {
 
 TEST(CampaignRow, OfNothingHasEmptyTimesAndSides) {
     const Named cells = named_cells({});
-    for (const char* name : {"one_wheel_lift_time_s", "two_wheel_lift_time_s", "brief_two_wheel_lift_time_s",
-                             "warning_time_s", "falling_side", "side_at_lift_off", "lead_time_s"}) {
+    for (const char* name :
+         {"one_wheel_lift_time_s", "two_wheel_lift_time_s", "brief_two_wheel_lift_time_s", "warning_time_s",
+          "falling_side", "side_at_lift_off", "lead_time_s", "diagnostic_codes"}) {
         expect_cells(cells, {{name, ""}});
     }
     expect_cells(cells, {{"mirrored", "0"},

@@ -27,6 +27,7 @@ def group(warned=1000, early=995, earlier=850, median=0.4, alarms=(0, 0, 100), w
         "two_wheel_lift_offs": 1000,
         "wrong_side_s_per_1000_runs": wrong_s,
         "unavailable_s_per_1000_runs": 0.0,
+        "runs_with_diagnostic_code": 3,
         "indices": {
             "warning": {
                 "warned": share(warned, 1000),
@@ -81,6 +82,11 @@ class Goals(unittest.TestCase):
 
 
 class Campaigns(unittest.TestCase):
+    def test_a_row_has_a_cell_for_every_column_and_ends_with_the_runs_that_set_a_code(self):
+        row = document.row("all", group())
+        self.assertEqual(row.count("|"), document.HEADER.count("|") + 3)
+        self.assertTrue(row.endswith("| 0.00 s | 3 |"), row)
+
     def test_an_unfinished_one_is_refused(self):
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)
