@@ -21,10 +21,11 @@ struct Temper {
     double most_g;             // in the others
     double correction;         // share of what is felt too much or too little that goes into the wheel
     double speed_share_per_s;  // how fast another speed is wanted
+    double handwheel_radps;    // how fast the hands are
 };
-constexpr Temper mixed{0.4, 0.5, 0.0, 1.0e3};
+constexpr Temper mixed{0.4, 0.5, 0.0, 1.0e3, 1.0e6};
 // About 1 m/s^2: whoever accelerates or brakes harder than that in a turn takes the grip from an axle.
-constexpr Temper ordinary{0.0, 0.4, 1.5, 0.03};
+constexpr Temper ordinary{0.0, 0.4, 1.5, 0.03, from_degrees(500.0)};
 
 enum class Segment : std::uint8_t { straight, turn, lane_change, weave };
 
@@ -65,14 +66,19 @@ class MixedDriver final : public Driver {
             course_ = next_course(truth.time_s);
         }
         DriverCommand command;
-        const double most_change = temper_.speed_share_per_s * (truth.time_s - last_s_);
+        const double since_s = truth.time_s - last_s_;
         last_s_ = truth.time_s;
+        const double most_change = temper_.speed_share_per_s * since_s;
         speed_share_ += std::clamp(course_.speed_share - speed_share_, -most_change, most_change);
         command.speed_share = speed_share_;
         const double wanted_mps2 = course_.acceleration_mps2 * course_.share(truth.time_s);
-        command.steering_wheel_angle_rad =
+        const double wanted_rad =
             angle_rad(wanted_mps2 + temper_.correction * (wanted_mps2 - truth.lateral_acceleration_mps2),
                       truth.speed_mps);
+        const double most_turned_rad = temper_.handwheel_radps * since_s;
+        handwheel_rad_ =
+            std::clamp(wanted_rad, handwheel_rad_ - most_turned_rad, handwheel_rad_ + most_turned_rad);
+        command.steering_wheel_angle_rad = handwheel_rad_;
         return command;
     }
 
@@ -116,6 +122,7 @@ class MixedDriver final : public Driver {
     SteadySteering steering_;
     Course course_{};
     double speed_share_{1.0};
+    double handwheel_rad_{0.0};
     double last_s_{0.0};
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "scenario.hpp"
 
@@ -67,6 +68,30 @@ TEST(OrdinaryDriving, CorrectsAVehicleThatTurnsInMoreThanItWasThought) {
     sliding.tyre.rear_friction_factor *= 0.6;
     const Extremes most = driven(sliding, sil::ordinary_driving(3U));
     EXPECT_LT(most.lateral_g, 0.5);
+}
+
+// Hands that jump would be a fault of the steering sensor, and the firmware would rightly say so.
+TEST(OrdinaryDriving, NeverTurnsTheWheelFasterThanHandsDo) {
+    constexpr double fastest_radps = sil::from_degrees(500.0);
+    const std::unique_ptr<sil::Driver> driver =
+        sil::ordinary_driving(3U).make_driver(scenario::ordinary_suv());
+    sil::Truth truth;
+    truth.speed_mps = 5.0;
+    double then_rad = 0.0;
+    double to_the_left_radps = 0.0;
+    double to_the_right_radps = 0.0;
+    // What is felt jumps to and fro once a second, so that a driver of endless hands would jump too.
+    for (int step = 1; step < 6000; ++step) {
+        constexpr double step_s = 0.01;
+        truth.time_s = step * step_s;
+        truth.lateral_acceleration_mps2 = (step / 100) % 2 == 0 ? 5.0 : -5.0;
+        const double now_rad = driver->command(truth).steering_wheel_angle_rad;
+        to_the_left_radps = std::max(to_the_left_radps, (now_rad - then_rad) / step_s);
+        to_the_right_radps = std::max(to_the_right_radps, (then_rad - now_rad) / step_s);
+        then_rad = now_rad;
+    }
+    EXPECT_NEAR(to_the_left_radps, fastest_radps, 1e-6);
+    EXPECT_NEAR(to_the_right_radps, fastest_radps, 1e-6);
 }
 
 TEST(MixedDriving, TurnsHardNowAndThen) {
