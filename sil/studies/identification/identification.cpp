@@ -214,6 +214,20 @@ void add_rollover_index(Identification& result) {
                              "lateral acceleration at the threshold in a slow turn"});
 }
 
+// What is not written stays as the template has it: fine, quiet sensors.
+void add_sensors(Identification& result) {
+    const auto add_within_range = [&result](float rsi::Parameters::* setting, double value) {
+        if (value > 0.0) {
+            const rsi::ParameterField& field = parameter_field(setting);
+            const double most = static_cast<double>(field.maximum);
+            result.values.push_back({field.name, std::min(value, most),
+                                     value > most ? "more than the component admits" : "of the drives"});
+        }
+    };
+    add_within_range(&rsi::Parameters::accelerometer_noise_mps2, result.sensors.accelerometer_noise_mps2);
+    add_within_range(&rsi::Parameters::speed_resolution_mps, result.sensors.speed_resolution_mps);
+}
+
 }  // namespace
 
 bool Identification::steering_is_known() const {
@@ -239,6 +253,8 @@ Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ra
     add_steering(result);
     add_response(result);
     add_rollover_index(result);
+    result.sensors = sensor_quality(ramps, dynamics);
+    add_sensors(result);
     result.warnings = identification_warnings(result);
     return result;
 }

@@ -9,6 +9,7 @@
 #include "sil/studies/identification/prepared_drive.hpp"
 #include "sil/studies/identification/response_fit.hpp"
 #include "sil/studies/identification/roll_fit.hpp"
+#include "sil/studies/identification/sensor_quality.hpp"
 #include "sil/studies/identification/steering_fit.hpp"
 #include "sil/studies/identification/vehicle_data.hpp"
 
@@ -32,6 +33,7 @@ struct Identification {
     std::vector<DriveResidual> load_transfer;  // with the values of the calibration; drives with wheel loads
     std::optional<SteeringFit> steering;
     std::optional<ResponseFit> response;
+    SensorQuality sensors;
     double roll_centre_height_m{};
     std::string roll_centre_origin;
     std::vector<IdentifiedValue> values;  // all that depend on the vehicle

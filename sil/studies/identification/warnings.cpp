@@ -35,6 +35,7 @@ class Warnings {
         about_response();
         about_roll_reference();
         about_offsets();
+        about_sensors();
         return std::move(warnings_);
     }
 
@@ -311,6 +312,15 @@ class Warnings {
             "{}: the road is not level. Fitted is the angle of the body against the road, so the bank went "
             "into stiffness and damping: drive on a level road",
             drive);
+    }
+
+    void about_sensors() {
+        for (const IdentifiedValue& value : result_.values) {
+            if (value.key == "accelerometer_noise_mps2" || value.key == "speed_resolution_mps") {
+                warn("the drives' sensors need {} = {:.3g}; check that these are the sensors of the vehicle",
+                     value.key, value.value);
+            }
+        }
     }
 
     void about_steering() {
