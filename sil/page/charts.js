@@ -125,7 +125,7 @@ class Frame {
 }
 
 // Both ends of what `quantities` reach in the rows, at least `least` and with some room.
-function rangeOf(recording, quantities, first, last, least) {
+function rangeOf(recording, quantities, first, last, least, symmetric) {
   let from = least.from;
   let to = least.to;
   const end = recording.interestingEnd;
@@ -139,6 +139,10 @@ function rangeOf(recording, quantities, first, last, least) {
         to = value;
       }
     }
+  }
+  if (symmetric) {
+    to = Math.max(to, -from);
+    from = -to;
   }
   const room = 0.06 * (to - from);
   return { from: from === 0 ? 0 : from - room, to: to + room };
@@ -193,6 +197,7 @@ class Strip {
   }
 
   use(recording) {
+    this.stillKey = "";
     for (const line of this.lines) {
       this.box.querySelector(`[data-line="${line.quantity}"]`).hidden = !recording.has(line.quantity);
     }
@@ -205,7 +210,7 @@ class Strip {
     if (width < 80 || recording.length === 0) {
       return;
     }
-    const key = [width, height, devicePixelRatio, view.from, view.to, view.theme].join();
+    const key = [width, height, devicePixelRatio, view.from, view.to, recording.changes, recording.length, view.theme].join();
     if (key !== this.stillKey) {
       this.stillKey = key;
       this.drawStill(recording, view, width, height);
@@ -235,7 +240,7 @@ class Strip {
     const first = recording.rowAt(view.from);
     const last = Math.min(recording.length - 1, recording.rowAt(view.to) + 1);
     const shown = this.lines.filter((line) => recording.has(line.quantity));
-    const y = rangeOf(recording, shown.filter((line) => !line.outside).map((line) => line.quantity), first, last, this.least);
+    const y = rangeOf(recording, shown.filter((line) => !line.outside).map((line) => line.quantity), first, last, this.least, false);
     const ssf = recording.head.vehicle.static_stability_factor;
     if (this.ssf) { // the side that is in danger has room for its limit
       y.to = y.to > 0.35 ? Math.max(y.to, 1.12 * ssf) : y.to;
@@ -347,16 +352,19 @@ class Plane {
       return;
     }
     const { pen } = sheet;
-    const first = 0;
+    const live = view.live;
+    const first = live ? recording.rowAt(recording.lastTime - 20) : 0;
     const ssf = recording.head.vehicle.static_stability_factor;
     const last = recording.length - 1;
-    if (!this.rollRange) {
-      this.rollRange = rangeOf(recording, ["roll"], first, last, { from: -1, to: 1 });
-      const reach = rangeOf(recording, ["acceleration"], first, last, { from: 0, to: 0 });
+    const key = [recording.changes, recording.length, first].join();
+    if (key !== this.rangeKey) {
+      this.rangeKey = key;
+      this.rollRange = rangeOf(recording, ["roll"], first, last, live ? { from: -9, to: 9 } : { from: -1, to: 1 }, live);
+      const reach = rangeOf(recording, ["acceleration"], first, last, { from: 0, to: 0 }, false);
       const limit = Math.min(1.25 * ssf, 2);
       this.accelerationRange = {
-        from: reach.from < -0.2 ? Math.min(-limit, reach.from) : Math.min(-0.08, reach.from),
-        to: reach.to > 0.2 || reach.from >= -0.2 ? Math.max(limit, reach.to) : Math.max(0.08, reach.to),
+        from: live || reach.from < -0.2 ? Math.min(-limit, reach.from) : Math.min(-0.08, reach.from),
+        to: live || reach.to > 0.2 || reach.from >= -0.2 ? Math.max(limit, reach.to) : Math.max(0.08, reach.to),
       };
     }
     const frame = new Frame(sheet, { left: 46, right: 12, top: 8, bottom: 38 }, this.accelerationRange, this.rollRange);
@@ -398,7 +406,7 @@ class Plane {
       };
       path("threshold", first, last, "--vermilion", 2.2, [6, 3], 1);
       path("acceleration", first, last, "--blue", 1.5, [], 0.3);
-      path("acceleration", first, view.row, "--blue", 2.4, [], 1);
+      path("acceleration", live ? recording.rowAt(view.time - 3) : first, view.row, "--blue", 2.4, [], 1);
       for (const event of EVENTS) {
         const moment = recording.events[event.name];
         if (moment) {

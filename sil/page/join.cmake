@@ -23,18 +23,18 @@ function(policy_source result text)
     set(${result} "'sha256-${encoded}='" PARENT_SCOPE)
 endfunction()
 
-set(page_sources page.html.in style.css recording.js charts.js scene.js page.js start.js)
+set(page_sources page.html.in style.css recording.js charts.js scene.js page.js live.js start.js)
 set(page_script "\n\"use strict\";\n")
-foreach(source recording charts scene page start)
+foreach(source recording charts scene page live start)
     file(READ ${CMAKE_CURRENT_LIST_DIR}/${source}.js text)
     string(APPEND page_script "${text}")
 endforeach()
 file(READ ${CMAKE_CURRENT_LIST_DIR}/style.css page_style)
 policy_source(script_source "${page_script}")
 policy_source(style_source "${page_style}")
-# Nothing from anywhere else.
+# Nothing from anywhere else; 'self' is the WebSocket of a live drive.
 string(CONCAT page_policy "default-src 'none'; script-src ${script_source}; style-src ${style_source}; img-src data:; "
-    "base-uri 'none'; form-action 'none'")
+    "connect-src 'self'; base-uri 'none'; form-action 'none'")
 file(READ ${CMAKE_CURRENT_LIST_DIR}/page.html.in page_html)
 string(CONFIGURE "${page_html}" page_html @ONLY)
 

@@ -13,6 +13,7 @@ const VALUES = [
 ];
 const PACES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 const WINDOWS = [{ seconds: 0, words: "all" }, { seconds: 20, words: "20 s" }, { seconds: 8, words: "8 s" }, { seconds: 3, words: "3 s" }];
+const LIVE_WINDOW_S = 12;
 
 function numberText(value, digits, signed) {
   if (value === null || Number.isNaN(value)) {
@@ -26,12 +27,13 @@ function numberText(value, digits, signed) {
 }
 
 class Page {
-  constructor(recording) {
-    this.view = { time: 0, row: 0, from: 0, to: 1, theme: "light" };
+  constructor() {
+    this.view = { time: 0, row: 0, from: 0, to: 1, theme: "light", live: false };
     this.direction = 1;
     this.pace = 1;
     this.window = 0;
     this.playing = false;
+    this.following = false;
     this.shownState = "";
     this.scene = new Scene(byId("scene"));
     this.plane = new Plane(byId("plane"), byId("plane-legend"));
@@ -46,7 +48,6 @@ class Page {
     byId("help").addEventListener("click", () => this.toggleHelp());
     new ResizeObserver(() => this.render()).observe(document.body);
     document.addEventListener("keydown", (event) => this.onKey(event));
-    this.show(recording);
   }
 
   // ---- parts that are made once
@@ -111,13 +112,22 @@ class Page {
 
   // ---- a recording to show
 
-  show(recording) {
+  show(recording, live) {
     this.recording = recording;
+    this.view.live = live;
+    this.following = live;
     const { head } = recording;
+    document.body.dataset.mode = live ? "live" : "replay";
     byId("title").textContent = head.title;
     document.title = head.title;
     byId("subtitle").textContent = head.subtitle;
-    for (const [name, value] of head.facts) {
+    byId("loads-panel").hidden = !recording.has("load_front_left");
+    byId("scene-panel").hidden = !recording.has("roll");
+    byId("values").querySelectorAll("[data-quantity]").forEach((cell) => {
+      cell.parentNode.hidden = !recording.has(cell.dataset.quantity);
+    });
+    byId("facts").innerHTML = "";
+    for (const [name, value] of head.facts ?? []) {
       const row = byId("facts").insertRow();
       row.innerHTML = '<th scope="row"></th><td></td>';
       row.firstChild.textContent = name;
@@ -126,6 +136,7 @@ class Page {
     for (const strip of this.strips) {
       strip.use(recording);
     }
+    this.shownState = "";
     this.view.time = recording.firstTime;
     this.listKeys();
     this.render();
@@ -138,6 +149,7 @@ class Page {
     if (this.recording.length === 0) {
       return;
     }
+    this.follow(false);
     this.view.time = Math.min(Math.max(time, this.recording.firstTime), this.recording.lastTime);
     this.render();
   }
@@ -159,6 +171,7 @@ class Page {
     const { firstTime, lastTime } = this.recording;
     this.playing = playing;
     if (playing) {
+      this.follow(false);
       if (this.direction > 0 && this.view.time >= lastTime) {
         this.view.time = firstTime;
       } else if (this.direction < 0 && this.view.time <= firstTime) {
@@ -185,6 +198,15 @@ class Page {
   chooseWindow(seconds) {
     this.window = seconds;
     this.render();
+  }
+
+  follow(following) {
+    this.following = following && this.view.live;
+    byId("follow").setAttribute("aria-pressed", String(this.following));
+    if (this.following) {
+      this.playing = false;
+      byId("play").textContent = "Play";
+    }
   }
 
   onFrame(now) {
@@ -224,7 +246,7 @@ class Page {
       { key: "2", words: "to the lift of one wheel", act: () => this.goToEvent("one_wheel_lift") },
       { key: "3", words: "to the lift of two wheels", act: () => this.goToEvent("two_wheel_lift") },
     ];
-    return transport.concat(common);
+    return (this.driver ? this.driver.keys() : transport).concat(common);
   }
 
   nextWindow() {
@@ -259,6 +281,9 @@ class Page {
     if (!recording) {
       return;
     }
+    if (this.following) {
+      view.time = recording.lastTime;
+    }
     view.row = recording.rowAt(view.time);
     this.chooseSpan();
     this.showTime();
@@ -275,7 +300,10 @@ class Page {
 
   chooseSpan() {
     const { recording, view } = this;
-    if (this.window === 0 || this.window >= recording.lastTime - recording.firstTime) {
+    if (this.following) {
+      view.to = Math.max(recording.lastTime, recording.firstTime + LIVE_WINDOW_S);
+      view.from = view.to - LIVE_WINDOW_S;
+    } else if (this.window === 0 || this.window >= recording.lastTime - recording.firstTime) {
       view.from = recording.firstTime;
       view.to = Math.max(recording.lastTime, recording.firstTime + 0.1);
     } else {
@@ -346,7 +374,7 @@ class Page {
 
   showLoads() {
     const { recording, view } = this;
-    if (recording.length === 0) {
+    if (!recording.has("load_front_left") || recording.length === 0) {
       return;
     }
     const largest = recording.head.vehicle.mass_kg * STANDARD_GRAVITY * 0.001 * 0.62;

@@ -39,7 +39,8 @@ Json json_of(const PageVehicle& vehicle) {
             {"top_above_cg_m", vehicle.top_above_cg_m},
             {"bottom_below_cg_m", vehicle.bottom_below_cg_m},
             {"mass_kg", rounded(vehicle.mass_kg)},
-            {"static_stability_factor", rounded(vehicle.static_stability_factor)}};
+            {"static_stability_factor", rounded(vehicle.static_stability_factor)},
+            {"roof_load_kg", vehicle.roof_load_kg}};
 }
 
 Json json_of(const PageHead& head) {
@@ -75,32 +76,6 @@ const std::vector<Place>& places() {
         return found;
     }();
     return all;
-}
-
-std::string events_json(const RunEvents& events) {
-    Json json = Json::object();
-    add_moment(json, "warning", events.warning);
-    add_moment(json, "one_wheel_lift", events.one_wheel_lift);
-    add_moment(json, "two_wheel_lift", events.two_wheel_lift);
-    add_moment(json, "ssf_crossing", events.ssf_crossing);
-    return text_of(json);
-}
-
-std::string judgement_json(const RunEvents& events) {
-    const WarningJudgement& judgement = events.judgement;
-    Json json;
-    json["lead_time_s"] = judgement.lead_s ? rounded(*judgement.lead_s) : Json(nullptr);
-    json["falling_side"] = to_string(judgement.falling_side);
-    return text_of(json);
-}
-
-std::string diagnosis_json(const PageDiagnosis& diagnosis) {
-    Json json;
-    json["time_s"] = rounded(diagnosis.time_s);
-    json["degradation"] = can_dbc::RolloverDiagnosis::name_of(diagnosis.degradation);
-    json["set"] = list_of_codes(diagnosis.codes.set);
-    json["confirmed"] = list_of_codes(diagnosis.codes.confirmed);
-    return text_of(json);
 }
 
 }  // namespace
@@ -163,6 +138,36 @@ std::string page_row(const std::string& signal_csv_row) {
     return row + "]";
 }
 
+std::string events_json(const RunEvents& events) {
+    Json json = Json::object();
+    add_moment(json, "warning", events.warning);
+    add_moment(json, "one_wheel_lift", events.one_wheel_lift);
+    add_moment(json, "two_wheel_lift", events.two_wheel_lift);
+    add_moment(json, "ssf_crossing", events.ssf_crossing);
+    return text_of(json);
+}
+
+std::string judgement_json(const RunEvents& events) {
+    const WarningJudgement& judgement = events.judgement;
+    Json json;
+    json["lead_time_s"] = judgement.lead_s ? rounded(*judgement.lead_s) : Json(nullptr);
+    json["falling_side"] = to_string(judgement.falling_side);
+    return text_of(json);
+}
+
+std::string diagnosis_json(const PageDiagnosis& diagnosis) {
+    Json json;
+    json["time_s"] = rounded(diagnosis.time_s);
+    json["degradation"] = can_dbc::RolloverDiagnosis::name_of(diagnosis.degradation);
+    json["set"] = list_of_codes(diagnosis.codes.set);
+    json["confirmed"] = list_of_codes(diagnosis.codes.confirmed);
+    return text_of(json);
+}
+
+std::string head_json(const PageHead& head) {
+    return text_of(json_of(head));
+}
+
 bool DiagnosisWatch::observe(double time_s, const can_dbc::RolloverDiagnosis& diagnosis) {
     listener_.take(diagnosis);
     const CodeSets codes = listener_.codes();
@@ -192,7 +197,7 @@ void PageRecording::cycle(const std::string& signal_csv_row, const EcuFrames& ec
 }
 
 std::string PageRecording::json(const PageHead& head, const RunEvents& events) const {
-    std::string text = text_of(json_of(head));
+    std::string text = head_json(head);
     text.pop_back();
     text += ",\n\"every\":" + std::to_string(every_) + ",\"events\":" + events_json(events) +
             ",\"judgement\":" + judgement_json(events) + ",\n\"diagnosis\":[";

@@ -24,6 +24,7 @@ struct PageVehicle {
     double bottom_below_cg_m{0.0};
     double mass_kg{0.0};
     double static_stability_factor{0.0};
+    double roof_load_kg{0.0};
 };
 
 PageVehicle page_vehicle(const VehicleParameters& parameters);
@@ -47,6 +48,13 @@ struct PageDiagnosis {
     can_dbc::RolloverDiagnosis::Degradation degradation{};
     CodeSets codes{};
 };
+
+// As JSON objects: the moments by their names with time_s, ay_g and roll_deg; lead time and falling side; one
+// change; a head without rows, to which a live drive adds its own members.
+std::string events_json(const RunEvents& events);
+std::string judgement_json(const RunEvents& events);
+std::string diagnosis_json(const PageDiagnosis& diagnosis);
+std::string head_json(const PageHead& head);
 
 // Finds the changes, cycle by cycle.
 class DiagnosisWatch {

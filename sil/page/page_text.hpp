@@ -2,8 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace sil {
+
+// What a browser may load and run of the page: what is in it, and a connection to where it came from. For the
+// header of an answer, too.
+extern const std::string_view page_policy;
+
+// The page without a recording: it asks its server for a live drive.
+extern const std::string_view live_page;
 
 // The page with a recording in it (JSON), which needs nothing else.
 std::string page_with(const std::string& recording);

@@ -1,11 +1,11 @@
-// Recording: what a run has told, row by row; the columns bear the names of the CSV file.
+// Recording: what a run, a replay or a live drive has told, row by row; the columns bear the names of the CSV file.
 const STANDARD_GRAVITY = 9.80665;
 const WHEELS = ["front_left", "front_right", "rear_left", "rear_right"];
 
 // A quantity, the columns that can tell of it (the first that is there does), and the factor to what people read.
 const QUANTITIES = {
-  steering: { columns: ["true_steering_wheel_angle_deg"], factor: 1 },
-  speed: { columns: ["true_speed_mps"], factor: 3.6 },
+  steering: { columns: ["true_steering_wheel_angle_deg", "sensor_steering_wheel_angle_deg"], factor: 1 },
+  speed: { columns: ["true_speed_mps", "sensor_speed_mps"], factor: 3.6 },
   acceleration: { columns: ["true_lateral_acceleration_mps2", "lateral_acceleration_mps2"], factor: 1 / STANDARD_GRAVITY },
   measuredAcceleration: { columns: ["sensor_lateral_acceleration_mps2"], factor: 1 / STANDARD_GRAVITY },
   threshold: {
@@ -14,10 +14,10 @@ const QUANTITIES = {
   },
   level: { columns: ["ecu_warning_level", "warning_level"], factor: 1 },
   rsi: { columns: ["ecu_rsi", "rsi"], factor: 1 },
-  roll: { columns: ["true_roll_angle_deg"], factor: 1 },
+  roll: { columns: ["true_roll_angle_deg", "sensor_roll_angle_deg"], factor: 1 },
   measuredRoll: { columns: ["sensor_roll_angle_deg"], factor: 1 },
-  rollRate: { columns: ["true_roll_rate_degps"], factor: 1 },
-  bank: { columns: ["true_bank_angle_deg"], factor: 1 },
+  rollRate: { columns: ["true_roll_rate_degps", "sensor_roll_rate_degps"], factor: 1 },
+  bank: { columns: ["true_bank_angle_deg", "sensor_bank_angle_deg"], factor: 1 },
   state: { columns: ["ecu_state", "state"] },
   side: { columns: ["ecu_side", "side"] },
 };
@@ -27,12 +27,14 @@ for (const wheel of WHEELS) {
 }
 
 class Recording {
+  // `head`: the recording as JSON. A live one has no rows yet.
   constructor(head) {
     this.head = head;
-    this.rows = head.rows;
-    this.events = head.events;
-    this.judgement = head.judgement;
-    this.diagnosis = head.diagnosis;
+    this.rows = head.rows ?? [];
+    this.events = head.events ?? {};
+    this.judgement = head.judgement ?? {};
+    this.diagnosis = head.diagnosis ?? [];
+    this.changes = 0;
     this.places = {};
     this.names = {};
     for (const [quantity, { columns }] of Object.entries(QUANTITIES)) {
@@ -46,6 +48,20 @@ class Recording {
   get length() { return this.rows.length; }
   get firstTime() { return this.rows.length ? this.rows[0][this.timePlace] : 0; }
   get lastTime() { return this.rows.length ? this.rows[this.rows.length - 1][this.timePlace] : 0; }
+
+  append(rows) {
+    for (const row of rows) {
+      this.rows.push(row);
+    }
+    this.changes += 1;
+  }
+
+  // Keeps the latest ones only.
+  forget(longest) {
+    if (this.rows.length > longest) {
+      this.rows.splice(0, this.rows.length - longest);
+    }
+  }
 
   has(quantity) { return this.places[quantity] >= 0; }
   time(row) { return this.rows[row][this.timePlace]; }

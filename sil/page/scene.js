@@ -86,6 +86,13 @@ class Scene {
     pen.save();
     pen.translate(axle.shift, axle.height);
     pen.rotate(roll);
+    if (vehicle.roof_load_kg > 0) {
+      const size = 0.16 + vehicle.roof_load_kg / 900;
+      pen.fillStyle = colourOf("--orange");
+      pen.beginPath();
+      pen.roundRect(-0.55 * half, roof + 0.03, 1.1 * half, size, 0.05);
+      pen.fill();
+    }
     pen.fillStyle = colourOf("--body");
     pen.beginPath();
     pen.moveTo(-0.9 * half, base);

@@ -1,6 +1,12 @@
-// Start: the recording that is in the file. "report.html#2.004" opens at that time.
-const page = new Page(new Recording(JSON.parse(byId("recording").textContent)));
-const moment = Number(location.hash.slice(1));
-if (moment > 0) {
-  page.goTo(moment);
+// Start: a file with a recording in it shows that; one without drives live.
+const page = new Page();
+const given = JSON.parse(byId("recording").textContent);
+if (given) {
+  page.show(new Recording(given), false);
+  const moment = Number(location.hash.slice(1)); // report.html#2.004
+  if (moment > 0) {
+    page.goTo(moment);
+  }
+} else {
+  page.driver = new Driver(page);
 }

@@ -19,17 +19,22 @@ ClosedLoop::ClosedLoop(ManoeuvreRun& plant, SensorSuite& sensors, hal::CanBus& b
       events_{static_stability_factor(plant.vehicle().parameters())} {}
 
 void ClosedLoop::run(RunObserver& observer) {
-    sensors_.observe(plant_.truth());
-    for (std::uint32_t number = 0U;; ++number) {
-        const SensorSample sample = sensors_.report(plant_.truth());
-        exchange_frames(number, sample);
-        observer.cycle(plant_.truth(), sample, ecu_, events_.events());
-        if (plant_.finished() || observer.settled() ||
-            std::abs(plant_.truth().roll_angle_rad) > rolled_over_rad) {
-            return;
-        }
+    while (cycle(observer)) {
+    }
+}
+
+bool ClosedLoop::cycle(RunObserver& observer) {
+    if (number_ == 0U) {
+        sensors_.observe(plant_.truth());
+    } else {
         advance_vehicle(observer);
     }
+    const SensorSample sample = observer.reported(sensors_.report(plant_.truth()));
+    exchange_frames(number_, sample);
+    ++number_;
+    observer.cycle(plant_.truth(), sample, ecu_, events_.events());
+    return !plant_.finished() && !observer.settled() &&
+           std::abs(plant_.truth().roll_angle_rad) <= rolled_over_rad;
 }
 
 void ClosedLoop::advance_vehicle(RunObserver& observer) {

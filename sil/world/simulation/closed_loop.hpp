@@ -13,13 +13,17 @@
 
 namespace sil {
 
-// Sees each cycle of a run, and each step of the vehicle if it wants to; this one looks away.
+// Sees each cycle of a run, and each step of the vehicle if it wants to; this one looks away, and changes
+// nothing.
 class RunObserver {
  public:
     RunObserver() = default;
     RunObserver(const RunObserver&) = delete;
     RunObserver& operator=(const RunObserver&) = delete;
     virtual ~RunObserver() = default;
+
+    // Before it is sent: what the sensors report instead, such as one that is broken.
+    virtual SensorSample reported(const SensorSample& sample) { return sample; }
 
     virtual void cycle(const Truth& /*truth*/, const SensorSample& /*sample*/, const EcuFrames& /*ecu*/,
                        const RunEvents& /*events*/) {}
@@ -40,6 +44,9 @@ class ClosedLoop {
     // std::runtime_error when the bus or the ECU fails.
     void run(RunObserver& observer);
 
+    // One cycle of it, for whoever sets the pace; false after the last one. Throws the same.
+    bool cycle(RunObserver& observer);
+
     const RunEvents& events() const { return events_.events(); }
     const EcuFrames& ecu() const { return ecu_; }
     std::uint64_t frames_sent() const { return sensor_frames_.frames_sent(); }
@@ -55,6 +62,7 @@ class ClosedLoop {
     Pace& pace_;
     SensorFrames sensor_frames_{};
     EcuFrames ecu_{};
+    std::uint32_t number_{0U};  // of the next cycle
     EventObserver events_;
 };
 

@@ -1,0 +1,118 @@
+#include "sil/apps/watch_command.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sil/apps/command_line.hpp"
+#include "sil/apps/run_recorder.hpp"
+#include "sil/apps/stop_request.hpp"
+#include "sil/apps/vehicle_options.hpp"
+#include "sil/files/calibration_file.hpp"
+#include "sil/live/live_server.hpp"
+#include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/vehicle/parameter_file.hpp"
+
+namespace sil {
+namespace {
+
+struct WatchRequest {
+    std::string manoeuvre{};
+    VehicleFiles files{};
+    std::filesystem::path output{};
+    SensorFlaws sensors{};
+    double speed_kmh{80.0};
+    std::uint64_t port{0U};
+};
+
+// signals.csv and all that belongs to it, of the latest drive.
+class WatchRecorder final : public LiveRecorder {
+ public:
+    WatchRecorder(const LiveDrive& drive, const WatchRequest& request, const rsi::Parameters& calibration)
+        : drive_{drive}, request_{request} {
+        prepare_run_folder(request.output);
+        recorder_.emplace(request.output, drive.plant().duration_s());
+        recorder_->look_inside(drive.outputs(), calibration);
+    }
+
+    void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
+               const RunEvents& events) override {
+        recorder_->cycle(truth, sample, ecu, events);
+    }
+    void step(const Truth& truth) override { recorder_->step(truth); }
+
+    void finish() override {
+        recorder_->close();
+        Summary summary;
+        summary.manoeuvre = drive_.manoeuvre().name;
+        summary.vehicle = drive_.plant().vehicle().parameters().name;
+        summary.in_process = true;
+        summary.index_times_s = recorder_->index_times_s();
+        summary.seed = request_.sensors.seed;
+        summary.noise = request_.sensors.noise ? "noise" : "none";
+        summary.versions = built_versions();
+        summary.events = drive_.loop().events();
+        summary.frames_sent = drive_.loop().frames_sent();
+        summary.frames_received = drive_.loop().ecu().frames_received();
+        write_run_results(summary, drive_.plant().vehicle().parameters(), recorder_->page(), request_.output);
+    }
+
+ private:
+    const LiveDrive& drive_;
+    const WatchRequest& request_;
+    std::optional<RunRecorder> recorder_{};
+};
+
+void watch(const WatchRequest& request) {
+    const std::atomic<bool>& stop = stop_on_signals();
+    LiveVehicle what;
+    what.vehicle = load_vehicle(request.files.vehicle);
+    what.calibration = load_calibration(request.files.calibration);
+    what.sensors = request.sensors;
+    if (!request.manoeuvre.empty()) {
+        what.manoeuvre = find_manoeuvre(request.manoeuvre);
+    }
+    LiveSession session{what, request.speed_kmh, [&](const LiveDrive& drive) {
+                            return std::make_unique<WatchRecorder>(drive, request, what.calibration);
+                        }};
+    serve_live(session, static_cast<std::uint16_t>(request.port), stop, [](std::uint16_t port) {
+        fmt::print("Open http://127.0.0.1:{}/ in a browser of this machine. Ctrl-C ends the drive.\n", port);
+        std::fflush(stdout);
+    });
+    session.close();
+}
+
+}  // namespace
+
+void add_watch_command(CLI::App& app) {
+    const auto request = std::make_shared<WatchRequest>();
+    CLI::App* command =
+        app.add_subcommand("watch",
+                           "Drive the vehicle in a browser, against the firmware in this process and in real "
+                           "time, break its sensors "
+                           "and load its roof; or watch a manoeuvre. Serves one page, to this machine only");
+    command->add_option("manoeuvre", request->manoeuvre,
+                        "To be watched (`rsi-sil list` names all; default: you drive)");
+    add_vehicle_options(*command, request->files);
+    command->add_option("--output", request->output, "Folder for what a run leaves, of the latest drive")
+        ->required();
+    command->add_option("--speed", request->speed_kmh, "Of the first drive, in km/h (10 to 160)")
+        ->check(number_within(10.0, 160.0))
+        ->capture_default_str();
+    add_whole_number(*command, "--port", request->port, "On 127.0.0.1 (default: a free one)");
+    add_whole_number(*command, "--seed", request->sensors.seed, "Seed of the sensor noise")
+        ->default_str(fmt::format("{}", request->sensors.seed));
+    command->add_flag("--noise", request->sensors.noise, "Sensors with noise");
+    command->callback([request] {
+        if (request->port > 65535U) {
+            throw UsageError{"--port wants a whole number from 0 to 65535"};
+        }
+        watch(*request);
+    });
+}
+
+}  // namespace sil

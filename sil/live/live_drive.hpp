@@ -1,0 +1,61 @@
+// Live drive: one drive of a vehicle with its sensors and the firmware, cycle by cycle, with whoever drives
+// it and whatever breaks in it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sil/studies/faults/signal_fault.hpp"
+#include "sil/world/manoeuvres/free_drive.hpp"
+#include "sil/world/simulation/closed_loop.hpp"
+#include "sil/world/simulation/in_process_pace.hpp"
+#include "sil/world/simulation/mounted_sensors.hpp"
+
+namespace sil {
+
+// Who drives what, and what of it.
+struct LiveVehicle {
+    VehicleParameters vehicle{};
+    rsi::Parameters calibration{};  // of the vehicle without a load: nobody tells the firmware of one
+    SensorFlaws sensors{};
+    std::optional<Manoeuvre> manoeuvre{};  // none: the page's user drives
+};
+
+class LiveDrive final : private RunObserver {
+ public:
+    // From `wish.speed_mps` on, with so much on the roof. `wish` must outlive the drive. Throws
+    // std::invalid_argument when the calibration is refused.
+    LiveDrive(const LiveVehicle& what, const DriverWish& wish, double roof_load_kg);
+
+    // One cycle of 10 ms, of which `also` sees everything; false after the last one: the vehicle lies on its
+    // side, or the time is over. Not to be called again then.
+    bool cycle(RunObserver& also);
+
+    // From the next cycle on; none: all sensors are good.
+    void break_sensor(const std::optional<Fault>& fault);
+    const std::optional<Fault>& fault() const { return fault_; }
+
+    const ManoeuvreRun& plant() const { return plant_; }
+    const ClosedLoop& loop() const { return loop_; }
+    const Manoeuvre& manoeuvre() const { return manoeuvre_; }
+    // See InProcessRun.
+    const rsi::Outputs& outputs() const { return firmware_.ecu().outputs(); }
+
+ private:
+    SensorSample reported(const SensorSample& sample) override;
+    void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
+               const RunEvents& events) override;
+    void step(const Truth& truth) override;
+
+    Manoeuvre manoeuvre_;
+    ManoeuvreRun plant_;
+    SensorSuite sensors_;
+    InProcessEcu firmware_;
+    InProcessPace pace_{firmware_};
+    ClosedLoop loop_;
+    std::optional<Fault> fault_{};
+    std::optional<SignalFault> broken_{};
+    RunObserver* also_{nullptr};
+};
+
+}  // namespace sil
