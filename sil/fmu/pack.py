@@ -1,0 +1,155 @@
+"""Links and packs the FMUs, for sil/fmu/build: pack.py VEHICLE.toml CALIBRATION.toml DIR."""
+
+import dataclasses
+import hashlib
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import uuid
+import xml.sax.saxutils
+import zipfile
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "cmake/environment"))
+
+import description
+import whole_file
+
+BUILT = PROJECT / "build/release/sil"
+COMPILER = "/usr/bin/g++"
+OPTIONS = ("-std=c++17", "-O2", "-fPIC", "-ffp-contract=off", "-fvisibility=hidden", "-fvisibility-inlines-hidden")
+UNIT = "rsi_ecu.cpp"  # the only source to be compiled; it includes the others
+INTERFACE = ("fmi2.cpp", "fmi3.cpp", "instance.cpp", "serial_state.cpp", "variable_text.cpp")
+
+
+@dataclasses.dataclass
+class Model:
+    identifier: str
+    name: str
+    description: str
+    serialises: bool
+    archives: list  # the first one as a whole, the others as far as it needs them
+    start_values: str = ""
+    token: str = ""
+    version: str = ""
+
+
+ECU = Model("rsi_ecu", "Rollover-warning ECU component",
+            "warns of a rollover before two wheels lift; steps every 10 ms, physical signals", True, [BUILT / "fmu/libfmu_ecu.a"])
+VEHICLE = Model("rsi_vehicle", "Simulated vehicle", "14 degrees of freedom, with driver, road and sensors", False,
+                [BUILT / "fmu/libfmu_vehicle.a"] + [BUILT / f"world/{room}/libsil_{room}.a"
+                                                    for room in ("manoeuvres", "sensors", "vehicle")])
+
+
+def run(*command):
+    """What it prints; ends the program with its own words where it fails."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(f"{done.stderr.strip()}\nsil/fmu/build: nothing was written")
+    return done.stdout
+
+
+def complete(model, kind, file):
+    """Start values, and a token that another binary or another file changes."""
+    values = run(BUILT / "fmu/fmu-start-values", kind, file)
+    digest = hashlib.sha256(values.encode())
+    for archive in model.archives:
+        digest.update(archive.read_bytes())
+    model.version = re.search(r'RSI_VERSION "(.*)"', whole_file.read(PROJECT / "firmware/rsi/version.h"))[1]
+    model.token = "{" + str(uuid.UUID(bytes=digest.digest()[:16])) + "}"
+    model.start_values = "\n".join([
+        f"// Written by sil/fmu/build of {file.name}.",
+        '#include "sil/fmu/start_values.hpp"', "", "namespace fmu {", "",
+        f'const char* const instantiation_token = "{model.token}";', "",
+        f"const double start_values[] = {{\n{values}}};",
+        "const std::size_t start_value_count = sizeof start_values / sizeof start_values[0];", "", "}  // namespace fmu", ""])
+
+
+def link(model, folder):
+    """The shared library in `folder`."""
+    source, binary = folder / "start_values.cpp", folder / f"{model.identifier}.so"
+    source.write_text(model.start_values)
+    run(COMPILER, *OPTIONS, f"-I{PROJECT}", "-shared", "-Wl,-z,defs", "-s", "-o", binary, source,
+        "-Wl,--whole-archive", model.archives[0], "-Wl,--no-whole-archive", *model.archives[1:])
+    return binary
+
+
+def sources_of_ecu(folder):
+    """{path in the FMU: bytes} of all that UNIT needs, with the interface of both versions of FMI."""
+    run(PROJECT / "firmware/export", folder)
+    files = {}
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder).as_posix().removeprefix("eigen3/")
+        if path.is_file() and name.startswith(("rsi/", "Eigen/", "rsi_unit.cpp")):
+            files[name] = path.read_bytes()
+    own = ["ecu_model.cpp", *INTERFACE] + [path.name for path in (PROJECT / "sil/fmu").glob("*.h*")]
+    for name in sorted(own):
+        files[f"sil/fmu/{name}"] = (PROJECT / "sil/fmu" / name).read_bytes()
+    files["sil/fmu/start_values.cpp"] = ECU.start_values.encode()
+    return files
+
+
+def unit(version):
+    other = f"fmi{5 - version}.cpp"
+    includes = ["rsi_unit.cpp", "sil/fmu/ecu_model.cpp", *(f"sil/fmu/{name}" for name in INTERFACE if name != other),
+                "sil/fmu/start_values.cpp"]
+    return ("// All of the FMU: compile this source alone, with this folder on the include path. GCC or clang, C++17.\n"
+            f"//     g++ {' '.join(OPTIONS)} -shared -I. {UNIT} -o rsi_ecu.so\n"
+            "#define EIGEN_DONT_VECTORIZE\n\n" + "".join(f'#include "{name}"\n' for name in includes)).encode()
+
+
+def build_description():
+    options = xml.sax.saxutils.quoteattr(" ".join(OPTIONS))
+    return ('<?xml version="1.0" encoding="UTF-8"?>\n'
+            '<fmiBuildDescription fmiVersion="3.0">\n'
+            f'  <BuildConfiguration modelIdentifier="{ECU.identifier}" description="any platform with GCC or clang">\n'
+            f'    <SourceFileSet name="all" language="C++17" compiler="gcc" compilerOptions={options}>\n'
+            f'      <SourceFile name="{UNIT}"/>\n'
+            '      <IncludeDirectory name="."/>\n'
+            '    </SourceFileSet>\n'
+            '  </BuildConfiguration>\n'
+            '</fmiBuildDescription>\n').encode()
+
+
+def pack(path, files):
+    """The same bytes for the same files."""
+    with whole_file.growing(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
+
+
+def main(vehicle_file, calibration, output):
+    complete(ECU, "calibration", calibration)
+    complete(VEHICLE, "vehicle", vehicle_file)
+    with tempfile.TemporaryDirectory() as scratch:
+        scratch = pathlib.Path(scratch)
+        sources = sources_of_ecu(scratch / "export")
+        try:
+            output.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            sys.exit(f"sil/fmu/build: cannot make the folder {output}: {error.strerror}; give another --output")
+        for model in (ECU, VEHICLE):
+            binary = link(model, scratch)
+            rows = description.table_of(binary)
+            own = sources if model is ECU else {}
+            licence = (PROJECT / "LICENSE").read_bytes()
+            for version in (2, 3):
+                text = (description.fmi2(model, rows, [UNIT] if own else []) if version == 2
+                        else description.fmi3(model, rows))
+                platform = "linux64" if version == 2 else "x86_64-linux"
+                files = {"modelDescription.xml": text.encode(), f"binaries/{platform}/{binary.name}": binary.read_bytes(),
+                         "documentation/licenses/LICENSE.txt": licence}
+                if own and version == 3:
+                    files["sources/buildDescription.xml"] = build_description()
+                files |= {f"sources/{name}": content for name, content in own.items()}
+                if own:
+                    files[f"sources/{UNIT}"] = unit(version)
+                path = output / f"{model.identifier}_fmi{version}.fmu"
+                pack(path, files)
+                print(path)
+
+
+if __name__ == "__main__":
+    main(*(pathlib.Path(word) for word in sys.argv[1:]))
