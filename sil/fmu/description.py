@@ -3,7 +3,11 @@
 import ctypes
 import dataclasses
 import math
+import os
+import re
 import xml.etree.ElementTree as ElementTree
+
+import whole_file
 
 CYCLE_S = "0.01"
 
@@ -47,6 +51,25 @@ def table_of(binary):
         rows.append(Variable(role, kind, name, start, float(least), float(largest), may_be_missing == "1",
                              unit_of(name, unit) if kind == "number" else "", choices.split(",") if choices else [], meaning))
     return rows
+
+
+def explain(rows, *headers):
+    """Meanings out of the headers that define a field, where the table has none: those of the fields' comments; and behind
+    an "rsi_state: ..." what the values of that enumeration are."""
+    text = "\n".join(whole_file.read(header) for header in headers)
+    comments = {}
+    for name, remark, line in re.findall(r"^ +(?:float|double|int32_t)\s+(\w+)(?:\{\})?;\s*(?:/\*(.*?)\*/|// (.*)$)", text, re.M | re.S):
+        comments[name] = " ".join((remark or line).split())
+    values = {}
+    for body, name in re.findall(r"typedef enum \{([^{}]*)\} (rsi_\w+);", re.sub(r"/\*.*?\*/", "", text, flags=re.S)):
+        pairs = re.findall(r"(\w+)\s*=\s*(\d+)", body)
+        common = os.path.commonprefix([constant for constant, _ in pairs]).rpartition("_")[0]
+        values[name] = ", ".join(f"{value} {constant[len(common) + 1:].lower().replace('_', ' ')}" for constant, value in pairs)
+    for row in rows:
+        row.meaning = row.meaning or (comments.get(row.name.rsplit(".", 1)[-1], "") if row.role == "parameter" else "")
+        named = row.meaning.partition(":")[0]
+        if row.role == "output" and named in values:
+            row.meaning += f": {values[named]}"
 
 
 def unit_of(name, told):

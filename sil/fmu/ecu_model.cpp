@@ -29,7 +29,8 @@ constexpr Input inputs[] = {
     {"yaw_rate_radps", &rsi_inputs::yaw_rate_radps, "about the body's z axis"},
     {"bank_angle_rad", &rsi_inputs::bank_angle_rad, "of the road, left side up is positive"},
     {"speed_mps", &rsi_inputs::speed_mps, "forward"},
-    {"steering_wheel_angle_rad", &rsi_inputs::steering_wheel_angle_rad, "at the handwheel, positive to the left"},
+    {"steering_wheel_angle_rad", &rsi_inputs::steering_wheel_angle_rad,
+     "at the handwheel, positive to the left"},
     {"vehicle_mass_kg", &rsi_inputs::vehicle_mass_kg, "of the whole vehicle with its load"},
 };
 static_assert(sizeof(rsi_inputs) == sizeof(float) * std::size(inputs), "an input has no row in the table");
@@ -88,7 +89,8 @@ void add_outputs(Variables& table) {
     };
 #define RSI_CODE(name, reset, largest, risk, meaning) code(#name, reset, largest, meaning);
 #define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) number(#name, unit, meaning);
-#define RSI_INDEX(name, unit, mirror, CHOICE, number_, choice, scale, side, meaning) number(#name, unit, meaning);
+#define RSI_INDEX(name, unit, mirror, CHOICE, number_, choice, scale, side, meaning) \
+    number(#name, unit, meaning);
     RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_INDEX)
 #undef RSI_INDEX
 #undef RSI_NUMBER
@@ -123,7 +125,7 @@ class EcuModel final : public Model {
         }
         const rsi_validation answer = rsi_init(&component_, &parameters);
         if (answer.accepted == 0) {
-            return std::string{"parameter "} + answer.field + ": " + answer.reason;
+            return std::string{"parameter "} + answer.field + " " + answer.reason + "; change one of them";
         }
         return {};
     }

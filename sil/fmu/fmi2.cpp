@@ -35,7 +35,8 @@ fmi2Status guarded(fmi2Component component, Action action) {
 
 fmi2Status refused(fmi2Component component, const char* function) {
     return guarded(component, [function](Instance& object) {
-        return object.refuse(std::string{function} + " is not offered by this FMU; modelDescription.xml says what is");
+        return object.refuse(std::string{function} +
+                             " is not offered by this FMU; modelDescription.xml says what is");
     });
 }
 
@@ -97,11 +98,12 @@ RSI_FMI2_EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component, fmi2Boolean, size_
 }
 
 RSI_FMI2_EXPORT fmi2Component fmi2Instantiate(fmi2String instance_name, fmi2Type type, fmi2String token,
-                                              fmi2String, const fmi2CallbackFunctions* functions,
-                                              fmi2Boolean, fmi2Boolean) {
+                                              fmi2String, const fmi2CallbackFunctions* functions, fmi2Boolean,
+                                              fmi2Boolean) {
     const std::string name = instance_name == nullptr ? "" : instance_name;
     const fmi2CallbackFunctions callbacks =
-        functions == nullptr ? fmi2CallbackFunctions{nullptr, nullptr, nullptr, nullptr, nullptr} : *functions;
+        functions == nullptr ? fmi2CallbackFunctions{nullptr, nullptr, nullptr, nullptr, nullptr}
+                             : *functions;
     const auto log = [name, callbacks](const std::string& sentence) {
         if (callbacks.logger != nullptr) {
             callbacks.logger(callbacks.componentEnvironment, name.c_str(), fmi2Error, error_category,
@@ -125,8 +127,8 @@ RSI_FMI2_EXPORT void fmi2FreeInstance(fmi2Component component) {
     delete static_cast<Component*>(component);
 }
 
-RSI_FMI2_EXPORT fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean, fmi2Real, fmi2Real start_time,
-                                               fmi2Boolean, fmi2Real) {
+RSI_FMI2_EXPORT fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean, fmi2Real,
+                                               fmi2Real start_time, fmi2Boolean, fmi2Real) {
     return guarded(component, [=](Instance&) {
         static_cast<Component*>(component)->start_s = start_time;
         return true;
@@ -205,26 +207,28 @@ RSI_FMI2_EXPORT fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstat
     return guarded(component, [=](Instance& object) { return object.free_state(state); });
 }
 
-RSI_FMI2_EXPORT fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, size_t* size) {
+RSI_FMI2_EXPORT fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state,
+                                                      size_t* size) {
     return guarded(component, [=](Instance& object) { return object.serialised_size(state, *size); });
 }
 
-RSI_FMI2_EXPORT fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[],
-                                                 size_t size) {
+RSI_FMI2_EXPORT fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state,
+                                                 fmi2Byte bytes[], size_t size) {
     return guarded(component, [=](Instance& object) {
         return object.serialise(state, reinterpret_cast<unsigned char*>(bytes), size);
     });
 }
 
-RSI_FMI2_EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes[], size_t size,
-                                                   fmi2FMUstate* state) {
+RSI_FMI2_EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes[],
+                                                   size_t size, fmi2FMUstate* state) {
     return guarded(component, [=](Instance& object) {
         return object.deserialise(reinterpret_cast<const unsigned char*>(bytes), size, state);
     });
 }
 
 // Every step ends within its call: nothing is pending.
-RSI_FMI2_EXPORT fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Real* value) {
+RSI_FMI2_EXPORT fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind,
+                                             fmi2Real* value) {
     return guarded(component, [=](Instance& object) {
         if (kind != fmi2LastSuccessfulTime) {
             return object.refuse("fmi2GetRealStatus tells the last successful time only");
@@ -244,8 +248,9 @@ RSI_REFUSED(fmi2GetStatus, const fmi2StatusKind, fmi2Status*)
 RSI_REFUSED(fmi2GetIntegerStatus, const fmi2StatusKind, fmi2Integer*)
 RSI_REFUSED(fmi2GetBooleanStatus, const fmi2StatusKind, fmi2Boolean*)
 RSI_REFUSED(fmi2GetStringStatus, const fmi2StatusKind, fmi2String*)
-RSI_REFUSED(fmi2SetRealInputDerivatives, const fmi2ValueReference[], size_t, const fmi2Integer[], const fmi2Real[])
+RSI_REFUSED(fmi2SetRealInputDerivatives, const fmi2ValueReference[], size_t, const fmi2Integer[],
+            const fmi2Real[])
 RSI_REFUSED(fmi2GetRealOutputDerivatives, const fmi2ValueReference[], size_t, const fmi2Integer[], fmi2Real[])
-RSI_REFUSED(fmi2GetDirectionalDerivative, const fmi2ValueReference[], size_t, const fmi2ValueReference[], size_t,
-            const fmi2Real[], fmi2Real[])
+RSI_REFUSED(fmi2GetDirectionalDerivative, const fmi2ValueReference[], size_t, const fmi2ValueReference[],
+            size_t, const fmi2Real[], fmi2Real[])
 #undef RSI_REFUSED

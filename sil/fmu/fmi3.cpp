@@ -29,7 +29,8 @@ fmi3Status guarded(fmi3Instance instance, Action action) {
 
 fmi3Status refused(fmi3Instance instance, const char* function) {
     return guarded(instance, [function](Instance& object) {
-        return object.refuse(std::string{function} + " is not offered by this FMU; modelDescription.xml says what is");
+        return object.refuse(std::string{function} +
+                             " is not offered by this FMU; modelDescription.xml says what is");
     });
 }
 
@@ -71,10 +72,12 @@ RSI_FMI3_EXPORT fmi3Status fmi3SetDebugLogging(fmi3Instance, fmi3Boolean, size_t
     return fmi3OK;  // only what is wrong is logged, and that always
 }
 
-RSI_FMI3_EXPORT fmi3Instance fmi3InstantiateCoSimulation(
-    fmi3String name, fmi3String token, fmi3String, fmi3Boolean, fmi3Boolean, fmi3Boolean,
-    fmi3Boolean, const fmi3ValueReference[], size_t, fmi3InstanceEnvironment environment,
-    fmi3LogMessageCallback log_message, fmi3IntermediateUpdateCallback) {
+RSI_FMI3_EXPORT fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String,
+                                                         fmi3Boolean, fmi3Boolean, fmi3Boolean, fmi3Boolean,
+                                                         const fmi3ValueReference[], size_t,
+                                                         fmi3InstanceEnvironment environment,
+                                                         fmi3LogMessageCallback log_message,
+                                                         fmi3IntermediateUpdateCallback) {
     const auto log = [environment, log_message](const std::string& sentence) {
         if (log_message != nullptr) {
             log_message(environment, fmi3Error, error_category, sentence.c_str());
@@ -143,14 +146,14 @@ RSI_FMI3_EXPORT fmi3Status fmi3EnterStepMode(fmi3Instance instance) {
     return refused(instance, "fmi3EnterStepMode");
 }
 
-#define RSI_GETTER(type, kind)                                                                                 \
-    RSI_FMI3_EXPORT fmi3Status fmi3Get##type(fmi3Instance instance, const fmi3ValueReference references[],     \
-                                             size_t count, fmi3##type values[], size_t) {                      \
-        return get(instance, kind, references, count, values);                                                 \
-    }                                                                                                          \
-    RSI_FMI3_EXPORT fmi3Status fmi3Set##type(fmi3Instance instance, const fmi3ValueReference references[],     \
-                                             size_t count, const fmi3##type values[], size_t) {                \
-        return set(instance, kind, references, count, values);                                                 \
+#define RSI_GETTER(type, kind)                                                                             \
+    RSI_FMI3_EXPORT fmi3Status fmi3Get##type(fmi3Instance instance, const fmi3ValueReference references[], \
+                                             size_t count, fmi3##type values[], size_t) {                  \
+        return get(instance, kind, references, count, values);                                             \
+    }                                                                                                      \
+    RSI_FMI3_EXPORT fmi3Status fmi3Set##type(fmi3Instance instance, const fmi3ValueReference references[], \
+                                             size_t count, const fmi3##type values[], size_t) {            \
+        return set(instance, kind, references, count, values);                                             \
     }
 RSI_GETTER(Float64, Kind::number)
 RSI_GETTER(Int32, Kind::integer)
@@ -194,7 +197,8 @@ RSI_FMI3_EXPORT fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState*
     return guarded(instance, [=](Instance& object) { return object.free_state(state); });
 }
 
-RSI_FMI3_EXPORT fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState state, size_t* size) {
+RSI_FMI3_EXPORT fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState state,
+                                                      size_t* size) {
     return guarded(instance, [=](Instance& object) { return object.serialised_size(state, *size); });
 }
 
@@ -209,12 +213,12 @@ RSI_FMI3_EXPORT fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const 
 }
 
 // There for importers that look up every function of the interface.
-#define RSI_REFUSED(name, ...)                                             \
+#define RSI_REFUSED(name, ...)                                              \
     RSI_FMI3_EXPORT fmi3Status name(fmi3Instance instance, ##__VA_ARGS__) { \
-        return refused(instance, #name);                                   \
+        return refused(instance, #name);                                    \
     }
-#define RSI_REFUSED_TYPE(type)                                                                                \
-    RSI_REFUSED(fmi3Get##type, const fmi3ValueReference[], size_t, fmi3##type[], size_t)                      \
+#define RSI_REFUSED_TYPE(type)                                                           \
+    RSI_REFUSED(fmi3Get##type, const fmi3ValueReference[], size_t, fmi3##type[], size_t) \
     RSI_REFUSED(fmi3Set##type, const fmi3ValueReference[], size_t, const fmi3##type[], size_t)
 RSI_REFUSED_TYPE(Float32)
 RSI_REFUSED_TYPE(Int8)
@@ -230,24 +234,27 @@ RSI_REFUSED(fmi3SetClock, const fmi3ValueReference[], size_t, const fmi3Clock[])
 RSI_REFUSED(fmi3GetNumberOfVariableDependencies, fmi3ValueReference, size_t*)
 RSI_REFUSED(fmi3GetVariableDependencies, fmi3ValueReference, size_t[], fmi3ValueReference[], size_t[],
             fmi3DependencyKind[], size_t)
-RSI_REFUSED(fmi3GetDirectionalDerivative, const fmi3ValueReference[], size_t, const fmi3ValueReference[], size_t,
-            const fmi3Float64[], size_t, fmi3Float64[], size_t)
+RSI_REFUSED(fmi3GetDirectionalDerivative, const fmi3ValueReference[], size_t, const fmi3ValueReference[],
+            size_t, const fmi3Float64[], size_t, fmi3Float64[], size_t)
 RSI_REFUSED(fmi3GetAdjointDerivative, const fmi3ValueReference[], size_t, const fmi3ValueReference[], size_t,
             const fmi3Float64[], size_t, fmi3Float64[], size_t)
-RSI_REFUSED(fmi3GetOutputDerivatives, const fmi3ValueReference[], size_t, const fmi3Int32[], fmi3Float64[], size_t)
+RSI_REFUSED(fmi3GetOutputDerivatives, const fmi3ValueReference[], size_t, const fmi3Int32[], fmi3Float64[],
+            size_t)
 RSI_REFUSED(fmi3EnterConfigurationMode)
 RSI_REFUSED(fmi3ExitConfigurationMode)
 RSI_REFUSED(fmi3EnterEventMode)
 RSI_REFUSED(fmi3EvaluateDiscreteStates)
 RSI_REFUSED(fmi3UpdateDiscreteStates, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*,
             fmi3Float64*)
-RSI_REFUSED(fmi3GetIntervalDecimal, const fmi3ValueReference[], size_t, fmi3Float64[], fmi3IntervalQualifier[])
+RSI_REFUSED(fmi3GetIntervalDecimal, const fmi3ValueReference[], size_t, fmi3Float64[],
+            fmi3IntervalQualifier[])
 RSI_REFUSED(fmi3GetIntervalFraction, const fmi3ValueReference[], size_t, fmi3UInt64[], fmi3UInt64[],
             fmi3IntervalQualifier[])
 RSI_REFUSED(fmi3GetShiftDecimal, const fmi3ValueReference[], size_t, fmi3Float64[])
 RSI_REFUSED(fmi3GetShiftFraction, const fmi3ValueReference[], size_t, fmi3UInt64[], fmi3UInt64[])
 RSI_REFUSED(fmi3SetIntervalDecimal, const fmi3ValueReference[], size_t, const fmi3Float64[])
-RSI_REFUSED(fmi3SetIntervalFraction, const fmi3ValueReference[], size_t, const fmi3UInt64[], const fmi3UInt64[])
+RSI_REFUSED(fmi3SetIntervalFraction, const fmi3ValueReference[], size_t, const fmi3UInt64[],
+            const fmi3UInt64[])
 RSI_REFUSED(fmi3SetShiftDecimal, const fmi3ValueReference[], size_t, const fmi3Float64[])
 RSI_REFUSED(fmi3SetShiftFraction, const fmi3ValueReference[], size_t, const fmi3UInt64[], const fmi3UInt64[])
 RSI_REFUSED(fmi3EnterContinuousTimeMode)

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <utility>
 
-#include "sil/fmu/serial_state.hpp"
 #include "sil/fmu/sentence.hpp"
+#include "sil/fmu/serial_state.hpp"
 #include "sil/fmu/start_values.hpp"
 
 namespace fmu {
@@ -298,7 +298,8 @@ bool Instance::serialise(const void* state, unsigned char* bytes, std::size_t si
 bool Instance::deserialise(const unsigned char* bytes, std::size_t size, void** state) {
     auto fresh = std::make_unique<SavedState>(copy_of(now_));
     if (bytes == nullptr || !from_bytes(std::string{bytes, bytes + size}, *fresh)) {
-        return refuse("these bytes are no state of this FMU, or they are damaged; give those that it serialised");
+        return refuse(
+            "these bytes are no state of this FMU, or they are damaged; give those that it serialised");
     }
     *state = keep(std::move(fresh), *state);
     return true;

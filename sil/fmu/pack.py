@@ -1,4 +1,5 @@
-"""Links and packs the FMUs, for sil/fmu/build: pack.py VEHICLE.toml CALIBRATION.toml DIR."""
+"""Links and packs the FMUs, for sil/fmu/build: pack.py VEHICLE.toml CALIBRATION.toml DIR BUILD, BUILD being the folder in
+which its targets were built."""
 
 import dataclasses
 import hashlib
@@ -17,11 +18,12 @@ sys.path.insert(0, str(PROJECT / "cmake/environment"))
 import description
 import whole_file
 
-BUILT = PROJECT / "build/release/sil"
 COMPILER = "/usr/bin/g++"
 OPTIONS = ("-std=c++17", "-O2", "-fPIC", "-ffp-contract=off", "-fvisibility=hidden", "-fvisibility-inlines-hidden")
 UNIT = "rsi_ecu.cpp"  # the only source to be compiled; it includes the others
-INTERFACE = ("fmi2.cpp", "fmi3.cpp", "instance.cpp", "serial_state.cpp", "variable_text.cpp")
+INTERFACE = ("fmi2.cpp", "fmi3.cpp", "instance.cpp", "serial_state.cpp")
+# Else two FMUs in a process might find each other's functions.
+EXPORTED = "{ global: fmi2*; fmi3*; rsi_fmu_variables; local: *; };\n"
 
 
 @dataclasses.dataclass
@@ -30,17 +32,19 @@ class Model:
     name: str
     description: str
     serialises: bool
-    archives: list  # the first one as a whole, the others as far as it needs them
+    archives: tuple  # within the build; the first one as a whole, the others as far as it needs them
+    headers: tuple  # whose comments say what the parameters mean
     start_values: str = ""
     token: str = ""
     version: str = ""
 
 
 ECU = Model("rsi_ecu", "Rollover-warning ECU component",
-            "warns of a rollover before two wheels lift; steps every 10 ms, physical signals", True, [BUILT / "fmu/libfmu_ecu.a"])
+            "warns of a rollover before two wheels lift; steps every 10 ms, physical signals", True, ("fmu/libfmu_ecu.a",),
+            (PROJECT / "firmware/rsi/rsi.h",))
 VEHICLE = Model("rsi_vehicle", "Simulated vehicle", "14 degrees of freedom, with driver, road and sensors", False,
-                [BUILT / "fmu/libfmu_vehicle.a"] + [BUILT / f"world/{room}/libsil_{room}.a"
-                                                    for room in ("manoeuvres", "sensors", "vehicle")])
+                ("fmu/libfmu_vehicle.a", *(f"world/{room}/libsil_{room}.a" for room in ("manoeuvres", "sensors", "vehicle"))),
+                (PROJECT / "sil/world/vehicle/parameters.hpp",))
 
 
 def run(*command):
@@ -51,10 +55,11 @@ def run(*command):
     return done.stdout
 
 
-def complete(model, kind, file):
+def complete(model, kind, file, build):
     """Start values, and a token that another binary or another file changes."""
-    values = run(BUILT / "fmu/fmu-start-values", kind, file)
+    values = run(build / "sil/fmu/fmu-start-values", kind, file)
     digest = hashlib.sha256(values.encode())
+    model.archives = tuple(build / "sil" / archive for archive in model.archives)
     for archive in model.archives:
         digest.update(archive.read_bytes())
     model.version = re.search(r'RSI_VERSION "(.*)"', whole_file.read(PROJECT / "firmware/rsi/version.h"))[1]
@@ -70,8 +75,10 @@ def complete(model, kind, file):
 def link(model, folder):
     """The shared library in `folder`."""
     source, binary = folder / "start_values.cpp", folder / f"{model.identifier}.so"
+    exported = folder / "exported"
     source.write_text(model.start_values)
-    run(COMPILER, *OPTIONS, f"-I{PROJECT}", "-shared", "-Wl,-z,defs", "-s", "-o", binary, source,
+    exported.write_text(EXPORTED)
+    run(COMPILER, *OPTIONS, f"-I{PROJECT}", "-shared", "-Wl,-z,defs", f"-Wl,--version-script={exported}", "-s", "-o", binary, source,
         "-Wl,--whole-archive", model.archives[0], "-Wl,--no-whole-archive", *model.archives[1:])
     return binary
 
@@ -120,9 +127,9 @@ def pack(path, files):
             archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
 
 
-def main(vehicle_file, calibration, output):
-    complete(ECU, "calibration", calibration)
-    complete(VEHICLE, "vehicle", vehicle_file)
+def main(vehicle_file, calibration, output, build):
+    complete(ECU, "calibration", calibration, build)
+    complete(VEHICLE, "vehicle", vehicle_file, build)
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
         sources = sources_of_ecu(scratch / "export")
@@ -133,6 +140,7 @@ def main(vehicle_file, calibration, output):
         for model in (ECU, VEHICLE):
             binary = link(model, scratch)
             rows = description.table_of(binary)
+            description.explain(rows, *model.headers)
             own = sources if model is ECU else {}
             licence = (PROJECT / "LICENSE").read_bytes()
             for version in (2, 3):

@@ -1,5 +1,5 @@
-// Variable text: the table of variables for whoever packs the FMU, so that modelDescription.xml is made of the
-// binary beside it.
+// Variable text: the table of variables for whoever packs the FMU, so that modelDescription.xml is made of
+// the binary beside it.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -27,9 +27,9 @@ std::string line_of(const fmu::Variable& variable) {
     for (const std::string& field :
          {std::string{roles[static_cast<std::size_t>(variable.role)]},
           std::string{kinds[static_cast<std::size_t>(variable.kind)]}, variable.name,
-          variable.kind == fmu::Kind::text ? variable.start_text : exact(variable.start), exact(variable.least),
-          exact(variable.largest), std::string{variable.may_be_missing ? "1" : "0"}, variable.unit, choices,
-          variable.meaning}) {
+          variable.kind == fmu::Kind::text ? variable.start_text : exact(variable.start),
+          exact(variable.least), exact(variable.largest), std::string{variable.may_be_missing ? "1" : "0"},
+          variable.unit, choices, variable.meaning}) {
         line += (line.empty() ? "" : "\t") + field;
     }
     return line + "\n";

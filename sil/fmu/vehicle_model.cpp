@@ -63,9 +63,11 @@ constexpr TrueOutput true_outputs[] = {
     {"true.load_transfer_ratio", "of the wheel loads, right less left over all; no number in the air",
      [](const Plant& p) { return sil::true_load_transfer_ratio(p.run.truth()); }},
     {"true.two_wheel_lift_time_s",
-     "since the start: when both wheels of a side began to carry nothing for 50 ms or longer; no number before",
+     "since the start: when both wheels of a side began to carry nothing for 50 ms or longer; no number "
+     "before",
      [](const Plant& p) { return p.lift.lift_off() ? p.lift.lift_off()->moment.time_s : nothing; }},
-    {"true.roll_angle_rad", "of the body against the road", [](const Plant& p) { return p.run.truth().roll_angle_rad; }},
+    {"true.roll_angle_rad", "of the body against the road",
+     [](const Plant& p) { return p.run.truth().roll_angle_rad; }},
     {"true.roll_rate_radps", "about the body's x axis",
      [](const Plant& p) { return p.run.truth().angular_velocity_radps[0]; }},
     {"true.lateral_acceleration_mps2", "horizontal, at the CG",
@@ -84,7 +86,8 @@ struct Flag {
 };
 constexpr Flag flags[] = {
     {"true.two_left_wheels_lifted", "both wheels of the left side carry nothing", sil::left_side_has_lifted},
-    {"true.two_right_wheels_lifted", "both wheels of the right side carry nothing", sil::right_side_has_lifted},
+    {"true.two_right_wheels_lifted", "both wheels of the right side carry nothing",
+     sil::right_side_has_lifted},
 };
 
 // Where the groups of rows begin.
@@ -93,7 +96,16 @@ struct Layout {
     std::size_t inputs{0U};
     std::size_t outputs{0U};
 };
-enum Setting : std::size_t { manoeuvre, mirrored, initial_speed, noise, seed, bank_sensor, attitude_sensor, mass_sensor };
+enum Setting : std::size_t {
+    manoeuvre,
+    mirrored,
+    initial_speed,
+    noise,
+    seed,
+    bank_sensor,
+    attitude_sensor,
+    mass_sensor
+};
 enum Input : std::size_t { steering, speed, brake, off_throttle };
 
 class Table {
@@ -107,10 +119,12 @@ class Table {
         }
         layout.settings = rows.size();
         add("manoeuvre", Role::parameter, Kind::text,
-            "inputs: the driver's inputs are followed; else the name of a manoeuvre, as `rsi-sil run --list` has them");
+            "inputs: the driver's inputs are followed; else the name of a manoeuvre, as `rsi-sil run --list` "
+            "has them");
         rows.back().start_text = by_inputs;
         add("mirrored", Role::parameter, Kind::boolean, "the manoeuvre's first turn is to the right");
-        add("initial_speed_mps", Role::parameter, Kind::number, "with the driver's inputs", 25.0).within(1.0, 80.0);
+        add("initial_speed_mps", Role::parameter, Kind::number, "with the driver's inputs", 25.0)
+            .within(1.0, 80.0);
         add("sensors.noise", Role::parameter, Kind::boolean, "that of ordinary automotive sensors");
         add("sensors.seed", Role::parameter, Kind::integer, "of the noise", 1.0).within(0.0, 2147483647.0);
         add("sensors.bank_sensor", Role::parameter, Kind::boolean, "the road's bank is measured");
@@ -118,8 +132,10 @@ class Table {
             "the roll angle is measured against the horizon");
         add("sensors.mass_sensor", Role::parameter, Kind::boolean, "the vehicle's mass is measured");
         layout.inputs = rows.size();
-        add("driver.steering_wheel_angle_rad", Role::input, Kind::number, "positive to the left").within(-30.0, 30.0);
-        add("driver.speed_mps", Role::input, Kind::number, "to be held; no number: the initial speed", nothing);
+        add("driver.steering_wheel_angle_rad", Role::input, Kind::number, "positive to the left")
+            .within(-30.0, 30.0);
+        add("driver.speed_mps", Role::input, Kind::number, "to be held; no number: the initial speed",
+            nothing);
         rows.back().may_be_missing = true;
         add("driver.brake", Role::input, Kind::number, "0 released, 1 full").within(0.0, 1.0);
         add("driver.off_throttle", Role::input, Kind::boolean, "no speed is held, the engine brakes");
@@ -182,7 +198,8 @@ class VehicleModel final : public Model {
         try {
             what = name == by_inputs ? driven_by_inputs() : sil::find_manoeuvre(name);
         } catch (const sil::UnknownManoeuvre& error) {
-            return std::string{"parameter manoeuvre: "} + error.what() + " Or inputs, to drive it by its inputs.";
+            return std::string{"parameter manoeuvre: "} + error.what() +
+                   " Or inputs, to drive it by its inputs.";
         }
         sil::RunOptions options;
         options.mirrored = setting(mirrored) != 0.0;
@@ -233,7 +250,8 @@ class VehicleModel final : public Model {
         asked_->steering_wheel_angle_rad = input(steering);
         asked_->speed_share = std::isfinite(input(speed)) ? input(speed) / initial_speed_mps_ : 1.0;
         asked_->brake = input(brake);
-        asked_->speed_policy = input(off_throttle) != 0.0 ? sil::SpeedPolicy::off_throttle : sil::SpeedPolicy::held;
+        asked_->speed_policy =
+            input(off_throttle) != 0.0 ? sil::SpeedPolicy::off_throttle : sil::SpeedPolicy::held;
     }
 
     void tell(Values& values) {

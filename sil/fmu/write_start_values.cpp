@@ -1,4 +1,5 @@
-// Reads a calibration or a vehicle as the programs do, and prints the parameters' values for start_values.hpp.
+// Reads a calibration or a vehicle as the programs do, and prints the parameters' values for
+// start_values.hpp.
 #include <fmt/format.h>
 
 #include <exception>
@@ -31,7 +32,8 @@ void print_vehicle(const char* path) {
 }  // namespace
 
 int main(int count, char** words) {
-    if (count != 3 || (std::string_view{words[1]} != "calibration" && std::string_view{words[1]} != "vehicle")) {
+    if (count != 3 ||
+        (std::string_view{words[1]} != "calibration" && std::string_view{words[1]} != "vehicle")) {
         fmt::print(stderr, "Use: fmu-start-values calibration|vehicle FILE.toml      For sil/fmu/build.\n");
         return 2;
     }

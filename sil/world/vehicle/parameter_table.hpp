@@ -14,19 +14,19 @@ struct VehicleField {
     bool may_be_left_out{false};  // 0 then
 };
 
-#define RSI_PLACED(table, place, key, lowest, highest, ...)                                           \
-    VehicleField {                                                                                    \
-        #table, #key, [](VehicleParameters& p) -> double& { return p.place.key; }, lowest, highest,   \
-            ##__VA_ARGS__                                                                             \
+#define RSI_PLACED(table, place, key, lowest, highest, ...)                                         \
+    VehicleField {                                                                                  \
+        #table, #key, [](VehicleParameters& p) -> double& { return p.place.key; }, lowest, highest, \
+            ##__VA_ARGS__                                                                           \
     }
 #define RSI_FIELD(table, key, ...) RSI_PLACED(table, table, key, __VA_ARGS__)
-#define RSI_SPRING_DAMPER(table)                                                                      \
-    RSI_PLACED(table, table.spring_damper, spring_npm, 1.0e3, 2.0e6),                                 \
-        RSI_PLACED(table, table.spring_damper, jounce_clearance_m, 0.0, 1.0),                         \
-        RSI_PLACED(table, table.spring_damper, rebound_clearance_m, 0.0, 1.0),                        \
-        RSI_PLACED(table, table.spring_damper, jounce_stop_npm2, 0.0, 50.0e6),                        \
-        RSI_PLACED(table, table.spring_damper, rebound_stop_npm2, 0.0, 50.0e6),                       \
-        RSI_PLACED(table, table.spring_damper, damper_bump_nspm, 0.0, 500.0e3),                       \
+#define RSI_SPRING_DAMPER(table)                                                \
+    RSI_PLACED(table, table.spring_damper, spring_npm, 1.0e3, 2.0e6),           \
+        RSI_PLACED(table, table.spring_damper, jounce_clearance_m, 0.0, 1.0),   \
+        RSI_PLACED(table, table.spring_damper, rebound_clearance_m, 0.0, 1.0),  \
+        RSI_PLACED(table, table.spring_damper, jounce_stop_npm2, 0.0, 50.0e6),  \
+        RSI_PLACED(table, table.spring_damper, rebound_stop_npm2, 0.0, 50.0e6), \
+        RSI_PLACED(table, table.spring_damper, damper_bump_nspm, 0.0, 500.0e3), \
         RSI_PLACED(table, table.spring_damper, damper_rebound_nspm, 0.0, 500.0e3)
 
 // Table by table.
