@@ -76,8 +76,8 @@ def link(model, folder):
     """The shared library in `folder`."""
     source, binary = folder / "start_values.cpp", folder / f"{model.identifier}.so"
     exported = folder / "exported"
-    source.write_text(model.start_values)
-    exported.write_text(EXPORTED)
+    whole_file.write(source, model.start_values)
+    whole_file.write(exported, EXPORTED)
     run(COMPILER, *OPTIONS, f"-I{PROJECT}", "-shared", "-Wl,-z,defs", f"-Wl,--version-script={exported}", "-s", "-o", binary, source,
         "-Wl,--whole-archive", model.archives[0], "-Wl,--no-whole-archive", *model.archives[1:])
     return binary
