@@ -180,7 +180,7 @@ def fmi2(model, rows, sources):
     root.set("numberOfEventIndicators", "0")
     simulation = ElementTree.SubElement(
         root, "CoSimulation", modelIdentifier=model.identifier, canHandleVariableCommunicationStepSize="true",
-        canGetAndSetFMUstate="true", canSerializeFMUstate=str(model.serialises).lower())
+        canNotUseMemoryManagementFunctions="true", canGetAndSetFMUstate="true", canSerializeFMUstate=str(model.serialises).lower())
     if sources:
         files = ElementTree.SubElement(simulation, "SourceFiles")
         for source in sources:

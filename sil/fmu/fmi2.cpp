@@ -239,18 +239,19 @@ RSI_FMI2_EXPORT fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2
 }
 
 // There for importers that look up every function of the interface.
-#define RSI_REFUSED(name, ...)                                                \
-    RSI_FMI2_EXPORT fmi2Status name(fmi2Component component, ##__VA_ARGS__) { \
-        return refused(component, #name);                                     \
+#define RSI_REFUSED(name, parameters)            \
+    RSI_FMI2_EXPORT fmi2Status name parameters { \
+        return refused(component, #name);        \
     }
-RSI_REFUSED(fmi2CancelStep)
-RSI_REFUSED(fmi2GetStatus, const fmi2StatusKind, fmi2Status*)
-RSI_REFUSED(fmi2GetIntegerStatus, const fmi2StatusKind, fmi2Integer*)
-RSI_REFUSED(fmi2GetBooleanStatus, const fmi2StatusKind, fmi2Boolean*)
-RSI_REFUSED(fmi2GetStringStatus, const fmi2StatusKind, fmi2String*)
-RSI_REFUSED(fmi2SetRealInputDerivatives, const fmi2ValueReference[], size_t, const fmi2Integer[],
-            const fmi2Real[])
-RSI_REFUSED(fmi2GetRealOutputDerivatives, const fmi2ValueReference[], size_t, const fmi2Integer[], fmi2Real[])
-RSI_REFUSED(fmi2GetDirectionalDerivative, const fmi2ValueReference[], size_t, const fmi2ValueReference[],
-            size_t, const fmi2Real[], fmi2Real[])
+RSI_REFUSED(fmi2CancelStep, (fmi2Component component))
+RSI_REFUSED(fmi2GetStatus, (fmi2Component component, const fmi2StatusKind, fmi2Status*))
+RSI_REFUSED(fmi2GetIntegerStatus, (fmi2Component component, const fmi2StatusKind, fmi2Integer*))
+RSI_REFUSED(fmi2GetBooleanStatus, (fmi2Component component, const fmi2StatusKind, fmi2Boolean*))
+RSI_REFUSED(fmi2GetStringStatus, (fmi2Component component, const fmi2StatusKind, fmi2String*))
+RSI_REFUSED(fmi2SetRealInputDerivatives, (fmi2Component component, const fmi2ValueReference[], size_t,
+                                          const fmi2Integer[], const fmi2Real[]))
+RSI_REFUSED(fmi2GetRealOutputDerivatives,
+            (fmi2Component component, const fmi2ValueReference[], size_t, const fmi2Integer[], fmi2Real[]))
+RSI_REFUSED(fmi2GetDirectionalDerivative, (fmi2Component component, const fmi2ValueReference[], size_t,
+                                           const fmi2ValueReference[], size_t, const fmi2Real[], fmi2Real[]))
 #undef RSI_REFUSED

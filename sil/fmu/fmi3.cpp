@@ -213,13 +213,15 @@ RSI_FMI3_EXPORT fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const 
 }
 
 // There for importers that look up every function of the interface.
-#define RSI_REFUSED(name, ...)                                              \
-    RSI_FMI3_EXPORT fmi3Status name(fmi3Instance instance, ##__VA_ARGS__) { \
-        return refused(instance, #name);                                    \
+#define RSI_REFUSED(name, parameters)            \
+    RSI_FMI3_EXPORT fmi3Status name parameters { \
+        return refused(instance, #name);         \
     }
-#define RSI_REFUSED_TYPE(type)                                                           \
-    RSI_REFUSED(fmi3Get##type, const fmi3ValueReference[], size_t, fmi3##type[], size_t) \
-    RSI_REFUSED(fmi3Set##type, const fmi3ValueReference[], size_t, const fmi3##type[], size_t)
+#define RSI_REFUSED_TYPE(type)                                                                     \
+    RSI_REFUSED(fmi3Get##type,                                                                     \
+                (fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3##type[], size_t)) \
+    RSI_REFUSED(fmi3Set##type,                                                                     \
+                (fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3##type[], size_t))
 RSI_REFUSED_TYPE(Float32)
 RSI_REFUSED_TYPE(Int8)
 RSI_REFUSED_TYPE(UInt8)
@@ -227,46 +229,54 @@ RSI_REFUSED_TYPE(Int16)
 RSI_REFUSED_TYPE(UInt16)
 RSI_REFUSED_TYPE(UInt32)
 RSI_REFUSED_TYPE(UInt64)
-RSI_REFUSED(fmi3GetBinary, const fmi3ValueReference[], size_t, size_t[], fmi3Binary[], size_t)
-RSI_REFUSED(fmi3SetBinary, const fmi3ValueReference[], size_t, const size_t[], const fmi3Binary[], size_t)
-RSI_REFUSED(fmi3GetClock, const fmi3ValueReference[], size_t, fmi3Clock[])
-RSI_REFUSED(fmi3SetClock, const fmi3ValueReference[], size_t, const fmi3Clock[])
-RSI_REFUSED(fmi3GetNumberOfVariableDependencies, fmi3ValueReference, size_t*)
-RSI_REFUSED(fmi3GetVariableDependencies, fmi3ValueReference, size_t[], fmi3ValueReference[], size_t[],
-            fmi3DependencyKind[], size_t)
-RSI_REFUSED(fmi3GetDirectionalDerivative, const fmi3ValueReference[], size_t, const fmi3ValueReference[],
-            size_t, const fmi3Float64[], size_t, fmi3Float64[], size_t)
-RSI_REFUSED(fmi3GetAdjointDerivative, const fmi3ValueReference[], size_t, const fmi3ValueReference[], size_t,
-            const fmi3Float64[], size_t, fmi3Float64[], size_t)
-RSI_REFUSED(fmi3GetOutputDerivatives, const fmi3ValueReference[], size_t, const fmi3Int32[], fmi3Float64[],
-            size_t)
-RSI_REFUSED(fmi3EnterConfigurationMode)
-RSI_REFUSED(fmi3ExitConfigurationMode)
-RSI_REFUSED(fmi3EnterEventMode)
-RSI_REFUSED(fmi3EvaluateDiscreteStates)
-RSI_REFUSED(fmi3UpdateDiscreteStates, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*,
-            fmi3Float64*)
-RSI_REFUSED(fmi3GetIntervalDecimal, const fmi3ValueReference[], size_t, fmi3Float64[],
-            fmi3IntervalQualifier[])
-RSI_REFUSED(fmi3GetIntervalFraction, const fmi3ValueReference[], size_t, fmi3UInt64[], fmi3UInt64[],
-            fmi3IntervalQualifier[])
-RSI_REFUSED(fmi3GetShiftDecimal, const fmi3ValueReference[], size_t, fmi3Float64[])
-RSI_REFUSED(fmi3GetShiftFraction, const fmi3ValueReference[], size_t, fmi3UInt64[], fmi3UInt64[])
-RSI_REFUSED(fmi3SetIntervalDecimal, const fmi3ValueReference[], size_t, const fmi3Float64[])
-RSI_REFUSED(fmi3SetIntervalFraction, const fmi3ValueReference[], size_t, const fmi3UInt64[],
-            const fmi3UInt64[])
-RSI_REFUSED(fmi3SetShiftDecimal, const fmi3ValueReference[], size_t, const fmi3Float64[])
-RSI_REFUSED(fmi3SetShiftFraction, const fmi3ValueReference[], size_t, const fmi3UInt64[], const fmi3UInt64[])
-RSI_REFUSED(fmi3EnterContinuousTimeMode)
-RSI_REFUSED(fmi3CompletedIntegratorStep, fmi3Boolean, fmi3Boolean*, fmi3Boolean*)
-RSI_REFUSED(fmi3SetTime, fmi3Float64)
-RSI_REFUSED(fmi3SetContinuousStates, const fmi3Float64[], size_t)
-RSI_REFUSED(fmi3GetContinuousStateDerivatives, fmi3Float64[], size_t)
-RSI_REFUSED(fmi3GetEventIndicators, fmi3Float64[], size_t)
-RSI_REFUSED(fmi3GetContinuousStates, fmi3Float64[], size_t)
-RSI_REFUSED(fmi3GetNominalsOfContinuousStates, fmi3Float64[], size_t)
-RSI_REFUSED(fmi3GetNumberOfEventIndicators, size_t*)
-RSI_REFUSED(fmi3GetNumberOfContinuousStates, size_t*)
-RSI_REFUSED(fmi3ActivateModelPartition, fmi3ValueReference, fmi3Float64)
+RSI_REFUSED(fmi3GetBinary,
+            (fmi3Instance instance, const fmi3ValueReference[], size_t, size_t[], fmi3Binary[], size_t))
+RSI_REFUSED(fmi3SetBinary, (fmi3Instance instance, const fmi3ValueReference[], size_t, const size_t[],
+                            const fmi3Binary[], size_t))
+RSI_REFUSED(fmi3GetClock, (fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3Clock[]))
+RSI_REFUSED(fmi3SetClock, (fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3Clock[]))
+RSI_REFUSED(fmi3GetNumberOfVariableDependencies, (fmi3Instance instance, fmi3ValueReference, size_t*))
+RSI_REFUSED(fmi3GetVariableDependencies, (fmi3Instance instance, fmi3ValueReference, size_t[],
+                                          fmi3ValueReference[], size_t[], fmi3DependencyKind[], size_t))
+RSI_REFUSED(fmi3GetDirectionalDerivative,
+            (fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3ValueReference[], size_t,
+             const fmi3Float64[], size_t, fmi3Float64[], size_t))
+RSI_REFUSED(fmi3GetAdjointDerivative,
+            (fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3ValueReference[], size_t,
+             const fmi3Float64[], size_t, fmi3Float64[], size_t))
+RSI_REFUSED(fmi3GetOutputDerivatives, (fmi3Instance instance, const fmi3ValueReference[], size_t,
+                                       const fmi3Int32[], fmi3Float64[], size_t))
+RSI_REFUSED(fmi3EnterConfigurationMode, (fmi3Instance instance))
+RSI_REFUSED(fmi3ExitConfigurationMode, (fmi3Instance instance))
+RSI_REFUSED(fmi3EnterEventMode, (fmi3Instance instance))
+RSI_REFUSED(fmi3EvaluateDiscreteStates, (fmi3Instance instance))
+RSI_REFUSED(fmi3UpdateDiscreteStates, (fmi3Instance instance, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*,
+                                       fmi3Boolean*, fmi3Boolean*, fmi3Float64*))
+RSI_REFUSED(fmi3GetIntervalDecimal, (fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3Float64[],
+                                     fmi3IntervalQualifier[]))
+RSI_REFUSED(fmi3GetIntervalFraction, (fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3UInt64[],
+                                      fmi3UInt64[], fmi3IntervalQualifier[]))
+RSI_REFUSED(fmi3GetShiftDecimal, (fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3Float64[]))
+RSI_REFUSED(fmi3GetShiftFraction,
+            (fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3UInt64[], fmi3UInt64[]))
+RSI_REFUSED(fmi3SetIntervalDecimal,
+            (fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3Float64[]))
+RSI_REFUSED(fmi3SetIntervalFraction, (fmi3Instance instance, const fmi3ValueReference[], size_t,
+                                      const fmi3UInt64[], const fmi3UInt64[]))
+RSI_REFUSED(fmi3SetShiftDecimal,
+            (fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3Float64[]))
+RSI_REFUSED(fmi3SetShiftFraction, (fmi3Instance instance, const fmi3ValueReference[], size_t,
+                                   const fmi3UInt64[], const fmi3UInt64[]))
+RSI_REFUSED(fmi3EnterContinuousTimeMode, (fmi3Instance instance))
+RSI_REFUSED(fmi3CompletedIntegratorStep, (fmi3Instance instance, fmi3Boolean, fmi3Boolean*, fmi3Boolean*))
+RSI_REFUSED(fmi3SetTime, (fmi3Instance instance, fmi3Float64))
+RSI_REFUSED(fmi3SetContinuousStates, (fmi3Instance instance, const fmi3Float64[], size_t))
+RSI_REFUSED(fmi3GetContinuousStateDerivatives, (fmi3Instance instance, fmi3Float64[], size_t))
+RSI_REFUSED(fmi3GetEventIndicators, (fmi3Instance instance, fmi3Float64[], size_t))
+RSI_REFUSED(fmi3GetContinuousStates, (fmi3Instance instance, fmi3Float64[], size_t))
+RSI_REFUSED(fmi3GetNominalsOfContinuousStates, (fmi3Instance instance, fmi3Float64[], size_t))
+RSI_REFUSED(fmi3GetNumberOfEventIndicators, (fmi3Instance instance, size_t*))
+RSI_REFUSED(fmi3GetNumberOfContinuousStates, (fmi3Instance instance, size_t*))
+RSI_REFUSED(fmi3ActivateModelPartition, (fmi3Instance instance, fmi3ValueReference, fmi3Float64))
 #undef RSI_REFUSED_TYPE
 #undef RSI_REFUSED

@@ -143,12 +143,14 @@ def main(vehicle_file, calibration, output, build):
             description.explain(rows, *model.headers)
             own = sources if model is ECU else {}
             licence = (PROJECT / "LICENSE").read_bytes()
+            if own:
+                licence += b"\nThe headers in sources/Eigen are others': the Mozilla Public License 2.0, or what their heads say.\n"
             for version in (2, 3):
                 text = (description.fmi2(model, rows, [UNIT] if own else []) if version == 2
                         else description.fmi3(model, rows))
                 platform = "linux64" if version == 2 else "x86_64-linux"
                 files = {"modelDescription.xml": text.encode(), f"binaries/{platform}/{binary.name}": binary.read_bytes(),
-                         "documentation/licenses/LICENSE.txt": licence}
+                         "documentation/licenses/license.txt": licence}
                 if own and version == 3:
                     files["sources/buildDescription.xml"] = build_description()
                 files |= {f"sources/{name}": content for name, content in own.items()}

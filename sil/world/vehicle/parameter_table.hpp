@@ -11,23 +11,23 @@ struct VehicleField {
     double& (*of)(VehicleParameters&);
     double lowest;  // both ends are admitted
     double highest;
-    bool may_be_left_out{false};  // 0 then
+    bool may_be_left_out;  // 0 then
 };
 
-#define RSI_PLACED(table, place, key, lowest, highest, ...)                                         \
-    VehicleField {                                                                                  \
-        #table, #key, [](VehicleParameters& p) -> double& { return p.place.key; }, lowest, highest, \
-            ##__VA_ARGS__                                                                           \
+#define RSI_PLACED(table, place, key, lowest, highest, optional)                                             \
+    VehicleField {                                                                                           \
+        #table, #key, [](VehicleParameters& p) -> double& { return p.place.key; }, lowest, highest, optional \
     }
-#define RSI_FIELD(table, key, ...) RSI_PLACED(table, table, key, __VA_ARGS__)
-#define RSI_SPRING_DAMPER(table)                                                \
-    RSI_PLACED(table, table.spring_damper, spring_npm, 1.0e3, 2.0e6),           \
-        RSI_PLACED(table, table.spring_damper, jounce_clearance_m, 0.0, 1.0),   \
-        RSI_PLACED(table, table.spring_damper, rebound_clearance_m, 0.0, 1.0),  \
-        RSI_PLACED(table, table.spring_damper, jounce_stop_npm2, 0.0, 50.0e6),  \
-        RSI_PLACED(table, table.spring_damper, rebound_stop_npm2, 0.0, 50.0e6), \
-        RSI_PLACED(table, table.spring_damper, damper_bump_nspm, 0.0, 500.0e3), \
-        RSI_PLACED(table, table.spring_damper, damper_rebound_nspm, 0.0, 500.0e3)
+#define RSI_FIELD(table, key, lowest, highest) RSI_PLACED(table, table, key, lowest, highest, false)
+#define RSI_OPTIONAL(table, key, lowest, highest) RSI_PLACED(table, table, key, lowest, highest, true)
+#define RSI_SPRING(table, key, lowest, highest) \
+    RSI_PLACED(table, table.spring_damper, key, lowest, highest, false)
+#define RSI_SPRING_DAMPER(table)                                                                            \
+    RSI_SPRING(table, spring_npm, 1.0e3, 2.0e6), RSI_SPRING(table, jounce_clearance_m, 0.0, 1.0),           \
+        RSI_SPRING(table, rebound_clearance_m, 0.0, 1.0), RSI_SPRING(table, jounce_stop_npm2, 0.0, 50.0e6), \
+        RSI_SPRING(table, rebound_stop_npm2, 0.0, 50.0e6),                                                  \
+        RSI_SPRING(table, damper_bump_nspm, 0.0, 500.0e3),                                                  \
+        RSI_SPRING(table, damper_rebound_nspm, 0.0, 500.0e3)
 
 // Table by table.
 inline constexpr VehicleField vehicle_fields[] = {
@@ -78,8 +78,8 @@ inline constexpr VehicleField vehicle_fields[] = {
     RSI_FIELD(tyre, rolling_resistance, 0.0, 0.1),
 
     RSI_FIELD(steering, ratio, 1.0, 60.0),
-    RSI_FIELD(steering, lag_s, 0.0, 1.0, true),
-    RSI_FIELD(steering, compliance_radpn, 0.0, 1.0e-4, true),
+    RSI_OPTIONAL(steering, lag_s, 0.0, 1.0),
+    RSI_OPTIONAL(steering, compliance_radpn, 0.0, 1.0e-4),
 
     RSI_FIELD(driveline, front_drive_share, 0.0, 1.0),
     RSI_FIELD(driveline, drive_force_limit_n, 0.0, 200.0e3),
@@ -101,6 +101,8 @@ inline constexpr VehicleField vehicle_fields[] = {
 };
 
 #undef RSI_SPRING_DAMPER
+#undef RSI_SPRING
+#undef RSI_OPTIONAL
 #undef RSI_FIELD
 #undef RSI_PLACED
 
