@@ -34,7 +34,8 @@ class CoSimulation(support.WithFmus):
         for version in support.VERSIONS:
             with self.subTest(version=version):
                 states, told, lift_s = self.together(version, len(rows), **parameters)
-                self.assertEqual(states, states_of(rows))
+                different = [(number, *both) for number, both in enumerate(zip(states, states_of(rows))) if both[0] != both[1]]
+                self.assertEqual(different[:1], [])
                 warning_s = states.index(next(state for state in states if state[0] == 3)) * support.STEP_S
                 self.assertAlmostEqual(warning_s, summary["warning_time_s"], delta=1e-9)
                 self.assertAlmostEqual(lift_s, summary["two_wheel_lift_time_s"], delta=1e-9)

@@ -56,14 +56,14 @@ class Importers(support.WithFmus):
         with contextlib.redirect_stdout(None):
             fmpy.build.build_platform_binary(folder, build_dir=self.scratch())
         self.assertNotEqual(binary.read_bytes(), packed)
-        self.assertEqual(self.bits_of(3, binary), self.bits_of(3, None))
+        self.assertTrue(self.bits_of(3, binary) == self.bits_of(3, None), "other bits")
 
     def test_compiled_with_nothing_but_the_compiler(self):
         folder = self.scratch()
         fmpy.extract(str(self.file("ecu", 2)), unzipdir=str(folder))
         support.call("g++", "-std=c++17", "-O1", "-fPIC", "-shared", "-ffp-contract=off", "-I.", "rsi_ecu.cpp", "-o", "own.so",
                      cwd=folder / "sources")
-        self.assertEqual(self.bits_of(2, folder / "sources/own.so"), self.bits_of(2, None))
+        self.assertTrue(self.bits_of(2, folder / "sources/own.so") == self.bits_of(2, None), "other bits")
 
     def test_the_standards_own_headers_agree(self):
         support.call("g++", "-std=c++17", "-fsyntax-only", "-Wall", "-Werror", f"-I{support.PROJECT}", f"-I{HEADERS}",
