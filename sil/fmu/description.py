@@ -14,12 +14,14 @@ CYCLE_S = "0.01"
 # How a name ends, or what the table of outputs calls it: the unit's name for FMI, and its exponents and factor in SI.
 UNITS = {
     "kg": ("kg", {"kg": 1}), "m": ("m", {"m": 1}), "s": ("s", {"s": 1}), "hz": ("Hz", {"s": -1}),
-    "n": ("N", {"kg": 1, "m": 1, "s": -2}), "nm": ("N.m", {"kg": 1, "m": 2, "s": -2}), "g": ("g", {"m": 1, "s": -2, "factor": 9.80665}),
+    "n": ("N", {"kg": 1, "m": 1, "s": -2}), "nm": ("N.m", {"kg": 1, "m": 2, "s": -2}),
+    "g": ("g", {"m": 1, "s": -2, "factor": 9.80665}),
     "m2": ("m2", {"m": 2}), "mps": ("m/s", {"m": 1, "s": -1}), "mps2": ("m/s2", {"m": 1, "s": -2}),
     "rad": ("rad", {"rad": 1}), "radps": ("rad/s", {"rad": 1, "s": -1}), "radpm": ("rad/m", {"rad": 1, "m": -1}),
     "kgm2": ("kg.m2", {"kg": 1, "m": 2}), "npm": ("N/m", {"kg": 1, "s": -2}), "npm2": ("N/m2", {"kg": 1, "m": -1, "s": -2}),
     "nspm": ("N.s/m", {"kg": 1, "s": -1}), "nmprad": ("N.m/rad", {"kg": 1, "m": 2, "s": -2, "rad": -1}),
-    "nmprad3": ("N.m/rad3", {"kg": 1, "m": 2, "s": -2, "rad": -3}), "nmprad5": ("N.m/rad5", {"kg": 1, "m": 2, "s": -2, "rad": -5}),
+    "nmprad3": ("N.m/rad3", {"kg": 1, "m": 2, "s": -2, "rad": -3}),
+    "nmprad5": ("N.m/rad5", {"kg": 1, "m": 2, "s": -2, "rad": -5}),
     "nmsprad": ("N.m.s/rad", {"kg": 1, "m": 2, "s": -1, "rad": -1}), "nprad": ("N/rad", {"kg": 1, "m": 1, "s": -2, "rad": -1}),
     "radpn": ("rad/N", {"rad": 1, "kg": -1, "m": -1, "s": 2}), "prad": ("1/rad", {"rad": -1}), "pm": ("1/m", {"m": -1}),
     "pm2": ("1/m2", {"m": -2}), "s2pm": ("s2/m", {"s": 2, "m": -1}), "per_s": ("1/s", {"s": -1}),
@@ -58,7 +60,8 @@ def explain(rows, *headers):
     an "rsi_state: ..." what the values of that enumeration are."""
     text = "\n".join(whole_file.read(header) for header in headers)
     comments = {}
-    for name, remark, line in re.findall(r"^ +(?:float|double|int32_t)\s+(\w+)(?:\{\})?;\s*(?:/\*(.*?)\*/|// (.*)$)", text, re.M | re.S):
+    field = re.compile(r"^ +(?:float|double|int32_t)\s+(\w+)(?:\{\})?;\s*(?:/\*(.*?)\*/|// ([^\n]*)$)", re.M | re.S)
+    for name, remark, line in field.findall(text):
         comments[name] = " ".join((remark or line).split())
     values = {}
     for body, name in re.findall(r"typedef enum \{([^{}]*)\} (rsi_\w+);", re.sub(r"/\*.*?\*/", "", text, flags=re.S)):
@@ -119,7 +122,8 @@ def common(version, model):
 
 def attributes_of(row, reference):
     """Those of a variable that both versions call alike."""
-    attributes = {"name": row.name, "valueReference": str(reference), "causality": {"time": "independent"}.get(row.role, row.role)}
+    causality = "independent" if row.role == "time" else row.role
+    attributes = {"name": row.name, "valueReference": str(reference), "causality": causality}
     if row.meaning:
         attributes["description"] = row.meaning
     numeric = row.kind == "number"
@@ -180,7 +184,8 @@ def fmi2(model, rows, sources):
     root.set("numberOfEventIndicators", "0")
     simulation = ElementTree.SubElement(
         root, "CoSimulation", modelIdentifier=model.identifier, canHandleVariableCommunicationStepSize="true",
-        canNotUseMemoryManagementFunctions="true", canGetAndSetFMUstate="true", canSerializeFMUstate=str(model.serialises).lower())
+        canNotUseMemoryManagementFunctions="true", canGetAndSetFMUstate="true",
+        canSerializeFMUstate=str(model.serialises).lower())
     if sources:
         files = ElementTree.SubElement(simulation, "SourceFiles")
         for source in sources:
@@ -190,7 +195,8 @@ def fmi2(model, rows, sources):
     if choices:
         types = ElementTree.SubElement(root, "TypeDefinitions")
         for row in choices:
-            declared = ElementTree.SubElement(ElementTree.SubElement(types, "SimpleType", name=row.name), "Enumeration")
+            simple = ElementTree.SubElement(types, "SimpleType", name=row.name)
+            declared = ElementTree.SubElement(simple, "Enumeration")
             for value, name in enumerate(row.choices):
                 ElementTree.SubElement(declared, "Item", name=name, value=str(value))
     ElementTree.SubElement(root, "LogCategories").append(

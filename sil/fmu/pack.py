@@ -63,13 +63,13 @@ def complete(model, kind, file, build):
     for archive in model.archives:
         digest.update(archive.read_bytes())
     model.version = re.search(r'RSI_VERSION "(.*)"', whole_file.read(PROJECT / "firmware/rsi/version.h"))[1]
+    model.description += f"; {kind} {file.stem}"
     model.token = "{" + str(uuid.UUID(bytes=digest.digest()[:16])) + "}"
     model.start_values = "\n".join([
-        f"// Written by sil/fmu/build of {file.name}.",
+        "// Written by sil/fmu/build.",
         '#include "sil/fmu/start_values.hpp"', "", "namespace fmu {", "",
         f'const char* const instantiation_token = "{model.token}";', "",
-        f"const double start_values[] = {{\n{values}}};",
-        "const std::size_t start_value_count = sizeof start_values / sizeof start_values[0];", "", "}  // namespace fmu", ""])
+        f"const double start_values[] = {{\n{values}}};", "", "}  // namespace fmu", ""])
 
 
 def link(model, folder):
@@ -78,8 +78,8 @@ def link(model, folder):
     exported = folder / "exported"
     whole_file.write(source, model.start_values)
     whole_file.write(exported, EXPORTED)
-    run(COMPILER, *OPTIONS, f"-I{PROJECT}", "-shared", "-Wl,-z,defs", f"-Wl,--version-script={exported}", "-s", "-o", binary, source,
-        "-Wl,--whole-archive", model.archives[0], "-Wl,--no-whole-archive", *model.archives[1:])
+    run(COMPILER, *OPTIONS, f"-I{PROJECT}", "-shared", "-s", "-Wl,-z,defs", f"-Wl,--version-script={exported}",
+        "-o", binary, source, "-Wl,--whole-archive", model.archives[0], "-Wl,--no-whole-archive", *model.archives[1:])
     return binary
 
 
@@ -127,38 +127,44 @@ def pack(path, files):
             archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
 
 
+def files_of(model, version, binary, rows, sources):
+    """{path in the FMU: bytes}."""
+    own = sources if model is ECU else {}
+    text = description.fmi2(model, rows, [UNIT] if own else []) if version == 2 else description.fmi3(model, rows)
+    licence = (PROJECT / "LICENSE").read_bytes()
+    if own:
+        licence += b"\nThe headers in sources/Eigen are others': the Mozilla Public License 2.0, or what their heads say.\n"
+    platform = "linux64" if version == 2 else "x86_64-linux"
+    files = {"modelDescription.xml": text.encode(), f"binaries/{platform}/{binary.name}": binary.read_bytes(),
+             "documentation/licenses/license.txt": licence}
+    if own and version == 3:
+        files["sources/buildDescription.xml"] = build_description()
+    files |= {f"sources/{name}": content for name, content in own.items()}
+    if own:
+        files[f"sources/{UNIT}"] = unit(version)
+    return files
+
+
 def main(vehicle_file, calibration, output, build):
     complete(ECU, "calibration", calibration, build)
     complete(VEHICLE, "vehicle", vehicle_file, build)
+    packed = {}
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
         sources = sources_of_ecu(scratch / "export")
-        try:
-            output.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            sys.exit(f"sil/fmu/build: cannot make the folder {output}: {error.strerror}; give another --output")
         for model in (ECU, VEHICLE):
             binary = link(model, scratch)
             rows = description.table_of(binary)
             description.explain(rows, *model.headers)
-            own = sources if model is ECU else {}
-            licence = (PROJECT / "LICENSE").read_bytes()
-            if own:
-                licence += b"\nThe headers in sources/Eigen are others': the Mozilla Public License 2.0, or what their heads say.\n"
             for version in (2, 3):
-                text = (description.fmi2(model, rows, [UNIT] if own else []) if version == 2
-                        else description.fmi3(model, rows))
-                platform = "linux64" if version == 2 else "x86_64-linux"
-                files = {"modelDescription.xml": text.encode(), f"binaries/{platform}/{binary.name}": binary.read_bytes(),
-                         "documentation/licenses/license.txt": licence}
-                if own and version == 3:
-                    files["sources/buildDescription.xml"] = build_description()
-                files |= {f"sources/{name}": content for name, content in own.items()}
-                if own:
-                    files[f"sources/{UNIT}"] = unit(version)
-                path = output / f"{model.identifier}_fmi{version}.fmu"
-                pack(path, files)
-                print(path)
+                packed[f"{model.identifier}_fmi{version}.fmu"] = files_of(model, version, binary, rows, sources)
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        sys.exit(f"sil/fmu/build: cannot make the folder {output}: {error.strerror}; give another --output")
+    for name, files in packed.items():
+        pack(output / name, files)
+        print(output / name)
 
 
 if __name__ == "__main__":

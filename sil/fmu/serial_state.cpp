@@ -1,7 +1,6 @@
 #include "sil/fmu/serial_state.hpp"
 
 #include <cstring>
-#include <limits>
 #include <type_traits>
 
 #include "sil/fmu/start_values.hpp"

@@ -34,7 +34,8 @@ class CoSimulation(support.WithFmus):
         for version in support.VERSIONS:
             with self.subTest(version=version):
                 states, told, lift_s = self.together(version, len(rows), **parameters)
-                different = [(number, *both) for number, both in enumerate(zip(states, states_of(rows))) if both[0] != both[1]]
+                both = enumerate(zip(states, states_of(rows)))
+                different = [(number, ours, theirs) for number, (ours, theirs) in both if ours != theirs]
                 self.assertEqual(different[:1], [])
                 warning_s = states.index(next(state for state in states if state[0] == 3)) * support.STEP_S
                 self.assertAlmostEqual(warning_s, summary["warning_time_s"], delta=1e-9)
@@ -43,7 +44,8 @@ class CoSimulation(support.WithFmus):
                 for ours, theirs in zip(told, rows):
                     self.assertAlmostEqual(ours["lateral_specific_force_mps2"], float(theirs["sensor_lateral_acceleration_mps2"]),
                                            delta=1e-5)
-                    self.assertAlmostEqual(math.degrees(ours["roll_angle_rad"]), float(theirs["sensor_roll_angle_deg"]), delta=1e-5)
+                    self.assertAlmostEqual(math.degrees(ours["roll_angle_rad"]), float(theirs["sensor_roll_angle_deg"]),
+                                           delta=1e-5)
 
     def test_every_cycle_says_what_rsi_sil_says(self):
         self.compared()

@@ -25,10 +25,10 @@ class Importers(support.WithFmus):
                     shutil.copy(self.file(model, version), folder)
                 names = [self.file(model, version).name for model in ("ecu", "vehicle")]
                 (folder / "both.json").write_text(json.dumps(
-                    {"name": "both.fmu", "step_size": support.STEP_S, "fmu": names, "start": [[names[1], "manoeuvre", "j-turn-110"]]}),
-                    encoding="utf-8")
-                support.call(pathlib.Path(sys.executable).with_name("fmucontainer"), "-container", "both.json", "-fmu-directory", ".",
-                             "-fmi", version, cwd=folder)
+                    {"name": "both.fmu", "step_size": support.STEP_S, "fmu": names,
+                     "start": [[names[1], "manoeuvre", "j-turn-110"]]}), encoding="utf-8")
+                support.call(pathlib.Path(sys.executable).with_name("fmucontainer"), "-container", "both.json",
+                             "-fmu-directory", ".", "-fmi", version, cwd=folder)
                 rows = fmpy.simulate_fmu(str(folder / "both.fmu"), stop_time=3.0, output_interval=support.STEP_S,
                                          output=["state", "side", "true.two_wheel_lift_time_s"], logger=lambda *_: None)
                 # The container hands over between steps: what is said of a time is there at the end of its step.
