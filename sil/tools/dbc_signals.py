@@ -1,0 +1,260 @@
+"""The mapped signals of bus logs, decoded with a DBC file."""
+
+import array
+import collections
+import pathlib
+
+import cantools
+import numpy
+from cantools.database.namedsignalvalue import NamedSignalValue
+
+import progress
+from bus_log_writers import number_of
+from bus_logs import BusLog
+from log_error import LogError
+from mapping import closest
+
+# A signal as it was recorded: ascending microseconds, numbers, its unit there, and how many values were not to be had, by
+# their reason.
+Recorded = collections.namedtuple("Recorded", "times_us values unit left_out")
+
+EXTENDED = 0x8000_0000
+OUTSIDE = "outside the DBC file's range"
+LONGEST_STEP_BACK_S = 0.2  # recorders of several buses write that much out of order
+LONGEST_GAP_S = 3600.0     # as rsi-sil replay has it
+LONGEST_DRIVE_S = 12 * 3600.0
+
+
+def load(path):
+    path = pathlib.Path(path)
+    try:
+        if path.exists() and not path.is_file():
+            raise OSError(0, "it is no ordinary file")
+        # Foreign files have overlaps and lengths that contradict themselves, mostly in signals that nobody maps.
+        kind = "dbc" if path.suffix.lower() == ".dbc" else None
+        database = cantools.database.load_file(path, database_format=kind, strict=False)
+    except OSError as error:
+        raise LogError(f"{path}: cannot be read: {error.strerror}") from error
+    except Exception as error:  # a parser's many kinds, up to those of damaged numbers
+        said = " ".join(str(error).split())[:300]
+        raise LogError(f"{path}: this is no DBC file that can be read: {said}") from error
+    if not isinstance(database, cantools.database.can.Database) or not database.messages:
+        raise LogError(f"{path}: has no messages of a CAN bus; is it the right file?")
+    return database
+
+
+def names_of(database):
+    return [f"{message.name}.{signal.name}" for message in database.messages for signal in message.signals]
+
+
+def key_of(message):
+    """What a frame must have in common with a message: its identifier; of J1939 only the number of the parameter group."""
+    if message.protocol == "j1939":
+        return "pgn", parameter_group(message.frame_id)
+    return "id", message.frame_id | (EXTENDED if message.is_extended_frame else 0)
+
+
+def parameter_group(identifier):
+    is_addressed = (identifier >> 16 & 0xFF) < 0xF0
+    return identifier >> 8 & (0x3FF00 if is_addressed else 0x3FFFF)
+
+
+class Collected:
+    """The values of one mapped signal while the logs are read."""
+
+    def __init__(self, entry, signal):
+        self.entry = entry
+        self.signal = signal
+        self.times_us = array.array("q")
+        self.values = array.array("d")
+        self.left_out = collections.Counter()
+        self.examples = []
+
+    def take(self, time_us, value):
+        if isinstance(value, NamedSignalValue):
+            self.left_out["named"] += 1
+            if len(self.examples) < 3 and str(value) not in self.examples:
+                self.examples.append(str(value))
+        elif not isinstance(value, (int, float)) or value != value or value in (float("inf"), float("-inf")):
+            self.left_out["no finite number"] += 1
+        elif self.is_outside(value):
+            self.left_out[OUTSIDE] += 1
+        else:
+            self.times_us.append(time_us)
+            self.values.append(value)
+
+    def is_outside(self, value):
+        """Many senders say "not available" with a value beyond the range."""
+        low, high = self.signal.minimum, self.signal.maximum
+        if low is None or high is None or not low < high:
+            return False
+        room = abs(self.signal.scale)
+        return value < low - room or value > high + room
+
+    def recorded(self):
+        times_us = numpy.frombuffer(self.times_us, dtype="i8") if self.times_us else numpy.empty(0, dtype="i8")
+        values = numpy.frombuffer(self.values, dtype="f8") if self.values else numpy.empty(0)
+        left_out = {"named " + ", ".join(self.examples) if reason == "named" else reason: count
+                    for reason, count in self.left_out.items()}
+        return Recorded(*in_order(times_us, values), self.signal.unit, left_out)
+
+
+def in_order(times_us, values):
+    """Sorted by time; of several values at one instant the last."""
+    order = numpy.argsort(times_us, kind="stable")
+    times_us, values = times_us[order], values[order]
+    is_last = numpy.append(numpy.diff(times_us) > 0, True)[:len(times_us)]
+    return times_us[is_last], values[is_last]
+
+
+class Message:
+    """A message of which signals are mapped."""
+
+    def __init__(self, message, bus):
+        self.message = message
+        self.bus = bus
+        self.collected = []
+        self.count = 0
+        self.undecodable = 0
+        self.senders = {}  # where its frames came from: bus, and for J1939 the source address
+
+
+def wanted_messages(database, dbc, mapping):
+    """The mapped messages of the database, by the key of their frames."""
+    names = names_of(database)
+    messages = {}
+    for entry in mapping.entries:
+        message_name, _, signal_name = entry.signal.partition(".")
+        message = next((candidate for candidate in database.messages if candidate.name == message_name), None)
+        signal = next((candidate for candidate in message.signals if candidate.name == signal_name), None) if message else None
+        if signal is None:
+            mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {dbc} has no such signal; "
+                                                   f"{closest(entry.signal, names)}")
+        if is_enumeration(signal):
+            mapping.fail(entry.quantity, "signal", f"is {entry.signal}, whose values are texts ({dbc}: "
+                                                   f"{', '.join(str(name) for name in list(signal.choices.values())[:3])}, ...); map "
+                                                   "a signal that has numbers")
+        collected = Collected(entry, signal)
+        mapping.unit_factor(entry, signal.unit)  # refused before a long log is read
+        same = messages.setdefault(key_of(message), [])
+        wanted = next((known for known in same if known.message is message and known.bus == entry.bus), None)
+        if wanted is None:
+            wanted = Message(message, entry.bus)
+            same.append(wanted)
+        wanted.collected.append(collected)
+    return messages
+
+
+def is_enumeration(signal):
+    """Whether it has a text for every value that it can have."""
+    if not signal.choices or signal.is_float:
+        return False
+    low, high = signal.minimum, signal.maximum
+    values = (high - low) / abs(signal.scale) + 1 if low is not None and high is not None and high > low else 2**signal.length
+    return len(signal.choices) >= min(values, 2**signal.length)
+
+
+class Clock:
+    """Refuses times that are not those of one recording."""
+
+    def __init__(self):
+        self.first_s = self.latest_s = None
+
+    def take(self, path, time_s):
+        if not 0.0 <= time_s < 1.0e10:  # until the year 2286
+            raise LogError(f"{path}: a frame has the time {time_s:.6g} s, which no clock shows; export the log again")
+        if self.latest_s is None:
+            self.first_s = self.latest_s = time_s
+        if time_s < self.latest_s - LONGEST_STEP_BACK_S:
+            raise LogError(f"{path}: the time runs back from {self.latest_s:.6f} s to {time_s:.6f} s: two recordings in one, logs that "
+                           "are not given in their order, or a clock that was set; cut or sort them, each recording by itself")
+        if time_s - self.latest_s > LONGEST_GAP_S:
+            raise LogError(f"{path}: a gap of {time_s - self.latest_s:.0f} s after {self.latest_s:.6f} s: two recordings, or a clock that "
+                           "was set; cut the log there")
+        if time_s - self.first_s > LONGEST_DRIVE_S:
+            raise LogError(f"{path}: is longer than {LONGEST_DRIVE_S / 3600:.0f} h; cut it, `rsi-sil replay` takes no longer drive")
+        self.latest_s = max(self.latest_s, time_s)
+
+
+def read(logs, dbc, mapping):
+    """What was recorded of each mapped quantity, and a sentence on each of which there is nothing. The logs are parts of one
+    recording, in their order."""
+    database = load(dbc)
+    messages = wanted_messages(database, dbc, mapping)
+    clock = Clock()
+    for path in logs:
+        log = BusLog(path)
+        for frame in progress.told(log):
+            clock.take(path, frame.time_s)
+            take(frame, messages, path)
+    missing = check(messages, logs, dbc, mapping)
+    return {collected.entry.quantity: collected.recorded()
+            for same in messages.values() for wanted in same for collected in wanted.collected
+            if collected.entry.quantity not in missing}, missing
+
+
+def take(frame, messages, path):
+    identifier = frame.identifier | (EXTENDED if frame.extended else 0)
+    found = messages.get(("id", identifier))
+    if found is None and frame.extended:
+        found = messages.get(("pgn", parameter_group(frame.identifier)))
+    for wanted in found or ():
+        if wanted.bus is not None and wanted.bus != (number_of(frame.bus) if isinstance(wanted.bus, int) else str(frame.bus)):
+            wanted.senders.setdefault(("elsewhere", str(frame.bus)), 0)
+            continue
+        sender = ("bus", str(frame.bus), frame.identifier)
+        if sender not in wanted.senders:
+            wanted.senders[sender] = path
+        decode(frame, wanted)
+
+
+def decode(frame, wanted):
+    try:
+        values = wanted.message.decode(frame.data, allow_truncated=True)
+    except Exception:  # cantools raises several; the frame is lost, not the log
+        wanted.undecodable += 1
+        return
+    wanted.count += 1
+    time_us = round(frame.time_s * 1.0e6)
+    for collected in wanted.collected:
+        value = values.get(collected.signal.name)
+        if value is not None:
+            collected.take(time_us, value)
+
+
+def check(messages, logs, dbc, mapping):
+    """Refuses what would give a drive of two senders' values; tells why there is no value, by the quantities without one."""
+    missing = {}
+    told = ", ".join(str(path) for path in logs)
+    for wanted in (wanted for same in messages.values() for wanted in same):
+        name, quantity = wanted.message.name, wanted.collected[0].entry.quantity
+        here = [sender for sender in wanted.senders if sender[0] == "bus"]
+        buses = sorted({sender[1] for sender in here})
+        if len(buses) > 1:
+            mapping.fail(quantity, "signal", f"is of {name}, which comes on the buses {' and '.join(buses)} in {told}; choose one by a "
+                                             f"line bus = {buses[0] if buses[0].isdigit() else chr(34) + buses[0] + chr(34)}")
+        if len(here) > 1:
+            addresses = " and ".join(f"0x{sender[2] & 0xFF:02X}" for sender in here)
+            mapping.fail(quantity, "signal", f"is of {name}, which several senders send (source addresses {addresses}) in {told}; "
+                                             "export the log with one of them")
+        for collected in wanted.collected:
+            if not collected.times_us:
+                missing[collected.entry.quantity] = why_empty(wanted, collected, dbc)
+    return missing
+
+
+def why_empty(wanted, collected, dbc):
+    """A sentence on a signal of which the logs have no value."""
+    name, signal = wanted.message.name, collected.signal
+    if not wanted.count and not wanted.undecodable:
+        elsewhere = sorted(sender[1] for sender in wanted.senders)
+        bus = f", bus {wanted.bus}" if wanted.bus is not None else ""
+        return (f"there is no frame of {name} (0x{wanted.message.frame_id:X} in {dbc}{bus})"
+                + (f"; it comes on bus {', '.join(elsewhere)}" if elsewhere else ""))
+    if collected.left_out.get("named"):
+        return f"every value of {collected.entry.signal} is a text, such as '{collected.examples[0]}'"
+    if collected.left_out.get(OUTSIDE):
+        return (f"every value of {collected.entry.signal} is outside {signal.minimum} to {signal.maximum}, the DBC file's range: not "
+                "available, or of another DBC file")
+    return (f"there is no value of {collected.entry.signal} in {wanted.count} frames of {name}; {wanted.undecodable} more could not be "
+            "decoded")
