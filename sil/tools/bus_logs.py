@@ -34,7 +34,7 @@ class BusLog:
         if self.kind is None:
             raise LogError(f"{self.path}: this is no log that can be read; there are MF4, BLF, ASC and the log of "
                            "`candump -L`" + (", and it seems to be a CSV: `rsi-sil replay` reads it as it is, where its columns "
-                                             "have the names of docs/drives.md" if b"," in beginning.split(b"\n")[0] else ""))
+                                             "have the names of docs/drives.md, and `sil/tools/logs drive` without --dbc any other" if b"," in beginning.split(b"\n")[0] else ""))
 
     def _look(self):
         try:

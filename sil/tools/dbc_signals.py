@@ -1,11 +1,8 @@
 """The mapped signals of bus logs, decoded with a DBC file."""
 
-import array
-import collections
 import pathlib
 
 import cantools
-import numpy
 from cantools.database.namedsignalvalue import NamedSignalValue
 
 import progress
@@ -13,16 +10,9 @@ from bus_log_writers import number_of
 from bus_logs import BusLog
 from log_error import LogError
 from mapping import closest
-
-# A signal as it was recorded: ascending microseconds, numbers, its unit there, and how many values were not to be had, by
-# their reason.
-Recorded = collections.namedtuple("Recorded", "times_us values unit left_out")
+from recorded import OUTSIDE, TEXTS, Clock, Collected
 
 EXTENDED = 0x8000_0000
-OUTSIDE = "outside the DBC file's range"
-LONGEST_STEP_BACK_S = 0.2  # recorders of several buses write that much out of order
-LONGEST_GAP_S = 3600.0     # as rsi-sil replay has it
-LONGEST_DRIVE_S = 12 * 3600.0
 
 
 def load(path):
@@ -57,54 +47,6 @@ def key_of(message):
 def parameter_group(identifier):
     is_addressed = (identifier >> 16 & 0xFF) < 0xF0
     return identifier >> 8 & (0x3FF00 if is_addressed else 0x3FFFF)
-
-
-class Collected:
-    """The values of one mapped signal while the logs are read."""
-
-    def __init__(self, entry, signal):
-        self.entry = entry
-        self.signal = signal
-        self.times_us = array.array("q")
-        self.values = array.array("d")
-        self.left_out = collections.Counter()
-        self.examples = []
-
-    def take(self, time_us, value):
-        if isinstance(value, NamedSignalValue):
-            self.left_out["named"] += 1
-            if len(self.examples) < 3 and str(value) not in self.examples:
-                self.examples.append(str(value))
-        elif not isinstance(value, (int, float)) or value != value or value in (float("inf"), float("-inf")):
-            self.left_out["no finite number"] += 1
-        elif self.is_outside(value):
-            self.left_out[OUTSIDE] += 1
-        else:
-            self.times_us.append(time_us)
-            self.values.append(value)
-
-    def is_outside(self, value):
-        """Many senders say "not available" with a value beyond the range."""
-        low, high = self.signal.minimum, self.signal.maximum
-        if low is None or high is None or not low < high:
-            return False
-        room = abs(self.signal.scale)
-        return value < low - room or value > high + room
-
-    def recorded(self):
-        times_us = numpy.frombuffer(self.times_us, dtype="i8") if self.times_us else numpy.empty(0, dtype="i8")
-        values = numpy.frombuffer(self.values, dtype="f8") if self.values else numpy.empty(0)
-        left_out = {"named " + ", ".join(self.examples) if reason == "named" else reason: count
-                    for reason, count in self.left_out.items()}
-        return Recorded(*in_order(times_us, values), self.signal.unit, left_out)
-
-
-def in_order(times_us, values):
-    """Sorted by time; of several values at one instant the last."""
-    order = numpy.argsort(times_us, kind="stable")
-    times_us, values = times_us[order], values[order]
-    is_last = numpy.append(numpy.diff(times_us) > 0, True)[:len(times_us)]
-    return times_us[is_last], values[is_last]
 
 
 class Message:
@@ -154,28 +96,6 @@ def is_enumeration(signal):
     return len(signal.choices) >= min(values, 2**signal.length)
 
 
-class Clock:
-    """Refuses times that are not those of one recording."""
-
-    def __init__(self):
-        self.first_s = self.latest_s = None
-
-    def take(self, path, time_s):
-        if not 0.0 <= time_s < 1.0e10:  # until the year 2286
-            raise LogError(f"{path}: a frame has the time {time_s:.6g} s, which no clock shows; export the log again")
-        if self.latest_s is None:
-            self.first_s = self.latest_s = time_s
-        if time_s < self.latest_s - LONGEST_STEP_BACK_S:
-            raise LogError(f"{path}: the time runs back from {self.latest_s:.6f} s to {time_s:.6f} s: two recordings in one, logs that "
-                           "are not given in their order, or a clock that was set; cut or sort them, each recording by itself")
-        if time_s - self.latest_s > LONGEST_GAP_S:
-            raise LogError(f"{path}: a gap of {time_s - self.latest_s:.0f} s after {self.latest_s:.6f} s: two recordings, or a clock that "
-                           "was set; cut the log there")
-        if time_s - self.first_s > LONGEST_DRIVE_S:
-            raise LogError(f"{path}: is longer than {LONGEST_DRIVE_S / 3600:.0f} h; cut it, `rsi-sil replay` takes no longer drive")
-        self.latest_s = max(self.latest_s, time_s)
-
-
 def read(logs, dbc, mapping):
     """What was recorded of each mapped quantity, and a sentence on each of which there is nothing. The logs are parts of one
     recording, in their order."""
@@ -218,7 +138,9 @@ def decode(frame, wanted):
     time_us = round(frame.time_s * 1.0e6)
     for collected in wanted.collected:
         value = values.get(collected.signal.name)
-        if value is not None:
+        if isinstance(value, NamedSignalValue):
+            collected.take_text(str(value))
+        elif value is not None:
             collected.take(time_us, value)
 
 
@@ -251,7 +173,7 @@ def why_empty(wanted, collected, dbc):
         bus = f", bus {wanted.bus}" if wanted.bus is not None else ""
         return (f"there is no frame of {name} (0x{wanted.message.frame_id:X} in {dbc}{bus})"
                 + (f"; it comes on bus {', '.join(elsewhere)}" if elsewhere else ""))
-    if collected.left_out.get("named"):
+    if collected.left_out.get(TEXTS):
         return f"every value of {collected.entry.signal} is a text, such as '{collected.examples[0]}'"
     if collected.left_out.get(OUTSIDE):
         return (f"every value of {collected.entry.signal} is outside {signal.minimum} to {signal.maximum}, the DBC file's range: not "

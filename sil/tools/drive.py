@@ -1,9 +1,13 @@
 """Makes a drive for `rsi-sil replay` and `identify` from others' logs and a mapping."""
 
+import sys
+
 import numpy
 
+import consistency
 import dbc_signals
 import drive_rows
+import table_signals
 import whole_file
 from drive_quantities import QUANTITIES, REQUIRED, WHEEL_LOADS
 from log_error import LogError
@@ -21,11 +25,16 @@ def make(logs, dbc, mapping_file, output):
         if output.exists() and path.exists() and output.samefile(path):
             raise LogError(f"{path}: the result would take its place; choose another file with --output")
     told = ", ".join(str(path) for path in logs)
-    recorded, missing = dbc_signals.read(logs, dbc, mapping)
+    recorded, missing = dbc_signals.read(logs, dbc, mapping) if dbc else table_signals.read(logs, mapping)
     check_recorded(mapping, recorded, missing, told)
     drive = Drive(mapping, recorded, missing, told)
     write(output, drive, logs, mapping_file)
     print(drive.account())
+    lines, is_doubtful = consistency.told(drive.times_us, drive.columns)
+    print("\n".join(lines))
+    if is_doubtful:
+        print("sil/tools/logs: the drive was written, but its signals contradict each other (LOOK above): check signs and units in "
+              f"{mapping_file}", file=sys.stderr)
     print(f"  {output}")
 
 
