@@ -1,6 +1,9 @@
 """The mapped signals of bus logs, decoded with a DBC file."""
 
+import errno
+import json
 import pathlib
+import re
 
 import cantools
 from cantools.database.namedsignalvalue import NamedSignalValue
@@ -19,18 +22,33 @@ def load(path):
     path = pathlib.Path(path)
     try:
         if path.exists() and not path.is_file():
-            raise OSError(0, "it is no ordinary file")
+            raise OSError(errno.EINVAL, "it is no ordinary file")
+        if not path.stat().st_size:
+            raise LogError(f"{path}: the file is empty; was the copy finished?")
+        is_dbc = path.suffix.lower() == ".dbc"
         # Foreign files have overlaps and lengths that contradict themselves, mostly in signals that nobody maps.
-        kind = "dbc" if path.suffix.lower() == ".dbc" else None
-        database = cantools.database.load_file(path, database_format=kind, strict=False)
+        database = cantools.database.load_file(path, database_format="dbc" if is_dbc else None, strict=False,
+                                               encoding=encoding_of(path) if is_dbc else None)
     except OSError as error:
         raise LogError(f"{path}: cannot be read: {error.strerror}") from error
+    except LogError:
+        raise
     except Exception as error:  # a parser's many kinds, up to those of damaged numbers
         said = " ".join(str(error).split())[:300]
-        raise LogError(f"{path}: this is no DBC file that can be read: {said}") from error
+        line = re.search(r"at line (\d+), column (\d+)", said)
+        raise LogError(f"{path}{f':{line[1]}:{line[2]}' if line else ''}: this is no DBC file that can be read: {said}") from error
     if not isinstance(database, cantools.database.can.Database) or not database.messages:
         raise LogError(f"{path}: has no messages of a CAN bus; is it the right file?")
     return database
+
+
+def encoding_of(path):
+    """Of old, DBC files are in the code page of Windows; newer tools write UTF-8."""
+    try:
+        path.read_bytes().decode("utf-8")
+        return "utf-8"
+    except UnicodeDecodeError:
+        return "cp1252"
 
 
 def names_of(database):
@@ -58,7 +76,8 @@ class Message:
         self.collected = []
         self.count = 0
         self.undecodable = 0
-        self.senders = {}  # where its frames came from: bus, and for J1939 the source address
+        self.senders = {}       # by the log: buses and identifiers, which of J1939 differ in the source address
+        self.elsewhere = set()  # buses on which the mapping does not want it
 
 
 def wanted_messages(database, dbc, mapping):
@@ -120,11 +139,9 @@ def take(frame, messages, path):
         found = messages.get(("pgn", parameter_group(frame.identifier)))
     for wanted in found or ():
         if wanted.bus is not None and wanted.bus != (number_of(frame.bus) if isinstance(wanted.bus, int) else str(frame.bus)):
-            wanted.senders.setdefault(("elsewhere", str(frame.bus)), 0)
+            wanted.elsewhere.add(str(frame.bus))
             continue
-        sender = ("bus", str(frame.bus), frame.identifier)
-        if sender not in wanted.senders:
-            wanted.senders[sender] = path
+        wanted.senders.setdefault(path, set()).add((frame.bus, frame.identifier))
         decode(frame, wanted)
 
 
@@ -147,18 +164,18 @@ def decode(frame, wanted):
 def check(messages, logs, dbc, mapping):
     """Refuses what would give a drive of two senders' values; tells why there is no value, by the quantities without one."""
     missing = {}
-    told = ", ".join(str(path) for path in logs)
     for wanted in (wanted for same in messages.values() for wanted in same):
         name, quantity = wanted.message.name, wanted.collected[0].entry.quantity
-        here = [sender for sender in wanted.senders if sender[0] == "bus"]
-        buses = sorted({sender[1] for sender in here})
-        if len(buses) > 1:
-            mapping.fail(quantity, "signal", f"is of {name}, which comes on the buses {' and '.join(buses)} in {told}; choose one by a "
-                                             f"line bus = {buses[0] if buses[0].isdigit() else chr(34) + buses[0] + chr(34)}")
-        if len(here) > 1:
-            addresses = " and ".join(f"0x{sender[2] & 0xFF:02X}" for sender in here)
-            mapping.fail(quantity, "signal", f"is of {name}, which several senders send (source addresses {addresses}) in {told}; "
-                                             "export the log with one of them")
+        for path in logs:
+            here = wanted.senders.get(path, ())
+            buses = sorted({bus for bus, _ in here}, key=str)
+            if len(buses) > 1:
+                mapping.fail(quantity, "signal", f"is of {name}, which comes on the buses {' and '.join(map(str, buses))} in {path}; choose "
+                                                 f"one by a line bus = {json.dumps(buses[0])}")
+            if len(here) > 1:
+                addresses = " and ".join(f"0x{identifier & 0xFF:02X}" for _, identifier in sorted(here))
+                mapping.fail(quantity, "signal", f"is of {name}, which several senders send (source addresses {addresses}) in {path}; "
+                                                 "export the log with one of them")
         for collected in wanted.collected:
             if not collected.times_us:
                 missing[collected.entry.quantity] = why_empty(wanted, collected, dbc)
@@ -169,7 +186,7 @@ def why_empty(wanted, collected, dbc):
     """A sentence on a signal of which the logs have no value."""
     name, signal = wanted.message.name, collected.signal
     if not wanted.count and not wanted.undecodable:
-        elsewhere = sorted(sender[1] for sender in wanted.senders)
+        elsewhere = sorted(wanted.elsewhere)
         bus = f", bus {wanted.bus}" if wanted.bus is not None else ""
         return (f"there is no frame of {name} (0x{wanted.message.frame_id:X} in {dbc}{bus})"
                 + (f"; it comes on bus {', '.join(elsewhere)}" if elsewhere else ""))

@@ -62,7 +62,7 @@ class Mapping:
                            "\"Message.Signal\"") from error
         for name, table in tables.items():
             if name != "time" and name not in QUANTITIES:
-                raise LogError(f"{self.place(name)}: {name} is no quantity of a drive; there are {closest(name, QUANTITIES)}")
+                raise LogError(f"{self.place(name)}: {name} is no quantity of a drive; {closest(name, QUANTITIES)}")
             if not isinstance(table, dict):
                 self.fail(name, None, f"must be a table: a line [{name}], then the line signal = \"Message.Signal\"")
         return tables
@@ -130,8 +130,8 @@ class Mapping:
         factor = factor_of(entry.unit if entry.unit is not None else unit_of_log, dimension)
         if factor is None:
             said = f"'{unit_of_log}'" if unit_of_log else "none"
-            self.fail(entry.quantity, "signal", f"is {entry.signal}, and the log's or DBC file's unit of it is {said}, which does "
-                                                f"not do; add unit = one of {admitted(dimension)}")
+            self.fail(entry.quantity, "signal", f"is {entry.signal}, whose unit in the log or DBC file ({said}) does not do; add "
+                                                f"unit = one of {admitted(dimension)}")
         return factor
 
 
@@ -154,4 +154,4 @@ def closest(name, names):
     if near:
         return "close to it: " + ", ".join(by_lower_case[key] for key in near)
     shown = sorted(names)[:15]
-    return ", ".join(shown) + (f" and {len(names) - len(shown)} more" if len(names) > len(shown) else "")
+    return "there are " + ", ".join(shown) + (f" and {len(names) - len(shown)} more" if len(names) > len(shown) else "")

@@ -117,7 +117,7 @@ class Csv:
             if self.number >= HEADER_LINES:
                 break
         raise LogError(f"{self.path}:1: no line of the first {HEADER_LINES} has a column '{time_name}', which the mapping's [time] names; "
-                       f"there are {closest(time_name, first or [])}")
+                       f"{closest(time_name, first or [])}")
 
     def number_of(self, text):
         """None for what is no number."""
