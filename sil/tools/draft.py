@@ -94,7 +94,7 @@ class TableSource:
         self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
                         for column in table_signals.columns_of(log)]
         times = [signal for signal in self.signals if signal_names.words(signal.name).split()[:1] in (["time"], ["t"], ["timestamp"])]
-        self.is_csv = table_signals.kind_of(table_signals.beginning_of(log)) is None
+        self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 
     def head(self):
@@ -211,6 +211,8 @@ def block(choice, source, evidence):
                  f"signal = \"?\"  # of the candidates; the questions below are about {first.key}")
     if evidence.present is not None and choice.quantity not in evidence.present:
         lines.append("# the log has no value of it: delete this table, unless other logs have it")
+    if first.comment:
+        lines.append(f"# DBC: {' '.join(first.comment.split())[:110]}")
     lines += unit_lines(quantity, first) + sign_lines(choice.quantity, evidence)
     buses = source.buses_of(first)
     if len(buses) > 1:
@@ -220,9 +222,9 @@ def block(choice, source, evidence):
 
 def unit_lines(quantity, signal):
     if factor_of(signal.unit, quantity.dimension) is not None:
-        return [f"unit = {quoted(signal.unit)}  # by the DBC file or the log"]
-    return [f"unit = \"?\"  # not known by {quoted(signal.unit) if signal.unit else 'the DBC file'}; where it is another, also "
-            "factor = (one number's worth in it)"]
+        return [f"unit = {quoted(signal.unit)}  # as it says there"]
+    said = f"{quoted(signal.unit)} stands there" if signal.unit else "none stands there"
+    return [f"unit = \"?\"  # {said}; one of those above, and where one number is not one of it, also factor"]
 
 
 def sign_lines(name, evidence):

@@ -9,6 +9,7 @@ import pathlib
 import progress
 import whole_file
 from bus_logs import kind_of
+from drive_quantities import is_known
 from log_error import LogError
 from mapping import closest
 from recorded import TEXTS, Clock, Collected
@@ -24,19 +25,24 @@ def read(logs, mapping):
     clock = Clock()
     collected = {}
     for path in logs:
-        beginning = beginning_of(path)
-        kind = kind_of(beginning)
-        if kind not in (None, "MF4"):
-            raise LogError(f"{path}: holds frames ({kind}), so your DBC file is needed: --dbc FILE")
-        if b"\0" in beginning and kind is None:
-            raise LogError(f"{path}: is neither a log of frames (MF4, BLF, ASC, candump) nor a CSV")
-        if kind:
-            read_mf4(path, mapping, collected)
-        else:
+        if is_csv(path):
             read_csv(path, mapping, clock, collected)
+        else:
+            read_mf4(path, mapping, collected)
     missing = {name: f"{one.entry.signal} has no value" + (f", only texts, such as '{one.examples[0]}'" if one.examples else "")
                for name, one in collected.items() if not one.times_us}
     return {name: one.recorded() for name, one in collected.items() if name not in missing}, missing
+
+
+def is_csv(path):
+    """Whether it is a CSV; otherwise it is an MF4."""
+    beginning = beginning_of(path)
+    kind = kind_of(beginning)
+    if kind not in (None, "MF4"):
+        raise LogError(f"{path}: holds frames ({kind}), so your DBC file is needed: --dbc FILE")
+    if b"\0" in beginning and kind is None:
+        raise LogError(f"{path}: is neither a log of frames (MF4, BLF, ASC, candump) nor a CSV")
+    return kind is None
 
 
 def beginning_of(path):
@@ -64,8 +70,7 @@ def into(collected, entry, name, unit, mapping):
 
 def columns_of(path):
     """The columns or channels of a log that is decoded already, with their units; of a CSV also the time's."""
-    beginning = beginning_of(path)
-    if kind_of(beginning) == "MF4":
+    if not is_csv(path):
         with opened(path) as mdf:
             return [Column(channel.name, channel.unit or "") for channel in mdf.iter_channels(skip_master=True)]
     table = Csv(path)
@@ -87,17 +92,17 @@ class Csv:
         self.size = self.path.stat().st_size
         self.number = 0
         self.is_ended = True
-        self._file = self.path.open("rb")
+        self._file = None
         self.separator, self.comma = ",", False
 
     def lines(self):
-        for self.number, raw in enumerate(self._file, 1):
-            self.is_ended = raw.endswith((b"\n", b"\r"))
-            try:
-                yield raw.decode("utf-8-sig" if self.number == 1 else "utf-8")
-            except UnicodeDecodeError:
-                yield raw.decode("cp1252", "replace")
-        self._file.close()
+        with self.path.open("rb") as self._file:
+            for self.number, raw in enumerate(self._file, 1):
+                self.is_ended = raw.endswith((b"\n", b"\r"))
+                try:
+                    yield raw.decode("utf-8-sig" if self.number == 1 else "utf-8")
+                except UnicodeDecodeError:
+                    yield raw.decode("cp1252", "replace")
 
     def fields(self, line):
         return [field.strip() for field in next(csv.reader([line.rstrip("\r\n")], delimiter=self.separator), [])]
@@ -196,11 +201,12 @@ def take_field(table, text, time_us, target):
 
 
 def unit_in(name):
-    """The unit that a column's name ends with, as in "ay [m/s^2]" and "ay (m/s^2)"."""
+    """The unit that a column's name ends with, as in "ay [m/s^2]", "ay (m/s^2)" and "ay_mps2"."""
     for opening, closing in ("[]", "()"):
         if name.endswith(closing) and opening in name:
             return name[name.rindex(opening) + 1:-1]
-    return ""
+    ending = name.rpartition("_")[2]
+    return ending if ending != name and is_known(ending) else ""
 
 
 def read_mf4(path, mapping, collected):
