@@ -114,8 +114,8 @@ class BusLog:
                     if f"CAN_{kind}Frame" in names:
                         self.others[kind.lower()] += count
             if not groups:
-                raise LogError(f"{self.path}: the MF4 has no frames of a CAN bus (CAN_DataFrame); it holds decoded signals, or "
-                               "nothing")
+                raise LogError(f"{self.path}: the MF4 has no frames of a CAN bus (CAN_DataFrame); it holds decoded signals "
+                               "(`sil/tools/logs drive` takes it without --dbc), or nothing")
             self.position = lambda: self.size * self._taken // max(self._wanted, 1)
             self._taken = 0
             self._wanted = sum(group.channel_group.cycles_nr for group in mdf.groups)

@@ -16,6 +16,7 @@ from mapping import closest
 from recorded import OUTSIDE, TEXTS, Clock, Collected
 
 EXTENDED = 0x8000_0000
+OTHER_DATABASES = (".arxml", ".kcd", ".sym", ".cdd")  # that cantools knows by their endings
 
 
 def load(path):
@@ -25,7 +26,7 @@ def load(path):
             raise OSError(errno.EINVAL, "it is no ordinary file")
         if not path.stat().st_size:
             raise LogError(f"{path}: the file is empty; was the copy finished?")
-        is_dbc = path.suffix.lower() == ".dbc"
+        is_dbc = path.suffix.lower() not in OTHER_DATABASES
         # Foreign files have overlaps and lengths that contradict themselves, mostly in signals that nobody maps.
         database = cantools.database.load_file(path, database_format="dbc" if is_dbc else None, strict=False,
                                                encoding=encoding_of(path) if is_dbc else None)

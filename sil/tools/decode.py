@@ -43,6 +43,8 @@ def make(log_or_run, dbc, output):
 
 def places(log_or_run, output):
     """The log, and where the results go."""
+    if not log_or_run.exists():
+        raise LogError(f"{log_or_run}: there is no such folder or log")
     if not log_or_run.is_dir():
         if output is None:
             raise LogError(f"{log_or_run}: is no folder of a run, so say where the results go: --output DIR")

@@ -17,6 +17,7 @@ from bus_logs import BusLog
 from drive_quantities import QUANTITIES, REQUIRED, admitted, factor_of
 from log_error import LogError
 from mapping import Entry
+from recorded import LONGEST_DRIVE_S
 from signal_names import Candidate
 
 # Of a left turn all of these are positive.
@@ -29,6 +30,8 @@ NEEDED = {"roll_angle": "this, or speed and yaw_rate", "speed": "with yaw_rate, 
 def make(dbc, log, output):
     if dbc is None and log is None:
         raise LogError("draft needs a DBC file (--dbc FILE), or a log that is decoded already (--log FILE): a CSV or an MF4")
+    if output.exists():
+        raise LogError(f"{output}: exists already, perhaps with answers in it; delete it, or choose another file with --output")
     source = DbcSource(dbc, log) if dbc else TableSource(log)
     choices = {}
     for quantity in QUANTITIES:
@@ -150,6 +153,8 @@ class Evidence:
             return
         first = min(int(one.times_us[0]) for one in recorded.values())
         last = max(int(one.times_us[-1]) for one in recorded.values())
+        if last - first > LONGEST_DRIVE_S * 1.0e6:
+            return  # channels on clocks of their own
         self.times_us = numpy.arange(first, last + 1, drive_rows.STEP_US, dtype="i8")
         for name, one in recorded.items():
             factor = factor_of(one.unit, QUANTITIES[name].dimension) or 1.0

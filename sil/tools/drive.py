@@ -1,5 +1,6 @@
 """Makes a drive for `rsi-sil replay` and `identify` from others' logs and a mapping."""
 
+import datetime
 import sys
 
 import numpy
@@ -9,29 +10,31 @@ import dbc_signals
 import drive_rows
 import table_signals
 import whole_file
+from bus_log_writers import FIRST_CALENDAR_TIME_S
 from drive_quantities import QUANTITIES, REQUIRED, WHEEL_LOADS
 from log_error import LogError
 from mapping import Mapping
 
 LONGEST_PERIOD_US = 21_000  # of what replays need in every row: 50 Hz, with room for a clock's error
 ROWS = 20_000               # written at a time
+LARGEST_VALUE = 1.0e9       # as rsi-sil replay has it
 ALTERNATIVES = (("roll_angle",), ("speed", "yaw_rate"))
 
 
 def make(logs, dbc, mapping_file, output):
     mapping = Mapping(mapping_file)
     check_quantities(mapping)
-    for path in logs:
+    for path in [*logs, mapping_file, *([dbc] if dbc else [])]:
         if output.exists() and path.exists() and output.samefile(path):
             raise LogError(f"{path}: the result would take its place; choose another file with --output")
     told = ", ".join(str(path) for path in logs)
     recorded, missing = dbc_signals.read(logs, dbc, mapping) if dbc else table_signals.read(logs, mapping)
     check_recorded(mapping, recorded, missing, told)
+    recorded, start = from_zero(recorded)
     drive = Drive(mapping, recorded, missing, told)
-    write(output, drive, logs, mapping_file)
-    print(drive.account())
+    write(output, drive, [f"of {told}, by {mapping_file}"] + start)
     lines, is_doubtful = consistency.told(drive.times_us, drive.columns)
-    print("\n".join(lines))
+    print("\n".join([drive.account()] + start + lines))
     if is_doubtful:
         print("sil/tools/logs: the drive was written, but its signals contradict each other (LOOK above): check signs and units in "
               f"{mapping_file}", file=sys.stderr)
@@ -65,6 +68,16 @@ def check_recorded(mapping, recorded, missing, told):
     if any(name in missing for name in WHEEL_LOADS):
         for name in WHEEL_LOADS:
             recorded.pop(name, None)
+
+
+def from_zero(recorded):
+    """Calendar times made those since the first value, which people can read, and a line that says so."""
+    start_us = min(int(one.times_us[0]) for one in recorded.values())
+    if start_us < FIRST_CALENDAR_TIME_S * 1_000_000:
+        return recorded, []
+    start = datetime.datetime.fromtimestamp(0, datetime.timezone.utc) + datetime.timedelta(microseconds=start_us)
+    shifted = {name: one._replace(times_us=one.times_us - start_us) for name, one in recorded.items()}
+    return shifted, [f"time_s is the time since {start_us / 1.0e6:.6f} s in the log, {start.isoformat(timespec='microseconds')}"]
 
 
 class Drive:
@@ -116,13 +129,15 @@ class Drive:
 
     def account(self):
         """What was found of each signal, and what the rows are."""
-        rows = [("quantity", "signal", "Hz", "from s", "to s", "values", "missing", "gaps", "longest s", "empty")]
+        rows = [("column", "signal", "Hz", "from s", "to s", "missing", "gaps", "longest s", "empty", "least", "largest")]
         for name, found in self.found.items():
             times_us = self.recorded[name].times_us
             rate = f"{1e6 / found.period_us:.4g}" if found.period_us else "-"
             empty = int(numpy.sum(numpy.isnan(self.columns[name])))
-            rows.append((name, self.entries[name].signal, rate, f"{times_us[0] / 1e6:.3f}", f"{times_us[-1] / 1e6:.3f}",
-                         str(len(times_us)), str(found.missing), str(found.gaps), f"{found.longest_us / 1e6:.3f}", str(empty)))
+            known = self.columns[name][~numpy.isnan(self.columns[name])]
+            ends = (f"{known.min():.4g}", f"{known.max():.4g}") if len(known) else ("-", "-")
+            rows.append((QUANTITIES[name].column, self.entries[name].signal, rate, f"{times_us[0] / 1e6:.3f}", f"{times_us[-1] / 1e6:.3f}",
+                         str(found.missing), str(found.gaps), f"{found.longest_us / 1e6:.3f}", str(empty), *ends))
         widths = [max(len(row[index]) for row in rows) for index in range(len(rows[0]))]
         lines = ["  ".join(text.ljust(width) if index < 2 else text.rjust(width)
                            for index, (text, width) in enumerate(zip(row, widths))) for row in rows]
@@ -138,18 +153,23 @@ class Drive:
 def applied(entry, recorded, mapping):
     """In the unit, with the sign and at the time of the drive's column."""
     factor = mapping.unit_factor(entry, recorded.unit)
-    values = entry.sign * factor * (entry.factor * recorded.values + entry.offset) + 0.0  # no minus zero
+    with numpy.errstate(over="ignore"):
+        values = entry.sign * factor * (entry.factor * recorded.values + entry.offset) + 0.0  # no minus zero
+    largest = values[numpy.argmax(numpy.abs(values))]
+    if not abs(largest) <= LARGEST_VALUE:
+        mapping.fail(entry.quantity, "signal", f"is {entry.signal}, and {QUANTITIES[entry.quantity].column} becomes {largest:.4g} of it, "
+                                               "beyond anything possible; are its unit, factor and offset right?")
     return recorded._replace(times_us=recorded.times_us - round(entry.lag_s * 1.0e6), values=values)
 
 
-def write(output, drive, logs, mapping_file):
+def write(output, drive, remarks):
     names = list(drive.columns)
     with whole_file.growing(output) as file:
-        remarks = [f"# of {' '.join(str(path) for path in logs)}, by {mapping_file}"]
         header = ",".join(["time_s"] + [QUANTITIES[name].column for name in names])
-        file.write(("\n".join(remarks + [header]) + "\n").encode("utf-8"))
+        lines = [f"# {' '.join(remark.split())}" for remark in remarks] + [header]
+        file.write(("\n".join(lines) + "\n").encode("utf-8", "replace"))
         for first in range(0, len(drive.times_us), ROWS):
             part = slice(first, first + ROWS)
-            times = [f"{time // 1_000_000}.{time % 1_000_000:06d}" for time in drive.times_us[part].tolist()]
+            times = [f"{'-' * (time < 0)}{abs(time) // 1_000_000}.{abs(time) % 1_000_000:06d}" for time in drive.times_us[part].tolist()]
             columns = [["" if value != value else f"{value:.9g}" for value in drive.columns[name][part].tolist()] for name in names]
             file.write("".join(",".join(row) + "\n" for row in zip(times, *columns)).encode("ascii"))

@@ -18,6 +18,7 @@ from recorded import TEXTS, Clock, Collected
 Column = collections.namedtuple("Column", "name unit minimum maximum scale is_float", defaults=("", None, None, 1.0, True))
 
 HEADER_LINES = 200  # the names stand before
+LONGEST_LINE = 1_000_000
 
 
 def read(logs, mapping):
@@ -97,7 +98,7 @@ class Csv:
 
     def lines(self):
         with self.path.open("rb") as self._file:
-            for self.number, raw in enumerate(self._file, 1):
+            for self.number, raw in enumerate(iter(lambda: self._file.readline(LONGEST_LINE), b""), 1):
                 self.is_ended = raw.endswith((b"\n", b"\r"))
                 try:
                     yield raw.decode("utf-8-sig" if self.number == 1 else "utf-8")
@@ -105,7 +106,10 @@ class Csv:
                     yield raw.decode("cp1252", "replace")
 
     def fields(self, line):
-        return [field.strip() for field in next(csv.reader([line.rstrip("\r\n")], delimiter=self.separator), [])]
+        try:
+            return [field.strip() for field in next(csv.reader([line.rstrip("\r\n")], delimiter=self.separator), [])]
+        except csv.Error as error:
+            raise LogError(f"{self.path}:{self.number}: this line cannot be understood ({error}); export it again") from error
 
     def header(self, lines, time_name):
         """The names of the columns: those of the first line that has the name of the time's column."""

@@ -121,7 +121,7 @@ class Decode(drive_support.WithDrives):
         log = self.folder / "run.mcap"
         log.write_bytes(self.original.read_bytes())
         self.refused(f"{log}: the result would take its place; ", "decode", log, "--output", self.folder)
-        self.refused(f"{self.folder / 'none.blf'}: cannot be read: ", "decode", self.folder / "none.blf", "--output", self.folder)
+        self.refused(f"{self.folder / 'none.blf'}: there is no such folder or log", "decode", self.folder / "none.blf", "--output", self.folder)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from signal_names import Candidate
 class Draft(drive_support.WithDrives):
     def drafted(self, *arguments):
         file = self.folder / "drafted.toml"
+        file.unlink(missing_ok=True)
         said = self.logs("draft", *arguments, "--output", file)
         return file, said
 
@@ -86,6 +87,9 @@ class Draft(drive_support.WithDrives):
         self.refused(f"{self.original}: holds frames (candump), so your DBC file is needed: --dbc FILE", "draft", "--log", self.original,
                      "--output", output)
         self.assertFalse(output.exists())
+        output.write_text("answered", encoding="utf-8")
+        self.refused(f"{output}: exists already, perhaps with answers in it; ", "draft", "--dbc", foreign_recorder.DBC, "--output", output)
+        self.assertEqual(output.read_text(encoding="utf-8"), "answered")
 
     def test_names(self):
         def best(quantity, *signals):

@@ -43,6 +43,8 @@ class Refusals(drive_support.WithDrives):
         self.bad_mapping(change("factor = 0.0001", "factor = -1"), ":14: roll_angle.factor is negative; ")
         self.bad_mapping(change("factor = 0.0001", "factor = nan"), ":14: roll_angle.factor must be a finite number")
         self.bad_mapping(change("factor = 0.0001", "factor = 'a'"), ":14: roll_angle.factor must be a finite number")
+        self.bad_mapping(change("factor = 0.0001", "factor = 1e300"), ":13: roll_angle.signal is ATTITUDE.BodyRoll, and roll_angle_deg becomes ")
+        self.bad_mapping(change("factor = 0.0001", "factor = 1e306"), ":13: roll_angle.signal is ATTITUDE.BodyRoll, and roll_angle_deg becomes ")
         self.bad_mapping(change("lag_ms = 30", "lag_ms = -30"), ":17: roll_angle.lag_ms is -30, but must be from 0 to 1000: ")
         self.bad_mapping(change("bus = 2", "bus = 2.0"), ":28: steering_wheel_angle.bus must be the bus's number")
         self.bad_mapping(MAPPING.split("[roll_rate]")[0], ": there is no table [roll_rate], and every drive needs it")
@@ -120,6 +122,9 @@ class Refusals(drive_support.WithDrives):
         self.refused(f"{self.log}: the result would take its place; ", "drive", self.log, "--dbc", foreign_recorder.DBC, "--mapping",
                      self.mapping(), "--output", self.log)
         self.assertEqual(self.log.read_bytes(), content)
+        mapping = self.mapping()
+        self.refused(f"{mapping}: the result would take its place; ", "drive", self.log, "--dbc", foreign_recorder.DBC, "--mapping",
+                     mapping, "--output", mapping)
 
     def test_j1939_messages_come_from_any_source_but_from_one(self):
         dbc = self.folder / "truck.dbc"
