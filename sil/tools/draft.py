@@ -49,7 +49,7 @@ def make(dbc, log, output):
 def beginning(dbc, log):
     told = " and ".join(str(path) for path in (dbc, log) if path is not None)
     return (f"# A draft by `sil/tools/logs draft` of {' '.join(told.split())}. Put an answer in place of each \"?\", compare the rest, then\n"
-            "# `sil/tools/logs drive` takes it. docs/drives.md says what the keys and quantities mean.\n")
+            "# `sil/tools/logs drive` takes it. docs/can.md says what the keys mean.\n")
 
 
 # What was found for a quantity: the likeliest signal first.

@@ -29,7 +29,7 @@ class Mapping:
         self.entries = [self._entry(name, table) for name, table in tables.items()]
         if not self.entries:
             raise LogError(f"{self.path}:1: there is no quantity; a mapping has tables such as [lateral_acceleration] with a key "
-                           "signal (docs/drives.md); `sil/tools/logs draft` writes one to begin with")
+                           "signal (docs/can.md); `sil/tools/logs draft` writes one to begin with")
 
     def place(self, table, key=None):
         """FILE:LINE of a key, as far as it can be found."""
