@@ -101,6 +101,6 @@ def told(times_us, columns):
     upright = upright_mps2(columns)
     if upright is not None and not 0.5 * G_MPS2 < upright < 2.0 * G_MPS2:
         is_doubtful = True
-        lines.append(f"vertical_acceleration is {upright:.3g} m/s^2 in the first second: LOOK: it should be about +{G_MPS2:.2f}; is the sign "
-                     "or the unit wrong, or is gravity not in it (then offset = 1 g in its unit)?")
+        lines.append(f"vertical_acceleration is {upright:.3g} m/s^2 in the first second: LOOK: it should be about "
+                     f"+{G_MPS2:.2f}; is the sign or the unit wrong, or is gravity not in it (then offset = 1 g in its unit)?")
     return lines, is_doubtful

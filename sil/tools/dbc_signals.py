@@ -37,7 +37,8 @@ def load(path):
     except Exception as error:  # a parser's many kinds, up to those of damaged numbers
         said = " ".join(str(error).split())[:300]
         line = re.search(r"at line (\d+), column (\d+)", said)
-        raise LogError(f"{path}{f':{line[1]}:{line[2]}' if line else ''}: this is no DBC file that can be read: {said}") from error
+        place = f"{path}:{line[1]}:{line[2]}" if line else path
+        raise LogError(f"{place}: this is no DBC file that can be read: {said}") from error
     if not isinstance(database, cantools.database.can.Database) or not database.messages:
         raise LogError(f"{path}: has no messages of a CAN bus; is it the right file?")
     return database
@@ -94,8 +95,8 @@ def wanted_messages(database, dbc, mapping):
                                                    f"{closest(entry.signal, names)}")
         if is_enumeration(signal):
             mapping.fail(entry.quantity, "signal", f"is {entry.signal}, whose values are texts ({dbc}: "
-                                                   f"{', '.join(str(name) for name in list(signal.choices.values())[:3])}, ...); map "
-                                                   "a signal that has numbers")
+                                                   f"{', '.join(str(name) for name in list(signal.choices.values())[:3])}, "
+                                                   "...); map a signal that has numbers")
         collected = Collected(entry, signal)
         mapping.unit_factor(entry, signal.unit)  # refused before a long log is read
         same = messages.setdefault(key_of(message), [])
@@ -171,12 +172,12 @@ def check(messages, logs, dbc, mapping):
             here = wanted.senders.get(path, ())
             buses = sorted({bus for bus, _ in here}, key=str)
             if len(buses) > 1:
-                mapping.fail(quantity, "signal", f"is of {name}, which comes on the buses {' and '.join(map(str, buses))} in {path}; choose "
-                                                 f"one by a line bus = {json.dumps(buses[0])}")
+                mapping.fail(quantity, "signal", f"is of {name}, which comes on the buses {' and '.join(map(str, buses))} in "
+                                                 f"{path}; choose one by a line bus = {json.dumps(buses[0])}")
             if len(here) > 1:
                 addresses = " and ".join(f"0x{identifier & 0xFF:02X}" for _, identifier in sorted(here))
-                mapping.fail(quantity, "signal", f"is of {name}, which several senders send (source addresses {addresses}) in {path}; "
-                                                 "export the log with one of them")
+                mapping.fail(quantity, "signal", f"is of {name}, which several senders send (source addresses {addresses}) in "
+                                                 f"{path}; export the log with one of them")
         for collected in wanted.collected:
             if not collected.times_us:
                 missing[collected.entry.quantity] = why_empty(wanted, collected, dbc)
@@ -194,7 +195,7 @@ def why_empty(wanted, collected, dbc):
     if collected.left_out.get(TEXTS):
         return f"every value of {collected.entry.signal} is a text, such as '{collected.examples[0]}'"
     if collected.left_out.get(OUTSIDE):
-        return (f"every value of {collected.entry.signal} is outside {signal.minimum} to {signal.maximum}, the DBC file's range: not "
-                "available, or of another DBC file")
-    return (f"there is no value of {collected.entry.signal} in {wanted.count} frames of {name}; {wanted.undecodable} more could not be "
-            "decoded")
+        return (f"every value of {collected.entry.signal} is outside {signal.minimum} to {signal.maximum}, the DBC file's "
+                "range: not available, or of another DBC file")
+    return (f"there is no value of {collected.entry.signal} in {wanted.count} frames of {name}; {wanted.undecodable} more could "
+            "not be decoded")

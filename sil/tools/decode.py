@@ -1,6 +1,7 @@
 """Decodes a log of frames once and for all: signals.mf4 and run.mcap, for the tools that show and compare signals."""
 
 import contextlib
+import math
 import pathlib
 
 from cantools.database.namedsignalvalue import NamedSignalValue
@@ -11,6 +12,7 @@ import whole_file
 from bus_logs import BusLog
 from log_error import LogError
 from own_frames import DBC
+from recorded import Clock
 from signal_writers import McapWriter, Mf4Writer
 
 MOST_BITS_OF_TEXTS = 8
@@ -25,10 +27,12 @@ def make(log_or_run, dbc, output):
         messages.setdefault(dbc_signals.key_of(message), Decoder(message))
     log = BusLog(path)
     unknown = {}
+    clock = Clock(longest_gap_s=math.inf, longest_s=math.inf)
     with contextlib.ExitStack() as files:
         writers = [kind(files.enter_context(whole_file.growing(folder / name)))
                    for kind, name in ((Mf4Writer, "signals.mf4"), (McapWriter, "run.mcap"))]
         for frame in progress.told(log):
+            clock.take(path, frame.time_s)
             decoder = decoder_of(frame, messages)
             if decoder is None:
                 unknown[frame.identifier] = unknown.get(frame.identifier, 0) + 1
@@ -75,14 +79,14 @@ def is_text(signal):
 
 
 class Decoder:
-    """The frames of one message. A multiplexed one has a group of signals for each of its pages and buses."""
+    """The frames of one message. Each of its senders has a group of signals, and each page of a multiplexed one."""
 
     def __init__(self, message):
         self.message = message
         self.count = self.undecodable = 0
         self.texts = {signal.name for signal in message.signals if is_text(signal)}
         self.signals = {signal.name: signal for signal in message.signals}
-        self.first_bus = None
+        self.first = None  # bus and identifier of the first sender; identifiers differ in the source address of J1939
 
     def take(self, frame, writers):
         try:
@@ -93,8 +97,10 @@ class Decoder:
             self.undecodable += 1
             return
         self.count += 1
-        self.first_bus = frame.bus if self.first_bus is None else self.first_bus
-        group = self.message.name if frame.bus == self.first_bus else f"{self.message.name}_on_bus_{frame.bus}"
+        self.first = self.first or (frame.bus, frame.identifier)
+        group = self.message.name
+        group += f"_on_bus_{frame.bus}" if frame.bus != self.first[0] else ""
+        group += f"_from_{frame.identifier & 0xFF:02X}" if frame.identifier != self.first[1] else ""
         for name, value in whole.items():
             if self.signals[name].is_multiplexer:
                 group += f"_{name}_{int(getattr(value, 'value', value))}"

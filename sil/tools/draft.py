@@ -2,6 +2,7 @@
 
 import collections
 import json
+import re
 
 import numpy
 
@@ -48,8 +49,8 @@ def make(dbc, log, output):
 
 def beginning(dbc, log):
     told = " and ".join(str(path) for path in (dbc, log) if path is not None)
-    return (f"# A draft by `sil/tools/logs draft` of {' '.join(told.split())}. Put an answer in place of each \"?\", compare the rest, then\n"
-            "# `sil/tools/logs drive` takes it. docs/can.md says what the keys mean.\n")
+    return (f"# A draft by `sil/tools/logs draft` of {' '.join(told.split())}. Put an answer in place of each \"?\", compare "
+            "the rest, then\n# `sil/tools/logs drive` takes it. docs/can.md says what the keys mean.\n")
 
 
 # What was found for a quantity: the likeliest signal first.
@@ -96,7 +97,7 @@ class TableSource:
         self.log = log
         self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
                         for column in table_signals.columns_of(log)]
-        times = [signal for signal in self.signals if signal_names.words(signal.name).split()[:1] in (["time"], ["t"], ["timestamp"])]
+        times = [signal for signal in self.signals if re.match(r"(t|time\w*)( |$)", signal_names.words(signal.name))]
         self.is_csv = table_signals.is_csv(log)
         self.time = times[0] if times else None
 
@@ -244,7 +245,8 @@ def sign_lines(name, evidence):
     left = evidence.sign_if_left(name)
     if left is None:
         return [question + ("; the log does not show it" if evidence.present is not None and name != "bank_angle" else "")]
-    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s: {left} if that was to the left, {-left} if to the right"]
+    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s: {left} if that was to the left, {-left} if "
+                      "to the right"]
 
 
 def vertical_lines(evidence):
@@ -254,8 +256,8 @@ def vertical_lines(evidence):
     share = upright / consistency.G_MPS2
     if 0.5 < abs(share) < 2.0:
         return [f"sign = {1 if share > 0 else -1}  # the log shows {share:+.2f} g at its beginning"]
-    return [f"sign = \"?\"  # the log shows {share:+.2f} g at its beginning: if gravity is not in it, offset = 1 g in its unit, and 1 if "
-            "upwards is positive"]
+    return [f"sign = \"?\"  # the log shows {share:+.2f} g at its beginning: if gravity is not in it, offset = 1 g in its unit, "
+            "and 1 if upwards is positive"]
 
 
 def quoted(text):

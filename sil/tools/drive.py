@@ -36,8 +36,8 @@ def make(logs, dbc, mapping_file, output):
     lines, is_doubtful = consistency.told(drive.times_us, drive.columns)
     print("\n".join([drive.account()] + start + lines))
     if is_doubtful:
-        print("sil/tools/logs: the drive was written, but its signals contradict each other (LOOK above): check signs and units in "
-              f"{mapping_file}", file=sys.stderr)
+        print("sil/tools/logs: the drive was written, but its signals contradict each other (LOOK above): check signs and units "
+              f"in {mapping_file}", file=sys.stderr)
     print(f"  {output}")
 
 
@@ -48,8 +48,8 @@ def check_quantities(mapping):
         if quantity.need == REQUIRED and quantity.name not in there:
             raise LogError(f"{mapping.path}: there is no table [{quantity.name}], and every drive needs it (docs/drives.md)")
     if not any(there.issuperset(names) for names in ALTERNATIVES):
-        raise LogError(f"{mapping.path}: there is no table [roll_angle], nor both [speed] and [yaw_rate]; a drive needs the one or the "
-                       "others (docs/drives.md)")
+        raise LogError(f"{mapping.path}: there is no table [roll_angle], nor both [speed] and [yaw_rate]; a drive needs the one "
+                       "or the others (docs/drives.md)")
     loads = there.intersection(WHEEL_LOADS)
     if loads and len(loads) < len(WHEEL_LOADS):
         absent = next(name for name in WHEEL_LOADS if name not in there)
@@ -60,8 +60,8 @@ def check_recorded(mapping, recorded, missing, told):
     """That what every drive needs was in the log. Anything else may be missing, and is told."""
     for names in [(quantity.name,) for quantity in QUANTITIES.values() if quantity.need == REQUIRED]:
         if names[0] in missing:
-            raise LogError(f"{told}: {missing[names[0]]}, and {mapping.place(names[0], 'signal')} maps it to {names[0]}, which every "
-                           "drive needs; is it the right log, DBC file and bus?")
+            raise LogError(f"{told}: {missing[names[0]]}, and {mapping.place(names[0], 'signal')} maps it to {names[0]}, which "
+                           "every drive needs; is it the right log, DBC file and bus?")
     if not any(set(names) <= set(recorded) for names in ALTERNATIVES):
         raise LogError(f"{told}: there is neither roll_angle nor both speed and yaw_rate: "
                        + "; ".join(missing[name] for names in ALTERNATIVES for name in names if name in missing))
@@ -111,8 +111,8 @@ class Drive:
             period_us = self.found[name].period_us
             if period_us > LONGEST_PERIOD_US or period_us == 0:
                 often = f"comes every {period_us / 1000:g} ms" if period_us else "comes once"
-                mapping.fail(name, "signal", f"is {self.entries[name].signal}, which {often} in {told}; the component needs it every "
-                                             "20 ms at least: record at 50 Hz or more")
+                mapping.fail(name, "signal", f"is {self.entries[name].signal}, which {often} in {told}; the component needs it "
+                                             "every 20 ms at least: record at 50 Hz or more")
 
     def _clock(self, told):
         """Every 10 ms from the first lateral acceleration on, as far as all that every row needs goes."""
@@ -136,8 +136,9 @@ class Drive:
             empty = int(numpy.sum(numpy.isnan(self.columns[name])))
             known = self.columns[name][~numpy.isnan(self.columns[name])]
             ends = (f"{known.min():.4g}", f"{known.max():.4g}") if len(known) else ("-", "-")
-            rows.append((QUANTITIES[name].column, self.entries[name].signal, rate, f"{times_us[0] / 1e6:.3f}", f"{times_us[-1] / 1e6:.3f}",
-                         str(found.missing), str(found.gaps), f"{found.longest_us / 1e6:.3f}", str(empty), *ends))
+            rows.append((QUANTITIES[name].column, self.entries[name].signal, rate,
+                         f"{times_us[0] / 1e6:.3f}", f"{times_us[-1] / 1e6:.3f}", str(found.missing), str(found.gaps),
+                         f"{found.longest_us / 1e6:.3f}", str(empty), *ends))
         widths = [max(len(row[index]) for row in rows) for index in range(len(rows[0]))]
         lines = ["  ".join(text.ljust(width) if index < 2 else text.rjust(width)
                            for index, (text, width) in enumerate(zip(row, widths))) for row in rows]
@@ -145,8 +146,8 @@ class Drive:
             lines += [f"{name}: {count} values left out: {reason}" for reason, count in one.left_out.items()]
         lines += [f"{name}: none; {why}" for name, why in self.missing.items()]
         span = (self.times_us[-1] - self.times_us[0]) / 1e6
-        lines.append(f"{len(self.times_us)} rows over {span:.2f} s; "
-                     + (f"{self.silent} left out, where {' or '.join(self._required())} is missing" if self.silent else "none missing"))
+        lost = f"{self.silent} left out, where {' or '.join(self._required())} is missing" if self.silent else "none missing"
+        lines.append(f"{len(self.times_us)} rows over {span:.2f} s; {lost}")
         return "\n".join(lines)
 
 
@@ -157,8 +158,9 @@ def applied(entry, recorded, mapping):
         values = entry.sign * factor * (entry.factor * recorded.values + entry.offset) + 0.0  # no minus zero
     largest = values[numpy.argmax(numpy.abs(values))]
     if not abs(largest) <= LARGEST_VALUE:
-        mapping.fail(entry.quantity, "signal", f"is {entry.signal}, and {QUANTITIES[entry.quantity].column} becomes {largest:.4g} of it, "
-                                               "beyond anything possible; are its unit, factor and offset right?")
+        mapping.fail(entry.quantity, "signal", f"is {entry.signal}, and {QUANTITIES[entry.quantity].column} becomes "
+                                               f"{largest:.4g} of it, beyond anything possible; are its unit, factor and offset "
+                                               "right?")
     return recorded._replace(times_us=recorded.times_us - round(entry.lag_s * 1.0e6), values=values)
 
 
@@ -170,6 +172,11 @@ def write(output, drive, remarks):
         file.write(("\n".join(lines) + "\n").encode("utf-8", "replace"))
         for first in range(0, len(drive.times_us), ROWS):
             part = slice(first, first + ROWS)
-            times = [f"{'-' * (time < 0)}{abs(time) // 1_000_000}.{abs(time) % 1_000_000:06d}" for time in drive.times_us[part].tolist()]
-            columns = [["" if value != value else f"{value:.9g}" for value in drive.columns[name][part].tolist()] for name in names]
+            times = [seconds(time_us) for time_us in drive.times_us[part].tolist()]
+            columns = [["" if value != value else f"{value:.9g}" for value in drive.columns[name][part].tolist()]
+                       for name in names]
             file.write("".join(",".join(row) + "\n" for row in zip(times, *columns)).encode("ascii"))
+
+
+def seconds(time_us):
+    return f"{'-' * (time_us < 0)}{abs(time_us) // 1_000_000}.{abs(time_us) % 1_000_000:06d}"

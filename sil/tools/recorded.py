@@ -73,7 +73,8 @@ def in_order(times_us, values):
 class Clock:
     """Refuses times that are not those of one recording."""
 
-    def __init__(self):
+    def __init__(self, longest_gap_s=LONGEST_GAP_S, longest_s=LONGEST_DRIVE_S):
+        self.longest_gap_s, self.longest_s = longest_gap_s, longest_s
         self.first_s = self.latest_s = None
 
     def take(self, place, time_s):
@@ -83,11 +84,13 @@ class Clock:
         if self.latest_s is None:
             self.first_s = self.latest_s = time_s
         if time_s < self.latest_s - LONGEST_STEP_BACK_S:
-            raise LogError(f"{place}: the time runs back from {self.latest_s:.6f} s to {time_s:.6f} s: two recordings in one, logs that "
-                           "are not given in their order, or a clock that was set; cut or sort them, each recording by itself")
-        if time_s - self.latest_s > LONGEST_GAP_S:
-            raise LogError(f"{place}: a gap of {time_s - self.latest_s:.0f} s after {self.latest_s:.6f} s: two recordings, or a clock that "
-                           "was set; cut the log there")
-        if time_s - self.first_s > LONGEST_DRIVE_S:
-            raise LogError(f"{place}: is longer than {LONGEST_DRIVE_S / 3600:.0f} h; cut it, `rsi-sil replay` takes no longer drive")
+            raise LogError(f"{place}: the time runs back from {self.latest_s:.6f} s to {time_s:.6f} s: two recordings in one, "
+                           "logs that are not given in their order, or a clock that was set; cut or sort them, each recording "
+                           "by itself")
+        if time_s - self.latest_s > self.longest_gap_s:
+            raise LogError(f"{place}: a gap of {time_s - self.latest_s:.0f} s after {self.latest_s:.6f} s: two recordings, or a "
+                           "clock that was set; cut the log there")
+        if time_s - self.first_s > self.longest_s:
+            raise LogError(f"{place}: is longer than {self.longest_s / 3600:.0f} h; cut it, `rsi-sil replay` takes no longer "
+                           "drive")
         self.latest_s = max(self.latest_s, time_s)

@@ -22,14 +22,16 @@ NAMES = {
              r"fahrzeuggeschw|^(speed|velocity|v)$",
     "yaw_rate": rf"\b(yaw|gier)\w* ?{RATE}|\b(rate|omega|gyro|w) ?(z|yaw)\b|giergeschw|gierrate|yawrate",
     "vertical_acceleration": rf"\b(vert\w*|hoch|z) ?{ACCELERATION}|\b{ACCELERATION} ?(z|vert\w*)\b|\ba ?z\b|vertikalbeschl",
-    "steering_wheel_angle": rf"\b(steer\w*|lenk\w*|str|sw|sas|hand) ?(wheel|whl|rad)? ?{ANGLE}|lenkrad ?winkel|steering ?wheel ?angle",
+    "steering_wheel_angle": rf"\b(steer\w*|lenk\w*|str|sw|sas|hand) ?(wheel|whl|rad)? ?{ANGLE}|lenkrad ?winkel|"
+                            r"steering ?wheel ?angle",
     "bank_angle": r"\b(road )?(bank|superelev\w*|cross ?slope|cross ?fall|querneig\w*)",
     "vehicle_mass": r"\b(gross|total|veh\w*|fzg|gesamt|powered)[\w ]*(mass|weight|masse|gewicht)|\bmass\b|fahrzeugmasse",
 }
 NAMES.update({f"wheel_load_{corner}": rf"\b(wheel|tire|tyre|rad|vertical|fz) ?(load|force|last|weight)?\w* ?{text}\b|"
                                       rf"\b{text} ?(wheel|tire|tyre|rad) ?(load|force|last)" for corner, text in CORNERS.items()})
-NOT_MEANT = (r"\b(qual\w*|qf|qly|valid\w*|vld|stat\w*|offset|ofs|offs|crc|chk\w*|checksum|cnt\w*|count\w*|alive|bz|err\w*|fault\w*|target|"
-             r"req\w*|set|setpoint|soll|desired|max\w*|min\w*|limit\w*|cruise|sign|dir|direction|confid\w*|plaus\w*|deviation|std|var\w*)\b")
+NOT_MEANT = (r"\b(qual\w*|qf|qly|valid\w*|vld|stat\w*|offset|ofs|offs|crc|chk\w*|checksum|cnt\w*|count\w*|alive|bz|err\w*|"
+             r"fault\w*|target|req\w*|set|setpoint|soll|desired|max\w*|min\w*|limit\w*|cruise|sign|dir|direction|confid\w*|"
+             r"plaus\w*|deviation|std|var\w*)\b")
 WHEEL_SPEEDS = r"\b(wheel|whl|engine|eng|motor|fan|shaft|turbine|axle|wind|gear\w*)\b"
 
 

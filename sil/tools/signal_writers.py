@@ -87,7 +87,7 @@ class McapWriter:
         if group not in self._topics:
             self._topics[group] = self._topic(group, values, signals)
         channel, kind = self._topics[group]
-        message = kind(**values)
+        message = kind(**{field_name(name): value for name, value in values.items()})
         self._writer.add_message(channel, log_time=time_us * 1000, publish_time=time_us * 1000, data=message.SerializeToString())
 
     def _topic(self, group, values, signals):
@@ -96,7 +96,7 @@ class McapWriter:
         description = file.message_type.add(name=identifier)
         kinds = descriptor_pb2.FieldDescriptorProto
         for number, (name, value) in enumerate(values.items(), 1):
-            description.field.add(name=name, number=number, label=kinds.LABEL_OPTIONAL,
+            description.field.add(name=field_name(name), json_name=name, number=number, label=kinds.LABEL_OPTIONAL,
                                   type=kinds.TYPE_STRING if isinstance(value, str) else kinds.TYPE_DOUBLE)
         self._pool.Add(file)
         schema = self._writer.register_schema(name=f"can.{identifier}", encoding="protobuf",
@@ -108,3 +108,7 @@ class McapWriter:
 
     def finish(self):
         self._writer.finish()
+
+
+def field_name(name):
+    return re.sub(r"\W", "_", name)

@@ -125,8 +125,8 @@ class Csv:
                     first = names
             if self.number >= HEADER_LINES:
                 break
-        raise LogError(f"{self.path}:1: no line of the first {HEADER_LINES} has a column '{time_name}', which the mapping's [time] names; "
-                       f"{closest(time_name, first or [])}")
+        raise LogError(f"{self.path}:1: no line of the first {HEADER_LINES} has a column '{time_name}', which the mapping's "
+                       f"[time] names; {closest(time_name, first or [])}")
 
     def number_of(self, text):
         """None for what is no number."""
@@ -147,18 +147,20 @@ class Csv:
 
 def read_csv(path, mapping, clock, collected):
     if mapping.time is None:
-        raise LogError(f"{mapping.path}:1: there is no table [time], and {path} is a CSV; add [time] with signal = the name of the column "
-                       "that has the time, and its unit (for a log of frames in another container give --dbc)")
+        raise LogError(f"{mapping.path}:1: there is no table [time], and {path} is a CSV; add [time] with signal = the name of "
+                       "the column that has the time, and its unit (for a log of frames in another container give --dbc)")
     table = Csv(path)
     lines = table.lines()
     names = table.header(lines, mapping.time[0])
     repeated = [name for name, count in collections.Counter(names).items() if count > 1]
     used = {mapping.time[0]} | {entry.signal for entry in mapping.entries}
     if used.intersection(repeated):
-        raise LogError(f"{path}:{table.number}: two columns are called '{sorted(used.intersection(repeated))[0]}'; rename one of them")
+        raise LogError(f"{path}:{table.number}: two columns are called '{sorted(used.intersection(repeated))[0]}'; rename one "
+                       "of them")
     for entry in mapping.entries:
         if entry.signal not in names:
-            mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has no such column; {closest(entry.signal, names)}")
+            mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has no such column; "
+                                                   f"{closest(entry.signal, names)}")
     read_rows(table, lines, names, mapping, clock, collected)
 
 
@@ -181,8 +183,9 @@ def read_rows(table, lines, names, mapping, clock, collected):
             units = fields  # a line of units below the names
             continue
         if targets is None:
-            targets = [(names.index(entry.signal), into(collected, entry, entry.signal, units[names.index(entry.signal)], mapping))
-                       for entry in mapping.entries]
+            places = [names.index(entry.signal) for entry in mapping.entries]
+            targets = [(index, into(collected, entry, entry.signal, units[index], mapping))
+                       for index, entry in zip(places, mapping.entries)]
         if number is None:
             raise LogError(f"{place}: the time is '{fields[time_index][:40]}', which is no number; export it as seconds")
         clock.take(place, number * time_factor)
@@ -244,8 +247,8 @@ def take_channel(mdf, path, start_s, mapping, entry, collected):
         mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has no such channel; "
                                                f"{closest(entry.signal, list(mdf.channels_db))}")
     if len({group for group, _ in places}) > 1:
-        mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has {len(places)} channels of this name; export it with "
-                                               "names of their own")
+        mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has {len(places)} channels of this name; "
+                                               "export it with names of their own")
     signal = mdf.get(entry.signal, group=places[0][0], index=places[0][1]).validate()
     if signal.samples.ndim != 1 or signal.samples.dtype.kind not in "fiubSUO":
         mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', whose values in {path} are no numbers")

@@ -64,7 +64,8 @@ class Decode(drive_support.WithDrives):
             topic = messages[f"/{message}"]
             self.assertEqual(len(signal.samples), len(values))
             self.assertEqual(len(topic), len(values))
-            for (time_s, value), read, time_read, (log_time, fields) in zip(values, signal.samples.tolist(), signal.timestamps, topic):
+            rows = zip(values, signal.samples.tolist(), signal.timestamps, topic)
+            for (time_s, value), read, time_read, (log_time, fields) in rows:
                 self.assertAlmostEqual(time_read, time_s, places=6)
                 self.assertEqual(log_time, round(time_s * 1e6) * 1000)
                 shown = getattr(fields, name)
@@ -84,8 +85,9 @@ class Decode(drive_support.WithDrives):
 
     def test_a_run_is_decoded_anew_and_can_be_run_again(self):
         folder = self.folder / "again"
-        command = [self.program, "run", "j-turn-110", "--in-process", "--vehicle", support.PROJECT / "sil/vehicles/large_suv.toml",
-                   "--parameters", support.CALIBRATION, "--output", folder]
+        vehicle = support.PROJECT / "sil/vehicles/large_suv.toml"
+        command = [self.program, "run", "j-turn-110", "--in-process", "--vehicle", vehicle, "--parameters", support.CALIBRATION,
+                   "--output", folder]
         support.call(*command)
         self.logs("decode", folder)
         first = (folder / "run.mcap").read_bytes()
@@ -112,8 +114,23 @@ class Decode(drive_support.WithDrives):
         cut = messages["/ESP_Dynamics"][-1][1]
         self.assertEqual((cut.LatAcc_Raw, cut.QualityOfSensors, math.isnan(cut.VertAcc)), (0.0, "", True))
 
+    def test_senders_and_like_names_stay_apart(self):
+        dbc = self.folder / "alike.dbc"
+        dbc.write_text('VERSION ""\nNS_ :\nBS_:\nBU_: N\nBO_ 5 M: 2 N\n SG_ Lat_Acc : 0|8@1+ (1,0) [0|0] "" N\n'
+                       ' SG_ LatAcc : 8|8@1+ (1,0) [0|0] "" N\n', encoding="utf-8")
+        log = self.folder / "alike.log"
+        log.write_text("(0.000000) can0 005#0102\n(0.010000) can1 005#0304\n", encoding="ascii")
+        mdf, messages, _ = self.decoded(log, "--dbc", dbc)
+        self.assertEqual({topic: (found[0][1].Lat_Acc, found[0][1].LatAcc) for topic, found in messages.items()},
+                         {"/M": (1.0, 2.0), "/M_on_bus_can1": (3.0, 4.0)})
+        self.assertEqual([group.channel_group.acq_name for group in mdf.groups], ["M", "M_on_bus_can1"])
+        log.write_text("(5.000000) can0 005#0102\n(0.010000) can0 005#0304\n", encoding="ascii")
+        self.refused(f"{log}: the time runs back from 5.000000 s to 0.010000 s: ", "decode", log, "--dbc", dbc, "--output",
+                     self.folder)
+
     def test_what_is_wrong_is_told(self):
-        self.refused(f"{self.original}: is no folder of a run, so say where the results go: --output DIR", "decode", self.original)
+        self.refused(f"{self.original}: is no folder of a run, so say where the results go: --output DIR",
+                     "decode", self.original)
         self.refused(f"{self.folder}: has no candump.log; ", "decode", self.folder)
         self.refused(f"{self.original}: has no frame that {foreign_recorder.DBC} knows; ", "decode", self.original, "--dbc",
                      foreign_recorder.DBC, "--output", self.folder / "none")
@@ -121,7 +138,8 @@ class Decode(drive_support.WithDrives):
         log = self.folder / "run.mcap"
         log.write_bytes(self.original.read_bytes())
         self.refused(f"{log}: the result would take its place; ", "decode", log, "--output", self.folder)
-        self.refused(f"{self.folder / 'none.blf'}: there is no such folder or log", "decode", self.folder / "none.blf", "--output", self.folder)
+        self.refused(f"{self.folder / 'none.blf'}: there is no such folder or log",
+                     "decode", self.folder / "none.blf", "--output", self.folder)
 
 
 if __name__ == "__main__":

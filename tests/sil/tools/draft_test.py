@@ -55,7 +55,8 @@ class Draft(drive_support.WithDrives):
         file, _ = self.drafted("--dbc", foreign_recorder.DBC, "--log", log)
         text = file.read_text(encoding="utf-8")
         # The vehicle of the run turns to the left.
-        text, answered = re.subn(r'sign = "\?"(.*\n#.* the log turns hardest at \S+ s: (-?1) if that was to the left)', r"sign = \2\1", text)
+        text, answered = re.subn(r'sign = "\?"(.*\n#.* the log turns hardest at \S+ s: (-?1) if that was to the left)',
+                                 r"sign = \2\1", text)
         self.assertEqual(answered, 5)
         text = text.replace('unit = "?"', 'unit = "rad"\nfactor = 0.0001\nlag_ms = 30')
         self.drive_refused(f"{self.mapping(text)}:", log, mapping=self.mapping(text))  # the bank angle's sign
@@ -72,7 +73,8 @@ class Draft(drive_support.WithDrives):
         text = file.read_text(encoding="utf-8")
         self.assertIn('[time]\nsignal = "time_s"\nunit = "s"', text)
         self.assertRegex(text, r"\[yaw_rate\]\n# candidates: .*sensor_yaw_rate_degps \[degps\]")
-        self.assertRegex(text, r'\[yaw_rate\]\n.*\n.*\nunit = "degps".*\nsign = "\?".*\n#.*: 1 if that was to the left, -1 if to the right')
+        self.assertRegex(text, r'\[yaw_rate\]\n.*\n.*\nunit = "degps".*\nsign = "\?".*\n#.*: 1 if that was to the left, -1 if '
+                               r'to the right')
 
     def test_two_buses_are_asked_for(self):
         both = [frame._replace(bus=bus) for frame in foreign_recorder.frames(self.run_folder) for bus in (1, 2)]
@@ -82,22 +84,25 @@ class Draft(drive_support.WithDrives):
     def test_what_is_wrong_is_told(self):
         output = self.folder / "none.toml"
         self.refused("draft needs a DBC file (--dbc FILE), or a log", "draft", "--output", output)
-        self.refused(f"{self.original}: has no frame of any message of {foreign_recorder.DBC}; ", "draft", "--dbc", foreign_recorder.DBC,
-                     "--log", self.original, "--output", output)
-        self.refused(f"{self.original}: holds frames (candump), so your DBC file is needed: --dbc FILE", "draft", "--log", self.original,
-                     "--output", output)
+        self.refused(f"{self.original}: has no frame of any message of {foreign_recorder.DBC}; ",
+                     "draft", "--dbc", foreign_recorder.DBC, "--log", self.original, "--output", output)
+        self.refused(f"{self.original}: holds frames (candump), so your DBC file is needed: --dbc FILE",
+                     "draft", "--log", self.original, "--output", output)
         self.assertFalse(output.exists())
         output.write_text("answered", encoding="utf-8")
-        self.refused(f"{output}: exists already, perhaps with answers in it; ", "draft", "--dbc", foreign_recorder.DBC, "--output", output)
+        self.refused(f"{output}: exists already, perhaps with answers in it; ",
+                     "draft", "--dbc", foreign_recorder.DBC, "--output", output)
         self.assertEqual(output.read_text(encoding="utf-8"), "answered")
 
     def test_names(self):
         def best(quantity, *signals):
-            found, is_clear = signal_names.candidates(quantity, [Candidate(f"M.{name}", name, unit, "") for name, unit in signals])
+            known = [Candidate(f"M.{name}", name, unit, "") for name, unit in signals]
+            found, is_clear = signal_names.candidates(quantity, known)
             return (found[0].name if found else None), is_clear
 
         self.assertEqual(best("lateral_acceleration", ("LongAcc", "m/s^2"), ("AY", "g"), ("YawRate", "deg/s")), ("AY", True))
-        self.assertEqual(best("lateral_acceleration", ("LatAcc", "g"), ("LatAccQuality", ""), ("LatAccOffset", "g")), ("LatAcc", True))
+        self.assertEqual(best("lateral_acceleration", ("LatAcc", "g"), ("LatAccQuality", ""), ("LatAccOffset", "g")),
+                         ("LatAcc", True))
         self.assertEqual(best("lateral_acceleration", ("LatAcc", "g"), ("Lat_Accel", "m/s^2"))[1], False)
         self.assertEqual(best("yaw_rate", ("YawRate", "V")), ("YawRate", True))
         self.assertEqual(best("yaw_rate", ("YawAcceleration", "deg/s^2"), ("Yaw", "deg")), (None, False))

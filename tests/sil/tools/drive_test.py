@@ -77,8 +77,8 @@ class Drive(drive_support.WithDrives):
     def test_every_quantity_is_a_column_that_replays_know(self):
         columns = ["time_s"] + [quantity.column for quantity in QUANTITIES.values()]
         value = {"vertical_acceleration_mps2": 9.81, "speed_kmh": 50.0, "vehicle_mass_kg": 2500.0}
-        rows = [",".join([f"{number / 100:.2f}"] + [str(value.get(column, 1000.0 if "load" in column else 0.0)) for column in columns[1:]])
-                for number in range(200)]
+        values = [str(value.get(column, 1000.0 if "load" in column else 0.0)) for column in columns[1:]]
+        rows = [",".join([f"{number / 100:.2f}"] + values) for number in range(200)]
         file = self.folder / "all" / "drive.csv"
         file.parent.mkdir()
         file.write_text("\n".join([",".join(columns)] + rows) + "\n", encoding="utf-8")

@@ -59,7 +59,8 @@ def frames(run_folder, start_s=0.0):
     def send(time_s, bus, name, **values):
         message = database.get_message_by_name(name)
         data = message.encode(values, strict=False)
-        sent.append(Frame(round(start_s + time_s, 6), bus, message.frame_id, message.is_extended_frame, data, False, False, False))
+        time_s = round(start_s + time_s, 6)
+        sent.append(Frame(time_s, bus, message.frame_id, message.is_extended_frame, data, False, False, False))
 
     for number, row in enumerate(rows(run_folder)):
         time_s = row["time_s"]

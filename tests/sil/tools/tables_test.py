@@ -7,9 +7,11 @@ import support
 
 import foreign_recorder
 
-COLUMNS = {"Ay [G]": ("lateral_acceleration_mps2", 1 / foreign_recorder.G_MPS2), "RollVel [rad/s]": ("roll_rate_degps", 1 / 57.29577951308232),
+COLUMNS = {"Ay [G]": ("lateral_acceleration_mps2", 1 / foreign_recorder.G_MPS2),
+           "RollVel [rad/s]": ("roll_rate_degps", 1 / foreign_recorder.DEGREES),
            "Phi (deg)": ("roll_angle_deg", -1.0), "v": ("speed_mps", 3.6), "psi_p_degps": ("yaw_rate_degps", 1.0),
            "Az_mps2": ("vertical_acceleration_mps2", 1.0), "delta_deg": ("steering_wheel_angle_deg", 1.0)}
+UNITS = ["ms", "G", "rad/s", "deg", "km/h", "deg/s", "m/s^2", "deg", "-"]
 MAPPING = """\
 [time]
 signal = "t"
@@ -46,15 +48,16 @@ class Tables(drive_support.WithDrives):
 
     def test_a_csv_gives_the_warnings_of_the_run(self):
         warnings = self.replay(self.original)
-        for arguments in ({}, {"separator": ";", "comma": True}, {"separator": "\t"}, {"before": "Recorder 3\nVehicle: 7, load: none\n"},
-                          {"units": ["ms", "G", "rad/s", "deg", "km/h", "deg/s", "m/s^2", "deg", "-"]}):
+        for arguments in ({}, {"separator": ";", "comma": True}, {"separator": "\t"}, {"before": "Recorder 3\nVehicle: 7, load: "
+                                                                                                 "none\n"},
+                          {"units": UNITS}):
             drive, said = self.drive(self.table(**arguments), dbc=None, mapping=self.mapping(MAPPING))
             self.assertEqual(self.replay(drive), warnings, arguments)
             self.assertIn("304 rows over 3.03 s; none missing", said)
 
     def test_the_line_of_units_is_read(self):
         mapping = self.mapping(MAPPING.replace('unit = "km/h"\n', ""))
-        drive, _ = self.drive(self.table(units=["ms", "G", "rad/s", "deg", "km/h", "deg/s", "m/s^2", "deg", "-"]), dbc=None, mapping=mapping)
+        drive, _ = self.drive(self.table(units=UNITS), dbc=None, mapping=mapping)
         self.assertEqual(self.rows(drive)[0]["speed_kmh"], "110")
 
     def test_an_mf4_of_signals_gives_the_warnings_of_the_run(self):
@@ -72,14 +75,15 @@ class Tables(drive_support.WithDrives):
         mdf.save(file)
         mdf.close()
         units = MAPPING.replace(WITHOUT_TIME, "").replace('"Ay [G]"', '"Ay [G]"\nunit = "g"')
-        units = units.replace('[rad/s]"', '[rad/s]"\nunit = "rad/s"').replace('(deg)"', '(deg)"\nunit = "deg"').replace('degps"', 'degps"\nunit = "deg/s"')
-        units = units.replace('mps2"', 'mps2"\nunit = "m/s^2"').replace('ta_deg"', 'ta_deg"\nunit = "deg"')
+        for ending, unit in (("[rad/s]", "rad/s"), ("(deg)", "deg"), ("degps", "deg/s"), ("mps2", "m/s^2"), ("ta_deg", "deg")):
+            units = units.replace(f'{ending}"', f'{ending}"\nunit = "{unit}"')
         drive, _ = self.drive(file, dbc=None, mapping=self.mapping(units))
         self.assertEqual(self.replay(drive), self.replay(self.original))
         for wrong, expected in (("Ay [G", "has no such channel; close to it: Ay [G]"), ("Mode", None)):
             mapping = self.mapping(units.replace('"Ay [G]"', f'"{wrong}"'))
             if expected:
-                self.assertIn(expected, self.drive_refused(f"{mapping}:2: lateral_acceleration.signal is '{wrong}', but {file} ", file, dbc=None,
+                self.assertIn(expected, self.drive_refused(f"{mapping}:2: lateral_acceleration.signal is '{wrong}', but {file} "
+                                                           "", file, dbc=None,
                                                            mapping=mapping))
             else:
                 self.drive_refused(f"{file}: Mode has no value, only texts, such as 'driving', and {mapping}:2 maps it", file, dbc=None,
@@ -95,12 +99,17 @@ class Tables(drive_support.WithDrives):
             file.write_text("".join(change(lines)), encoding="utf-8")
             return self.drive_refused(f"{file}{expected}", file, dbc=None, mapping=self.mapping(text))
 
-        refused(":100: 8 fields, but line 1 names 9 columns", lambda lines: lines[:99] + [lines[99].replace(",good", "")] + lines[100:])
-        refused(":100: the time is 'noon', which is no number; ", lambda lines: lines[:99] + ["noon,0,0,0,0,0,0,0,\n"] + lines[100:])
-        refused(":100: the time runs back from 0.970000 s to 0.000000 s: ", lambda lines: lines[:99] + ["0,0,0,0,0,0,0,0,\n"] + lines[100:])
-        refused(":305: the last line has no line end: the file was cut off; ", lambda lines: lines[:-1] + [lines[-1].rstrip("\n")])
+        def at_100(line):
+            return lambda lines: lines[:99] + [line(lines[99])] + lines[100:]
+
+        refused(":100: 8 fields, but line 1 names 9 columns", at_100(lambda line: line.replace(",good", "")))
+        refused(":100: the time is 'noon', which is no number; ", at_100(lambda _: "noon,0,0,0,0,0,0,0,\n"))
+        refused(":100: the time runs back from 0.970000 s to 0.000000 s: ", at_100(lambda _: "0,0,0,0,0,0,0,0,\n"))
+        refused(":305: the last line has no line end: the file was cut off; ",
+                lambda lines: lines[:-1] + [lines[-1].rstrip("\n")])
         refused(":1: there are no rows below the header", lambda lines: lines[:1])
-        refused(":1: no line of the first 200 has a column 't', which the mapping's [time] names; ", lambda lines: ["a,b,c\n"] + lines[1:])
+        refused(":1: no line of the first 200 has a column 't', which the mapping's [time] names; ",
+                lambda lines: ["a,b,c\n"] + lines[1:])
         refused(":1: two columns are called 'v'; ", lambda lines: [lines[0].replace("psi_p_degps", "v")] + lines[1:],
                 MAPPING.replace("psi_p_degps", "v"))
         refused(": the file is empty; ", lambda lines: [])
