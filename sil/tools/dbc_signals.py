@@ -2,6 +2,7 @@
 
 import errno
 import json
+import logging
 import pathlib
 import re
 
@@ -17,6 +18,8 @@ from recorded import OUTSIDE, TEXTS, Clock, Collected
 
 EXTENDED = 0x8000_0000
 OTHER_DATABASES = (".arxml", ".kcd", ".sym", ".cdd")  # that cantools knows by their endings
+
+logging.getLogger("cantools").setLevel(logging.ERROR)  # it warns of oddities of foreign files that nobody maps
 
 
 def load(path):
@@ -69,12 +72,45 @@ def parameter_group(identifier):
     return identifier >> 8 & (0x3FF00 if is_addressed else 0x3FFFF)
 
 
+def narrowed(message, names):
+    """The message with these signals only, and those that say which page of it is sent."""
+    signals = {signal.name: signal for signal in message.signals}
+    wanted = set()
+    for name in names:
+        while name and name not in wanted:
+            wanted.add(name)
+            name = signals[name].multiplexer_signal
+    return cantools.database.can.Message(message.frame_id, message.name, message.length,
+                                         [signal for signal in message.signals if signal.name in wanted],
+                                         is_extended_frame=message.is_extended_frame, strict=False)
+
+
+def sound_parts(message):
+    """The message as it is, or signal by signal where its signals overlap: decoded together they would be wrong. One that is
+    longer than the message is left out."""
+    try:
+        cantools.database.can.Message(message.frame_id, message.name, message.length, message.signals,
+                                      is_extended_frame=message.is_extended_frame, strict=True)
+        return [message]
+    except cantools.database.Error:
+        return [part for part in (narrowed(message, [signal.name]) for signal in message.signals) if fits(part)]
+
+
+def fits(part):
+    try:
+        part.decode(bytes(part.length), allow_truncated=True)
+        return True
+    except cantools.database.Error:
+        return False
+
+
 class Message:
     """A message of which signals are mapped."""
 
     def __init__(self, message, bus):
         self.message = message
         self.bus = bus
+        self.parts = []
         self.collected = []
         self.count = 0
         self.undecodable = 0
@@ -105,6 +141,9 @@ def wanted_messages(database, dbc, mapping):
             wanted = Message(message, entry.bus)
             same.append(wanted)
         wanted.collected.append(collected)
+    for wanted in (wanted for same in messages.values() for wanted in same):
+        together = narrowed(wanted.message, [collected.signal.name for collected in wanted.collected])
+        wanted.parts = sound_parts(together)
     return messages
 
 
@@ -147,9 +186,16 @@ def take(frame, messages, path):
         decode(frame, wanted)
 
 
+def decoded(parts, data):
+    values = {}
+    for part in parts:
+        values.update(part.decode(data, allow_truncated=True))
+    return values
+
+
 def decode(frame, wanted):
     try:
-        values = wanted.message.decode(frame.data, allow_truncated=True)
+        values = decoded(wanted.parts, frame.data)
     except Exception:  # cantools raises several; the frame is lost, not the log
         wanted.undecodable += 1
         return

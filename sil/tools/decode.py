@@ -83,6 +83,7 @@ class Decoder:
 
     def __init__(self, message):
         self.message = message
+        self.parts = dbc_signals.sound_parts(message)
         self.count = self.undecodable = 0
         self.texts = {signal.name for signal in message.signals if is_text(signal)}
         self.signals = {signal.name: signal for signal in message.signals}
@@ -90,9 +91,9 @@ class Decoder:
 
     def take(self, frame, writers):
         try:
-            values = self.message.decode(frame.data, allow_truncated=True)
-            whole = values if len(frame.data) >= self.message.length else self.message.decode(
-                frame.data.ljust(self.message.length, b"\0"), allow_truncated=True)
+            values = dbc_signals.decoded(self.parts, frame.data)
+            whole = values if len(frame.data) >= self.message.length else dbc_signals.decoded(
+                self.parts, frame.data.ljust(self.message.length, b"\0"))
         except Exception:  # cantools raises several; the frame is lost, not the log
             self.undecodable += 1
             return

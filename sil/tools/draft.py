@@ -24,6 +24,7 @@ from signal_names import Candidate
 # Of a left turn all of these are positive.
 SIGNED = ("lateral_acceleration", "roll_angle", "yaw_rate", "steering_wheel_angle")
 LEAST_CORRELATION = 0.7
+SMOOTHED_ROWS = 21
 NEEDED = {"roll_angle": "this, or speed and yaw_rate", "speed": "with yaw_rate, where there is no roll_angle",
           "yaw_rate": "with speed, where there is no roll_angle"}
 
@@ -171,7 +172,9 @@ class Evidence:
             return
         self.anchor = anchors[0]
         values = numpy.where(numpy.isnan(self.columns[self.anchor]), 0.0, self.columns[self.anchor])
-        smooth = numpy.convolve(values - numpy.median(values), numpy.ones(21) / 21, mode="same")
+        if len(values) < SMOOTHED_ROWS:
+            return
+        smooth = numpy.convolve(values - numpy.median(values), numpy.ones(SMOOTHED_ROWS) / SMOOTHED_ROWS, mode="same")
         hardest = int(numpy.argmax(numpy.abs(smooth)))
         self.turn_s, self.turn = self.times_us[hardest] / 1.0e6, float(smooth[hardest])
 

@@ -156,12 +156,16 @@ def applied(entry, recorded, mapping):
     factor = mapping.unit_factor(entry, recorded.unit)
     with numpy.errstate(over="ignore"):
         values = entry.sign * factor * (entry.factor * recorded.values + entry.offset) + 0.0  # no minus zero
-    largest = values[numpy.argmax(numpy.abs(values))]
-    if not abs(largest) <= LARGEST_VALUE:
+    is_possible = numpy.abs(values) <= LARGEST_VALUE
+    absurd = len(values) - int(numpy.sum(is_possible))
+    if absurd > len(values) / 2:
+        largest = values[numpy.argmax(numpy.abs(values))]
         mapping.fail(entry.quantity, "signal", f"is {entry.signal}, and {QUANTITIES[entry.quantity].column} becomes "
                                                f"{largest:.4g} of it, beyond anything possible; are its unit, factor and offset "
                                                "right?")
-    return recorded._replace(times_us=recorded.times_us - round(entry.lag_s * 1.0e6), values=values)
+    left_out = {**recorded.left_out, **({"beyond anything possible": absurd} if absurd else {})}
+    times_us = recorded.times_us - round(entry.lag_s * 1.0e6)
+    return recorded._replace(times_us=times_us[is_possible], values=values[is_possible], left_out=left_out)
 
 
 def write(output, drive, remarks):

@@ -179,15 +179,15 @@ def read_rows(table, lines, names, mapping, clock, collected):
         if len(fields) != len(names):
             raise LogError(f"{place}: {len(fields)} fields, but line {header_line} names {len(names)} columns; export it again")
         number = table.number_of(fields[time_index])
-        if targets is None and number is None:
+        if targets is None and all(table.number_of(field) is None for field in fields):
             units = fields  # a line of units below the names
             continue
+        if number is None:
+            raise LogError(f"{place}: the time is '{fields[time_index][:40]}', which is no number; export it as seconds")
         if targets is None:
             places = [names.index(entry.signal) for entry in mapping.entries]
             targets = [(index, into(collected, entry, entry.signal, units[index], mapping))
                        for index, entry in zip(places, mapping.entries)]
-        if number is None:
-            raise LogError(f"{place}: the time is '{fields[time_index][:40]}', which is no number; export it as seconds")
         clock.take(place, number * time_factor)
         time_us = round(number * time_factor * 1.0e6)
         for index, target in targets:

@@ -128,6 +128,16 @@ class Decode(drive_support.WithDrives):
         self.refused(f"{log}: the time runs back from 5.000000 s to 0.010000 s: ", "decode", log, "--dbc", dbc, "--output",
                      self.folder)
 
+    def test_overlapping_signals_are_decoded_one_by_one(self):
+        dbc = self.folder / "overlaps.dbc"
+        dbc.write_text('VERSION ""\nNS_ :\nBS_:\nBU_: N\nBO_ 5 M: 2 N\n SG_ Both : 0|16@1+ (1,0) [0|0] "" N\n'
+                       ' SG_ Second : 8|8@1+ (1,0) [0|0] "" N\n SG_ Beyond : 12|8@1+ (1,0) [0|0] "" N\n', encoding="utf-8")
+        log = self.folder / "overlaps.log"
+        log.write_text("(0.000000) can0 005#0102\n", encoding="ascii")
+        mdf, messages, _ = self.decoded(log, "--dbc", dbc)
+        fields = messages["/M"][0][1]
+        self.assertEqual((fields.Both, fields.Second, mdf.get("Both").samples[0]), (513.0, 2.0, 513.0))
+
     def test_what_is_wrong_is_told(self):
         self.refused(f"{self.original}: is no folder of a run, so say where the results go: --output DIR",
                      "decode", self.original)

@@ -1,5 +1,8 @@
 """Bad mappings, DBC files and logs are refused by a sentence with the place; nothing is written."""
 
+import math
+import struct
+
 import drive_support
 import support
 
@@ -146,6 +149,42 @@ class Refusals(drive_support.WithDrives):
         self.drive_refused(f"{mapping}:2: lateral_acceleration.signal is of VDC2, which several senders send (source addresses "
                            f"0x21 and 0x33) in {log}; ", log, dbc=dbc, mapping=mapping)
 
+
+    def test_one_absurd_value_costs_no_log(self):
+        dbc = self.folder / "float.dbc"
+        dbc.write_text(FLOATS, encoding="utf-8")
+        mapping = self.mapping('[lateral_acceleration]\nsignal = "F.Ay"\n[roll_rate]\nsignal = "F.P"\n[roll_angle]\nsignal = "G.Phi"\n')
+        strange = {50: math.nan, 51: math.inf, 52: 1.0e30}
+        frames = []
+        for number in range(100):
+            data = struct.pack("<ff", strange.get(number, 0.5), 1.0)
+            frames += [Frame(number / 100, 1, identifier, False, content, False, False, False)
+                       for identifier, content in ((6, data), (7, b"\x00\x64\x00\xff\x00\x00\x00\x00"))]
+        drive, said = self.drive(self.written("candump", frames), dbc=dbc, mapping=mapping)
+        self.assertIn("lateral_acceleration: 2 values left out: no finite number", said)
+        self.assertIn("lateral_acceleration: 1 values left out: beyond anything possible", said)
+        self.assertIn("97 rows over 0.99 s; 3 left out, ", said)
+        # Phi is decoded by itself: the signals of G overlap.
+        self.assertEqual({(row["lateral_acceleration_mps2"], row["roll_angle_deg"]) for row in self.rows(drive)}, {("0.5", "1")})
+
+
+FLOATS = """\
+VERSION ""
+NS_ :
+BS_:
+BU_: N
+BO_ 6 F: 8 N
+ SG_ Ay : 0|32@1- (1,0) [0|0] "m/s2" N
+ SG_ P : 32|32@1- (1,0) [0|0] "deg/s" N
+BO_ 7 G: 8 N
+ SG_ Whole : 0|32@1- (1,0) [0|0] "" N
+ SG_ Phi : 8|16@1- (0.01,0) [0|0] "deg" N
+ SG_ Zero : 32|16@1- (0,0) [0|0] "" N
+BO_ 7 Again: 8 N
+ SG_ Other : 0|16@1- (0.01,0) [0|0] "" N
+SIG_VALTYPE_ 6 Ay : 1;
+SIG_VALTYPE_ 6 P : 1;
+"""
 
 TRUCK = """\
 VERSION ""
