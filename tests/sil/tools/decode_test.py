@@ -83,7 +83,7 @@ class Decode(drive_support.WithDrives):
         self.assertEqual(json.loads(channels["/Imu"].metadata["units"])["RollRate"], "deg/s")
         self.assertEqual(channels["/Imu"].message_encoding, "protobuf")
 
-    def test_a_run_is_decoded_anew_and_can_be_run_again(self):
+    def test_decoded_logs_do_not_outlive_their_run(self):
         folder = self.folder / "again"
         vehicle = support.PROJECT / "sil/vehicles/large_suv.toml"
         command = [self.program, "run", "j-turn-110", "--in-process", "--vehicle", vehicle, "--parameters", support.CALIBRATION,
@@ -95,6 +95,7 @@ class Decode(drive_support.WithDrives):
         self.assertEqual((folder / "run.mcap").read_bytes(), first)
         finished = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, timeout=600)
         self.assertEqual(finished.returncode, 0, finished.stderr)
+        self.assertFalse((folder / "signals.mf4").exists() or (folder / "run.mcap").exists(), "they are of the earlier run")
 
     def test_foreign_logs_with_pages_and_calendar_times(self):
         start_s = 1_700_000_000.25

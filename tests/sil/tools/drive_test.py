@@ -101,6 +101,12 @@ class Drive(drive_support.WithDrives):
         _, said = self.drive(log, mapping=self.mapping(downwards))
         self.assertRegex(said, r"vertical_acceleration is -9\.8\d? m/s\^2 in the first second: LOOK")
 
+    def test_unknown_options_are_refused_with_status_2(self):
+        for command in ("convert", "draft", "drive", "decode"):
+            with self.assertRaises(SystemExit) as raised:
+                self.logs(command, "a", "--no-such-option")
+            self.assertEqual(raised.exception.code, 2, command)
+
     def test_identify_takes_a_drive(self):
         columns = "time_s,lateral_acceleration_mps2,roll_rate_degps,roll_angle_deg,speed_kmh,yaw_rate_degps," \
                   "vertical_acceleration_mps2,steering_wheel_angle_deg"
