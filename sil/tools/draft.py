@@ -23,8 +23,9 @@ from signal_names import Candidate
 
 # Of a left turn all of these are positive.
 SIGNED = ("lateral_acceleration", "roll_angle", "yaw_rate", "steering_wheel_angle")
-LEAST_CORRELATION = 0.7
 SMOOTHED_ROWS = 21
+# What tells a turn from a straight, the best sign of it first; in the units of the columns.
+TURNS = {"yaw_rate": 3.0, "lateral_acceleration": 1.0, "steering_wheel_angle": 20.0}
 NEEDED = {"roll_angle": "this, or speed and yaw_rate", "speed": "with yaw_rate, where there is no roll_angle",
           "yaw_rate": "with speed, where there is no roll_angle"}
 
@@ -49,9 +50,10 @@ def make(dbc, log, output):
 
 
 def beginning(dbc, log):
-    told = " and ".join(str(path) for path in (dbc, log) if path is not None)
-    return (f"# A draft by `sil/tools/logs draft` of {' '.join(told.split())}. Put an answer in place of each \"?\", compare "
-            "the rest, then\n# `sil/tools/logs drive` takes it. docs/can.md says what the keys mean.\n")
+    told = " and ".join(" ".join(str(path).split()) for path in (dbc, log) if path is not None)
+    return (f"# A draft by `sil/tools/logs draft` of {told}.\n"
+            "# Put an answer in place of each \"?\", compare the rest, then `sil/tools/logs drive` takes it. docs/can.md says what the\n"
+            "# keys mean.\n")
 
 
 # What was found for a quantity: the likeliest signal first.
@@ -157,17 +159,26 @@ class Evidence:
         last = max(int(one.times_us[-1]) for one in recorded.values())
         if last - first > LONGEST_DRIVE_S * 1.0e6:
             return  # channels on clocks of their own
-        self.times_us = numpy.arange(first, last + 1, drive_rows.STEP_US, dtype="i8")
+        times_us = numpy.arange(first, last + 1, drive_rows.STEP_US, dtype="i8")
+        columns, without_unit = {}, set()
         for name, one in recorded.items():
-            factor = factor_of(one.unit, QUANTITIES[name].dimension) or 1.0
-            self.columns[name] = drive_rows.sampled(one.times_us, one.values * factor, self.times_us)
-        rows = consistency.upright_rows(self.columns)
-        self.times_us = self.times_us[:rows]
-        self.columns = {name: values[:rows] for name, values in self.columns.items()}
+            factor = factor_of(one.unit, QUANTITIES[name].dimension)
+            if factor is None:
+                without_unit.add(name)
+            columns[name] = drive_rows.sampled(one.times_us, one.values * (factor or 1.0), times_us)
+        self.look(times_us, columns, without_unit)
+
+    def look(self, times_us, columns, without_unit=()):
+        """At the columns of a drive, as far as the vehicle stays upright. Of some only the signs have a meaning."""
+        self.without_unit = without_unit
+        rows = consistency.upright_rows({name: values for name, values in columns.items() if name not in without_unit},
+                                        len(times_us))
+        self.times_us = times_us[:rows]
+        self.columns = {name: values[:rows] for name, values in columns.items()}
         self._find_turn()
 
     def _find_turn(self):
-        anchors = [name for name in ("yaw_rate", "lateral_acceleration", "steering_wheel_angle") if name in self.columns]
+        anchors = [name for name in TURNS if name in self.columns]
         if not anchors:
             return
         self.anchor = anchors[0]
@@ -176,7 +187,8 @@ class Evidence:
             return
         smooth = numpy.convolve(values - numpy.median(values), numpy.ones(SMOOTHED_ROWS) / SMOOTHED_ROWS, mode="same")
         hardest = int(numpy.argmax(numpy.abs(smooth)))
-        self.turn_s, self.turn = self.times_us[hardest] / 1.0e6, float(smooth[hardest])
+        if abs(smooth[hardest]) >= TURNS[self.anchor] or self.anchor in self.without_unit:
+            self.turn_s, self.turn = self.times_us[hardest] / 1.0e6, float(smooth[hardest])
 
     def sign_if_left(self, name):
         """The sign of the quantity if that turn was one to the left; None where the log does not tell."""
@@ -184,17 +196,23 @@ class Evidence:
             return None
         anchored = 1 if self.turn > 0.0 else -1
         if name in SIGNED:
-            return self._times(anchored, self.columns[name], self.columns[self.anchor])
+            by_anchor = self._times(anchored, self.columns[name], self.columns[self.anchor])
+            lateral = "lateral_acceleration"
+            if by_anchor or name == lateral or self.anchor == lateral or lateral not in self.columns:
+                return by_anchor
+            base = self.sign_if_left(lateral)
+            return base and self._times(base, self.columns[name], self.columns[lateral])
         if name != "roll_rate":
             return None
         by = "roll_angle" if "roll_angle" in self.columns else "lateral_acceleration"
         base = self.sign_if_left(by)
-        return base and self._times(base, self.columns[name], consistency.change(self.times_us / 1.0e6, self.columns[by]))
+        return base and self._times(base, consistency.turned(self.times_us, self.columns[name]),
+                                    consistency.change(self.times_us, self.columns[by]))
 
     @staticmethod
     def _times(sign, one, other):
-        link = consistency.compared("", one, "", other, alike=False)
-        if link is None or abs(link.correlation) < LEAST_CORRELATION:
+        link = consistency.compared("", one, "", other)
+        if link is None or abs(link.correlation) < consistency.LEAST_CORRELATION:
             return None
         return sign if link.correlation > 0.0 else -sign
 

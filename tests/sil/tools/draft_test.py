@@ -51,13 +51,17 @@ class Draft(drive_support.WithDrives):
             self.assertLessEqual(first, number)
 
     def test_the_log_shows_the_signs_and_the_answers_give_the_warnings(self):
-        log = self.written("blf", foreign_recorder.frames(self.run_folder))
-        file, _ = self.drafted("--dbc", foreign_recorder.DBC, "--log", log)
+        slalom = self.folder / "slalom"
+        support.call(self.program, "run", "slalom", "--in-process", "--vehicle", support.PROJECT / "sil/vehicles/large_suv.toml",
+                     "--parameters", support.CALIBRATION, "--output", slalom)
+        file, _ = self.drafted("--dbc", foreign_recorder.DBC, "--log", self.written("blf", foreign_recorder.frames(slalom)))
         text = file.read_text(encoding="utf-8")
-        # The vehicle of the run turns to the left.
-        text, answered = re.subn(r'sign = "\?"(.*\n#.* the log turns hardest at \S+ s: (-?1) if that was to the left)',
-                                 r"sign = \2\1", text)
+        turn_s = float(re.search(r"the log turns hardest at (\S+) s: ", text)[1])
+        is_left = next(row["yaw_rate_degps"] > 0.0 for row in foreign_recorder.rows(slalom) if row["time_s"] > turn_s)
+        text, answered = re.subn(r'sign = "\?"(.*\n#.* hardest at \S+ s: (\S+) if that was to the left, (\S+) if to)',
+                                 r"sign = \2\1" if is_left else r"sign = \3\1", text)
         self.assertEqual(answered, 5)
+        log = self.written("blf", foreign_recorder.frames(self.run_folder))
         text = text.replace('unit = "?"', 'unit = "rad"\nfactor = 0.0001\nlag_ms = 30')
         self.drive_refused(f"{self.mapping(text)}:", log, mapping=self.mapping(text))  # the bank angle's sign
         text = text.replace('sign = "?"', "sign = 1")
@@ -105,6 +109,7 @@ class Draft(drive_support.WithDrives):
                          ("LatAcc", True))
         self.assertEqual(best("lateral_acceleration", ("LatAcc", "g"), ("Lat_Accel", "m/s^2"))[1], False)
         self.assertEqual(best("yaw_rate", ("YawRate", "V")), ("YawRate", True))
+        self.assertEqual(best("yaw_rate", ("YawRate", "m/s"), ("YawRate2", "kg")), (None, False))
         self.assertEqual(best("yaw_rate", ("YawAcceleration", "deg/s^2"), ("Yaw", "deg")), (None, False))
         self.assertEqual(best("speed", ("EngineSpeed", "rpm"), ("WheelSpeedFL", "km/h"), ("WheelBasedVehicleSpeed", "km/h")),
                          ("WheelBasedVehicleSpeed", True))

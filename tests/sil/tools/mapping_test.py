@@ -118,7 +118,8 @@ class Refusals(drive_support.WithDrives):
         self.assertIn("304 rows over 3.03 s; none missing", said)
         file = self.mapping(on_bus_2.replace("bus = 2", "bus = 3", 1))
         self.drive_refused(f"{log}: there is no frame of ESP_Dynamics (0x18FEF3FE in {foreign_recorder.DBC}, bus 3); it comes "
-                           f"on bus 1, 2, and {file}:3 maps it to lateral_acceleration, which every drive needs; ", log, mapping=file)
+                           f"on bus 1, 2, and {file}:3 maps it to lateral_acceleration, which every drive needs; ",
+                           log, mapping=file)
 
     def test_what_is_optional_may_be_missing(self):
         frames = [frame for frame in foreign_recorder.frames(self.run_folder) if frame.identifier != 0x402]
@@ -140,8 +141,8 @@ class Refusals(drive_support.WithDrives):
         dbc = self.folder / "truck.dbc"
         dbc.write_text(TRUCK, encoding="utf-8")
         mapping = self.mapping(TRUCK_MAPPING)
-        frames = [Frame(number / 100, 1, 0x0CF0_0921, True, bytes([number, 0, number, 0, 128, 0, 0xFF, 0xFF]), False, False, False)
-                  for number in range(100)]
+        frames = [Frame(number / 100, 1, 0x0CF0_0921, True, bytes([number, 0, number, 0, 128, 0, 0xFF, 0xFF]), False, False,
+                        False) for number in range(100)]
         _, said = self.drive(self.written("candump", frames), dbc=dbc, mapping=mapping)
         self.assertIn("100 rows over 0.99 s; none missing", said)
         others = frames + [frame._replace(identifier=0x0CF0_0933) for frame in frames]
@@ -153,7 +154,7 @@ class Refusals(drive_support.WithDrives):
     def test_one_absurd_value_costs_no_log(self):
         dbc = self.folder / "float.dbc"
         dbc.write_text(FLOATS, encoding="utf-8")
-        mapping = self.mapping('[lateral_acceleration]\nsignal = "F.Ay"\n[roll_rate]\nsignal = "F.P"\n[roll_angle]\nsignal = "G.Phi"\n')
+        mapping = self.mapping('lateral_acceleration.signal = "F.Ay"\nroll_rate.signal = "F.P"\nroll_angle.signal = "G.Phi"\n')
         strange = {50: math.nan, 51: math.inf, 52: 1.0e30}
         frames = []
         for number in range(100):

@@ -86,8 +86,8 @@ class Tables(drive_support.WithDrives):
                                                            "", file, dbc=None,
                                                            mapping=mapping))
             else:
-                self.drive_refused(f"{file}: Mode has no value, only texts, such as 'driving', and {mapping}:2 maps it", file, dbc=None,
-                                   mapping=mapping)
+                self.drive_refused(f"{file}: Mode has no value, only texts, such as 'driving', and {mapping}:2 maps it",
+                                   file, dbc=None, mapping=mapping)
 
     def test_bad_tables_are_refused_with_the_place(self):
         mapping = self.mapping(MAPPING)
@@ -121,7 +121,8 @@ class Tables(drive_support.WithDrives):
         self.drive_refused(f"{misspelt}:5: lateral_acceleration.signal is 'ay', but {good} has no such column; ", good, dbc=None,
                            mapping=misspelt)
         with_bus = self.mapping(MAPPING + "bus = 1\n")
-        self.drive_refused(f"{with_bus}:20: steering_wheel_angle.bus is for logs of frames; ", self.table(), dbc=None, mapping=with_bus)
+        self.drive_refused(f"{with_bus}:20: steering_wheel_angle.bus is for logs of frames; ",
+                           self.table(), dbc=None, mapping=with_bus)
         frames = self.written("blf", foreign_recorder.frames(self.run_folder))
         self.drive_refused(f"{frames}: holds frames (BLF), so your DBC file is needed: --dbc FILE", frames, dbc=None,
                            mapping=self.mapping(MAPPING))
