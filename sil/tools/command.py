@@ -51,6 +51,8 @@ def main(arguments):
             decode.make(options.log, options.dbc, options.output)
     except LogError as error:
         sys.exit(f"sil/tools/logs: {error}")
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ def make(log_or_run, dbc, output):
         messages.setdefault(dbc_signals.key_of(message), Decoder(message))
     log = BusLog(path)
     unknown = {}
-    clock = Clock(longest_gap_s=math.inf, longest_s=math.inf)
+    clock = Clock(earliest_s=0.0, longest_gap_s=math.inf, longest_s=math.inf)
     with contextlib.ExitStack() as files:
         writers = [kind(files.enter_context(whole_file.growing(folder / name)))
                    for kind, name in ((Mf4Writer, "signals.mf4"), (McapWriter, "run.mcap"))]

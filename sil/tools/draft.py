@@ -44,16 +44,16 @@ def make(dbc, log, output):
     blocks = [beginning(dbc, log)] + source.head() + [block(choice, source, evidence) for choice in choices.values()]
     text = "\n".join(blocks)
     whole_file.write(output, text)
-    questions = text.count('"?"')
+    questions = text.count('= "?"')
     known = sum(bool(choice.found) for choice in choices.values())
-    print(f"{output}: {known} of {len(choices)} quantities drafted, {questions - 1} questions (\"?\") to answer")
+    print(f"{output}: {known} of {len(choices)} quantities drafted, {questions} questions (\"?\") to answer")
 
 
 def beginning(dbc, log):
     told = " and ".join(" ".join(str(path).split()) for path in (dbc, log) if path is not None)
     return (f"# A draft by `sil/tools/logs draft` of {told}.\n"
-            "# Put an answer in place of each \"?\", compare the rest, then `sil/tools/logs drive` takes it. docs/can.md says what the\n"
-            "# keys mean.\n")
+            "# Put an answer in place of each \"?\", compare the rest, then `sil/tools/logs drive` takes it. docs/can.md says what\n"
+            "# the keys mean.\n")
 
 
 # What was found for a quantity: the likeliest signal first.

@@ -58,10 +58,10 @@ def check_quantities(mapping):
 
 def check_recorded(mapping, recorded, missing, told):
     """That what every drive needs was in the log. Anything else may be missing, and is told."""
-    for names in [(quantity.name,) for quantity in QUANTITIES.values() if quantity.need == REQUIRED]:
-        if names[0] in missing:
-            raise LogError(f"{told}: {missing[names[0]]}, and {mapping.place(names[0], 'signal')} maps it to {names[0]}, which "
-                           "every drive needs; is it the right log, DBC file and bus?")
+    for name in [quantity.name for quantity in QUANTITIES.values() if quantity.need == REQUIRED]:
+        if name in missing:
+            raise LogError(f"{told}: {missing[name]}, and {mapping.place(name, 'signal')} maps it to {name}, which every drive "
+                           "needs; is it the right log, DBC file and bus?")
     if not any(set(names) <= set(recorded) for names in ALTERNATIVES):
         raise LogError(f"{told}: there is neither roll_angle nor both speed and yaw_rate: "
                        + "; ".join(missing[name] for names in ALTERNATIVES for name in names if name in missing))

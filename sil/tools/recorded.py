@@ -15,6 +15,7 @@ Recorded = collections.namedtuple("Recorded", "times_us values unit left_out")
 OUTSIDE = "outside the DBC file's range"
 TEXTS = "texts"
 LONGEST_STEP_BACK_S = 0.2  # recorders of several buses write that much out of order
+LATEST_S = 1.0e10          # the year 2286
 LONGEST_GAP_S = 3600.0     # as rsi-sil replay has it
 LONGEST_DRIVE_S = 12 * 3600.0
 
@@ -73,13 +74,14 @@ def in_order(times_us, values):
 class Clock:
     """Refuses times that are not those of one recording."""
 
-    def __init__(self, longest_gap_s=LONGEST_GAP_S, longest_s=LONGEST_DRIVE_S):
+    def __init__(self, earliest_s=-LATEST_S, longest_gap_s=LONGEST_GAP_S, longest_s=LONGEST_DRIVE_S):
+        self.earliest_s = earliest_s
         self.longest_gap_s, self.longest_s = longest_gap_s, longest_s
         self.first_s = self.latest_s = None
 
     def take(self, place, time_s):
         """`place` is the log, or its line."""
-        if not 0.0 <= time_s < 1.0e10:  # until the year 2286
+        if not self.earliest_s <= time_s < LATEST_S:
             raise LogError(f"{place}: the time is {time_s:.6g} s, which no clock shows; export the log again")
         if self.latest_s is None:
             self.first_s = self.latest_s = time_s

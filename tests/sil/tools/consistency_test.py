@@ -73,8 +73,8 @@ class Consistency(support.WithRun):
     def test_a_wrong_unit_is_doubted(self):
         times_us, columns = self.runs["slalom"]
         radians, gravities = numpy.radians(1.0), 1 / consistency.G_MPS2
-        for name, factor in (("lateral_acceleration", gravities), ("roll_rate", radians), ("speed", 1 / 3.6), ("roll_angle", radians),
-                             ("yaw_rate", radians), ("yaw_rate", 1 / radians), ("vertical_acceleration", gravities)):
+        for name, factor in (("lateral_acceleration", gravities), ("roll_rate", radians), ("speed", 1 / 3.6),
+                             ("roll_angle", radians), ("yaw_rate", radians), ("yaw_rate", 1 / radians), ("vertical_acceleration", gravities)):
             lines, is_doubtful = consistency.told(times_us, {**columns, name: factor * columns[name]})
             self.assertTrue(is_doubtful, (name, lines))
 

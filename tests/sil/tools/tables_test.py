@@ -1,6 +1,7 @@
 """Drives of what others have decoded already: a CSV with other names and units, an MF4 of signals."""
 
 import datetime
+import re
 
 import drive_support
 import support
@@ -54,6 +55,13 @@ class Tables(drive_support.WithDrives):
             drive, said = self.drive(self.table(**arguments), dbc=None, mapping=self.mapping(MAPPING))
             self.assertEqual(self.replay(drive), warnings, arguments)
             self.assertIn("304 rows over 3.03 s; none missing", said)
+
+    def test_time_before_a_trigger_is_negative(self):
+        table = self.table(change=lambda line: re.sub(r"^[\d.]+", lambda time: f"{float(time[0]) - 1000.0:.1f}", line))
+        drive, _ = self.drive(table, dbc=None, mapping=self.mapping(MAPPING))
+        self.assertEqual([row["time_s"] for row in self.rows(drive)][:2], ["-1.000000", "-0.990000"])
+        self.assertEqual([line.split(",")[1:] for line in self.replay(drive).splitlines()],
+                         [line.split(",")[1:] for line in self.replay(self.original).splitlines()])
 
     def test_the_line_of_units_is_read(self):
         mapping = self.mapping(MAPPING.replace('unit = "km/h"\n', ""))
