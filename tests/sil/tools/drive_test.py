@@ -1,7 +1,9 @@
 """Drives of foreign logs: every container and a foreign DBC file give the warnings of the run; what is missing is told."""
 
+import itertools
 import json
 import math
+import random
 
 import drive_support
 import support
@@ -37,6 +39,21 @@ class Drive(drive_support.WithDrives):
             start = "time_s is the time since 1700000000.123456 s in the log, 2023-11-14T22:13:20.123456+00:00"
             self.assertIn(f"\n{start}\n", said)
             self.assertIn(f"\n# {start}\n", drive.read_text(encoding="utf-8"))
+
+    def test_jitter_losses_and_half_the_rate_move_the_warning_little(self):
+        chance = random.Random(1)
+        expected = [line.split(",") for line in self.replay(self.original).splitlines()[1:]]
+        numbers = itertools.count()
+        for name, change in (
+                ("jitter", lambda frame: frame._replace(time_s=frame.time_s + chance.uniform(0.0, 0.003))),
+                ("losses", lambda frame: frame if chance.random() > 0.02 else None),
+                ("half the rate", lambda frame: frame if not frame.extended or next(numbers) % 2 == 0 else None)):
+            frames = [changed for changed in map(change, foreign_recorder.frames(self.run_folder)) if changed]
+            drive, _ = self.drive(self.written("candump", sorted(frames, key=lambda frame: frame.time_s)))
+            replayed = [line.split(",") for line in self.replay(drive).splitlines()[1:]]
+            self.assertEqual([row[1:] for row in replayed], [row[1:] for row in expected], name)
+            for row, other in zip(replayed, expected):
+                self.assertAlmostEqual(float(row[0]), float(other[0]), delta=0.021, msg=name)
 
     def test_a_lag_before_the_log_begins(self):
         lagging = foreign_recorder.MAPPING.replace("sign = -1", "sign = -1\nlag_ms = 15", 1).replace(
