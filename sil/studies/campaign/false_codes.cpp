@@ -1,8 +1,9 @@
 // False codes: drives whose sensors are good, noise and offsets of good sensors included, must not set any
 // diagnostic code. Every manoeuvre with every vehicle, then drawn runs of the built-in campaign and the van,
 // with a roll angle against the road and against the horizon.
-//   false_codes FIRST COUNT [SETTINGS]    the drawn runs, or those of these settings alone, as of a
-//                                         population; exit status 1 when a code was set
+//   false_codes FIRST COUNT [SETTINGS [every-kind]]    the drawn runs, or those of these settings alone, as of
+//                                                      a population; with every kind of good sensors in turn.
+//                                                      Exit status 1 when a code was set
 #include <fmt/core.h>
 
 #include <cstdint>
@@ -11,10 +12,13 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/campaign/campaign_run.hpp"
 #include "sil/studies/campaign/settings.hpp"
+#include "sil/studies/faults/good_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
@@ -98,15 +102,20 @@ void drive_catalogue(Search& search, const sil::CampaignSettings& settings) {
 }
 
 void drive_campaign(Search& search, const sil::CampaignSettings& settings, std::uint64_t first,
-                    std::uint64_t count) {
+                    std::uint64_t count, bool every_kind) {
     const sil::CampaignWorld world{settings};
     for (std::uint64_t number = first; number < first + count; ++number) {
         const sil::DrawnRun drawn = world.prepare(number);
-        sil::InProcessRun run{drawn.vehicle, drawn.manoeuvre, drawn.options, drawn.sensors,
-                              drawn.calibration};
-        search.drive(
-            fmt::format("run {} {} {}{}", number, drawn.draw.vehicle, drawn.manoeuvre.name, suffix(settings)),
-            run);
+        sil::GoodSensors sensors{"", drawn.sensors, drawn.calibration};
+        if (every_kind) {
+            const std::vector<sil::GoodSensors> kinds = sil::good_sensors(drawn.sensors, drawn.calibration);
+            sensors = kinds[number % kinds.size()];
+        }
+        sil::InProcessRun run{drawn.vehicle, drawn.manoeuvre, drawn.options, sensors.options,
+                              sensors.calibration};
+        search.drive(fmt::format("run {} {} {}{}, {}", number, drawn.draw.vehicle, drawn.manoeuvre.name,
+                                 suffix(settings), sensors.name),
+                     run);
     }
 }
 
@@ -124,17 +133,20 @@ sil::CampaignSettings built_in_and_van(std::uint64_t runs) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc != 3 && argc != 4) {
-        fmt::print(stderr, "Use: false_codes FIRST COUNT [SETTINGS], the numbers of the drawn runs\n");
+    const bool every_kind = argc == 5 && std::string_view{argv[4]} == "every-kind";
+    if (argc < 3 || argc > 5 || (argc == 5 && !every_kind)) {
+        fmt::print(
+            stderr,
+            "Use: false_codes FIRST COUNT [SETTINGS [every-kind]], the numbers of the drawn runs\n");
         return 2;
     }
     const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
     const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
     Search search;
-    if (argc == 4) {
+    if (argc > 3) {
         sil::CampaignSettings settings = sil::load_campaign(argv[3]);
         settings.runs = first + count;
-        drive_campaign(search, settings, first, count);
+        drive_campaign(search, settings, first, count, every_kind);
         return search.report();
     }
     const sil::CampaignSettings against_road = built_in_and_van(first + count);
@@ -143,7 +155,7 @@ int main(int argc, char** argv) try {
     against_horizon.changes.emplace_back("roll_angle_reference=horizon");
     for (const sil::CampaignSettings& settings : {against_road, against_horizon}) {
         drive_catalogue(search, settings);
-        drive_campaign(search, settings, first, count);
+        drive_campaign(search, settings, first, count, false);
     }
     return search.report();
 } catch (const std::exception& error) {

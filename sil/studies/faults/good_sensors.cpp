@@ -5,7 +5,6 @@
 #include <functional>
 #include <limits>
 
-#include "sil/studies/faults/recorded_drive.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -145,10 +144,10 @@ std::vector<Kind> all_kinds() {
 
 }  // namespace
 
-std::vector<GoodSensors> good_sensors(const VehicleParameters& vehicle, const rsi::Parameters& calibration) {
+std::vector<GoodSensors> good_sensors(const SensorOptions& usual, const rsi::Parameters& calibration) {
     std::vector<GoodSensors> all;
     for (const Kind& kind : all_kinds()) {
-        all.push_back({kind.name, recording_sensors(vehicle), calibration});
+        all.push_back({kind.name, usual, calibration});
         kind.change(all.back().options);
         if (kind.calibrate) {
             kind.calibrate(all.back().calibration);

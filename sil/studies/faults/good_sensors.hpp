@@ -6,7 +6,6 @@
 
 #include "rsi/types.hpp"
 #include "sil/world/sensors/sensor_options.hpp"
-#include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {
 
@@ -16,7 +15,8 @@ struct GoodSensors {
     rsi::Parameters calibration{};  // as it says which sensors the vehicle has
 };
 
-// Slow ones, coarse ones, late ones, accelerometers without a filter, and vehicles that lack some.
-std::vector<GoodSensors> good_sensors(const VehicleParameters& vehicle, const rsi::Parameters& calibration);
+// What becomes of these usual ones: slow, coarse and late ones, accelerometers without a filter, and vehicles
+// that lack some.
+std::vector<GoodSensors> good_sensors(const SensorOptions& usual, const rsi::Parameters& calibration);
 
 }  // namespace sil

@@ -67,7 +67,7 @@ void collect(const std::vector<StateRow>& rows, const std::vector<DrivingState>&
 }  // namespace
 
 StateMatrix run_state_matrix(const VehicleParameters& vehicle, const rsi::Parameters& calibration) {
-    const std::vector<GoodSensors> good = good_sensors(vehicle, calibration);
+    const std::vector<GoodSensors> good = good_sensors(recording_sensors(vehicle), calibration);
     std::vector<SensorOptions> sensors{recording_sensors(vehicle)};
     for (const GoodSensors& each : good) {
         sensors.push_back(each.options);
