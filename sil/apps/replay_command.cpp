@@ -20,6 +20,7 @@
 #include "sil/studies/drives/drive_names.hpp"
 #include "sil/studies/drives/drive_replay.hpp"
 #include "sil/studies/drives/replay_csv.hpp"
+#include "sil/studies/drives/replay_page.hpp"
 #include "sil/studies/drives/replay_summary.hpp"
 #include "sil/studies/drives/replay_table.hpp"
 #include "sil/studies/drives/whole_folder.hpp"
@@ -41,8 +42,9 @@ bool is_interrupted() {
 }
 
 const std::vector<std::string>& replay_contents() {
-    static const std::vector<std::string> names{"indices.csv",  "warnings.csv", "diagnosis.csv", "events.gp",
-                                                "summary.json", "replay.svg",   "replay.png"};
+    static const std::vector<std::string> names{"indices.csv", "warnings.csv", "diagnosis.csv",
+                                                "events.gp",   "summary.json", "report.html",
+                                                "replay.svg",  "replay.png"};
     return names;
 }
 
@@ -152,7 +154,9 @@ class Replayer {
     }
 
     void write(const std::filesystem::path& folder, const ReplaySource& source, const DriveReplay& replay) {
-        write_file_atomically(folder / "indices.csv", indices_csv(replay));
+        const std::string indices = indices_csv(replay);
+        write_file_atomically(folder / "indices.csv", indices);
+        write_file_atomically(folder / "report.html", replay_page(source, replay, parameters_, indices));
         write_file_atomically(folder / "warnings.csv", warnings_csv(replay));
         write_file_atomically(folder / "diagnosis.csv", diagnosis_csv(replay));
         write_event_marks(replay.events, static_stability_factor(parameters_),
