@@ -16,4 +16,7 @@ extern const std::string_view live_page;
 // The page with a recording in it (JSON), which needs nothing else.
 std::string page_with(const std::string& recording);
 
+// What page_with() put into a page, of this program or an older one; empty where there is none.
+std::string recording_in(const std::string& page);
+
 }  // namespace sil

@@ -63,7 +63,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 // Those in which any row has a value. Against the horizon the sensor's roll angle is not that to the road.
-std::vector<std::string> known_columns(const std::vector<std::string>& lines, const rsi::Parameters& parameters) {
+std::vector<std::string> known_columns(const std::vector<std::string>& lines,
+                                       const rsi::Parameters& parameters) {
     const std::vector<std::string> all = indices_csv_columns();
     std::vector<bool> known(all.size(), false);
     for (const std::string& line : lines) {
@@ -123,8 +124,9 @@ std::vector<std::string> remarks(const std::vector<std::string>& columns, const 
         const std::string observed = has("observed_roll_angle_deg")
                                          ? " Shown is the angle to the road that the component observes."
                                          : " None is shown.";
-        sentences.push_back((is_against_horizon(parameters) ? "The recorded roll angle is relative to the horizon."
-                                                            : "No roll angle was recorded.") +
+        sentences.push_back((is_against_horizon(parameters)
+                                 ? "The recorded roll angle is relative to the horizon."
+                                 : "No roll angle was recorded.") +
                             observed);
     }
     if (lift_off == LiftOffSource::unknown) {
@@ -132,8 +134,9 @@ std::vector<std::string> remarks(const std::vector<std::string>& columns, const 
     } else if (lift_off == LiftOffSource::given) {
         sentences.push_back("When wheels lifted is what the file states.");
     }
-    sentences.push_back("How far wheels lift, and the vehicle's outline, are not known: a usual outline is drawn, its "
-                        "wheels on the road.");
+    sentences.push_back(
+        "How far wheels lift, and the vehicle's outline, are not known: a usual outline is drawn, its "
+        "wheels on the road.");
     return sentences;
 }
 
@@ -141,7 +144,8 @@ std::vector<PageDiagnosis> diagnosis_of(const DriveReplay& replay) {
     std::vector<PageDiagnosis> changes;
     for (const ReplayCycle& cycle : replay.cycles) {
         const auto degradation = cycle.ecu.of<can_dbc::RolloverDiagnosis>().degradation;
-        if (changes.empty() || changes.back().degradation != degradation || !(changes.back().codes == cycle.codes)) {
+        if (changes.empty() || changes.back().degradation != degradation ||
+            !(changes.back().codes == cycle.codes)) {
             changes.push_back({cycle.sample.time_s, degradation, cycle.codes});
         }
     }
@@ -189,8 +193,8 @@ Facts facts_of(const ReplaySource& source, const DriveReplay& replay, const rsi:
 
 }  // namespace
 
-std::string replay_page(const ReplaySource& source, const DriveReplay& replay, const rsi::Parameters& parameters,
-                        const std::string& indices) {
+std::string replay_page(const ReplaySource& source, const DriveReplay& replay,
+                        const rsi::Parameters& parameters, const std::string& indices) {
     const std::vector<std::string> lines = lines_of(indices);
     PageHead head;
     head.title = source.drive;

@@ -8,9 +8,9 @@
 
 namespace sil {
 
-// report.html. `indices` is the text of indices.csv, whose numbers the page shows; a column without any value is
-// left out, and the page says what is not known.
-std::string replay_page(const ReplaySource& source, const DriveReplay& replay, const rsi::Parameters& parameters,
-                        const std::string& indices);
+// report.html. `indices` is the text of indices.csv, whose numbers the page shows; a column without any value
+// is left out, and the page says what is not known.
+std::string replay_page(const ReplaySource& source, const DriveReplay& replay,
+                        const rsi::Parameters& parameters, const std::string& indices);
 
 }  // namespace sil
