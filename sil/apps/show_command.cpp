@@ -57,20 +57,22 @@ std::string recording_of(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / page_name;
     if (!std::filesystem::exists(file, error)) {
         const std::string below = pages_below(folder);
-        throw InputError(fmt::format("{}: there is no {}; {}", folder.string(), page_name,
-                                     below.empty() ? "a run or a replay of this version leaves one"
-                                                   : "choose one of " + below));
+        throw InputError(fmt::format(
+            "{}: there is no {}; {}", folder.string(), page_name,
+            below.empty() ? "a run or a replay of this version leaves one" : "choose one of " + below));
     }
     const std::string recording = recording_in(read_whole_file(file));
     if (recording.empty()) {
-        throw InputError(fmt::format(
-            "{} holds no run that could be played; if it is the report of a study, open the file itself in a browser",
-            file.string()));
+        throw InputError(
+            fmt::format("{} holds no run that could be played; if it is the report of a study, open the file "
+                        "itself in a browser",
+                        file.string()));
     }
     const nlohmann::json json = nlohmann::json::parse(recording, nullptr, false);
-    if (!json.is_object() || !json.contains("columns") || !json.contains("rows") || !json.contains("vehicle")) {
-        throw InputError(fmt::format("{} is damaged: its recording cannot be read; make the run or the replay again",
-                                     file.string()));
+    if (!json.is_object() || !json.contains("columns") || !json.contains("rows") ||
+        !json.contains("vehicle")) {
+        throw InputError(fmt::format(
+            "{} is damaged: its recording cannot be read; make the run or the replay again", file.string()));
     }
     return recording;
 }
@@ -90,8 +92,10 @@ void show(const ShowRequest& request) {
 void add_show_command(CLI::App& app) {
     const auto request = std::make_shared<ShowRequest>();
     CLI::App* command = app.add_subcommand(
-        "show", "Play a finished run or a replayed drive in a browser. Serves one page, to this machine only");
-    command->add_option("folder", request->folder, "That a run, or a replay for one drive, has left")->required();
+        "show",
+        "Play a finished run or a replayed drive in a browser. Serves one page, to this machine only");
+    command->add_option("folder", request->folder, "That a run, or a replay for one drive, has left")
+        ->required();
     add_port_option(*command, request->port);
     command->callback([request] { show(*request); });
 }

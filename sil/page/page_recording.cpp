@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "sil/page/json_text.hpp"
 #include "sil/results/signal_csv.hpp"
 #include "sil/units.hpp"
 
@@ -13,11 +14,6 @@ namespace sil {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Names come from files: bytes that are not UTF-8 are replaced and never thrown about.
-std::string text_of(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Json rounded(double value) {
     return std::isfinite(value) ? Json(std::round(value * 1.0e9) / 1.0e9) : Json(nullptr);
@@ -146,7 +142,7 @@ std::string events_json(const RunEvents& events) {
     add_moment(json, "one_wheel_lift", events.one_wheel_lift);
     add_moment(json, "two_wheel_lift", events.two_wheel_lift);
     add_moment(json, "ssf_crossing", events.ssf_crossing);
-    return text_of(json);
+    return json_text(json);
 }
 
 std::string judgement_json(const RunEvents& events) {
@@ -154,7 +150,7 @@ std::string judgement_json(const RunEvents& events) {
     Json json;
     json["lead_time_s"] = judgement.lead_s ? rounded(*judgement.lead_s) : Json(nullptr);
     json["falling_side"] = to_string(judgement.falling_side);
-    return text_of(json);
+    return json_text(json);
 }
 
 std::string diagnosis_json(const PageDiagnosis& diagnosis) {
@@ -163,11 +159,11 @@ std::string diagnosis_json(const PageDiagnosis& diagnosis) {
     json["degradation"] = can_dbc::RolloverDiagnosis::name_of(diagnosis.degradation);
     json["set"] = list_of_codes(diagnosis.codes.set);
     json["confirmed"] = list_of_codes(diagnosis.codes.confirmed);
-    return text_of(json);
+    return json_text(json);
 }
 
 std::string head_json(const PageHead& head) {
-    return text_of(json_of(head));
+    return json_text(json_of(head));
 }
 
 bool DiagnosisWatch::observe(double time_s, const can_dbc::RolloverDiagnosis& diagnosis) {
