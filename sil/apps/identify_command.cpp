@@ -15,6 +15,7 @@
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/identification/calibration_writer.hpp"
 #include "sil/studies/identification/identification.hpp"
+#include "sil/studies/identification/identification_page.hpp"
 #include "sil/studies/identification/report.hpp"
 #include "sil/studies/identification/simulated_drive.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -84,8 +85,8 @@ std::vector<Drive> read_all(const std::vector<std::string>& files) {
 void prepare_folder(const std::filesystem::path& output) {
     make_folder(output);
     for (const char* name :
-         {"calibration.toml", "report.txt", "fit.csv", "curve.csv", "fit.gp", "calibration.refused.toml",
-          "roll_stiffness.svg", "roll_stiffness.png", "fit.svg", "fit.png"}) {
+         {"calibration.toml", "report.txt", "report.html", "fit.csv", "curve.csv", "fit.gp",
+          "calibration.refused.toml", "roll_stiffness.svg", "roll_stiffness.png", "fit.svg", "fit.png"}) {
         remove_file(output / name);
     }
 }
@@ -120,6 +121,7 @@ void identify_vehicle(IdentifyRequest& request) {
         identify(vehicle, read_all(request.ramps), read_all(request.dynamics), options);
     const std::string report = identification_report(result);
     write_file_atomically(request.output / "report.txt", report);
+    write_file_atomically(request.output / "report.html", identification_page(result));
     write_file_atomically(request.output / "fit.csv", fit_csv(result));
     write_file_atomically(request.output / "curve.csv", curve_csv(result));
     write_file_atomically(request.output / "fit.gp", fit_marks(result));

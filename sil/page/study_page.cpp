@@ -23,7 +23,8 @@ Json number(double value) {
 }
 
 Json json_of(const StudyCell& cell) {
-    return std::holds_alternative<double>(cell) ? number(std::get<double>(cell)) : Json(std::get<std::string>(cell));
+    return std::holds_alternative<double>(cell) ? number(std::get<double>(cell))
+                                                : Json(std::get<std::string>(cell));
 }
 
 Json json_of(const StudyAxis& axis, bool is_y) {
@@ -86,7 +87,8 @@ void StudyPage::table(const StudyTable& table) {
     Json json{{"kind", "table"}, {"name", table.name}, {"heading", table.heading}, {"note", table.note}};
     json["columns"] = Json::array();
     for (const StudyColumn& column : table.columns) {
-        json["columns"].push_back({{"words", column.words}, {"digits", column.digits}, {"unit", column.unit}});
+        json["columns"].push_back(
+            {{"words", column.words}, {"digits", column.digits}, {"unit", column.unit}});
     }
     json["rows"] = Json::array();
     for (const std::vector<StudyCell>& row : table.rows) {
@@ -119,11 +121,12 @@ void StudyPage::chart(const StudyChart& chart) {
 }
 
 std::string StudyPage::html() const {
-    std::string json = "{\"title\":" + json_text(Json(title_)) + ",\"subtitle\":" + json_text(Json(subtitle_)) +
-                       ",\n\"sections\":[";
+    std::string json = "{\"title\":" + json_text(Json(title_)) +
+                       ",\"subtitle\":" + json_text(Json(subtitle_)) + ",\n\"sections\":[";
     for (std::size_t place = 0U; place < sections_.size(); ++place) {
         const Section& section = sections_[place];
-        json += std::string{place > 0U ? ",\n" : "\n"} + "{\"heading\":" + json_text(Json(section.heading)) + ",\"blocks\":[";
+        json += std::string{place > 0U ? ",\n" : "\n"} + "{\"heading\":" + json_text(Json(section.heading)) +
+                ",\"blocks\":[";
         for (std::size_t block = 0U; block < section.blocks.size(); ++block) {
             json += std::string{block > 0U ? ",\n" : "\n"} + section.blocks[block];
         }

@@ -1,4 +1,5 @@
-// Study page: the report of a campaign, an identification or the like, as sections of texts, tables and charts.
+// Study page: the report of a campaign, an identification or the like, as sections of texts, tables and
+// charts.
 #pragma once
 
 #include <array>
@@ -39,7 +40,8 @@ struct StudyAxis {
     std::optional<double> to{};
 };
 
-// x and y, and of some charts a third value that is read off with them. A y that is not finite interrupts the line.
+// x and y, and of some charts a third value that is read off with them. A y that is not finite interrupts the
+// line.
 using StudyPoint = std::vector<double>;
 
 struct StudyLine {
@@ -50,7 +52,7 @@ struct StudyLine {
     std::vector<int> dash{};
     double width{2.0};
     Style style{Style::line};
-    bool shown{true};  // at first
+    bool shown{true};                  // at first
     std::vector<StudyPoint> points{};  // in the order of x, unless a cloud
 };
 
@@ -60,7 +62,7 @@ struct StudyChart {
     StudyAxis x{};
     StudyAxis y{};
     std::vector<StudyLine> lines{};
-    std::string extra{};           // what the third value of a point is
+    std::string extra{};            // what the third value of a point is
     std::vector<double> marks_x{};  // thin lines across
     std::vector<double> marks_y{};
     std::string note{};
@@ -71,7 +73,8 @@ StudyLine study_line(const std::string& words, std::size_t place);
 
 class StudyPage {
  public:
-    StudyPage(std::string title, std::string subtitle) : title_{std::move(title)}, subtitle_{std::move(subtitle)} {}
+    StudyPage(std::string title, std::string subtitle)
+        : title_{std::move(title)}, subtitle_{std::move(subtitle)} {}
 
     // What follows belongs to it; there must be one first.
     void section(const std::string& heading);

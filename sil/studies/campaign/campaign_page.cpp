@@ -27,8 +27,9 @@ double or_not_known(const std::optional<double>& value) {
 
 std::string interval(const Share& share) {
     const ConfidenceInterval confidence = share.confidence();
-    return share.total == 0U ? std::string{"-"}
-                             : fmt::format("{:.2f} to {:.2f}", 100.0 * confidence.lowest, 100.0 * confidence.highest);
+    return share.total == 0U
+               ? std::string{"-"}
+               : fmt::format("{:.2f} to {:.2f}", 100.0 * confidence.lowest, 100.0 * confidence.highest);
 }
 
 std::vector<StudyCell> row_of(const Judgement& judgement) {
@@ -96,7 +97,8 @@ StudyTable table_of_best(const RunGroup& group) {
     return table;
 }
 
-StudyTable table_of_groups(const std::string& name, const std::string& what, const std::vector<RunGroup>& groups) {
+StudyTable table_of_groups(const std::string& name, const std::string& what,
+                           const std::vector<RunGroup>& groups) {
     StudyTable table{name,
                      "",
                      {{what, StudyColumn::of_words, ""},
@@ -116,13 +118,13 @@ StudyTable table_of_groups(const std::string& name, const std::string& what, con
                      {}};
     for (const RunGroup& group : groups) {
         const Detection& warning = group.judgements.front().detection;
-        table.rows.push_back({group.name, static_cast<double>(group.runs), static_cast<double>(group.lifted),
-                              static_cast<double>(group.brief_lifts),
-                              static_cast<double>(warning.warned.total - warning.warned.count),
-                              percent(warning.warned), percent(warning.warned_100ms), percent(warning.warned_200ms),
-                              or_not_known(quantile(warning.lead_times_s, 0.5)), percent(warning.false_alarms),
-                              group.time.wrong_side_s, group.time.unavailable_s,
-                              static_cast<double>(group.time.coded_runs)});
+        table.rows.push_back(
+            {group.name, static_cast<double>(group.runs), static_cast<double>(group.lifted),
+             static_cast<double>(group.brief_lifts),
+             static_cast<double>(warning.warned.total - warning.warned.count), percent(warning.warned),
+             percent(warning.warned_100ms), percent(warning.warned_200ms),
+             or_not_known(quantile(warning.lead_times_s, 0.5)), percent(warning.false_alarms),
+             group.time.wrong_side_s, group.time.unavailable_s, static_cast<double>(group.time.coded_runs)});
     }
     return table;
 }
@@ -149,7 +151,8 @@ StudyChart chart_of_leads(const CampaignReport& report) {
                      {}};
     for (std::size_t place = 0U; place < report.all.judgements.size(); ++place) {
         const Judgement& judgement = report.all.judgements[place];
-        StudyLine line = place == 0U ? line_of_warning(StudyLine::Style::line) : study_line(judgement.name, place - 1U);
+        StudyLine line =
+            place == 0U ? line_of_warning(StudyLine::Style::line) : study_line(judgement.name, place - 1U);
         for (const LeadShare& share : lead_shares(judgement, report.all.lifted)) {
             if (!line.points.empty() && line.points.back()[0] == share.lead_s) {
                 line.points.pop_back();  // all of them have at least this lead
@@ -162,8 +165,9 @@ StudyChart chart_of_leads(const CampaignReport& report) {
     return chart;
 }
 
-StudyChart chart_of_detection(const CampaignReport& report, const std::string& name, const std::string& heading,
-                              Share CurvePoint::* of_index, Share Detection::* of_warning) {
+StudyChart chart_of_detection(const CampaignReport& report, const std::string& name,
+                              const std::string& heading, Share CurvePoint::* of_index,
+                              Share Detection::* of_warning) {
     StudyChart chart{name,
                      heading,
                      {"alarms in calm runs", "%", 2, 0.0, 5.0},
@@ -223,12 +227,12 @@ StudyTable table_of_runs(const std::string& name, const std::string& heading, co
         if (!is_listed(run) || ++found > most_listed_runs) {
             continue;
         }
-        table.rows.push_back({static_cast<double>(run.number), run.vehicle, run.manoeuvre,
-                              or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s), run.largest_ltr,
-                              static_cast<double>(run.warnings),
-                              fmt::format("rsi-sil campaign --settings {} --output {} --run {}",
-                                          quoted((folder / "campaign.toml").string()), quoted(folder.string()),
-                                          run.number)});
+        table.rows.push_back(
+            {static_cast<double>(run.number), run.vehicle, run.manoeuvre,
+             or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s), run.largest_ltr,
+             static_cast<double>(run.warnings),
+             fmt::format("rsi-sil campaign --settings {} --output {} --run {}",
+                         quoted((folder / "campaign.toml").string()), quoted(folder.string()), run.number)});
     }
     table.note = found > most_listed_runs
                      ? fmt::format("The first {} of {}; runs.csv has all.", most_listed_runs, found)
@@ -239,11 +243,12 @@ StudyTable table_of_runs(const std::string& name, const std::string& heading, co
 void add_shares(StudyPage& page, const CampaignReport& report) {
     const RunGroup& all = report.all;
     page.section("The warning");
-    page.text(fmt::format(
-        "{} of {} runs lift two wheels of a side. The shares belong to this mixture of drives; intervals are of 95 %, {}.",
-        all.lifted, all.runs,
-        all.vehicles < fewest_clusters ? "runs taken as independent, for there are few vehicles"
-                                       : "counting vehicles, whose runs are not independent"));
+    page.text(
+        fmt::format("{} of {} runs lift two wheels of a side. The shares belong to this mixture of drives; "
+                    "intervals are of 95 %, {}.",
+                    all.lifted, all.runs,
+                    all.vehicles < fewest_clusters ? "runs taken as independent, for there are few vehicles"
+                                                   : "counting vehicles, whose runs are not independent"));
     page.chart(chart_of_leads(report));
     page.chart(chart_of_detection(report, "detection", "In force with the right side as two wheels lift",
                                   &CurvePoint::warned, &Detection::warned));
@@ -269,7 +274,10 @@ void add_ordinary(StudyPage& page, const CampaignReport& report) {
     const double thousand_km = time.distance_m / 1.0e6;
     StudyTable table{"ordinary",
                      "",
-                     {{"what", StudyColumn::of_words, ""}, {"in all", 2, ""}, {"per hour", 3, ""}, {"per 1,000 km", 3, ""}},
+                     {{"what", StudyColumn::of_words, ""},
+                      {"in all", 2, ""},
+                      {"per hour", 3, ""},
+                      {"per 1,000 km", 3, ""}},
                      {},
                      {}};
     const auto add = [&](const char* name, double value) {
@@ -287,11 +295,14 @@ void add_ordinary(StudyPage& page, const CampaignReport& report) {
 
 }  // namespace
 
-std::string campaign_page(const CampaignReport& report, const RowTable& table, const std::filesystem::path& folder) {
+std::string campaign_page(const CampaignReport& report, const RowTable& table,
+                          const std::filesystem::path& folder) {
     const Versions versions = built_versions();
-    StudyPage page{"Campaign", fmt::format("{} runs{}; component {} {}", report.all.runs + report.ordinary_runs,
-                                           report.complete() ? "" : fmt::format(" of {}: not complete", report.runs_wanted),
-                                           versions.component, versions.git_revision)};
+    StudyPage page{
+        "Campaign",
+        fmt::format("{} runs{}; component {} {}", report.all.runs + report.ordinary_runs,
+                    report.complete() ? "" : fmt::format(" of {}: not complete", report.runs_wanted),
+                    versions.component, versions.git_revision)};
     if (report.all.runs > 0U) {
         add_shares(page, report);
     }
@@ -299,13 +310,16 @@ std::string campaign_page(const CampaignReport& report, const RowTable& table, c
         add_ordinary(page, report);
     }
     page.section("Runs to look into");
-    page.table(table_of_runs("missed", "Two wheels lift, without a warning of the right side in force", table, folder,
-                             [](const RecordedCampaignRun& run) {
-                                 return run.manoeuvre != ordinary_driving_name && is_lifted(run) && !is_warned(run.lead_s);
+    page.table(table_of_runs("missed", "Two wheels lift, without a warning of the right side in force", table,
+                             folder, [](const RecordedCampaignRun& run) {
+                                 return run.manoeuvre != ordinary_driving_name && is_lifted(run) &&
+                                        !is_warned(run.lead_s);
                              }));
-    page.table(table_of_runs("false_alarms", "Alarms in calm runs", table, folder, [](const RecordedCampaignRun& run) {
-        return run.manoeuvre != ordinary_driving_name && !is_lifted(run) && is_calm(run) && run.warnings > 0U;
-    }));
+    page.table(table_of_runs("false_alarms", "Alarms in calm runs", table, folder,
+                             [](const RecordedCampaignRun& run) {
+                                 return run.manoeuvre != ordinary_driving_name && !is_lifted(run) &&
+                                        is_calm(run) && run.warnings > 0U;
+                             }));
     return page.html();
 }
 

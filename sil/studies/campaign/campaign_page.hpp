@@ -9,6 +9,7 @@
 namespace sil {
 
 // report.html. `folder` is the campaign's, as the commands that drive a run again name it.
-std::string campaign_page(const CampaignReport& report, const RowTable& table, const std::filesystem::path& folder);
+std::string campaign_page(const CampaignReport& report, const RowTable& table,
+                          const std::filesystem::path& folder);
 
 }  // namespace sil
