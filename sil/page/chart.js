@@ -1,26 +1,31 @@
 // Chart: lines and points over a quantity, with a cursor that reads them off, and a range that can be chosen.
 
-// The place of the point nearest to `x`; of several at one x the last. Points are in the order of x.
-function nearestPoint(points, x) {
-  let low = 0;
+// The point that is read off at `x`: "nearest"; "last", until there; "next", from there on. Of several at one x it is the
+// last, and null where there is none. Points are in the order of x.
+function pointAt(points, x, reading) {
+  let low = -1;
   let high = points.length - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
-    if (points[middle][0] <= x) {
+    if (points[middle][0] <= x + 1e-9) {
       low = middle;
     } else {
       high = middle - 1;
     }
   }
-  const next = Math.min(low + 1, points.length - 1);
-  if (Math.abs(points[next][0] - x) >= Math.abs(points[low][0] - x)) {
-    return low;
+  const before = low < 0 ? null : points[low];
+  if (reading === "last" || (before !== null && Math.abs(before[0] - x) <= 1e-9)) {
+    return before;
   }
-  let last = next;
-  while (last + 1 < points.length && points[last + 1][0] === points[next][0]) {
-    last += 1;
+  let next = low + 1;
+  while (next + 1 < points.length && points[next + 1][0] === points[next][0]) {
+    next += 1;
   }
-  return last;
+  const after = points[next] ?? null;
+  if (reading === "next" || before === null || after === null) {
+    return reading === "next" ? after : before ?? after;
+  }
+  return x - before[0] <= after[0] - x ? before : after;
 }
 
 class Chart {
@@ -149,7 +154,16 @@ class Chart {
     this.draw();
   }
 
-  // What each series has nearest to the cursor.
+  // What the series has at the cursor; of marks, what is near.
+  pointOf(series) {
+    if (series.style === "cloud") {
+      return null;
+    }
+    const point = pointAt(series.points, this.cursor, series.style === "mark" ? "nearest" : this.reading);
+    const far = series.style === "mark" && point !== null && Math.abs(point[0] - this.cursor) > 0.05 * (this.range.to - this.range.from);
+    return far ? null : point;
+  }
+
   showReadout() {
     if (this.cursor === null) {
       this.readout.textContent = "";
@@ -158,13 +172,12 @@ class Chart {
     this.readout.textContent = `${this.x.words}: ${numberText(this.cursor, this.x.digits ?? 2)}${this.x.unit ? " " + this.x.unit : ""}`;
     for (const each of this.series) {
       const output = each.button.querySelector("output");
-      const point = each.style === "cloud" || each.points.length === 0 ? null : each.points[nearestPoint(each.points, this.cursor)];
-      const far = point === null || Math.abs(point[0] - this.cursor) > 0.25 * (this.range.to - this.range.from);
-      const value = far || point[1] === null ? null : point[1];
+      const point = this.pointOf(each);
+      const value = point === null ? null : point[1];
       output.dataset.x = value === null ? "" : String(point[0]);
       output.dataset.value = value === null ? "" : String(value);
       output.textContent = value === null ? "" : numberText(value, this.y.digits ?? 2) + (this.y.unit ? " " + this.y.unit : "") +
-        (this.extra && point.length > 2 ? `, ${this.extra} ${numberText(point[2], 3)}` : "");
+        (point.length > 2 ? ` (${numberText(point[2], 3)})` : "");
     }
   }
 
@@ -271,12 +284,10 @@ class Chart {
     }
     frame.line(frame.toX(this.cursor), frame.top, frame.toX(this.cursor), frame.bottom, "--ink", [], 1);
     for (const each of this.shownSeries) {
-      if (each.style !== "cloud" && each.points.length > 0) {
-        const [x, y] = each.points[nearestPoint(each.points, this.cursor)];
-        if (y !== null) {
-          pen.fillStyle = colourOf(each.colour);
-          drawShape(pen, "circle", frame.toX(x), frame.toY(y), 3.2);
-        }
+      const point = this.pointOf(each);
+      if (point !== null && point[1] !== null) {
+        pen.fillStyle = colourOf(each.colour);
+        drawShape(pen, "circle", frame.toX(point[0]), frame.toY(point[1]), 3.2);
       }
     }
   }

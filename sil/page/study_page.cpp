@@ -105,7 +105,8 @@ void StudyPage::chart(const StudyChart& chart) {
     Json json{{"kind", "chart"}, {"name", chart.name}, {"heading", chart.heading}, {"note", chart.note}};
     json["x"] = json_of(chart.x, false);
     json["y"] = json_of(chart.y, true);
-    json["extra"] = chart.extra;
+    static constexpr const char* readings[] = {"nearest", "last", "next"};
+    json["reading"] = readings[static_cast<std::size_t>(chart.reading)];
     json["marks"] = Json::array();
     for (const double x : chart.marks_x) {
         json["marks"].push_back({{"x", number(x)}});

@@ -40,8 +40,8 @@ struct StudyAxis {
     std::optional<double> to{};
 };
 
-// x and y, and of some charts a third value that is read off with them. A y that is not finite interrupts the
-// line.
+// x and y, and of some charts a third value that is read off with them, in brackets. A y that is not finite
+// interrupts the line.
 using StudyPoint = std::vector<double>;
 
 struct StudyLine {
@@ -56,6 +56,9 @@ struct StudyLine {
     std::vector<StudyPoint> points{};  // in the order of x, unless a cloud
 };
 
+// Which point of a line is read off at x: the nearest; the last until there; the first from there on.
+enum class StudyReading { nearest, last, next };
+
 struct StudyChart {
     std::string name{};
     std::string heading{};
@@ -66,6 +69,7 @@ struct StudyChart {
     std::vector<double> marks_x{};  // thin lines across
     std::vector<double> marks_y{};
     std::string note{};
+    StudyReading reading{StudyReading::nearest};
 };
 
 // The colours and dashes of many lines, one after the other.

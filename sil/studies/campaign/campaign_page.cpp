@@ -140,15 +140,13 @@ StudyLine line_of_warning(StudyLine::Style style) {
 }
 
 StudyChart chart_of_leads(const CampaignReport& report) {
-    StudyChart chart{"leads",
-                     "Lift-offs warned of at least so early, every threshold at 1",
-                     {"lead", "s", 3, 0.0, 1.5},
-                     {"lift-offs with at least this lead", "%", 2, 0.0, 100.0},
-                     {},
-                     {},
-                     {early_s, very_early_s},
-                     {},
-                     {}};
+    StudyChart chart;
+    chart.name = "leads";
+    chart.heading = "Lift-offs warned of at least so early, every threshold at 1";
+    chart.x = {"lead", "s", 3, 0.0, 1.5};
+    chart.y = {"lift-offs with at least this lead", "%", 2, 0.0, 100.0};
+    chart.marks_x = {early_s, very_early_s};
+    chart.reading = StudyReading::next;
     for (std::size_t place = 0U; place < report.all.judgements.size(); ++place) {
         const Judgement& judgement = report.all.judgements[place];
         StudyLine line =
@@ -168,15 +166,13 @@ StudyChart chart_of_leads(const CampaignReport& report) {
 StudyChart chart_of_detection(const CampaignReport& report, const std::string& name,
                               const std::string& heading, Share CurvePoint::* of_index,
                               Share Detection::* of_warning) {
-    StudyChart chart{name,
-                     heading,
-                     {"alarms in calm runs", "%", 2, 0.0, 5.0},
-                     {"two-wheel lift-offs warned of", "%", 2, {}, 100.0},
-                     {},
-                     "at the threshold",
-                     {},
-                     {},
-                     {}};
+    StudyChart chart;
+    chart.name = name;
+    chart.heading = heading;
+    chart.x = {"alarms in calm runs", "%", 2, 0.0, 5.0};
+    chart.y = {"two-wheel lift-offs warned of", "%", 2, {}, 100.0};
+    chart.note = "Read off is the most that so many alarms give; in brackets the threshold for it.";
+    chart.reading = StudyReading::last;
     const Detection& warning = report.all.judgements.front().detection;
     StudyLine point = line_of_warning(StudyLine::Style::mark);
     if (warning.false_alarms.total > 0U && (warning.*of_warning).total > 0U) {

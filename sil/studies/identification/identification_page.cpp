@@ -48,46 +48,48 @@ const DriveResidual* residual_of(const std::vector<DriveResidual>& residuals, co
 }
 
 StudyTable table_of_drives(const Identification& result, const std::vector<FittedDrive>& drives) {
-    StudyTable table{"drives",
-                     "",
-                     {{"drive", StudyColumn::of_words, ""},
-                      {"kind", StudyColumn::of_words, ""},
-                      {"used from", 2, "s"},
-                      {"to", 2, "s"},
-                      {"why no later", StudyColumn::of_words, ""},
-                      {"up to", 2, "g"},
-                      {"up to", 2, "deg"},
-                      {"moment, R2", 4, ""},
-                      {"its residual", 0, "N m rms"},
-                      {"roll angle predicted within", 3, "deg rms"},
-                      {"load transfer, R2", 4, ""},
-                      {"its error", 4, "rms"}},
-                     {},
-                     "R2: which share of the variation the model explains. Predicted: by the model alone, from the "
-                     "measured lateral force."};
+    StudyTable table{
+        "drives",
+        "",
+        {{"drive", StudyColumn::of_words, ""},
+         {"kind", StudyColumn::of_words, ""},
+         {"used from", 2, "s"},
+         {"to", 2, "s"},
+         {"why no later", StudyColumn::of_words, ""},
+         {"up to", 2, "g"},
+         {"up to", 2, "deg"},
+         {"moment, R2", 4, ""},
+         {"its residual", 0, "N m rms"},
+         {"roll angle predicted within", 3, "deg rms"},
+         {"load transfer, R2", 4, ""},
+         {"its error", 4, "rms"}},
+        {},
+        "R2: which share of the variation the model explains. Predicted: by the model alone, from the "
+        "measured lateral force."};
     for (std::size_t place = 0U; place < drives.size(); ++place) {
         const PreparedDrive& drive = *drives[place].drive;
         const DriveResidual& moment = result.roll.drives[place];
         const DriveResidual* load =
             drive.has_wheel_loads ? residual_of(result.load_transfer, drive.name) : nullptr;
         table.rows.push_back(
-            {drive.name, std::string{drives[place].dynamic ? "dynamic" : "ramp"}, drive.samples.front().time_s,
-             drive.samples.back().time_s, drive.cut_s ? drive.cut_reason : std::string{"it ends"},
-             drive.largest_parallel_mps2 / g_mps2, drive.largest_roll_angle_rad * degrees_per_radian,
-             moment.r_squared, moment.rms,
+            {drive.name, std::string{drives[place].dynamic ? "dynamic" : "ramp"},
+             drive.samples.front().time_s, drive.samples.back().time_s,
+             drive.cut_s ? drive.cut_reason : std::string{"it ends"}, drive.largest_parallel_mps2 / g_mps2,
+             drive.largest_roll_angle_rad * degrees_per_radian, moment.r_squared, moment.rms,
              degrees_per_radian * rms(drives[place],
                                       [](const RollSample& sample, const FittedSample& fitted) {
                                           return sample.roll_angle_rad - fitted.predicted_roll_angle_rad;
                                       }),
-             load != nullptr ? load->r_squared : DriveSample::not_available, load != nullptr ? load->rms : DriveSample::not_available});
+             load != nullptr ? load->r_squared : DriveSample::not_available,
+             load != nullptr ? load->rms : DriveSample::not_available});
     }
     return table;
 }
 
 // A line of one drive; left out where none of its values is known.
 template <typename Value>
-void add_line(StudyChart& chart, const FittedDrive& drive, const char* words, const char* colour, double width,
-              const Value& value) {
+void add_line(StudyChart& chart, const FittedDrive& drive, const char* words, const char* colour,
+              double width, const Value& value) {
     StudyLine line;
     line.words = words;
     line.colour = colour;
@@ -107,7 +109,13 @@ void add_line(StudyChart& chart, const FittedDrive& drive, const char* words, co
 
 StudyChart chart_over_time(const std::string& name, const char* heading, const char* words, const char* unit,
                            int digits) {
-    return {name, heading, {"time", "s", 2, {}, {}}, {words, unit, digits, {}, {}}, {}, {}, {}, {0.0}, {}};
+    StudyChart chart;
+    chart.name = name;
+    chart.heading = heading;
+    chart.x = {"time", "s", 2, {}, {}};
+    chart.y = {words, unit, digits, {}, {}};
+    chart.marks_y = {0.0};
+    return chart;
 }
 
 void add_drive(StudyPage& page, const FittedDrive& drive, std::size_t number) {
@@ -121,13 +129,15 @@ void add_drive(StudyPage& page, const FittedDrive& drive, std::size_t number) {
         }
     };
     StudyChart roll = chart_over_time(name("roll"), "Roll angle", "roll angle", "deg", 3);
-    roll.note = "Predicted: by the fitted model alone, from the measured lateral force and the first angle and rate.";
+    roll.note =
+        "Predicted: by the fitted model alone, from the measured lateral force and the first angle and rate.";
     add_line(roll, drive, "measured", "--sky", 4.0,
              [](Sample sample, Fitted) { return sample.roll_angle_rad * degrees_per_radian; });
     add_line(roll, drive, "predicted", "--vermilion", 1.5,
              [](Sample, Fitted fitted) { return fitted.predicted_roll_angle_rad * degrees_per_radian; });
     show(roll);
-    StudyChart load = chart_over_time(name("load"), "Load transfer", "half track times (right - left)", "kN m", 3);
+    StudyChart load =
+        chart_over_time(name("load"), "Load transfer", "half track times (right - left)", "kN m", 3);
     add_line(load, drive, "of the wheels", "--sky", 4.0,
              [](Sample sample, Fitted) { return 0.001 * sample.load_moment_nm; });
     if (drive.drive->has_wheel_loads) {
@@ -136,7 +146,8 @@ void add_drive(StudyPage& page, const FittedDrive& drive, std::size_t number) {
     }
     show(load);
     StudyChart response = chart_over_time(name("response"), "Lateral response", "acceleration", "m/s^2", 3);
-    add_line(response, drive, "A, measured", "--sky", 4.0, [](Sample sample, Fitted) { return sample.parallel_mps2; });
+    add_line(response, drive, "A, measured", "--sky", 4.0,
+             [](Sample sample, Fitted) { return sample.parallel_mps2; });
     add_line(response, drive, "asked for by the steering", "--quiet", 1.5,
              [](Sample, Fitted fitted) { return fitted.steering_acceleration_mps2; });
     add_line(response, drive, "response to it, as fitted", "--vermilion", 1.5,
@@ -155,15 +166,12 @@ void add_drive(StudyPage& page, const FittedDrive& drive, std::size_t number) {
 }
 
 StudyChart chart_of_stiffness(const Identification& result, const std::vector<FittedDrive>& drives) {
-    StudyChart chart{"stiffness",
-                     "Roll stiffness",
-                     {"roll angle", "deg", 2, {}, {}},
-                     {"moment", "kN m", 3, {}, {}},
-                     {},
-                     {},
-                     {},
-                     {0.0},
-                     {}};
+    StudyChart chart;
+    chart.name = "stiffness";
+    chart.heading = "Roll stiffness";
+    chart.x = {"roll angle", "deg", 2, {}, {}};
+    chart.y = {"moment", "kN m", 3, {}, {}};
+    chart.marks_y = {0.0};
     StudyLine cloud;
     cloud.words = "ramps, without what moving adds";
     cloud.colour = "--sky";
@@ -191,8 +199,9 @@ StudyChart chart_of_stiffness(const Identification& result, const std::vector<Fi
     if (result.roll.needed_up_to_rad > result.roll.data_end_rad) {
         const double end_deg = result.roll.data_end_rad * degrees_per_radian;
         chart.marks_x = {-end_deg, end_deg};
-        chart.note = fmt::format("The drives reach {:.2f} deg; beyond it, up to {:.2f} deg, the curve is a guess.",
-                                 end_deg, result.roll.needed_up_to_rad * degrees_per_radian);
+        chart.note =
+            fmt::format("The drives reach {:.2f} deg; beyond it, up to {:.2f} deg, the curve is a guess.",
+                        end_deg, result.roll.needed_up_to_rad * degrees_per_radian);
     }
     return chart;
 }

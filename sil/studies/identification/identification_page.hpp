@@ -7,8 +7,8 @@
 
 namespace sil {
 
-// report.html: the values with their origin, what to know about them, and for every drive measured and fitted signals,
-// those of fit.csv; a long drive has fewer points.
+// report.html: the values with their origin, what to know about them, and for every drive measured and fitted
+// signals, those of fit.csv; a long drive has fewer points.
 std::string identification_page(const Identification& result);
 
 }  // namespace sil

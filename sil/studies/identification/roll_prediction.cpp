@@ -16,9 +16,9 @@ double moment_nm(const RollModel& model, double phi) {
 }  // namespace
 
 RollModel roll_model(const VehicleData& vehicle, const RollFit& fit) {
-    return {vehicle.sprung_mass_kg * fit.arm_m,     fit.inertia_kgm2.value,
-            fit.damping_nmsprad.value,              fit.stiffness_nmprad.value,
-            fit.stiffness_cubic_nmprad3.value,      fit.stiffness_quintic_nmprad5.value};
+    return {vehicle.sprung_mass_kg * fit.arm_m, fit.inertia_kgm2.value,
+            fit.damping_nmsprad.value,          fit.stiffness_nmprad.value,
+            fit.stiffness_cubic_nmprad3.value,  fit.stiffness_quintic_nmprad5.value};
 }
 
 RollModel roll_model(const rsi::Parameters& parameters) {
@@ -32,7 +32,8 @@ RollModel roll_model(const rsi::Parameters& parameters) {
             static_cast<double>(parameters.roll_stiffness_quintic_nmprad5)};
 }
 
-std::vector<double> predicted_roll_angles_rad(const RollModel& model, const std::vector<RollSample>& samples) {
+std::vector<double> predicted_roll_angles_rad(const RollModel& model,
+                                              const std::vector<RollSample>& samples) {
     std::vector<double> angles(samples.size(), DriveSample::not_available);
     if (samples.empty()) {
         return angles;
@@ -49,7 +50,8 @@ std::vector<double> predicted_roll_angles_rad(const RollModel& model, const std:
             const double parallel = from.parallel_mps2 + share * (to.parallel_mps2 - from.parallel_mps2);
             const double normal = from.normal_mps2 + share * (to.normal_mps2 - from.normal_mps2);
             const double tipping = model.mass_arm_kgm * (parallel + normal * std::tan(angle));
-            rate += step_s * (tipping - moment_nm(model, angle) - model.damping_nmsprad * rate) / model.inertia_kgm2;
+            rate += step_s * (tipping - moment_nm(model, angle) - model.damping_nmsprad * rate) /
+                    model.inertia_kgm2;
             angle += step_s * rate;
         }
         angles[sample] = std::fabs(angle) < tipped_rad ? angle : DriveSample::not_available;

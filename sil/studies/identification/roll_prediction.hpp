@@ -1,4 +1,5 @@
-// Roll prediction: how the body rolls, and how the force follows the steering, by the models of a calibration alone.
+// Roll prediction: how the body rolls, and how the force follows the steering, by the models of a calibration
+// alone.
 #pragma once
 
 #include <vector>
@@ -23,12 +24,12 @@ struct RollModel {
 RollModel roll_model(const VehicleData& vehicle, const RollFit& fit);
 RollModel roll_model(const rsi::Parameters& parameters);
 
-// The roll angle at each sample. Of the drive the measured forces A and N are used, and of the roll motion nothing but
-// its beginning. NaN from where the model tips over, beyond one radian.
+// The roll angle at each sample. Of the drive the measured forces A and N are used, and of the roll motion
+// nothing but its beginning. NaN from where the model tips over, beyond one radian.
 std::vector<double> predicted_roll_angles_rad(const RollModel& model, const std::vector<RollSample>& samples);
 
-// A at each sample, as A'' = w^2 (a_d - A) - 2 zeta w A' has it from the steering alone and the beginning of A. Starts
-// anew after samples at which the steering's demand is not known, where it is NaN.
+// A at each sample, as A'' = w^2 (a_d - A) - 2 zeta w A' has it from the steering alone and the beginning of
+// A. Starts anew after samples at which the steering's demand is not known, where it is NaN.
 std::vector<double> response_mps2(const SteeringModel& model, double frequency_radps, double damping,
                                   const std::vector<RollSample>& samples);
 

@@ -72,13 +72,24 @@ class CampaignReport(unittest.TestCase):
             for row in shown[::19]:
                 at_it = [float(each[column]) for each in shown
                          if (each["index"], each["false_alarm_share"]) == (row["index"], row["false_alarm_share"])]
-                at, value, text = self.page.read_off(chart, 100 * float(row["false_alarm_share"]))[row["index"]]
+                at, value, text = self.page.read_off(chart, 100 * float(row["false_alarm_share"]) + 1e-4)[row["index"]]
                 self.assertAlmostEqual(at, 100 * float(row["false_alarm_share"]), 3)
                 self.assertAlmostEqual(value, 100 * max(at_it), 3)
-                self.assertRegex(text, r"%, at the threshold \d+\.\d{3}$")
+                self.assertRegex(text, r"% \(\d+\.\d{3}\)$")
         warning = self.report["all"]["indices"]["warning"]
         _, value, _ = self.page.read_off("detection_100ms", 100 * warning["false_alarms"]["share"])["warning"]
         self.assertAlmostEqual(value, 100 * warning["warned_100ms_before"]["share"], 3)
+
+    def test_between_two_points_what_is_reached_is_read_off(self):
+        for lead in (0.0555, 0.1505):
+            longer = sum(bool(row["lead_time_s"]) and float(row["lead_time_s"]) >= lead for row in self.runs)
+            lifted = sum(bool(row["two_wheel_lift_time_s"]) for row in self.runs)
+            shown = self.page.read_off("leads", lead)["warning"][1]
+            self.assertAlmostEqual(shown or 0, 100 * longer / lifted, 3)
+        for index in ("published", "predicted_load_transfer"):
+            for limit in self.report["all"]["indices"][index]["best"]:
+                shown = self.page.read_off("detection", 100 * limit["false_alarms_at_most"])[index]
+                self.assertAlmostEqual(shown[1], 100 * limit["warned"]["share"], 3)
 
     def test_tables_are_those_of_the_report(self):
         percent = lambda share: number_text(None if share["share"] is None else 100 * share["share"], 2)  # noqa: E731
