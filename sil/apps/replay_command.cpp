@@ -86,7 +86,7 @@ class Replayer {
           parameters_{load_calibration(request.parameters.string(), request.changes)},
           names_{drive_names(request.files)} {}
 
-    void run() {
+    std::vector<ReplayRow> run() {
         make_folder(request_.output);
         remove_file(request_.output / "table.csv");
         for (std::size_t index = 0U; index < request_.files.size(); ++index) {
@@ -100,6 +100,7 @@ class Replayer {
             throw std::runtime_error(fmt::format("{} of {} files could not be replayed (see above): {}",
                                                  failed_count_, request_.files.size(), failed_));
         }
+        return rows_;
     }
 
  private:
@@ -181,10 +182,10 @@ class Replayer {
 
 }  // namespace
 
-void run_replay(const ReplayRequest& request) {
+std::vector<ReplayRow> run_replay(const ReplayRequest& request) {
     std::signal(SIGINT, note_interruption);
     std::signal(SIGTERM, note_interruption);
-    Replayer{request}.run();
+    return Replayer{request}.run();
 }
 
 void add_replay_command(CLI::App& app, ReplayRequest& request) {
@@ -198,7 +199,7 @@ void add_replay_command(CLI::App& app, ReplayRequest& request) {
         ->allow_extra_args(false);
     replay->add_option("--output", request.output, "Folder for the results")->required();
     replay->add_flag("--no-pictures", request.without_pictures, "Leave out the pictures");
-    replay->callback([&request] { run_replay(request); });
+    replay->callback([&request] { static_cast<void>(run_replay(request)); });
 }
 
 }  // namespace sil

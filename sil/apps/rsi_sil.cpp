@@ -20,6 +20,7 @@
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
 #include "sil/apps/show_command.hpp"
+#include "sil/apps/validate_command.hpp"
 #include "sil/apps/watch_command.hpp"
 #include "sil/results/bus_timing.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -115,6 +116,7 @@ int main(int argc, char** argv) {
     sil::add_fault_search_command(app);
     sil::add_memory_flips_command(app);
     sil::add_identify_command(app);
+    sil::add_validate_command(app);
     sil::add_parameters_command(app);
     return sil::run_program(app, [&] {
         try {

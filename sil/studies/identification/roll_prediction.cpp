@@ -59,6 +59,16 @@ std::vector<double> predicted_roll_angles_rad(const RollModel& model,
     return angles;
 }
 
+double load_moment_nm(const rsi::Parameters& parameters, const RollSample& sample) {
+    const double alpha_kgm = static_cast<double>(parameters.sprung_mass_kg) *
+                                 static_cast<double>(parameters.fixed_roll_centre_height_m) +
+                             static_cast<double>(parameters.unsprung_mass_kg) *
+                                 static_cast<double>(parameters.unsprung_cg_height_m);
+    const RollModel model = roll_model(parameters);
+    return alpha_kgm * sample.parallel_mps2 + moment_nm(model, sample.roll_angle_rad) +
+           model.damping_nmsprad * sample.roll_rate_radps;
+}
+
 std::vector<double> response_mps2(const SteeringModel& model, double frequency_radps, double damping,
                                   const std::vector<RollSample>& samples) {
     std::vector<double> response(samples.size(), DriveSample::not_available);

@@ -28,6 +28,9 @@ RollModel roll_model(const rsi::Parameters& parameters);
 // nothing but its beginning. NaN from where the model tips over, beyond one radian.
 std::vector<double> predicted_roll_angles_rad(const RollModel& model, const std::vector<RollSample>& samples);
 
+// c_w/2 (F_zR - F_zL) as the component has it: alpha A + M(phi) + c phi'.
+double load_moment_nm(const rsi::Parameters& parameters, const RollSample& sample);
+
 // A at each sample, as A'' = w^2 (a_d - A) - 2 zeta w A' has it from the steering alone and the beginning of
 // A. Starts anew after samples at which the steering's demand is not known, where it is NaN.
 std::vector<double> response_mps2(const SteeringModel& model, double frequency_radps, double damping,
