@@ -39,18 +39,20 @@ std::filesystem::path identify_into(const std::filesystem::path& output, const V
                                     const VehicleData& vehicle, Validation& validation) {
     if (folder.ramps.empty() || folder.dynamics.empty()) {
         throw std::runtime_error(
-            "a slow ramp and a dynamic drive are both needed, files named ramp*.csv and dynamic*.csv; or give the "
+            "a slow ramp and a dynamic drive are both needed, files named ramp*.csv and dynamic*.csv; or "
+            "give the "
             "calibration that is to be checked by --parameters");
     }
-    fmt::print("Identifying, from {} ramps and {} dynamic drives\n", folder.ramps.size(), folder.dynamics.size());
+    fmt::print("Identifying, from {} ramps and {} dynamic drives\n", folder.ramps.size(),
+               folder.dynamics.size());
     prepare_identification_folder(output);
     const Identification result = identify(vehicle, read_drives(folder.ramps), read_drives(folder.dynamics));
     write_identification(result, output);
     validation.warnings = result.warnings;
-    validation.calibration =
-        fmt::format("It was identified from {} ramps and {} dynamic drives, which are not among these: "
-                    "identification/report.html.",
-                    folder.ramps.size(), folder.dynamics.size());
+    validation.calibration = fmt::format(
+        "It was identified from {} ramps and {} dynamic drives, which are not among these: "
+        "identification/report.html.",
+        folder.ramps.size(), folder.dynamics.size());
     return output / "calibration.toml";
 }
 
@@ -103,12 +105,14 @@ void add_validate_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "validate", "Calibrate a vehicle by some of its drives and compare the calibration with the others");
     command
-        ->add_option("folder", request->folder,
-                     "With vehicle.toml, ramp*.csv, dynamic*.csv and other drives (docs/validating_a_vehicle.md)")
+        ->add_option(
+            "folder", request->folder,
+            "With vehicle.toml, ramp*.csv, dynamic*.csv and other drives (docs/validating_a_vehicle.md)")
         ->required();
     command->add_option("--parameters", request->calibration,
                         "Check this calibration (TOML), in place of one that is identified");
-    command->add_option("--output", request->output, "Folder for the report, the calibration and the replays")->required();
+    command->add_option("--output", request->output, "Folder for the report, the calibration and the replays")
+        ->required();
     command->callback([request] { validate(*request); });
 }
 

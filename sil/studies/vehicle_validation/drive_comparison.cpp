@@ -60,8 +60,9 @@ ComparisonVerdict verdict_of(const DriveComparison& comparison) {
     if (comparison.turn_s < least_turn_s) {
         return ComparisonVerdict::too_calm;
     }
-    const bool near = std::all_of(comparison.quantities.begin(), comparison.quantities.end(),
-                                  [](const ComparedQuantity& each) { return each.share_within >= least_share_within; });
+    const bool near =
+        std::all_of(comparison.quantities.begin(), comparison.quantities.end(),
+                    [](const ComparedQuantity& each) { return each.share_within >= least_share_within; });
     return near ? ComparisonVerdict::within : ComparisonVerdict::outside;
 }
 
@@ -72,7 +73,8 @@ const char* to_string(ComparisonVerdict verdict) {
     return words[static_cast<std::size_t>(verdict)];
 }
 
-DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle, const rsi::Parameters& parameters) {
+DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
+                              const rsi::Parameters& parameters) {
     DriveComparison comparison;
     comparison.name = drive.name;
     PreparedDrive prepared;

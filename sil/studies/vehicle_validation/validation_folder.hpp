@@ -15,8 +15,8 @@ struct ValidationFolder {
     std::vector<std::filesystem::path> checks{};    // every other *.csv
 };
 
-// By the names of the files, each list in their order. Throws InputError when there is no such folder, no vehicle.toml,
-// or no drive to check with.
+// By the names of the files, each list in their order. Throws InputError when there is no such folder, no
+// vehicle.toml, or no drive to check with.
 ValidationFolder read_validation_folder(const std::filesystem::path& folder);
 
 }  // namespace sil

@@ -74,19 +74,22 @@ StudyTable table_of_drives(const Validation& validation) {
         const DriveComparison& comparison = validation.comparisons[place];
         const ReplayRow& replay = validation.replays[place];
         table.rows.push_back({comparison.name, std::string{to_string(comparison.verdict)},
-                              100.0 * share_of(comparison, 0U), rms_of(comparison, 0U), 100.0 * share_of(comparison, 1U),
-                              rms_of(comparison, 1U), comparison.largest_force_mps2 / g_mps2, comparison.turn_s, replay.verdict,
+                              100.0 * share_of(comparison, 0U), rms_of(comparison, 0U),
+                              100.0 * share_of(comparison, 1U), rms_of(comparison, 1U),
+                              comparison.largest_force_mps2 / g_mps2, comparison.turn_s, replay.verdict,
                               replay.warning_s.value_or(not_known), replay.unavailable_s.value_or(not_known),
                               replay.confirmed_codes.empty() ? std::string{"none"} : replay.confirmed_codes,
                               comparison.reason});
     }
     table.note = fmt::format(
-        "Counted are turns of {:.1f} m/s^2 and more; with less than {:.1f} s of them a drive is too calm. Within: {:.0f} % "
-        "of what is counted lies in the corridor about the measured signal: {} deg and {:.0f} % of the roll angle, {} and "
+        "Counted are turns of {:.1f} m/s^2 and more; with less than {:.1f} s of them a drive is too calm. "
+        "Within: {:.0f} % "
+        "of what is counted lies in the corridor about the measured signal: {} deg and {:.0f} % of the roll "
+        "angle, {} and "
         "{:.0f} % of the load transfer ratio, {} s either way. These tolerances are this project's own.",
         least_turn_mps2, least_turn_s, 100.0 * least_share_within, roll_angle_tolerance_deg.offset,
-        100.0 * roll_angle_tolerance_deg.share, load_transfer_tolerance.offset, 100.0 * load_transfer_tolerance.share,
-        roll_angle_tolerance_deg.time_s);
+        100.0 * roll_angle_tolerance_deg.share, load_transfer_tolerance.offset,
+        100.0 * load_transfer_tolerance.share, roll_angle_tolerance_deg.time_s);
     return table;
 }
 
@@ -121,7 +124,8 @@ StudyChart chart_of(const DriveComparison& comparison, const ComparedQuantity& q
 
 std::string validation_csv(const Validation& validation) {
     std::string text =
-        "drive,comparison,roll_angle_within_share,roll_angle_rms_deg,load_transfer_within_share,load_transfer_rms,"
+        "drive,comparison,roll_angle_within_share,roll_angle_rms_deg,load_transfer_within_share,load_"
+        "transfer_rms,"
         "largest_force_mps2,turn_s,replay,warning_time_s,unavailable_duration_s,confirmed_codes,reason\n";
     for (std::size_t place = 0U; place < validation.comparisons.size(); ++place) {
         const DriveComparison& comparison = validation.comparisons[place];
@@ -141,10 +145,11 @@ std::string validation_text(const Validation& validation) {
     std::string text;
     for (const DriveComparison& comparison : validation.comparisons) {
         text += fmt::format("  {}: {}", comparison.name, to_string(comparison.verdict));
-        for (const ComparedQuantity& quantity : comparison.turn_s > 0.0 ? comparison.quantities
-                                                                        : std::vector<ComparedQuantity>{}) {
-            text += fmt::format(", {} {:.1f} % within, error {:.3f} {}rms", quantity.words, 100.0 * quantity.share_within,
-                                quantity.rms_error, quantity.unit.empty() ? "" : quantity.unit + " ");
+        for (const ComparedQuantity& quantity :
+             comparison.turn_s > 0.0 ? comparison.quantities : std::vector<ComparedQuantity>{}) {
+            text += fmt::format(", {} {:.1f} % within, error {:.3f} {}rms", quantity.words,
+                                100.0 * quantity.share_within, quantity.rms_error,
+                                quantity.unit.empty() ? "" : quantity.unit + " ");
         }
         text += (comparison.reason.empty() ? "" : "; " + comparison.reason) + "\n";
     }
