@@ -167,7 +167,7 @@ class CampaignReport(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             levels = ("warning_on=0.7", "warning_off=0.6", "advisory_on=0.65", "advisory_off=0.6")
             subprocess.run([PROGRAM, "campaign", "--runs", "40", "--output", scratch, *(word for level in levels for word in ("--set", level))],
-                           check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                           cwd=PROJECT, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             calm = [row for row in rows_of(pathlib.Path(scratch, "runs.csv"))
                     if not row["two_wheel_lift_time_s"] and float(row["largest_ltr"]) < 0.9 and int(row["warnings"]) > 0]
             self.assertGreater(len(calm), 1)
@@ -178,7 +178,7 @@ class CampaignReport(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             for runs, settings in (("1", []), ("1", ["--settings", PROJECT / "sil/studies/campaign/ordinary.toml"])):
                 folder = pathlib.Path(scratch, str(len(settings)))
-                subprocess.run([PROGRAM, "campaign", "--runs", runs, "--output", folder, *settings], check=True,
+                subprocess.run([PROGRAM, "campaign", "--runs", runs, "--output", folder, *settings], cwd=PROJECT, check=True,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
                 page = StudyTab(self.tab, folder / "report.html")
                 self.assertEqual(page.table("missed"), [])

@@ -34,7 +34,8 @@ std::vector<RollSample> constant_force(double parallel_mps2, double duration_s) 
 TEST(RollPrediction, SettlesWhereTheMomentsBalance) {
     const RollModel model = linear_model();
     const double angle = sil::predicted_roll_angles_rad(model, constant_force(3.0, 5.0)).back();
-    EXPECT_NEAR(model.mass_arm_kgm * (3.0 + sil::g_mps2 * std::tan(angle)), model.stiffness_nmprad * angle, 1e-3);
+    EXPECT_NEAR(model.mass_arm_kgm * (3.0 + sil::g_mps2 * std::tan(angle)), model.stiffness_nmprad * angle,
+                1e-3);
     EXPECT_GT(angle, 0.03);
 }
 
@@ -105,7 +106,8 @@ TEST(RollPrediction, HasTheModelOfTheFit) {
     sample.parallel_mps2 = 4.0;
     sample.roll_angle_rad = 0.05;
     sample.roll_rate_radps = 0.2;
-    EXPECT_NEAR(sil::load_moment_nm(parameters, sample), sil::component_load_moment_nm(vehicle, fit, sample), 0.1);
+    EXPECT_NEAR(sil::load_moment_nm(parameters, sample), sil::component_load_moment_nm(vehicle, fit, sample),
+                0.1);
 }
 
 TEST(Response, SettlesAtWhatTheSteeringAsksFor) {
