@@ -88,8 +88,9 @@ DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
         comparison.reason = prepared.cut_reason;
     }
     comparison.largest_force_mps2 = prepared.largest_parallel_mps2;
-    const std::vector<bool> counts = turns(prepared);
-    comparison.turn_s = sample_time_s * static_cast<double>(std::count(counts.begin(), counts.end(), true));
+    comparison.counts = turns(prepared);
+    comparison.turn_s = sample_time_s * static_cast<double>(std::count(comparison.counts.begin(),
+                                                                       comparison.counts.end(), true));
     for (const RollSample& sample : prepared.samples) {
         comparison.time_s.push_back(sample.time_s);
     }
@@ -102,7 +103,7 @@ DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
 }
 
 std::string comparison_csv(const DriveComparison& comparison) {
-    std::string text = "time_s";
+    std::string text = "time_s,counts";
     for (const ComparedQuantity& quantity : comparison.quantities) {
         for (const char* what : {"measured", "lower", "upper", "predicted"}) {
             text += "," + quantity.name + "_" + what;
@@ -111,7 +112,7 @@ std::string comparison_csv(const DriveComparison& comparison) {
     text += "\n";
     for (std::size_t place = 0U; place < comparison.time_s.size(); ++place) {
         CsvRow row;
-        row.number(comparison.time_s[place], 9);
+        row.number(comparison.time_s[place], 9).count(comparison.counts[place] ? 1U : 0U);
         for (const ComparedQuantity& quantity : comparison.quantities) {
             for (const double value : {quantity.measured[place], quantity.corridor.lower[place],
                                        quantity.corridor.upper[place], quantity.predicted[place]}) {

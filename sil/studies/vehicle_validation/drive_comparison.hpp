@@ -48,6 +48,7 @@ struct DriveComparison {
     ComparisonVerdict verdict{ComparisonVerdict::not_comparable};
     std::string reason{};  // why no later, or not comparable, in words; may be empty
     std::vector<double> time_s{};
+    std::vector<bool> counts{};  // which samples do
     double largest_force_mps2{};
     double turn_s{};  // how long samples count
     std::vector<ComparedQuantity>
@@ -60,7 +61,7 @@ struct DriveComparison {
 DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
                               const rsi::Parameters& parameters);
 
-// time_s, and of each quantity NAME_measured, NAME_lower, NAME_upper, NAME_predicted.
+// time_s, counts (0 or 1), and of each quantity NAME_measured, NAME_lower, NAME_upper, NAME_predicted.
 std::string comparison_csv(const DriveComparison& comparison);
 
 }  // namespace sil

@@ -64,16 +64,17 @@ class Show(unittest.TestCase):
                     tab.open(f"http://127.0.0.1:{port}/#1.7")
                     self.assertEqual(tab.run("document.body.dataset.mode"), "replay")
                     warned = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["warning_time_s"]
-                    self.assertEqual(tab.run("Number(document.querySelector('[data-event=warning]').dataset.value)"), warned)
+                    shown_at = tab.run("Number(document.querySelector('[data-event=warning]').dataset.value)")
+                    self.assertEqual(shown_at, warned)
                     self.assertEqual(tab.run("document.getElementById('lamp-text').textContent"), "warning, right side")
             self.assertEqual(tab.complaints, [])
 
     def test_serves_one_page_and_drives_nothing(self):
         with shown(self.run_folder) as port:
+            upgrade = {"Connection": "Upgrade", "Upgrade": "websocket", "Sec-WebSocket-Version": "13",
+                       "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==", "Origin": f"http://127.0.0.1:{port}"}
             for target, headers, status in (("/", {}, 200), ("/signals.csv", {}, 404), ("/", {"Host": "evil.example"}, 403),
-                                            ("/drive", {"Connection": "Upgrade", "Upgrade": "websocket", "Sec-WebSocket-Version": "13",
-                                                        "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==",
-                                                        "Origin": f"http://127.0.0.1:{port}"}, 404)):
+                                            ("/drive", upgrade, 404)):
                 connection = http.client.HTTPConnection("127.0.0.1", port, timeout=LIMIT_S)
                 connection.request("GET", target, headers=headers)
                 answer = connection.getresponse()
@@ -95,7 +96,8 @@ class Show(unittest.TestCase):
         self.assertIn("is no folder", self.refusal(self.scratch / "nothing"))
         self.assertIn("is no folder", self.refusal(self.run_folder / "signals.csv"))
         (self.scratch / "empty").mkdir()
-        self.assertIn("there is no report.html; a run or a replay of this version leaves one", self.refusal(self.scratch / "empty"))
+        self.assertIn("there is no report.html; a run or a replay of this version leaves one",
+                      self.refusal(self.scratch / "empty"))
         self.assertIn("choose one of " + str(self.scratch / "replayed/signals"), self.refusal(self.scratch / "replayed"))
         self.assertIn("holds no run", self.refusal(self.page_of("other", "<html></html>")))
         self.assertIn("holds no run", self.refusal(self.page_of("live", f"{PLACE}null</script>")))

@@ -36,7 +36,8 @@ class CampaignReport(unittest.TestCase):
         shutil.copy(PROJECT / "sil/vehicles/large_suv.toml", vehicle)
         cls.folder = scratch / "it's a campaign"
         subprocess.run([PROGRAM, "campaign", "--runs", str(RUNS), "--seed", "5", "--vehicle",
-                        f"{vehicle}:{PROJECT}/firmware/calibrations/large_suv.toml", "--set", "warning_on=1.15", "--output", cls.folder],
+                        f"{vehicle}:{PROJECT}/firmware/calibrations/large_suv.toml", "--set", "warning_on=1.15",
+                        "--output", cls.folder],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         cls.report = json.loads((cls.folder / "report.json").read_text(encoding="utf-8"))
         cls.runs = rows_of(cls.folder / "runs.csv")
@@ -96,17 +97,19 @@ class CampaignReport(unittest.TestCase):
         shown = {row[0]: row for row in self.page.table("judgements")}
         for name, index in self.report["all"]["indices"].items():
             lowest, highest = (100 * each for each in index["warned"]["confidence_95"])
-            self.assertEqual(shown[name][1:8], [percent(index["warned"]), f"{lowest:.2f} to {highest:.2f}", percent(index["warned_100ms_before"]),
-                                                percent(index["warned_200ms_before"]), number_text(index["lead_time_median_s"], 3),
-                                                number_text(index["lead_time_10th_percentile_s"], 3), percent(index["false_alarms"])])
+            self.assertEqual(shown[name][1:8], [
+                percent(index["warned"]), f"{lowest:.2f} to {highest:.2f}", percent(index["warned_100ms_before"]),
+                percent(index["warned_200ms_before"]), number_text(index["lead_time_median_s"], 3),
+                number_text(index["lead_time_10th_percentile_s"], 3), percent(index["false_alarms"])])
         for name in ("manoeuvres", "vehicles"):
             shown = {row[0]: row for row in self.page.table(name)}
             self.assertEqual(len(shown), len(self.report[name]))
             for group in self.report[name]:
                 warning = group["indices"]["warning"]
-                self.assertEqual(shown[group["name"]][1:6], [str(group["runs"]), str(group["two_wheel_lift_offs"]),
-                                                             str(group["brief_two_wheel_lifts"]),
-                                                             str(warning["warned"]["of"] - warning["warned"]["count"]), percent(warning["warned"])])
+                missed = warning["warned"]["of"] - warning["warned"]["count"]
+                self.assertEqual(shown[group["name"]][1:6], [
+                    str(group["runs"]), str(group["two_wheel_lift_offs"]), str(group["brief_two_wheel_lifts"]), str(missed),
+                    percent(warning["warned"])])
         self.assertEqual(list(shown), [HOSTILE])
 
     def test_tables_sort_both_ways_and_keep_what_is_not_known_last(self):
@@ -118,8 +121,8 @@ class CampaignReport(unittest.TestCase):
                 known = [float(cell) for cell in cells if cell != "\u2013"]
                 self.assertEqual(known, sorted(known, key=lambda value: sign * value))
                 self.assertEqual(cells, [f"{value:.{digits}f}" for value in known] + ["\u2013"] * (len(cells) - len(known)))
-                self.assertEqual(self.page.run(f"document.querySelectorAll('[data-table=manoeuvres] th')[{column}].getAttribute('aria-sort')"),
-                                 "descending" if sign < 0 else "ascending")
+                head = f"document.querySelectorAll('[data-table=manoeuvres] th')[{column}]"
+                self.assertEqual(self.page.run(f"{head}.getAttribute('aria-sort')"), "descending" if sign < 0 else "ascending")
         self.page.sort_by("manoeuvres", 0)
         names = [row[0] for row in self.page.table("manoeuvres")]
         self.assertEqual(names[:3], sorted(names)[:3])
@@ -152,9 +155,11 @@ class CampaignReport(unittest.TestCase):
         button = "document.querySelector('[data-chart=leads] [data-series=warning]')"
         self.page.run(f"{button}.click()")
         self.assertEqual(self.page.run(f"{button}.getAttribute('aria-pressed')"), "false")
-        box = self.page.run("(() => { const box = study.charts.detection.canvas.getBoundingClientRect(); return [box.left, box.top, box.width]; })()")
+        box = self.page.run("(() => { const box = study.charts.detection.canvas.getBoundingClientRect();"
+                            "return [box.left, box.top, box.width]; })()")
         for kind, share in (("mousePressed", 0.3), ("mouseMoved", 0.6), ("mouseReleased", 0.6)):
-            self.tab.call("Input.dispatchMouseEvent", type=kind, x=box[0] + share * box[2], y=box[1] + 90, button="left", buttons=1, clickCount=1)
+            self.tab.call("Input.dispatchMouseEvent", type=kind, x=box[0] + share * box[2], y=box[1] + 90, button="left", buttons=1,
+                          clickCount=1)
         chosen = self.page.run("study.charts.detection.range")
         self.assertAlmostEqual(chosen["to"] - chosen["from"], 5 * 0.3 * box[2] / (box[2] - 64), 2)
         self.page.run("document.querySelector('[data-chart=detection] .whole').click()")
@@ -166,7 +171,8 @@ class CampaignReport(unittest.TestCase):
     def test_alarms_in_calm_runs(self):
         with tempfile.TemporaryDirectory() as scratch:
             levels = ("warning_on=0.7", "warning_off=0.6", "advisory_on=0.65", "advisory_off=0.6")
-            subprocess.run([PROGRAM, "campaign", "--runs", "40", "--output", scratch, *(word for level in levels for word in ("--set", level))],
+            options = [word for level in levels for word in ("--set", level)]
+            subprocess.run([PROGRAM, "campaign", "--runs", "40", "--output", scratch, *options],
                            cwd=PROJECT, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             calm = [row for row in rows_of(pathlib.Path(scratch, "runs.csv"))
                     if not row["two_wheel_lift_time_s"] and float(row["largest_ltr"]) < 0.9 and int(row["warnings"]) > 0]

@@ -51,14 +51,16 @@ class IdentificationReport(unittest.TestCase):
         scratch = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         data = ["--vehicle-data", PROJECT / "sil/vehicles/data/ordinary_suv.toml", "--no-pictures"]
         cls.whole = scratch / "whole"
-        subprocess.run([PROGRAM, "identify", *data, "--simulate", PROJECT / "sil/vehicles/ordinary_suv.toml", "--noise", "--output", cls.whole],
+        subprocess.run([PROGRAM, "identify", *data, "--simulate", PROJECT / "sil/vehicles/ordinary_suv.toml", "--noise",
+                        "--output", cls.whole],
                        check=True, stdout=subprocess.DEVNULL)
         drives = []
         for name in ("slow-ramp", "step-steer"):
             drives.append(scratch / f"{name}{HOSTILE}.csv")
             without_columns(cls.whole / f"drives/{name}.csv", drives[-1], "wheel")
         cls.bare = scratch / "bare"
-        subprocess.run([PROGRAM, "identify", *data, "--set", f"name={HOSTILE}", "--ramp", drives[0], "--dynamic", drives[1], "--output", cls.bare],
+        subprocess.run([PROGRAM, "identify", *data, "--set", f"name={HOSTILE}", "--ramp", drives[0], "--dynamic", drives[1],
+                        "--output", cls.bare],
                        check=True, stdout=subprocess.DEVNULL)
         cls.tab = cls.enterClassContext(browser())
         cls.tab.size(1360, 900)
@@ -82,7 +84,8 @@ class IdentificationReport(unittest.TestCase):
             for words, (column, factor) in lines.items():
                 at, value, _ = shown[words]
                 self.assertAlmostEqual(at, first + share * (last - first), delta=0.06)
-                self.assertAlmostEqual(value, factor * float(by_time[round(at, 4)][column]), delta=2e-6 + 1e-6 * abs(value), msg=f"{chart}: {words}")
+                of_file = factor * float(by_time[round(at, 4)][column])
+                self.assertAlmostEqual(value, of_file, delta=2e-6 + 1e-6 * abs(value), msg=f"{chart}: {words}")
 
     def test_signals_are_those_of_the_file(self):
         page = self.page(self.whole)
@@ -111,8 +114,9 @@ class IdentificationReport(unittest.TestCase):
         page = self.page(self.whole)
         for row in rows_of(self.whole / "curve.csv")[::25]:
             shown = page.read_off("stiffness", row["roll_angle_deg"])
-            self.assertAlmostEqual(shown["fitted"][1], 0.001 * float(row["moment_nm"]), delta=1e-4 + 1e-5 * abs(shown["fitted"][1]))
-            self.assertAlmostEqual(shown["its linear part"][1], 0.001 * float(row["linear_moment_nm"]), delta=1e-4 + 1e-5 * abs(shown["fitted"][1]))
+            delta = 1e-4 + 1e-5 * abs(shown["fitted"][1])
+            self.assertAlmostEqual(shown["fitted"][1], 0.001 * float(row["moment_nm"]), delta=delta)
+            self.assertAlmostEqual(shown["its linear part"][1], 0.001 * float(row["linear_moment_nm"]), delta=delta)
 
     def test_fit_and_warnings_are_those_of_the_report(self):
         for folder in (self.whole, self.bare):

@@ -18,7 +18,8 @@ STANDARD_GRAVITY = 9.80665
 CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
 HOSTILE = "<img src=x onerror=document.body.dataset.intruder=1>"
 BARE = ("time_s", "sensor_lateral_acceleration_mps2", "sensor_roll_rate_degps", "sensor_roll_angle_deg")
-WITHOUT_ROLL = ("time_s", "sensor_lateral_acceleration_mps2", "sensor_roll_rate_degps", "sensor_speed_mps", "sensor_yaw_rate_degps")
+WITHOUT_ROLL = ("time_s", "sensor_lateral_acceleration_mps2", "sensor_roll_rate_degps", "sensor_speed_mps",
+                "sensor_yaw_rate_degps")
 WHEELS = ("front_left", "front_right", "rear_left", "rear_right")
 SHOWN = {
     "speed": ("sensor_speed_mps", 3.6, 1, " km/h"),
@@ -123,7 +124,8 @@ class ReplayReport(unittest.TestCase):
         measured = rows_of(self.folder / "signals/indices.csv")
         for row, of_run in zip(measured[:100], rows_of(self.folder.parent / "run/signals.csv")):
             for wheel in WHEELS:
-                self.assertAlmostEqual(float(row[f"measured_wheel_load_{wheel}_n"]), float(of_run[f"true_wheel_load_{wheel}_n"]), 4)
+                self.assertAlmostEqual(float(row[f"measured_wheel_load_{wheel}_n"]),
+                                       float(of_run[f"true_wheel_load_{wheel}_n"]), 4)
 
     def test_the_verdict_and_its_reasons(self):
         for drive in ("signals", "bare", "without_roll"):
@@ -145,7 +147,8 @@ class ReplayReport(unittest.TestCase):
         self.assertTrue(self.is_hidden("#values [data-quantity=speed]"))
         self.assertFalse(self.is_hidden("#scene"))
         self.assertEqual(self.text("lead"), "warned; whether wheels lifted is not known")
-        self.assertIn("Not recorded, and not shown: steering wheel angle, speed, bank of the road, wheel loads.", self.text("remarks"))
+        self.assertIn("Not recorded, and not shown: steering wheel angle, speed, bank of the road, wheel loads.",
+                      self.text("remarks"))
         self.assertIn("Whether wheels lifted is not known", self.text("remarks"))
         self.expect_row(rows_of(self.folder / "bare/indices.csv")[0], ("acceleration", "level", "roll"))
         self.open("signals")
@@ -156,10 +159,11 @@ class ReplayReport(unittest.TestCase):
         self.open("without_roll")
         rows = rows_of(self.folder / "without_roll/indices.csv")
         self.seek(150)
-        self.assertEqual(self.tab.run("document.querySelector('#values [data-quantity=roll]').dataset.column"), "observed_roll_angle_deg")
-        self.assertEqual(float(self.tab.run("document.querySelector('#values [data-quantity=roll]').dataset.value")),
-                         float(rows[150]["observed_roll_angle_deg"]))
-        self.assertIn("No roll angle was recorded. Shown is the angle to the road that the component observes.", self.text("remarks"))
+        cell = "document.querySelector('#values [data-quantity=roll]').dataset"
+        self.assertEqual(self.tab.run(f"{cell}.column"), "observed_roll_angle_deg")
+        self.assertEqual(float(self.tab.run(f"{cell}.value")), float(rows[150]["observed_roll_angle_deg"]))
+        self.assertIn("No roll angle was recorded. Shown is the angle to the road that the component observes.",
+                      self.text("remarks"))
         self.assertIn("observer", self.tab.run("document.querySelector('[data-line=roll]').textContent"))
 
     def test_hostile_names_are_text(self):

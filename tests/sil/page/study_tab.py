@@ -15,9 +15,11 @@ class StudyTab:
     def read_off(self, chart, x):
         """Of every line of the chart, by its words, the point nearest to `x` as it is shown: x, value, text."""
         self.run(f"study.charts[{json.dumps(chart)}].moveTo({x})")
-        return {words: (float(at) if at else None, float(value) if value else None, text) for words, at, value, text in json.loads(self.run(
-            f"JSON.stringify(study.charts[{json.dumps(chart)}].series.map((each) => {{ const output = each.button.querySelector('output');"
-            "return [each.words, output.dataset.x, output.dataset.value, output.textContent]; }))"))}
+        shown = json.loads(self.run(
+            f"JSON.stringify(study.charts[{json.dumps(chart)}].series.map((each) => {{"
+            "const output = each.button.querySelector('output');"
+            "return [each.words, output.dataset.x, output.dataset.value, output.textContent]; }))"))
+        return {words: (float(at) if at else None, float(value) if value else None, text) for words, at, value, text in shown}
 
     def table(self, name):
         """Its rows as texts, in the order in which they are shown."""
