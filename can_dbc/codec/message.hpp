@@ -42,6 +42,7 @@ struct MessageType {
 template <typename... Messages>
 struct MessageList {
     static constexpr std::size_t size{sizeof...(Messages)};
+    static constexpr std::array<std::uint32_t, size> identifiers{Messages::identifier...};
 
     // Calls visitor(MessageType<Message>{}) for each, in their order.
     template <typename Visitor>

@@ -1110,6 +1110,7 @@ struct RolloverDiagnosis {
         imu_two_senders = 47,
         roll_angle_two_senders = 48,
         vehicle_motion_two_senders = 49,
+        own_identifier_received = 50,
     };
 
     // How far that code has come.
@@ -1274,6 +1275,7 @@ struct RolloverDiagnosis {
             case Code::imu_two_senders:
             case Code::roll_angle_two_senders:
             case Code::vehicle_motion_two_senders:
+            case Code::own_identifier_received:
                 return true;
         }
         return false;
@@ -1382,6 +1384,8 @@ struct RolloverDiagnosis {
                 return "roll angle two senders";
             case Code::vehicle_motion_two_senders:
                 return "vehicle motion two senders";
+            case Code::own_identifier_received:
+                return "own identifier received";
         }
         return "unknown";
     }

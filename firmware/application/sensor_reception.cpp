@@ -17,6 +17,14 @@ FrameFaults faults(const FrameMonitor<Message>& monitor, bool fresh, bool signal
                        fresh && !signals_valid,  monitor.has_two_senders()};
 }
 
+constexpr bool is_sent(std::uint32_t identifier) {
+    bool sent = false;
+    for (const std::uint32_t each : sent_identifiers) {
+        sent = sent || (identifier == each);
+    }
+    return sent;
+}
+
 template <typename Message>
 void add_counts(const FrameMonitor<Message>& monitor, ReceptionReport& report) {
     hal::count_up(report.frames_rejected, monitor.frames_rejected());
@@ -36,6 +44,7 @@ void SensorReception::receive(hal::CanBus& bus, std::uint32_t missed_cycles) noe
         vehicle_motion_.miss_cycles(missed_cycles);
         vehicle_mass_.miss_cycles(missed_cycles);
     }
+    own_identifier_ = false;
     hal::CanFrame frame{};
     for (std::uint32_t count = 0U; count < most_frames_per_cycle; ++count) {
         if (bus.receive(frame) != hal::ReceiveResult::frame) {
@@ -69,7 +78,8 @@ void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
         case can_dbc::VehicleMass::identifier:
             vehicle_mass_.take(frame);
             break;
-        default:  // foreign traffic
+        default:  // foreign traffic, or a stranger in this control unit's name
+            own_identifier_ = own_identifier_ || is_sent(frame.identifier);
             break;
     }
 }
@@ -116,6 +126,7 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
     if (motion_fitted_) {
         report.vehicle_motion = faults(vehicle_motion_, vehicle_motion_.is_fresh(now), motion_valid);
     }
+    report.own_identifier = own_identifier_;
     report.vehicle_mass_is_fresh = vehicle_mass_.is_fresh(now);
     if (roll_angle_delay_.is_late() && roll_angle_.is_fresh(now)) {
         report.late_roll_angle_rad = roll_angle_.latest().value.roll_angle_deg * radians_per_degree;

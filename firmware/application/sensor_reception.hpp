@@ -12,10 +12,12 @@
 
 namespace application {
 
-// The identifiers to let through; a platform sets its acceptance filters from them.
+// A platform lets these identifiers through its acceptance filters, and those that this control unit sends,
+// sent_identifiers, when somebody else sends them.
 inline constexpr std::array<std::uint32_t, 4> received_identifiers{
     can_dbc::Imu::identifier, can_dbc::RollAngle::identifier, can_dbc::VehicleMotion::identifier,
     can_dbc::VehicleMass::identifier};
+inline constexpr auto sent_identifiers = can_dbc::MessagesFromRolloverEcu::identifiers;
 
 // Not more frames than this are read in one cycle, so that a flood cannot stop the cycle. The rest waits.
 inline constexpr std::uint32_t most_frames_per_cycle = 64U;
@@ -25,13 +27,14 @@ struct ReceptionReport {
     FrameFaults roll_angle{};
     FrameFaults vehicle_motion{};
     bool vehicle_mass_is_fresh{false};  // few vehicles send it
+    bool own_identifier{false};         // a frame that only this control unit sends came from elsewhere
     std::uint32_t frames_rejected{0U};  // since the start
     std::uint32_t frames_lost{0U};      // since the start, by the counters
     // The newest roll angle while it is held back, and for that not among the inputs; else NaN.
     float late_roll_angle_rad{rsi::not_available};
 
-    bool has_two_senders() const noexcept {
-        return imu.two_senders || roll_angle.two_senders || vehicle_motion.two_senders;
+    bool has_another_sender() const noexcept {
+        return own_identifier || imu.two_senders || roll_angle.two_senders || vehicle_motion.two_senders;
     }
 };
 
@@ -68,6 +71,7 @@ class SensorReception {
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
     FrameMonitor<can_dbc::VehicleMass> vehicle_mass_{};  // few vehicles send it, so its absence is no fault
     RollAngleDelay roll_angle_delay_{};
+    bool own_identifier_{false};  // in this cycle
     bool roll_angle_fitted_{true};
     bool motion_fitted_{true};
     bool steering_fitted_{true};

@@ -59,6 +59,7 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::cycle_stall:
         case DiagnosticCode::clock_jump:
         case DiagnosticCode::receive_overflow:
+        case DiagnosticCode::own_identifier_received:
             return {1U, 100U};
         default:  // roll rate against roll angle, offsets, the bus
             return {3U, 100U};

@@ -76,10 +76,13 @@ enum class DiagnosticCode : std::uint8_t {
     imu_two_senders,
     roll_angle_two_senders,
     vehicle_motion_two_senders,
+
+    // A frame that only this control unit sends comes from elsewhere
+    own_identifier_received,
 };
 
 inline constexpr std::size_t diagnostic_code_count =
-    static_cast<std::size_t>(DiagnosticCode::vehicle_motion_two_senders) + 1U;
+    static_cast<std::size_t>(DiagnosticCode::own_identifier_received) + 1U;
 
 // A set: the bit of each code is its number.
 using CodeSet = std::uint64_t;

@@ -20,10 +20,9 @@ namespace hal::zynqmp_r5 {
 
 struct CanSettings {
     CanBitTiming timing{can_bit_timing<100'000'000U, 500'000U>()};
-    // Only data frames with these standard identifiers are let through, by the controller; none given means
-    // all.
-    std::array<std::uint32_t, can::filter_count> identifiers{};
-    std::size_t identifier_count{0U};  // 0 to 4
+    // Only data frames that one of these accepts are let through, by the controller; none given means all.
+    std::array<CanAcceptance, can::filter_count> accepted{};
+    std::size_t accepted_count{0U};  // 0 to 4
 };
 
 // Accesses to a register for which the controller is given to follow a request.
@@ -162,9 +161,10 @@ class CanController final : public CanBus {
     enum class Standing : std::uint8_t { closed, on, bus_off };
 
     static constexpr bool are_possible(const CanSettings& settings) {
-        bool possible = settings.identifier_count <= settings.identifiers.size();
-        for (std::size_t i = 0U; possible && i < settings.identifier_count; ++i) {
-            possible = is_identifier_possible(settings.identifiers[i], false);
+        bool possible = settings.accepted_count <= settings.accepted.size();
+        for (std::size_t i = 0U; possible && i < settings.accepted_count; ++i) {
+            possible = is_identifier_possible(settings.accepted[i].identifier, false) &&
+                       is_identifier_possible(settings.accepted[i].mask, false);
         }
         return possible;
     }
@@ -243,13 +243,13 @@ class CanController final : public CanBus {
         if (!wait_for(can::status_bits::filters_busy, 0U)) {
             return false;
         }
-        for (std::size_t i = 0U; i < settings_.identifier_count; ++i) {
-            const CanFilter filter = Layout::filter(settings_.identifiers[i]);
+        for (std::size_t i = 0U; i < settings_.accepted_count; ++i) {
+            const CanFilter filter = Layout::filter(settings_.accepted[i]);
             const auto offset = static_cast<RegisterAddress>(i) * can::filter_stride;
             registers_.write(can::filter_mask + offset, filter.mask);
             registers_.write(can::filter_identifier + offset, filter.identifier);
         }
-        registers_.write(can::filter_enable, (1U << settings_.identifier_count) - 1U);
+        registers_.write(can::filter_enable, (1U << settings_.accepted_count) - 1U);
         return true;
     }
 

@@ -11,6 +11,23 @@ namespace hal::zynqmp_r5 {
 
 using CanFrameWords = std::array<std::uint32_t, 4>;
 
+// Standard identifiers that agree with this one in the bits of the mask, from 0 to 0x7FF both.
+struct CanAcceptance {
+    std::uint32_t identifier{0U};
+    std::uint32_t mask{0x7FFU};
+};
+
+// As narrow as one acceptance can be that lets all of these through; others may come with them.
+template <std::size_t count>
+constexpr CanAcceptance accepting(const std::array<std::uint32_t, count>& identifiers) {
+    std::uint32_t differing = 0U;
+    for (const std::uint32_t each : identifiers) {
+        differing |= each ^ identifiers[0];
+    }
+    return CanAcceptance{identifiers[0], 0x7FFU & ~differing};
+}
+
+// What two registers of the controller hold.
 struct CanFilter {
     std::uint32_t mask{0U};
     std::uint32_t identifier{0U};
@@ -64,9 +81,10 @@ struct SiliconCanFrameLayout {
         detail::unpack(words, frame, true);
         return (word & (frame.extended ? remote_request : substitute_remote_request)) == 0U;
     }
-    // Lets data frames with this standard identifier through and nothing else.
-    static constexpr CanFilter filter(std::uint32_t standard_identifier) {
-        return CanFilter{0xFFE0'0000U | substitute_remote_request | extension, standard_identifier << 21U};
+    // Lets data frames with these standard identifiers through and nothing else.
+    static constexpr CanFilter filter(const CanAcceptance& accepted) {
+        return CanFilter{(accepted.mask << 21U) | substitute_remote_request | extension,
+                         accepted.identifier << 21U};
     }
 
  private:

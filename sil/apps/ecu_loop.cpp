@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "application/rollover_ecu.hpp"
 #include "hal/linux/periodic_tick.hpp"
@@ -26,18 +25,21 @@ namespace {
 constexpr hal::Time watchdog_limit = hal::Time::from_milliseconds(500);
 
 void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
-    std::array<hal::CanIdentifier, application::received_identifiers.size() + 1U> identifiers{};
-    std::transform(application::received_identifiers.begin(), application::received_identifiers.end(),
-                   identifiers.begin(), [](std::uint32_t value) { return hal::CanIdentifier{value, false}; });
-    identifiers.back().value = simulation_dbc::SimulationSync::identifier;
+    std::vector<hal::CanIdentifier> identifiers;
+    for (const std::uint32_t value : application::received_identifiers) {
+        identifiers.push_back({value, false});
+    }
+    for (const std::uint32_t value : application::sent_identifiers) {
+        identifiers.push_back({value, false});
+    }
+    if (request.lock_step) {
+        identifiers.push_back({simulation_dbc::SimulationSync::identifier, false});
+    }
 
     hal::SocketCanSettings settings;
     settings.interface_name = request.interface.c_str();
     settings.identifiers = identifiers.data();
-    settings.identifier_count = request.lock_step ? identifiers.size() : identifiers.size() - 1U;
-    if (request.receive_everything) {
-        settings.identifier_count = 0U;
-    }
+    settings.identifier_count = request.receive_everything ? 0U : identifiers.size();
     settings.restart_when_bus_off = !request.lock_step;  // simulated time knows no bus-off
     const hal::OpenResult opened = bus.open(settings);
     if (!opened) {

@@ -220,6 +220,46 @@ TEST(ASecondSenderOfTheMass, IsNotUsedEither) {
     EXPECT_TRUE(std::isfinite(bench.inputs().vehicle_mass_kg));
 }
 
+// Whatever it says, and however it is protected.
+TEST(AStranger, WhoSendsWhatOnlyThisControlUnitSendsIsToldOfAtOnceAndForASecond) {
+    constexpr auto code = Diagnosis::Code::own_identifier_received;
+    for (const std::uint32_t identifier : application::sent_identifiers) {
+        Bench bench;
+        bench.run_for(0.5);
+        hal::CanFrame frame;
+        frame.identifier = identifier;
+        frame.length = 8U;
+        const std::size_t from = bench.cycles().size();
+        EXPECT_FALSE(tells(bench, 0U, code, Diagnosis::CodeStatus::confirmed));
+        bench.send_foreign(frame);
+        bench.run_cycles(1);
+        EXPECT_TRUE(tells(bench, from, code, Diagnosis::CodeStatus::confirmed)) << identifier;
+        EXPECT_EQ(bench.state(), State::ready) << "what the component says is as true as before";
+        bench.run_cycles(99);
+        EXPECT_FALSE(tells(bench, from, code, Diagnosis::CodeStatus::healed)) << identifier;
+        bench.run_cycles(2);
+        EXPECT_TRUE(tells(bench, from, code, Diagnosis::CodeStatus::healed)) << identifier;
+    }
+}
+
+TEST(AStranger, WhoSendsFramesOfOtherKindsIsNone) {
+    Bench bench;
+    hal::CanFrame of_another_identifier;
+    of_another_identifier.identifier = can_dbc::RolloverWarning::identifier + 1U;
+    hal::CanFrame extended;
+    extended.identifier = can_dbc::RolloverWarning::identifier;
+    extended.extended = true;
+    hal::CanFrame flexible;
+    flexible.identifier = can_dbc::RolloverWarning::identifier;
+    flexible.flexible_data_rate = true;
+    for (const hal::CanFrame& frame : {of_another_identifier, extended, flexible}) {
+        bench.send_foreign(frame);
+        bench.run_cycles(2);
+    }
+    EXPECT_FALSE(
+        tells(bench, 0U, Diagnosis::Code::own_identifier_received, Diagnosis::CodeStatus::confirmed));
+}
+
 // More frames than a cycle reads.
 TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsAccusesNobody) {
     Bench bench;

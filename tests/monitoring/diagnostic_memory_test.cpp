@@ -75,6 +75,7 @@ constexpr StatedDebounce stated_debounces[] = {
     {DiagnosticCode::imu_two_senders, 1, 100},
     {DiagnosticCode::roll_angle_two_senders, 1, 100},
     {DiagnosticCode::vehicle_motion_two_senders, 1, 100},
+    {DiagnosticCode::own_identifier_received, 1, 100},
 };
 
 class ADiagnosticMemory : public ::testing::Test {
@@ -244,7 +245,7 @@ TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
 }
 
 TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
-    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::vehicle_motion_two_senders}) {
+    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::own_identifier_received}) {
         memory = {};
         confirm(code);
         for (int cycle = 0; cycle < 5; ++cycle) {

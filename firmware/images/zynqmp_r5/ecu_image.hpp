@@ -30,22 +30,28 @@ struct ParameterMemory {
 };
 ParameterMemory parameter_memory() noexcept;
 
-// The controller lets the identifiers of the application through.
+// The controller lets the identifiers of the application through, and few others with them.
 constexpr hal::zynqmp_r5::CanSettings can_settings() {
+    using can_dbc::RolloverWarning;
+    constexpr auto sent = application::sent_identifiers;
+    static_assert(sent[0] == RolloverWarning::identifier, "it has a filter of its own, far from the others");
+    std::array<std::uint32_t, sent.size() - 1U> others{};
+    for (std::size_t i = 0U; i < others.size(); ++i) {
+        others[i] = sent[i + 1U];
+    }
     hal::zynqmp_r5::CanSettings settings{};
     settings.timing = hal::zynqmp_r5::can_bit_timing<Policy::can_clock_hz, can_bit_rate>();
-    static_assert(application::received_identifiers.size() <= hal::zynqmp_r5::can::filter_count);
-    for (const std::uint32_t identifier : application::received_identifiers) {
-        settings.identifiers[settings.identifier_count++] = identifier;
-    }
+    settings.accepted[0] = hal::zynqmp_r5::accepting(application::received_identifiers);
+    settings.accepted[1].identifier = RolloverWarning::identifier;
+    settings.accepted[2] = hal::zynqmp_r5::accepting(others);
+    settings.accepted_count = 3U;
     return settings;
 }
 
-// For images that take one frame more: the controller has no filter left for it, and lets all identifiers
-// through.
+// For images that take one frame more.
 constexpr hal::zynqmp_r5::CanSettings unfiltered_can_settings() {
     hal::zynqmp_r5::CanSettings settings = can_settings();
-    settings.identifier_count = 0U;
+    settings.accepted_count = 0U;
     return settings;
 }
 

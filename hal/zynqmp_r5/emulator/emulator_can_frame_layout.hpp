@@ -18,8 +18,8 @@ struct EmulatorCanFrameLayout {
         detail::unpack(words, frame, false);
         return (word & (remote_request | error)) == 0U;
     }
-    static constexpr CanFilter filter(std::uint32_t standard_identifier) {
-        return CanFilter{0x7FFU | extension | remote_request | error, standard_identifier};
+    static constexpr CanFilter filter(const CanAcceptance& accepted) {
+        return CanFilter{accepted.mask | extension | remote_request | error, accepted.identifier};
     }
 
  private:

@@ -36,7 +36,7 @@ TEST(SiliconCanFrameLayout, RemoteFramesAreNoDataFrames) {
 }
 
 TEST(SiliconCanFrameLayout, FilterLetsOneStandardDataFrameThrough) {
-    const CanFilter filter = SiliconCanFrameLayout::filter(0x123U);
+    const CanFilter filter = SiliconCanFrameLayout::filter({0x123U, 0x7FFU});
     const auto passes = [&filter](std::uint32_t word) {
         return (word & filter.mask) == (filter.identifier & filter.mask);
     };
@@ -44,6 +44,23 @@ TEST(SiliconCanFrameLayout, FilterLetsOneStandardDataFrameThrough) {
     EXPECT_FALSE(passes(0x2480'0000U));  // another identifier
     EXPECT_FALSE(passes(0x2470'0000U));  // remote
     EXPECT_FALSE(passes(0x2468'0000U));  // extended
+}
+
+TEST(SiliconCanFrameLayout, FilterLooksAtTheBitsOfTheMask) {
+    const CanFilter filter = SiliconCanFrameLayout::filter({0x120U, 0x7FCU});
+    EXPECT_EQ(filter.mask, 0xFF98'0000U);
+    EXPECT_EQ(filter.identifier, 0x2400'0000U);
+}
+
+TEST(CanAcceptance, LetsAllThroughAndAsFewOthersAsOneMaskCan) {
+    const CanAcceptance one = accepting(std::array{0x0D0U});
+    EXPECT_EQ(one.identifier, 0x0D0U);
+    EXPECT_EQ(one.mask, 0x7FFU);
+    const std::array<std::uint32_t, 3> wanted{0x120U, 0x121U, 0x123U};
+    const CanAcceptance several = accepting(wanted);
+    EXPECT_EQ(several.identifier & several.mask, 0x120U);
+    EXPECT_EQ(several.mask, 0x7FCU);
+    EXPECT_EQ(accepting(std::array{0x000U, 0x7FFU}).mask, 0U);
 }
 
 TEST(EmulatorCanFrameLayout, IdentifierAndFirstByteAreInTheLowestBits) {
@@ -54,7 +71,7 @@ TEST(EmulatorCanFrameLayout, IdentifierAndFirstByteAreInTheLowestBits) {
 }
 
 TEST(EmulatorCanFrameLayout, FilterAndUnpackingKeepOutWhatIsNoStandardDataFrame) {
-    const CanFilter filter = EmulatorCanFrameLayout::filter(0x123U);
+    const CanFilter filter = EmulatorCanFrameLayout::filter({0x123U, 0x7FFU});
     CanFrame frame;
     for (const std::uint32_t flag : {1U << 30U, 1U << 29U}) {
         EXPECT_NE((0x123U | flag) & filter.mask, filter.identifier);
@@ -62,6 +79,9 @@ TEST(EmulatorCanFrameLayout, FilterAndUnpackingKeepOutWhatIsNoStandardDataFrame)
     }
     EXPECT_NE((0x123U | (1U << 31U)) & filter.mask, filter.identifier);
     EXPECT_EQ(0x123U & filter.mask, filter.identifier);
+    const CanFilter wider = EmulatorCanFrameLayout::filter({0x120U, 0x7FCU});
+    EXPECT_EQ(0x123U & wider.mask, wider.identifier);
+    EXPECT_NE(0x124U & wider.mask, wider.identifier);
 }
 
 template <typename Layout>

@@ -46,7 +46,10 @@ RunResult drive(const RunSettings& settings) {
     sil::RunOptions options;
     options.mirrored = settings.mirrored;
     options.duration_s = settings.duration_s;
-    const sil::Manoeuvre manoeuvre = sil::find_manoeuvre(settings.manoeuvre);
+    sil::Manoeuvre manoeuvre = sil::find_manoeuvre(settings.manoeuvre);
+    if (settings.road) {
+        manoeuvre.make_road = settings.road;
+    }
     const sil::VehicleParameters adapted =
         manoeuvre.adapt_vehicle ? manoeuvre.adapt_vehicle(vehicle) : vehicle;
     sil::SensorFlaws flaws;
@@ -54,8 +57,12 @@ RunResult drive(const RunSettings& settings) {
     flaws.seed = settings.seed;
     flaws.attitude_sensor = settings.attitude_sensor;
     flaws.bank_sensor = settings.bank_sensor;
+    sil::SensorOptions sensors = sil::mounted_sensors(adapted, flaws);
+    if (settings.sensors) {
+        settings.sensors(sensors);
+    }
     sil::InProcessRun run{
-        vehicle, manoeuvre, options, sil::mounted_sensors(adapted, flaws),
+        vehicle, manoeuvre, options, sensors,
         sil::load_calibration(source + "/firmware/calibrations/" + settings.vehicle + ".toml",
                               settings.changes)};
     RunResult result;

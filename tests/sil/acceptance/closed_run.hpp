@@ -1,12 +1,15 @@
 // Closed run: one manoeuvre of a vehicle with the firmware in the same process, and what came of it.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "sil/results/events.hpp"
 #include "sil/world/simulation/closed_loop.hpp"
+#include "sil/world/vehicle/road.hpp"
 
 namespace rsi_test {
 
@@ -20,6 +23,8 @@ struct RunSettings {
     std::vector<std::string> changes{};  // of the calibration, "key=value"
     bool attitude_sensor{false};         // the roll angle is one against the horizon
     bool bank_sensor{false};
+    std::function<std::unique_ptr<sil::Road>()> road{};  // none: the manoeuvre's own
+    std::function<void(sil::SensorOptions&)> sensors{};  // changes them; none: as they are
 };
 
 // The paper's estimator and indicator, warning at its threshold.

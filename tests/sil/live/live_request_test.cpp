@@ -50,8 +50,8 @@ TEST(LiveRequest, BeginsAgainPausesAndBreaks) {
 TEST(LiveRequest, HasLimits) {
     for (const auto& [key, least, most] : {std::tuple{"steering_deg", -360, 360},
                                            std::tuple{"speed_kmh", 10, 160}, std::tuple{"load_kg", 0, 300}}) {
-        const auto text = [key = key](int value) {
-            return "{\"" + std::string{key} + "\": " + std::to_string(value) + "}";
+        const auto text = [name = key](int value) {
+            return "{\"" + std::string{name} + "\": " + std::to_string(value) + "}";
         };
         EXPECT_NO_THROW(sil::parse_live_request(text(least)));
         EXPECT_NO_THROW(sil::parse_live_request(text(most)));
