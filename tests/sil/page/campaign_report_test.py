@@ -158,8 +158,8 @@ class CampaignReport(unittest.TestCase):
         box = self.page.run("(() => { const box = study.charts.detection.canvas.getBoundingClientRect();"
                             "return [box.left, box.top, box.width]; })()")
         for kind, share in (("mousePressed", 0.3), ("mouseMoved", 0.6), ("mouseReleased", 0.6)):
-            self.tab.call("Input.dispatchMouseEvent", type=kind, x=box[0] + share * box[2], y=box[1] + 90, button="left", buttons=1,
-                          clickCount=1)
+            self.tab.call("Input.dispatchMouseEvent", type=kind, x=box[0] + share * box[2], y=box[1] + 90, button="left",
+                          buttons=1, clickCount=1)
         chosen = self.page.run("study.charts.detection.range")
         self.assertAlmostEqual(chosen["to"] - chosen["from"], 5 * 0.3 * box[2] / (box[2] - 64), 2)
         self.page.run("document.querySelector('[data-chart=detection] .whole').click()")
