@@ -51,18 +51,22 @@ bool is_against_horizon(const rsi::Parameters& parameters) {
     return parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON;
 }
 
-// The rows of a file, without its header.
-std::vector<std::string> lines_of(const std::string& text) {
+// Of a file's rows, which follow its header, every so manyth.
+std::vector<std::string> some_lines(const std::string& text, std::size_t every) {
     std::vector<std::string> lines;
-    for (std::size_t begin = text.find('\n') + 1U; begin < text.size();) {
+    std::size_t number = 0U;
+    for (std::size_t begin = text.find('\n') + 1U; begin < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        lines.push_back(text.substr(begin, end - begin));
+        if (number % every == 0U) {
+            lines.push_back(text.substr(begin, end - begin));
+        }
         begin = end + 1U;
     }
     return lines;
 }
 
-// Those in which any row has a value. Against the horizon the sensor's roll angle is not that to the road.
+// Those in which any of these rows has a value. Against the horizon the sensor's roll angle is not that to
+// the road.
 std::vector<std::string> known_columns(const std::vector<std::string>& lines,
                                        const rsi::Parameters& parameters) {
     const std::vector<std::string> all = indices_csv_columns();
@@ -195,7 +199,8 @@ Facts facts_of(const ReplaySource& source, const DriveReplay& replay, const rsi:
 
 std::string replay_page(const ReplaySource& source, const DriveReplay& replay,
                         const rsi::Parameters& parameters, const std::string& indices) {
-    const std::vector<std::string> lines = lines_of(indices);
+    const std::size_t every = (replay.cycles.size() + most_rows - 1U) / most_rows;
+    const std::vector<std::string> lines = some_lines(indices, every);
     PageHead head;
     head.title = source.drive;
     head.subtitle = fmt::format("recorded drive ({}), replayed with the calibration {}: {}", source.kind,
@@ -206,10 +211,9 @@ std::string replay_page(const ReplaySource& source, const DriveReplay& replay,
     head.lift_off_is_known = replay.lift_off.source != LiftOffSource::unknown;
     head.remarks = remarks(head.columns, parameters, replay.lift_off.source);
     const PageCells cells{indices_csv_columns(), head.columns};
-    const std::size_t every = (lines.size() + most_rows - 1U) / most_rows;
     std::vector<std::string> rows;
-    for (std::size_t line = 0U; line < lines.size(); line += every) {
-        rows.push_back(cells.row(lines[line]));
+    for (const std::string& line : lines) {
+        rows.push_back(cells.row(line));
     }
     return page_with(recording_json(head, replay.events, every, diagnosis_of(replay), rows));
 }

@@ -166,6 +166,37 @@ class ReplayReport(unittest.TestCase):
                       self.text("remarks"))
         self.assertIn("observer", self.tab.run("document.querySelector('[data-line=roll]').textContent"))
 
+    def test_an_angle_against_the_horizon_is_not_shown_as_that_to_the_road(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            subprocess.run([PROGRAM, "replay", self.folder.parent / "run/signals.csv", "--parameters", CALIBRATION, "--output",
+                            scratch, "--set", "roll_angle_reference=horizon", "--no-pictures"], check=True, capture_output=True)
+            self.tab.open(pathlib.Path(scratch, "signals/report.html").as_uri())
+            self.assertEqual(self.tab.run("document.querySelector('#values [data-quantity=roll]').dataset.column"),
+                             "observed_roll_angle_deg")
+            self.assertTrue(self.tab.run("page.recording.head.columns.every((name) => name !== 'sensor_roll_angle_deg')"))
+            self.assertIn("The recorded roll angle is relative to the horizon.", self.text("remarks"))
+
+    def test_a_gap_draws_nothing_of_the_vehicle(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            rows = [f"{count / 100:.2f},{'' if 100 <= count < 200 else 0.02}\n" for count in range(300)]
+            drive = pathlib.Path(scratch, "gap.csv")
+            drive.write_text("time_s,roll_angle_rad,lateral_acceleration_g,roll_rate_degps,speed_kmh,yaw_rate_degps\n" +
+                             "".join(row.rstrip("\n") + ",0.02,0,50,0\n" for row in rows), encoding="utf-8")
+            subprocess.run([PROGRAM, "replay", drive, "--parameters", CALIBRATION, "--output", scratch, "--no-pictures"],
+                           check=True, capture_output=True)
+            self.tab.open(pathlib.Path(scratch, "gap/report.html").as_uri())
+            self.seek(150)
+            cell = "document.querySelector('#values [data-quantity=roll]').textContent"
+            self.assertEqual(self.tab.run(cell), "\u2013")
+            # Neither the wheels nor the body in their colours: there is a sentence in grey.
+            painted = ("(() => { const scene = document.getElementById('scene'); const { data } = scene.getContext('2d')"
+                       ".getImageData(0, 0, scene.width, scene.height); let count = 0;"
+                       "for (let place = 3; place < data.length; place += 4) count += data[place] > 0 ? 1 : 0; return count; })()")
+            without = self.tab.run(painted)
+            self.seek(50)
+            self.assertEqual(self.tab.run(cell), "+1.15 deg")
+            self.assertGreater(self.tab.run(painted), 5 * without)
+
     def test_hostile_names_are_text(self):
         self.open("bare")
         self.assertEqual(self.facts()["Columns not used"], HOSTILE[:40] + "...")
