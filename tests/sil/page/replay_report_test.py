@@ -191,7 +191,8 @@ class ReplayReport(unittest.TestCase):
             # Neither the wheels nor the body in their colours: there is a sentence in grey.
             painted = ("(() => { const scene = document.getElementById('scene'); const { data } = scene.getContext('2d')"
                        ".getImageData(0, 0, scene.width, scene.height); let count = 0;"
-                       "for (let place = 3; place < data.length; place += 4) count += data[place] > 0 ? 1 : 0; return count; })()")
+                       "for (let place = 3; place < data.length; place += 4) { count += data[place] > 0 ? 1 : 0; }"
+                       "return count; })()")
             without = self.tab.run(painted)
             self.seek(50)
             self.assertEqual(self.tab.run(cell), "+1.15 deg")
