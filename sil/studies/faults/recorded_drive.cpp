@@ -66,6 +66,11 @@ class TwoDrivers final : public Driver {
           second_{std::move(second)},
           change_s_{change_s} {}
 
+    std::unique_ptr<Driver> copy() const override {
+        return std::make_unique<TwoDrivers>(first_ ? first_->copy() : nullptr, speed_share_, second_->copy(),
+                                            change_s_);
+    }
+
     DriverCommand command(const Truth& truth) override {
         if (truth.time_s < change_s_) {
             DriverCommand command = first_ ? first_->command(truth) : DriverCommand{};

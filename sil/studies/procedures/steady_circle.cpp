@@ -31,7 +31,7 @@ constexpr double correction_time_s = 0.8;
 constexpr double largest_handwheel_rad = from_degrees(540.0);
 
 // Turns in for what a linear vehicle would need and corrects what comes out otherwise.
-class CircleDriver final : public Driver {
+class CircleDriver final : public CopiedDriver<CircleDriver> {
  public:
     CircleDriver(SteadySteering steering, double acceleration_mps2, double speed_mps)
         : steering_{steering}, acceleration_mps2_{acceleration_mps2}, speed_mps_{speed_mps} {}

@@ -40,7 +40,7 @@ class TiltingTable final : public Road {
     std::shared_ptr<const double> angle_rad_;
 };
 
-class TableOperator final : public Driver {
+class TableOperator final : public CopiedDriver<TableOperator> {
  public:
     explicit TableOperator(std::shared_ptr<double> angle_rad) : angle_rad_{std::move(angle_rad)} {}
 

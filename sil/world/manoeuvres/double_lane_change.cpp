@@ -30,7 +30,7 @@ double change(double x, double from, double to) {
     return t * t * t * (10.0 + t * (-15.0 + 6.0 * t));
 }
 
-class LaneChangeDriver final : public Driver {
+class LaneChangeDriver final : public CopiedDriver<LaneChangeDriver> {
  public:
     LaneChangeDriver(const PathFollower& follower, double vehicle_width_m)
         : follower_{follower},

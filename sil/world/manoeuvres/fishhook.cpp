@@ -20,7 +20,7 @@ constexpr double small_roll_rate_radps = from_degrees(1.5);
 constexpr double countersteer_held_s = 3.0;
 constexpr double return_s = 2.0;
 
-class FishhookDriver final : public Driver {
+class FishhookDriver final : public CopiedDriver<FishhookDriver> {
  public:
     FishhookDriver(double amplitude_rad, FishhookReversal reversal)
         : amplitude_rad_{amplitude_rad}, reversal_{reversal} {}

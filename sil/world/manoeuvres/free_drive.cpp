@@ -13,7 +13,7 @@ double towards(double from, double wanted, double most_change) {
     return std::isfinite(wanted) ? std::clamp(wanted, from - most_change, from + most_change) : from;
 }
 
-class FreeDriver final : public Driver {
+class FreeDriver final : public CopiedDriver<FreeDriver> {
  public:
     FreeDriver(const DriverWish& wish, double start_speed_mps)
         : wish_{wish}, start_speed_mps_{start_speed_mps}, speed_mps_{start_speed_mps} {}

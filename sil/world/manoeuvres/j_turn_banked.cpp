@@ -22,7 +22,7 @@ constexpr double rate_radps = from_degrees(250.0);
 constexpr double angle_rad = from_degrees(200.0);
 constexpr double preview_s = 1.2;
 
-class BankedJTurnDriver final : public Driver {
+class BankedJTurnDriver final : public CopiedDriver<BankedJTurnDriver> {
  public:
     explicit BankedJTurnDriver(const PathFollower& follower) : follower_{follower} {}
 

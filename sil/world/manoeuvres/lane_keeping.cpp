@@ -9,7 +9,7 @@ namespace {
 
 constexpr double preview_s = 1.2;
 
-class LaneKeepingDriver final : public Driver {
+class LaneKeepingDriver final : public CopiedDriver<LaneKeepingDriver> {
  public:
     explicit LaneKeepingDriver(const PathFollower& follower) : follower_{follower} {}
 

@@ -7,7 +7,7 @@
 namespace sil {
 namespace {
 
-class OpenLoopDriver final : public Driver {
+class OpenLoopDriver final : public CopiedDriver<OpenLoopDriver> {
  public:
     explicit OpenLoopDriver(std::function<DriverCommand(double)> command) : command_{std::move(command)} {}
     DriverCommand command(const Truth& truth) override { return command_(truth.time_s); }

@@ -23,12 +23,26 @@ struct DriverCommand {
 class Driver {
  public:
     Driver() = default;
-    Driver(const Driver&) = delete;
     Driver& operator=(const Driver&) = delete;
     virtual ~Driver() = default;
 
     // Called once a step with the truth of the step before.
     virtual DriverCommand command(const Truth& truth) = 0;
+
+    // The same driver in the same state, for a run that is saved.
+    virtual std::unique_ptr<Driver> copy() const = 0;
+
+ protected:
+    Driver(const Driver&) = default;
+};
+
+// What `Kind` says of itself: that its copy constructor copies all of it.
+template <typename Kind>
+class CopiedDriver : public Driver {
+ public:
+    std::unique_ptr<Driver> copy() const override {
+        return std::make_unique<Kind>(static_cast<const Kind&>(*this));
+    }
 };
 
 // Manoeuvres are written for a first turn to the left; ManoeuvreRun mirrors them.

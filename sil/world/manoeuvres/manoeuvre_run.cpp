@@ -40,6 +40,15 @@ ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre&
     vehicle_.reset(initial);
 }
 
+ManoeuvreRun::ManoeuvreRun(const ManoeuvreRun& other)
+    : options_{other.options_},
+      duration_s_{other.duration_s_},
+      wanted_speed_mps_{other.wanted_speed_mps_},
+      road_{other.road_},
+      driver_{other.driver_->copy()},
+      speed_control_{other.speed_control_},
+      vehicle_{other.vehicle_} {}
+
 void ManoeuvreRun::step() {
     const Truth& truth = vehicle_.truth();
     DriverCommand command = driver_->command(options_.mirrored ? mirrored(truth) : truth);

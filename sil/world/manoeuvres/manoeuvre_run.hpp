@@ -16,11 +16,15 @@ struct RunOptions {
     double steering_factor{1.0};  // times the driver's handwheel angle
 };
 
-// Owns road, driver and vehicle; vehicle().parameters() are those that the manoeuvre has adapted. After the
+// Has road, driver and vehicle; vehicle().parameters() are those that the manoeuvre has adapted. After the
 // last step the vehicle may be driven on; nothing stops it.
 class ManoeuvreRun {
  public:
     ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre& manoeuvre, RunOptions options = {});
+
+    // The run as it is now; both go on apart from each other. The road, which nothing changes, is shared.
+    ManoeuvreRun(const ManoeuvreRun& other);
+    ManoeuvreRun& operator=(const ManoeuvreRun&) = delete;
 
     // One step of the vehicle under the driver's command.
     void step();
@@ -37,7 +41,7 @@ class ManoeuvreRun {
     RunOptions options_;
     double duration_s_;
     double wanted_speed_mps_;
-    std::unique_ptr<const Road> road_;
+    std::shared_ptr<const Road> road_;
     std::unique_ptr<Driver> driver_;
     SpeedControl speed_control_;
     Vehicle vehicle_;

@@ -54,7 +54,7 @@ struct Course {
     }
 };
 
-class MixedDriver final : public Driver {
+class MixedDriver final : public CopiedDriver<MixedDriver> {
  public:
     MixedDriver(const Temper& temper, std::uint64_t seed, const VehicleParameters& vehicle)
         : temper_{temper},

@@ -23,7 +23,7 @@ double load_transfer_ratio(const Truth& truth) {
     return (right - left) / std::max(1.0, left + right);
 }
 
-class SlowRampDriver final : public Driver {
+class SlowRampDriver final : public CopiedDriver<SlowRampDriver> {
  public:
     DriverCommand command(const Truth& truth) override {
         const double step_s = truth.time_s - last_time_s_;

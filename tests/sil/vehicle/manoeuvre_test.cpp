@@ -55,6 +55,29 @@ TEST(ManoeuvreRun, LastsAsLongAsTheManoeuvreOrAsAsked) {
     EXPECT_EQ(steps, 250);
 }
 
+TEST(ManoeuvreRun, ACopyGoesOnAsTheRunDoesWhateverTheDriverRemembers) {
+    constexpr int until_the_copy = 1800;  // ms: most drivers have begun
+    constexpr int after = 1500;
+    for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+        sil::ManoeuvreRun run{scenario::large_suv(), manoeuvre};
+        for (int step = 0; step < until_the_copy; ++step) {
+            run.step();
+        }
+        sil::ManoeuvreRun copy{run};
+        for (int step = 0; step < after; ++step) {
+            run.step();
+        }
+        ASSERT_NE(copy.truth().position_x_m, run.truth().position_x_m) << manoeuvre.name;
+        for (int step = 0; step < after; ++step) {
+            copy.step();
+        }
+        EXPECT_EQ(copy.truth().time_s, run.truth().time_s);
+        EXPECT_EQ(copy.truth().position_x_m, run.truth().position_x_m) << manoeuvre.name;
+        EXPECT_EQ(copy.truth().yaw_angle_rad, run.truth().yaw_angle_rad) << manoeuvre.name;
+        EXPECT_EQ(copy.truth().wheel_load_n, run.truth().wheel_load_n) << manoeuvre.name;
+    }
+}
+
 TEST(Straight, KeepsItsSpeedAndItsLane) {
     sil::ManoeuvreRun run{scenario::large_suv(), sil::find_manoeuvre("straight")};
     while (!run.finished()) {
