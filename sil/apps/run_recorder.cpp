@@ -11,8 +11,9 @@ namespace sil {
 
 void prepare_run_folder(const std::filesystem::path& output) {
     make_folder(output);
-    for (const char* name :
-         {"signals.csv", "events.gp", "summary.json", "firmware.csv", "lifts.csv", "report.html"}) {
+    // The last two are of `sil/tools/logs decode`.
+    for (const char* name : {"signals.csv", "events.gp", "summary.json", "firmware.csv", "lifts.csv",
+                             "report.html", "signals.mf4", "run.mcap"}) {
         remove_file(output / name);
     }
 }

@@ -20,6 +20,8 @@ CANDUMP_LINE = re.compile(
 CANDUMP_REMOTE = re.compile(r"\(\d+\.\d{6}\) \S+ [0-9A-Fa-f]+#[Rr]\w*(?: [RT])?")
 CANDUMP_ERROR = re.compile(r"\(\d+\.\d{6}\) \S+ [2-3][0-9A-Fa-f]{7}#.*")
 RECORDS = 20_000  # of an MF4, taken at a time
+SEEMS_CSV = (", and it seems to be a CSV: `rsi-sil replay` reads it as it is, where its columns have the names of "
+             "docs/drives.md, and `sil/tools/logs drive` without --dbc any other")
 
 
 class BusLog:
@@ -33,8 +35,7 @@ class BusLog:
         self.position = lambda: 0
         if self.kind is None:
             raise LogError(f"{self.path}: this is no log that can be read; there are MF4, BLF, ASC and the log of "
-                           "`candump -L`" + (", and it seems to be a CSV: `rsi-sil replay` reads it as it is, where its columns "
-                                             "have the names of docs/drives.md" if b"," in beginning.split(b"\n")[0] else ""))
+                           "`candump -L`" + (SEEMS_CSV if b"," in beginning.split(b"\n")[0] else ""))
 
     def _look(self):
         try:
@@ -114,8 +115,8 @@ class BusLog:
                     if f"CAN_{kind}Frame" in names:
                         self.others[kind.lower()] += count
             if not groups:
-                raise LogError(f"{self.path}: the MF4 has no frames of a CAN bus (CAN_DataFrame); it holds decoded signals, or "
-                               "nothing")
+                raise LogError(f"{self.path}: the MF4 has no frames of a CAN bus (CAN_DataFrame); it holds decoded signals "
+                               "(`sil/tools/logs drive` takes it without --dbc), or nothing")
             self.position = lambda: self.size * self._taken // max(self._wanted, 1)
             self._taken = 0
             self._wanted = sum(group.channel_group.cycles_nr for group in mdf.groups)

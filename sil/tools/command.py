@@ -7,6 +7,9 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "cmake/environment"))
 
+import decode
+import draft
+import drive
 import own_frames
 from log_error import LogError
 
@@ -18,6 +21,19 @@ def parse(arguments):
     convert.add_argument("logs", nargs="+", type=pathlib.Path, metavar="LOG")
     convert.add_argument("--output", required=True, type=pathlib.Path, metavar="DIR")
     convert.add_argument("--bus")
+    drive_of = commands.add_parser("drive", add_help=False)
+    drive_of.add_argument("logs", nargs="+", type=pathlib.Path, metavar="LOG")
+    drive_of.add_argument("--dbc", type=pathlib.Path, metavar="FILE")
+    drive_of.add_argument("--mapping", required=True, type=pathlib.Path, metavar="FILE")
+    drive_of.add_argument("--output", required=True, type=pathlib.Path, metavar="FILE")
+    draft_of = commands.add_parser("draft", add_help=False)
+    draft_of.add_argument("--dbc", type=pathlib.Path, metavar="FILE")
+    draft_of.add_argument("--log", type=pathlib.Path, metavar="FILE")
+    draft_of.add_argument("--output", required=True, type=pathlib.Path, metavar="FILE")
+    decode_of = commands.add_parser("decode", add_help=False)
+    decode_of.add_argument("log", type=pathlib.Path, metavar="RUN|LOG")
+    decode_of.add_argument("--dbc", type=pathlib.Path, metavar="FILE")
+    decode_of.add_argument("--output", type=pathlib.Path, metavar="DIR")
     return parser.parse_args(arguments)
 
 
@@ -25,9 +41,18 @@ def main(arguments):
     options = parse(arguments)
     sys.unraisablehook = lambda _: None  # asammdf fails once more, in a destructor, after it has refused a file
     try:
-        own_frames.convert(options.logs, options.output, options.bus)
+        if options.command == "convert":
+            own_frames.convert(options.logs, options.output, options.bus)
+        elif options.command == "drive":
+            drive.make(options.logs, options.dbc, options.mapping, options.output)
+        elif options.command == "draft":
+            draft.make(options.dbc, options.log, options.output)
+        elif options.command == "decode":
+            decode.make(options.log, options.dbc, options.output)
     except LogError as error:
         sys.exit(f"sil/tools/logs: {error}")
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 if __name__ == "__main__":

@@ -64,5 +64,5 @@ def checked(log, known, bus, counts):
     if not counts:
         expected = ", ".join(f"0x{identifier:03X}" for identifier in sorted(known))
         elsewhere = f" on bus {bus} (there are: {', '.join(sorted(seen))})" if seen else ""
-        raise LogError(f"{log.path}: there is none of this project's sensor frames ({expected}){elsewhere}; a log of other frames "
-                       "cannot be converted (docs/can.md)")
+        raise LogError(f"{log.path}: there is none of this project's sensor frames ({expected}){elsewhere}; for other frames, "
+                       "with their DBC file, there is `sil/tools/logs drive` (docs/can.md)")

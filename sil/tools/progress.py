@@ -14,5 +14,5 @@ def told(log):
         if number % FRAMES == 0 and time.monotonic() - said_s > EVERY_S:
             said_s = time.monotonic()
             share = min(100 * log.position() // max(log.size, 1), 100)
-            print(f"{log.path}: {share} %, {number} frames", file=sys.stderr, flush=True)
+            print(f"{log.path}: {share} %, {number} read", file=sys.stderr, flush=True)
         yield frame

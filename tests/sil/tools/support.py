@@ -46,7 +46,7 @@ class WithRun(unittest.TestCase):
     def logs(self, *arguments):
         """Runs the command, which must succeed; what it said. In this process: libraries take long to load."""
         said = io.StringIO()
-        with contextlib.redirect_stdout(said):
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
             command.main([str(argument) for argument in arguments])
         return said.getvalue()
 

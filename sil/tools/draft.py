@@ -1,0 +1,285 @@
+"""Drafts a mapping from the names and units of a DBC file, and asks for what it cannot know."""
+
+import collections
+import json
+import re
+
+import numpy
+
+import consistency
+import dbc_signals
+import drive_rows
+import progress
+import signal_names
+import table_signals
+import whole_file
+from bus_log_writers import number_of
+from bus_logs import BusLog
+from drive_quantities import QUANTITIES, REQUIRED, admitted, factor_of
+from log_error import LogError
+from mapping import Entry
+from recorded import LONGEST_DRIVE_S
+from signal_names import Candidate
+
+# Of a left turn all of these are positive.
+SIGNED = ("lateral_acceleration", "roll_angle", "yaw_rate", "steering_wheel_angle")
+SMOOTHED_ROWS = 21
+# What tells a turn from a straight, the best sign of it first; in the units of the columns.
+TURNS = {"yaw_rate": 3.0, "lateral_acceleration": 1.0, "steering_wheel_angle": 20.0}
+NEEDED = {"roll_angle": "this, or speed and yaw_rate", "speed": "with yaw_rate, where there is no roll_angle",
+          "yaw_rate": "with speed, where there is no roll_angle"}
+
+
+def make(dbc, log, output):
+    if dbc is None and log is None:
+        raise LogError("draft needs a DBC file (--dbc FILE), or a log that is decoded already (--log FILE): a CSV or an MF4")
+    if output.exists():
+        raise LogError(f"{output}: exists already, perhaps with answers in it; delete it, or choose another file with --output")
+    source = DbcSource(dbc, log) if dbc else TableSource(log)
+    choices = {}
+    for quantity in QUANTITIES:
+        found, is_clear = signal_names.candidates(quantity, source.signals)
+        choices[quantity] = Choice(quantity, source.with_frames(found), is_clear)
+    evidence = Evidence(source, choices, log)
+    blocks = [beginning(dbc, log)] + source.head() + [block(choice, source, evidence) for choice in choices.values()]
+    text = "\n".join(blocks)
+    whole_file.write(output, text)
+    questions = text.count('= "?"')
+    known = sum(bool(choice.found) for choice in choices.values())
+    print(f"{output}: {known} of {len(choices)} quantities drafted, {questions} questions (\"?\") to answer")
+
+
+def beginning(dbc, log):
+    told = " and ".join(" ".join(str(path).split()) for path in (dbc, log) if path is not None)
+    return (f"# A draft by `sil/tools/logs draft` of {told}.\n"
+            "# Put an answer in place of each \"?\", compare the rest, then `sil/tools/logs drive` takes it. docs/can.md says what\n"
+            "# the keys mean.\n")
+
+
+# What was found for a quantity: the likeliest signal first.
+Choice = collections.namedtuple("Choice", "quantity found is_clear")
+
+
+class DbcSource:
+    """The signals of a DBC file, and what a log has of them."""
+
+    def __init__(self, dbc, log):
+        self.dbc, self.log = dbc, log
+        database = dbc_signals.load(dbc)
+        self.messages = {message.name: message for message in database.messages}
+        self.signals = [Candidate(f"{message.name}.{signal.name}", signal.name, signal.unit or "", signal.comment)
+                        for message in database.messages for signal in message.signals
+                        if not dbc_signals.is_enumeration(signal) and signal.length > 1]
+        self.buses = collections.defaultdict(set)
+        if log:
+            for frame in progress.told(BusLog(log)):
+                identifier = frame.identifier | (dbc_signals.EXTENDED if frame.extended else 0)
+                self.buses["id", identifier].add(frame.bus)
+                if frame.extended:
+                    self.buses["pgn", dbc_signals.parameter_group(frame.identifier)].add(frame.bus)
+            if not any(self.buses_of(signal) for signal in self.signals):
+                raise LogError(f"{log}: has no frame of any message of {dbc}; is it the right log or DBC file?")
+
+    def head(self):
+        return []
+
+    def buses_of(self, signal):
+        return sorted(self.buses.get(dbc_signals.key_of(self.messages[signal.key.partition(".")[0]]), ()), key=str)
+
+    def with_frames(self, found):
+        return sorted(found, key=lambda signal: not self.buses_of(signal)) if self.log else found
+
+    def read(self, entries):
+        return dbc_signals.read([self.log], self.dbc, AsDrafted(entries))[0]
+
+
+class TableSource:
+    """The columns of a CSV or the channels of an MF4."""
+
+    def __init__(self, log):
+        self.log = log
+        self.signals = [Candidate(column.name, column.name.split("[")[0].split("(")[0], column.unit, "")
+                        for column in table_signals.columns_of(log)]
+        times = [signal for signal in self.signals if re.match(r"(t|time\w*)( |$)", signal_names.words(signal.name))]
+        self.is_csv = table_signals.is_csv(log)
+        self.time = times[0] if times else None
+
+    def head(self):
+        if not self.is_csv:
+            return []
+        key = f"signal = {quoted(self.time.key)}" if self.time else 'signal = "?"  # the column of the time'
+        unit = self.time.unit if self.time and factor_of(self.time.unit, "time") else None
+        return [f"[time]\n{key}\nunit = {quoted(unit) if unit else quoted('?') + '  # of the time: ' + admitted('time')}\n"]
+
+    def buses_of(self, _):
+        return []
+
+    def with_frames(self, found):
+        return found
+
+    def read(self, entries):
+        if self.is_csv and not self.time:
+            return {}
+        mapping = AsDrafted(entries)
+        mapping.time = (self.time.key, factor_of(self.time.unit, "time") or 1.0) if self.is_csv else None
+        return table_signals.read([self.log], mapping)[0]
+
+
+class AsDrafted:
+    """A mapping without signs and questions, to look into a log with."""
+
+    path = "the draft"
+
+    def __init__(self, entries):
+        self.entries = entries
+
+    def unit_factor(self, entry, unit):
+        return factor_of(unit, QUANTITIES[entry.quantity].dimension) or 1.0
+
+    def fail(self, table, _, what):
+        raise LogError(f"{table} {what}")
+
+
+class Evidence:
+    """What the log shows of the signs."""
+
+    def __init__(self, source, choices, log):
+        self.columns, self.turn_s, self.present = {}, None, None
+        if not log:
+            return
+        first_of = {name: choice.found[0] for name, choice in choices.items() if choice.found}
+        entries = [Entry(name, signal.key, None, 1.0, 0.0, 1, 0.0, bus_key(source.buses_of(signal)))
+                   for name, signal in first_of.items() if signal.key]
+        recorded = source.read(entries)
+        self.present = set(recorded)
+        recorded = {name: one for name, one in recorded.items() if len(one.times_us) > 1}
+        if not recorded:
+            return
+        first = min(int(one.times_us[0]) for one in recorded.values())
+        last = max(int(one.times_us[-1]) for one in recorded.values())
+        if last - first > LONGEST_DRIVE_S * 1.0e6:
+            return  # channels on clocks of their own
+        times_us = numpy.arange(first, last + 1, drive_rows.STEP_US, dtype="i8")
+        columns, without_unit = {}, set()
+        for name, one in recorded.items():
+            factor = factor_of(one.unit, QUANTITIES[name].dimension)
+            if factor is None:
+                without_unit.add(name)
+            columns[name] = drive_rows.sampled(one.times_us, one.values * (factor or 1.0), times_us)
+        self.look(times_us, columns, without_unit)
+
+    def look(self, times_us, columns, without_unit=()):
+        """At the columns of a drive, as far as the vehicle stays upright. Of some only the signs have a meaning."""
+        self.without_unit = without_unit
+        rows = consistency.upright_rows({name: values for name, values in columns.items() if name not in without_unit},
+                                        len(times_us))
+        self.times_us = times_us[:rows]
+        self.columns = {name: values[:rows] for name, values in columns.items()}
+        self._find_turn()
+
+    def _find_turn(self):
+        anchors = [name for name in TURNS if name in self.columns]
+        if not anchors:
+            return
+        self.anchor = anchors[0]
+        values = numpy.where(numpy.isnan(self.columns[self.anchor]), 0.0, self.columns[self.anchor])
+        if len(values) < SMOOTHED_ROWS:
+            return
+        smooth = numpy.convolve(values - numpy.median(values), numpy.ones(SMOOTHED_ROWS) / SMOOTHED_ROWS, mode="same")
+        hardest = int(numpy.argmax(numpy.abs(smooth)))
+        if abs(smooth[hardest]) >= TURNS[self.anchor] or self.anchor in self.without_unit:
+            self.turn_s, self.turn = self.times_us[hardest] / 1.0e6, float(smooth[hardest])
+
+    def sign_if_left(self, name):
+        """The sign of the quantity if that turn was one to the left; None where the log does not tell."""
+        if self.turn_s is None or name not in self.columns:
+            return None
+        anchored = 1 if self.turn > 0.0 else -1
+        if name in SIGNED:
+            by_anchor = self._times(anchored, self.columns[name], self.columns[self.anchor])
+            lateral = "lateral_acceleration"
+            if by_anchor or name == lateral or self.anchor == lateral or lateral not in self.columns:
+                return by_anchor
+            base = self.sign_if_left(lateral)
+            return base and self._times(base, self.columns[name], self.columns[lateral])
+        if name != "roll_rate":
+            return None
+        by = "roll_angle" if "roll_angle" in self.columns else "lateral_acceleration"
+        base = self.sign_if_left(by)
+        return base and self._times(base, consistency.turned(self.times_us, self.columns[name]),
+                                    consistency.change(self.times_us, self.columns[by]))
+
+    @staticmethod
+    def _times(sign, one, other):
+        link = consistency.compared("", one, "", other)
+        if link is None or abs(link.correlation) < consistency.LEAST_CORRELATION:
+            return None
+        return sign if link.correlation > 0.0 else -sign
+
+
+def bus_key(buses):
+    return (buses[0] if isinstance(buses[0], str) else number_of(buses[0])) if buses else None
+
+
+def block(choice, source, evidence):
+    """The table of one quantity."""
+    quantity = QUANTITIES[choice.quantity]
+    need = "needed" if quantity.need == REQUIRED else NEEDED.get(choice.quantity, "optional")
+    head = f"# {need}; {admitted(quantity.dimension)}"
+    if not choice.found:
+        if quantity.need != REQUIRED:
+            return f"{head}\n# No signal was found by its name.\n# [{choice.quantity}]\n# signal = \"\"\n"
+        return f"{head}\n[{choice.quantity}]\nsignal = \"?\"  # none was found by its name\n"
+    first = choice.found[0]
+    lines = [head, f"[{choice.quantity}]"]
+    if len(choice.found) > 1:
+        lines.append("# candidates: " + ", ".join(f"{signal.key} [{signal.unit}]" for signal in choice.found))
+    lines.append(f"signal = {quoted(first.key)}" if choice.is_clear else
+                 f"signal = \"?\"  # of the candidates; the questions below are about {first.key}")
+    if evidence.present is not None and choice.quantity not in evidence.present:
+        lines.append("# the log has no value of it: delete this table, unless other logs have it")
+    if first.comment:
+        lines.append(f"# DBC: {' '.join(first.comment.split())[:110]}")
+    lines += unit_lines(quantity, first) + sign_lines(choice.quantity, evidence)
+    buses = source.buses_of(first)
+    if len(buses) > 1:
+        lines.append(f"bus = \"?\"  # it comes on the buses {', '.join(str(bus) for bus in buses)}")
+    return "\n".join(lines) + "\n"
+
+
+def unit_lines(quantity, signal):
+    if factor_of(signal.unit, quantity.dimension) is not None:
+        return [f"unit = {quoted(signal.unit)}  # as it says there"]
+    said = f"{quoted(signal.unit)} stands there" if signal.unit else "none stands there"
+    return [f"unit = \"?\"  # {said}; one of those above, and where one number is not one of it, also factor"]
+
+
+def sign_lines(name, evidence):
+    if name in ("speed", "vehicle_mass") or name.startswith("wheel_load_"):
+        return []
+    if name == "vertical_acceleration":
+        return vertical_lines(evidence)
+    meaning = "left side up" if name == "bank_angle" else "a left turn"
+    if name == "roll_rate":
+        meaning = "rolling to the right, as when a left turn begins,"
+    question = f"sign = \"?\"  # 1 if {meaning} is positive, -1 if negative"
+    left = evidence.sign_if_left(name)
+    if left is None:
+        return [question + ("; the log does not show it" if evidence.present is not None and name != "bank_angle" else "")]
+    return [question, f"#          the log turns hardest at {evidence.turn_s:.2f} s: {left} if that was to the left, {-left} if "
+                      "to the right"]
+
+
+def vertical_lines(evidence):
+    upright = consistency.upright_mps2(evidence.columns)
+    if upright is None:
+        return ["sign = \"?\"  # 1 if it shows about +1 g at rest, -1 if -1 g; if gravity is not in it, offset = 1 g in its unit"]
+    share = upright / consistency.G_MPS2
+    if 0.5 < abs(share) < 2.0:
+        return [f"sign = {1 if share > 0 else -1}  # the log shows {share:+.2f} g at its beginning"]
+    return [f"sign = \"?\"  # the log shows {share:+.2f} g at its beginning: if gravity is not in it, offset = 1 g in its unit, "
+            "and 1 if upwards is positive"]
+
+
+def quoted(text):
+    return json.dumps(text, ensure_ascii=False)

@@ -1,0 +1,261 @@
+"""The mapped signals of logs that are decoded already: columns of a CSV, channels of an MF4."""
+
+import collections
+import contextlib
+import csv
+import errno
+import pathlib
+
+import progress
+import whole_file
+from bus_logs import kind_of
+from drive_quantities import is_known
+from log_error import LogError
+from mapping import closest
+from recorded import TEXTS, Clock, Collected
+
+# A column or channel, with what a signal of a DBC file also has.
+Column = collections.namedtuple("Column", "name unit minimum maximum scale is_float", defaults=("", None, None, 1.0, True))
+
+HEADER_LINES = 200  # the names stand before
+LONGEST_LINE = 1_000_000
+
+
+def read(logs, mapping):
+    """As dbc_signals.read()."""
+    clock = Clock()
+    collected = {}
+    for path in logs:
+        if is_csv(path):
+            read_csv(path, mapping, clock, collected)
+        else:
+            read_mf4(path, mapping, collected)
+    missing = {name: f"{one.entry.signal} has no value" + (f", only texts, such as '{one.examples[0]}'" if one.examples else "")
+               for name, one in collected.items() if not one.times_us}
+    return {name: one.recorded() for name, one in collected.items() if name not in missing}, missing
+
+
+def is_csv(path):
+    """Whether it is a CSV; otherwise it is an MF4."""
+    beginning = beginning_of(path)
+    kind = kind_of(beginning)
+    if kind not in (None, "MF4"):
+        raise LogError(f"{path}: holds frames ({kind}), so your DBC file is needed: --dbc FILE")
+    if b"\0" in beginning and kind is None:
+        raise LogError(f"{path}: is neither a log of frames (MF4, BLF, ASC, candump) nor a CSV")
+    return kind is None
+
+
+def beginning_of(path):
+    try:
+        if path.exists() and not path.is_file():
+            raise OSError(errno.EINVAL, "it is a folder" if path.is_dir() else whole_file.NO_ORDINARY_FILE)
+        with path.open("rb") as file:
+            beginning = file.read(4096)
+    except OSError as error:
+        raise LogError(f"{path}: cannot be read: {error.strerror}") from error
+    if not beginning:
+        raise LogError(f"{path}: the file is empty; was the recording or the copy finished?")
+    return beginning
+
+
+def into(collected, entry, name, unit, mapping):
+    """Where the values of this entry go."""
+    if entry.bus is not None:
+        mapping.fail(entry.quantity, "bus", "is for logs of frames; leave it out here")
+    if entry.quantity not in collected:
+        mapping.unit_factor(entry, unit)
+        collected[entry.quantity] = Collected(entry, Column(name, unit))
+    return collected[entry.quantity]
+
+
+def columns_of(path):
+    """The columns or channels of a log that is decoded already, with their units; of a CSV also the time's."""
+    if not is_csv(path):
+        with opened(path) as mdf:
+            return [Column(channel.name, channel.unit or "") for channel in mdf.iter_channels(skip_master=True)]
+    table = Csv(path)
+    for line in table.lines():
+        for table.separator in (",", ";", "\t"):
+            names = table.fields(line)
+            if len(names) > 1 and not any(table.number_of(name) is not None for name in names):
+                return [Column(name, unit_in(name)) for name in names if name]
+        if table.number >= HEADER_LINES:
+            break
+    raise LogError(f"{path}:1: none of the first {HEADER_LINES} lines names columns")
+
+
+class Csv:
+    """A CSV of others, line by line: its fields, and how its numbers are written."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path)
+        self.size = self.path.stat().st_size
+        self.number = 0
+        self.is_ended = True
+        self._file = None
+        self.separator, self.comma = ",", False
+
+    def lines(self):
+        with self.path.open("rb") as self._file:
+            for self.number, raw in enumerate(iter(lambda: self._file.readline(LONGEST_LINE), b""), 1):
+                self.is_ended = raw.endswith((b"\n", b"\r"))
+                try:
+                    yield raw.decode("utf-8-sig" if self.number == 1 else "utf-8")
+                except UnicodeDecodeError:
+                    yield raw.decode("cp1252", "replace")
+
+    def fields(self, line):
+        try:
+            return [field.strip() for field in next(csv.reader([line.rstrip("\r\n")], delimiter=self.separator), [])]
+        except csv.Error as error:
+            raise LogError(f"{self.path}:{self.number}: this line cannot be understood ({error}); export it again") from error
+
+    def header(self, lines, time_name):
+        """The names of the columns: those of the first line that has the name of the time's column."""
+        first = None
+        for line in lines:
+            for separator in (",", ";", "\t"):
+                self.separator = separator
+                names = self.fields(line)
+                if time_name in names:
+                    self.comma = separator != ","
+                    return names
+                if first is None and len(names) > 1:
+                    first = names
+            if self.number >= HEADER_LINES:
+                break
+        raise LogError(f"{self.path}:1: no line of the first {HEADER_LINES} has a column '{time_name}', which the mapping's "
+                       f"[time] names; {closest(time_name, first or [])}")
+
+    def number_of(self, text):
+        """None for what is no number."""
+        try:
+            return float(text.replace(",", ".") if self.comma else text)
+        except ValueError:
+            return None
+
+    # For the account of progress.
+    def position(self):
+        return self.size if self._file.closed else self._file.tell()
+
+    def frames(self):
+        return self.rows
+
+    rows = ()
+
+
+def read_csv(path, mapping, clock, collected):
+    if mapping.time is None:
+        raise LogError(f"{mapping.path}:1: there is no table [time], and {path} is a CSV; add [time] with signal = the name of "
+                       "the column that has the time, and its unit (for a log of frames in another container give --dbc)")
+    table = Csv(path)
+    lines = table.lines()
+    names = table.header(lines, mapping.time[0])
+    repeated = [name for name, count in collections.Counter(names).items() if count > 1]
+    used = {mapping.time[0]} | {entry.signal for entry in mapping.entries}
+    if used.intersection(repeated):
+        raise LogError(f"{path}:{table.number}: two columns are called '{sorted(used.intersection(repeated))[0]}'; rename one "
+                       "of them")
+    for entry in mapping.entries:
+        if entry.signal not in names:
+            mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has no such column; "
+                                                   f"{closest(entry.signal, names)}")
+    read_rows(table, lines, names, mapping, clock, collected)
+
+
+def read_rows(table, lines, names, mapping, clock, collected):
+    time_index, time_factor = names.index(mapping.time[0]), mapping.time[1]
+    header_line, targets = table.number, None
+    units = [unit_in(name) for name in names]
+    table.rows = lines
+    for line in progress.told(table):
+        if not line.strip():
+            continue
+        fields = table.fields(line)
+        place = f"{table.path}:{table.number}"
+        if not table.is_ended:
+            raise LogError(f"{place}: the last line has no line end: the file was cut off; copy it again, or delete this line")
+        if len(fields) != len(names):
+            raise LogError(f"{place}: {len(fields)} fields, but line {header_line} names {len(names)} columns; export it again")
+        number = table.number_of(fields[time_index])
+        if targets is None and all(table.number_of(field) is None for field in fields):
+            units = fields  # a line of units below the names
+            continue
+        if number is None:
+            raise LogError(f"{place}: the time is '{fields[time_index][:40]}', which is no number; export it as seconds")
+        if targets is None:
+            places = [names.index(entry.signal) for entry in mapping.entries]
+            targets = [(index, into(collected, entry, entry.signal, units[index], mapping))
+                       for index, entry in zip(places, mapping.entries)]
+        clock.take(place, number * time_factor)
+        time_us = round(number * time_factor * 1.0e6)
+        for index, target in targets:
+            take_field(table, fields[index], time_us, target)
+    if targets is None:
+        raise LogError(f"{table.path}:{header_line}: there are no rows below the header")
+
+
+def take_field(table, text, time_us, target):
+    if not text:
+        target.left_out["empty"] += 1
+        return
+    value = table.number_of(text)
+    if value is None:
+        target.take_text(text[:40])
+    else:
+        target.take(time_us, value)
+
+
+def unit_in(name):
+    """The unit that a column's name ends with, as in "ay [m/s^2]", "ay (m/s^2)" and "ay_mps2"."""
+    for opening, closing in ("[]", "()"):
+        if name.endswith(closing) and opening in name:
+            return name[name.rindex(opening) + 1:-1]
+    ending = name.rpartition("_")[2]
+    return ending if ending != name and is_known(ending) else ""
+
+
+def read_mf4(path, mapping, collected):
+    with opened(path) as mdf:
+        start_s = mdf.header.start_time.timestamp()
+        for entry in mapping.entries:
+            take_channel(mdf, path, start_s, mapping, entry, collected)
+
+
+@contextlib.contextmanager
+def opened(path):
+    """An MF4 of decoded signals."""
+    import asammdf  # takes a second, and others do not need it
+
+    try:
+        with asammdf.MDF(path) as mdf:
+            if "CAN_DataFrame" in mdf.channels_db:
+                raise LogError(f"{path}: holds frames (MF4), so your DBC file is needed: --dbc FILE")
+            yield mdf
+    except LogError:
+        raise
+    except OSError as error:
+        raise LogError(f"{path}: cannot be read: {error.strerror}") from error
+    except Exception as error:  # the library raises anything on a damaged file
+        raise LogError(f"{path}: the MF4 is damaged ({type(error).__name__}: {error}); copy or export it again") from error
+
+
+def take_channel(mdf, path, start_s, mapping, entry, collected):
+    places = mdf.channels_db.get(entry.signal)
+    if not places:
+        mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has no such channel; "
+                                               f"{closest(entry.signal, list(mdf.channels_db))}")
+    if len({group for group, _ in places}) > 1:
+        mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', but {path} has {len(places)} channels of this name; "
+                                               "export it with names of their own")
+    signal = mdf.get(entry.signal, group=places[0][0], index=places[0][1]).validate()
+    if signal.samples.ndim != 1 or signal.samples.dtype.kind not in "fiubSUO":
+        mapping.fail(entry.quantity, "signal", f"is '{entry.signal}', whose values in {path} are no numbers")
+    target = into(collected, entry, entry.signal, signal.unit, mapping)
+    for time_s, value in zip(signal.timestamps.tolist(), signal.samples.tolist()):
+        target.clock.take(path, start_s + time_s)
+        if isinstance(value, (bytes, str)):
+            target.take_text(value.decode("utf-8", "replace") if isinstance(value, bytes) else value)
+        else:
+            target.take(round((start_s + time_s) * 1.0e6), float(value))

@@ -1,0 +1,144 @@
+"""Drives of what others have decoded already: a CSV with other names and units, an MF4 of signals."""
+
+import datetime
+import re
+
+import drive_support
+import support
+
+import foreign_recorder
+
+COLUMNS = {"Ay [G]": ("lateral_acceleration_mps2", 1 / foreign_recorder.G_MPS2),
+           "RollVel [rad/s]": ("roll_rate_degps", 1 / foreign_recorder.DEGREES),
+           "Phi (deg)": ("roll_angle_deg", -1.0), "v": ("speed_mps", 3.6), "psi_p_degps": ("yaw_rate_degps", 1.0),
+           "Az_mps2": ("vertical_acceleration_mps2", 1.0), "delta_deg": ("steering_wheel_angle_deg", 1.0)}
+UNITS = ["ms", "G", "rad/s", "deg", "km/h", "deg/s", "m/s^2", "deg", "-"]
+MAPPING = """\
+[time]
+signal = "t"
+unit = "ms"
+[lateral_acceleration]
+signal = "Ay [G]"
+[roll_rate]
+signal = "RollVel [rad/s]"
+[roll_angle]
+signal = "Phi (deg)"
+sign = -1
+[speed]
+signal = "v"
+unit = "km/h"
+[yaw_rate]
+signal = "psi_p_degps"
+[vertical_acceleration]
+signal = "Az_mps2"
+[steering_wheel_angle]
+signal = "delta_deg"
+"""
+WITHOUT_TIME = MAPPING.split("[lateral")[0]
+
+
+class Tables(drive_support.WithDrives):
+    def table(self, separator=",", comma=False, before="", units=None, change=lambda line: line):
+        lines = [separator.join(["t", *COLUMNS, "remark"])] + ([separator.join(units)] if units else [])
+        for row in foreign_recorder.rows(self.run_folder):
+            fields = [f"{row['time_s'] * 1000:.1f}"] + [f"{row[source] * factor:.6f}" for source, factor in COLUMNS.values()]
+            lines.append(separator.join([field.replace(".", ",") if comma else field for field in fields] + ["good"]))
+        file = self.folder / "table.csv"
+        file.write_text(before + "".join(change(line) + "\n" for line in lines), encoding="utf-8")
+        return file
+
+    def test_a_csv_gives_the_warnings_of_the_run(self):
+        warnings = self.replay(self.original)
+        for arguments in ({}, {"separator": ";", "comma": True}, {"separator": "\t"}, {"before": "Recorder 3\nVehicle: 7, load: "
+                                                                                                 "none\n"},
+                          {"units": UNITS}):
+            drive, said = self.drive(self.table(**arguments), dbc=None, mapping=self.mapping(MAPPING))
+            self.assertEqual(self.replay(drive), warnings, arguments)
+            self.assertIn("304 rows over 3.03 s; none missing", said)
+
+    def test_time_before_a_trigger_is_negative(self):
+        table = self.table(change=lambda line: re.sub(r"^[\d.]+", lambda time: f"{float(time[0]) - 1000.0:.1f}", line))
+        drive, _ = self.drive(table, dbc=None, mapping=self.mapping(MAPPING))
+        self.assertEqual([row["time_s"] for row in self.rows(drive)][:2], ["-1.000000", "-0.990000"])
+        self.assertEqual([line.split(",")[1:] for line in self.replay(drive).splitlines()],
+                         [line.split(",")[1:] for line in self.replay(self.original).splitlines()])
+
+    def test_the_line_of_units_is_read(self):
+        mapping = self.mapping(MAPPING.replace('unit = "km/h"\n', ""))
+        drive, _ = self.drive(self.table(units=UNITS), dbc=None, mapping=mapping)
+        self.assertEqual(self.rows(drive)[0]["speed_kmh"], "110")
+
+    def test_an_mf4_of_signals_gives_the_warnings_of_the_run(self):
+        import asammdf
+        import numpy
+
+        rows = list(foreign_recorder.rows(self.run_folder))
+        times = numpy.array([row["time_s"] for row in rows])
+        mdf = asammdf.MDF(version="4.10")
+        mdf.header.start_time = datetime.datetime.fromtimestamp(0, datetime.timezone.utc)
+        for name, (source, factor) in COLUMNS.items():
+            mdf.append([asammdf.Signal(numpy.array([row[source] * factor for row in rows]), times, name=name, unit=name[-2:-1])])
+        mdf.append([asammdf.Signal(numpy.array([b"driving"] * len(rows)), times, name="Mode", encoding="utf-8")])
+        file = self.folder / "signals.mf4"
+        mdf.save(file)
+        mdf.close()
+        units = MAPPING.replace(WITHOUT_TIME, "").replace('"Ay [G]"', '"Ay [G]"\nunit = "g"')
+        for ending, unit in (("[rad/s]", "rad/s"), ("(deg)", "deg"), ("degps", "deg/s"), ("mps2", "m/s^2"), ("ta_deg", "deg")):
+            units = units.replace(f'{ending}"', f'{ending}"\nunit = "{unit}"')
+        drive, _ = self.drive(file, dbc=None, mapping=self.mapping(units))
+        self.assertEqual(self.replay(drive), self.replay(self.original))
+        for wrong, expected in (("Ay [G", "has no such channel; close to it: Ay [G]"), ("Mode", None)):
+            mapping = self.mapping(units.replace('"Ay [G]"', f'"{wrong}"'))
+            if expected:
+                self.assertIn(expected, self.drive_refused(f"{mapping}:2: lateral_acceleration.signal is '{wrong}', but {file} "
+                                                           "", file, dbc=None,
+                                                           mapping=mapping))
+            else:
+                self.drive_refused(f"{file}: Mode has no value, only texts, such as 'driving', and {mapping}:2 maps it",
+                                   file, dbc=None, mapping=mapping)
+
+    def test_bad_tables_are_refused_with_the_place(self):
+        mapping = self.mapping(MAPPING)
+        good = self.table()
+
+        def refused(expected, change, text=MAPPING):
+            file = self.table()
+            lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
+            file.write_text("".join(change(lines)), encoding="utf-8")
+            return self.drive_refused(f"{file}{expected}", file, dbc=None, mapping=self.mapping(text))
+
+        def at_100(line):
+            return lambda lines: lines[:99] + [line(lines[99])] + lines[100:]
+
+        refused(":100: 8 fields, but line 1 names 9 columns", at_100(lambda line: line.replace(",good", "")))
+        refused(":100: the time is 'noon', which is no number; ", at_100(lambda _: "noon,0,0,0,0,0,0,0,\n"))
+        refused(":100: the time runs back from 0.970000 s to 0.000000 s: ", at_100(lambda _: "0,0,0,0,0,0,0,0,\n"))
+        refused(":305: the last line has no line end: the file was cut off; ",
+                lambda lines: lines[:-1] + [lines[-1].rstrip("\n")])
+        refused(":1: there are no rows below the header", lambda lines: lines[:1])
+        refused(":1: no line of the first 200 has a column 't', which the mapping's [time] names; ",
+                lambda lines: ["a,b,c\n"] + lines[1:])
+        refused(":1: two columns are called 'v'; ", lambda lines: [lines[0].replace("psi_p_degps", "v")] + lines[1:],
+                MAPPING.replace("psi_p_degps", "v"))
+        refused(": the file is empty; ", lambda lines: [])
+        refused(": Ay [G] has no value, only texts, such as 'nil', and ",
+                lambda lines: lines[:1] + [",".join([line.split(",")[0], "nil", *line.split(",")[2:]]) for line in lines[1:]])
+        no_time = self.mapping(MAPPING.replace(WITHOUT_TIME, ""))
+        self.drive_refused(f"{no_time}:1: there is no table [time], and {good} is a CSV; ", good, dbc=None, mapping=no_time)
+        misspelt = self.mapping(MAPPING.replace("Ay [G]", "ay"))
+        self.drive_refused(f"{misspelt}:5: lateral_acceleration.signal is 'ay', but {good} has no such column; ", good, dbc=None,
+                           mapping=misspelt)
+        with_bus = self.mapping(MAPPING + "bus = 1\n")
+        self.drive_refused(f"{with_bus}:20: steering_wheel_angle.bus is for logs of frames; ",
+                           self.table(), dbc=None, mapping=with_bus)
+        frames = self.written("blf", foreign_recorder.frames(self.run_folder))
+        self.drive_refused(f"{frames}: holds frames (BLF), so your DBC file is needed: --dbc FILE", frames, dbc=None,
+                           mapping=self.mapping(MAPPING))
+        frames = self.written("mf4", foreign_recorder.frames(self.run_folder))
+        self.drive_refused(f"{frames}: holds frames (MF4), so your DBC file is needed: --dbc FILE", frames, dbc=None,
+                           mapping=self.mapping(MAPPING))
+        self.assertTrue(mapping.exists())
+
+
+if __name__ == "__main__":
+    support.main()
