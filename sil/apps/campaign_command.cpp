@@ -16,6 +16,7 @@
 #include "sil/apps/stop_request.hpp"
 #include "sil/files/whole_file.hpp"
 #include "sil/studies/campaign/campaign.hpp"
+#include "sil/studies/campaign/campaign_page.hpp"
 #include "sil/studies/campaign/report.hpp"
 #include "sil/studies/campaign/settings.hpp"
 
@@ -64,10 +65,15 @@ void report(const CampaignRequest& request) {
                         request.output.string()));
     }
     const std::uint64_t wanted = load_campaign(settings).runs;
-    const CampaignReport report = make_report(load_rows(request.output / "runs.csv"), wanted);
+    const RowTable rows = load_rows(request.output / "runs.csv");
+    const CampaignReport report = make_report(rows, wanted);
     write_report(report, request.output);
-    fmt::print("{}\nAll of it is in {}; sil/studies/campaign/draw {} makes the pictures.\n",
-               report_markdown(report), (request.output / "report.json").string(), request.output.string());
+    write_file_atomically(request.output / "report.html", campaign_page(report, rows, request.output));
+    fmt::print(
+        "{}\nAll of it is in {}, to look into in {}; sil/studies/campaign/draw {} makes the "
+        "pictures.\n",
+        report_markdown(report), (request.output / "report.json").string(),
+        (request.output / "report.html").string(), request.output.string());
 }
 
 void run(const CampaignRequest& request) {

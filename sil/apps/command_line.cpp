@@ -17,6 +17,8 @@
 namespace sil {
 namespace {
 
+constexpr std::uint64_t largest_port = 65535U;
+
 // The subcommand that the words led to, or the program itself.
 const CLI::App& innermost(const CLI::App& app) {
     const std::vector<CLI::App*> parsed = app.get_subcommands();
@@ -153,6 +155,15 @@ CLI::Option* add_whole_numbers(CLI::App& command, const std::string& name, std::
         ->allow_extra_args(false)
         ->check(check_whole_number)
         ->type_name("UINT");
+}
+
+CLI::Option* add_port_option(CLI::App& command, std::uint64_t& port) {
+    return add_whole_number(command, "--port", port, "On 127.0.0.1 (default: a free one)")
+        ->check([](const std::string& text) -> std::string {
+            return whole_number(text).value_or(largest_port + 1U) <= largest_port
+                       ? std::string{}
+                       : fmt::format("wants a whole number from 0 to {}, not {}", largest_port, text);
+        });
 }
 
 }  // namespace sil

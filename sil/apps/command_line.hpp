@@ -52,4 +52,7 @@ CLI::Option* add_whole_number(CLI::App& command, const std::string& name, Value&
 CLI::Option* add_whole_numbers(CLI::App& command, const std::string& name, std::vector<std::uint64_t>& values,
                                const std::string& description);
 
+// --port: where a page is served on 127.0.0.1; 0: a free one.
+CLI::Option* add_port_option(CLI::App& command, std::uint64_t& port);
+
 }  // namespace sil

@@ -15,6 +15,7 @@
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/identification/calibration_writer.hpp"
 #include "sil/studies/identification/identification.hpp"
+#include "sil/studies/identification/identification_page.hpp"
 #include "sil/studies/identification/report.hpp"
 #include "sil/studies/identification/simulated_drive.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -80,16 +81,6 @@ std::vector<Drive> read_all(const std::vector<std::string>& files) {
     return drives;
 }
 
-// Results of an earlier identification must not be taken for those of this one, should it fail.
-void prepare_folder(const std::filesystem::path& output) {
-    make_folder(output);
-    for (const char* name :
-         {"calibration.toml", "report.txt", "fit.csv", "curve.csv", "fit.gp", "calibration.refused.toml",
-          "roll_stiffness.svg", "roll_stiffness.png", "fit.svg", "fit.png"}) {
-        remove_file(output / name);
-    }
-}
-
 void draw(const std::filesystem::path& output) {
     std::string script = RSI_IDENTIFICATION_DRAW_SCRIPT;
     std::string folder = std::filesystem::absolute(output).string();
@@ -107,7 +98,7 @@ void draw(const std::filesystem::path& output) {
 }
 
 void identify_vehicle(IdentifyRequest& request) {
-    prepare_folder(request.output);
+    prepare_identification_folder(request.output);
     refuse_unclear(request);
     const VehicleData vehicle = load_vehicle_data(request.vehicle_data, request.settings);
     IdentificationOptions options;
@@ -118,18 +109,40 @@ void identify_vehicle(IdentifyRequest& request) {
     }
     const Identification result =
         identify(vehicle, read_all(request.ramps), read_all(request.dynamics), options);
-    const std::string report = identification_report(result);
-    write_file_atomically(request.output / "report.txt", report);
-    write_file_atomically(request.output / "fit.csv", fit_csv(result));
-    write_file_atomically(request.output / "curve.csv", curve_csv(result));
-    write_file_atomically(request.output / "fit.gp", fit_marks(result));
-    const std::filesystem::path calibration = request.output / "calibration.toml";
+    fmt::print("{}", identification_report(result));
+    write_identification(result, request.output);
+    if (!request.no_pictures) {
+        draw(request.output);
+    }
+    const std::string calibration = (request.output / "calibration.toml").string();
+    fmt::print("\n{} is complete. Try it: rsi-sil replay DRIVE.csv --parameters {} --output FOLDER\n",
+               calibration, calibration);
+}
+
+}  // namespace
+
+// Results of an earlier identification must not be taken for those of this one, should it fail.
+void prepare_identification_folder(const std::filesystem::path& output) {
+    make_folder(output);
+    for (const char* name :
+         {"calibration.toml", "report.txt", "report.html", "fit.csv", "curve.csv", "fit.gp",
+          "calibration.refused.toml", "roll_stiffness.svg", "roll_stiffness.png", "fit.svg", "fit.png"}) {
+        remove_file(output / name);
+    }
+}
+
+void write_identification(const Identification& result, const std::filesystem::path& output) {
+    write_file_atomically(output / "report.txt", identification_report(result));
+    write_file_atomically(output / "report.html", identification_page(result));
+    write_file_atomically(output / "fit.csv", fit_csv(result));
+    write_file_atomically(output / "curve.csv", curve_csv(result));
+    write_file_atomically(output / "fit.gp", fit_marks(result));
+    const std::filesystem::path calibration = output / "calibration.toml";
     write_file_atomically(calibration, calibration_text(result));
-    fmt::print("{}", report);
     try {
         load_calibration(calibration.string());
     } catch (const InputError& error) {
-        const std::filesystem::path refused = request.output / "calibration.refused.toml";
+        const std::filesystem::path refused = output / "calibration.refused.toml";
         std::filesystem::rename(calibration, refused);
         throw std::runtime_error(
             fmt::format("the component would refuse what was fitted ({}). It is left in {} to look at; check "
@@ -137,14 +150,7 @@ void identify_vehicle(IdentifyRequest& request) {
                         "the drives' signs and units, and heed the warnings above",
                         error.what(), refused.string()));
     }
-    if (!request.no_pictures) {
-        draw(request.output);
-    }
-    fmt::print("\n{} is complete. Try it: rsi-sil replay DRIVE.csv --parameters {} --output FOLDER\n",
-               calibration.string(), calibration.string());
 }
-
-}  // namespace
 
 void add_identify_command(CLI::App& app) {
     const auto request = std::make_shared<IdentifyRequest>();

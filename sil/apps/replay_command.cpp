@@ -20,6 +20,7 @@
 #include "sil/studies/drives/drive_names.hpp"
 #include "sil/studies/drives/drive_replay.hpp"
 #include "sil/studies/drives/replay_csv.hpp"
+#include "sil/studies/drives/replay_page.hpp"
 #include "sil/studies/drives/replay_summary.hpp"
 #include "sil/studies/drives/replay_table.hpp"
 #include "sil/studies/drives/whole_folder.hpp"
@@ -41,8 +42,9 @@ bool is_interrupted() {
 }
 
 const std::vector<std::string>& replay_contents() {
-    static const std::vector<std::string> names{"indices.csv",  "warnings.csv", "diagnosis.csv", "events.gp",
-                                                "summary.json", "replay.svg",   "replay.png"};
+    static const std::vector<std::string> names{"indices.csv", "warnings.csv", "diagnosis.csv",
+                                                "events.gp",   "summary.json", "report.html",
+                                                "replay.svg",  "replay.png"};
     return names;
 }
 
@@ -84,7 +86,7 @@ class Replayer {
           parameters_{load_calibration(request.parameters.string(), request.changes)},
           names_{drive_names(request.files)} {}
 
-    void run() {
+    std::vector<ReplayRow> run() {
         make_folder(request_.output);
         remove_file(request_.output / "table.csv");
         for (std::size_t index = 0U; index < request_.files.size(); ++index) {
@@ -98,6 +100,7 @@ class Replayer {
             throw std::runtime_error(fmt::format("{} of {} files could not be replayed (see above): {}",
                                                  failed_count_, request_.files.size(), failed_));
         }
+        return rows_;
     }
 
  private:
@@ -152,7 +155,9 @@ class Replayer {
     }
 
     void write(const std::filesystem::path& folder, const ReplaySource& source, const DriveReplay& replay) {
-        write_file_atomically(folder / "indices.csv", indices_csv(replay));
+        const std::string indices = indices_csv(replay);
+        write_file_atomically(folder / "indices.csv", indices);
+        write_file_atomically(folder / "report.html", replay_page(source, replay, parameters_, indices));
         write_file_atomically(folder / "warnings.csv", warnings_csv(replay));
         write_file_atomically(folder / "diagnosis.csv", diagnosis_csv(replay));
         write_event_marks(replay.events, static_stability_factor(parameters_),
@@ -177,10 +182,10 @@ class Replayer {
 
 }  // namespace
 
-void run_replay(const ReplayRequest& request) {
+std::vector<ReplayRow> run_replay(const ReplayRequest& request) {
     std::signal(SIGINT, note_interruption);
     std::signal(SIGTERM, note_interruption);
-    Replayer{request}.run();
+    return Replayer{request}.run();
 }
 
 void add_replay_command(CLI::App& app, ReplayRequest& request) {
@@ -194,7 +199,7 @@ void add_replay_command(CLI::App& app, ReplayRequest& request) {
         ->allow_extra_args(false);
     replay->add_option("--output", request.output, "Folder for the results")->required();
     replay->add_flag("--no-pictures", request.without_pictures, "Leave out the pictures");
-    replay->callback([&request] { run_replay(request); });
+    replay->callback([&request] { static_cast<void>(run_replay(request)); });
 }
 
 }  // namespace sil

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sil/studies/drives/replay_table.hpp"
+
 namespace sil {
 
 struct ReplayRequest {
@@ -21,7 +23,7 @@ void add_replay_command(CLI::App& app, ReplayRequest& request);
 
 // Writes OUTPUT/DRIVE/ for every file and OUTPUT/table.csv, prints progress and the table. A file that cannot
 // be replayed leaves no folder; the others are replayed all the same. Throws std::exception with a message
-// for the user, at the end also when files failed.
-void run_replay(const ReplayRequest& request);
+// for the user, at the end also when files failed. Gives back the table, a row a file.
+std::vector<ReplayRow> run_replay(const ReplayRequest& request);
 
 }  // namespace sil

@@ -19,6 +19,8 @@
 #include "sil/apps/procedure_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
+#include "sil/apps/show_command.hpp"
+#include "sil/apps/validate_command.hpp"
 #include "sil/apps/watch_command.hpp"
 #include "sil/results/bus_timing.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -103,6 +105,7 @@ int main(int argc, char** argv) {
     app.add_subcommand("list", "Name all manoeuvres")->callback(list_manoeuvres);
     add_run(app, request);
     sil::add_watch_command(app);
+    sil::add_show_command(app);
     add_timing(app, log);
     sil::add_replay_command(app, replay);
     sil::add_campaign(app);
@@ -113,6 +116,7 @@ int main(int argc, char** argv) {
     sil::add_fault_search_command(app);
     sil::add_memory_flips_command(app);
     sil::add_identify_command(app);
+    sil::add_validate_command(app);
     sil::add_parameters_command(app);
     return sil::run_program(app, [&] {
         try {

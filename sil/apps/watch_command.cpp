@@ -103,16 +103,11 @@ void add_watch_command(CLI::App& app) {
     command->add_option("--speed", request->speed_kmh, "Of the first drive, in km/h (10 to 160)")
         ->check(number_within(10.0, 160.0))
         ->capture_default_str();
-    add_whole_number(*command, "--port", request->port, "On 127.0.0.1 (default: a free one)");
+    add_port_option(*command, request->port);
     add_whole_number(*command, "--seed", request->sensors.seed, "Seed of the sensor noise")
         ->default_str(fmt::format("{}", request->sensors.seed));
     command->add_flag("--noise", request->sensors.noise, "Sensors with noise");
-    command->callback([request] {
-        if (request->port > 65535U) {
-            throw UsageError{"--port wants a whole number from 0 to 65535"};
-        }
-        watch(*request);
-    });
+    command->callback([request] { watch(*request); });
 }
 
 }  // namespace sil

@@ -59,8 +59,14 @@ class DrivingPage : public std::enable_shared_from_this<DrivingPage> {
 
 class Server {
  public:
-    Server(LiveSession& session, std::uint16_t port, const std::atomic<bool>& stop)
-        : session_{session}, stop_{stop}, acceptor_{context_}, timer_{context_}, pause_{context_} {
+    // Without a session the page is all there is.
+    Server(std::string page, LiveSession* session, std::uint16_t port, const std::atomic<bool>& stop)
+        : page_text_{std::move(page)},
+          session_{session},
+          stop_{stop},
+          acceptor_{context_},
+          timer_{context_},
+          pause_{context_} {
         const tcp::endpoint place{asio::ip::address_v4::loopback(), port};
         boost::system::error_code error;
         acceptor_.open(place.protocol());
@@ -87,7 +93,9 @@ class Server {
         context_.run();
     }
 
-    LiveSession& session() { return session_; }
+    const std::string& page() const { return page_text_; }
+    bool has_session() const { return session_ != nullptr; }
+    LiveSession& session() { return *session_; }
 
     bool is_own_host(beast::string_view host) const {
         return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
@@ -116,7 +124,8 @@ class Server {
     void accept();
     void tick();
 
-    LiveSession& session_;
+    std::string page_text_;
+    LiveSession* session_;
     const std::atomic<bool>& stop_;
     asio::io_context context_{1};
     tcp::acceptor acceptor_;
@@ -173,15 +182,16 @@ class Visit : public std::enable_shared_from_this<Visit> {
             answer(http::status::not_found,
                    fmt::format("There is one page here: http://127.0.0.1:{}/", server_.port()));
         } else {
-            answer(http::status::ok, std::string{live_page}, "text/html; charset=utf-8");
+            answer(http::status::ok, server_.page(), "text/html; charset=utf-8");
         }
     }
 
     void upgrade(const http::request<http::empty_body>& request) {
         if (!server_.is_own_origin(request[http::field::origin])) {
             answer(http::status::forbidden, "Only the page that this program serves may drive.");
-        } else if (request.target() != "/drive") {
-            answer(http::status::not_found, "The drive is at /drive.");
+        } else if (request.target() != "/drive" || !server_.has_session()) {
+            answer(http::status::not_found,
+                   server_.has_session() ? "The drive is at /drive." : "Nothing drives here.");
         } else {
             stream_.expires_never();
             std::make_shared<DrivingPage>(server_, stream_.release_socket())->accept(request);
@@ -301,7 +311,9 @@ void Server::tick() {
         next_ = now;
     }
     while (next_ <= now) {
-        session_.cycle();
+        if (session_ != nullptr) {
+            session_->cycle();
+        }
         next_ += one_cycle;
         ++cycles_;
     }
@@ -321,7 +333,14 @@ void Server::tick() {
 
 void serve_live(LiveSession& session, std::uint16_t port, const std::atomic<bool>& stop,
                 const std::function<void(std::uint16_t)>& listening) {
-    Server server{session, port, stop};
+    Server server{std::string{live_page}, &session, port, stop};
+    listening(server.port());
+    server.run();
+}
+
+void serve_page(const std::string& page, std::uint16_t port, const std::atomic<bool>& stop,
+                const std::function<void(std::uint16_t)>& listening) {
+    Server server{page, nullptr, port, stop};
     listening(server.port());
     server.run();
 }

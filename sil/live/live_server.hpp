@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "sil/live/live_session.hpp"
 
@@ -19,6 +20,10 @@ namespace sil {
 //
 // Throws InputError when the port cannot be had, and what the session throws.
 void serve_live(LiveSession& session, std::uint16_t port, const std::atomic<bool>& stop,
+                const std::function<void(std::uint16_t)>& listening);
+
+// The same for one page that needs nothing else, such as that of a finished run.
+void serve_page(const std::string& page, std::uint16_t port, const std::atomic<bool>& stop,
                 const std::function<void(std::uint16_t)>& listening);
 
 }  // namespace sil

@@ -6,122 +6,10 @@ const EVENTS = [
   { name: "ssf_crossing", words: "SSF crossed", colour: "--purple", dash: [3, 3], shape: "diamond" },
 ];
 
-function colourOf(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
-
-// The canvas at the screen's resolution, empty, in units of CSS pixels.
-function prepare(canvas) {
-  const ratio = window.devicePixelRatio || 1;
-  const width = canvas.clientWidth;
-  const height = canvas.clientHeight;
-  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-  }
-  const pen = canvas.getContext("2d");
-  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  pen.clearRect(0, 0, width, height);
-  pen.font = "12px system-ui, sans-serif";
-  return { pen, width, height };
-}
-
-// Round numbers within the range, about `wanted` of them.
-function ticks(from, to, wanted) {
-  const rough = (to - from) / wanted;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 5, 10].find((each) => each * power >= rough) ?? 10);
-  const all = [];
-  for (let count = Math.ceil(from / step - 1e-9); count * step <= to + 1e-9 * step; count += 1) {
-    all.push(count * step);
-  }
-  return { all, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
-}
-
-function tickText(value, digits) {
-  const text = Math.abs(value).toFixed(digits);
-  return value < 0 && Number(text) !== 0 ? "\u2212" + text : text;
-}
-
-function drawShape(pen, shape, x, y, size) {
-  pen.beginPath();
-  if (shape === "square") {
-    pen.rect(x - size, y - size, 2 * size, 2 * size);
-  } else if (shape === "triangle") {
-    pen.moveTo(x, y - 1.3 * size);
-    pen.lineTo(x + 1.2 * size, y + size);
-    pen.lineTo(x - 1.2 * size, y + size);
-    pen.closePath();
-  } else if (shape === "diamond") {
-    pen.moveTo(x, y - 1.3 * size);
-    pen.lineTo(x + 1.3 * size, y);
-    pen.lineTo(x, y + 1.3 * size);
-    pen.lineTo(x - 1.3 * size, y);
-    pen.closePath();
-  } else {
-    pen.arc(x, y, 1.1 * size, 0, 2 * Math.PI);
-  }
-  pen.fill();
-}
-
-// A frame with ticks and a grid; gives back the way from values to pixels, and clips to the frame.
-class Frame {
-  constructor({ pen, width, height }, margins, x, y) {
-    Object.assign(this, { pen, x, y });
-    this.left = margins.left;
-    this.right = width - margins.right;
-    this.top = margins.top;
-    this.bottom = height - margins.bottom;
-  }
-
-  toX(value) { return this.left + ((value - this.x.from) / (this.x.to - this.x.from)) * (this.right - this.left); }
-  toY(value) { return this.bottom - ((value - this.y.from) / (this.y.to - this.y.from)) * (this.bottom - this.top); }
-  fromX(pixel) { return this.x.from + ((pixel - this.left) / (this.right - this.left)) * (this.x.to - this.x.from); }
-
-  drawAxes(withX) {
-    const { pen } = this;
-    pen.lineWidth = 1;
-    pen.textBaseline = "middle";
-    pen.textAlign = "right";
-    const vertical = ticks(this.y.from, this.y.to, Math.max(2, (this.bottom - this.top) / 32));
-    for (const value of vertical.all) {
-      this.line(this.left, this.toY(value), this.right, this.toY(value), value === 0 ? "--line" : "--grid");
-      pen.fillStyle = colourOf("--quiet");
-      pen.fillText(tickText(value, vertical.digits), this.left - 5, this.toY(value));
-    }
-    pen.textAlign = "center";
-    pen.textBaseline = "top";
-    const horizontal = ticks(this.x.from, this.x.to, Math.max(2, (this.right - this.left) / 70));
-    for (const value of horizontal.all) {
-      this.line(this.toX(value), this.top, this.toX(value), this.bottom, value === 0 ? "--line" : "--grid");
-      if (withX) {
-        pen.fillStyle = colourOf("--quiet");
-        pen.fillText(tickText(value, horizontal.digits), this.toX(value), this.bottom + 4);
-      }
-    }
-  }
-
-  line(x1, y1, x2, y2, colour, dash = [], lineWidth = 1) {
-    const { pen } = this;
-    pen.save();
-    pen.strokeStyle = colourOf(colour);
-    pen.lineWidth = lineWidth;
-    pen.setLineDash(dash);
-    pen.beginPath();
-    pen.moveTo(x1, y1);
-    pen.lineTo(x2, y2);
-    pen.stroke();
-    pen.restore();
-  }
-
-  clipped(work) {
-    this.pen.save();
-    this.pen.beginPath();
-    this.pen.rect(this.left, this.top, this.right - this.left, this.bottom - this.top);
-    this.pen.clip();
-    work();
-    this.pen.restore();
-  }
+// Whose value it is: only a simulated vehicle's is true.
+function sourceOf(column) {
+  const words = { true: "vehicle", sensor: "sensor", observed: "observer" };
+  return words[column.split("_", 1)[0]] ?? "component";
 }
 
 // Both ends of what `quantities` reach in the rows, at least `least` and with some room.
@@ -153,20 +41,15 @@ const STRIPS = [
     lines: [{ quantity: "steering", words: "angle", colour: "--blue", width: 2 }] },
   { name: "acceleration", words: "Lateral acceleration", unit: "g", least: { from: -0.2, to: 0.2 }, digits: 3, ssf: true,
     lines: [{ quantity: "measuredAcceleration", words: "sensor", colour: "--sky", width: 1, optional: true },
-      { quantity: "acceleration", words: "vehicle", colour: "--blue", width: 2 },
+      { quantity: "acceleration", ofSource: true, colour: "--blue", width: 2 },
       { quantity: "threshold", words: "threshold", colour: "--vermilion", width: 2, dash: [6, 3], breaks: true, outside: true }] },
   { name: "level", words: "Level of the warning", unit: "\u2013", least: { from: 0, to: 1.15 }, digits: 3, limit: 1, limitWords: "level 1",
     lines: [{ quantity: "rsi", words: "RSI as published", colour: "--purple", width: 1.3, dash: [4, 3] },
       { quantity: "level", words: "level", colour: "--blue", width: 2 }] },
   { name: "roll", words: "Roll angle to the road", unit: "deg", least: { from: -2, to: 2 }, digits: 2,
     lines: [{ quantity: "measuredRoll", words: "sensor", colour: "--sky", width: 1, optional: true },
-      { quantity: "roll", words: "vehicle", colour: "--blue", width: 2 }] },
+      { quantity: "roll", ofSource: true, colour: "--blue", width: 2 }] },
 ];
-
-function lineSample(colour, dash, width) {
-  return `<svg viewBox="0 0 16 12" aria-hidden="true"><path d="M0 6h16" stroke="var(${colour})" stroke-width="${width + 0.5}" ` +
-    `stroke-dasharray="${(dash ?? []).join(" ")}"/></svg>`;
-}
 
 function shapeSample(event) {
   const shapes = {
@@ -185,7 +68,7 @@ class Strip {
     const box = document.createElement("div");
     box.className = "strip";
     box.innerHTML = `<h3><span>${this.words} [${this.unit}]</span><span class="legend">` +
-      this.lines.map((line) => `<span data-line="${line.quantity}">${lineSample(line.colour, line.dash, line.width)} ${line.words}</span>`)
+      this.lines.map((line) => `<span data-line="${line.quantity}">${lineSample(line.colour, line.dash, line.width)} <b>${line.words ?? ""}</b></span>`)
         .join(" ") + (this.ssf ? ` <span>${lineSample("--purple", [3, 3], 1)} SSF</span>` : "") +
       (this.limit ? ` <span>${lineSample("--vermilion", [2, 3], 1)} ${this.limitWords}</span>` : "") + "</span></h3>";
     this.canvas = document.createElement("canvas");
@@ -198,10 +81,17 @@ class Strip {
 
   use(recording) {
     this.stillKey = "";
+    // Two lines may be of one column: then the vehicle's own values are not known.
+    this.shown = this.lines.filter((line, place) => recording.has(line.quantity) &&
+      !this.lines.some((other, after) => after > place && recording.names[other.quantity] === recording.names[line.quantity]));
     for (const line of this.lines) {
-      this.box.querySelector(`[data-line="${line.quantity}"]`).hidden = !recording.has(line.quantity);
+      const item = this.box.querySelector(`[data-line="${line.quantity}"]`);
+      item.hidden = !this.shown.includes(line);
+      if (line.ofSource && recording.has(line.quantity)) {
+        item.querySelector("b").textContent = sourceOf(recording.names[line.quantity]);
+      }
     }
-    this.box.hidden = !this.lines.some((line) => recording.has(line.quantity));
+    this.box.hidden = this.shown.length === 0;
   }
 
   // What does not change as time goes on is drawn once and kept.
@@ -219,7 +109,7 @@ class Strip {
     const x = this.frame.toX(view.time);
     this.frame.pen = pen;
     this.frame.line(x, this.frame.top, x, this.frame.bottom, "--ink", [], 1.2);
-    for (const line of this.lines) {
+    for (const line of this.shown) {
       const value = recording.value(line.quantity, view.row);
       if (!Number.isNaN(value) && !line.optional) {
         this.frame.clipped(() => {
@@ -239,7 +129,7 @@ class Strip {
     pen.font = "12px system-ui, sans-serif";
     const first = recording.rowAt(view.from);
     const last = Math.min(recording.length - 1, recording.rowAt(view.to) + 1);
-    const shown = this.lines.filter((line) => recording.has(line.quantity));
+    const { shown } = this;
     const y = rangeOf(recording, shown.filter((line) => !line.outside).map((line) => line.quantity), first, last, this.least, false);
     const ssf = recording.head.vehicle.static_stability_factor;
     if (this.ssf) { // the side that is in danger has room for its limit
@@ -342,8 +232,13 @@ class Strip {
 class Plane {
   constructor(canvas, legend) {
     this.canvas = canvas;
-    legend.innerHTML = `<li>${lineSample("--blue", [], 2)} vehicle</li><li>${lineSample("--vermilion", [6, 3], 2)} RSI threshold</li>` +
+    legend.innerHTML = `<li>${lineSample("--blue", [], 2)} <span data-line="plane"></span></li><li>${lineSample("--vermilion", [6, 3], 2)} RSI threshold</li>` +
       `<li>${lineSample("--purple", [3, 3], 1.3)} SSF</li>`;
+    this.source = legend.querySelector("[data-line]");
+  }
+
+  use(recording) {
+    this.source.textContent = sourceOf(recording.names.acceleration ?? "");
   }
 
   draw(recording, view) {
@@ -390,16 +285,15 @@ class Plane {
         for (let row = from; row <= to; row += 1) {
           const across = recording.value(quantity, row);
           const up = recording.value("roll", row);
-          if (Number.isNaN(across) || Number.isNaN(up) || (quantity === "threshold" && across * previous < 0)) {
-            previous = across;
-            continue;
+          const x = frame.toX(across);
+          const y = frame.toY(up);
+          // A gap, or the threshold of the other side, begins anew.
+          if (Number.isNaN(previous) || (quantity === "threshold" && across * previous < 0)) {
+            pen.moveTo(x, y);
+          } else if (!Number.isNaN(x) && !Number.isNaN(y)) {
+            pen.lineTo(x, y);
           }
-          if (Number.isNaN(previous) || across * previous < 0 && quantity === "threshold") {
-            pen.moveTo(frame.toX(across), frame.toY(up));
-          } else {
-            pen.lineTo(frame.toX(across), frame.toY(up));
-          }
-          previous = across;
+          previous = Number.isNaN(y) ? NaN : across;
         }
         pen.stroke();
         pen.restore();
@@ -409,7 +303,7 @@ class Plane {
       path("acceleration", live ? recording.rowAt(view.time - 3) : first, view.row, "--blue", 2.4, [], 1);
       for (const event of EVENTS) {
         const moment = recording.events[event.name];
-        if (moment) {
+        if (moment && moment.ay_g !== null && moment.roll_deg !== null) {
           pen.fillStyle = colourOf(event.colour);
           pen.globalAlpha = moment.time_s <= view.time + 1e-9 ? 1 : 0.4;
           drawShape(pen, event.shape, frame.toX(moment.ay_g), frame.toY(moment.roll_deg), 4.5);
@@ -418,6 +312,9 @@ class Plane {
       }
       const x = frame.toX(recording.between("acceleration", view.time));
       const y = frame.toY(recording.between("roll", view.time));
+      if (Number.isNaN(x) || Number.isNaN(y)) {
+        return;
+      }
       pen.fillStyle = colourOf("--panel");
       drawShape(pen, "circle", x, y, 7);
       pen.fillStyle = colourOf("--blue");

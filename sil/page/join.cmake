@@ -1,4 +1,5 @@
-# Joins the page's sources into one text, page_html, that needs nothing else. Also a script, to look at the page alone:
+# Joins the sources of the pages into texts that need nothing else: page_html, of a run, and study_html. Also a script,
+# to look at the page of a run alone:
 #   cmake -D OUTPUT=FILE [-D RECORDING=FILE.json] -P sil/page/join.cmake
 
 # The hash of an inline script or style as a content security policy names it.
@@ -23,20 +24,34 @@ function(policy_source result text)
     set(${result} "'sha256-${encoded}='" PARENT_SCOPE)
 endfunction()
 
-set(page_sources page.html.in style.css recording.js charts.js scene.js page.js live.js start.js)
-set(page_script "\n\"use strict\";\n")
-foreach(source recording charts scene page live start)
-    file(READ ${CMAKE_CURRENT_LIST_DIR}/${source}.js text)
-    string(APPEND page_script "${text}")
+# RESULT_html and RESULT_policy: the page of these scripts. Nothing comes from anywhere else; 'self' is the WebSocket of
+# a live drive.
+function(join_page result template connections)
+    set(page_script "\n\"use strict\";\n")
+    foreach(source ${ARGN})
+        file(READ ${page_folder}/${source}.js text)
+        string(APPEND page_script "${text}")
+    endforeach()
+    file(READ ${page_folder}/style.css page_style)
+    policy_source(script_source "${page_script}")
+    policy_source(style_source "${page_style}")
+    string(CONCAT page_policy "default-src 'none'; script-src ${script_source}; style-src ${style_source}; img-src data:; "
+        "connect-src ${connections}; base-uri 'none'; form-action 'none'")
+    file(READ ${page_folder}/${template} html)
+    string(CONFIGURE "${html}" html @ONLY)
+    set(${result}_html "${html}" PARENT_SCOPE)
+    set(${result}_policy "${page_policy}" PARENT_SCOPE)
+endfunction()
+
+set(page_folder ${CMAKE_CURRENT_LIST_DIR})
+set(page_scripts drawing sheet recording charts scene page live start)
+set(study_scripts drawing sheet chart study)
+set(page_sources page.html.in study.html.in style.css)
+foreach(source ${page_scripts} ${study_scripts})
+    list(APPEND page_sources ${source}.js)
 endforeach()
-file(READ ${CMAKE_CURRENT_LIST_DIR}/style.css page_style)
-policy_source(script_source "${page_script}")
-policy_source(style_source "${page_style}")
-# Nothing from anywhere else; 'self' is the WebSocket of a live drive.
-string(CONCAT page_policy "default-src 'none'; script-src ${script_source}; style-src ${style_source}; img-src data:; "
-    "connect-src 'self'; base-uri 'none'; form-action 'none'")
-file(READ ${CMAKE_CURRENT_LIST_DIR}/page.html.in page_html)
-string(CONFIGURE "${page_html}" page_html @ONLY)
+join_page(page page.html.in "'self'" ${page_scripts})
+join_page(study study.html.in "'none'" ${study_scripts})
 
 if(CMAKE_SCRIPT_MODE_FILE AND OUTPUT)
     if(RECORDING)

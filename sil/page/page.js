@@ -1,6 +1,4 @@
 // Page: what it shows at a time, and how one moves through time.
-const byId = (id) => document.getElementById(id);
-
 const VALUES = [
   { quantity: "speed", words: "Speed", unit: "km/h", digits: 1 },
   { quantity: "steering", words: "Steering wheel", unit: "deg", digits: 1, signed: true },
@@ -8,6 +6,7 @@ const VALUES = [
   { quantity: "threshold", words: "Its threshold", unit: "g", digits: 3, signed: true },
   { quantity: "level", words: "Level of the warning", unit: "", digits: 3 },
   { quantity: "rsi", words: "RSI as published", unit: "", digits: 3 },
+  { quantity: "loadTransfer", words: "LTR of the wheel loads", unit: "", digits: 3, signed: true },
   { quantity: "roll", words: "Roll angle", unit: "deg", digits: 2, signed: true },
   { quantity: "rollRate", words: "Roll rate", unit: "deg/s", digits: 1, signed: true },
 ];
@@ -15,19 +14,9 @@ const PACES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 const WINDOWS = [{ seconds: 0, words: "all" }, { seconds: 20, words: "20 s" }, { seconds: 8, words: "8 s" }, { seconds: 3, words: "3 s" }];
 const LIVE_WINDOW_S = 12;
 
-function numberText(value, digits, signed) {
-  if (value === null || Number.isNaN(value)) {
-    return "\u2013";
-  }
-  const text = Math.abs(value).toFixed(digits);
-  if (Number(text) === 0) {
-    return text;
-  }
-  return (value < 0 ? "\u2212" : signed ? "+" : "") + text;
-}
-
-class Page {
+class Page extends Sheet {
   constructor() {
+    super();
     this.view = { time: 0, row: 0, from: 0, to: 1, theme: "light", live: false };
     this.direction = 1;
     this.pace = 1;
@@ -42,12 +31,7 @@ class Page {
     this.makeLoads();
     this.makeEvents();
     this.makeTransport();
-    this.chooseTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
-    byId("theme").addEventListener("click", () => this.chooseTheme(this.view.theme === "dark" ? "light" : "dark"));
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (change) => this.chooseTheme(change.matches ? "dark" : "light"));
-    byId("help").addEventListener("click", () => this.toggleHelp());
-    new ResizeObserver(() => this.render()).observe(document.body);
-    document.addEventListener("keydown", (event) => this.onKey(event));
+    this.open();
   }
 
   // ---- parts that are made once
@@ -98,18 +82,6 @@ class Page {
     }
   }
 
-  chooseTheme(theme) {
-    document.documentElement.dataset.theme = theme;
-    this.view.theme = theme;
-    byId("theme").textContent = theme === "dark" ? "Light" : "Dark";
-    this.render();
-  }
-
-  toggleHelp() {
-    byId("keys").hidden = !byId("keys").hidden;
-    byId("help").setAttribute("aria-expanded", String(!byId("keys").hidden));
-  }
-
   // ---- a recording to show
 
   show(recording, live) {
@@ -126,6 +98,9 @@ class Page {
     byId("values").querySelectorAll("[data-quantity]").forEach((cell) => {
       cell.parentNode.hidden = !recording.has(cell.dataset.quantity);
     });
+    byId("plane-panel").hidden = !(recording.has("roll") && recording.has("acceleration"));
+    this.plane.use(recording);
+    this.showRemarks(head.remarks ?? []);
     byId("facts").innerHTML = "";
     for (const [name, value] of head.facts ?? []) {
       const row = byId("facts").insertRow();
@@ -141,6 +116,15 @@ class Page {
     this.listKeys();
     this.render();
     document.body.dataset.ready = "yes";
+  }
+
+  showRemarks(remarks) {
+    byId("remarks-panel").hidden = remarks.length === 0;
+    byId("remarks").replaceChildren(...remarks.map((remark) => {
+      const item = document.createElement("li");
+      item.textContent = remark;
+      return item;
+    }));
   }
 
   // ---- time
@@ -213,7 +197,7 @@ class Page {
     if (!this.playing) {
       return;
     }
-    const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
+    const passed = Math.min(Math.max(now - this.lastFrame, 0) / 1000, 0.25); // a frame may have begun before play()
     this.lastFrame = now;
     const time = this.view.time + passed * this.pace * this.direction;
     this.view.time = Math.min(Math.max(time, this.recording.firstTime), this.recording.lastTime);
@@ -227,11 +211,10 @@ class Page {
 
   // ---- keys
 
-  keys() {
-    const common = [
-      { key: "t", words: "light or dark", act: () => byId("theme").click() },
-      { key: "?", words: "these keys", act: () => this.toggleHelp() },
-    ];
+  ownKeys() {
+    if (!this.recording) {
+      return [];
+    }
     const transport = [
       { key: " ", shown: "Space", words: "play, stop", act: () => this.play(!this.playing) },
       { key: "ArrowLeft", shown: "\u2190", words: "one row back (Shift: ten)", act: (event) => this.step(event.shiftKey ? -10 : -1) },
@@ -246,32 +229,13 @@ class Page {
       { key: "2", words: "to the lift of one wheel", act: () => this.goToEvent("one_wheel_lift") },
       { key: "3", words: "to the lift of two wheels", act: () => this.goToEvent("two_wheel_lift") },
     ];
-    return (this.driver ? this.driver.keys() : transport).concat(common);
+    return this.driver ? this.driver.keys() : transport;
   }
 
   nextWindow() {
     const place = WINDOWS.findIndex((each) => each.seconds === this.window);
     byId("window").value = String(WINDOWS[(place + 1) % WINDOWS.length].seconds);
     this.chooseWindow(WINDOWS[(place + 1) % WINDOWS.length].seconds);
-  }
-
-  listKeys() {
-    byId("key-list").innerHTML = this.keys().map((each) => `<div><dt>${each.words}</dt><dd><kbd>${each.shown ?? each.key}</kbd></dd></div>`).join("");
-  }
-
-  // A field that the keys mean something to keeps them.
-  onKey(event) {
-    const target = event.target;
-    const ownKeys = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && event.key.startsWith("Arrow")) ||
-      (target instanceof HTMLButtonElement && (event.key === " " || event.key === "Enter"));
-    if (ownKeys || event.ctrlKey || event.altKey || event.metaKey || !this.recording) {
-      return;
-    }
-    const found = this.keys().find((each) => each.key === event.key || each.key === event.key.toLowerCase());
-    if (found) {
-      event.preventDefault();
-      found.act(event);
-    }
   }
 
   // ---- what is shown
@@ -353,6 +317,9 @@ class Page {
 
   leadText() {
     const { judgement, events } = this.recording;
+    if (this.recording.head.lift_off_is_known === false) {
+      return (events.warning ? "warned" : "not warned") + "; whether wheels lifted is not known";
+    }
     if (!events.two_wheel_lift) {
       return events.warning ? "warned; no two wheels of a side have lifted" : "no two wheels of a side have lifted";
     }
@@ -377,15 +344,16 @@ class Page {
     if (!recording.has("load_front_left") || recording.length === 0) {
       return;
     }
-    const largest = recording.head.vehicle.mass_kg * STANDARD_GRAVITY * 0.001 * 0.62;
+    const { vehicle } = recording.head;
+    const largest = vehicle.mass_kg * STANDARD_GRAVITY * 0.001 * 0.62;
     for (const box of byId("loads").children) {
       const load = recording.value(box.dataset.quantity, view.row);
-      const lifted = load <= 0;
+      const lifted = load <= (vehicle.up_below_n ?? 0) * 0.001;
       box.classList.toggle("lifted", lifted);
       box.dataset.value = String(recording.raw(box.dataset.quantity, view.row) ?? "");
       box.dataset.column = recording.names[box.dataset.quantity];
-      box.querySelector(".amount").textContent = lifted ? "lifted" : numberText(load, 1) + " kN";
-      box.querySelector(".fill").style.width = `${Math.min(100, Math.max(0, (100 * load) / largest))}%`;
+      box.querySelector(".amount").textContent = lifted ? "lifted" : numberText(load, 1) + (Number.isNaN(load) ? "" : " kN");
+      box.querySelector(".fill").style.width = `${Math.min(100, Math.max(0, (100 * (load || 0)) / largest))}%`;
     }
   }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "sil/page/json_text.hpp"
 #include "sil/results/signal_csv.hpp"
 #include "sil/units.hpp"
 
@@ -13,11 +14,6 @@ namespace sil {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Names come from files: bytes that are not UTF-8 are replaced and never thrown about.
-std::string text_of(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Json rounded(double value) {
     return std::isfinite(value) ? Json(std::round(value * 1.0e9) / 1.0e9) : Json(nullptr);
@@ -40,7 +36,9 @@ Json json_of(const PageVehicle& vehicle) {
             {"bottom_below_cg_m", vehicle.bottom_below_cg_m},
             {"mass_kg", rounded(vehicle.mass_kg)},
             {"static_stability_factor", rounded(vehicle.static_stability_factor)},
-            {"roof_load_kg", vehicle.roof_load_kg}};
+            {"roof_load_kg", vehicle.roof_load_kg},
+            {"up_below_n", rounded(vehicle.up_below_n)},
+            {"outline_is_known", vehicle.outline_is_known}};
 }
 
 Json json_of(const PageHead& head) {
@@ -49,33 +47,14 @@ Json json_of(const PageHead& head) {
     json["subtitle"] = head.subtitle;
     json["vehicle"] = json_of(head.vehicle);
     json["facts"] = head.facts;
-    json["columns"] = page_columns();
+    json["columns"] = head.columns;
+    json["lift_off_is_known"] = head.lift_off_is_known;
+    json["remarks"] = head.remarks;
     return json;
 }
 
 bool is_word(const std::string& column) {
-    return column == "ecu_state" || column == "ecu_side";
-}
-
-struct Place {
-    std::size_t index;
-    bool word;
-};
-
-const std::vector<Place>& places() {
-    static const std::vector<Place> all = [] {
-        const std::vector<std::string> columns = signal_csv_columns();
-        std::vector<Place> found;
-        for (const std::string& column : page_columns()) {
-            const auto at = std::find(columns.begin(), columns.end(), column);
-            if (at == columns.end()) {
-                throw std::logic_error("signals.csv has no column " + column);
-            }
-            found.push_back({static_cast<std::size_t>(at - columns.begin()), is_word(column)});
-        }
-        return found;
-    }();
-    return all;
+    return column == "ecu_state" || column == "ecu_side" || column == "state" || column == "side";
 }
 
 }  // namespace
@@ -121,21 +100,40 @@ const std::vector<std::string>& page_columns() {
     return columns;
 }
 
-// The cells of signals.csv hold neither commas nor quotation marks, and its numbers are JSON's.
-std::string page_row(const std::string& signal_csv_row) {
+std::vector<std::string> cells_of(const std::string& csv_row) {
     std::vector<std::string> cells;
     std::size_t begin = 0U;
     for (std::size_t end = 0U; end != std::string::npos; begin = end + 1U) {
-        end = signal_csv_row.find(',', begin);
-        cells.push_back(signal_csv_row.substr(begin, end - begin));
+        end = csv_row.find(',', begin);
+        cells.push_back(csv_row.substr(begin, end - begin));
     }
+    return cells;
+}
+
+PageCells::PageCells(const std::vector<std::string>& columns_of_file, const std::vector<std::string>& shown) {
+    for (const std::string& column : shown) {
+        const auto at = std::find(columns_of_file.begin(), columns_of_file.end(), column);
+        if (at == columns_of_file.end()) {
+            throw std::logic_error("there is no column " + column);
+        }
+        places_.push_back({static_cast<std::size_t>(at - columns_of_file.begin()), is_word(column)});
+    }
+}
+
+std::string PageCells::row(const std::string& csv_row) const {
+    const std::vector<std::string> cells = cells_of(csv_row);
     std::string row = "[";
-    for (const Place& place : places()) {
+    for (const Place& place : places_) {
         const std::string& cell = cells.at(place.index);
         row += row.size() > 1U ? "," : "";
-        row += cell.empty() ? "null" : (place.word ? "\"" + cell + "\"" : cell);
+        row += cell.empty() ? "null" : (place.is_word ? "\"" + cell + "\"" : cell);
     }
     return row + "]";
+}
+
+std::string page_row(const std::string& signal_csv_row) {
+    static const PageCells cells{signal_csv_columns(), page_columns()};
+    return cells.row(signal_csv_row);
 }
 
 std::string events_json(const RunEvents& events) {
@@ -144,7 +142,7 @@ std::string events_json(const RunEvents& events) {
     add_moment(json, "one_wheel_lift", events.one_wheel_lift);
     add_moment(json, "two_wheel_lift", events.two_wheel_lift);
     add_moment(json, "ssf_crossing", events.ssf_crossing);
-    return text_of(json);
+    return json_text(json);
 }
 
 std::string judgement_json(const RunEvents& events) {
@@ -152,7 +150,7 @@ std::string judgement_json(const RunEvents& events) {
     Json json;
     json["lead_time_s"] = judgement.lead_s ? rounded(*judgement.lead_s) : Json(nullptr);
     json["falling_side"] = to_string(judgement.falling_side);
-    return text_of(json);
+    return json_text(json);
 }
 
 std::string diagnosis_json(const PageDiagnosis& diagnosis) {
@@ -161,11 +159,11 @@ std::string diagnosis_json(const PageDiagnosis& diagnosis) {
     json["degradation"] = can_dbc::RolloverDiagnosis::name_of(diagnosis.degradation);
     json["set"] = list_of_codes(diagnosis.codes.set);
     json["confirmed"] = list_of_codes(diagnosis.codes.confirmed);
-    return text_of(json);
+    return json_text(json);
 }
 
 std::string head_json(const PageHead& head) {
-    return text_of(json_of(head));
+    return json_text(json_of(head));
 }
 
 bool DiagnosisWatch::observe(double time_s, const can_dbc::RolloverDiagnosis& diagnosis) {
@@ -197,16 +195,22 @@ void PageRecording::cycle(const std::string& signal_csv_row, const EcuFrames& ec
 }
 
 std::string PageRecording::json(const PageHead& head, const RunEvents& events) const {
+    return recording_json(head, events, every_, diagnosis_, rows_);
+}
+
+std::string recording_json(const PageHead& head, const RunEvents& events, std::size_t every,
+                           const std::vector<PageDiagnosis>& diagnosis,
+                           const std::vector<std::string>& rows) {
     std::string text = head_json(head);
     text.pop_back();
-    text += ",\n\"every\":" + std::to_string(every_) + ",\"events\":" + events_json(events) +
+    text += ",\n\"every\":" + std::to_string(every) + ",\"events\":" + events_json(events) +
             ",\"judgement\":" + judgement_json(events) + ",\n\"diagnosis\":[";
-    for (std::size_t change = 0U; change < diagnosis_.size(); ++change) {
-        text += (change > 0U ? ",\n" : "") + diagnosis_json(diagnosis_[change]);
+    for (std::size_t change = 0U; change < diagnosis.size(); ++change) {
+        text += (change > 0U ? ",\n" : "") + diagnosis_json(diagnosis[change]);
     }
     text += "],\n\"rows\":[\n";
-    for (std::size_t row = 0U; row < rows_.size(); ++row) {
-        text += (row > 0U ? ",\n" : "") + rows_[row];
+    for (std::size_t row = 0U; row < rows.size(); ++row) {
+        text += (row > 0U ? ",\n" : "") + rows[row];
     }
     return text + "\n]}";
 }

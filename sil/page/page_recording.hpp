@@ -25,21 +25,47 @@ struct PageVehicle {
     double mass_kg{0.0};
     double static_stability_factor{0.0};
     double roof_load_kg{0.0};
+    double up_below_n{0.0};       // a wheel that carries no more is up
+    bool outline_is_known{true};  // or else only track width and CG height are
 };
 
 PageVehicle page_vehicle(const VehicleParameters& parameters);
+
+// The columns of signals.csv that the page knows, in its order.
+const std::vector<std::string>& page_columns();
 
 struct PageHead {
     std::string title{};
     std::string subtitle{};
     PageVehicle vehicle{};
     std::vector<std::pair<std::string, std::string>> facts{};  // name and value
+    std::vector<std::string> columns{page_columns()};
+    bool lift_off_is_known{true};        // or else the page says that it is not
+    std::vector<std::string> remarks{};  // sentences: what is not known and therefore not shown
 };
 
-// The columns of signals.csv that the page knows, in its order.
-const std::vector<std::string>& page_columns();
+// Some columns of a CSV file, row by row as JSON arrays. What is not available is null.
+class PageCells {
+ public:
+    // Throws std::logic_error when the file has no such column.
+    PageCells(const std::vector<std::string>& columns_of_file, const std::vector<std::string>& shown);
 
-// Of one line of signals.csv the cells of these columns, as a JSON array. What is not available is null.
+    // The row's cells hold neither commas nor quotation marks, and its numbers are JSON's.
+    std::string row(const std::string& csv_row) const;
+
+ private:
+    struct Place {
+        std::size_t index;
+        bool is_word;
+    };
+
+    std::vector<Place> places_{};
+};
+
+// The cells of one row, in which there are neither commas nor quotation marks.
+std::vector<std::string> cells_of(const std::string& csv_row);
+
+// Of one line of signals.csv the cells of page_columns().
 std::string page_row(const std::string& signal_csv_row);
 
 // One change of what the ECU's frames say of its diagnosis.
@@ -55,6 +81,10 @@ std::string events_json(const RunEvents& events);
 std::string judgement_json(const RunEvents& events);
 std::string diagnosis_json(const PageDiagnosis& diagnosis);
 std::string head_json(const PageHead& head);
+
+// The whole recording as JSON: rows as JSON arrays, each of which stands for `every` cycles.
+std::string recording_json(const PageHead& head, const RunEvents& events, std::size_t every,
+                           const std::vector<PageDiagnosis>& diagnosis, const std::vector<std::string>& rows);
 
 // Finds the changes, cycle by cycle.
 class DiagnosisWatch {

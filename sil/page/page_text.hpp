@@ -1,4 +1,4 @@
-// Page text: the page that shows a run, as join.cmake makes it of its sources.
+// Page text: the pages that show a run and a study, as join.cmake makes them of their sources.
 #pragma once
 
 #include <string>
@@ -15,5 +15,11 @@ extern const std::string_view live_page;
 
 // The page with a recording in it (JSON), which needs nothing else.
 std::string page_with(const std::string& recording);
+
+// The page of a study with what StudyPage says of it.
+std::string study_with(const std::string& json);
+
+// What page_with() put into a page, of this program or an older one; empty where there is none.
+std::string recording_in(const std::string& page);
 
 }  // namespace sil

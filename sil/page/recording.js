@@ -14,15 +14,16 @@ const QUANTITIES = {
   },
   level: { columns: ["ecu_warning_level", "warning_level"], factor: 1 },
   rsi: { columns: ["ecu_rsi", "rsi"], factor: 1 },
-  roll: { columns: ["true_roll_angle_deg", "sensor_roll_angle_deg"], factor: 1 },
+  roll: { columns: ["true_roll_angle_deg", "sensor_roll_angle_deg", "observed_roll_angle_deg"], factor: 1 },
   measuredRoll: { columns: ["sensor_roll_angle_deg"], factor: 1 },
   rollRate: { columns: ["true_roll_rate_degps", "sensor_roll_rate_degps"], factor: 1 },
+  loadTransfer: { columns: ["measured_load_transfer_ratio"], factor: 1 },
   bank: { columns: ["true_bank_angle_deg", "sensor_bank_angle_deg"], factor: 1 },
   state: { columns: ["ecu_state", "state"] },
   side: { columns: ["ecu_side", "side"] },
 };
 for (const wheel of WHEELS) {
-  QUANTITIES["load_" + wheel] = { columns: ["true_wheel_load_" + wheel + "_n"], factor: 0.001 };
+  QUANTITIES["load_" + wheel] = { columns: ["true_wheel_load_" + wheel + "_n", "measured_wheel_load_" + wheel + "_n"], factor: 0.001 };
   QUANTITIES["gap_" + wheel] = { columns: ["true_wheel_gap_" + wheel + "_m"], factor: 1 };
 }
 

@@ -7,6 +7,12 @@ class Scene {
     if (width < 80 || recording.length === 0) {
       return;
     }
+    if (Number.isNaN(recording.value("roll", view.row))) {
+      pen.fillStyle = colourOf("--quiet");
+      pen.textAlign = "center";
+      pen.fillText("the roll angle is not known here", width / 2, height / 2);
+      return;
+    }
     const at = (quantity) => {
       const value = recording.between(quantity, view.time);
       return Number.isNaN(value) ? 0 : value;
@@ -22,16 +28,18 @@ class Scene {
     pen.scale(scale, -scale);
 
     // In metres, z up, the road at zero; positive angles are clockwise for the viewer, hence the sign.
-    const lifted = WHEELS.map((wheel) => recording.has("load_" + wheel) && recording.value("load_" + wheel, view.row) <= 0);
+    const lifted = WHEELS.map((wheel) => recording.has("load_" + wheel) && recording.value("load_" + wheel, view.row) <= (recording.head.vehicle.up_below_n ?? 0) * 0.001);
     const front = this.axleOf(vehicle, at("gap_front_left"), at("gap_front_right"));
     const rear = this.axleOf(vehicle, at("gap_rear_left"), at("gap_rear_right"));
     const roll = -at("roll") * radians;
     this.drawWheels(pen, vehicle, front, lifted[0], lifted[1], 0.55);
     this.drawBody(pen, vehicle, rear, roll);
     this.drawWheels(pen, vehicle, rear, lifted[2], lifted[3], 1);
-    this.drawForce(pen, vehicle, rear, roll, this.slopeOfForce(at("acceleration"), at("bank") * radians), scale);
+    if (recording.has("acceleration")) {
+      this.drawForce(pen, vehicle, rear, roll, this.slopeOfForce(at("acceleration"), at("bank") * radians), scale);
+    }
     pen.restore();
-    this.drawTexts(pen, width, height, at("bank"), at("acceleration"));
+    this.drawTexts(pen, width, height, at("bank"), at("acceleration"), recording.has("acceleration"));
     this.canvas.setAttribute("aria-label", `The vehicle from behind: roll ${at("roll").toFixed(1)} degrees, ` +
       (lifted.some((each) => each) ? WHEELS.filter((_, index) => lifted[index]).join(", ").replaceAll("_", " ") + " lifted" : "all wheels on the road"));
   }
@@ -156,7 +164,7 @@ class Scene {
     pen.fill();
   }
 
-  drawTexts(pen, width, height, bank, acceleration) {
+  drawTexts(pen, width, height, bank, acceleration, known) {
     pen.fillStyle = colourOf("--quiet");
     pen.textBaseline = "alphabetic";
     pen.textAlign = "left";
@@ -164,7 +172,7 @@ class Scene {
     pen.textAlign = "right";
     pen.fillText("right", width - 4, height - 6);
     pen.textAlign = "center";
-    const turn = Math.abs(acceleration) < 0.03 ? "straight on" : acceleration > 0 ? "turns left" : "turns right";
+    const turn = !known ? "" : Math.abs(acceleration) < 0.03 ? "straight on" : acceleration > 0 ? "turns left" : "turns right";
     pen.fillText(turn + (Math.abs(bank) > 0.2 ? `, road banked ${Math.abs(bank).toFixed(1)} deg` : ""), width / 2, height - 6);
   }
 }

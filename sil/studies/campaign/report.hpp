@@ -70,6 +70,18 @@ struct CampaignReport {
 
 CampaignReport make_report(const RowTable& table, std::uint64_t runs_wanted);
 
+// Points that a picture cannot tell apart are there once; the first and the last always.
+std::vector<CurvePoint> distinct_points(const std::vector<CurvePoint>& curve);
+
+// The share of two-wheel lift-offs with at least this lead.
+struct LeadShare {
+    double lead_s{0.0};
+    double share{0.0};
+};
+
+// From the longest lead that there is downwards; lift-offs that were not warned of are left out.
+std::vector<LeadShare> lead_shares(const Judgement& judgement, std::size_t lifted);
+
 std::string report_json(const CampaignReport& report);
 std::string report_markdown(const CampaignReport& report);
 

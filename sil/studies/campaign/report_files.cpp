@@ -12,28 +12,18 @@
 namespace sil {
 namespace {
 
-// Points that a picture cannot tell apart are written once; the first and the last always.
 std::string curve_lines(const std::string& name, const std::vector<CurvePoint>& curve) {
-    const auto place = [](const CurvePoint& point) {
-        constexpr double steps = 5000.0;
-        return std::make_tuple(
-            std::lround(steps * point.false_alarms.value()), std::lround(steps * point.warned.value()),
-            std::lround(steps * point.warned_100ms.value()), std::lround(steps * point.warned_200ms.value()));
-    };
     std::string text;
-    for (std::size_t i = 0U; i < curve.size(); ++i) {
-        if (i == 0U || i + 1U == curve.size() || place(curve[i]) != place(curve[i - 1U])) {
-            const CurvePoint& point = curve[i];
-            CsvRow row;
-            row.text(name).number(point.threshold, 6).fixed(point.false_alarms.value(), 6);
-            for (const Share& share : point.alarms) {
-                row.fixed(share.value(), 6);
-            }
-            for (const Share& share : {point.warned, point.warned_100ms, point.warned_200ms}) {
-                row.fixed(share.value(), 6);
-            }
-            text += row.line() + "\n";
+    for (const CurvePoint& point : distinct_points(curve)) {
+        CsvRow row;
+        row.text(name).number(point.threshold, 6).fixed(point.false_alarms.value(), 6);
+        for (const Share& share : point.alarms) {
+            row.fixed(share.value(), 6);
         }
+        for (const Share& share : {point.warned, point.warned_100ms, point.warned_200ms}) {
+            row.fixed(share.value(), 6);
+        }
+        text += row.line() + "\n";
     }
     return text;
 }
@@ -48,17 +38,11 @@ std::string curves_csv(const CampaignReport& report) {
     return text;
 }
 
-// The share of two-wheel lift-offs with at least this lead, down to 0.
 std::string leads_csv(const CampaignReport& report) {
     std::string text = "index,lead_time_s,share_with_at_least\n";
     for (const Judgement& judgement : report.all.judgements) {
-        std::vector<double> leads_s = judgement.detection.lead_times_s;
-        std::sort(leads_s.begin(), leads_s.end(), std::greater<>{});
-        const auto missed = std::find(leads_s.begin(), leads_s.end(), 0.0);
-        leads_s.erase(missed, leads_s.end());
-        for (std::size_t i = 0U; i < leads_s.size(); ++i) {
-            const double share = static_cast<double>(i + 1U) / static_cast<double>(report.all.lifted);
-            text += CsvRow{}.text(judgement.name).fixed(leads_s[i], 3).fixed(share, 6).line() + "\n";
+        for (const LeadShare& each : lead_shares(judgement, report.all.lifted)) {
+            text += CsvRow{}.text(judgement.name).fixed(each.lead_s, 3).fixed(each.share, 6).line() + "\n";
         }
     }
     return text;
@@ -84,6 +68,33 @@ std::string picture_settings(const CampaignReport& report) {
 }
 
 }  // namespace
+
+std::vector<CurvePoint> distinct_points(const std::vector<CurvePoint>& curve) {
+    const auto place = [](const CurvePoint& point) {
+        constexpr double steps = 5000.0;
+        return std::make_tuple(
+            std::lround(steps * point.false_alarms.value()), std::lround(steps * point.warned.value()),
+            std::lround(steps * point.warned_100ms.value()), std::lround(steps * point.warned_200ms.value()));
+    };
+    std::vector<CurvePoint> points;
+    for (std::size_t i = 0U; i < curve.size(); ++i) {
+        if (i == 0U || i + 1U == curve.size() || place(curve[i]) != place(curve[i - 1U])) {
+            points.push_back(curve[i]);
+        }
+    }
+    return points;
+}
+
+std::vector<LeadShare> lead_shares(const Judgement& judgement, std::size_t lifted) {
+    std::vector<double> leads_s = judgement.detection.lead_times_s;
+    std::sort(leads_s.begin(), leads_s.end(), std::greater<>{});
+    leads_s.erase(std::find(leads_s.begin(), leads_s.end(), 0.0), leads_s.end());
+    std::vector<LeadShare> shares;
+    for (std::size_t i = 0U; i < leads_s.size(); ++i) {
+        shares.push_back({leads_s[i], static_cast<double>(i + 1U) / static_cast<double>(lifted)});
+    }
+    return shares;
+}
 
 void write_report(const CampaignReport& report, const std::filesystem::path& folder) {
     write_file_atomically(folder / "curves.csv", curves_csv(report));

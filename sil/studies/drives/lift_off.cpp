@@ -63,13 +63,13 @@ const char* to_string(LiftOffSource source) {
 
 LiftOff find_lift_off(const Drive& drive) {
     if (drive.lift_off_given) {
-        return {LiftOffSource::given, drive.one_wheel_lift_s, drive.two_wheel_lift_s, given_side(drive)};
+        return {LiftOffSource::given, drive.one_wheel_lift_s, drive.two_wheel_lift_s, given_side(drive), 0.0};
     }
     const double threshold_n = lifted_share * static_wheel_load_n(drive);
     if (std::isnan(threshold_n)) {
         return {};
     }
-    LiftOff result{LiftOffSource::wheel_loads, {}, {}, {}};
+    LiftOff result{LiftOffSource::wheel_loads, {}, {}, {}, threshold_n};
     TwoWheelLiftObserver two_wheels;
     for (const DriveSample& sample : drive.samples) {
         const auto lifted = [&](std::size_t wheel) { return sample.wheel_load_n[wheel] < threshold_n; };

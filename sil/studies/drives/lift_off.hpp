@@ -16,6 +16,7 @@ struct LiftOff {
     std::optional<double> two_wheel_s;  // both wheels of one side (sil/results/two_wheel_lift.hpp)
     // Towards which the vehicle then falls; none where the wheel loads do not tell it.
     WarningSide falling_side{WarningSide::none};
+    double up_below_n{0.0};  // a wheel that carries less is up
 };
 
 // "given", "wheel loads", "unknown".

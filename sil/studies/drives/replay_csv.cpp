@@ -27,6 +27,10 @@ constexpr CsvColumn<Cycle> input_columns[] = {
     {"sensor_yaw_rate_degps", [](const Cycle& c) { return c.sample.yaw_rate_radps * degrees_per_radian; }},
     {"sensor_steering_wheel_angle_deg", [](const Cycle& c) { return c.sample.steering_wheel_angle_rad * degrees_per_radian; }},
     {"measured_load_transfer_ratio", [](const Cycle& c) { return c.load_transfer_ratio; }},
+    {"measured_wheel_load_front_left_n", [](const Cycle& c) { return c.sample.wheel_load_n[front_left]; }},
+    {"measured_wheel_load_front_right_n", [](const Cycle& c) { return c.sample.wheel_load_n[front_right]; }},
+    {"measured_wheel_load_rear_left_n", [](const Cycle& c) { return c.sample.wheel_load_n[rear_left]; }},
+    {"measured_wheel_load_rear_right_n", [](const Cycle& c) { return c.sample.wheel_load_n[rear_right]; }},
 };
 // clang-format on
 

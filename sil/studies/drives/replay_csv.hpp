@@ -11,7 +11,7 @@ namespace sil {
 
 // Names of the columns of indices.csv, in their order; quantity and unit as in signals.csv. "sensor_" is what
 // the sensors said, "state", "side", "degradation" and the diagnostic codes what the ECU's frames said,
-// measured_load_transfer_ratio is of the wheel loads; everything else are the component's outputs under their
+// "measured_" is of the wheel loads; everything else are the component's outputs under their
 // own names.
 std::vector<std::string> indices_csv_columns();
 

@@ -29,16 +29,6 @@ std::string one_line(std::string text) {
     return text;
 }
 
-std::string value_text(const IdentifiedValue& value) {
-    for (const rsi::SelectionField& field : rsi::selection_fields) {
-        if (value.key == field.name) {
-            return fmt::format("\"{}\"", field.choices[static_cast<std::size_t>(value.value)]);
-        }
-    }
-    std::string number = fmt::format("{:.6g}", value.value);
-    return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
-}
-
 std::string head(const Identification& result) {
     return one_line(
                fmt::format("# Calibration of the rollover-warning component for the {}, by rsi-sil identify.",
@@ -52,6 +42,16 @@ std::string head(const Identification& result) {
 }
 
 }  // namespace
+
+std::string value_text(const IdentifiedValue& value) {
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        if (value.key == field.name) {
+            return fmt::format("\"{}\"", field.choices[static_cast<std::size_t>(value.value)]);
+        }
+    }
+    std::string number = fmt::format("{:.6g}", value.value);
+    return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
+}
 
 std::string calibration_text(const Identification& result) {
     std::string text = head(result);

@@ -11,4 +11,7 @@ namespace sil {
 // comment. All that does not depend on the vehicle, the warning above all, stays as it is there.
 std::string calibration_text(const Identification& result);
 
+// As it stands there: a number, or the name of a choice between quotation marks.
+std::string value_text(const IdentifiedValue& value);
+
 }  // namespace sil

@@ -175,17 +175,13 @@ void add_steering(Identification& result) {
 
 // How the lateral force follows the steering, by the model of the values so far.
 void add_response(Identification& result) {
-    const auto value_of = [&result](std::string_view key) {
-        return std::find_if(result.values.begin(), result.values.end(),
-                            [key](const IdentifiedValue& value) { return value.key == key; })
-            ->value;
-    };
     if (result.steering_is_known()) {
-        result.response = fit_response(
-            SteeringModel{result.vehicle.wheelbase_m, value_of("steering_ratio"),
-                          value_of("understeer_gradient_s2pm"), value_of("largest_lateral_acceleration_mps2"),
-                          calibration_default("prediction_filter_lag_s")},
-            result.ramps, result.dynamics);
+        result.response =
+            fit_response(SteeringModel{result.vehicle.wheelbase_m, result.value("steering_ratio"),
+                                       result.value("understeer_gradient_s2pm"),
+                                       result.value("largest_lateral_acceleration_mps2"),
+                                       calibration_default("prediction_filter_lag_s")},
+                         result.ramps, result.dynamics);
     }
     auto& values = result.values;
     if (result.response && result.response->helps()) {
@@ -232,6 +228,12 @@ void add_sensors(Identification& result) {
 
 bool Identification::steering_is_known() const {
     return steering || (vehicle.steering_ratio && vehicle.understeer_gradient_s2pm);
+}
+
+double Identification::value(std::string_view key) const {
+    return std::find_if(values.begin(), values.end(),
+                        [key](const IdentifiedValue& each) { return each.key == key; })
+        ->value;
 }
 
 Identification identify(const VehicleData& vehicle, const std::vector<Drive>& ramps,

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sil/studies/identification/load_fit.hpp"
@@ -41,6 +42,9 @@ struct Identification {
 
     // What the steering asks for: from the ramps, or because the vehicle data say ratio and gradient.
     bool steering_is_known() const;
+
+    // Of `values` the one of this key, which must be there.
+    double value(std::string_view key) const;
 };
 
 struct IdentificationOptions {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sil/files/csv_writer.hpp"
+#include "sil/studies/identification/roll_prediction.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -65,6 +66,17 @@ double asked_acceleration(const Identification& result, const RollSample& sample
     const double square = sample.speed_mps * sample.speed_mps;
     return square * sample.steering_wheel_angle_rad / result.steering->ratio.value /
            (result.vehicle.wheelbase_m + result.steering->understeer_gradient_s2pm.value * square);
+}
+
+// With the values of the calibration.
+std::vector<double> fitted_response(const Identification& result, const std::vector<RollSample>& samples) {
+    if (!result.response || !result.response->helps()) {
+        return std::vector<double>(samples.size(), std::nan(""));
+    }
+    const SteeringModel model{result.vehicle.wheelbase_m, result.value("steering_ratio"),
+                              result.value("understeer_gradient_s2pm"),
+                              result.value("largest_lateral_acceleration_mps2"), 0.0};
+    return response_mps2(model, result.response->frequency_radps, result.response->damping, samples);
 }
 
 }  // namespace
@@ -133,51 +145,87 @@ std::string identification_report(const Identification& result) {
     return text;
 }
 
+std::vector<FittedDrive> fitted_drives(const Identification& result) {
+    std::vector<FittedDrive> fitted;
+    const RollModel model = roll_model(result.vehicle, result.roll);
+    for (const auto* drives : {&result.ramps, &result.dynamics}) {
+        const bool dynamic = drives == &result.dynamics;
+        for (const PreparedDrive& drive : *drives) {
+            const double offset = result.roll.drives[fitted.size()].offset;
+            const std::vector<double> angles = predicted_roll_angles_rad(model, drive.samples);
+            const std::vector<double> responses = fitted_response(result, drive.samples);
+            FittedDrive one{&drive, dynamic, {}};
+            for (std::size_t place = 0U; place < drive.samples.size(); ++place) {
+                const RollSample& sample = drive.samples[place];
+                FittedSample values;
+                values.moment_nm =
+                    result.vehicle.sprung_mass_kg * result.roll.arm_m * sample.overturning_mps2;
+                values.fitted_moment_nm = fitted_moment(result.roll, sample, dynamic, offset);
+                values.static_moment_nm = values.moment_nm - (values.fitted_moment_nm -
+                                                              result.roll.moment_nm(sample.roll_angle_rad));
+                values.fitted_load_moment_nm = number_or_nan(
+                    drive.has_wheel_loads, component_load_moment_nm(result.vehicle, result.roll, sample));
+                values.yaw_acceleration_mps2 = sample.yaw_rate_radps * sample.speed_mps;
+                values.steering_acceleration_mps2 = asked_acceleration(result, sample);
+                values.predicted_roll_angle_rad = angles[place];
+                values.response_mps2 = responses[place];
+                one.fitted.push_back(values);
+            }
+            fitted.push_back(one);
+        }
+    }
+    return fitted;
+}
+
 std::string fit_csv(const Identification& result) {
     std::string text =
         "running_time_s,drive,dynamic,time_s,roll_angle_deg,road_parallel_force_mps2,moment_nm,"
         "fitted_moment_nm,residual_nm,static_moment_nm,load_moment_nm,fitted_load_moment_nm,"
-        "yaw_acceleration_mps2,steering_acceleration_mps2\n";
+        "yaw_acceleration_mps2,steering_acceleration_mps2,predicted_roll_angle_deg,"
+        "response_acceleration_mps2\n";
     double start_s = 0.0;
     std::size_t number = 0U;
-    for (const auto* drives : {&result.ramps, &result.dynamics}) {
-        const bool dynamic = drives == &result.dynamics;
-        for (const PreparedDrive& drive : *drives) {
-            const double offset = result.roll.drives[number].offset;
-            ++number;
-            const double first_s = drive.samples.front().time_s;
-            for (const RollSample& sample : drive.samples) {
-                const double moment =
-                    result.vehicle.sprung_mass_kg * result.roll.arm_m * sample.overturning_mps2;
-                const double fitted = fitted_moment(result.roll, sample, dynamic, offset);
-                const double moving = fitted - result.roll.moment_nm(sample.roll_angle_rad);
-                CsvRow row;
-                row.number(start_s + sample.time_s - first_s, 7).count(number).count(dynamic ? 1U : 0U);
-                for (const double value :
-                     {sample.time_s, sample.roll_angle_rad * degrees_per_radian, sample.parallel_mps2, moment,
-                      fitted, moment - fitted, moment - moving, sample.load_moment_nm,
-                      number_or_nan(drive.has_wheel_loads,
-                                    component_load_moment_nm(result.vehicle, result.roll, sample)),
-                      sample.yaw_rate_radps * sample.speed_mps, asked_acceleration(result, sample)}) {
-                    row.number(value, 7);
-                }
-                text += row.line() + "\n";
+    for (const FittedDrive& drive : fitted_drives(result)) {
+        ++number;
+        const std::vector<RollSample>& samples = drive.drive->samples;
+        const double first_s = samples.front().time_s;
+        for (std::size_t place = 0U; place < samples.size(); ++place) {
+            const RollSample& sample = samples[place];
+            const FittedSample& fitted = drive.fitted[place];
+            CsvRow row;
+            row.number(start_s + sample.time_s - first_s, 7).count(number).count(drive.dynamic ? 1U : 0U);
+            for (const double value :
+                 {sample.time_s, sample.roll_angle_rad * degrees_per_radian, sample.parallel_mps2,
+                  fitted.moment_nm, fitted.fitted_moment_nm, fitted.moment_nm - fitted.fitted_moment_nm,
+                  fitted.static_moment_nm, sample.load_moment_nm, fitted.fitted_load_moment_nm,
+                  fitted.yaw_acceleration_mps2, fitted.steering_acceleration_mps2,
+                  fitted.predicted_roll_angle_rad * degrees_per_radian, fitted.response_mps2}) {
+                row.number(value, 7);
             }
-            start_s += drive.samples.back().time_s - first_s;
+            text += row.line() + "\n";
         }
+        start_s += samples.back().time_s - first_s;
     }
     return text;
 }
 
-std::string curve_csv(const Identification& result) {
+std::vector<StiffnessPoint> stiffness_curve(const Identification& result) {
     const double limit_rad = 1.2 * rollover_angle_rad(result.vehicle, result.roll);
-    std::string text = "roll_angle_deg,moment_nm,linear_moment_nm\n";
+    std::vector<StiffnessPoint> curve;
     for (int k = -100; k <= 100; ++k) {
         const double phi = 0.01 * k * limit_rad;
+        curve.push_back({phi, result.roll.moment_nm(phi), result.roll.stiffness_nmprad.value * phi});
+    }
+    return curve;
+}
+
+std::string curve_csv(const Identification& result) {
+    std::string text = "roll_angle_deg,moment_nm,linear_moment_nm\n";
+    for (const StiffnessPoint& point : stiffness_curve(result)) {
         text += CsvRow{}
-                    .number(phi * degrees_per_radian, 5)
-                    .number(result.roll.moment_nm(phi), 6)
-                    .number(result.roll.stiffness_nmprad.value * phi, 6)
+                    .number(point.roll_angle_rad * degrees_per_radian, 5)
+                    .number(point.moment_nm, 6)
+                    .number(point.linear_moment_nm, 6)
                     .line() +
                 "\n";
     }

@@ -47,7 +47,7 @@ TEST_F(ReplayProgram, LeavesAFolderWithEveryResultAndATable) {
         testing_drives::record_drive(testing_drives::hard_turn(), 3.0, path("."));
     ASSERT_EQ(replay("signals.csv", ""), 0) << err;
     for (const char* name : {"summary.json", "warnings.csv", "diagnosis.csv", "indices.csv", "events.gp",
-                             "replay.svg", "replay.png"}) {
+                             "report.html", "replay.svg", "replay.png"}) {
         EXPECT_TRUE(fs::exists(results("signals") / name)) << name;
     }
     EXPECT_EQ(text_of(results("signals") / "replay.svg").find("NaN"), std::string::npos);

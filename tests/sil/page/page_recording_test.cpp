@@ -115,6 +115,22 @@ TEST(PageText, HoldsARecordingThatCannotEndItsElement) {
     EXPECT_EQ(page.rfind("</html>\n"), page.size() - 8U);
 }
 
+TEST(PageText, GivesBackTheRecordingThatIsInAPage) {
+    const std::string recording = R"({"title":"</script><b>"})";
+    EXPECT_EQ(json::parse(sil::recording_in(sil::page_with(recording))), json::parse(recording));
+    EXPECT_EQ(sil::recording_in(std::string{sil::live_page}), "");
+    EXPECT_EQ(sil::recording_in(sil::study_with(recording)), "");
+    EXPECT_EQ(sil::recording_in(""), "");
+    EXPECT_EQ(sil::recording_in(R"(<script id="recording" type="application/json">{"cut)"), "");
+}
+
+TEST(PageCells, RefuseAColumnThatIsNotThere) {
+    const sil::PageCells cells{{"a", "state", "b"}, {"b", "state"}};
+    EXPECT_EQ(cells.row("1,ready,-2.5e-05"), R"([-2.5e-05,"ready"])");
+    EXPECT_EQ(cells.row("1,,"), "[null,null]");
+    EXPECT_THROW((sil::PageCells{{"a"}, {"b"}}), std::logic_error);
+}
+
 TEST(PageVehicle, HasTheShapeOfTheParameters) {
     sil::VehicleParameters parameters;
     parameters.geometry.track_width_m = 1.6;

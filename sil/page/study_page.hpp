@@ -1,0 +1,110 @@
+// Study page: the report of a campaign, an identification or the like, as sections of texts, tables and
+// charts.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace sil {
+
+// A column of a table. Numbers have so many decimals; fewer than none: the column holds words.
+struct StudyColumn {
+    static constexpr int of_words = -1;
+
+    std::string words{};
+    int digits{of_words};
+    std::string unit{};
+};
+
+// A number that is not finite is shown as not known.
+using StudyCell = std::variant<std::string, double>;
+
+struct StudyTable {
+    std::string name{};  // by which tests and links find it
+    std::string heading{};
+    std::vector<StudyColumn> columns{};
+    std::vector<std::vector<StudyCell>> rows{};
+    std::string note{};
+};
+
+struct StudyAxis {
+    std::string words{};
+    std::string unit{};
+    int digits{2};
+    // Of x the range; of y what it holds at least. Otherwise that of the points.
+    std::optional<double> from{};
+    std::optional<double> to{};
+};
+
+// x and y, and of some charts a third value that is read off with them, in brackets. A y that is not finite
+// interrupts the line.
+using StudyPoint = std::vector<double>;
+
+struct StudyLine {
+    enum class Style { line, mark, cloud };  // a mark: few points; a cloud: many, in any order, not read off
+
+    std::string words{};
+    std::string colour{"--blue"};  // of style.css
+    std::vector<int> dash{};
+    double width{2.0};
+    Style style{Style::line};
+    bool shown{true};                  // at first
+    std::vector<StudyPoint> points{};  // in the order of x, unless a cloud
+};
+
+// Which point of a line is read off at x: the nearest; the last until there; the first from there on.
+enum class StudyReading { nearest, last, next };
+
+struct StudyChart {
+    std::string name{};
+    std::string heading{};
+    StudyAxis x{};
+    StudyAxis y{};
+    std::vector<StudyLine> lines{};
+    std::string extra{};            // what the third value of a point is
+    std::vector<double> marks_x{};  // thin lines across
+    std::vector<double> marks_y{};
+    std::string note{};
+    StudyReading reading{StudyReading::nearest};
+};
+
+// The colours and dashes of many lines, one after the other.
+StudyLine study_line(const std::string& words, std::size_t place);
+
+class StudyPage {
+ public:
+    StudyPage(std::string title, std::string subtitle)
+        : title_{std::move(title)}, subtitle_{std::move(subtitle)} {}
+
+    // What follows belongs to it; there must be one first.
+    void section(const std::string& heading);
+    void text(const std::string& text);
+    void list(const std::vector<std::string>& sentences);
+    void table(const StudyTable& table);
+    void chart(const StudyChart& chart);
+
+    // The whole page. Texts may hold anything.
+    std::string html() const;
+
+ private:
+    struct Section {
+        std::string heading;
+        std::vector<std::string> blocks;  // JSON
+    };
+
+    std::string title_;
+    std::string subtitle_;
+    std::vector<Section> sections_{};
+};
+
+// Every so many of `count` samples: few enough that a page stays small, enough that no eye misses any.
+inline constexpr std::size_t most_chart_points = 1500U;
+constexpr std::size_t chart_stride(std::size_t count) {
+    return 1U + count / (most_chart_points + 1U);
+}
+
+}  // namespace sil

@@ -1,0 +1,322 @@
+#include "sil/studies/campaign/campaign_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "sil/page/study_page.hpp"
+#include "sil/results/versions.hpp"
+#include "sil/world/manoeuvres/mixed_driving.hpp"
+
+namespace sil {
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_listed_runs = 500U;
+
+double percent(const Share& share) {
+    return 100.0 * share.value();  // NaN of none
+}
+
+double or_not_known(const std::optional<double>& value) {
+    return value.value_or(not_known);
+}
+
+std::string interval(const Share& share) {
+    const ConfidenceInterval confidence = share.confidence();
+    return share.total == 0U
+               ? std::string{"-"}
+               : fmt::format("{:.2f} to {:.2f}", 100.0 * confidence.lowest, 100.0 * confidence.highest);
+}
+
+std::vector<StudyCell> row_of(const Judgement& judgement) {
+    const Detection& detection = judgement.detection;
+    std::vector<StudyCell> row{judgement.name,
+                               percent(detection.warned),
+                               interval(detection.warned),
+                               percent(detection.warned_100ms),
+                               percent(detection.warned_200ms),
+                               or_not_known(quantile(detection.lead_times_s, 0.5)),
+                               or_not_known(quantile(detection.lead_times_s, 0.1)),
+                               percent(detection.false_alarms),
+                               interval(detection.false_alarms)};
+    for (const Share& share : detection.alarms) {
+        row.emplace_back(percent(share));
+    }
+    return row;
+}
+
+StudyTable table_of_judgements(const RunGroup& group) {
+    StudyTable table{"judgements",
+                     "The firmware's warning, and every index with its threshold at 1",
+                     {{"index", StudyColumn::of_words, ""},
+                      {"warned", 2, "%"},
+                      {"interval", StudyColumn::of_words, "%"},
+                      {"0.1 s before", 2, "%"},
+                      {"0.2 s before", 2, "%"},
+                      {"median lead", 3, "s"},
+                      {"10th percentile", 3, "s"},
+                      {"alarms in calm runs", 2, "%"},
+                      {"its interval", StudyColumn::of_words, "%"}},
+                     {},
+                     {}};
+    for (const LoadBand band : load_bands) {
+        table.columns.push_back({fmt::format("alarms, |LTR| {}", to_string(band)), 2, "%"});
+    }
+    for (const Judgement& judgement : group.judgements) {
+        table.rows.push_back(row_of(judgement));
+    }
+    return table;
+}
+
+StudyTable table_of_best(const RunGroup& group) {
+    StudyTable table{"best",
+                     "Every index with the threshold that is best at a rate of alarms in calm runs",
+                     {{"index", StudyColumn::of_words, ""},
+                      {"alarms at most", 1, "%"},
+                      {"threshold", 3, ""},
+                      {"alarms in calm runs", 2, "%"},
+                      {"warned", 2, "%"},
+                      {"0.1 s before", 2, "%"},
+                      {"0.2 s before", 2, "%"}},
+                     {},
+                     {}};
+    for (const Judgement& judgement : group.judgements) {
+        for (std::size_t limit = 0U; limit < judgement.best.size(); ++limit) {
+            const std::optional<BestThreshold>& best = judgement.best[limit];
+            const Detection detection = best ? best->detection : Detection{};
+            table.rows.push_back({judgement.name, 100.0 * false_alarm_limits[limit],
+                                  best ? best->threshold : not_known, percent(detection.false_alarms),
+                                  percent(detection.warned), percent(detection.warned_100ms),
+                                  percent(detection.warned_200ms)});
+        }
+    }
+    return table;
+}
+
+StudyTable table_of_groups(const std::string& name, const std::string& what,
+                           const std::vector<RunGroup>& groups) {
+    StudyTable table{name,
+                     "",
+                     {{what, StudyColumn::of_words, ""},
+                      {"runs", 0, ""},
+                      {"two wheels lift", 0, ""},
+                      {"brief lifts", 0, ""},
+                      {"not warned of", 0, ""},
+                      {"warned", 2, "%"},
+                      {"0.1 s before", 2, "%"},
+                      {"0.2 s before", 2, "%"},
+                      {"median lead", 3, "s"},
+                      {"alarms in calm runs", 2, "%"},
+                      {"wrong side", 2, "s"},
+                      {"unavailable", 2, "s"},
+                      {"runs with a code", 0, ""}},
+                     {},
+                     {}};
+    for (const RunGroup& group : groups) {
+        const Detection& warning = group.judgements.front().detection;
+        table.rows.push_back(
+            {group.name, static_cast<double>(group.runs), static_cast<double>(group.lifted),
+             static_cast<double>(group.brief_lifts),
+             static_cast<double>(warning.warned.total - warning.warned.count), percent(warning.warned),
+             percent(warning.warned_100ms), percent(warning.warned_200ms),
+             or_not_known(quantile(warning.lead_times_s, 0.5)), percent(warning.false_alarms),
+             group.time.wrong_side_s, group.time.unavailable_s, static_cast<double>(group.time.coded_runs)});
+    }
+    return table;
+}
+
+// The firmware's warning is no index with a threshold: it comes first, in a colour of its own.
+StudyLine line_of_warning(StudyLine::Style style) {
+    StudyLine line;
+    line.words = "warning";
+    line.colour = "--ink";
+    line.width = 3.5;
+    line.style = style;
+    return line;
+}
+
+StudyChart chart_of_leads(const CampaignReport& report) {
+    StudyChart chart;
+    chart.name = "leads";
+    chart.heading = "Lift-offs warned of at least so early, every threshold at 1";
+    chart.x = {"lead", "s", 3, 0.0, 1.5};
+    chart.y = {"lift-offs with at least this lead", "%", 2, 0.0, 100.0};
+    chart.marks_x = {early_s, very_early_s};
+    chart.reading = StudyReading::next;
+    for (std::size_t place = 0U; place < report.all.judgements.size(); ++place) {
+        const Judgement& judgement = report.all.judgements[place];
+        StudyLine line =
+            place == 0U ? line_of_warning(StudyLine::Style::line) : study_line(judgement.name, place - 1U);
+        for (const LeadShare& share : lead_shares(judgement, report.all.lifted)) {
+            if (!line.points.empty() && line.points.back()[0] == share.lead_s) {
+                line.points.pop_back();  // all of them have at least this lead
+            }
+            line.points.push_back({share.lead_s, 100.0 * share.share});
+        }
+        std::reverse(line.points.begin(), line.points.end());
+        chart.lines.push_back(line);
+    }
+    return chart;
+}
+
+StudyChart chart_of_detection(const CampaignReport& report, const std::string& name,
+                              const std::string& heading, Share CurvePoint::* of_index,
+                              Share Detection::* of_warning) {
+    StudyChart chart;
+    chart.name = name;
+    chart.heading = heading;
+    chart.x = {"alarms in calm runs", "%", 2, 0.0, 5.0};
+    chart.y = {"two-wheel lift-offs warned of", "%", 2, {}, 100.0};
+    chart.note = "Read off is the most that so many alarms give; in brackets the threshold for it.";
+    chart.reading = StudyReading::last;
+    const Detection& warning = report.all.judgements.front().detection;
+    StudyLine point = line_of_warning(StudyLine::Style::mark);
+    if (warning.false_alarms.total > 0U && (warning.*of_warning).total > 0U) {
+        point.points.push_back({percent(warning.false_alarms), percent(warning.*of_warning)});
+    }
+    chart.lines.push_back(point);
+    for (std::size_t index = 0U; index < report.curves.size(); ++index) {
+        StudyLine line = study_line(report.all.judgements[index + 1U].name, index);
+        for (const CurvePoint& each : distinct_points(report.curves[index])) {
+            line.points.push_back({percent(each.false_alarms), percent(each.*of_index), each.threshold});
+        }
+        chart.lines.push_back(line);
+    }
+    return chart;
+}
+
+// In a shell's single quotes only the quote itself is special.
+std::string quoted(const std::string& text) {
+    constexpr const char* harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+:@%-";
+    if (!text.empty() && text.front() != '-' && text.find_first_not_of(harmless) == std::string::npos) {
+        return text;
+    }
+    std::string result = "'";
+    for (const char character : text) {
+        result += character == '\'' ? std::string{"'\\''"} : std::string(1U, character);
+    }
+    return result + "'";
+}
+
+// Which runs, each with the command that drives it again.
+StudyTable table_of_runs(const std::string& name, const std::string& heading, const RowTable& rows,
+                         const std::filesystem::path& folder,
+                         const std::function<bool(const RecordedCampaignRun&)>& is_listed) {
+    StudyTable table{name,
+                     heading,
+                     {{"run", 0, ""},
+                      {"vehicle", StudyColumn::of_words, ""},
+                      {"manoeuvre", StudyColumn::of_words, ""},
+                      {"two wheels lift", 3, "s"},
+                      {"lead", 3, "s"},
+                      {"largest |LTR|", 3, ""},
+                      {"warnings", 0, ""},
+                      {"drives it again, and leaves its report.html", StudyColumn::of_words, ""}},
+                     {},
+                     {}};
+    std::size_t found = 0U;
+    for (const RecordedCampaignRun& run : rows.runs) {
+        if (!is_listed(run) || ++found > most_listed_runs) {
+            continue;
+        }
+        table.rows.push_back(
+            {static_cast<double>(run.number), run.vehicle, run.manoeuvre,
+             or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s), run.largest_ltr,
+             static_cast<double>(run.warnings),
+             fmt::format("rsi-sil campaign --settings {} --output {} --run {}",
+                         quoted((folder / "campaign.toml").string()), quoted(folder.string()), run.number)});
+    }
+    table.note = found > most_listed_runs
+                     ? fmt::format("The first {} of {}; runs.csv has all.", most_listed_runs, found)
+                     : (found == 0U ? "There are none." : "");
+    return table;
+}
+
+void add_shares(StudyPage& page, const CampaignReport& report) {
+    const RunGroup& all = report.all;
+    page.section("The warning");
+    page.text(
+        fmt::format("{} of {} runs lift two wheels of a side. The shares belong to this mixture of drives; "
+                    "intervals are of 95 %, {}.",
+                    all.lifted, all.runs,
+                    all.vehicles < fewest_clusters ? "runs taken as independent, for there are few vehicles"
+                                                   : "counting vehicles, whose runs are not independent"));
+    page.chart(chart_of_leads(report));
+    page.chart(chart_of_detection(report, "detection", "In force with the right side as two wheels lift",
+                                  &CurvePoint::warned, &Detection::warned));
+    page.chart(chart_of_detection(report, "detection_100ms", "For 0.1 s or more", &CurvePoint::warned_100ms,
+                                  &Detection::warned_100ms));
+    page.chart(chart_of_detection(report, "detection_200ms", "For 0.2 s or more", &CurvePoint::warned_200ms,
+                                  &Detection::warned_200ms));
+    page.table(table_of_judgements(all));
+    page.table(table_of_best(all));
+    page.section("By manoeuvre");
+    page.table(table_of_groups("manoeuvres", "manoeuvre", report.manoeuvres));
+    if (!report.classes.empty()) {
+        page.section("By class of vehicle");
+        page.table(table_of_groups("classes", "class", report.classes));
+    }
+    page.section("By vehicle");
+    page.table(table_of_groups("vehicles", "vehicle", report.vehicles));
+}
+
+void add_ordinary(StudyPage& page, const CampaignReport& report) {
+    const TimeAccount& time = report.ordinary;
+    const double hours = time.duration_s / 3600.0;
+    const double thousand_km = time.distance_m / 1.0e6;
+    StudyTable table{"ordinary",
+                     "",
+                     {{"what", StudyColumn::of_words, ""},
+                      {"in all", 2, ""},
+                      {"per hour", 3, ""},
+                      {"per 1,000 km", 3, ""}},
+                     {},
+                     {}};
+    const auto add = [&](const char* name, double value) {
+        table.rows.push_back({std::string{name}, value, value / hours, value / thousand_km});
+    };
+    add("alarms", static_cast<double>(time.alarms));
+    add("advisories", static_cast<double>(time.advisories));
+    add("unavailable, s", time.unavailable_s);
+    add("drives with a diagnostic code", static_cast<double>(time.coded_runs));
+    page.section("Ordinary driving");
+    page.text(fmt::format("{} drives, {:.1f} h, {:.0f} km; in no share above.", report.ordinary_runs, hours,
+                          time.distance_m / 1000.0));
+    page.table(table);
+}
+
+}  // namespace
+
+std::string campaign_page(const CampaignReport& report, const RowTable& table,
+                          const std::filesystem::path& folder) {
+    const Versions versions = built_versions();
+    StudyPage page{
+        "Campaign",
+        fmt::format("{} runs{}; component {} {}", report.all.runs + report.ordinary_runs,
+                    report.complete() ? "" : fmt::format(" of {}: not complete", report.runs_wanted),
+                    versions.component, versions.git_revision)};
+    if (report.all.runs > 0U) {
+        add_shares(page, report);
+    }
+    if (report.ordinary_runs > 0U) {
+        add_ordinary(page, report);
+    }
+    page.section("Runs to look into");
+    page.table(table_of_runs("missed", "Two wheels lift, without a warning of the right side in force", table,
+                             folder, [](const RecordedCampaignRun& run) {
+                                 return run.manoeuvre != ordinary_driving_name && is_lifted(run) &&
+                                        !is_warned(run.lead_s);
+                             }));
+    page.table(table_of_runs("false_alarms", "Alarms in calm runs", table, folder,
+                             [](const RecordedCampaignRun& run) {
+                                 return run.manoeuvre != ordinary_driving_name && !is_lifted(run) &&
+                                        is_calm(run) && run.warnings > 0U;
+                             }));
+    return page.html();
+}
+
+}  // namespace sil

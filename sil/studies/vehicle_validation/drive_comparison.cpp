@@ -1,0 +1,127 @@
+#include "sil/studies/vehicle_validation/drive_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sil/files/csv_writer.hpp"
+#include "sil/studies/identification/roll_prediction.hpp"
+#include "sil/units.hpp"
+
+namespace sil {
+namespace {
+
+std::vector<bool> turns(const PreparedDrive& drive) {
+    std::vector<bool> counts;
+    for (const RollSample& sample : drive.samples) {
+        counts.push_back(std::fabs(sample.parallel_mps2) >= least_turn_mps2);
+    }
+    return counts;
+}
+
+void judge(ComparedQuantity& quantity, const Tolerance& tolerance, const std::vector<bool>& counts) {
+    quantity.corridor = corridor_about(quantity.measured, sample_time_s, tolerance);
+    quantity.share_within = share_within(quantity.corridor, quantity.predicted, counts);
+    double squares = 0.0;
+    for (std::size_t place = 0U; place < quantity.measured.size(); ++place) {
+        const double error = counts[place] ? quantity.predicted[place] - quantity.measured[place] : 0.0;
+        squares += error * error;
+    }
+    const auto counted = static_cast<double>(std::count(counts.begin(), counts.end(), true));
+    quantity.rms_error = std::sqrt(squares / counted);
+}
+
+ComparedQuantity roll_angles(const PreparedDrive& drive, const rsi::Parameters& parameters) {
+    ComparedQuantity quantity{"roll_angle_deg", "roll angle", "deg", {}, {}, {}, 0.0, 0.0};
+    for (const RollSample& sample : drive.samples) {
+        quantity.measured.push_back(sample.roll_angle_rad * degrees_per_radian);
+    }
+    for (const double angle : predicted_roll_angles_rad(roll_model(parameters), drive.samples)) {
+        quantity.predicted.push_back(angle * degrees_per_radian);
+    }
+    judge(quantity, roll_angle_tolerance_deg, turns(drive));
+    return quantity;
+}
+
+// 2/(m N c_w) times the moment.
+ComparedQuantity load_transfers(const PreparedDrive& drive, const VehicleData& vehicle,
+                                const rsi::Parameters& parameters) {
+    ComparedQuantity quantity{"load_transfer_ratio", "load transfer ratio", "", {}, {}, {}, 0.0, 0.0};
+    for (const RollSample& sample : drive.samples) {
+        const double scale = 2.0 / (vehicle.total_mass_kg * sample.normal_mps2 * vehicle.track_width_m);
+        quantity.measured.push_back(scale * sample.load_moment_nm);
+        quantity.predicted.push_back(scale * load_moment_nm(parameters, sample));
+    }
+    judge(quantity, load_transfer_tolerance, turns(drive));
+    return quantity;
+}
+
+ComparisonVerdict verdict_of(const DriveComparison& comparison) {
+    if (comparison.turn_s < least_turn_s) {
+        return ComparisonVerdict::too_calm;
+    }
+    const bool near =
+        std::all_of(comparison.quantities.begin(), comparison.quantities.end(),
+                    [](const ComparedQuantity& each) { return each.share_within >= least_share_within; });
+    return near ? ComparisonVerdict::within : ComparisonVerdict::outside;
+}
+
+}  // namespace
+
+const char* to_string(ComparisonVerdict verdict) {
+    static constexpr const char* words[] = {"within", "outside", "too calm", "not comparable"};
+    return words[static_cast<std::size_t>(verdict)];
+}
+
+DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
+                              const rsi::Parameters& parameters) {
+    DriveComparison comparison;
+    comparison.name = drive.name;
+    PreparedDrive prepared;
+    try {
+        prepared = prepare_drive(drive, vehicle, {});
+    } catch (const IdentificationError& error) {
+        comparison.reason = error.what();
+        return comparison;
+    }
+    if (prepared.cut_s) {
+        comparison.reason = prepared.cut_reason;
+    }
+    comparison.largest_force_mps2 = prepared.largest_parallel_mps2;
+    comparison.counts = turns(prepared);
+    comparison.turn_s = sample_time_s * static_cast<double>(std::count(comparison.counts.begin(),
+                                                                       comparison.counts.end(), true));
+    for (const RollSample& sample : prepared.samples) {
+        comparison.time_s.push_back(sample.time_s);
+    }
+    comparison.quantities.push_back(roll_angles(prepared, parameters));
+    if (prepared.has_wheel_loads) {
+        comparison.quantities.push_back(load_transfers(prepared, vehicle, parameters));
+    }
+    comparison.verdict = verdict_of(comparison);
+    return comparison;
+}
+
+std::string comparison_csv(const DriveComparison& comparison) {
+    std::string text = "time_s,counts";
+    for (const ComparedQuantity& quantity : comparison.quantities) {
+        for (const char* what : {"measured", "lower", "upper", "predicted"}) {
+            text += "," + quantity.name + "_" + what;
+        }
+    }
+    text += "\n";
+    for (std::size_t place = 0U; place < comparison.time_s.size(); ++place) {
+        CsvRow row;
+        row.number(comparison.time_s[place], 9).count(comparison.counts[place] ? 1U : 0U);
+        for (const ComparedQuantity& quantity : comparison.quantities) {
+            for (const double value : {quantity.measured[place], quantity.corridor.lower[place],
+                                       quantity.corridor.upper[place], quantity.predicted[place]}) {
+                row.number(value, 7);
+            }
+        }
+        text += row.line() + "\n";
+    }
+    return text;
+}
+
+}  // namespace sil

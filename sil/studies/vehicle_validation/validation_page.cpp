@@ -1,0 +1,183 @@
+#include "sil/studies/vehicle_validation/validation_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "sil/files/csv_writer.hpp"
+#include "sil/page/study_page.hpp"
+#include "sil/units.hpp"
+
+namespace sil {
+namespace {
+
+constexpr double not_known = DriveSample::not_available;
+
+// The quantity of this place, if the drive has it.
+const ComparedQuantity* quantity_of(const DriveComparison& comparison, std::size_t place) {
+    return place < comparison.quantities.size() ? &comparison.quantities[place] : nullptr;
+}
+
+double share_of(const DriveComparison& comparison, std::size_t place) {
+    const ComparedQuantity* quantity = quantity_of(comparison, place);
+    return quantity != nullptr ? quantity->share_within : not_known;
+}
+
+double rms_of(const DriveComparison& comparison, std::size_t place) {
+    const ComparedQuantity* quantity = quantity_of(comparison, place);
+    return quantity != nullptr ? quantity->rms_error : not_known;
+}
+
+// "2 outside, 3 within".
+std::string counts(const Validation& validation) {
+    std::map<std::string, int> verdicts;
+    for (const DriveComparison& comparison : validation.comparisons) {
+        ++verdicts[to_string(comparison.verdict)];
+    }
+    std::string text;
+    for (const auto& [verdict, count] : verdicts) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict);
+    }
+    return text;
+}
+
+std::string conclusion(const Validation& validation) {
+    const auto any = [&validation](ComparisonVerdict verdict) {
+        return std::any_of(validation.comparisons.begin(), validation.comparisons.end(),
+                           [verdict](const DriveComparison& each) { return each.verdict == verdict; });
+    };
+    if (any(ComparisonVerdict::outside)) {
+        return "The calibration does not describe every drive: see where the prediction leaves its corridor.";
+    }
+    return any(ComparisonVerdict::within) ? "The calibration describes every drive that says anything of it."
+                                          : "No drive says anything of the calibration.";
+}
+
+StudyTable table_of_drives(const Validation& validation) {
+    StudyTable table;
+    table.name = "drives";
+    table.columns = {{"drive"},
+                     {"comparison"},
+                     {"roll angle within", 1, "%"},
+                     {"error", 3, "deg rms"},
+                     {"load transfer within", 1, "%"},
+                     {"error", 4, "rms"},
+                     {"up to", 2, "g"},
+                     {"counted", 2, "s"},
+                     {"replay"},
+                     {"first warning", 2, "s"},
+                     {"unavailable", 2, "s"},
+                     {"confirmed codes"},
+                     {"remark"}};
+    for (std::size_t place = 0U; place < validation.comparisons.size(); ++place) {
+        const DriveComparison& comparison = validation.comparisons[place];
+        const ReplayRow& replay = validation.replays[place];
+        table.rows.push_back({comparison.name, std::string{to_string(comparison.verdict)},
+                              100.0 * share_of(comparison, 0U), rms_of(comparison, 0U),
+                              100.0 * share_of(comparison, 1U), rms_of(comparison, 1U),
+                              comparison.largest_force_mps2 / g_mps2, comparison.turn_s, replay.verdict,
+                              replay.warning_s.value_or(not_known), replay.unavailable_s.value_or(not_known),
+                              replay.confirmed_codes.empty() ? std::string{"none"} : replay.confirmed_codes,
+                              comparison.reason});
+    }
+    table.note = fmt::format(
+        "Counted are turns of {:.1f} m/s^2 and more; with less than {:.1f} s of them a drive is too calm. "
+        "Within: {:.0f} % "
+        "of what is counted lies in the corridor about the measured signal: {} deg and {:.0f} % of the roll "
+        "angle, {} and "
+        "{:.0f} % of the load transfer ratio, {} s either way. These tolerances are this project's own.",
+        least_turn_mps2, least_turn_s, 100.0 * least_share_within, roll_angle_tolerance_deg.offset,
+        100.0 * roll_angle_tolerance_deg.share, load_transfer_tolerance.offset,
+        100.0 * load_transfer_tolerance.share, roll_angle_tolerance_deg.time_s);
+    return table;
+}
+
+StudyLine line_of(const DriveComparison& comparison, const std::vector<double>& values, const char* words,
+                  const char* colour, double width) {
+    StudyLine line;
+    line.words = words;
+    line.colour = colour;
+    line.width = width;
+    for (std::size_t place = 0U; place < values.size(); place += chart_stride(values.size())) {
+        line.points.push_back({comparison.time_s[place], values[place]});
+    }
+    return line;
+}
+
+StudyChart chart_of(const DriveComparison& comparison, const ComparedQuantity& quantity, std::size_t number) {
+    StudyChart chart;
+    chart.name = fmt::format("{}_{}", quantity.name, number);
+    chart.heading = comparison.turn_s > 0.0
+                        ? fmt::format("{}: {:.1f} % within", quantity.words, 100.0 * quantity.share_within)
+                        : quantity.words;
+    chart.x = {"time", "s", 2, {}, {}};
+    chart.y = {quantity.words, quantity.unit, 3, {}, {}};
+    chart.lines = {line_of(comparison, quantity.measured, "measured", "--sky", 4.0),
+                   line_of(comparison, quantity.corridor.lower, "lower bound", "--quiet", 1.0),
+                   line_of(comparison, quantity.corridor.upper, "upper bound", "--quiet", 1.0),
+                   line_of(comparison, quantity.predicted, "predicted", "--vermilion", 1.5)};
+    return chart;
+}
+
+}  // namespace
+
+std::string validation_csv(const Validation& validation) {
+    std::string text =
+        "drive,comparison,roll_angle_within_share,roll_angle_rms_deg,load_transfer_within_share,load_"
+        "transfer_rms,"
+        "largest_force_mps2,turn_s,replay,warning_time_s,unavailable_duration_s,confirmed_codes,reason\n";
+    for (std::size_t place = 0U; place < validation.comparisons.size(); ++place) {
+        const DriveComparison& comparison = validation.comparisons[place];
+        const ReplayRow& replay = validation.replays[place];
+        CsvRow row;
+        row.text(comparison.name).text(to_string(comparison.verdict));
+        row.fixed(share_of(comparison, 0U), 4).fixed(rms_of(comparison, 0U), 4);
+        row.fixed(share_of(comparison, 1U), 4).fixed(rms_of(comparison, 1U), 5);
+        row.fixed(comparison.largest_force_mps2, 3).fixed(comparison.turn_s, 2).text(replay.verdict);
+        row.fixed(replay.warning_s, 3).fixed(replay.unavailable_s, 3).text(replay.confirmed_codes);
+        text += row.text(comparison.reason).line() + "\n";
+    }
+    return text;
+}
+
+std::string validation_text(const Validation& validation) {
+    std::string text;
+    for (const DriveComparison& comparison : validation.comparisons) {
+        text += fmt::format("  {}: {}", comparison.name, to_string(comparison.verdict));
+        for (const ComparedQuantity& quantity :
+             comparison.turn_s > 0.0 ? comparison.quantities : std::vector<ComparedQuantity>{}) {
+            text += fmt::format(", {} {:.1f} % within, error {:.3f} {}rms", quantity.words,
+                                100.0 * quantity.share_within, quantity.rms_error,
+                                quantity.unit.empty() ? "" : quantity.unit + " ");
+        }
+        text += (comparison.reason.empty() ? "" : "; " + comparison.reason) + "\n";
+    }
+    return text + fmt::format("{} drives: {}\n{}\n", validation.comparisons.size(), counts(validation),
+                              conclusion(validation));
+}
+
+std::string validation_page(const Validation& validation) {
+    StudyPage page{"Validation: " + validation.vehicle,
+                   fmt::format("{} drives: {}", validation.comparisons.size(), counts(validation))};
+    page.section("Result");
+    page.text(fmt::format("{} {}", conclusion(validation), validation.calibration));
+    page.table(table_of_drives(validation));
+    if (!validation.warnings.empty()) {
+        page.section("What to know about the calibration");
+        page.list(validation.warnings);
+    }
+    for (std::size_t place = 0U; place < validation.comparisons.size(); ++place) {
+        const DriveComparison& comparison = validation.comparisons[place];
+        page.section(fmt::format("{}: {}", comparison.name, to_string(comparison.verdict)));
+        if (!comparison.reason.empty()) {
+            page.text(comparison.reason);
+        }
+        for (const ComparedQuantity& quantity : comparison.quantities) {
+            page.chart(chart_of(comparison, quantity, place + 1U));
+        }
+    }
+    return page.html();
+}
+
+}  // namespace sil

@@ -1,0 +1,68 @@
+// Study page: what it holds, whatever the texts and numbers are.
+#include "sil/page/study_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace study_page_test {
+namespace {
+
+using nlohmann::json;
+
+// What is between the marks of its element, as the browser parses it.
+json held_by(const std::string& html) {
+    const std::string mark = "<script id=\"study\" type=\"application/json\">";
+    const std::size_t begin = html.find(mark) + mark.size();
+    return json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+}
+
+TEST(StudyPage, HoldsTextsThatCannotEndTheirElement) {
+    sil::StudyPage page{"</script><b>", "\xff\"'&"};
+    page.section("</script>");
+    page.text("<!--");
+    page.list({"one", "</script>"});
+    const std::string html = page.html();
+    const json held = held_by(html);
+    EXPECT_EQ(held["title"], "</script><b>");
+    EXPECT_EQ(held["subtitle"], "\xef\xbf\xbd\"'&");
+    EXPECT_EQ(held["sections"][0]["heading"], "</script>");
+    EXPECT_EQ(held["sections"][0]["blocks"][0]["text"], "<!--");
+    EXPECT_EQ(held["sections"][0]["blocks"][1]["items"][1], "</script>");
+    EXPECT_EQ(html.find("</script><b>"), std::string::npos);
+    EXPECT_EQ(html.find("<!--"), std::string::npos);
+}
+
+TEST(StudyPage, HasNoNumberThatIsNotFinite) {
+    sil::StudyPage page{"a", "b"};
+    page.section("c");
+    sil::StudyTable table;
+    table.columns = {{"words"}, {"number", 2, "m"}};
+    table.rows = {{std::string{"x"}, std::nan("")}, {std::string{"y"}, HUGE_VAL}, {std::string{"z"}, 1.5}};
+    page.table(table);
+    sil::StudyChart chart;
+    chart.name = "chart";
+    chart.y.to = 100.0;
+    chart.marks_x = {0.5};
+    chart.lines = {sil::study_line("line", 8U)};
+    chart.lines[0].points = {{0.0, 1.0}, {1.0, std::nan("")}, {2.0, 1.0 / 3.0}};
+    page.chart(chart);
+    const json blocks = held_by(page.html())["sections"][0]["blocks"];
+    EXPECT_EQ(blocks[0]["rows"], json::parse(R"([["x",null],["y",null],["z",1.5]])"));
+    EXPECT_EQ(blocks[0]["columns"][0]["digits"], -1);
+    EXPECT_EQ(blocks[1]["series"][0]["points"], json::parse("[[0,1],[1,null],[2,0.333333]]"));
+    EXPECT_EQ(blocks[1]["y"]["least"], json::parse(R"({"to":100})"));
+    EXPECT_EQ(blocks[1]["marks"], json::parse(R"([{"x":0.5}])"));
+    EXPECT_EQ(blocks[1]["series"][0]["dash"], json::parse("[6,3]"));
+}
+
+TEST(StudyPage, ThinsOutOnlyWhatIsLong) {
+    EXPECT_EQ(sil::chart_stride(0U), 1U);
+    EXPECT_EQ(sil::chart_stride(sil::most_chart_points), 1U);
+    EXPECT_EQ(sil::chart_stride(sil::most_chart_points + 1U), 2U);
+}
+
+}  // namespace
+}  // namespace study_page_test

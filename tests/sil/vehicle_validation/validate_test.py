@@ -1,0 +1,172 @@
+"""rsi-sil validate: a folder of drives gives a calibration and a report; a calibration that is wrong is found to be so.
+
+Use: validate_test.py RSI_SIL
+"""
+import csv
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROJECT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(PROJECT / "tests/sil/page"))
+from browser import browser  # noqa: E402
+from study_tab import StudyTab, expect_plain_page, number_text  # noqa: E402
+
+PROGRAM = sys.argv.pop(1)
+HOSTILE = "<img src=x onerror=document.body.dataset.intruder=1>"
+# The drives, by the names that say what they are for.
+DRIVES = {"ramp": "slow-ramp", "dynamic": "step-steer", "slalom": "slalom", f"turn{HOSTILE}": "j-turn-45", "straight": "straight"}
+TURN = f"turn{HOSTILE}"
+QUANTITIES = ("roll_angle_deg", "load_transfer_ratio")
+
+
+def rows_of(file):
+    with open(file, encoding="utf-8", newline="") as lines:
+        return list(csv.DictReader(lines))
+
+
+def validate(folder, output, *options):
+    command = [PROGRAM, "validate", folder, "--output", output, *options]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+class Validate(unittest.TestCase):
+    """A simulated van with noisy sensors, as if somebody had driven it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        cls.drives = cls.scratch / "drives"
+        cls.drives.mkdir()
+        shutil.copy(PROJECT / "sil/vehicles/data/van.toml", cls.drives / "vehicle.toml")
+        for seed, (name, manoeuvre) in enumerate(DRIVES.items(), 1):
+            subprocess.run([PROGRAM, "run", manoeuvre, "--in-process", "--noise", "--seed", str(seed), "--vehicle",
+                            PROJECT / "sil/vehicles/van.toml", "--parameters", PROJECT / "firmware/calibrations/van.toml",
+                            "--output", cls.scratch / "run"], check=True, stdout=subprocess.DEVNULL)
+            shutil.copy(cls.scratch / "run/signals.csv", cls.drives / f"{name}.csv")
+        cls.output = cls.scratch / "output"
+        cls.said = validate(cls.drives, cls.output)
+        cls.calibration = (cls.output / "identification/calibration.toml").read_text(encoding="utf-8")
+
+    def judged(self, name, **factors):
+        """Drives and their comparison, with the calibration's values times these factors."""
+        text = self.calibration
+        for key, factor in factors.items():
+            value = re.search(rf"(?m)^{key} = ([-\d.]+)", text)
+            text = text.replace(value[0], f"{key} = {factor * float(value[1])!r}")
+        calibration = self.scratch / f"{name}.toml"
+        calibration.write_text(text, encoding="utf-8")
+        result = validate(self.drives, self.scratch / name, "--parameters", calibration)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return {row["drive"]: row["comparison"] for row in rows_of(self.scratch / name / "drives.csv")}
+
+    def test_the_vehicles_own_calibration_is_within(self):
+        self.assertEqual(self.said.returncode, 0, self.said.stderr)
+        rows = {row["drive"]: row for row in rows_of(self.output / "drives.csv")}
+        self.assertEqual({name: row["comparison"] for name, row in rows.items()},
+                         {"slalom": "within", TURN: "within", "straight": "too calm"})
+        self.assertIn("3 drives: 1 too calm, 2 within\nThe calibration describes every drive that says anything of it.\n",
+                      self.said.stdout)
+        for row in rows.values():
+            self.assertTrue((self.output / "replays" / row["drive"] / "report.html").is_file())
+        table = {row["drive"]: row for row in rows_of(self.output / "replays/table.csv")}
+        self.assertEqual({name: row["replay"] for name, row in rows.items()},
+                         {name: row["verdict"] for name, row in table.items()})
+
+    def test_a_wrong_calibration_is_outside(self):
+        wrong = ({"roll_stiffness_nmprad": 0.8}, {"roll_stiffness_nmprad": 1.25}, {"sprung_cg_height_m": 1.2})
+        for number, factors in enumerate(wrong):
+            self.assertEqual(self.judged(f"wrong{number}", **factors),
+                             {"slalom": "outside", TURN: "outside", "straight": "too calm"}, factors)
+
+    def test_a_wrong_damping_shows_but_stays_within(self):
+        self.assertEqual(self.judged("damping", roll_damping_nmsprad=0.4)["slalom"], "within")
+        right = {row["drive"]: row for row in rows_of(self.output / "drives.csv")}
+        wrong = {row["drive"]: row for row in rows_of(self.scratch / "damping/drives.csv")}
+        self.assertGreater(float(wrong["slalom"]["roll_angle_rms_deg"]), float(right["slalom"]["roll_angle_rms_deg"]))
+
+    def test_what_is_within_is_what_the_samples_say(self):
+        self.judged("nearly", roll_stiffness_nmprad=1.15)
+        outputs = (self.output, self.scratch / "nearly")
+        for output, row in ((output, row) for output in outputs for row in rows_of(output / "drives.csv")):
+            samples = rows_of(output / f"comparisons/{row['drive']}.csv")
+            counted = [each["counts"] == "1" for each in samples]
+            self.assertAlmostEqual(float(row["turn_s"]), 0.01 * sum(counted))
+            self.assertEqual(float(row["turn_s"]) < 0.5, row["comparison"] == "too calm")
+            if row["comparison"] == "too calm":
+                continue
+            shares = (float(row["roll_angle_within_share"]), float(row["load_transfer_within_share"]))
+            self.assertEqual(min(shares) < 0.95, row["comparison"] == "outside")
+            for quantity, column, least in (("roll_angle_deg", "roll_angle_within_share", 0.3),
+                                            ("load_transfer_ratio", "load_transfer_within_share", 0.03)):
+                numbers = [[float(each[f"{quantity}_{what}"]) for what in ("measured", "lower", "upper", "predicted")]
+                           for each in samples]
+                for measured, lower, upper, _ in numbers:
+                    self.assertGreaterEqual(measured - lower, 0.999 * least)
+                    self.assertGreaterEqual(upper - measured, 0.999 * least)
+                within = sum(counts and lower <= predicted <= upper
+                             for counts, (_, lower, upper, predicted) in zip(counted, numbers))
+                self.assertAlmostEqual(float(row[column]), within / sum(counted), 3)
+
+    def test_a_drive_without_roll_angle_is_not_comparable(self):
+        folder = self.scratch / "without"
+        folder.mkdir()
+        shutil.copy(self.drives / "vehicle.toml", folder)
+        rows = rows_of(self.drives / "slalom.csv")
+        names = [name for name in rows[0] if "roll_angle" not in name]
+        with open(folder / "slalom.csv", "w", encoding="utf-8", newline="") as file:
+            writer = csv.DictWriter(file, names, extrasaction="ignore", lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+        result = validate(folder, self.scratch / "unknown", "--parameters", self.output / "identification/calibration.toml")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        row, = rows_of(self.scratch / "unknown/drives.csv")
+        self.assertEqual((row["comparison"], row["roll_angle_within_share"]), ("not comparable", ""))
+        self.assertIn("has no roll angle", row["reason"])
+        self.assertIn("No drive says anything of the calibration.", result.stdout)
+
+    def test_what_is_missing_is_said(self):
+        for names, text in (((), "there is no vehicle.toml"), (("vehicle.toml", "ramp.csv"), "there is no drive to check with"),
+                            (("vehicle.toml", "slalom.csv"), "a slow ramp and a dynamic drive are both needed")):
+            folder = self.scratch / f"lacks{len(names)}{len(text)}"
+            folder.mkdir()
+            for name in names:
+                shutil.copy(self.drives / name, folder)
+            result = validate(folder, self.scratch / "refused")
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(text, result.stderr)
+            self.assertFalse((self.scratch / "refused/report.html").exists())
+        self.assertIn("is no folder", validate(self.scratch / "nothing", self.scratch / "refused").stderr)
+        shutil.copy(self.drives / "vehicle.toml", self.scratch / "refused")
+        (self.scratch / "refused/bad.csv").write_text("time_s\n0\n", encoding="utf-8")
+        self.assertIn("bad.csv:1:", validate(self.scratch / "refused", self.scratch / "refused2").stderr)
+
+    def test_the_page_shows_the_files(self):
+        with browser() as tab:
+            tab.size(1360, 900)
+            page = StudyTab(tab, self.output / "report.html")
+            files = rows_of(self.output / "drives.csv")
+            shown = page.table("drives")
+            known = lambda text, factor, digits: number_text(factor * float(text) if text else None, digits)  # noqa: E731
+            for row, file in zip(shown, files):
+                self.assertEqual(row[:3], [file["drive"], file["comparison"], known(file["roll_angle_within_share"], 100, 1)])
+                self.assertEqual(row[4], known(file["load_transfer_within_share"], 100, 1))
+                self.assertEqual(row[8:10], [file["replay"], known(file["warning_time_s"], 1, 2)])
+            for number, file in enumerate(files, 1):
+                rows = rows_of(self.output / f"comparisons/{file['drive']}.csv")
+                samples = {round(float(each["time_s"]), 4): each for each in rows}
+                for quantity in QUANTITIES:
+                    for words, what in (("measured", "measured"), ("lower bound", "lower"), ("upper bound", "upper"),
+                                        ("predicted", "predicted")):
+                        at, value, _ = page.read_off(f"{quantity}_{number}", 1.8)[words]
+                        self.assertAlmostEqual(at, 1.8, delta=0.1)
+                        self.assertAlmostEqual(value, float(samples[round(at, 4)][f"{quantity}_{what}"]), delta=2e-6)
+            expect_plain_page(self, tab, self.output / "report.html")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
