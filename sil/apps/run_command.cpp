@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "sil/apps/open_socket.hpp"
 #include "sil/apps/run_recorder.hpp"
 #include "sil/apps/run_timing.hpp"
 #include "sil/files/calibration_file.hpp"

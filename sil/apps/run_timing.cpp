@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "hal/socketcan/socket_can_bus.hpp"
+#include "sil/apps/open_socket.hpp"
 #include "sil/lock_step/lock_step_pace.hpp"
 #include "sil/world/simulation/in_process_ecu.hpp"
 #include "sil/world/simulation/in_process_pace.hpp"
@@ -15,41 +15,12 @@
 namespace sil {
 namespace {
 
-void open_or_throw(hal::SocketCanBus& socket, const std::string& interface) {
-    hal::SocketCanSettings settings;
-    settings.interface_name = interface.c_str();
-    const hal::OpenResult opened = socket.open(settings);
-    if (!opened) {
-        throw std::runtime_error(opened.message());
-    }
-}
-
-// Whether an ECU sends its status frame within `longest`.
-bool hears_ecu(hal::SocketCanBus& socket, hal::Time longest) {
-    hal::SteadyClock clock;
-    const hal::Time deadline = clock.now() + longest;
-    hal::CanFrame frame;
-    while (clock.now() < deadline && socket.wait_for_frame(deadline - clock.now())) {
-        while (socket.receive(frame) == hal::ReceiveResult::frame) {
-            if (frame.identifier == can_dbc::RolloverStatus::identifier) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 // In real time the ECU sends by itself; without it a run would only show that nobody answers.
 class RealTime final : public RunTiming {
  public:
     explicit RealTime(const std::string& interface) {
         open_or_throw(socket_, interface);
-        if (!hears_ecu(socket_, hal::Time::from_milliseconds(5000))) {
-            throw std::runtime_error(
-                fmt::format("no ECU is heard on {0}. Start one first: rsi-ecu --interface {0} --parameters "
-                            "FILE (without --lock-step)",
-                            interface));
-        }
+        expect_ecu(socket_, interface);
         pace_.emplace();
     }
 
@@ -143,11 +114,6 @@ class InProcess final : public RunTiming {
 };
 
 }  // namespace
-
-void check_interface(const std::string& interface) {
-    hal::SocketCanBus socket;
-    open_or_throw(socket, interface);
-}
 
 std::unique_ptr<RunTiming> real_time(const std::string& interface) {
     return std::make_unique<RealTime>(interface);

@@ -31,9 +31,6 @@ class RunTiming {
     RunTiming() = default;
 };
 
-// Throws std::runtime_error when there is no such CAN interface.
-void check_interface(const std::string& interface);
-
 // All throw std::exception with a message for the user; a log is written to `log` as one of `interface`.
 std::unique_ptr<RunTiming> real_time(const std::string& interface);
 std::unique_ptr<RunTiming> lock_step(const std::string& interface, const std::filesystem::path& log);

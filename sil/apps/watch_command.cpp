@@ -9,6 +9,8 @@
 #include <string>
 
 #include "sil/apps/command_line.hpp"
+#include "sil/apps/live_ecu_on_bus.hpp"
+#include "sil/apps/open_socket.hpp"
 #include "sil/apps/run_recorder.hpp"
 #include "sil/apps/stop_request.hpp"
 #include "sil/apps/vehicle_options.hpp"
@@ -27,6 +29,7 @@ struct WatchRequest {
     SensorFlaws sensors{};
     double speed_kmh{80.0};
     std::uint64_t port{0U};
+    std::string interface{};  // empty: the firmware in this process
 };
 
 // signals.csv and all that belongs to it, of the latest drive.
@@ -36,7 +39,9 @@ class WatchRecorder final : public LiveRecorder {
         : drive_{drive}, request_{request} {
         prepare_run_folder(request.output);
         recorder_.emplace(request.output, drive.plant().duration_s());
-        recorder_->look_inside(drive.outputs(), calibration);
+        if (drive.outputs() != nullptr) {
+            recorder_->look_inside(*drive.outputs(), calibration);
+        }
     }
 
     void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
@@ -50,7 +55,7 @@ class WatchRecorder final : public LiveRecorder {
         Summary summary;
         summary.manoeuvre = drive_.manoeuvre().name;
         summary.vehicle = drive_.plant().vehicle().parameters().name;
-        summary.in_process = true;
+        summary.in_process = drive_.outputs() != nullptr;
         summary.index_times_s = recorder_->index_times_s();
         summary.seed = request_.sensors.seed;
         summary.noise = request_.sensors.noise ? "noise" : "none";
@@ -71,13 +76,23 @@ void watch(const WatchRequest& request) {
     const std::atomic<bool>& stop = stop_on_signals();
     LiveVehicle what;
     what.vehicle = load_vehicle(request.files.vehicle);
-    what.calibration = load_calibration(request.files.calibration);
+    const rsi::Parameters calibration = load_calibration(request.files.calibration);
+    if (request.interface.empty()) {
+        what.make_ecu = [&calibration] { return live_ecu_in_process(calibration); };
+        what.ecu_text = "the firmware in the same process";
+    } else {
+        hal::SocketCanBus socket;
+        open_or_throw(socket, request.interface);
+        expect_ecu(socket, request.interface);
+        what.make_ecu = [&request] { return live_ecu_on_bus(request.interface); };
+        what.ecu_text = "the ECU on " + request.interface;
+    }
     what.sensors = request.sensors;
     if (!request.manoeuvre.empty()) {
         what.manoeuvre = find_manoeuvre(request.manoeuvre);
     }
     LiveSession session{what, request.speed_kmh, [&](const LiveDrive& drive) {
-                            return std::make_unique<WatchRecorder>(drive, request, what.calibration);
+                            return std::make_unique<WatchRecorder>(drive, request, calibration);
                         }};
     serve_live(session, static_cast<std::uint16_t>(request.port), stop, [](std::uint16_t port) {
         fmt::print("Open http://127.0.0.1:{}/ in a browser of this machine. Ctrl-C ends the drive.\n", port);
@@ -90,11 +105,11 @@ void watch(const WatchRequest& request) {
 
 void add_watch_command(CLI::App& app) {
     const auto request = std::make_shared<WatchRequest>();
-    CLI::App* command =
-        app.add_subcommand("watch",
-                           "Drive the vehicle in a browser, against the firmware in this process and in real "
-                           "time, break its sensors "
-                           "and load its roof; or watch a manoeuvre. Serves one page, to this machine only");
+    CLI::App* command = app.add_subcommand(
+        "watch",
+        "Drive the vehicle in a browser, against the firmware in this process or an ECU on a "
+        "CAN interface, in real time; break its sensors and load its roof; or watch a "
+        "manoeuvre. Serves one page, to this machine only");
     command->add_option("manoeuvre", request->manoeuvre,
                         "To be watched (`rsi-sil list` names all; default: you drive)");
     add_vehicle_options(*command, request->files);
@@ -103,6 +118,9 @@ void add_watch_command(CLI::App& app) {
     command->add_option("--speed", request->speed_kmh, "Of the first drive, in km/h (10 to 160)")
         ->check(number_within(10.0, 160.0))
         ->capture_default_str();
+    command->add_option("--interface", request->interface,
+                        "CAN interface of an ECU that runs, such as rsi-ecu (default: the firmware in this "
+                        "process, with --parameters)");
     add_port_option(*command, request->port);
     add_whole_number(*command, "--seed", request->sensors.seed, "Seed of the sensor noise")
         ->default_str(fmt::format("{}", request->sensors.seed));

@@ -19,8 +19,8 @@ LiveDrive::LiveDrive(const LiveVehicle& what, const DriverWish& wish, double roo
     : manoeuvre_{what.manoeuvre ? *what.manoeuvre : free_drive(wish, wish.speed_mps)},
       plant_{loaded(what.vehicle, roof_load_kg), manoeuvre_},
       sensors_{mounted_sensors(plant_.vehicle().parameters(), what.sensors)},
-      firmware_{what.calibration},
-      loop_{plant_, sensors_, firmware_.world_bus(), pace_} {}
+      ecu_{what.make_ecu()},
+      loop_{plant_, sensors_, ecu_->bus(), ecu_->pace()} {}
 
 bool LiveDrive::cycle(RunObserver& also) {
     also_ = &also;

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "sil/live/live_ecu.hpp"
 #include "sil/studies/faults/signal_fault.hpp"
 #include "sil/world/manoeuvres/free_drive.hpp"
 #include "sil/world/simulation/closed_loop.hpp"
-#include "sil/world/simulation/in_process_pace.hpp"
 #include "sil/world/simulation/mounted_sensors.hpp"
 
 namespace sil {
@@ -16,15 +16,16 @@ namespace sil {
 // Who drives what, and what of it.
 struct LiveVehicle {
     VehicleParameters vehicle{};
-    rsi::Parameters calibration{};  // of the vehicle without a load: nobody tells the firmware of one
+    MakeLiveEcu make_ecu{};  // with a calibration without a load: nobody tells the firmware of one
+    std::string ecu_text{};  // where it is, as the page says it
     SensorFlaws sensors{};
     std::optional<Manoeuvre> manoeuvre{};  // none: the page's user drives
 };
 
 class LiveDrive final : private RunObserver {
  public:
-    // From `wish.speed_mps` on, with so much on the roof. `wish` must outlive the drive. Throws
-    // std::invalid_argument when the calibration is refused.
+    // From `wish.speed_mps` on, with so much on the roof. `wish` must outlive the drive. Throws what
+    // `what.make_ecu` throws.
     LiveDrive(const LiveVehicle& what, const DriverWish& wish, double roof_load_kg);
 
     // One cycle of 10 ms, of which `also` sees everything; false after the last one: the vehicle lies on its
@@ -38,8 +39,8 @@ class LiveDrive final : private RunObserver {
     const ManoeuvreRun& plant() const { return plant_; }
     const ClosedLoop& loop() const { return loop_; }
     const Manoeuvre& manoeuvre() const { return manoeuvre_; }
-    // See InProcessRun.
-    const rsi::Outputs& outputs() const { return firmware_.ecu().outputs(); }
+    // See LiveEcu.
+    const rsi::Outputs* outputs() const { return ecu_->outputs(); }
 
  private:
     SensorSample reported(const SensorSample& sample) override;
@@ -50,8 +51,7 @@ class LiveDrive final : private RunObserver {
     Manoeuvre manoeuvre_;
     ManoeuvreRun plant_;
     SensorSuite sensors_;
-    InProcessEcu firmware_;
-    InProcessPace pace_{firmware_};
+    std::unique_ptr<LiveEcu> ecu_;
     ClosedLoop loop_;
     std::optional<Fault> fault_{};
     std::optional<SignalFault> broken_{};

@@ -139,7 +139,7 @@ void LiveSession::add(const std::string& name, const std::string& json) {
 std::string LiveSession::head() const {
     const VehicleParameters& vehicle = drive_->plant().vehicle().parameters();
     PageHead head{what_.manoeuvre ? what_.manoeuvre->name : "Live drive",
-                  vehicle.name + ", the firmware in the same process, in real time",
+                  vehicle.name + ", " + what_.ecu_text + ", in real time",
                   page_vehicle(vehicle),
                   {}};
     head.vehicle.roof_load_kg = load_kg_;

@@ -1,7 +1,8 @@
 // False codes: drives whose sensors are good, noise and offsets of good sensors included, must not set any
 // diagnostic code. Every manoeuvre with every vehicle, then drawn runs of the built-in campaign and the van,
 // with a roll angle against the road and against the horizon.
-//   false_codes FIRST COUNT [SETTINGS [every-kind]]    the drawn runs, or those of these settings alone, as of
+//   false_codes FIRST COUNT [SETTINGS [every-kind]]    the drawn runs, or those of these settings alone, as
+//   of
 //                                                      a population; with every kind of good sensors in turn.
 //                                                      Exit status 1 when a code was set
 #include <fmt/core.h>
@@ -135,9 +136,8 @@ sil::CampaignSettings built_in_and_van(std::uint64_t runs) {
 int main(int argc, char** argv) try {
     const bool every_kind = argc == 5 && std::string_view{argv[4]} == "every-kind";
     if (argc < 3 || argc > 5 || (argc == 5 && !every_kind)) {
-        fmt::print(
-            stderr,
-            "Use: false_codes FIRST COUNT [SETTINGS [every-kind]], the numbers of the drawn runs\n");
+        fmt::print(stderr,
+                   "Use: false_codes FIRST COUNT [SETTINGS [every-kind]], the numbers of the drawn runs\n");
         return 2;
     }
     const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);

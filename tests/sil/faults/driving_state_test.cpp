@@ -92,7 +92,8 @@ TEST(DrivingState, DrivesAMinuteOfTurnsOfAFifthOfGToBothSides) {
 // The same drive for all of them, and each differs from the usual ones.
 TEST(GoodSensors, SeeTheSameDriveInAnotherWay) {
     std::vector<sil::SensorOptions> options{sil::recording_sensors(large_suv())};
-    const std::vector<sil::GoodSensors> good = sil::good_sensors(sil::recording_sensors(large_suv()), rsi_test_large_suv());
+    const std::vector<sil::GoodSensors> good =
+        sil::good_sensors(sil::recording_sensors(large_suv()), rsi_test_large_suv());
     for (const sil::GoodSensors& each : good) {
         options.push_back(each.options);
     }

@@ -51,7 +51,11 @@ class LiveSession : public ::testing::Test {
     static sil::LiveVehicle what(const std::string& manoeuvre = "") {
         sil::LiveVehicle vehicle;
         vehicle.vehicle = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
-        vehicle.calibration = sil::load_calibration(project_file("firmware/calibrations/large_suv.toml"));
+        vehicle.make_ecu = [] {
+            return sil::live_ecu_in_process(
+                sil::load_calibration(project_file("firmware/calibrations/large_suv.toml")));
+        };
+        vehicle.ecu_text = "the firmware of this test";
         if (!manoeuvre.empty()) {
             vehicle.manoeuvre = sil::find_manoeuvre(manoeuvre);
         }
