@@ -91,7 +91,8 @@ rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionRep
         return no_inputs;
     }
     const monitoring::FreshFrames fresh{reception.imu.is_fresh(), reception.roll_angle.is_fresh(),
-                                        reception.vehicle_motion.is_fresh(), reception.late_roll_angle_rad};
+                                        reception.vehicle_motion.is_fresh(),
+                                        reception.vertical_acceleration_sent, reception.late_roll_angle_rad};
     return input_monitor_.qualify(inputs, fresh, outputs_, memory_);
 }
 

@@ -52,6 +52,9 @@ void SensorReception::receive(hal::CanBus& bus, std::uint32_t missed_cycles) noe
         }
         dispatch(frame);
     }
+    vertical_acceleration_sent_ =
+        vertical_acceleration_sent_ ||
+        (imu_.received() && (imu_.latest().status.vertical_acceleration_mps2 != SignalStatus::not_available));
     roll_angle_delay_.update(imu_.latest_counter(), roll_angle_.latest_counter(),
                              roll_angle_.latest().value.roll_angle_deg * radians_per_degree,
                              imu_.latest().value.roll_rate_deg_per_s * radians_per_degree);
@@ -113,19 +116,25 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
     // Most vehicles have no bank sensor, so a bank that is not available is no fault.
     const bool roll_valid =
         (roll.roll_angle_deg == SignalStatus::valid) && (roll.bank_angle_deg != SignalStatus::out_of_range);
+    const can_dbc::Imu::Status& imu = imu_.latest().status;
+    const bool imu_valid =
+        (imu.lateral_acceleration_mps2 == SignalStatus::valid) &&
+        (imu.roll_rate_deg_per_s == SignalStatus::valid) &&
+        (!vertical_acceleration_sent_ || (imu.vertical_acceleration_mps2 == SignalStatus::valid));
     const can_dbc::VehicleMotion::Status& motion = vehicle_motion_.latest().status;
     const bool motion_valid = (motion.speed_kmh == SignalStatus::valid) &&
                               (motion.yaw_rate_deg_per_s == SignalStatus::valid) &&
                               (!steering_fitted_ || (motion.steering_wheel_angle_deg == SignalStatus::valid));
 
     ReceptionReport report{};
-    report.imu = faults(imu_, imu_.is_fresh(now), imu_.latest().status.all_valid());
+    report.imu = faults(imu_, imu_.is_fresh(now), imu_valid);
     if (roll_angle_fitted_) {
         report.roll_angle = faults(roll_angle_, is_roll_angle_fresh(now), roll_valid);
     }
     if (motion_fitted_) {
         report.vehicle_motion = faults(vehicle_motion_, vehicle_motion_.is_fresh(now), motion_valid);
     }
+    report.vertical_acceleration_sent = vertical_acceleration_sent_;
     report.own_identifier = own_identifier_;
     report.vehicle_mass_is_fresh = vehicle_mass_.is_fresh(now);
     if (roll_angle_delay_.is_late() && roll_angle_.is_fresh(now)) {

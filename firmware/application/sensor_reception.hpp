@@ -26,10 +26,11 @@ struct ReceptionReport {
     FrameFaults imu{};
     FrameFaults roll_angle{};
     FrameFaults vehicle_motion{};
-    bool vehicle_mass_is_fresh{false};  // few vehicles send it
-    bool own_identifier{false};         // a frame that only this control unit sends came from elsewhere
-    std::uint32_t frames_rejected{0U};  // since the start
-    std::uint32_t frames_lost{0U};      // since the start, by the counters
+    bool vehicle_mass_is_fresh{false};       // few vehicles send it
+    bool vertical_acceleration_sent{false};  // an IMU without one says "not available" all the time
+    bool own_identifier{false};              // a frame that only this control unit sends came from elsewhere
+    std::uint32_t frames_rejected{0U};       // since the start
+    std::uint32_t frames_lost{0U};           // since the start, by the counters
     // The newest roll angle while it is held back, and for that not among the inputs; else NaN.
     float late_roll_angle_rad{rsi::not_available};
 
@@ -71,7 +72,8 @@ class SensorReception {
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
     FrameMonitor<can_dbc::VehicleMass> vehicle_mass_{};  // few vehicles send it, so its absence is no fault
     RollAngleDelay roll_angle_delay_{};
-    bool own_identifier_{false};  // in this cycle
+    bool own_identifier_{false};              // in this cycle
+    bool vertical_acceleration_sent_{false};  // since the start
     bool roll_angle_fitted_{true};
     bool motion_fitted_{true};
     bool steering_fitted_{true};

@@ -115,8 +115,10 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
     rsi::Inputs qualified = inputs;
     if (fresh.imu) {
         qualified.lateral_specific_force_mps2 = lateral_.qualify(inputs.lateral_specific_force_mps2, memory);
-        qualified.vertical_specific_force_mps2 =
-            vertical_.qualify(inputs.vertical_specific_force_mps2, memory);
+        if (fresh.vertical_acceleration) {
+            qualified.vertical_specific_force_mps2 =
+                vertical_.qualify(inputs.vertical_specific_force_mps2, memory);
+        }
         qualified.roll_rate_radps = roll_rate_.qualify(inputs.roll_rate_radps, memory);
     } else {
         lateral_.forget();

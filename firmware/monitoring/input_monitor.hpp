@@ -23,6 +23,7 @@ struct FreshFrames {
     bool imu{false};
     bool roll_angle{false};
     bool vehicle_motion{false};
+    bool vertical_acceleration{true};  // the IMU has sent one before; of one that has none nothing is missed
     // Of a roll angle that is not fresh because its frames are held back; else NaN.
     float late_roll_angle_rad{rsi::not_available};
 };

@@ -111,6 +111,43 @@ TEST(SensorsFitted, StillMissSpeedAndYawRateWithoutSteering) {
     }
 }
 
+TEST(SensorsFitted, GoOnWithoutAVerticalAccelerationThatWasNeverThere) {
+    Bench bench;
+    Motion motion;
+    motion.imu.vertical_acceleration_mps2 = can_dbc::not_available;
+    bench.drive(motion);
+    bench.run_for(3.0);
+    expect_no_complaint(bench);
+    EXPECT_FALSE(bench.status().imu_signal_invalid);
+    EXPECT_EQ(degradation(bench), Degradation::full);
+    EXPECT_TRUE(std::isnan(bench.inputs().vertical_specific_force_mps2));
+}
+
+TEST(SensorsFitted, MissAVerticalAccelerationThatWasThere) {
+    Bench bench;
+    bench.run_for(1.0);
+    Motion motion;
+    motion.imu.vertical_acceleration_mps2 = can_dbc::not_available;
+    bench.drive(motion);
+    bench.run_for(1.0);
+    EXPECT_TRUE(bench.status().imu_signal_invalid);
+    EXPECT_EQ(bench.last().diagnosis.value.code, Code::vertical_acceleration_invalid);
+}
+
+TEST(SensorsFitted, MissTheOtherSignalsOfAnImuWithoutVerticalAcceleration) {
+    for (float can_dbc::Imu::* const missing :
+         {&can_dbc::Imu::lateral_acceleration_mps2, &can_dbc::Imu::roll_rate_deg_per_s}) {
+        Bench bench;
+        Motion motion;
+        motion.imu.vertical_acceleration_mps2 = can_dbc::not_available;
+        motion.imu.*missing = can_dbc::not_available;
+        bench.drive(motion);
+        bench.run_for(1.0);
+        EXPECT_TRUE(bench.status().imu_signal_invalid);
+        EXPECT_EQ(bench.state(), State::unavailable);
+    }
+}
+
 TEST(SensorsFitted, MissASteeringAngleThatIsSaidToBeThere) {
     Bench bench;
     Motion motion;

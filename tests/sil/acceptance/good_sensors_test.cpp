@@ -54,40 +54,35 @@ void take_off_the_filters(sil::SensorOptions& sensors) {
     sensors.imu.vertical_acceleration_mps2.noise_rms = 1.0;
 }
 
-class GoodSensors : public testing::TestWithParam<std::string> {
- protected:
-    static void expect_nobody_accused(const RunSettings& settings) {
-        const RunResult run = drive(settings);
-        for (const Code code : run.confirmed_codes) {
-            ADD_FAILURE() << can_dbc::RolloverDiagnosis::name_of(code);
-        }
-        EXPECT_EQ(run.events.judgement.unavailable_s, 0.0);
-        EXPECT_EQ(run.events.judgement.warnings, 0U);
-    }
+struct Kind {
+    const char* name;
+    std::function<void(sil::SensorOptions&)> sensors;
+    std::vector<std::string> calibration;  // what it says of them
 };
 
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all{
+        {"usual", {}, {}},
+        {"coarse", make_coarse, {"speed_resolution_mps=0.278"}},
+        {"without a filter", take_off_the_filters, {"accelerometer_noise_mps2=1.0"}}};
+    return all;
+}
+
+class GoodSensors : public testing::TestWithParam<std::string> {};
+
 TEST_P(GoodSensors, AreNotAccusedWhereTheRoadTwistsOrBumps) {
-    for (const RunSettings& settings : roads_that_try_sensors(GetParam())) {
-        SCOPED_TRACE(settings.manoeuvre);
-        expect_nobody_accused(settings);
-    }
-}
-
-TEST_P(GoodSensors, OfACoarseKindAreNotAccusedThereEither) {
-    for (RunSettings settings : roads_that_try_sensors(GetParam())) {
-        SCOPED_TRACE(settings.manoeuvre);
-        settings.sensors = make_coarse;
-        settings.changes.emplace_back("speed_resolution_mps=0.278");
-        expect_nobody_accused(settings);
-    }
-}
-
-TEST_P(GoodSensors, WithoutAFilterAreNotAccusedThereEither) {
-    for (RunSettings settings : roads_that_try_sensors(GetParam())) {
-        SCOPED_TRACE(settings.manoeuvre);
-        settings.sensors = take_off_the_filters;
-        settings.changes.emplace_back("accelerometer_noise_mps2=1.0");
-        expect_nobody_accused(settings);
+    for (const Kind& kind : kinds()) {
+        for (RunSettings settings : roads_that_try_sensors(GetParam())) {
+            SCOPED_TRACE(settings.manoeuvre + ", " + kind.name);
+            settings.sensors = kind.sensors;
+            settings.changes = kind.calibration;
+            const RunResult run = drive(settings);
+            for (const Code code : run.confirmed_codes) {
+                ADD_FAILURE() << can_dbc::RolloverDiagnosis::name_of(code);
+            }
+            EXPECT_EQ(run.events.judgement.unavailable_s, 0.0);
+            EXPECT_EQ(run.events.judgement.warnings, 0U);
+        }
     }
 }
 
