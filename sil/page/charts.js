@@ -16,8 +16,8 @@ function sourceOf(column) {
 function rangeOf(recording, quantities, first, last, least, symmetric) {
   let from = least.from;
   let to = least.to;
-  const end = recording.interestingEnd;
-  for (let row = first; row <= last && recording.time(row) <= end; row += 1) {
+  const end = Math.min(last, recording.lastUpright);
+  for (let row = first; row <= end; row += 1) {
     for (const quantity of quantities) {
       const value = recording.value(quantity, row);
       if (value < from) {

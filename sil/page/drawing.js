@@ -19,11 +19,14 @@ function prepare(canvas) {
   return { pen, width, height };
 }
 
-// Round numbers within the range, about `wanted` of them.
+// Round numbers within the range, about `wanted` of them, and two besides zero: fewer say nothing of the scale.
 function ticks(from, to, wanted) {
   const rough = (to - from) / wanted;
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 5, 10].find((each) => each * power >= rough) ?? 10);
+  const steps = [10, 5, 2, 1, 0.5, 0.2].map((each) => each * power);
+  const within = (step) => Math.floor(to / step + 1e-9) - Math.ceil(from / step - 1e-9) + (from <= 0 && to >= 0 ? 0 : 1);
+  const widest = steps.findLastIndex((each) => each >= rough);
+  const step = steps.find((each, place) => place >= widest && within(each) >= 2) ?? steps[steps.length - 1];
   const all = [];
   for (let count = Math.ceil(from / step - 1e-9); count * step <= to + 1e-9 * step; count += 1) {
     all.push(count * step);

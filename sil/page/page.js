@@ -323,9 +323,10 @@ class Page extends Sheet {
     if (!events.two_wheel_lift) {
       return events.warning ? "warned; no two wheels of a side have lifted" : "no two wheels of a side have lifted";
     }
+    const lift = `two wheels lift at ${events.two_wheel_lift.time_s.toFixed(3)} s`; // the first time; there may be others
     return typeof judgement.lead_time_s === "number"
-      ? `warned ${judgement.lead_time_s.toFixed(3)} s before two wheels lift, ${judgement.falling_side} side`
-      : `two wheels lift without a warning of the ${judgement.falling_side ?? "falling"} side`;
+      ? `warned ${judgement.lead_time_s.toFixed(3)} s before ${lift}, ${judgement.falling_side} side`
+      : `${lift} without a warning of the ${judgement.falling_side ?? "falling"} side`;
   }
 
   showValues() {

@@ -1,5 +1,7 @@
 // Recording: what a run, a replay or a live drive has told, row by row; the columns bear the names of the CSV file.
 const STANDARD_GRAVITY = 9.80665;
+const OVERTURNED_DEG = 41; // 0.6 of the roll angle that ends a run (closed_loop.cpp)
+const STEEP_DEG = 15; // of a vehicle on two wheels that may come back
 const WHEELS = ["front_left", "front_right", "rear_left", "rear_right"];
 
 // A quantity, the columns that can tell of it (the first that is there does), and the factor to what people read.
@@ -117,9 +119,15 @@ class Recording {
     return found;
   }
 
-  // Until when the ranges of pictures look: a vehicle that falls over leaves every one of them.
-  get interestingEnd() {
-    const lift = this.events.two_wheel_lift;
-    return lift ? lift.time_s + 0.5 : Infinity;
+  // The last row for the ranges of pictures: a vehicle that falls over in the end leaves every one of them.
+  get lastUpright() {
+    const rollIn = (row) => Math.abs(this.value("roll", row));
+    let row = this.rows.length - 1;
+    if (rollIn(row) > OVERTURNED_DEG) {
+      while (row > 0 && !(rollIn(row) <= STEEP_DEG)) {
+        row -= 1;
+      }
+    }
+    return row;
   }
 }

@@ -125,10 +125,38 @@ class Report(unittest.TestCase):
         for event in ("warning", "one_wheel_lift", "two_wheel_lift", "ssf_crossing"):
             self.assertEqual(float(moments[event]), self.summary[event + "_time_s"])
         self.assertEqual(self.seen()["lead"],
-                         f"warned {self.summary['lead_time_s']:.3f} s before two wheels lift, right side")
+                         f"warned {self.summary['lead_time_s']:.3f} s before two wheels lift at "
+                         f"{self.summary['two_wheel_lift_time_s']:.3f} s, right side")
         self.assertEqual(self.seen()["announced"], "")
         self.tab.run("document.querySelector('[data-event=warning]').click()")
         self.assertEqual(self.seen()["announced"], "warning, right side")
+
+    def test_ranges_go_on_after_a_lift_off_and_leave_out_a_fall(self):
+        """A drive in which two wheels lift, the driver recovers, steers more than before, and then falls over."""
+        self.open()
+        self.tab.run("""(() => {
+            const columns = ['time_s', 'true_steering_wheel_angle_deg', 'true_roll_angle_deg', 'true_lateral_acceleration_mps2'];
+            const rows = [[0, 0, 0, 0], [1, 50, 25, 5], [9, -350, 1, -9], [9.5, 0, 30, 90], [10, 0, 50, 90]];
+            page.show(new Recording({ ...page.recording.head, columns, rows,
+                                      events: { two_wheel_lift: { time_s: 1, ay_g: 0.5, roll_deg: 25 } } }), false);
+        })()""")
+        ranges = json.loads(self.tab.run("JSON.stringify(Object.fromEntries(page.strips.filter((each) => !each.box.hidden)"
+                                         ".map((each) => [each.name, each.frame.y])))"))
+        self.assertLess(ranges["steering"]["from"], -350)
+        self.assertLess(ranges["acceleration"]["from"], -9 / STANDARD_GRAVITY)
+        self.assertLess(ranges["acceleration"]["to"], 2)
+        self.assertGreater(ranges["roll"]["to"], 25)
+        self.assertLess(ranges["roll"]["to"], 30)
+
+    def test_axes_have_two_numbers_besides_zero(self):
+        self.open()
+        for low, high in ((-381.6, 381.6), (-360, 360), (-21.2, 21.2), (0, 1.22), (-0.9, 1), (-9.9, 0), (0.3, 1.1), (101, 102)):
+            for wanted in (2, 3.3, 9):
+                numbers = self.tab.run(f"ticks({low}, {high}, {wanted}).all")
+                self.assertGreaterEqual(len([each for each in numbers if each != 0]), 2, (low, high, wanted))
+                self.assertLessEqual(len(numbers), 2 * wanted + 3, (low, high, wanted))
+                self.assertGreaterEqual(min(numbers), low - 1e-6)
+                self.assertLessEqual(max(numbers), high + 1e-6)
 
     def test_opens_at_the_moment_in_the_address(self):
         self.open(moment=f"#{self.rows[200]['time_s']}")
