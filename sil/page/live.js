@@ -28,7 +28,12 @@ class Driver {
     this.socket = new WebSocket(`ws://${location.host}/drive`);
     this.socket.addEventListener("message", (event) => this.take(JSON.parse(event.data)));
     this.socket.addEventListener("close", (event) => {
-      byId("notice").textContent = event.reason || "The connection to the vehicle has ended; reload the page to drive again.";
+      byId("notice").textContent = event.reason || "No connection: the program that simulates the vehicle has ended. " +
+        "Start it again with sil/run --watch, then open the address that it prints.";
+      for (const control of document.querySelectorAll(".live-only :is(button, input, select)")) {
+        control.disabled = true; // nobody listens
+      }
+      this.page.lose();
       document.body.dataset.ready = "closed";
     });
   }

@@ -290,16 +290,10 @@ class Page extends Sheet {
 
   showWarning() {
     const { recording, view } = this;
-    const state = recording.raw("state", view.row) ?? "unavailable";
-    const side = recording.raw("side", view.row) ?? "none";
-    const lamp = byId("lamp");
-    lamp.dataset.state = state;
-    lamp.dataset.side = side;
-    const words = state + (side === "none" ? "" : ", " + side + " side");
-    byId("lamp-text").textContent = words;
-    if (words !== this.shownState) {
-      this.shownState = words;
-      byId("announcement").textContent = state === "warning" || state === "advisory" ? words : "";
+    if (this.lost && view.row === recording.length - 1) {
+      this.showLamp("lost", "none", "no connection"); // the last row is no longer what is
+    } else {
+      this.showLamp(recording.raw("state", view.row) ?? "unavailable", recording.raw("side", view.row) ?? "none");
     }
     for (const button of byId("events").querySelectorAll("button")) {
       const event = EVENTS.find((each) => each.name === button.dataset.event);
@@ -313,6 +307,27 @@ class Page extends Sheet {
     }
     byId("lead").textContent = this.leadText();
     byId("lead").dataset.value = String(recording.judgement.lead_time_s ?? "");
+  }
+
+  showLamp(state, side, words = state + (side === "none" ? "" : ", " + side + " side")) {
+    const lamp = byId("lamp");
+    lamp.dataset.state = state;
+    lamp.dataset.side = side;
+    byId("lamp-text").textContent = words;
+    if (words !== this.shownState) {
+      this.shownState = words;
+      byId("announcement").textContent = state === "warning" || state === "advisory" ? words : "";
+    }
+  }
+
+  // The live drive is out of reach: what there is can be looked back at.
+  lose() {
+    this.lost = true;
+    this.driver = undefined;
+    this.follow(false);
+    this.listKeys();
+    this.showLamp("lost", "none", "no connection");
+    this.render();
   }
 
   leadText() {

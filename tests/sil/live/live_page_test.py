@@ -130,8 +130,20 @@ class LivePage(unittest.TestCase):
         self.assertEqual(self.tab.complaints, [])
 
     def test_says_when_the_vehicle_is_gone(self):
+        self.tab.wait_for(f"{STATE} === 'ready'", LONG_S)
         self.end()
-        self.tab.wait_for("document.getElementById('notice').textContent.includes('connection')", LONG_S)
+        self.tab.wait_for(f"{STATE} === 'lost'", LONG_S)
+        self.assertEqual(self.tab.run("document.getElementById('lamp-text').textContent"), "no connection")
+        self.assertRegex(self.tab.run("document.getElementById('notice').textContent"), "program .* has ended.*sil/run --watch")
+        self.assertEqual(self.tab.run("document.getElementById('follow').getAttribute('aria-pressed')"), "false")
+        self.assertTrue(self.tab.run("['follow', 'again', 'steering', 'fault-set'].every((id) =>"
+                                     "document.getElementById(id).disabled)"))
+        self.tab.key("ArrowLeft")
+        self.assertEqual(self.tab.run(STATE), "ready")
+        self.assertEqual(self.tab.run("page.view.row"), self.tab.run("page.recording.length - 2"))
+        self.tab.key("End")
+        self.assertEqual(self.tab.run(STATE), "lost")
+        self.assertEqual(self.tab.complaints, [])
 
 
 if __name__ == "__main__":
