@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -57,6 +58,13 @@ std::string duration(double seconds) {
     return whole < 120 ? fmt::format("{} s", whole) : fmt::format("{} min {:02} s", whole / 60, whole % 60);
 }
 
+// By its absolute path; where the system does not tell it, by its name alone.
+std::filesystem::path this_program() {
+    std::error_code not_told;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", not_told);
+    return not_told ? std::filesystem::path{"rsi-sil"} : program;
+}
+
 void report(const CampaignRequest& request) {
     const std::filesystem::path settings = request.output / "campaign.toml";
     if (!std::filesystem::exists(settings)) {
@@ -68,7 +76,8 @@ void report(const CampaignRequest& request) {
     const RowTable rows = load_rows(request.output / "runs.csv");
     const CampaignReport report = make_report(rows, wanted);
     write_report(report, request.output);
-    write_file_atomically(request.output / "report.html", campaign_page(report, rows, request.output));
+    const CampaignCall call{this_program(), std::filesystem::current_path(), request.output};
+    write_file_atomically(request.output / "report.html", campaign_page(report, rows, call));
     fmt::print(
         "{}\nAll of it is in {}, to look into in {}; sil/studies/campaign/draw {} makes the "
         "pictures.\n",

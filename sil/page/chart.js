@@ -28,6 +28,28 @@ function pointAt(points, x, reading) {
   return x - before[0] <= after[0] - x ? before : after;
 }
 
+// The line through the points as they are read off within the range: steps, unless the nearest point is read.
+function pathOf(points, reading, range) {
+  if (reading === "nearest") {
+    return points;
+  }
+  const path = [];
+  let previous = null;
+  for (const point of points) {
+    if (previous !== null) {
+      path.push([reading === "last" ? point[0] : previous[0], (reading === "last" ? previous : point)[1]]);
+    }
+    path.push(point);
+    previous = point;
+  }
+  if (previous !== null && reading === "last" && previous[0] < range.to) {
+    path.push([range.to, previous[1]]);
+  } else if (previous !== null && reading === "next" && points[0][0] > range.from) {
+    path.unshift([range.from, points[0][1]]);
+  }
+  return path;
+}
+
 class Chart {
   // `chart`: as StudyChart (study_page.hpp) says it.
   constructor(parent, chart) {
@@ -187,8 +209,11 @@ class Chart {
 
   yRange() {
     let { from = Infinity, to = -Infinity } = this.y.least ?? {};
-    for (const { points } of this.shownSeries) {
-      for (const [x, y] of points) {
+    for (const { points, style } of this.shownSeries) {
+      // A step may go through the range and have no point in it.
+      const ends = style === "line" && this.reading !== "nearest"
+        ? [this.range.from, this.range.to].map((x) => [x, pointAt(points, x, this.reading)?.[1] ?? null]) : [];
+      for (const [x, y] of points.concat(ends)) {
         if (x >= this.range.from && x <= this.range.to && y !== null) {
           from = Math.min(from, y);
           to = Math.max(to, y);
@@ -255,7 +280,7 @@ class Chart {
       pen.setLineDash(series.dash ?? []);
       pen.beginPath();
       let open = false;
-      for (const [x, y] of series.points) {
+      for (const [x, y] of pathOf(series.points, this.reading, this.range)) {
         if (y === null) {
           open = false;
         } else if (open) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -177,6 +178,7 @@ StudyChart chart_of_detection(const CampaignReport& report, const std::string& n
     StudyLine point = line_of_warning(StudyLine::Style::mark);
     if (warning.false_alarms.total > 0U && (warning.*of_warning).total > 0U) {
         point.points.push_back({percent(warning.false_alarms), percent(warning.*of_warning)});
+        chart.x.to = std::max(*chart.x.to, std::ceil(1.05 * percent(warning.false_alarms)));
     }
     chart.lines.push_back(point);
     for (std::size_t index = 0U; index < report.curves.size(); ++index) {
@@ -204,7 +206,7 @@ std::string quoted(const std::string& text) {
 
 // Which runs, each with the command that drives it again.
 StudyTable table_of_runs(const std::string& name, const std::string& heading, const RowTable& rows,
-                         const std::filesystem::path& folder,
+                         const CampaignCall& call,
                          const std::function<bool(const RecordedCampaignRun&)>& is_listed) {
     StudyTable table{name,
                      heading,
@@ -223,12 +225,13 @@ StudyTable table_of_runs(const std::string& name, const std::string& heading, co
         if (!is_listed(run) || ++found > most_listed_runs) {
             continue;
         }
-        table.rows.push_back(
-            {static_cast<double>(run.number), run.vehicle, run.manoeuvre,
-             or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s), run.largest_ltr,
-             static_cast<double>(run.warnings),
-             fmt::format("rsi-sil campaign --settings {} --output {} --run {}",
-                         quoted((folder / "campaign.toml").string()), quoted(folder.string()), run.number)});
+        table.rows.push_back({static_cast<double>(run.number), run.vehicle, run.manoeuvre,
+                              or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s),
+                              run.largest_ltr, static_cast<double>(run.warnings),
+                              fmt::format("(cd {} && {} campaign --settings {} --output {} --run {})",
+                                          quoted(call.working_folder.string()), quoted(call.program.string()),
+                                          quoted((call.output / "campaign.toml").string()),
+                                          quoted(call.output.string()), run.number)});
     }
     table.note = found > most_listed_runs
                      ? fmt::format("The first {} of {}; runs.csv has all.", most_listed_runs, found)
@@ -291,8 +294,7 @@ void add_ordinary(StudyPage& page, const CampaignReport& report) {
 
 }  // namespace
 
-std::string campaign_page(const CampaignReport& report, const RowTable& table,
-                          const std::filesystem::path& folder) {
+std::string campaign_page(const CampaignReport& report, const RowTable& table, const CampaignCall& call) {
     const Versions versions = built_versions();
     StudyPage page{
         "Campaign",
@@ -307,15 +309,15 @@ std::string campaign_page(const CampaignReport& report, const RowTable& table,
     }
     page.section("Runs to look into");
     page.table(table_of_runs("missed", "Two wheels lift, without a warning of the right side in force", table,
-                             folder, [](const RecordedCampaignRun& run) {
+                             call, [](const RecordedCampaignRun& run) {
                                  return run.manoeuvre != ordinary_driving_name && is_lifted(run) &&
                                         !is_warned(run.lead_s);
                              }));
-    page.table(table_of_runs("false_alarms", "Alarms in calm runs", table, folder,
-                             [](const RecordedCampaignRun& run) {
-                                 return run.manoeuvre != ordinary_driving_name && !is_lifted(run) &&
-                                        is_calm(run) && run.warnings > 0U;
-                             }));
+    page.table(
+        table_of_runs("false_alarms", "Alarms in calm runs", table, call, [](const RecordedCampaignRun& run) {
+            return run.manoeuvre != ordinary_driving_name && !is_lifted(run) && is_calm(run) &&
+                   run.warnings > 0U;
+        }));
     return page.html();
 }
 

@@ -8,8 +8,14 @@
 
 namespace sil {
 
-// report.html. `folder` is the campaign's, as the commands that drive a run again name it.
-std::string campaign_page(const CampaignReport& report, const RowTable& table,
-                          const std::filesystem::path& folder);
+// What the commands that drive a run again name: they work from any folder of this machine.
+struct CampaignCall {
+    std::filesystem::path program;         // absolute, or one that the shell finds
+    std::filesystem::path working_folder;  // absolute: relative paths in the settings start from it
+    std::filesystem::path output;  // the campaign's folder; a relative path starts from working_folder
+};
+
+// report.html.
+std::string campaign_page(const CampaignReport& report, const RowTable& table, const CampaignCall& call);
 
 }  // namespace sil
