@@ -324,6 +324,9 @@ class Page extends Sheet {
   lose() {
     this.lost = true;
     this.driver = undefined;
+    if (this.following && this.recording) {
+      this.view.time = this.recording.lastTime; // rows may have come since the last picture
+    }
     this.follow(false);
     this.listKeys();
     this.showLamp("lost", "none", "no connection");
