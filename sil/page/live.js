@@ -13,7 +13,7 @@ class Driver {
     byId("again").addEventListener("click", () => this.again());
     byId("hold").addEventListener("click", () => this.pause(!this.paused));
     byId("follow").addEventListener("click", () => {
-      this.page.follow(true);
+      this.page.follow(!this.page.following);
       this.page.render();
     });
     byId("fault-set").addEventListener("click", () => this.inject());
@@ -150,6 +150,7 @@ class Driver {
 
   showPaused(paused) {
     this.paused = paused;
+    document.body.dataset.paused = String(paused);
     byId("hold").textContent = paused ? "Go on" : "Pause";
     byId("hold").setAttribute("aria-pressed", String(paused));
   }
@@ -176,7 +177,7 @@ class Driver {
       { key: "p", words: "pause, go on", act: () => this.pause(!this.paused) },
       { key: "f", words: "inject the chosen fault", act: () => this.inject() },
       { key: "g", words: "all sensors good", act: () => this.clearFault() },
-      { key: "l", words: "follow the drive again", act: () => byId("follow").click() },
+      { key: "l", words: "follow the drive again", act: () => this.page.following || byId("follow").click() },
       { key: "1", words: "to the warning", act: () => this.page.goToEvent("warning") },
       { key: " ", shown: "Space", words: "play back, stop", act: () => this.page.play(!this.page.playing) },
     ];

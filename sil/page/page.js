@@ -87,7 +87,7 @@ class Page extends Sheet {
   show(recording, live) {
     this.recording = recording;
     this.view.live = live;
-    this.following = live;
+    this.follow(live);
     const { head } = recording;
     document.body.dataset.mode = live ? "live" : "replay";
     byId("title").textContent = head.title;
@@ -186,6 +186,7 @@ class Page extends Sheet {
 
   follow(following) {
     this.following = following && this.view.live;
+    document.body.dataset.following = String(this.following);
     byId("follow").setAttribute("aria-pressed", String(this.following));
     if (this.following) {
       this.playing = false;

@@ -127,6 +127,19 @@ class LivePage(unittest.TestCase):
         self.open()
         self.assertLessEqual(self.tab.run("document.documentElement.scrollWidth"), 390)
         self.assertNotEqual(self.tab.run("getComputedStyle(document.getElementById('steering')).display"), "none")
+        # What looks back is folded away while one drives, and only then.
+        folded = "getComputedStyle(document.getElementById('transport')).display === 'none'"
+        self.tab.wait_for(folded, LONG_S)
+        self.tab.run("document.getElementById('follow').click()")
+        self.assertFalse(self.tab.run(folded))
+        self.tab.key("l")
+        self.assertTrue(self.tab.run(folded))
+        self.tab.key("p")
+        self.tab.wait_for(f"!({folded})", LONG_S)
+        self.tab.key("p")
+        self.tab.wait_for(folded, LONG_S)
+        self.tab.size(1360, 900)
+        self.assertFalse(self.tab.run(folded))
         self.assertEqual(self.tab.complaints, [])
 
     def test_says_when_the_vehicle_is_gone(self):
