@@ -15,6 +15,7 @@
 #include "sil/apps/stop_request.hpp"
 #include "sil/apps/vehicle_options.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/whole_file.hpp"
 #include "sil/live/live_server.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
@@ -38,6 +39,7 @@ class WatchRecorder final : public LiveRecorder {
     WatchRecorder(const LiveDrive& drive, const WatchRequest& request, const rsi::Parameters& calibration)
         : drive_{drive}, request_{request} {
         prepare_run_folder(request.output);
+        remove_file(request.output / "candump.log");  // of an earlier run: nobody logs this one
         recorder_.emplace(request.output, drive.plant().duration_s());
         if (drive.outputs() != nullptr) {
             recorder_->look_inside(*drive.outputs(), calibration);

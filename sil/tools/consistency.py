@@ -11,6 +11,8 @@ LEAST_CORRELATION = 0.6  # below, nothing is said: the drive may have been strai
 LEAST_ROWS = 50
 TURN_SLOPES = (0.5, 2.0)
 ROLL_SLOPES = (0.1, 10.0)  # the angle may be that against a road that is banked
+NEAR_ONE = (0.8, 1.25)     # a bank, a slide and a load do no more in ordinary turns
+CLEAR_CORRELATION = 0.9    # from here on the ratio is that of two signals, not of noise
 WINDOW_ROWS = 50
 UPRIGHT_ROWS = 100       # the first second
 LARGEST_ROLL_DEG = 15.0
@@ -101,6 +103,18 @@ def upright_rows(columns, rows):
     return int(over[0]) if len(over) and over[0] >= LEAST_ROWS else rows
 
 
+def verdict_on(link):
+    if abs(link.correlation) < LEAST_CORRELATION:
+        return "says nothing"
+    if link.correlation < 0.0:
+        return "LOOK: they run against each other; one of the signs is wrong"
+    if link.slopes and not link.slopes[0] < link.slope < link.slopes[1]:
+        return "LOOK: the ratio should be near 1; one of the units is wrong"
+    if link.slopes and link.correlation > CLEAR_CORRELATION and not NEAR_ONE[0] < link.slope < NEAR_ONE[1]:
+        return "the signs agree, but the ratio should be near 1: check the units (of km/h and mph it is 1.6, of deg/s and rpm 6)"
+    return "agree"
+
+
 def told(times_us, columns):
     """A line for each comparison, and whether something speaks against the mapping."""
     lines, is_doubtful = [], False
@@ -108,14 +122,7 @@ def told(times_us, columns):
     for link in links(times_us[:rows], {name: values[:rows] for name, values in columns.items()}):
         text = f"{link.first} and {link.second}: correlation {link.correlation:+.2f}"
         text += f", ratio {link.slope:.3g}" if link.slopes else ""
-        if abs(link.correlation) < LEAST_CORRELATION:
-            verdict = "says nothing"
-        elif link.correlation < 0.0:
-            verdict = "LOOK: they run against each other; one of the signs is wrong"
-        elif link.slopes and not link.slopes[0] < link.slope < link.slopes[1]:
-            verdict = "LOOK: the ratio should be near 1; one of the units is wrong"
-        else:
-            verdict = "agree"
+        verdict = verdict_on(link)
         is_doubtful = is_doubtful or verdict.startswith("LOOK")
         lines.append(f"{text}: {verdict}")
     upright = upright_mps2(columns)

@@ -3,6 +3,7 @@
 The libraries are those of sil/tools/requirements.txt; with `cmake/environment/set_up --tools` they are in build/tools/venv."""
 
 import math
+import pathlib
 import shutil
 import sys
 
@@ -63,4 +64,6 @@ def main(folder):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1], "rsi_ecu_fmi3.fmu").is_file():
+        sys.exit("Use: together.py DIR, the folder into which sil/fmu/build has written the FMUs")
     main(sys.argv[1])

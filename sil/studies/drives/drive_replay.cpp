@@ -171,12 +171,8 @@ DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Paramet
 }
 
 double static_stability_factor(const rsi::Parameters& parameters) {
-    const double m_s = static_cast<double>(parameters.sprung_mass_kg);
-    const double m_u = static_cast<double>(parameters.unsprung_mass_kg);
-    const double h = (m_s * static_cast<double>(parameters.sprung_cg_height_m) +
-                      m_u * static_cast<double>(parameters.unsprung_cg_height_m)) /
-                     (m_s + m_u);
-    return static_cast<double>(parameters.track_width_m) / (2.0 * h);
+    return static_cast<double>(parameters.track_width_m) /
+           (2.0 * static_cast<double>(parameters.sprung_cg_height_m));
 }
 
 }  // namespace sil

@@ -59,7 +59,7 @@ DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
 DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters,
                          const Interruption& interrupted = {});
 
-// c_w / (2 h), h the height of the whole vehicle's CG.
+// c_w / (2 h), h the height of the sprung CG, as the paper and the simulated vehicle count it.
 double static_stability_factor(const rsi::Parameters& parameters);
 
 }  // namespace sil

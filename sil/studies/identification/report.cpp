@@ -126,7 +126,8 @@ std::string identification_report(const Identification& result) {
         text += line("K_us", steering.understeer_gradient_s2pm, 1.0,
                      steering.gradient_fitted ? "s^2/m (fitted)" : "s^2/m (given or assumed)", 5);
         text += fmt::format(
-            "  R2 {:.4f}, residual {:.3f} deg at the front wheels; the yaw rate lags by {:.2f} s\n",
+            "  R2 {:.4f}, residual {:.3f} deg at the front wheels; fitted beside it and not used: {:+.2f} s "
+            "times the steering's rate\n",
             steering.r_squared, steering.rms_rad * degrees_per_radian, steering.lag_s);
     }
     if (result.response) {

@@ -1,5 +1,7 @@
 #include "sil/studies/vehicle_validation/drive_comparison.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -56,6 +58,15 @@ ComparedQuantity load_transfers(const PreparedDrive& drive, const VehicleData& v
     return quantity;
 }
 
+// Whether the two run against each other, as with a wrong sign.
+bool is_mirrored(const ComparedQuantity& quantity, const std::vector<bool>& counts) {
+    double product = 0.0;
+    for (std::size_t place = 0U; place < quantity.measured.size(); ++place) {
+        product += counts[place] ? quantity.measured[place] * quantity.predicted[place] : 0.0;
+    }
+    return product < 0.0;
+}
+
 ComparisonVerdict verdict_of(const DriveComparison& comparison) {
     if (comparison.turn_s < least_turn_s) {
         return ComparisonVerdict::too_calm;
@@ -99,6 +110,12 @@ DriveComparison compare_drive(const Drive& drive, const VehicleData& vehicle,
         comparison.quantities.push_back(load_transfers(prepared, vehicle, parameters));
     }
     comparison.verdict = verdict_of(comparison);
+    for (const ComparedQuantity& quantity : comparison.quantities) {
+        if (is_mirrored(quantity, comparison.counts)) {
+            comparison.reason += fmt::format("{}the {} runs against its prediction: check the signs",
+                                             comparison.reason.empty() ? "" : "; ", quantity.words);
+        }
+    }
     return comparison;
 }
 

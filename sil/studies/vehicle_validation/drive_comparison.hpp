@@ -46,7 +46,7 @@ struct ComparedQuantity {
 struct DriveComparison {
     std::string name{};
     ComparisonVerdict verdict{ComparisonVerdict::not_comparable};
-    std::string reason{};  // why no later, or not comparable, in words; may be empty
+    std::string reason{};  // why no later, not comparable, or of a wrong sign, in words; may be empty
     std::vector<double> time_s{};
     std::vector<bool> counts{};  // which samples do
     double largest_force_mps2{};

@@ -78,6 +78,18 @@ class Consistency(support.WithRun):
             lines, is_doubtful = consistency.told(times_us, {**columns, name: factor * columns[name]})
             self.assertTrue(is_doubtful, (name, lines))
 
+    def test_a_unit_that_may_be_wrong_is_questioned(self):
+        times_us, columns = self.runs["slalom"]
+        for name, factor in (("speed", 1 / 1.609), ("speed", 1.609), ("speed", 1.852), ("roll_rate", 1 / 6.0), ("roll_rate", 6.0)):
+            lines, _ = consistency.told(times_us, {**columns, name: factor * columns[name]})
+            self.assertTrue(any("check the units" in line or "units is wrong" in line for line in lines), (name, factor, lines))
+
+    def test_right_units_are_not_questioned_in_turns_without_a_slide(self):
+        for manoeuvre in ("slalom", "slow-ramp"):
+            lines, is_doubtful = consistency.told(*self.runs[manoeuvre])
+            self.assertFalse(is_doubtful)
+            self.assertFalse([line for line in lines if "units" in line], lines)
+
     def test_gaps_are_not_crossed(self):
         times_us = numpy.concatenate([numpy.arange(0, 100), numpy.arange(120, 220)]) * consistency.STEP_US
         ramp = times_us / 1.0e6

@@ -112,22 +112,38 @@ class Validate(unittest.TestCase):
                              for counts, (_, lower, upper, predicted) in zip(counted, numbers))
                 self.assertAlmostEqual(float(row[column]), within / sum(counted), 3)
 
-    def test_a_drive_without_roll_angle_is_not_comparable(self):
-        folder = self.scratch / "without"
+    def judged_slalom(self, name, change):
+        """The slalom alone, each row of it changed: its row of drives.csv, and what was printed."""
+        folder = self.scratch / name
         folder.mkdir()
         shutil.copy(self.drives / "vehicle.toml", folder)
-        rows = rows_of(self.drives / "slalom.csv")
-        names = [name for name in rows[0] if "roll_angle" not in name]
+        rows = [change(row) for row in rows_of(self.drives / "slalom.csv")]
         with open(folder / "slalom.csv", "w", encoding="utf-8", newline="") as file:
-            writer = csv.DictWriter(file, names, extrasaction="ignore", lineterminator="\n")
+            writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)
-        result = validate(folder, self.scratch / "unknown", "--parameters", self.output / "identification/calibration.toml")
+        output = self.scratch / f"{name}_judged"
+        result = validate(folder, output, "--parameters", self.output / "identification/calibration.toml")
         self.assertEqual(result.returncode, 0, result.stderr)
-        row, = rows_of(self.scratch / "unknown/drives.csv")
+        judged, = rows_of(output / "drives.csv")
+        return judged, result.stdout
+
+    def test_a_drive_without_roll_angle_is_not_comparable(self):
+        row, said = self.judged_slalom(
+            "without", lambda row: {name: value for name, value in row.items() if "roll_angle" not in name})
         self.assertEqual((row["comparison"], row["roll_angle_within_share"]), ("not comparable", ""))
         self.assertIn("has no roll angle", row["reason"])
-        self.assertIn("No drive says anything of the calibration.", result.stdout)
+        self.assertIn("No drive says anything of the calibration.", said)
+
+    def test_a_wrong_sign_is_named(self):
+        def turned_over(row):
+            return row | {name: repr(-float(value)) for name, value in row.items() if "roll_angle" in name and value}
+
+        row, _ = self.judged_slalom("mirrored", turned_over)
+        self.assertEqual(row["comparison"], "outside")
+        self.assertIn("the roll angle runs against its prediction: check the signs", row["reason"])
+        for right in rows_of(self.output / "drives.csv"):
+            self.assertNotIn("check the signs", right["reason"])
 
     def test_what_is_missing_is_said(self):
         for names, text in (((), "there is no vehicle.toml"), (("vehicle.toml", "ramp.csv"), "there is no drive to check with"),
