@@ -232,6 +232,8 @@ TEST(AStranger, WhoSendsWhatOnlyThisControlUnitSendsIsToldOfAtOnceAndForASecond)
         const std::size_t from = bench.cycles().size();
         EXPECT_FALSE(tells(bench, 0U, code, Diagnosis::CodeStatus::confirmed));
         bench.send_foreign(frame);
+        frame.identifier = can_dbc::RolloverWarning::identifier + 1U;
+        bench.send_foreign(frame);  // somebody else's, behind it in the same cycle
         bench.run_cycles(1);
         EXPECT_TRUE(tells(bench, from, code, Diagnosis::CodeStatus::confirmed)) << identifier;
         EXPECT_EQ(bench.state(), State::ready) << "what the component says is as true as before";
