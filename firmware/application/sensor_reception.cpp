@@ -54,7 +54,7 @@ void SensorReception::receive(hal::CanBus& bus, std::uint32_t missed_cycles) noe
     }
     vertical_acceleration_sent_ =
         vertical_acceleration_sent_ ||
-        (imu_.received() && (imu_.latest().status.vertical_acceleration_mps2 != SignalStatus::not_available));
+        (imu_.latest().status.vertical_acceleration_mps2 != SignalStatus::not_available);
     roll_angle_delay_.update(imu_.latest_counter(), roll_angle_.latest_counter(),
                              roll_angle_.latest().value.roll_angle_deg * radians_per_degree,
                              imu_.latest().value.roll_rate_deg_per_s * radians_per_degree);
