@@ -144,6 +144,23 @@ def attributes_of(row, reference):
     return attributes, typed
 
 
+def add_types(root, rows, declare):
+    """`declare(types, name)` adds the element of an enumeration; the versions have it elsewhere."""
+    choices = [row for row in rows if row.kind == "choice"]
+    if choices:
+        types = ElementTree.SubElement(root, "TypeDefinitions")
+        for row in choices:
+            declared = declare(types, row.name)
+            for value, name in enumerate(row.choices):
+                ElementTree.SubElement(declared, "Item", name=name, value=str(value))
+
+
+def add_log_and_experiment(root):
+    ElementTree.SubElement(root, "LogCategories").append(
+        ElementTree.Element("Category", name="logStatusError", description="what was refused, and why"))
+    ElementTree.SubElement(root, "DefaultExperiment", startTime="0", stepSize=CYCLE_S)
+
+
 def fmi3(model, rows):
     root = common("3.0", model)
     root.set("instantiationToken", model.token)
@@ -151,16 +168,8 @@ def fmi3(model, rows):
                            fixedInternalStepSize=CYCLE_S, canGetAndSetFMUState="true",
                            canSerializeFMUState=str(model.serialises).lower())
     root.append(units_of(rows))
-    choices = [row for row in rows if row.kind == "choice"]
-    if choices:
-        types = ElementTree.SubElement(root, "TypeDefinitions")
-        for row in choices:
-            declared = ElementTree.SubElement(types, "EnumerationType", name=row.name)
-            for value, name in enumerate(row.choices):
-                ElementTree.SubElement(declared, "Item", name=name, value=str(value))
-    ElementTree.SubElement(root, "LogCategories").append(
-        ElementTree.Element("Category", name="logStatusError", description="what was refused, and why"))
-    ElementTree.SubElement(root, "DefaultExperiment", startTime="0", stepSize=CYCLE_S)
+    add_types(root, rows, lambda types, name: ElementTree.SubElement(types, "EnumerationType", name=name))
+    add_log_and_experiment(root)
     variables = ElementTree.SubElement(root, "ModelVariables")
     tags = {"number": "Float64", "integer": "Int32", "boolean": "Boolean", "text": "String", "choice": "Enumeration"}
     for reference, row in enumerate(rows):
@@ -191,17 +200,9 @@ def fmi2(model, rows, sources):
         for source in sources:
             ElementTree.SubElement(files, "File", name=source)
     root.append(units_of(rows))
-    choices = [row for row in rows if row.kind == "choice"]
-    if choices:
-        types = ElementTree.SubElement(root, "TypeDefinitions")
-        for row in choices:
-            simple = ElementTree.SubElement(types, "SimpleType", name=row.name)
-            declared = ElementTree.SubElement(simple, "Enumeration")
-            for value, name in enumerate(row.choices):
-                ElementTree.SubElement(declared, "Item", name=name, value=str(value))
-    ElementTree.SubElement(root, "LogCategories").append(
-        ElementTree.Element("Category", name="logStatusError", description="what was refused, and why"))
-    ElementTree.SubElement(root, "DefaultExperiment", startTime="0", stepSize=CYCLE_S)
+    add_types(root, rows, lambda types, name: ElementTree.SubElement(
+        ElementTree.SubElement(types, "SimpleType", name=name), "Enumeration"))
+    add_log_and_experiment(root)
     variables = ElementTree.SubElement(root, "ModelVariables")
     tags = {"number": "Real", "integer": "Integer", "boolean": "Boolean", "text": "String", "choice": "Enumeration"}
     for reference, row in enumerate(rows):
