@@ -100,7 +100,7 @@ void watch(const WatchRequest& request) {
         fmt::print("Open http://127.0.0.1:{}/ in a browser of this machine. Ctrl-C ends the drive.\n", port);
         std::fflush(stdout);
     });
-    session.close();
+    session.finish();
 }
 
 }  // namespace

@@ -94,10 +94,6 @@ void LiveSession::finish() {
     }
 }
 
-void LiveSession::close() {
-    finish();
-}
-
 void LiveSession::cycle() {
     if (paused_ || over_) {
         return;

@@ -43,8 +43,8 @@ class LiveSession {
     // oldest are dropped.
     std::string news();
 
-    // Finishes the drive; nothing may be called then.
-    void close();
+    // Ends the drive, if it is not over; only another one can follow.
+    void finish();
 
     static constexpr std::size_t most_waiting_rows = 1000U;
 
@@ -52,7 +52,6 @@ class LiveSession {
     class Watch;
 
     void start(double speed_kmh, double load_kg);
-    void finish();
     void add(const std::string& name, const std::string& json);
     std::string head() const;
 

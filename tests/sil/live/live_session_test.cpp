@@ -146,7 +146,7 @@ TEST_F(LiveSession, WarnsBeforeTheVehicleRollsOverToTheSideOfTheTurn) {
     const int driven = kept.cycles;
     cycles(session, 10);
     EXPECT_EQ(kept.cycles, driven) << "it lies on its side";
-    session.close();
+    session.finish();
     EXPECT_EQ(kept.finished, 2);
 }
 
