@@ -73,13 +73,13 @@ class FrameDelay {
 
     void follow(std::uint32_t imu_counter, std::uint32_t roll_counter, float roll_angle_rad,
                 float roll_rate_radps) noexcept {
+        calm_ = false;
         may_be_anew_ = may_be_anew_ || imu_.may_start_anew() || roll_.may_start_anew();
         imu_.follow(imu_counter);
         roll_.follow(roll_counter);
         if (roll_.is_new() && imu_.is_heard()) {
             judge(roll_angle_rad, roll_rate_radps);
         }
-        calm_ = imu_.is_new() && roll_.is_new();
     }
 
     void judge(float roll_angle_rad, float roll_rate_radps) noexcept {
@@ -101,6 +101,7 @@ class FrameDelay {
         if (imu_.silence < 2U) {
             ahead_in_time_ = ahead;
             may_be_anew_ = false;
+            calm_ = imu_.is_new();
         }
     }
 
@@ -108,7 +109,7 @@ class FrameDelay {
 
     Sender imu_{};
     Sender roll_{};
-    bool calm_{false};                 // both came in the last cycle
+    bool calm_{false};                 // both came in the last cycle, in time
     bool may_be_anew_{false};          // one of them, with another counter, since both were judged
     std::uint32_t ahead_in_time_{0U};  // of the IMU's counter, while neither is late
     monitoring::RollLag lag_{};

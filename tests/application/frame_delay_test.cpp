@@ -348,6 +348,19 @@ TEST(ASender, ThatIsHeldBackIsMeasuredFromWhereItWas) {
     }
 }
 
+TEST(ASender, ThatSendsAtOnceWhatItHasHeldBackIsInTime) {
+    for (const bool imu : {true, false}) {
+        Counters counters;
+        counters.run(20);
+        counters.hold_back(imu, 8);
+        counters.run(10);
+        ASSERT_TRUE(imu ? counters.delay.imu_is_late() : counters.delay.roll_angle_is_late());
+        (imu ? counters.imu_sent : counters.roll_sent) += 8U;
+        counters.run(1);
+        EXPECT_FALSE(counters.delay.imu_is_late() || counters.delay.roll_angle_is_late());
+    }
+}
+
 TEST(AnImu, IsNotLateWithARollAngleThatIsHeldBackLongAfterItWasSilentItself) {
     Counters counters;
     counters.run(20);
