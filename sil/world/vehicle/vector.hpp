@@ -16,8 +16,9 @@ template <typename Real>
 using Vector6Of = Eigen::Matrix<Real, 6, 1>;
 template <typename Real>
 using Matrix3Of = Eigen::Matrix<Real, 3, 3>;
+// Not aligned, so that nothing lies between the numbers of a vehicle.
 template <typename Real>
-using QuaternionOf = Eigen::Quaternion<Real>;
+using QuaternionOf = Eigen::Quaternion<Real, Eigen::DontAlign>;
 
 using Vector3 = Vector3Of<double>;
 using Matrix3 = Matrix3Of<double>;

@@ -51,6 +51,8 @@ class Vehicle {
     double mechanical_energy_j() const;
 
  private:
+    friend class VehicleBatch;  // steps the model in its place
+
     struct Ground {
         double height_m;  // below the CG
         Vector3 normal;
