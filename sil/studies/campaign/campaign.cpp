@@ -14,14 +14,12 @@
 namespace sil {
 namespace {
 
-// `traces`: their folder; empty where none are wanted.
-MadeRow drive(const CampaignWorld& world, std::uint64_t number, const std::filesystem::path& traces) {
+// `traces`: their folder.
+MadeRow drive_with_trace(const CampaignWorld& world, std::uint64_t number, const std::filesystem::path& traces) {
     try {
         RunTrace trace;
-        const CampaignRow row = world.run(number, traces.empty() ? nullptr : &trace);
-        if (!traces.empty()) {
-            trace.write(traces, row);
-        }
+        const CampaignRow row = world.run(number, &trace);
+        trace.write(traces, row);
         return {row_line(row), row.outcome.end_time_s};
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format("run {}: {}", number, error.what()));
@@ -48,8 +46,17 @@ RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path
         refuse_rows_without_traces(file, traces);
         make_folder(traces);
     }
-    const auto make = [&world, &traces](std::uint64_t number) { return drive(world, number, traces); };
-    return make_rows(file, {world.settings().runs, jobs, make}, stop, listener);
+    RowWork work{world.settings().runs, jobs};
+    if (with_traces) {
+        work.make = [&](std::uint64_t number) { return drive_with_trace(world, number, traces); };
+    } else {
+        work.make_together = [&](const NextRow& next, const RowTaker& take) {
+            world.run_together(next, [&take](const CampaignRow& row) {
+                take(row.draw.number, {row_line(row), row.outcome.end_time_s});
+            });
+        };
+    }
+    return make_rows(file, work, stop, listener);
 }
 
 }  // namespace sil

@@ -48,17 +48,26 @@ class Workers {
 
  private:
     void work_alone() {
-        while (!stop_ && !failed_) {
-            const std::size_t index = next_++;
-            if (index >= missing_.size()) {
+        try {
+            if (work_.make_together) {
+                work_.make_together([this] { return next_missing(); },
+                                    [this](std::uint64_t number, const MadeRow& row) { keep(number, row); });
                 return;
             }
-            try {
-                keep(missing_[index], work_.make(missing_[index]));
-            } catch (...) {
-                fail(std::current_exception());
+            while (const std::optional<std::uint64_t> number = next_missing()) {
+                keep(*number, work_.make(*number));
             }
+        } catch (...) {
+            fail(std::current_exception());
         }
+    }
+
+    std::optional<std::uint64_t> next_missing() {
+        if (stop_ || failed_) {
+            return std::nullopt;
+        }
+        const std::size_t index = next_++;
+        return index < missing_.size() ? std::optional{missing_[index]} : std::nullopt;
     }
 
     void keep(std::uint64_t number, const MadeRow& row) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sil/studies/campaign/row_file.hpp"
@@ -26,10 +27,16 @@ struct RowProgress {
 // Called after each finished row, by one thread at a time.
 using RowListener = std::function<void(const RowProgress&)>;
 
+// The number of the next row to make; nothing when there are no more.
+using NextRow = std::function<std::optional<std::uint64_t>()>;
+using RowTaker = std::function<void(std::uint64_t number, const MadeRow& row)>;
+
 struct RowWork {
     std::uint64_t total{0U};                              // rows, numbered from 0
     unsigned jobs{1U};                                    // threads; fewer when the system gives no more
     std::function<MadeRow(std::uint64_t number)> make{};  // by several threads at a time
+    // In its place, for rows that are made quicker together: all that `next` gives. By several threads at a time.
+    std::function<void(const NextRow& next, const RowTaker& take)> make_together{};
 };
 
 // Makes the rows that are missing and appends each to the file, which is sorted once all are there. Returns
