@@ -20,7 +20,7 @@ namespace sil {
 class CampaignWorld::IndexRecorder final : public RunObserver {
  public:
     IndexRecorder(const InProcessRun& run, const rsi::Parameters& parameters, RunObserver& also)
-        : run_{run}, parameters_{parameters}, also_{also} {
+        : run_{run}, parameters_{parameters}, readers_{parameters}, also_{also} {
         courses_.resize(campaign_indices().size());
     }
 
@@ -33,11 +33,11 @@ class CampaignWorld::IndexRecorder final : public RunObserver {
         }
         const rsi::Outputs& outputs = run_.outputs();
         const bool by_sensor = outputs.roll_source == RSI_ROLL_SENSOR;
-        const IndexSample sample{outputs, truth, parameters_,
+        const IndexSample sample{outputs, truth,
                                  by_sensor ? run_.inputs().roll_angle_rad : outputs.observed_roll_angle_rad};
         for (std::size_t i = 0U; i < courses_.size(); ++i) {
             courses_[i].times_s.push_back(truth.time_s);
-            courses_[i].risks.push_back(campaign_indices()[i].risk(sample));
+            courses_[i].risks.push_back(readers_.risk(i, sample));
         }
     }
 
@@ -64,6 +64,7 @@ class CampaignWorld::IndexRecorder final : public RunObserver {
  private:
     const InProcessRun& run_;
     const rsi::Parameters& parameters_;
+    const IndexReaders readers_;
     RunObserver& also_;
     OutcomeObserver outcome_{};
     std::uint64_t codes_{0U};

@@ -10,7 +10,8 @@
 namespace sil {
 
 // Each run has a lane of its own and goes on as InProcessRun::run() would drive it, to the bit, whoever is beside
-// it. All must step by Vehicle::nominal_step_s.
+// it. All must step by Vehicle::nominal_step_s. Within a cycle, drivers and RunObserver::step() see of the truth what
+// VehicleBatch calls motion.
 class RunBatch {
  public:
     static constexpr std::size_t lane_count = VehicleBatch::lane_count;
@@ -32,7 +33,7 @@ class RunBatch {
         RunObserver* observer{nullptr};
     };
 
-    void step_vehicles();
+    void step_vehicles(VehicleBatch::TruthWanted wanted);
 
     VehicleBatch vehicles_{};
     std::array<Member, lane_count> members_{};

@@ -18,17 +18,10 @@ class TruthBuilder {
     static BasicTruth<Real> build(const BasicVehicleParameters<Real>& parameters,
                                   const BasicFrontWheelPath<Real>& front_path, const BasicState<Real>& state,
                                   const BasicEvaluation<Real>& evaluation) {
-        BasicTruth<Real> truth;
-        truth.time_s = state.time_s;
-        truth.mass_kg = total_mass_kg(parameters);
-        truth.steering_wheel_angle_rad = evaluation.steering_wheel_angle_rad;
-        truth.road_wheel_angle_rad = evaluation.road_wheel.angle_rad;
-        write_attitude(state, evaluation, truth);
-        write_accelerations(state, evaluation, truth);
+        BasicTruth<Real> truth = motion(parameters, state, evaluation);
+        write_attitude(evaluation, truth);
         for (std::size_t i = 0; i < wheel_count; ++i) {
-            truth.wheel_load_n[i] = evaluation.wheels[i].load_n;
             truth.wheel_gap_m[i] = number::max(0.0, -evaluation.wheels[i].deflection_m);
-            truth.wheel_spin_radps[i] = state.wheel_spin_radps[i];
         }
         const Real at_wheel = 0.5 * parameters.geometry.track_width_m * number::sin(state.suspension[3]);
         truth.suspension_deflection_m = {state.suspension[0], state.suspension[1],
@@ -41,6 +34,30 @@ class TruthBuilder {
         return truth;
     }
 
+    // The part of it that drivers, inertial sensors and judges of a run look at in every step; the rest is no
+    // number.
+    static BasicTruth<Real> motion(const BasicVehicleParameters<Real>& parameters,
+                                   const BasicState<Real>& state, const BasicEvaluation<Real>& evaluation) {
+        BasicTruth<Real> truth;
+        truth.time_s = state.time_s;
+        truth.mass_kg = total_mass_kg(parameters);
+        truth.steering_wheel_angle_rad = evaluation.steering_wheel_angle_rad;
+        truth.road_wheel_angle_rad = evaluation.road_wheel.angle_rad;
+        write_place_and_speed(state, evaluation, truth);
+        write_accelerations(state, evaluation, truth);
+        for (std::size_t i = 0; i < wheel_count; ++i) {
+            truth.wheel_load_n[i] = evaluation.wheels[i].load_n;
+            truth.wheel_spin_radps[i] = state.wheel_spin_radps[i];
+        }
+        truth.pitch_angle_rad = truth.roll_to_horizon_rad = truth.bank_angle_rad = not_defined;
+        truth.wheel_gap_m.fill(not_defined);
+        truth.suspension_deflection_m.fill(not_defined);
+        truth.lateral_tyre_force_n = not_defined;
+        truth.roll_centre_height_m = truth.roll_centre_lateral_m = not_defined;
+        truth.roll_centre_kinematic_height_m = not_defined;
+        return truth;
+    }
+
  private:
     using Vector = Vector3Of<Real>;
 
@@ -49,23 +66,28 @@ class TruthBuilder {
     static constexpr double smallest_path_slope_sum =
         0.02;  // below it the kinematic roll centre is far away
 
-    static void write_attitude(const BasicState<Real>& state, const BasicEvaluation<Real>& evaluation,
-                               BasicTruth<Real>& truth) {
+    static void write_place_and_speed(const BasicState<Real>& state, const BasicEvaluation<Real>& evaluation,
+                                      BasicTruth<Real>& truth) {
         const Matrix3Of<Real>& rotation = evaluation.rotation;
         const Vector& normal = evaluation.road_normal;
-        const Vector left = normal.cross(evaluation.heading);
         truth.position_x_m = state.position.x();
         truth.position_y_m = state.position.y();
         truth.position_z_m = state.position.z();
         truth.yaw_angle_rad = number::atan2(evaluation.heading.y(), evaluation.heading.x());
         truth.roll_angle_rad =
             number::atan2(dot3(rotation.col(1), normal), dot3(rotation.col(2), normal));
+        const Vector velocity = product(rotation, state.velocity);
+        truth.speed_mps = dot3(velocity, evaluation.heading);
+        truth.lateral_velocity_mps = dot3(velocity, normal.cross(evaluation.heading));
+    }
+
+    static void write_attitude(const BasicEvaluation<Real>& evaluation, BasicTruth<Real>& truth) {
+        const Matrix3Of<Real>& rotation = evaluation.rotation;
+        const Vector& normal = evaluation.road_normal;
+        const Vector left = normal.cross(evaluation.heading);
         truth.pitch_angle_rad = -number::asin(number::clamp(dot3(rotation.col(0), normal), -1.0, 1.0));
         truth.roll_to_horizon_rad = number::atan2(rotation(2, 1), rotation(2, 2));
         truth.bank_angle_rad = number::atan2(left.z(), normal.z());
-        const Vector velocity = product(rotation, state.velocity);
-        truth.speed_mps = dot3(velocity, evaluation.heading);
-        truth.lateral_velocity_mps = dot3(velocity, left);
     }
 
     static void write_accelerations(const BasicState<Real>& state, const BasicEvaluation<Real>& evaluation,

@@ -75,29 +75,33 @@ class Roads {
 // How all lanes step, with everything taken in by `flatten`, so that all of it is compiled for the processor that
 // is named. None of them fuses a*b+c, so all give the same bits.
 struct VehicleBatch::State {
+    using Step = void(State&, double, TruthWanted);
+
     VehicleModel<Lanes> model{BasicVehicleParameters<Lanes>{}};
     BasicDriverInput<Lanes> input{};
     BasicTruth<Lanes> truth{};
     Roads roads{};
     std::array<Vehicle*, lane_count> vehicles{};
-    void (*step)(State&, double){fitting_step()};
+    Step* step{fitting_step()};
 
-    void step_all(double step_s) {
+    void step_all(double step_s, TruthWanted wanted) {
         model.step(input, step_s, roads);
-        truth = model.truth();
+        truth = wanted == TruthWanted::all ? model.truth() : model.motion();
     }
-    [[gnu::flatten]] static void step_anywhere(State& state, double step_s) { state.step_all(step_s); }
+    [[gnu::flatten]] static void step_anywhere(State& state, double step_s, TruthWanted wanted) {
+        state.step_all(step_s, wanted);
+    }
 #ifdef RSI_X86_CLONES
-    [[gnu::flatten, gnu::target("avx2")]] static void step_avx2(State& state, double step_s) {
-        state.step_all(step_s);
+    [[gnu::flatten, gnu::target("avx2")]] static void step_avx2(State& state, double step_s, TruthWanted wanted) {
+        state.step_all(step_s, wanted);
     }
     [[gnu::flatten, gnu::target("avx512f,avx512dq,avx512vl,avx512bw")]] static void step_avx512(
-        State& state, double step_s) {
-        state.step_all(step_s);
+        State& state, double step_s, TruthWanted wanted) {
+        state.step_all(step_s, wanted);
     }
 #endif
 
-    static auto fitting_step() -> void (*)(State&, double) {
+    static Step* fitting_step() {
 #ifdef RSI_X86_CLONES
         if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
@@ -126,11 +130,12 @@ void VehicleBatch::leave(std::size_t lane) {
     state_->vehicles[lane] = nullptr;
 }
 
-void VehicleBatch::step(const std::array<DriverInput, lane_count>& inputs, double step_s) {
+void VehicleBatch::step(const std::array<DriverInput, lane_count>& inputs, double step_s,
+                        TruthWanted wanted) {
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         write_lane<BasicDriverInput>(state_->input, lane, inputs[lane]);
     }
-    state_->step(*state_, step_s);
+    state_->step(*state_, step_s, wanted);
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         if (state_->vehicles[lane] != nullptr) {
             read_lane<BasicTruth>(state_->truth, lane, state_->vehicles[lane]->truth_);

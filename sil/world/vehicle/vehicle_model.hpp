@@ -59,6 +59,8 @@ struct VehicleModel {
         return TruthBuilder<Real>::build(parameters, front_path, state, evaluation);
     }
 
+    BasicTruth<Real> motion() const { return TruthBuilder<Real>::motion(parameters, state, evaluation); }
+
     Vector front_wheel_position(int wheel) const {
         const Real jounce = state.suspension[static_cast<std::size_t>(wheel)];
         return {parameters.geometry.front_axle_to_cg_m,
