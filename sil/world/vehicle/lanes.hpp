@@ -2,23 +2,31 @@
 // works lane by lane and rounds as the same operation does on a double, so a vehicle's results do not depend on
 // who is beside it.
 //
-// For vehicle_batch.cpp alone, which compiles all that uses it into one function for each kind of processor.
+// For lane_step.inl alone, which is compiled once for each kind of processor, named by RSI_PROCESSOR: all that is of
+// Lanes has a name of its own for each, so that no processor ever meets the instructions of another.
 #pragma once
+
+#ifndef RSI_PROCESSOR
+#error "included by lane_step.inl alone"
+#endif
 
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include <Eigen/Core>
 
+#include "sil/world/vehicle/lane_count.hpp"
 #include "sil/world/vehicle/number.hpp"
 
 namespace sil {
+namespace RSI_PROCESSOR {
 
 class LaneMask;
 
 class Lanes {
  public:
-    static constexpr std::size_t count = 8;
+    static constexpr std::size_t count = lane_count;
     using Register = double __attribute__((vector_size(count * sizeof(double))));
 
     Lanes() = default;
@@ -60,6 +68,10 @@ class LaneMask {
  public:
     using Register = long long __attribute__((vector_size(Lanes::count * sizeof(long long))));
 
+    // A comparison is written as a choice between these two, for which there are instructions everywhere.
+    static constexpr Register everywhere{-1, -1, -1, -1, -1, -1, -1, -1};
+    static constexpr Register nowhere{};
+
     [[gnu::always_inline]] LaneMask(const Register& lanes) : lanes_{lanes} {}
     const Register& lanes() const { return lanes_; }
 
@@ -85,19 +97,75 @@ class LaneMask {
 };
 
 [[gnu::always_inline]] inline LaneMask operator<(const Lanes& a, const Lanes& b) {
-    return LaneMask::Register(a.lanes() < b.lanes());
+    return a.lanes() < b.lanes() ? LaneMask::everywhere : LaneMask::nowhere;
 }
 [[gnu::always_inline]] inline LaneMask operator>(const Lanes& a, const Lanes& b) {
-    return LaneMask::Register(a.lanes() > b.lanes());
+    return a.lanes() > b.lanes() ? LaneMask::everywhere : LaneMask::nowhere;
 }
 [[gnu::always_inline]] inline LaneMask operator<=(const Lanes& a, const Lanes& b) {
-    return LaneMask::Register(a.lanes() <= b.lanes());
+    return a.lanes() <= b.lanes() ? LaneMask::everywhere : LaneMask::nowhere;
 }
+
+// Lane after lane through memory, which costs less than to take registers apart.
+struct LaneArray {
+    alignas(sizeof(Lanes)) double values[Lanes::count];
+
+    [[gnu::always_inline]] explicit LaneArray(const Lanes& lanes) {
+        const Lanes::Register all = lanes.lanes();
+        std::memcpy(values, &all, sizeof(values));
+    }
+    [[gnu::always_inline]] Lanes lanes() const {
+        Lanes::Register all;
+        std::memcpy(&all, values, sizeof(values));
+        return all;
+    }
+};
+
+// The library's functions, lane after lane: a vector library's would round otherwise. Not taken in, for a call from
+// among vector instructions costs more than from a function that has none.
+template <double function(double)>
+[[gnu::noinline]] inline void replace_each(double (&values)[Lanes::count]) {
+    for (double& value : values) {
+        value = function(value);
+    }
+}
+template <double function(double)>
+[[gnu::always_inline]] inline Lanes each(const Lanes& value) {
+    LaneArray all{value};
+    replace_each<function>(all.values);
+    return all.lanes();
+}
+template <double function(double, double)>
+[[gnu::noinline]] inline void replace_each(double (&first)[Lanes::count], const double (&second)[Lanes::count]) {
+    for (std::size_t i = 0; i < Lanes::count; ++i) {
+        first[i] = function(first[i], second[i]);
+    }
+}
+template <double function(double, double)>
+[[gnu::always_inline]] inline Lanes each(const Lanes& first, const Lanes& second) {
+    LaneArray all{first};
+    replace_each<function>(all.values, LaneArray{second}.values);
+    return all.lanes();
+}
+
+[[gnu::noinline]] inline void sines_and_cosines(double (&values)[Lanes::count], double (&cosines)[Lanes::count]) {
+    for (std::size_t i = 0; i < Lanes::count; ++i) {
+        const double angle = values[i];
+        values[i] = std::sin(angle);
+        cosines[i] = std::cos(angle);
+    }
+}
+}  // namespace RSI_PROCESSOR
 
 namespace number {
 
+using RSI_PROCESSOR::Lanes;
+using RSI_PROCESSOR::LaneArray;
+using RSI_PROCESSOR::LaneMask;
+using RSI_PROCESSOR::each;
+
 [[gnu::always_inline]] inline Lanes choose(const LaneMask& condition, const Lanes& if_true, const Lanes& if_false) {
-    return condition.lanes() ? if_true.lanes() : if_false.lanes();
+    return condition.lanes() != LaneMask::nowhere ? if_true.lanes() : if_false.lanes();
 }
 [[gnu::always_inline]] inline bool any(const LaneMask& condition) {
     return condition.any();
@@ -122,83 +190,55 @@ namespace number {
     return Lanes::Register(LaneMask::Register(value.lanes()) & all_but_sign);
 }
 
-// Loops over plain arrays, which the compiler makes one instruction where there is one.
 [[gnu::always_inline]] inline Lanes sqrt(const Lanes& value) {
-    Lanes::Register result{};
-    for (std::size_t i = 0; i < Lanes::count; ++i) {
-        result[i] = std::sqrt(value[i]);
+    LaneArray all{value};
+    for (double& one : all.values) {
+        one = std::sqrt(one);  // one instruction for as many as a register holds
     }
-    return result;
+    return all.lanes();
 }
 
-// The library's functions, lane after lane: a vector library's would round otherwise.
-template <double function(double)>
-[[gnu::always_inline]] inline Lanes each(const Lanes& value) {
-    double values[Lanes::count];
-    for (std::size_t i = 0; i < Lanes::count; ++i) {
-        values[i] = value[i];
-    }
-    Lanes::Register result{};
-    for (std::size_t i = 0; i < Lanes::count; ++i) {
-        result[i] = function(values[i]);
-    }
-    return result;
+[[gnu::always_inline]] inline Lanes sin(const Lanes& value) {
+    return each<std::sin>(value);
 }
-template <double function(double, double)>
-[[gnu::always_inline]] inline Lanes each(const Lanes& a, const Lanes& b) {
-    Lanes::Register result{};
-    for (std::size_t i = 0; i < Lanes::count; ++i) {
-        result[i] = function(a[i], b[i]);
-    }
-    return result;
+[[gnu::always_inline]] inline Lanes tan(const Lanes& value) {
+    return each<std::tan>(value);
+}
+[[gnu::always_inline]] inline Lanes asin(const Lanes& value) {
+    return each<std::asin>(value);
+}
+[[gnu::always_inline]] inline Lanes atan(const Lanes& value) {
+    return each<std::atan>(value);
+}
+[[gnu::always_inline]] inline Lanes atan2(const Lanes& y, const Lanes& x) {
+    return each<std::atan2>(y, x);
+}
+[[gnu::always_inline]] inline Lanes hypot(const Lanes& x, const Lanes& y) {
+    return each<std::hypot>(x, y);
 }
 
-inline Lanes sin(const Lanes& value) {
-    return each<number::sin>(value);
-}
-inline Lanes tan(const Lanes& value) {
-    return each<number::tan>(value);
-}
-inline Lanes asin(const Lanes& value) {
-    return each<number::asin>(value);
-}
-inline Lanes atan(const Lanes& value) {
-    return each<number::atan>(value);
-}
-inline Lanes atan2(const Lanes& y, const Lanes& x) {
-    return each<number::atan2>(y, x);
-}
-inline Lanes hypot(const Lanes& x, const Lanes& y) {
-    return each<number::hypot>(x, y);
-}
-inline void sin_and_cos(const Lanes& value, Lanes& sine, Lanes& cosine) {
-    Lanes::Register sines{};
-    Lanes::Register cosines{};
-    for (std::size_t i = 0; i < Lanes::count; ++i) {
-        double one_sine;
-        double one_cosine;
-        number::sin_and_cos(value[i], one_sine, one_cosine);
-        sines[i] = one_sine;
-        cosines[i] = one_cosine;
-    }
-    sine = sines;
-    cosine = cosines;
+[[gnu::always_inline]] inline void sin_and_cos(const Lanes& value, Lanes& sine, Lanes& cosine) {
+    LaneArray sines{value};
+    LaneArray cosines{value};
+    RSI_PROCESSOR::sines_and_cosines(sines.values, cosines.values);
+    sine = sines.lanes();
+    cosine = cosines.lanes();
 }
 
 }  // namespace number
 }  // namespace sil
 
 template <>
-struct Eigen::NumTraits<sil::Lanes> : Eigen::GenericNumTraits<double> {
-    using Real = sil::Lanes;
-    using NonInteger = sil::Lanes;
-    using Nested = sil::Lanes;
+struct Eigen::NumTraits<sil::RSI_PROCESSOR::Lanes> : Eigen::GenericNumTraits<double> {
+    using Real = sil::RSI_PROCESSOR::Lanes;
+    using NonInteger = sil::RSI_PROCESSOR::Lanes;
+    using Nested = sil::RSI_PROCESSOR::Lanes;
 };
 template <typename Operation>
-struct Eigen::ScalarBinaryOpTraits<double, sil::Lanes, Operation> {
-    using ReturnType = sil::Lanes;
+struct Eigen::ScalarBinaryOpTraits<double, sil::RSI_PROCESSOR::Lanes, Operation> {
+    using ReturnType = sil::RSI_PROCESSOR::Lanes;
 };
 template <typename Operation>
-struct Eigen::ScalarBinaryOpTraits<sil::Lanes, double, Operation> {
-    using ReturnType = sil::Lanes;
+struct Eigen::ScalarBinaryOpTraits<sil::RSI_PROCESSOR::Lanes, double, Operation> {
+    using ReturnType = sil::RSI_PROCESSOR::Lanes;
 };

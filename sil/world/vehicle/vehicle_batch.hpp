@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "sil/world/vehicle/driver_input.hpp"
+#include "sil/world/vehicle/lane_count.hpp"
 
 namespace sil {
 
@@ -15,7 +16,7 @@ class Vehicle;
 // it were alone, to the bit. No heap use and no exception after construction.
 class VehicleBatch {
  public:
-    static constexpr std::size_t lane_count = 8;
+    static constexpr std::size_t lane_count = sil::lane_count;
 
     VehicleBatch();
     ~VehicleBatch();

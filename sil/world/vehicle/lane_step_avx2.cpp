@@ -1,0 +1,9 @@
+// Lane step: compiled for x86 with AVX2.
+#define RSI_PROCESSOR avx2_lanes
+#include "sil/world/vehicle/lane_step.inl"
+
+LaneStep avx2_lane_step() {
+    return {make, step};
+}
+
+}  // namespace sil

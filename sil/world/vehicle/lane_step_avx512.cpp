@@ -1,0 +1,9 @@
+// Lane step: compiled for x86 with AVX-512.
+#define RSI_PROCESSOR avx512_lanes
+#include "sil/world/vehicle/lane_step.inl"
+
+LaneStep avx512_lane_step() {
+    return {make, step};
+}
+
+}  // namespace sil

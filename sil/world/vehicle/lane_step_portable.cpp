@@ -1,0 +1,9 @@
+// Lane step: compiled for any processor.
+#define RSI_PROCESSOR portable_lanes
+#include "sil/world/vehicle/lane_step.inl"
+
+LaneStep portable_lane_step() {
+    return {make, step};
+}
+
+}  // namespace sil
