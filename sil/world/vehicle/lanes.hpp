@@ -156,8 +156,13 @@ template <double function(double, double)>
     }
 }
 }  // namespace RSI_PROCESSOR
+}  // namespace sil
 
-namespace number {
+#ifdef __FMA__
+#include "sil/world/vehicle/lane_functions.hpp"
+#endif
+
+namespace sil::number {
 
 using RSI_PROCESSOR::Lanes;
 using RSI_PROCESSOR::LaneArray;
@@ -199,7 +204,11 @@ using RSI_PROCESSOR::each;
 }
 
 [[gnu::always_inline]] inline Lanes sin(const Lanes& value) {
+#ifdef __FMA__
+    return RSI_PROCESSOR::library_sin(value, function_tables());
+#else
     return each<std::sin>(value);
+#endif
 }
 [[gnu::always_inline]] inline Lanes tan(const Lanes& value) {
     return each<std::tan>(value);
@@ -208,7 +217,11 @@ using RSI_PROCESSOR::each;
     return each<std::asin>(value);
 }
 [[gnu::always_inline]] inline Lanes atan(const Lanes& value) {
+#ifdef __FMA__
+    return RSI_PROCESSOR::library_atan(value, function_tables());
+#else
     return each<std::atan>(value);
+#endif
 }
 [[gnu::always_inline]] inline Lanes atan2(const Lanes& y, const Lanes& x) {
     return each<std::atan2>(y, x);
@@ -218,15 +231,18 @@ using RSI_PROCESSOR::each;
 }
 
 [[gnu::always_inline]] inline void sin_and_cos(const Lanes& value, Lanes& sine, Lanes& cosine) {
+#ifdef __FMA__
+    RSI_PROCESSOR::library_sin_and_cos(value, function_tables(), sine, cosine);
+#else
     LaneArray sines{value};
     LaneArray cosines{value};
     RSI_PROCESSOR::sines_and_cosines(sines.values, cosines.values);
     sine = sines.lanes();
     cosine = cosines.lanes();
+#endif
 }
 
-}  // namespace number
-}  // namespace sil
+}  // namespace sil::number
 
 template <>
 struct Eigen::NumTraits<sil::RSI_PROCESSOR::Lanes> : Eigen::GenericNumTraits<double> {

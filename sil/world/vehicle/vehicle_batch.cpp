@@ -24,11 +24,12 @@ const Part truth{offsetof(OfOne, truth) / sizeof(double), sizeof(OfOne::truth) /
 
 LaneStep lane_step() {
 #ifdef RSI_X86_LANE_STEPS
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+    const bool fused = __builtin_cpu_supports("fma");
+    if (fused && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
         return avx512_lane_step();
     }
-    if (__builtin_cpu_supports("avx2")) {
+    if (fused && __builtin_cpu_supports("avx2")) {
         return avx2_lane_step();
     }
 #endif
