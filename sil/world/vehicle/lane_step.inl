@@ -1,6 +1,7 @@
 // Lane step for the processor that RSI_PROCESSOR names, with whose options the source is compiled that includes this.
 // What is here must leave no function to the linker that others could take for theirs; tests/sil/vehicle checks that.
 #define EIGEN_DONT_VECTORIZE  // lanes are in vectors already, and its code for doubles would be the processor's
+#include <cstring>
 #include <new>
 
 // Before the equations, which use what it declares.
@@ -70,6 +71,29 @@ void step(double* numbers, const Road* const* roads, double step_s, bool whole_t
     Numbers& all = *std::launder(reinterpret_cast<Numbers*>(numbers));
     all.model.step(all.input, step_s, Roads{roads});
     all.truth = whole_truth ? all.model.truth() : all.model.motion();
+}
+
+Lanes lanes_at(const double* values) {
+    Lanes::Register all;
+    std::memcpy(&all, values, sizeof(all));
+    return all;
+}
+void put(const Lanes& lanes, double* values) {
+    std::memcpy(values, LaneArray{lanes}.values, sizeof(Lanes));
+}
+
+void atan(double* values) {
+    put(number::atan(lanes_at(values)), values);
+}
+void sin(double* values) {
+    put(number::sin(lanes_at(values)), values);
+}
+void sin_and_cos(double* values, double* cosines) {
+    Lanes sine;
+    Lanes cosine;
+    number::sin_and_cos(lanes_at(values), sine, cosine);
+    put(sine, values);
+    put(cosine, cosines);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "sil/world/vehicle/lane_step.inl"
 
 LaneStep avx2_lane_step() {
-    return {make, step};
+    return {"AVX2", make, step, atan, sin, sin_and_cos};
 }
 
 }  // namespace sil

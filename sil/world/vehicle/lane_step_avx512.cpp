@@ -3,7 +3,7 @@
 #include "sil/world/vehicle/lane_step.inl"
 
 LaneStep avx512_lane_step() {
-    return {make, step};
+    return {"AVX-512", make, step, atan, sin, sin_and_cos};
 }
 
 }  // namespace sil

@@ -3,7 +3,7 @@
 #include "sil/world/vehicle/lane_step.inl"
 
 LaneStep portable_lane_step() {
-    return {make, step};
+    return {"any processor", make, step, atan, sin, sin_and_cos};
 }
 
 }  // namespace sil

@@ -21,6 +21,7 @@ struct BasicTyreForces {
     Real longitudinal_n{0.0};  // forward
     Real lateral_n{0.0};       // left
 };
+using TyreForces = BasicTyreForces<double>;
 
 template <typename Real>
 class BasicTyre {

@@ -1,7 +1,7 @@
 #include "sil/world/vehicle/vehicle_batch.hpp"
 
+#include <cstddef>
 #include <cstring>
-#include <type_traits>
 
 #include "sil/world/vehicle/lane_step.hpp"
 #include "sil/world/vehicle/vehicle.hpp"
@@ -22,27 +22,29 @@ const Part truth{offsetof(OfOne, truth) / sizeof(double), sizeof(OfOne::truth) /
 
 }  // namespace
 
-LaneStep lane_step() {
+std::vector<LaneStep> lane_steps() {
+    std::vector<LaneStep> all;
 #ifdef RSI_X86_LANE_STEPS
     const bool fused = __builtin_cpu_supports("fma");
     if (fused && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
-        return avx512_lane_step();
+        all.push_back(avx512_lane_step());
     }
     if (fused && __builtin_cpu_supports("avx2")) {
-        return avx2_lane_step();
+        all.push_back(avx2_lane_step());
     }
 #endif
-    return portable_lane_step();
+    all.push_back(portable_lane_step());
+    return all;
 }
 
 struct VehicleBatch::State {
-    LaneStep lane_step{sil::lane_step()};
+    LaneStep lane_step;
     alignas(lane_alignment) double numbers[stepped_number_count * lane_count];
     std::array<const Road*, lane_count> roads{};
     std::array<Vehicle*, lane_count> vehicles{};
 
-    State() { lane_step.make(numbers); }
+    explicit State(const LaneStep& step) : lane_step{step} { lane_step.make(numbers); }
 
     void write(Part part, std::size_t lane, const void* one) {
         const auto* from = static_cast<const std::byte*>(one);
@@ -60,7 +62,8 @@ struct VehicleBatch::State {
     }
 };
 
-VehicleBatch::VehicleBatch() : state_{std::make_unique<State>()} {}
+VehicleBatch::VehicleBatch() : VehicleBatch{lane_steps().front()} {}
+VehicleBatch::VehicleBatch(const LaneStep& step) : state_{std::make_unique<State>(step)} {}
 VehicleBatch::~VehicleBatch() = default;
 
 void VehicleBatch::enter(std::size_t lane, Vehicle& vehicle) {

@@ -11,6 +11,7 @@
 namespace sil {
 
 class Vehicle;
+struct LaneStep;
 
 // The vehicles are those of their owners, of any parameters, on any roads and at any times; each goes on as if
 // it were alone, to the bit. No heap use and no exception after construction.
@@ -18,7 +19,8 @@ class VehicleBatch {
  public:
     static constexpr std::size_t lane_count = sil::lane_count;
 
-    VehicleBatch();
+    VehicleBatch();  // by the best of this machine
+    explicit VehicleBatch(const LaneStep& step);
     ~VehicleBatch();
     VehicleBatch(const VehicleBatch&) = delete;
     VehicleBatch& operator=(const VehicleBatch&) = delete;

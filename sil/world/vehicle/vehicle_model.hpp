@@ -246,7 +246,7 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
 
     result.deflection_m = contact.deflection_m;
     result.load_n =
-        number::choose(contact.cosine > flattest_upright,
+        number::choose(contact.upright(),
                        tyre.vertical_force_n(contact.deflection_m, -dot3(velocity, normal)), 0.0);
     tyre.advance(state.slip[index], forward_speed, spin * loaded_radius - forward_speed,
                  dot3(velocity, contact.left), step_s);
