@@ -52,7 +52,7 @@ RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path
     } else {
         work.make_together = [&](const NextRow& next, const RowTaker& take) {
             world.run_together(next, [&take](const CampaignRow& row) {
-                take(row.draw.number, {row_line(row), row.outcome.end_time_s});
+                return take(row.draw.number, {row_line(row), row.outcome.end_time_s});
             });
         };
     }

@@ -139,16 +139,16 @@ CampaignRow CampaignWorld::run(std::uint64_t number, RunWatch* watch) const {
 // The lanes of one thread.
 class CampaignWorld::Lanes {
  public:
-    Lanes(const CampaignWorld& world, const NextRun& next, const RowTaker& take)
+    Lanes(const CampaignWorld& world, const NextRun& next, const TakeRow& take)
         : world_{world}, next_{next}, take_{take} {}
 
     void drive() {
         for (std::size_t lane = 0U; lane < drives_.size(); ++lane) {
             fill(lane);
         }
-        while (std::any_of(drives_.begin(), drives_.end(), [](const auto& drive) { return drive != nullptr; })) {
+        while (wanted_ && std::any_of(drives_.begin(), drives_.end(), [](const auto& drive) { return drive != nullptr; })) {
             const auto ended = cycle();
-            for (std::size_t lane = 0U; lane < drives_.size(); ++lane) {
+            for (std::size_t lane = 0U; wanted_ && lane < drives_.size(); ++lane) {
                 if (ended[lane]) {
                     finish(lane);
                     fill(lane);
@@ -163,7 +163,7 @@ class CampaignWorld::Lanes {
     }
 
     void fill(std::size_t lane) {
-        while (!drives_[lane]) {
+        while (wanted_ && !drives_[lane]) {
             const std::optional<std::uint64_t> number = next_();
             if (!number) {
                 return;
@@ -188,18 +188,19 @@ class CampaignWorld::Lanes {
     }
 
     void finish(std::size_t lane) {
-        take_(drives_[lane]->row());
+        wanted_ = take_(drives_[lane]->row());
         drives_[lane].reset();
     }
 
     const CampaignWorld& world_;
     const NextRun& next_;
-    const RowTaker& take_;
+    const TakeRow& take_;
     std::array<std::unique_ptr<Drive>, RunBatch::lane_count> drives_{};
     RunBatch batch_{};
+    bool wanted_{true};
 };
 
-void CampaignWorld::run_together(const NextRun& next, const RowTaker& take) const {
+void CampaignWorld::run_together(const NextRun& next, const TakeRow& take) const {
     Lanes{*this, next, take}.drive();
 }
 

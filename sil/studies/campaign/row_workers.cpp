@@ -51,7 +51,10 @@ class Workers {
         try {
             if (work_.make_together) {
                 work_.make_together([this] { return next_missing(); },
-                                    [this](std::uint64_t number, const MadeRow& row) { keep(number, row); });
+                                    [this](std::uint64_t number, const MadeRow& row) {
+                                        keep(number, row);
+                                        return !stop_ && !failed_;
+                                    });
                 return;
             }
             while (const std::optional<std::uint64_t> number = next_missing()) {

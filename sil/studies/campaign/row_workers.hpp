@@ -29,7 +29,8 @@ using RowListener = std::function<void(const RowProgress&)>;
 
 // The number of the next row to make; nothing when there are no more.
 using NextRow = std::function<std::optional<std::uint64_t>()>;
-using RowTaker = std::function<void(std::uint64_t number, const MadeRow& row)>;
+// Takes a row that was made; false: no more of them are wanted, not even of those that have been begun.
+using RowTaker = std::function<bool(std::uint64_t number, const MadeRow& row)>;
 
 struct RowWork {
     std::uint64_t total{0U};                              // rows, numbered from 0

@@ -48,7 +48,10 @@ void campaign_runs_together(benchmark::State& state) {
     for (auto _ : state) {
         std::uint64_t number = 0U;
         world().run_together([&] { return number < run_count ? std::optional{number++} : std::nullopt; },
-                             [&](const sil::CampaignRow& row) { simulated_s += row.outcome.end_time_s; });
+                             [&](const sil::CampaignRow& row) {
+                                 simulated_s += row.outcome.end_time_s;
+                                 return true;
+                             });
     }
     count_time(state, simulated_s);
 }
