@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <filesystem>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/studies/campaign/learning_drive.hpp"
+#include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 #include "sil/world/simulation/run_batch.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
@@ -89,9 +91,9 @@ CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{setti
 // One run with what watches it.
 class CampaignWorld::Drive {
  public:
-    Drive(const CampaignWorld& world, std::uint64_t number, RunWatch* watch)
+    Drive(const CampaignWorld& world, DrawnRun drawn, RunWatch* watch)
         : world_{world},
-          drawn_{world.prepare(number)},
+          drawn_{std::move(drawn)},
           run_{drawn_.vehicle,     drawn_.manoeuvre, drawn_.options,           drawn_.sensors,
                drawn_.calibration, nullptr,          world.learnt_before(drawn_)},
           recorder_{run_, drawn_.calibration, watch != nullptr ? static_cast<RunObserver&>(*watch) : nobody_} {
@@ -131,7 +133,7 @@ class CampaignWorld::Drive {
 };
 
 CampaignRow CampaignWorld::run(std::uint64_t number, RunWatch* watch) const {
-    Drive drive{*this, number, watch};
+    Drive drive{*this, prepare(number), watch};
     drive.run().run(drive.observer());
     return drive.row();
 }
@@ -162,19 +164,46 @@ class CampaignWorld::Lanes {
         throw std::runtime_error("run " + std::to_string(number) + ": " + error.what());
     }
 
-    void fill(std::size_t lane) {
-        while (wanted_ && !drives_[lane]) {
+    // Draws as many runs as there are lanes, and finds together what their drivers ask for.
+    void draw_ahead() {
+        while (drawn_.size() < RunBatch::lane_count) {
             const std::optional<std::uint64_t> number = next_();
             if (!number) {
-                return;
+                break;
             }
             try {
-                drives_[lane] = std::make_unique<Drive>(world_, *number, nullptr);
+                drawn_.push_back(world_.prepare(*number));
+            } catch (const std::exception& error) {
+                fail(*number, error);
+            }
+        }
+        std::vector<const VehicleParameters*> vehicles;
+        for (const DrawnRun& drawn : drawn_) {
+            if (drawn.manoeuvre.asks_for_handwheel_angle) {
+                vehicles.push_back(&drawn.vehicle);
+            }
+        }
+        find_handwheel_angles_ahead(vehicles);
+    }
+
+    void fill(std::size_t lane) {
+        while (wanted_ && !drives_[lane]) {
+            if (drawn_.empty()) {
+                draw_ahead();
+            }
+            if (drawn_.empty()) {
+                return;
+            }
+            DrawnRun drawn = std::move(drawn_.front());
+            drawn_.pop_front();
+            const std::uint64_t number = drawn.draw.number;
+            try {
+                drives_[lane] = std::make_unique<Drive>(world_, std::move(drawn), nullptr);
                 if (!batch_.begin(lane, drives_[lane]->run(), drives_[lane]->observer())) {
                     finish(lane);
                 }
             } catch (const std::exception& error) {
-                fail(*number, error);
+                fail(number, error);
             }
         }
     }
@@ -195,6 +224,7 @@ class CampaignWorld::Lanes {
     const CampaignWorld& world_;
     const NextRun& next_;
     const TakeRow& take_;
+    std::deque<DrawnRun> drawn_{};  // not yet begun
     std::array<std::unique_ptr<Drive>, RunBatch::lane_count> drives_{};
     RunBatch batch_{};
     bool wanted_{true};
