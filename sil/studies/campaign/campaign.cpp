@@ -15,7 +15,8 @@ namespace sil {
 namespace {
 
 // `traces`: their folder.
-MadeRow drive_with_trace(const CampaignWorld& world, std::uint64_t number, const std::filesystem::path& traces) {
+MadeRow drive_with_trace(const CampaignWorld& world, std::uint64_t number,
+                         const std::filesystem::path& traces) {
     try {
         RunTrace trace;
         const CampaignRow row = world.run(number, &trace);

@@ -94,9 +94,10 @@ class CampaignWorld::Drive {
     Drive(const CampaignWorld& world, DrawnRun drawn, RunWatch* watch)
         : world_{world},
           drawn_{std::move(drawn)},
-          run_{drawn_.vehicle,     drawn_.manoeuvre, drawn_.options,           drawn_.sensors,
-               drawn_.calibration, nullptr,          world.learnt_before(drawn_)},
-          recorder_{run_, drawn_.calibration, watch != nullptr ? static_cast<RunObserver&>(*watch) : nobody_} {
+          run_{drawn_.vehicle, drawn_.manoeuvre,           drawn_.options, drawn_.sensors, drawn_.calibration,
+               nullptr,        world.learnt_before(drawn_)},
+          recorder_{run_, drawn_.calibration,
+                    watch != nullptr ? static_cast<RunObserver&>(*watch) : nobody_} {
         if (watch != nullptr) {
             watch->begin(run_, drawn_);
         }
@@ -148,7 +149,8 @@ class CampaignWorld::Lanes {
         for (std::size_t lane = 0U; lane < drives_.size(); ++lane) {
             fill(lane);
         }
-        while (wanted_ && std::any_of(drives_.begin(), drives_.end(), [](const auto& drive) { return drive != nullptr; })) {
+        while (wanted_ && std::any_of(drives_.begin(), drives_.end(),
+                                      [](const auto& drive) { return drive != nullptr; })) {
             const auto ended = cycle();
             for (std::size_t lane = 0U; wanted_ && lane < drives_.size(); ++lane) {
                 if (ended[lane]) {

@@ -31,7 +31,8 @@ const std::vector<Index>& campaign_indices() {
     return indices;
 }
 
-IndexReaders::IndexReaders(const rsi::Parameters& calibration) : indicators_(std::size(rsi::indicator_choices)) {
+IndexReaders::IndexReaders(const rsi::Parameters& calibration)
+    : indicators_(std::size(rsi::indicator_choices)) {
     rsi::Parameters parameters = calibration;
     parameters.warning_indicator = 0;
     for (rsi::WarningIndicator& indicator : indicators_) {

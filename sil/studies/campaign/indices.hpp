@@ -27,13 +27,14 @@ struct Index {
 // that a calibration knows it by, and then what only the true wheel loads tell.
 const std::vector<Index>& campaign_indices();
 
-// All of them with the calibration of one run, wrong as it may be. Made once a run, for they are read in every cycle.
+// All of them with the calibration of one run, wrong as it may be. Made once a run, for they are read in
+// every cycle.
 class IndexReaders {
  public:
     explicit IndexReaders(const rsi::Parameters& calibration);
 
-    // Of the index at this place of campaign_indices(): the level, 0 and above, NaN where there is none, and the
-    // side.
+    // Of the index at this place of campaign_indices(): the level, 0 and above, NaN where there is none, and
+    // the side.
     rsi::RiskLevel risk(std::size_t index, const IndexSample& sample) const;
 
     double level(std::size_t index, const IndexSample& sample) const {

@@ -36,7 +36,8 @@ struct RowWork {
     std::uint64_t total{0U};                              // rows, numbered from 0
     unsigned jobs{1U};                                    // threads; fewer when the system gives no more
     std::function<MadeRow(std::uint64_t number)> make{};  // by several threads at a time
-    // In its place, for rows that are made quicker together: all that `next` gives. By several threads at a time.
+    // In its place, for rows that are made quicker together: all that `next` gives. By several threads at a
+    // time.
     std::function<void(const NextRow& next, const RowTaker& take)> make_together{};
 };
 

@@ -47,9 +47,9 @@ class ClosedLoop {
     // One cycle of it, for whoever sets the pace; false after the last one. Throws the same.
     bool cycle(RunObserver& observer);
 
-    // The parts of a cycle, for who steps the vehicle himself: all but the first begin with `steps_per_cycle` steps
-    // of the vehicle, each seen, and every one ends with the exchange. That is false after the last one, and throws
-    // as run() does.
+    // The parts of a cycle, for who steps the vehicle himself: all but the first begin with `steps_per_cycle`
+    // steps of the vehicle, each seen, and every one ends with the exchange. That is false after the last
+    // one, and throws as run() does.
     static constexpr int steps_per_cycle = 10;
     void see_step(RunObserver& observer);
     bool exchange(RunObserver& observer);

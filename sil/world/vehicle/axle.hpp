@@ -21,7 +21,8 @@ struct BasicAxlePose {
     // The part of the centre's acceleration that comes from the rates alone.
     Vector3Of<Real> rate_acceleration(Real heave_rate_mps, Real roll_rate_radps) const {
         const Real roll_squared = roll_rate_radps * roll_rate_radps;
-        return {0.0, path_curvature_pm * heave_rate_mps * heave_rate_mps - pivot_m * direction.z() * roll_squared,
+        return {0.0,
+                path_curvature_pm * heave_rate_mps * heave_rate_mps - pivot_m * direction.z() * roll_squared,
                 pivot_m * direction.y() * roll_squared};
     }
 };
@@ -30,7 +31,8 @@ template <typename Real>
 class BasicRearAxle {
  public:
     // `centre_at_rest`: of the axle in body axes, in static equilibrium.
-    BasicRearAxle(const BasicRearSuspensionParameters<Real>& parameters, const Vector3Of<Real>& centre_at_rest)
+    BasicRearAxle(const BasicRearSuspensionParameters<Real>& parameters,
+                  const Vector3Of<Real>& centre_at_rest)
         : centre_at_rest_{centre_at_rest},
           pivot_m_{parameters.panhard_pivot_m},
           path_slope_{parameters.panhard_slope},

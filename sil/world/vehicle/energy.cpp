@@ -4,7 +4,8 @@
 namespace sil {
 
 double Vehicle::mechanical_energy_j() const {
-    const BasicAxlePose<double> axle = model_.rear_axle.pose(model_.state.suspension[2], model_.state.suspension[3]);
+    const BasicAxlePose<double> axle =
+        model_.rear_axle.pose(model_.state.suspension[2], model_.state.suspension[3]);
     const auto& q = model_.state.suspension;
     const auto& rate = model_.state.suspension_rate;
     const Vector3& omega = model_.state.angular_velocity;
@@ -33,7 +34,8 @@ double Vehicle::mechanical_energy_j() const {
     energy += 0.5 * parameters_.inertia.rear_axle_kgm2 * (axle_rotation.squaredNorm() - along * along);
     const double lift = q[2] + axle.pivot_m * (1.0 - axle.direction.y());
     const double tilt = parameters_.rear_suspension.spring_half_base_m * axle.direction.z();
-    energy += model_.rear_spring.stored_energy_j(lift + tilt) + model_.rear_spring.stored_energy_j(lift - tilt);
+    energy +=
+        model_.rear_spring.stored_energy_j(lift + tilt) + model_.rear_spring.stored_energy_j(lift - tilt);
     energy += 0.5 * parameters_.rear_suspension.anti_roll_bar_nmprad * q[3] * q[3];
 
     for (std::size_t i = 0; i < wheel_count; ++i) {

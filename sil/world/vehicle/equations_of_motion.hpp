@@ -41,8 +41,8 @@ class EquationsOfMotion {
     void add_front_wheel(int index, Real mass_kg, const Vector& position, const Vector& path,
                          const Vector& curvature, Real rate_mps) {
         add_mass(mass_kg, position);
-        const Vector force = mass_kg * (free_acceleration_ - inertial(position, path * rate_mps,
-                                                                      curvature * rate_mps * rate_mps));
+        const Vector force = mass_kg * (free_acceleration_ -
+                                        inertial(position, path * rate_mps, curvature * rate_mps * rate_mps));
         add_force(force, position);
         add_suspension_force(index, dot3(path, force));
 
@@ -54,8 +54,7 @@ class EquationsOfMotion {
     void add_rear_axle(Real mass_kg, Real inertia_kgm2, const BasicAxlePose<Real>& pose, Real heave_rate_mps,
                        Real roll_rate_radps) {
         add_mass(mass_kg, pose.centre);
-        const Vector velocity =
-            pose.centre_by_heave * heave_rate_mps + pose.centre_by_roll * roll_rate_radps;
+        const Vector velocity = pose.centre_by_heave * heave_rate_mps + pose.centre_by_roll * roll_rate_radps;
         const Vector force = mass_kg * (free_acceleration_ -
                                         inertial(pose.centre, velocity,
                                                  pose.rate_acceleration(heave_rate_mps, roll_rate_radps)));
@@ -133,10 +132,10 @@ class EquationsOfMotion {
                                        suspension_force_[1] / front_right_mass_,
                                        by_heave * suspension_force_[2] + by_both * suspension_force_[3],
                                        by_roll * suspension_force_[3] + by_both * suspension_force_[2]};
-        const std::array<Vector6Of<Real>, 4> gain{
-            coupling_[0] / front_left_mass_, coupling_[1] / front_right_mass_,
-            by_heave * coupling_[2] + by_both * coupling_[3],
-            by_roll * coupling_[3] + by_both * coupling_[2]};
+        const std::array<Vector6Of<Real>, 4> gain{coupling_[0] / front_left_mass_,
+                                                  coupling_[1] / front_right_mass_,
+                                                  by_heave * coupling_[2] + by_both * coupling_[3],
+                                                  by_roll * coupling_[3] + by_both * coupling_[2]};
         for (std::size_t i = 0; i < 4; ++i) {
             matrix.subtract_product(coupling_[i], gain[i]);
             right_hand_side -= coupling_[i] * held[i];

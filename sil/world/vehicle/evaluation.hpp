@@ -21,7 +21,8 @@ template <typename Real>
 struct BasicEvaluation {
     Matrix3Of<Real> rotation{Matrix3Of<Real>::Identity()};  // body axes to earth-fixed
     Vector3Of<Real> road_normal{Vector3Of<Real>::UnitZ()};  // below the CG, earth-fixed
-    Vector3Of<Real> heading{Vector3Of<Real>::UnitX()};      // body x axis projected on the road plane, earth-fixed
+    Vector3Of<Real> heading{
+        Vector3Of<Real>::UnitX()};  // body x axis projected on the road plane, earth-fixed
     Vector3Of<Real> tyre_force_body_n{Vector3Of<Real>::Zero()};
     BasicAccelerations<Real> accelerations{};
     std::array<BasicWheelEvaluation<Real>, wheel_count> wheels{};

@@ -12,8 +12,8 @@ struct DoublePair {
 };
 
 struct FunctionTables {
-    // Arc tangents of the middles of intervals: atan_parts to each power of two, from atan_from on to atan_to. After
-    // them that of 0.
+    // Arc tangents of the middles of intervals: atan_parts to each power of two, from atan_from on to
+    // atan_to. After them that of 0.
     static constexpr int atan_parts = 32;
     static constexpr double atan_from = 0x1p-6;
     static constexpr double atan_to = 0x1p10;

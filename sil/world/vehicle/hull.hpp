@@ -9,8 +9,8 @@
 
 namespace sil {
 
-// Adds the forces of all corners that are below the road, in the vehicles that have `tipped`. `rotation`: body
-// axes to earth-fixed.
+// Adds the forces of all corners that are below the road, in the vehicles that have `tipped`. `rotation`:
+// body axes to earth-fixed.
 template <typename Real, typename Ground, typename Condition>
 void add_hull_contact(Condition tipped, const BasicHullParameters<Real>& hull, const BasicState<Real>& state,
                       const Matrix3Of<Real>& rotation, const Ground& road,

@@ -1,8 +1,9 @@
 // Lane functions: arc tangent, sine and cosine of all lanes at once, to the bits of the library's functions.
 //
-// Each is computed to some 2^-60 of itself, as the double nearest to it and a remainder. The library's result (glibc's;
-// its largest known errors are 0.523 of a unit in the last place) can differ from that double only where the remainder
-// is nearly half a unit; there, in one of sixteen, and beyond the tables, the library itself is asked.
+// Each is computed to some 2^-60 of itself, as the double nearest to it and a remainder. The library's result
+// (glibc's; its largest known errors are 0.523 of a unit in the last place) can differ from that double only
+// where the remainder is nearly half a unit; there, in one of sixteen, and beyond the tables, the library
+// itself is asked.
 //
 // For lanes.hpp alone, where there is a fused multiply-add.
 #pragma once
@@ -60,17 +61,19 @@ struct Sum {
     return {high.lanes().lanes(), low.lanes().lanes()};
 }
 
-// The sum rounded to a double, with the sign of `of`; the library's function where that may be another one, or where
-// the sum is not `valid`.
+// The sum rounded to a double, with the sign of `of`; the library's function where that may be another one,
+// or where the sum is not `valid`.
 template <double function(double)>
-[[gnu::always_inline]] inline Reals rounded(const Sum& sum, const Bits& valid, const Reals& of, const Bits& sign) {
+[[gnu::always_inline]] inline Reals rounded(const Sum& sum, const Bits& valid, const Reals& of,
+                                            const Bits& sign) {
     constexpr long long exponent = 0x7FF0'0000'0000'0000;
     constexpr double sure_share = 0.47;  // of a unit in the last place
     const Reals nearest = sum.high + sum.low;
     const Reals remainder = (sum.high - nearest) + sum.low;
     // Of the next smaller double, for the unit below a power of two is half of that above.
     const Reals unit = Reals((bits_of(nearest) - 1) & exponent) * 0x1p-52;
-    const Bits sure = valid & (magnitude(remainder) <= unit * sure_share ? LaneMask::everywhere : LaneMask::nowhere);
+    const Bits sure =
+        valid & (magnitude(remainder) <= unit * sure_share ? LaneMask::everywhere : LaneMask::nowhere);
     Reals result = Reals(bits_of(nearest) | sign);
     if (LaneMask{~sure}.any()) {
         LaneArray values{result};
@@ -113,8 +116,8 @@ template <double function(double)>
                               argument.lanes(), bits_of(argument.lanes()) & ~0x7FFF'FFFF'FFFF'FFFF);
 }
 
-// An angle as the nearest multiple in the tables and the rest, with the sine of the rest less the rest, and its cosine
-// less 1.
+// An angle as the nearest multiple in the tables and the rest, with the sine of the rest less the rest, and
+// its cosine less 1.
 struct ReducedAngle {
     Bits index;
     Reals rest;
@@ -138,7 +141,8 @@ struct ReducedAngle {
                                                          (b.high * angle.sine + b.low * angle.rest))))};
 }
 // Where the tables reach and, beside zeros but 0 itself, nothing has cancelled.
-[[gnu::always_inline]] inline Bits valid_turn(const Reals& angle, const ReducedAngle& reduced, const Sum& sum) {
+[[gnu::always_inline]] inline Bits valid_turn(const Reals& angle, const ReducedAngle& reduced,
+                                              const Sum& sum) {
     const Bits in_tables = angle < 3.9 ? LaneMask::everywhere : LaneMask::nowhere;
     const Bits large = magnitude(sum.high) > 0x1p-6 ? LaneMask::everywhere : LaneMask::nowhere;
     const Bits first = reduced.index == LaneMask::nowhere ? LaneMask::everywhere : LaneMask::nowhere;
@@ -155,8 +159,8 @@ struct ReducedAngle {
     return rounded<std::sin>(positive, valid_turn(angle, by, sum), argument.lanes(), negative);
 }
 
-[[gnu::noinline]] inline void library_sin_and_cos(const Lanes& argument, const FunctionTables& tables, Lanes& sine,
-                                                  Lanes& cosine) {
+[[gnu::noinline]] inline void library_sin_and_cos(const Lanes& argument, const FunctionTables& tables,
+                                                  Lanes& sine, Lanes& cosine) {
     const Reals angle = magnitude(argument.lanes());
     const ReducedAngle by = reduced(angle);
     const Sum sines = look_up(tables.sin, by.index);

@@ -1,5 +1,5 @@
-// Lane step: how the vehicles of a batch step, compiled for several kinds of processor. Only VehicleBatch and tests
-// look here.
+// Lane step: how the vehicles of a batch step, compiled for several kinds of processor. Only VehicleBatch and
+// tests look here.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace sil {
 
-// All that steps: nothing but numbers, in the same order for one vehicle as for several. So a number of one lane lies
-// where it does for one vehicle, times lane_count, plus the lane.
+// All that steps: nothing but numbers, in the same order for one vehicle as for several. So a number of one
+// lane lies where it does for one vehicle, times lane_count, plus the lane.
 template <typename Real>
 struct SteppedNumbers {
     VehicleModel<Real> model{BasicVehicleParameters<Real>{}};
@@ -25,10 +25,11 @@ inline constexpr std::size_t stepped_number_count = sizeof(SteppedNumbers<double
 
 struct LaneStep {
     const char* processor;  // for which it is compiled
-    // Makes the numbers in memory of stepped_number_count * lane_count doubles, aligned as the largest register.
+    // Makes the numbers in memory of stepped_number_count * lane_count doubles, aligned as the largest
+    // register.
     void (*make)(double* numbers);
-    // Steps all lanes by their inputs; the truth of each is then whole, or its motion alone. `roads`: of each lane, a
-    // null pointer for an empty one.
+    // Steps all lanes by their inputs; the truth of each is then whole, or its motion alone. `roads`: of each
+    // lane, a null pointer for an empty one.
     void (*step)(double* numbers, const Road* const* roads, double step_s, bool whole_truth);
 
     // Functions that the step uses, of lane_count numbers, in place of which they put the result: for tests.

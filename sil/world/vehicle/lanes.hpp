@@ -1,13 +1,14 @@
-// Lanes: one number of several vehicles, computed together in the processor's vector registers. Every operation
-// works lane by lane and rounds as the same operation does on a double, so a vehicle's results do not depend on
-// who is beside it.
+// Lanes: one number of several vehicles, computed together in the processor's vector registers. Every
+// operation works lane by lane and rounds as the same operation does on a double, so a vehicle's results do
+// not depend on who is beside it.
 //
-// For lane_step.inl alone, which is compiled once for each kind of processor, named by RSI_PROCESSOR: all that is of
-// Lanes has a name of its own for each, so that no processor ever meets the instructions of another.
+// For lane_step_body.hpp alone, which is compiled once for each kind of processor, named by RSI_PROCESSOR:
+// all that is of Lanes has a name of its own for each, so that no processor ever meets the instructions of
+// another.
 #pragma once
 
 #ifndef RSI_PROCESSOR
-#error "included by lane_step.inl alone"
+#error "included by lane_step_body.hpp alone"
 #endif
 
 #include <cmath>
@@ -53,10 +54,18 @@ class Lanes {
         lanes_ /= b.lanes_;
         return *this;
     }
-    [[gnu::always_inline]] friend Lanes operator+(const Lanes& a, const Lanes& b) { return a.lanes_ + b.lanes_; }
-    [[gnu::always_inline]] friend Lanes operator-(const Lanes& a, const Lanes& b) { return a.lanes_ - b.lanes_; }
-    [[gnu::always_inline]] friend Lanes operator*(const Lanes& a, const Lanes& b) { return a.lanes_ * b.lanes_; }
-    [[gnu::always_inline]] friend Lanes operator/(const Lanes& a, const Lanes& b) { return a.lanes_ / b.lanes_; }
+    [[gnu::always_inline]] friend Lanes operator+(const Lanes& a, const Lanes& b) {
+        return a.lanes_ + b.lanes_;
+    }
+    [[gnu::always_inline]] friend Lanes operator-(const Lanes& a, const Lanes& b) {
+        return a.lanes_ - b.lanes_;
+    }
+    [[gnu::always_inline]] friend Lanes operator*(const Lanes& a, const Lanes& b) {
+        return a.lanes_ * b.lanes_;
+    }
+    [[gnu::always_inline]] friend Lanes operator/(const Lanes& a, const Lanes& b) {
+        return a.lanes_ / b.lanes_;
+    }
     [[gnu::always_inline]] friend Lanes operator-(const Lanes& a) { return -a.lanes_; }
 
  private:
@@ -121,8 +130,8 @@ struct LaneArray {
     }
 };
 
-// The library's functions, lane after lane: a vector library's would round otherwise. Not taken in, for a call from
-// among vector instructions costs more than from a function that has none.
+// The library's functions, lane after lane: a vector library's would round otherwise. Not taken in, for a
+// call from among vector instructions costs more than from a function that has none.
 template <double function(double)>
 [[gnu::noinline]] inline void replace_each(double (&values)[Lanes::count]) {
     for (double& value : values) {
@@ -136,7 +145,8 @@ template <double function(double)>
     return all.lanes();
 }
 template <double function(double, double)>
-[[gnu::noinline]] inline void replace_each(double (&first)[Lanes::count], const double (&second)[Lanes::count]) {
+[[gnu::noinline]] inline void replace_each(double (&first)[Lanes::count],
+                                           const double (&second)[Lanes::count]) {
     for (std::size_t i = 0; i < Lanes::count; ++i) {
         first[i] = function(first[i], second[i]);
     }
@@ -148,7 +158,8 @@ template <double function(double, double)>
     return all.lanes();
 }
 
-[[gnu::noinline]] inline void sines_and_cosines(double (&values)[Lanes::count], double (&cosines)[Lanes::count]) {
+[[gnu::noinline]] inline void sines_and_cosines(double (&values)[Lanes::count],
+                                                double (&cosines)[Lanes::count]) {
     for (std::size_t i = 0; i < Lanes::count; ++i) {
         const double angle = values[i];
         values[i] = std::sin(angle);
@@ -164,12 +175,13 @@ template <double function(double, double)>
 
 namespace sil::number {
 
-using RSI_PROCESSOR::Lanes;
+using RSI_PROCESSOR::each;
 using RSI_PROCESSOR::LaneArray;
 using RSI_PROCESSOR::LaneMask;
-using RSI_PROCESSOR::each;
+using RSI_PROCESSOR::Lanes;
 
-[[gnu::always_inline]] inline Lanes choose(const LaneMask& condition, const Lanes& if_true, const Lanes& if_false) {
+[[gnu::always_inline]] inline Lanes choose(const LaneMask& condition, const Lanes& if_true,
+                                           const Lanes& if_false) {
     return condition.lanes() != LaneMask::nowhere ? if_true.lanes() : if_false.lanes();
 }
 [[gnu::always_inline]] inline bool any(const LaneMask& condition) {

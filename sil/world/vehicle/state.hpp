@@ -12,10 +12,10 @@ namespace sil {
 template <typename Real>
 struct BasicState {
     Real time_s{0.0};
-    Vector3Of<Real> position{Vector3Of<Real>::Zero()};                               // sprung CG in the earth-fixed frame
+    Vector3Of<Real> position{Vector3Of<Real>::Zero()};               // sprung CG in the earth-fixed frame
     QuaternionOf<Real> orientation{QuaternionOf<Real>::Identity()};  // body axes to earth-fixed
-    Vector3Of<Real> velocity{Vector3Of<Real>::Zero()};                               // body components
-    Vector3Of<Real> angular_velocity{Vector3Of<Real>::Zero()};                       // body components
+    Vector3Of<Real> velocity{Vector3Of<Real>::Zero()};               // body components
+    Vector3Of<Real> angular_velocity{Vector3Of<Real>::Zero()};       // body components
     std::array<Real, 4> suspension{};  // front left jounce, front right jounce, axle heave, axle roll
     std::array<Real, 4> suspension_rate{};
     std::array<Real, wheel_count> wheel_spin_radps{};  // > 0 when rolling forward

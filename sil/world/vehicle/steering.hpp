@@ -19,9 +19,8 @@ struct BasicRoadWheelAngle {
 template <typename Real>
 Real reached_handwheel_rad(const BasicSteeringParameters<Real>& parameters, Real reached_rad,
                            Real handwheel_rad, double step_s) {
-    return number::choose(
-        parameters.lag_s <= 0.0, handwheel_rad,
-        reached_rad + (handwheel_rad - reached_rad) * step_s / (parameters.lag_s + step_s));
+    return number::choose(parameters.lag_s <= 0.0, handwheel_rad,
+                          reached_rad + (handwheel_rad - reached_rad) * step_s / (parameters.lag_s + step_s));
 }
 
 template <typename Real>

@@ -46,8 +46,7 @@ struct BasicTruth {
     std::array<Real, wheel_count> wheel_gap_m{};  // lowest tyre point above the road, 0 while it touches
 
     Real lateral_tyre_force_n{0.0};  // sum over the wheels, in the road plane, left > 0
-    Real roll_centre_height_m{
-        0.0};  // equation (24); NaN where it is not defined (small force, lifted wheel)
+    Real roll_centre_height_m{0.0};  // equation (24); NaN where it is not defined (small force, lifted wheel)
     Real roll_centre_lateral_m{
         0.0};  // kinematic, c_rc > 0 in the direction in which the CG moves for roll > 0; NaN if undefined
     Real roll_centre_kinematic_height_m{0.0};  // of the same point, above the road; NaN if undefined

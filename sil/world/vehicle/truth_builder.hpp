@@ -1,5 +1,5 @@
-// Truth builder: states and forces of the vehicle as the quantities that others read: attitude, accelerations,
-// wheel loads and roll centres.
+// Truth builder: states and forces of the vehicle as the quantities that others read: attitude,
+// accelerations, wheel loads and roll centres.
 #pragma once
 
 #include <limits>
@@ -28,8 +28,8 @@ class TruthBuilder {
                                          state.suspension[2] + at_wheel, state.suspension[2] - at_wheel};
         const Vector left = evaluation.road_normal.cross(evaluation.heading);
         truth.lateral_tyre_force_n = dot3(product(evaluation.rotation, evaluation.tyre_force_body_n), left);
-        truth.roll_centre_height_m = force_based_roll_centre_height(
-            truth, parameters.geometry.track_width_m, evaluation.suspension_roll_moment_nm);
+        truth.roll_centre_height_m = force_based_roll_centre_height(truth, parameters.geometry.track_width_m,
+                                                                    evaluation.suspension_roll_moment_nm);
         write_kinematic_roll_centre(front_path, parameters.geometry.track_width_m, state, truth);
         return truth;
     }
@@ -63,8 +63,7 @@ class TruthBuilder {
 
     static constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
     static constexpr double smallest_lateral_force_n = 6000.0;  // below it (24) divides by too little
-    static constexpr double smallest_path_slope_sum =
-        0.02;  // below it the kinematic roll centre is far away
+    static constexpr double smallest_path_slope_sum = 0.02;  // below it the kinematic roll centre is far away
 
     static void write_place_and_speed(const BasicState<Real>& state, const BasicEvaluation<Real>& evaluation,
                                       BasicTruth<Real>& truth) {
@@ -74,8 +73,7 @@ class TruthBuilder {
         truth.position_y_m = state.position.y();
         truth.position_z_m = state.position.z();
         truth.yaw_angle_rad = number::atan2(evaluation.heading.y(), evaluation.heading.x());
-        truth.roll_angle_rad =
-            number::atan2(dot3(rotation.col(1), normal), dot3(rotation.col(2), normal));
+        truth.roll_angle_rad = number::atan2(dot3(rotation.col(1), normal), dot3(rotation.col(2), normal));
         const Vector velocity = product(rotation, state.velocity);
         truth.speed_mps = dot3(velocity, evaluation.heading);
         truth.lateral_velocity_mps = dot3(velocity, normal.cross(evaluation.heading));
@@ -114,14 +112,14 @@ class TruthBuilder {
         const auto& load = truth.wheel_load_n;
         const auto all_touch = load[0] > 0.0 && load[1] > 0.0 && load[2] > 0.0 && load[3] > 0.0;
         const auto small_force = number::abs(truth.lateral_tyre_force_n) < smallest_lateral_force_n;
-        const Real moment = 0.5 * track_width_m *
-                            (load[front_right] + load[rear_right] - load[front_left] - load[rear_left]);
+        const Real moment =
+            0.5 * track_width_m * (load[front_right] + load[rear_right] - load[front_left] - load[rear_left]);
         return number::choose(!all_touch || small_force, not_defined,
                               (moment - suspension_moment_nm) / truth.lateral_tyre_force_n);
     }
 
-    // Front suspension: each contact's path has an outward slope relative to the road; the lines square to the
-    // two paths meet at the roll centre.
+    // Front suspension: each contact's path has an outward slope relative to the road; the lines square to
+    // the two paths meet at the roll centre.
     static void write_kinematic_roll_centre(const BasicFrontWheelPath<Real>& path, Real track_width_m,
                                             const BasicState<Real>& state, BasicTruth<Real>& truth) {
         const Real lean = number::tan(truth.roll_angle_rad);
@@ -129,11 +127,10 @@ class TruthBuilder {
         const Real right_slope = path.slope(state.suspension[1]);
         const Real left = (left_slope - lean) / (1.0 + left_slope * lean);
         const Real right = (right_slope + lean) / (1.0 - right_slope * lean);
-        const auto both_touch =
-            truth.wheel_load_n[front_left] > 0.0 && truth.wheel_load_n[front_right] > 0.0;
+        const auto both_touch = truth.wheel_load_n[front_left] > 0.0 && truth.wheel_load_n[front_right] > 0.0;
         const auto undefined = !both_touch || left + right < smallest_path_slope_sum;
-        truth.roll_centre_lateral_m = number::choose(undefined, not_defined,
-                                                     0.5 * track_width_m * (right - left) / (left + right));
+        truth.roll_centre_lateral_m =
+            number::choose(undefined, not_defined, 0.5 * track_width_m * (right - left) / (left + right));
         truth.roll_centre_kinematic_height_m =
             number::choose(undefined, not_defined, track_width_m * left * right / (left + right));
     }

@@ -1,5 +1,5 @@
-// Tyre: vertical spring and Magic Formula forces with relaxation length and friction ellipse; the Magic Formula
-// after Pacejka, both slips combined on one ellipse.
+// Tyre: vertical spring and Magic Formula forces with relaxation length and friction ellipse; the Magic
+// Formula after Pacejka, both slips combined on one ellipse.
 #pragma once
 
 #include "sil/world/vehicle/number.hpp"

@@ -70,8 +70,7 @@ QuaternionOf<Real> product(const QuaternionOf<Real>& a, const QuaternionOf<Real>
 
 template <typename Real>
 QuaternionOf<Real> normalised(const QuaternionOf<Real>& q) {
-    const Real length =
-        number::sqrt((q.x() * q.x() + q.z() * q.z()) + (q.y() * q.y() + q.w() * q.w()));
+    const Real length = number::sqrt((q.x() * q.x() + q.z() * q.z()) + (q.y() * q.y() + q.w() * q.w()));
     return {q.w() / length, q.x() / length, q.y() / length, q.z() / length};
 }
 

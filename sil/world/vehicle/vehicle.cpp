@@ -44,15 +44,16 @@ void Vehicle::reset(const InitialState& initial) {
 
     model_.state = State{};
     model_.state.position = Vector3{initial.position_x_m, initial.position_y_m, ground.height_m} +
-                      ground.normal * (parameters_.geometry.cg_height_m + initial.height_offset_m);
+                            ground.normal * (parameters_.geometry.cg_height_m + initial.height_offset_m);
     model_.state.orientation = Eigen::Quaterniond{axes} *
-                         Eigen::AngleAxisd{initial.pitch_offset_rad, Vector3::UnitY()} *
-                         Eigen::AngleAxisd{initial.roll_offset_rad, Vector3::UnitX()};
+                               Eigen::AngleAxisd{initial.pitch_offset_rad, Vector3::UnitY()} *
+                               Eigen::AngleAxisd{initial.roll_offset_rad, Vector3::UnitX()};
     model_.state.velocity = model_.state.orientation.conjugate() * (forward * initial.speed_mps);
     model_.state.angular_velocity =
         Vector3{initial.roll_rate_radps, initial.pitch_rate_radps, initial.yaw_rate_radps};
     for (int wheel = 0; wheel < wheel_count; ++wheel) {
-        const double deflection = is_front(wheel) ? model_.front_tyre_deflection_m : model_.rear_tyre_deflection_m;
+        const double deflection =
+            is_front(wheel) ? model_.front_tyre_deflection_m : model_.rear_tyre_deflection_m;
         model_.state.wheel_spin_radps[static_cast<std::size_t>(wheel)] =
             initial.speed_mps / (parameters_.geometry.wheel_radius_m - deflection);
     }

@@ -78,7 +78,8 @@ void VehicleBatch::leave(std::size_t lane) {
     state_->vehicles[lane] = nullptr;
 }
 
-void VehicleBatch::step(const std::array<DriverInput, lane_count>& inputs, double step_s, TruthWanted wanted) {
+void VehicleBatch::step(const std::array<DriverInput, lane_count>& inputs, double step_s,
+                        TruthWanted wanted) {
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         state_->write(input, lane, &inputs[lane]);
     }

@@ -1,5 +1,5 @@
-// Vehicle model: body, suspensions, tyres and wheels put together, and one step of time. Nothing but numbers, of
-// one vehicle or, with Lanes for `Real`, of several at once.
+// Vehicle model: body, suspensions, tyres and wheels put together, and one step of time. Nothing but numbers,
+// of one vehicle or, with Lanes for `Real`, of several at once.
 #pragma once
 
 #include "sil/world/vehicle/axle.hpp"
@@ -90,11 +90,11 @@ struct VehicleModel {
     // A wheel carried by the vehicle; body axes.
     struct WheelPose {
         Vector centre;
-        Vector axis;                       // of spin, to the left
-        Vector relative_velocity;          // of the centre in the body
-        Real relative_roll_rate;           // of the carrier in the body
-        Real outward_slope;                // front only: of the wheel's path
-        const BasicAxlePose<Real>* axle;   // rear only
+        Vector axis;                      // of spin, to the left
+        Vector relative_velocity;         // of the centre in the body
+        Real relative_roll_rate;          // of the carrier in the body
+        Real outward_slope;               // front only: of the wheel's path
+        const BasicAxlePose<Real>* axle;  // rear only
     };
 
     // Sprung weight on each front or rear wheel in static equilibrium.
@@ -245,9 +245,8 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
     const Real loaded_radius = norm3(contact.arm);
 
     result.deflection_m = contact.deflection_m;
-    result.load_n =
-        number::choose(contact.upright(),
-                       tyre.vertical_force_n(contact.deflection_m, -dot3(velocity, normal)), 0.0);
+    result.load_n = number::choose(contact.upright(),
+                                   tyre.vertical_force_n(contact.deflection_m, -dot3(velocity, normal)), 0.0);
     tyre.advance(state.slip[index], forward_speed, spin * loaded_radius - forward_speed,
                  dot3(velocity, contact.left), step_s);
     const BasicTyreForces<Real> in_plane =
@@ -258,13 +257,12 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
     equations.add_force(force, point);
     if (pose.axle == nullptr) {
         state.front_lateral_n += in_plane.lateral_n;
-        equations.add_suspension_force(wheel,
-                                       force.z() + side_of(wheel) * pose.outward_slope * force.y());
+        equations.add_suspension_force(wheel, force.z() + side_of(wheel) * pose.outward_slope * force.y());
     } else {
         const Vector from_axle = point - pose.axle->centre;
         equations.add_suspension_force(2, dot3(pose.axle->centre_by_heave, force));
-        equations.add_suspension_force(3, dot3(pose.axle->centre_by_roll, force) +
-                                              from_axle.y() * force.z() - from_axle.z() * force.y());
+        equations.add_suspension_force(3, dot3(pose.axle->centre_by_roll, force) + from_axle.y() * force.z() -
+                                              from_axle.z() * force.y());
     }
 
     // The rotor takes the moment about its axis; the carrier feels what the rotor's momentum takes up.
@@ -301,7 +299,8 @@ Real VehicleModel<Real>::suspension_forces(const BasicAxlePose<Real>& axle,
         const Real spring_at = at * rear.spring_half_base_m;
         const Real damper_at = at * rear.damper_half_base_m;
         const Real spring = rear_spring.elastic_force_n(lift + spring_at * sine);
-        const Real damper = rear_spring.damper_force_n(rate[2] + (lift_by_roll + damper_at * cosine) * rate[3]);
+        const Real damper =
+            rear_spring.damper_force_n(rate[2] + (lift_by_roll + damper_at * cosine) * rate[3]);
         equations.add_suspension_force(2, -(spring + damper));
         equations.add_suspension_force(3, -(spring * (lift_by_roll + spring_at * cosine) +
                                             damper * (lift_by_roll + damper_at * cosine)));

@@ -1,5 +1,6 @@
-// Benchmark of a campaign's runs on one core: simulated seconds per second of runs driven together, as campaigns
-// drive them, and of the same runs one by one as the baseline; and the same motions of the vehicle alone.
+// Benchmark of a campaign's runs on one core: simulated seconds per second of runs driven together, as
+// campaigns drive them, and of the same runs one by one as the baseline; and the same motions of the vehicle
+// alone.
 #include <benchmark/benchmark.h>
 
 #include <optional>

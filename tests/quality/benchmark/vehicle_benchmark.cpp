@@ -1,5 +1,5 @@
-// Benchmark of the plant alone: time of one step, straight ahead and in a hard turn; of a step of several vehicles
-// together; and the floating-point operations of a step beside what the core can do.
+// Benchmark of the plant alone: time of one step, straight ahead and in a hard turn; of a step of several
+// vehicles together; and the floating-point operations of a step beside what the core can do.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -37,7 +37,6 @@ void steady_turn(benchmark::State& state) {
 void slalom(benchmark::State& state) {
     drive(state, "slalom");
 }
-
 
 // As many as there are lanes, each somewhere else in the slalom. Drivers and roads are those of each vehicle.
 void slaloms_together(benchmark::State& state) {

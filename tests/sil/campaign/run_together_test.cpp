@@ -27,7 +27,8 @@ sil::CampaignSettings mixed_campaign() {
     return settings;
 }
 
-std::map<std::uint64_t, std::string> together(const sil::CampaignWorld& world, std::vector<std::uint64_t> numbers) {
+std::map<std::uint64_t, std::string> together(const sil::CampaignWorld& world,
+                                              std::vector<std::uint64_t> numbers) {
     std::map<std::uint64_t, std::string> lines;
     std::reverse(numbers.begin(), numbers.end());
     world.run_together(
@@ -69,7 +70,8 @@ TEST(RunTogether, EndsAtOnceWhenNoMoreRowsAreWanted) {
     const sil::CampaignWorld world{small_campaign(20U)};
     std::uint64_t next = 0U;
     int taken = 0;
-    world.run_together([&next] { return std::optional{next++}; }, [&taken](const sil::CampaignRow&) { return ++taken < 3; });
+    world.run_together([&next] { return std::optional{next++}; },
+                       [&taken](const sil::CampaignRow&) { return ++taken < 3; });
     EXPECT_EQ(taken, 3);
 }
 

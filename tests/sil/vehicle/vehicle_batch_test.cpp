@@ -43,13 +43,16 @@ class Mixture {
         options.duration_s = between(0.3, 5.0);
         options.speed_factor = between(0.6, 1.3);
         options.steering_factor = between(0.3, 1.8);
-        return std::make_unique<sil::ManoeuvreRun>(vehicle, manoeuvres[random_() % manoeuvres.size()], options);
+        return std::make_unique<sil::ManoeuvreRun>(vehicle, manoeuvres[random_() % manoeuvres.size()],
+                                                   options);
     }
 
     bool coin() { return random_() % 2U == 0U; }
 
  private:
-    double between(double low, double high) { return std::uniform_real_distribution<double>{low, high}(random_); }
+    double between(double low, double high) {
+        return std::uniform_real_distribution<double>{low, high}(random_);
+    }
 
     std::mt19937 random_;
 };
@@ -137,8 +140,9 @@ std::uint64_t bits_of(double value) {
 
 // Of what no random number hits, and small and large ones of either sign.
 std::vector<double> arguments() {
-    std::vector<double> all{0.0,       -0.0,      5.0e-324,       -5.0e-324, 0x1p-6, -0x1p-6, 0.5, 1.0, 3.9, 0x1p10,
-                            HUGE_VAL, -HUGE_VAL, std::nan(""), 1.0e300,   1.0e-8, 3.14159265358979311};
+    std::vector<double> all{
+        0.0, -0.0,   5.0e-324, -5.0e-324, 0x1p-6,       -0x1p-6, 0.5,    1.0,
+        3.9, 0x1p10, HUGE_VAL, -HUGE_VAL, std::nan(""), 1.0e300, 1.0e-8, 3.14159265358979311};
     std::mt19937_64 random{5U};
     std::uniform_real_distribution<double> share{-1.0, 1.0};
     for (const double size : {1.0e-8, 1.0e-3, 0.03, 0.3, 1.0, 3.9, 30.0, 2000.0}) {
@@ -167,7 +171,9 @@ TEST_P(EachProcessor, HasTheLibrarysFunctionsToTheBit) {
         for (std::size_t lane = 0U; lane < sil::lane_count; ++lane) {
             const double x = all[first + lane];
             if (std::isnan(std::atan(x)) || std::isnan(std::sin(x))) {
-                ASSERT_TRUE(std::isnan(only_sines[lane]) && std::isnan(sines[lane]) && std::isnan(cosines[lane])) << x;
+                ASSERT_TRUE(std::isnan(only_sines[lane]) && std::isnan(sines[lane]) &&
+                            std::isnan(cosines[lane]))
+                    << x;
                 continue;
             }
             ASSERT_EQ(bits_of(arcs[lane]), bits_of(std::atan(x))) << x;

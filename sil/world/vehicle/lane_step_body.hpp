@@ -1,6 +1,8 @@
-// Lane step for the processor that RSI_PROCESSOR names, with whose options the source is compiled that includes this.
-// What is here must leave no function to the linker that others could take for theirs; tests/sil/vehicle checks that.
-#define EIGEN_DONT_VECTORIZE  // lanes are in vectors already, and its code for doubles would be the processor's
+// Lane step for the processor that RSI_PROCESSOR names, with whose options the source is compiled that
+// includes this. What is here must leave no function to the linker that others could take for theirs;
+// tests/sil/vehicle checks that.
+#define EIGEN_DONT_VECTORIZE  // lanes are in vectors already, and its code for doubles would be the
+                              // processor's
 #include <cstring>
 #include <new>
 
