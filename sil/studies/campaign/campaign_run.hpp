@@ -34,7 +34,7 @@ class CampaignWorld {
     // Safe to call from several threads at once. Throws std::exception when the run fails.
     CampaignRow run(std::uint64_t number, RunWatch* watch = nullptr) const;
 
-    // Runs that are driven together, which takes a third of the time or less; each row is the one of run().
+    // Runs that are driven together, which takes half the time; each row is the one of run().
     // `next` gives the number of one more run, or nothing when there are no more; `take` gets each row as its
     // run ends, and returns false to end the others at once. Safe to call from several threads at once.
     // Throws std::runtime_error with its number when a run fails.

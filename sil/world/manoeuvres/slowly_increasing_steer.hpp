@@ -13,7 +13,7 @@ namespace sil {
 // vehicle does not reach 0.375 g.
 double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters, bool mirrored = false);
 
-// Finds the angles to the left of several vehicles together, which takes a third of the time: this thread's
+// Finds the angles to the left of several vehicles together, which takes much less time: this thread's
 // next calls for them return at once, until the next call of this. A vehicle that does not reach 0.375 g is
 // left to them.
 void find_handwheel_angles_ahead(const std::vector<const VehicleParameters*>& vehicles);
