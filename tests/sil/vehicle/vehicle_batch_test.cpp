@@ -65,7 +65,7 @@ struct Pair {
 class EachProcessor : public testing::TestWithParam<sil::LaneStep> {};
 
 TEST_P(EachProcessor, StepsRandomMixturesAsEachVehicleAlone) {
-    constexpr int runs = 60;
+    constexpr int runs = 32;
     Mixture mixture{11U};
     sil::VehicleBatch batch{GetParam()};
     std::array<Pair, sil::lane_count> lanes;
