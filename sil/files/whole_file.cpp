@@ -175,8 +175,10 @@ void GrowingFile::give_up() {
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
-    // Two programs may write the same file; none of them gets the other's half.
-    GrowingFile file{path, fmt::format(".{}.tmp", ::getpid())};
+    // Two programs may write the same file, perhaps of two machines; none of them gets the other's half.
+    char host[64] = "";
+    static_cast<void>(::gethostname(host, sizeof(host) - 1U));
+    GrowingFile file{path, fmt::format(".{}.{}.tmp", host, ::getpid())};
     try {
         file.write(content);
         file.finish();

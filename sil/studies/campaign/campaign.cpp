@@ -8,14 +8,35 @@
 
 #include "sil/files/whole_file.hpp"
 #include "sil/studies/campaign/campaign_folder.hpp"
+#include "sil/studies/campaign/campaign_part.hpp"
 #include "sil/studies/campaign/row_file.hpp"
 #include "sil/studies/campaign/run_trace.hpp"
 
 namespace sil {
 namespace {
 
-// `traces`: their folder; empty where none are wanted.
-MadeRow drive(const CampaignWorld& world, std::uint64_t number, const std::filesystem::path& traces) {
+void refuse_rows_without_traces(const RowFile& file, const std::filesystem::path& traces) {
+    for (const std::uint64_t number : file.finished_runs()) {
+        if (!std::filesystem::exists(trace_file(traces, number))) {
+            throw InputError(fmt::format("{}: run {} was driven without a trace; use another output folder",
+                                         traces.parent_path().string(), number));
+        }
+    }
+}
+
+// Of a folder of parts the rows are not in one file.
+void refuse_parts(const std::filesystem::path& output) {
+    if (!parts_of(output).empty()) {
+        throw InputError(fmt::format(
+            "{} holds parts of a campaign; go on with parts (--first, --count), report on them (--report-only), or "
+            "use another output folder",
+            output.string()));
+    }
+}
+
+}  // namespace
+
+MadeRow drive_row(const CampaignWorld& world, std::uint64_t number, const std::filesystem::path& traces) {
     try {
         RunTrace trace;
         const CampaignRow row = world.run(number, traces.empty() ? nullptr : &trace);
@@ -28,19 +49,9 @@ MadeRow drive(const CampaignWorld& world, std::uint64_t number, const std::files
     }
 }
 
-void refuse_rows_without_traces(const RowFile& file, const std::filesystem::path& traces) {
-    for (const std::uint64_t number : file.finished_runs()) {
-        if (!std::filesystem::exists(trace_file(traces, number))) {
-            throw InputError(fmt::format("{}: run {} was driven without a trace; use another output folder",
-                                         traces.parent_path().string(), number));
-        }
-    }
-}
-
-}  // namespace
-
 RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path& output, unsigned jobs,
                          const std::atomic<bool>& stop, const RowListener& listener, bool with_traces) {
+    refuse_parts(output);
     const CampaignFolder folder{output, world.settings()};
     RowFile file{folder.rows(), row_header()};
     const std::filesystem::path traces = with_traces ? output / "traces" : std::filesystem::path{};
@@ -48,7 +59,7 @@ RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path
         refuse_rows_without_traces(file, traces);
         make_folder(traces);
     }
-    const auto make = [&world, &traces](std::uint64_t number) { return drive(world, number, traces); };
+    const auto make = [&world, &traces](std::uint64_t number) { return drive_row(world, number, traces); };
     return make_rows(file, {world.settings().runs, jobs, make}, stop, listener);
 }
 

@@ -9,6 +9,10 @@
 
 namespace sil {
 
+// One run and its line. `traces`: the folder into which the run also leaves its trace; empty: none. Throws
+// std::runtime_error with the run's number.
+MadeRow drive_row(const CampaignWorld& world, std::uint64_t number, const std::filesystem::path& traces = {});
+
 // Takes the folder up where an earlier call with the same settings left it, or begins it, and does the runs
 // that are missing. Leaves campaign.toml and runs.csv there, the latter sorted by run number when all are
 // done; its bytes depend on the settings alone. Returns early, with every finished run kept, once `stop` is

@@ -48,7 +48,7 @@ RunGroup judge(std::string name, const std::vector<RecordedCampaignRun>& runs,
                const std::vector<std::string>& index_names) {
     RunGroup group;
     group.name = std::move(name);
-    std::set<std::string> vehicles;
+    std::set<Name> vehicles;
     for (const RecordedCampaignRun& run : runs) {
         count(group, run);
         vehicles.insert(run.vehicle);
@@ -61,8 +61,8 @@ RunGroup judge(std::string name, const std::vector<RecordedCampaignRun>& runs,
     return group;
 }
 
-std::vector<RunGroup> judge_by(const RowTable& table, std::string RecordedCampaignRun::* key) {
-    std::map<std::string, std::vector<RecordedCampaignRun>> groups;
+std::vector<RunGroup> judge_by(const RowTable& table, Name RecordedCampaignRun::* key) {
+    std::map<Name, std::vector<RecordedCampaignRun>> groups;
     for (const RecordedCampaignRun& run : table.runs) {
         groups[run.*key].push_back(run);
     }

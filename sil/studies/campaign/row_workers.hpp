@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "sil/studies/campaign/row_file.hpp"
 
@@ -27,15 +28,20 @@ struct RowProgress {
 using RowListener = std::function<void(const RowProgress&)>;
 
 struct RowWork {
-    std::uint64_t total{0U};                              // rows, numbered from 0
+    std::uint64_t total{0U};                              // rows
     unsigned jobs{1U};                                    // threads; fewer when the system gives no more
     std::function<MadeRow(std::uint64_t number)> make{};  // by several threads at a time
 };
 
-// Makes the rows that are missing and appends each to the file, which is sorted once all are there. Returns
+// Makes the rows, numbered from 0, that are missing and appends each to the file, which is sorted once all are there. Returns
 // early, with every finished row kept, once `stop` is true or a row fails; of several failures throws the
 // first.
 RowProgress make_rows(RowFile& file, const RowWork& work, const std::atomic<bool>& stop,
                       const RowListener& listener);
+
+// The same without a file: the lines of the rows from number `first` on, in their order. Those that were not
+// made because `stop` became true are empty.
+RowProgress make_lines(std::vector<std::string>& lines, std::uint64_t first, const RowWork& work,
+                       const std::atomic<bool>& stop, const RowListener& listener);
 
 }  // namespace sil
