@@ -17,6 +17,7 @@
 #include "sil/apps/stop_request.hpp"
 #include "sil/files/whole_file.hpp"
 #include "sil/studies/campaign/campaign.hpp"
+#include "sil/studies/campaign/campaign_folder.hpp"
 #include "sil/studies/campaign/campaign_page.hpp"
 #include "sil/studies/campaign/campaign_part.hpp"
 #include "sil/studies/campaign/report.hpp"
@@ -38,6 +39,7 @@ struct CampaignRequest {
     std::optional<std::uint64_t> single_run;
     std::optional<std::uint64_t> first;  // of a part
     std::uint64_t count{0U};
+    bool begin_only{false};
     bool columns{false};
 };
 
@@ -166,11 +168,20 @@ void add_campaign(CLI::App& app) {
         add_whole_number(*command, "--count", request->count, "How many runs the part has");
     first->needs(count)->needs("--output")->excludes("--report-only", "--traces", "--run");
     count->needs(first);
+    command
+        ->add_flag("--begin", request->begin_only,
+                   "No runs: the folder OUTPUT with its campaign.toml, from which parts are made")
+        ->excludes("--report-only", "--traces", "--run", "--first");
     command->add_flag("--columns", request->columns,
                       "No runs: what the columns of the rows are, with units, as JSON");
     command->callback([request] {
         if (request->columns) {
             fmt::print("{}", row_columns_json());
+            return;
+        }
+        if (request->begin_only) {
+            const CampaignWorld world{settings_of(*request)};
+            begin_campaign_folder(request->output, world.settings());
             return;
         }
         if (request->first) {

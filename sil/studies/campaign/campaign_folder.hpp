@@ -13,7 +13,7 @@ namespace sil {
 std::string campaign_fingerprint(CampaignSettings settings);
 
 // Begins a folder for parts (campaign_part.hpp), which many programs write at a time, or checks it, as
-// CampaignFolder does.
+// CampaignFolder does; refuses one with runs.csv.
 void begin_campaign_folder(const std::filesystem::path& path, const CampaignSettings& settings);
 
 class CampaignFolder {

@@ -108,11 +108,6 @@ RowProgress make_part(const CampaignWorld& world, std::uint64_t first, std::uint
                       const RowListener& listener) {
     check(world.settings(), first, count);
     const std::filesystem::path folder = part.has_parent_path() ? part.parent_path() : ".";
-    if (std::filesystem::exists(folder / "runs.csv")) {
-        throw InputError(fmt::format(
-            "{} holds the rows of a campaign that is one file, runs.csv; put parts into another folder",
-            folder.string()));
-    }
     begin_campaign_folder(folder, world.settings());
     const PartHead head{first, count, campaign_fingerprint(world.settings())};
     if (is_made(part, head)) {
