@@ -105,16 +105,18 @@ class Progress:
 def make(client, missing, options, runs):
     """The parts whose work failed, with the reason."""
     cloudpickle.register_pickle_by_value(work)
-    here, progress, failed = os.getcwd(), Progress(runs, missing), []
+    here, columns, progress, failed = os.getcwd(), parquet.columns_of(options.program), Progress(runs, missing), []
     futures = {client.submit(work.make_part, command_for(part, options), here, key=part.file_name(), pure=False): part
                for part in missing}
     for future in dask.distributed.as_completed(futures):
-        part = futures[future]
-        if future.status == "finished":
+        part = futures.pop(future)
+        if future.status in ("error", "cancelled"):
+            failed.append(f"{part.file_name()}: {future.exception() if future.status == 'error' else 'cancelled'}")
+        else:  # finished; or it was, and pends again because its worker is lost with what it gave back, which is nothing
             progress.tell(part, len(client.scheduler_info()["workers"]))
-            parquet.convert_file(options.output / part.file_name(), options.output, options.program)
-        else:
-            failed.append(f"{part.file_name()}: {future.exception()}")
+            source = options.output / part.file_name()
+            if source.exists():  # a network's file system may show it later; the last conversion is of all
+                parquet.convert_file(source, options.output, options.program, columns)
     return failed
 
 

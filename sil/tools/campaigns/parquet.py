@@ -60,8 +60,7 @@ def is_current(source, target):
         return False
 
 
-def convert_file(source, folder, program, columns=None):
-    columns = columns or columns_of(program)
+def convert_file(source, folder, program, columns):
     state, target = state_of(source), target_of(source, folder)
     schema = schema_of(columns).with_metadata({SOURCE: state, b"rsi_sil.columns": json.dumps(columns).encode(),
                                                b"rsi_sil.campaign": (folder / "campaign.toml").read_bytes()})
