@@ -61,9 +61,6 @@ struct RowTable {
     std::vector<RecordedCampaignRun> runs{};  // by number
 };
 
-// Some of the runs of a table that lives on.
-using RunList = std::vector<const RecordedCampaignRun*>;
-
 // Reads the columns by their names; the indices are those that the file has. What follows the last end of a
 // line is not read. Throws InputError with file, line and column for a missing column or a cell that is
 // not a number.

@@ -11,8 +11,6 @@ import time
 
 import dask
 import dask.distributed
-from distributed import protocol  # noqa: F401  (loads cloudpickle's registry)
-import cloudpickle
 
 import parquet
 import parts
@@ -76,6 +74,7 @@ def cluster_of(options):
 
     wanted = dict(job_option(text) for text in options.job)
     wanted.setdefault("processes", wanted.get("cores"))  # a core each: what is killed takes one part with it
+    wanted.setdefault("log_directory", str(options.output / "logs"))
     try:
         cluster = getattr(dask_jobqueue, CLUSTERS[options.cluster])(**wanted)
     except (TypeError, ValueError) as error:
@@ -104,7 +103,7 @@ class Progress:
 
 def make(client, missing, options, runs):
     """The parts whose work failed, with the reason."""
-    cloudpickle.register_pickle_by_value(work)
+    client.upload_file(work.__file__)  # also for workers that come later
     here, columns, progress, failed = os.getcwd(), parquet.columns_of(options.program), Progress(runs, missing), []
     futures = {client.submit(work.make_part, command_for(part, options), here, key=part.file_name(), pure=False): part
                for part in missing}

@@ -1,4 +1,4 @@
-"""What a worker does: one call of rsi-sil. Knows nothing but Python, because it travels to the workers as a whole."""
+"""What a worker does: one call of rsi-sil. Imports nothing of ours, because this file alone travels to the workers."""
 
 import os
 import shutil
