@@ -113,13 +113,12 @@ void run_part(const CampaignRequest& request) {
     const CampaignWorld world{settings_of(request)};
     const std::atomic<bool>& stop = stop_on_signals();
     ProgressLine line = progress_line(request.jobs);
-    const RowProgress progress =
-        make_part(world, *request.first, request.count, request.output, request.jobs, stop,
-                  [&line](const RowProgress& now) { line.show(now); });
+    const RowProgress progress = make_part(world, *request.first, request.count, request.output, request.jobs,
+                                           stop, [&line](const RowProgress& now) { line.show(now); });
     if (progress.finished < progress.total) {
-        throw std::runtime_error(
-            fmt::format("interrupted after {} of {} runs; there is no part {}. The same command makes all of it.",
-                        progress.finished, progress.total, request.output.string()));
+        throw std::runtime_error(fmt::format(
+            "interrupted after {} of {} runs; there is no part {}. The same command makes all of it.",
+            progress.finished, progress.total, request.output.string()));
     }
     fmt::print("{} {}: runs {} to {}\n", request.output.string(),
                progress.begun_with == progress.total ? "was there already" : "is there", *request.first,

@@ -27,10 +27,11 @@ void refuse_rows_without_traces(const RowFile& file, const std::filesystem::path
 // Of a folder of parts the rows are not in one file.
 void refuse_parts(const std::filesystem::path& output) {
     if (!parts_of(output).empty()) {
-        throw InputError(fmt::format(
-            "{} holds parts of a campaign; go on with parts (--first, --count), report on them (--report-only), or "
-            "use another output folder",
-            output.string()));
+        throw InputError(
+            fmt::format("{} holds parts of a campaign; go on with parts (--first, --count), report on them "
+                        "(--report-only), or "
+                        "use another output folder",
+                        output.string()));
     }
 }
 

@@ -114,7 +114,8 @@ std::string campaign_fingerprint(CampaignSettings settings) {
 void begin_campaign_folder(const std::filesystem::path& path, const CampaignSettings& settings) {
     if (std::filesystem::exists(path / "runs.csv")) {
         throw InputError(fmt::format(
-            "{} holds the rows of a campaign in one file, runs.csv; put parts into another folder", path.string()));
+            "{} holds the rows of a campaign in one file, runs.csv; put parts into another folder",
+            path.string()));
     }
     make_folder(path);
     compare_or_store(path, settings);

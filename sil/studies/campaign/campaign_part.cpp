@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <vector>
 
 #include "sil/files/whole_file.hpp"
@@ -35,10 +34,7 @@ bool take(std::string_view& rest, std::uint64_t& number) {
 
 // As far as a head may reach.
 std::string first_line(const std::filesystem::path& path) {
-    std::string text(longest_head, '\0');
-    std::ifstream file{path, std::ios::binary};
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
+    const std::string text = read_beginning(path, longest_head);
     return text.substr(0U, text.find('\n'));
 }
 
@@ -54,11 +50,12 @@ bool is_made(const std::filesystem::path& part, const PartHead& wanted) {
             fmt::format("{} is there and no part of a campaign; name another file", part.string()));
     }
     if (line != wanted.line()) {
-        throw InputError(fmt::format(
-            "{} is another part: runs {} to {} of campaign {}, not runs {} to {} of {} (settings, vehicle files "
-            "and program make the difference). Name another file, or remove this one",
-            part.string(), there->first, there->first + there->count - 1U, there->fingerprint, wanted.first,
-            wanted.first + wanted.count - 1U, wanted.fingerprint));
+        throw InputError(
+            fmt::format("{} is another part: runs {} to {} of campaign {}, not runs {} to {} of {} "
+                        "(settings, vehicle files "
+                        "and program make the difference). Name another file, or remove this one",
+                        part.string(), there->first, there->first + there->count - 1U, there->fingerprint,
+                        wanted.first, wanted.first + wanted.count - 1U, wanted.fingerprint));
     }
     return true;
 }
@@ -74,7 +71,8 @@ void check(const CampaignSettings& settings, std::uint64_t first, std::uint64_t 
 }  // namespace
 
 std::string PartHead::line() const {
-    return fmt::format("{}{}{}{}{}{}", before_first, first, before_count, count, before_fingerprint, fingerprint);
+    return fmt::format("{}{}{}{}{}{}", before_first, first, before_count, count, before_fingerprint,
+                       fingerprint);
 }
 
 std::optional<PartHead> part_head(std::string_view line) {

@@ -40,9 +40,9 @@ std::vector<FoundPart> parts_of(const std::filesystem::path& folder);
 // the same rows, and several programs may make the same part. The folder of the part is that of the campaign:
 // its campaign.toml is begun or compared. A part that is there with the same head is kept as it is.
 //
-// Returns without a file once `stop` is true. Throws InputError when the range goes beyond the settings' runs,
-// the folder holds another campaign or runs.csv, or `part` is another part or no part; std::runtime_error
-// with the run's number when a run fails, or with path and reason when the system refuses.
+// Returns without a file once `stop` is true. Throws InputError when the range goes beyond the settings'
+// runs, the folder holds another campaign or runs.csv, or `part` is another part or no part;
+// std::runtime_error with the run's number when a run fails, or with path and reason when the system refuses.
 RowProgress make_part(const CampaignWorld& world, std::uint64_t first, std::uint64_t count,
                       const std::filesystem::path& part, unsigned jobs, const std::atomic<bool>& stop,
                       const RowListener& listener = {});

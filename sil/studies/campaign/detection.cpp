@@ -209,7 +209,9 @@ std::vector<CurvePoint> IndexOverRuns::curve() const {
         if (threshold <= 0.0) {
             break;
         }
-        const auto share = [&reached, &totals](std::size_t kind) { return Share{reached[kind], totals[kind]}; };
+        const auto share = [&reached, &totals](std::size_t kind) {
+            return Share{reached[kind], totals[kind]};
+        };
         CurvePoint point;
         point.threshold = threshold;
         point.false_alarms = share(ThresholdCounts::calm);

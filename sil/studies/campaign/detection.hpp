@@ -45,7 +45,7 @@ class RunList {
 
     RunList() = default;
     explicit RunList(const std::vector<const RecordedCampaignRun*>& runs);
-    RunList(const std::vector<RecordedCampaignRun>& runs);            // NOLINT(google-explicit-constructor)
+    RunList(const std::vector<RecordedCampaignRun>& runs);  // NOLINT(google-explicit-constructor)
     RunList(std::initializer_list<RecordedCampaignRun> runs);
 
     const std::vector<Entry>& entries() const { return entries_; }

@@ -35,9 +35,8 @@ std::vector<std::optional<BestThreshold>> best_of(const IndexOverRuns& index) {
     std::vector<std::optional<BestThreshold>> best;
     for (const double limit : false_alarm_limits) {
         const std::optional<CurvePoint> point = best_at(curve, limit);
-        best.push_back(point
-                           ? std::optional{BestThreshold{point->threshold, index.at(point->threshold)}}
-                           : std::nullopt);
+        best.push_back(point ? std::optional{BestThreshold{point->threshold, index.at(point->threshold)}}
+                             : std::nullopt);
     }
     return best;
 }

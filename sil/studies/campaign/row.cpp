@@ -123,10 +123,11 @@ void put_indices(Cells& cells, const CampaignRow& row) {
     for (std::size_t i = 0U; i < indices.size(); ++i) {
         const IndexScore& score = i < row.indices.size() ? row.indices[i] : nothing;
         const std::string& name = indices[i].name;
-        cells.number(name + "_threshold", no_unit,
-                     "largest threshold at which the index " + name +
-                         " warns: as two wheels lift of the falling side, without lift-off at all; 0: at none",
-                     score.threshold);
+        cells.number(
+            name + "_threshold", no_unit,
+            "largest threshold at which the index " + name +
+                " warns: as two wheels lift of the falling side, without lift-off at all; 0: at none",
+            score.threshold);
         cells.number(name + "_threshold_100ms", no_unit, "the same, at least 0.1 s before lift-off",
                      score.threshold_100ms);
         cells.number(name + "_threshold_200ms", no_unit, "the same, at least 0.2 s before lift-off",

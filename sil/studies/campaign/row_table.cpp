@@ -69,7 +69,8 @@ class RowReader {
         split_fields(line.text, cells_);
         line_ = line.number;
         if (cells_.size() != columns_.size()) {
-            place_.fail(line_, 1U, fmt::format("has {} cells, not {}", cells_.size(), columns_.size()), remedy);
+            place_.fail(line_, 1U, fmt::format("has {} cells, not {}", cells_.size(), columns_.size()),
+                        remedy);
         }
         RecordedCampaignRun run;
         run.number = static_cast<std::uint64_t>(number(run_));
@@ -131,7 +132,8 @@ class RowReader {
 
     const CsvPlace& place_;
     std::vector<std::string> columns_{};
-    std::size_t run_, vehicle_, class_, manoeuvre_, largest_ltr_, two_wheel_lift_, brief_lift_, end_, distance_;
+    std::size_t run_, vehicle_, class_, manoeuvre_, largest_ltr_, two_wheel_lift_, brief_lift_, end_,
+        distance_;
     std::size_t lead_, wrong_side_, warnings_, advisories_, unavailable_, codes_;
     std::vector<IndexPlaces> indices_{};
     std::size_t line_{0U};
@@ -173,8 +175,9 @@ void read_part(const FoundPart& part, RowTable& table) {
     const auto rows = static_cast<std::size_t>(table.runs.size() - before);
     if (rows != part.head.count || table.runs[before].number != part.head.first ||
         table.runs.back().number != part.head.first + part.head.count - 1U) {
-        throw InputError(fmt::format("{} has not the rows that its first line tells; remove it and make it again",
-                                     part.path.string()));
+        throw InputError(
+            fmt::format("{} has not the rows that its first line tells; remove it and make it again",
+                        part.path.string()));
     }
 }
 
@@ -182,10 +185,11 @@ void check_parts(const std::vector<FoundPart>& parts, const std::string& wanted)
     const FoundPart* before = nullptr;
     for (const FoundPart& part : parts) {
         if (part.head.fingerprint != wanted) {
-            throw InputError(fmt::format(
-                "{} is of another campaign than campaign.toml beside it: {}, not {} (settings, vehicle files and "
-                "program make the difference). Move it to another folder, or make it again",
-                part.path.string(), part.head.fingerprint, wanted));
+            throw InputError(
+                fmt::format("{} is of another campaign than campaign.toml beside it: {}, not {} (settings, "
+                            "vehicle files and "
+                            "program make the difference). Move it to another folder, or make it again",
+                            part.path.string(), part.head.fingerprint, wanted));
         }
         if (before != nullptr && part.head.first < before->head.first + before->head.count) {
             throw InputError(fmt::format("{} and {} have the same runs; remove one of them",

@@ -22,7 +22,9 @@ class Name {
     friend bool operator==(Name one, Name other) { return one.text_ == other.text_; }
     friend bool operator!=(Name one, Name other) { return one.text_ != other.text_; }
     // As the texts.
-    friend bool operator<(Name one, Name other) { return one.text_ != other.text_ && *one.text_ < *other.text_; }
+    friend bool operator<(Name one, Name other) {
+        return one.text_ != other.text_ && *one.text_ < *other.text_;
+    }
 
  private:
     const std::string* text_;

@@ -33,9 +33,9 @@ struct RowWork {
     std::function<MadeRow(std::uint64_t number)> make{};  // by several threads at a time
 };
 
-// Makes the rows, numbered from 0, that are missing and appends each to the file, which is sorted once all are there. Returns
-// early, with every finished row kept, once `stop` is true or a row fails; of several failures throws the
-// first.
+// Makes the rows, numbered from 0, that are missing and appends each to the file, which is sorted once all
+// are there. Returns early, with every finished row kept, once `stop` is true or a row fails; of several
+// failures throws the first.
 RowProgress make_rows(RowFile& file, const RowWork& work, const std::atomic<bool>& stop,
                       const RowListener& listener);
 

@@ -12,10 +12,9 @@ from campaign_error import CampaignError  # noqa: E402
 
 
 def at_least_one(text):
-    value = int(text)
-    if value < 1:
-        raise ValueError
-    return value
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"wants a whole number from 1 on, not {text}")
+    return int(text)
 
 
 def parse(arguments):
@@ -47,7 +46,8 @@ def parse(arguments):
     for command in (run, query, convert):
         command.add_argument("--program", type=pathlib.Path, default=PROJECT / "build/release/sil/rsi-sil", metavar="FILE")
     options = parser.parse_args(arguments)
-    if options.command == "query" and not options.list and (options.folder is None or (options.name is None) == (options.sql is None)):
+    asks = options.command == "query" and not options.list
+    if asks and (options.folder is None or (options.name is None) == (options.sql is None)):
         query.error("wants a folder and the name of a question, or --sql TEXT in its place; --list names the questions")
     return options
 

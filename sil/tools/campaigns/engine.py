@@ -24,12 +24,15 @@ CLUSTERS = {"slurm": "SLURMCluster", "pbs": "PBSCluster", "lsf": "LSFCluster", "
 @contextlib.contextmanager
 def alone(folder):
     """The system gives the lock back when the program ends, however it ends."""
-    with (folder / ".lock").open("w") as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            raise CampaignError(f"{folder}: another campaign is writing into this folder; wait for it or end it") from None
+    lock = os.open(folder / ".lock", os.O_CREAT | os.O_RDWR | os.O_CLOEXEC, 0o644)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        raise CampaignError(f"{folder}: another campaign is writing into this folder; wait for it or end it") from None
+    try:
         yield
+    finally:
+        os.close(lock)
 
 
 def begin(options):
@@ -97,8 +100,8 @@ class Progress:
         self.done += part.count
         rate = (self.done - self.before) / max(time.monotonic() - self.begin_s, 1e-3)
         left_s = (self.runs - self.done) / rate
-        print(f"{self.done} of {self.runs} runs, {rate:.1f} runs/s, {workers} workers, {left_s / 60:.1f} min left", file=sys.stderr,
-              flush=True)
+        print(f"{self.done} of {self.runs} runs, {rate:.1f} runs/s, {workers} workers, {left_s / 60:.1f} min left",
+              file=sys.stderr, flush=True)
 
 
 def make(client, missing, options, runs):

@@ -22,8 +22,8 @@ def columns_of(program):
     try:
         return json.loads(subprocess.run([program, "campaign", "--columns"], capture_output=True, check=True).stdout)
     except (OSError, subprocess.CalledProcessError) as error:
-        raise CampaignError(f"{program} does not tell the columns: {error}; make it with cmake/environment/build release rsi-sil, "
-                            "or name another: --program FILE") from None
+        raise CampaignError(f"{program} does not tell the columns: {error}; make it with cmake/environment/build release "
+                            "rsi-sil, or name another: --program FILE") from None
 
 
 def schema_of(columns):
@@ -38,7 +38,8 @@ def sources(folder):
     if not found and single.exists():
         found = [single]
     if not found:
-        raise CampaignError(f"there are no rows of a campaign in {folder}; sil/tools/campaign run, or rsi-sil campaign, makes some")
+        raise CampaignError(f"there are no rows of a campaign in {folder}; sil/tools/campaign run, or rsi-sil campaign, "
+                            "makes some")
     return found
 
 

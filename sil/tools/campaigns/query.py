@@ -20,7 +20,8 @@ MOST_LINES = 100
 
 def names():
     """Each question with what its first line says."""
-    return {path.stem: path.read_text(encoding="utf-8").splitlines()[0].removeprefix("-- ") for path in sorted(QUERIES.glob("*.sql"))}
+    return {path.stem: path.read_text(encoding="utf-8").splitlines()[0].removeprefix("-- ")
+            for path in sorted(QUERIES.glob("*.sql"))}
 
 
 def quoted(text):
@@ -36,8 +37,8 @@ def open_rows(folder, program):
     ending = "_threshold_100ms"
     indices = [name.removesuffix(ending) for name in connection.table("runs").columns if name.endswith(ending)]
     connection.execute("CREATE VIEW index_scores AS " + " UNION ALL ".join(
-        f"SELECT run, vehicle, class, manoeuvre, largest_ltr, lifted, calm, {quoted(index)} AS index_name, {index}_threshold AS threshold, "
-        f"{index}_threshold_100ms AS threshold_100ms, {index}_threshold_200ms AS threshold_200ms, "
+        f"SELECT run, vehicle, class, manoeuvre, largest_ltr, lifted, calm, {quoted(index)} AS index_name, "
+        f"{index}_threshold AS threshold, {index}_threshold_100ms AS threshold_100ms, {index}_threshold_200ms AS threshold_200ms, "
         f"{index}_lead_time_s AS lead_time_s FROM drawn" for index in indices))
     again = (f"(cd {shlex.quote(os.getcwd())} && {shlex.quote(str(program))} campaign "
              f"--settings {shlex.quote(str(folder / 'campaign.toml'))} --output {shlex.quote(str(folder))} --run ")
@@ -55,8 +56,8 @@ def table_of(head, rows):
     cells = [head, *([text_of(value) for value in row] for row in rows[:MOST_LINES])]
     left = [bool(rows) and isinstance(rows[0][column], str) for column in range(len(head))]
     widths = [max(len(row[column]) for row in cells) for column in range(len(head))]
-    lines = ["  ".join(cell.ljust(width) if is_left else cell.rjust(width) for cell, width, is_left in zip(row, widths, left)).rstrip()
-             for row in cells]
+    lines = ["  ".join(cell.ljust(width) if is_left else cell.rjust(width)
+                       for cell, width, is_left in zip(row, widths, left)).rstrip() for row in cells]
     if len(rows) > MOST_LINES:
         lines.append(f"The first {MOST_LINES} of {len(rows)}; --csv FILE has all.")
     return "\n".join(lines)

@@ -101,7 +101,8 @@ TEST(CampaignPart, IsNotMixedWithAnothers) {
     expect_refused([&] { make(small_campaign(runs), 1U, 1U, part); }, "is another part: runs 0 to 0");
     sil::CampaignSettings other = small_campaign(runs);
     other.seed = 8U;
-    expect_refused([&] { make(other, 1U, 1U, folder.path() / "other.csv"); }, "`seed = 7` where now there is");
+    expect_refused([&] { make(other, 1U, 1U, folder.path() / "other.csv"); },
+                   "`seed = 7` where now there is");
     EXPECT_NE(sil::campaign_fingerprint(other), sil::campaign_fingerprint(small_campaign(runs)));
     EXPECT_EQ(sil::campaign_fingerprint(small_campaign(9U)), sil::campaign_fingerprint(small_campaign(runs)))
         << "a campaign may grow";
@@ -116,7 +117,8 @@ TEST(CampaignPart, IsNotMixedWithAnothers) {
 TEST(CampaignPart, StaysWithinTheCampaignAndItsFolder) {
     const ScratchFolder folder;
     const std::filesystem::path part = folder.path() / "part.csv";
-    expect_refused([&] { make(small_campaign(runs), 5U, 2U, part); }, "runs 5 to 6 are not all of the campaign's 6");
+    expect_refused([&] { make(small_campaign(runs), 5U, 2U, part); },
+                   "runs 5 to 6 are not all of the campaign's 6");
     expect_refused([&] { make(small_campaign(runs), 6U, 1U, part); }, "--runs N");
     expect_refused([&] { make(small_campaign(runs), 0U, 0U, part); }, "--runs N");
     write_text(part, "time_s,speed_kmh\n");
@@ -125,11 +127,13 @@ TEST(CampaignPart, StaysWithinTheCampaignAndItsFolder) {
 
     const ScratchFolder single;
     sil::run_campaign(sil::CampaignWorld{small_campaign(1U)}, single.path(), 1U, never);
-    expect_refused([&] { make(small_campaign(1U), 0U, 1U, single.path() / "part.csv"); }, "in one file, runs.csv");
+    expect_refused([&] { make(small_campaign(1U), 0U, 1U, single.path() / "part.csv"); },
+                   "in one file, runs.csv");
     const ScratchFolder parts;
     make(small_campaign(1U), 0U, 1U, parts.path() / "part.csv");
-    expect_refused([&] { sil::run_campaign(sil::CampaignWorld{small_campaign(1U)}, parts.path(), 1U, never); },
-                   "holds parts");
+    expect_refused(
+        [&] { sil::run_campaign(sil::CampaignWorld{small_campaign(1U)}, parts.path(), 1U, never); },
+        "holds parts");
 }
 
 class DamagedParts : public testing::Test {
@@ -164,9 +168,10 @@ TEST(PartHead, IsReadAsItIsWritten) {
     EXPECT_EQ(read->first, 30U);
     EXPECT_EQ(read->count, 12U);
     EXPECT_EQ(read->fingerprint, "0123456789abcdef");
-    for (const char* other : {"", "run,vehicle", "# part of a campaign by rsi-sil: first x, count 1, fingerprint y",
-                              "# part of a campaign by rsi-sil: first 1, count 0, fingerprint y",
-                              "# part of a campaign by rsi-sil: first 1, count 2, fingerprint "}) {
+    for (const char* other :
+         {"", "run,vehicle", "# part of a campaign by rsi-sil: first x, count 1, fingerprint y",
+          "# part of a campaign by rsi-sil: first 1, count 0, fingerprint y",
+          "# part of a campaign by rsi-sil: first 1, count 2, fingerprint "}) {
         EXPECT_FALSE(sil::part_head(other)) << other;
     }
 }

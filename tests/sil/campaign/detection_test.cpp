@@ -132,8 +132,9 @@ TEST(DetectionCurve, HasAPointForEachThresholdFromTheHighest) {
 
 TEST(DetectionCurve, HasNoPointWhereNothingWarnsOfAnyRun) {
     EXPECT_TRUE(sil::IndexOverRuns({}, 0U).curve().empty());
-    EXPECT_TRUE(
-        sil::IndexOverRuns({with(3.0, 1.0, 0.0, 0.0, 0.0), with({}, 0.5, 0.0, 0.0, 0.0)}, 0U).curve().empty());
+    EXPECT_TRUE(sil::IndexOverRuns({with(3.0, 1.0, 0.0, 0.0, 0.0), with({}, 0.5, 0.0, 0.0, 0.0)}, 0U)
+                    .curve()
+                    .empty());
 }
 
 TEST(DetectionCurve, BestIsTheMostDetectionWithinTheAllowedFalseAlarms) {

@@ -166,7 +166,8 @@ TEST(CampaignRow, TellsUnitAndMeaningOfEveryColumn) {
     for (const sil::RowColumn& column : sil::row_columns()) {
         EXPECT_GT(column.meaning.size(), 5U) << column.name;
         const std::size_t last = column.name.rfind('_');
-        const auto ending = last == std::string::npos ? endings.end() : endings.find(column.name.substr(last));
+        const auto ending =
+            last == std::string::npos ? endings.end() : endings.find(column.name.substr(last));
         EXPECT_EQ(column.unit, ending == endings.end() ? "" : ending->second) << column.name;
     }
     const auto json = nlohmann::json::parse(sil::row_columns_json());
