@@ -56,14 +56,14 @@ Detection detection_of(const RunList& runs, const StatementOf& statement_of) {
 }
 
 template <typename LeadOf>
-std::vector<double> leads_of(const RunList& runs, const LeadOf& lead_of) {
-    std::vector<double> leads_s;
+void add_leads(Detection& detection, const RunList& runs, const LeadOf& lead_of) {
     for (std::size_t place = 0U; place < runs.entries().size(); ++place) {
         if (runs.entries()[place].lifted) {
-            leads_s.push_back(lead_of(place).value_or(0.0));
+            detection.lead_times_s.push_back(lead_of(place).value_or(0.0));
         }
     }
-    return leads_s;
+    detection.median_lead_s = quantile(detection.lead_times_s, 0.5);
+    detection.tenth_lead_s = quantile(detection.lead_times_s, 0.1);
 }
 
 // Runs of each kind by the threshold up to which they are warned of. Indices know some hundred thresholds,
@@ -155,7 +155,7 @@ Detection detection_of_warning(const RunList& runs) {
     Detection detection = detection_of(runs, [&run_in](std::size_t place) {
         return of_lead(run_in(place).lead_s, run_in(place).warnings > 0U);
     });
-    detection.lead_times_s = leads_of(runs, [&run_in](std::size_t place) { return run_in(place).lead_s; });
+    add_leads(detection, runs, [&run_in](std::size_t place) { return run_in(place).lead_s; });
     return detection;
 }
 
@@ -170,7 +170,7 @@ Detection IndexOverRuns::at_one() const {
     Detection detection = detection_of(runs_, [this](std::size_t place) {
         return of_lead(recorded_[place].lead_s, recorded_[place].threshold >= 1.0);
     });
-    detection.lead_times_s = leads_of(runs_, [this](std::size_t place) { return recorded_[place].lead_s; });
+    add_leads(detection, runs_, [this](std::size_t place) { return recorded_[place].lead_s; });
     return detection;
 }
 

@@ -30,6 +30,8 @@ struct Detection {
     std::array<Share, band_count> alarms{};  // of the runs of each LoadBand
     // Of all two-wheel lift-offs, 0 for those that were not warned of.
     std::vector<double> lead_times_s{};
+    std::optional<double> median_lead_s{};  // of these
+    std::optional<double> tenth_lead_s{};   // their 10th percentile
 };
 
 // Some of a table's runs, with what every judgement of them asks for side by side: a million runs are gone

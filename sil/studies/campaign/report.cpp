@@ -67,6 +67,9 @@ std::vector<RunGroup> judge_by(const Runs& runs, Name RecordedCampaignRun::* key
     std::vector<RunGroup> judged;
     for (const auto& [name, members] : groups) {
         judged.push_back(judge(name, RunList{members}, index_names));
+        for (Judgement& judgement : judged.back().judgements) {
+            judgement.detection.lead_times_s = std::vector<double>{};  // they are drawn of all runs only
+        }
     }
     return judged;
 }

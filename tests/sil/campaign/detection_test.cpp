@@ -61,6 +61,9 @@ TEST(Detection, CountsLeadsOfLiftOffsAndAlarmsByBand) {
     expect_share(detection.alarms[2], 1U, 3U);
     expect_share(detection.alarms[3], 1U, 1U);
     EXPECT_THAT(detection.lead_times_s, testing::ElementsAre(0.5, 0.2, 0.19, 0.1, 0.09, 0.0, 0.0));
+    EXPECT_EQ(detection.median_lead_s, 0.1);
+    EXPECT_EQ(detection.tenth_lead_s, 0.0);
+    EXPECT_FALSE(sil::detection_of_warning({recorded(upright(0.5, true))}).median_lead_s);
 }
 
 sil::RecordedCampaignRun with(std::optional<double> lift_time_s, double ltr, double threshold, double early,
