@@ -5,6 +5,7 @@ import fcntl
 import json
 import logging
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -17,8 +18,9 @@ import parts
 import work
 from campaign_error import CampaignError
 
-CLUSTERS = {"slurm": "SLURMCluster", "pbs": "PBSCluster", "lsf": "LSFCluster", "sge": "SGECluster",
-            "htcondor": "HTCondorCluster"}
+# The class of dask-jobqueue, and the command by which it puts jobs in.
+CLUSTERS = {"slurm": ("SLURMCluster", "sbatch"), "pbs": ("PBSCluster", "qsub"), "lsf": ("LSFCluster", "bsub"),
+            "sge": ("SGECluster", "qsub"), "htcondor": ("HTCondorCluster", "condor_submit")}
 
 
 @contextlib.contextmanager
@@ -75,11 +77,15 @@ def cluster_of(options):
                                              dashboard_address="127.0.0.1:8787")
     import dask_jobqueue
 
+    name, submits = CLUSTERS[options.cluster]
+    if shutil.which(submits) is None:
+        raise CampaignError(f"--cluster {options.cluster}: there is no {submits} here; start this where jobs are put in, or "
+                            "without --cluster on this machine")
     wanted = dict(job_option(text) for text in options.job)
     wanted.setdefault("processes", wanted.get("cores"))  # a core each: what is killed takes one part with it
     wanted.setdefault("log_directory", str(options.output / "logs"))
     try:
-        cluster = getattr(dask_jobqueue, CLUSTERS[options.cluster])(**wanted)
+        cluster = getattr(dask_jobqueue, name)(**wanted)
     except (TypeError, ValueError) as error:
         raise CampaignError(f"--job: {error}") from None
     cluster.adapt(minimum_jobs=options.jobs, maximum_jobs=options.jobs)  # jobs that end are put in again
@@ -115,7 +121,7 @@ def make(client, missing, options, runs):
         if future.status in ("error", "cancelled"):
             failed.append(f"{part.file_name()}: {future.exception() if future.status == 'error' else 'cancelled'}")
         else:  # finished; or it was, and pends again because its worker is lost with what it gave back, which is nothing
-            progress.tell(part, len(client.scheduler_info()["workers"]))
+            progress.tell(part, len(client.nthreads()))
             source = options.output / part.file_name()
             if source.exists():  # a network's file system may show it later; the last conversion is of all
                 parquet.convert_file(source, options.output, options.program, columns)
@@ -131,6 +137,9 @@ def run(options):
         missing = parts.missing(parts.there(options.output), runs, options.part_runs)
         if missing:
             make_missing(missing, options, runs)
+            if parts.missing(parts.there(options.output), runs, options.part_runs):
+                raise CampaignError(f"parts were made that are not in {options.output}; it must be the same folder on all "
+                                    "machines")
         parquet.convert(options.output, options.program)
     call([options.program, "campaign", "--report-only", "--output", options.output])
     print(f"{runs} runs are in {options.output}: report.md, report.html to look into. Ask more: sil/tools/campaign query "
@@ -145,7 +154,10 @@ def make_missing(missing, options, runs):
         cluster = cluster_of(options)
         if cluster is not None:
             stack.enter_context(cluster)
-        client = stack.enter_context(dask.distributed.Client(cluster or options.scheduler))
+        try:
+            client = stack.enter_context(dask.distributed.Client(cluster or options.scheduler))
+        except (OSError, ValueError) as error:
+            raise CampaignError(f"--scheduler {options.scheduler}: {error}") from None
         print(f"{len(missing)} parts are to be made; look on: {client.dashboard_link}", file=sys.stderr, flush=True)
         failed = make(client, missing, options, runs)
     if failed:

@@ -38,7 +38,8 @@ def open_rows(folder, program):
     indices = [name.removesuffix(ending) for name in connection.table("runs").columns if name.endswith(ending)]
     connection.execute("CREATE VIEW index_scores AS " + " UNION ALL ".join(
         f"SELECT run, vehicle, class, manoeuvre, largest_ltr, lifted, calm, {quoted(index)} AS index_name, "
-        f"{index}_threshold AS threshold, {index}_threshold_100ms AS threshold_100ms, {index}_threshold_200ms AS threshold_200ms, "
+        f"{index}_threshold AS threshold, {index}_threshold_100ms AS threshold_100ms, "
+        f"{index}_threshold_200ms AS threshold_200ms, "
         f"{index}_lead_time_s AS lead_time_s FROM drawn" for index in indices))
     again = (f"(cd {shlex.quote(os.getcwd())} && {shlex.quote(str(program))} campaign "
              f"--settings {shlex.quote(str(folder / 'campaign.toml'))} --output {shlex.quote(str(folder))} --run ")

@@ -104,6 +104,27 @@ class Engine(unittest.TestCase):
             self.assertEqual(self.begun()[str(int(path.name.split("-")[1]))], 1, path)
         self.assertEqual(len(list((self.folder / "parquet").glob("*.parquet"))), RUNS // PART_RUNS)
 
+    def test_a_cluster_that_is_not_there_is_told(self):
+        for arguments, expected in ((["--cluster", "slurm", "--job", "cores=1"], "--cluster slurm: there is no sbatch here"),
+                                    (["--scheduler", "nonsense://x"], "--scheduler nonsense://x: ")):
+            finished = subprocess.run([sys.executable, "-B", COMMAND, "run", "--runs", "5", "--output", self.folder, "--program",
+                                       self.program, *arguments], cwd=PROJECT, env={**os.environ, "PATH": "/nowhere"},
+                                      capture_output=True, text=True, check=False, timeout=300)
+            self.assertEqual(finished.returncode, 1, finished.stderr)
+            self.assertTrue(finished.stderr.startswith(f"sil/tools/campaign: {expected}"), finished.stderr)
+
+    def test_a_worker_tells_why_a_part_failed(self):
+        sys.path.insert(0, str(COMMAND.parent))
+        import work
+
+        work.make_part(["bash", "-c", "pwd >here; echo $PPID >>here"], self.scratch)
+        said = (self.scratch / "here").read_text(encoding="utf-8").split()
+        self.assertEqual(said, [str(self.scratch.resolve()), str(os.getpid())])
+        with self.assertRaisesRegex(RuntimeError, r"^rsi-sil: run 7: no \(status 3 on "):
+            work.make_part(["bash", "-c", "echo 6 of 9 runs >&2; echo rsi-sil: run 7: no >&2; exit 3"], self.scratch)
+        with self.assertRaisesRegex(RuntimeError, r"^said nothing \(status 1 on "):
+            work.make_part(["false"], self.scratch)
+
 
 if __name__ == "__main__":
     Engine.program = pathlib.Path(sys.argv.pop(1)).resolve()

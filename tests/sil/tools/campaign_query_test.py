@@ -49,7 +49,8 @@ class Queries(unittest.TestCase):
         manoeuvres = "".join(f'\n[[manoeuvre]]\nname = "{name}"\nspeed_factor = [0.8, 1.2]\nsteering_factor = [0.6, 1.4]\n'
                              for name in ("j-turn-110", "fishhook-1a"))
         vehicles = "".join(f'\n[[vehicle]]\nparameters = "{PROJECT}/sil/vehicles/{name}.toml"\ncalibration = "{PROJECT}/'
-                           f'firmware/calibrations/{name}.toml"\nclass = "{name} class"\n' for name in ("large_suv", "ordinary_suv"))
+                           f'firmware/calibrations/{name}.toml"\nclass = "{name} class"\n'
+                           for name in ("large_suv", "ordinary_suv"))
         settings.write_text(f'changes = ["warning_indicator=\\"published\\""]\n{vehicles}{manoeuvres}', encoding="utf-8")
         for first in range(0, RUNS, 30):
             cls.run_program("--settings", settings, "--runs", RUNS, "--first", first, "--count", 30, "--output",
