@@ -33,7 +33,7 @@ std::string fingerprint(const std::filesystem::path& path) {
 
 // The revision does not tell one build from another, with changes that are not committed or other options.
 const std::string& fingerprint_of_this_program() {
-    static const std::string value = fingerprint(std::filesystem::read_symlink("/proc/self/exe"));
+    static const std::string value = fingerprint("/proc/self/exe");
     return value;
 }
 

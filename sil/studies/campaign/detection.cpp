@@ -21,7 +21,9 @@ Statement of_lead(const std::optional<double>& lead_s, bool alarm) {
     return {is_warned(lead_s), is_warned(lead_s, early_s), is_warned(lead_s, very_early_s), alarm};
 }
 
-bool is_calm(LoadBand band);
+bool is_calm(LoadBand band) {
+    return band != LoadBand::from_0_9;
+}
 
 // `statement_of` the run in a place of the list.
 template <typename StatementOf>
@@ -101,19 +103,6 @@ class ThresholdCounts {
     std::unordered_map<std::uint64_t, std::pair<double, Counts>> counts_{};
 };
 
-bool is_calm(LoadBand band) {
-    return band != LoadBand::from_0_9;
-}
-
-template <typename Runs>
-std::vector<const RecordedCampaignRun*> pointers_to(const Runs& runs) {
-    std::vector<const RecordedCampaignRun*> pointers;
-    for (const RecordedCampaignRun& run : runs) {
-        pointers.push_back(&run);
-    }
-    return pointers;
-}
-
 }  // namespace
 
 bool is_lifted(const RecordedCampaignRun& run) {
@@ -143,10 +132,6 @@ RunList::RunList(const std::vector<const RecordedCampaignRun*>& runs) {
             {run, numbers[&run->vehicle.text()], is_lifted(*run), load_band(run->largest_ltr)});
     }
 }
-
-RunList::RunList(const std::vector<RecordedCampaignRun>& runs) : RunList{pointers_to(runs)} {}
-
-RunList::RunList(std::initializer_list<RecordedCampaignRun> runs) : RunList{pointers_to(runs)} {}
 
 Detection detection_of_warning(const RunList& runs) {
     const auto run_in = [&runs](std::size_t place) -> const RecordedCampaignRun& {

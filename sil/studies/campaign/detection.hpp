@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -45,10 +44,7 @@ class RunList {
         LoadBand band{LoadBand::below_0_7};
     };
 
-    RunList() = default;
     explicit RunList(const std::vector<const RecordedCampaignRun*>& runs);
-    RunList(const std::vector<RecordedCampaignRun>& runs);  // NOLINT(google-explicit-constructor)
-    RunList(std::initializer_list<RecordedCampaignRun> runs);
 
     const std::vector<Entry>& entries() const { return entries_; }
     std::size_t vehicles() const { return vehicles_; }
