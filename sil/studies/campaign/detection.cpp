@@ -189,7 +189,9 @@ std::vector<CurvePoint> IndexOverRuns::curve() const {
         }
     }
     std::vector<CurvePoint> curve;
-    for (const auto& [threshold, reached] : counts.reached()) {
+    for (const auto& each : counts.reached()) {
+        const double threshold = each.first;
+        const ThresholdCounts::Counts& reached = each.second;
         // 0 is no threshold: the run is warned of at none.
         if (threshold <= 0.0) {
             break;
