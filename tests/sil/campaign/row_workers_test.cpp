@@ -57,6 +57,18 @@ TEST_F(RowWorkers, MakeWhatIsMissingAndSortTheFile) {
     EXPECT_GT(progress.elapsed_s, 0.0);
 }
 
+TEST_F(RowWorkers, MakeLinesInTheirOrderWithoutAFile) {
+    std::vector<std::string> lines;
+    const sil::RowProgress progress = sil::make_lines(lines, 7U, {3U, 3U, row_of}, never, {});
+    EXPECT_THAT(lines, ElementsAre("7,made", "8,made", "9,made"));
+    EXPECT_EQ(progress.finished, 3U);
+    EXPECT_EQ(progress.total, 3U);
+    EXPECT_FALSE(std::filesystem::exists(path()));
+    const std::atomic<bool> stopped{true};
+    EXPECT_EQ(sil::make_lines(lines, 7U, {3U, 1U, row_of}, stopped, {}).finished, 0U);
+    EXPECT_THAT(lines, ElementsAre("", "", ""));
+}
+
 TEST_F(RowWorkers, TellEachFinishedRow) {
     begin_with("1,kept\n");
     std::vector<std::uint64_t> finished;
