@@ -17,7 +17,9 @@
 #include "sil/apps/stop_request.hpp"
 #include "sil/files/whole_file.hpp"
 #include "sil/studies/campaign/campaign.hpp"
+#include "sil/studies/campaign/campaign_folder.hpp"
 #include "sil/studies/campaign/campaign_page.hpp"
+#include "sil/studies/campaign/campaign_part.hpp"
 #include "sil/studies/campaign/report.hpp"
 #include "sil/studies/campaign/settings.hpp"
 
@@ -35,6 +37,10 @@ struct CampaignRequest {
     bool report_only{false};
     bool with_traces{false};
     std::optional<std::uint64_t> single_run;
+    std::optional<std::uint64_t> first;  // of a part
+    std::uint64_t count{0U};
+    bool begin_only{false};
+    bool columns{false};
 };
 
 CampaignSettings settings_of(const CampaignRequest& request) {
@@ -73,7 +79,7 @@ void report(const CampaignRequest& request) {
                         request.output.string()));
     }
     const std::uint64_t wanted = load_campaign(settings).runs;
-    const RowTable rows = load_rows(request.output / "runs.csv");
+    const RowTable rows = load_campaign_rows(request.output);
     const CampaignReport report = make_report(rows, wanted);
     write_report(report, request.output);
     const CampaignCall call{this_program(), std::filesystem::current_path(), request.output};
@@ -85,18 +91,38 @@ void report(const CampaignRequest& request) {
         (request.output / "report.html").string(), request.output.string());
 }
 
-void run(const CampaignRequest& request) {
-    const CampaignWorld world{settings_of(request)};
-    const std::atomic<bool>& stop = stop_on_signals();
-    ProgressLine line{[jobs = request.jobs](const RowProgress& now, double rate, double left_s) {
+ProgressLine progress_line(unsigned jobs) {
+    return ProgressLine{[jobs](const RowProgress& now, double rate, double left_s) {
         return fmt::format("{} of {} runs, {:.1f} runs/s, {:.0f} times real time a thread, {} left",
                            now.finished, now.total, rate, now.simulated_s / now.elapsed_s / jobs,
                            duration(left_s));
     }};
+}
+
+void run(const CampaignRequest& request) {
+    const CampaignWorld world{settings_of(request)};
+    const std::atomic<bool>& stop = stop_on_signals();
+    ProgressLine line = progress_line(request.jobs);
     const RowProgress progress = run_campaign(
         world, request.output, request.jobs, stop, [&line](const RowProgress& now) { line.show(now); },
         request.with_traces);
     require_finished(progress, "runs", request.output);
+}
+
+void run_part(const CampaignRequest& request) {
+    const CampaignWorld world{settings_of(request)};
+    const std::atomic<bool>& stop = stop_on_signals();
+    ProgressLine line = progress_line(request.jobs);
+    const RowProgress progress = make_part(world, *request.first, request.count, request.output, request.jobs,
+                                           stop, [&line](const RowProgress& now) { line.show(now); });
+    if (progress.finished < progress.total) {
+        throw std::runtime_error(fmt::format(
+            "interrupted after {} of {} runs; there is no part {}. The same command makes all of it.",
+            progress.finished, progress.total, request.output.string()));
+    }
+    fmt::print("{} {}: runs {} to {}\n", request.output.string(),
+               progress.begun_with == progress.total ? "was there already" : "is there", *request.first,
+               *request.first + request.count - 1U);
 }
 
 void run_one(const CampaignRequest& request, std::uint64_t number) {
@@ -134,7 +160,33 @@ void add_campaign(CLI::App& app) {
     add_whole_number(*command, "--run", request->single_run,
                      "No campaign: drive the run of this number once more, into OUTPUT/run-NUMBER");
     command->get_option("--run")->excludes("--report-only", "--traces");
+    CLI::Option* const first = add_whole_number(
+        *command, "--first", request->first,
+        "A part of the campaign, for many machines: COUNT runs from this number on, into the file OUTPUT");
+    CLI::Option* const count =
+        add_whole_number(*command, "--count", request->count, "How many runs the part has");
+    first->needs(count)->needs("--output")->excludes("--report-only", "--traces", "--run");
+    count->needs(first);
+    command
+        ->add_flag("--begin", request->begin_only,
+                   "No runs: the folder OUTPUT with its campaign.toml, from which parts are made")
+        ->excludes("--report-only", "--traces", "--run", "--first");
+    command->add_flag("--columns", request->columns,
+                      "No runs: what the columns of the rows are, with units, as JSON");
     command->callback([request] {
+        if (request->columns) {
+            fmt::print("{}", row_columns_json());
+            return;
+        }
+        if (request->begin_only) {
+            const CampaignWorld world{settings_of(*request)};
+            begin_campaign_folder(request->output, world.settings());
+            return;
+        }
+        if (request->first) {
+            run_part(*request);
+            return;
+        }
         if (request->single_run) {
             run_one(*request, *request->single_run);
             return;

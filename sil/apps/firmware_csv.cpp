@@ -44,7 +44,7 @@ std::string lift_row(const char* what, double from_s, double to_s) {
 
 FirmwareCsvWriter::FirmwareCsvWriter(const std::filesystem::path& path, const rsi::Outputs& outputs,
                                      const rsi::Parameters& calibration)
-    : file_{path, firmware_csv_header()}, outputs_{outputs}, calibration_{calibration} {
+    : file_{path, firmware_csv_header()}, outputs_{outputs}, indices_{calibration} {
     for (const char* name : rsi::indicator_choices) {
         index_times_s_.emplace_back(name, std::nullopt);
     }
@@ -54,9 +54,9 @@ void FirmwareCsvWriter::write(const Truth& truth) {
     constexpr int digits = 7;  // a float has no more
     CsvRow row;
     row.number(truth.time_s, 9);
-    const IndexSample sample{outputs_, truth, calibration_};
+    const IndexSample sample{outputs_, truth};
     for (std::size_t i = 0U; i < campaign_indices().size(); ++i) {
-        const double level = campaign_indices()[i].level(sample);
+        const double level = indices_.level(i, sample);
         row.number(level, digits);
         if (i < index_times_s_.size() && level >= 1.0 && !index_times_s_[i].second) {
             index_times_s_[i].second = truth.time_s;

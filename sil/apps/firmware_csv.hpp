@@ -10,6 +10,7 @@
 
 #include "rsi/types.hpp"
 #include "sil/files/csv_writer.hpp"
+#include "sil/studies/campaign/indices.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {
@@ -36,7 +37,7 @@ class FirmwareCsvWriter {
  private:
     CsvFile file_;
     const rsi::Outputs& outputs_;
-    rsi::Parameters calibration_;
+    IndexReaders indices_;
     std::vector<std::pair<std::string, std::optional<double>>> index_times_s_{};
 };
 

@@ -50,6 +50,32 @@ class Descriptor {
     int number_;
 };
 
+// An ordinary file, opened to be read.
+class OrdinaryFile {
+ public:
+    explicit OrdinaryFile(const std::filesystem::path& path)
+        // Without O_NONBLOCK a pipe to which nobody writes would not even be opened.
+        : file_{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)} {
+        if (file_.number() < 0 || ::fstat(file_.number(), &status_) != 0) {
+            refuse(path, std::strerror(errno));
+        }
+        if (S_ISDIR(status_.st_mode)) {
+            refuse(path, "it is a folder");
+        }
+        if (!S_ISREG(status_.st_mode)) {
+            refuse(path, "it is a device or a pipe and no ordinary file",
+                   "write what comes from there into a file, and give that");
+        }
+    }
+
+    int number() const { return file_.number(); }
+    std::uint64_t told_bytes() const { return static_cast<std::uint64_t>(status_.st_size); }
+
+ private:
+    Descriptor file_;
+    struct stat status_{};
+};
+
 // How many bytes were read into `block`; 0 at the end, negative after a failure.
 ssize_t read_some(int descriptor, std::vector<char>& block) {
     ssize_t count = 0;
@@ -82,21 +108,9 @@ std::filesystem::path place_of(const std::filesystem::path& path) {
 }  // namespace
 
 std::string read_whole_file(const std::filesystem::path& path, std::uint64_t longest) {
-    // Without O_NONBLOCK a pipe to which nobody writes would not even be opened.
-    const Descriptor file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
-    struct stat status{};
-    if (file.number() < 0 || ::fstat(file.number(), &status) != 0) {
-        refuse(path, std::strerror(errno));
-    }
-    if (S_ISDIR(status.st_mode)) {
-        refuse(path, "it is a folder");
-    }
-    if (!S_ISREG(status.st_mode)) {
-        refuse(path, "it is a device or a pipe and no ordinary file",
-               "write what comes from there into a file, and give that");
-    }
+    const OrdinaryFile file{path};
     // What a file says of its length is a hint: it may grow, and some of the system's say 0.
-    const auto told = static_cast<std::uint64_t>(status.st_size);
+    const std::uint64_t told = file.told_bytes();
     bool is_too_long = told > longest;
     std::string text;
     text.reserve(is_too_long ? 0U : told);
@@ -113,6 +127,21 @@ std::string read_whole_file(const std::filesystem::path& path, std::uint64_t lon
         is_too_long = text.size() > longest;
     }
     refuse(path, fmt::format("it is longer than {} MiB", longest / (1024U * 1024U)), "give a shorter file");
+}
+
+std::string read_beginning(const std::filesystem::path& path, std::size_t most) {
+    const OrdinaryFile file{path};
+    std::string text;
+    std::vector<char> block(most);
+    for (ssize_t count = 1; count > 0 && text.size() < most;) {
+        block.resize(most - text.size());
+        count = read_some(file.number(), block);
+        if (count < 0) {
+            refuse(path, std::strerror(errno));
+        }
+        text.append(block.data(), static_cast<std::size_t>(count));
+    }
+    return text;
 }
 
 GrowingFile::GrowingFile(const std::filesystem::path& path, std::string_view ending)
@@ -175,8 +204,10 @@ void GrowingFile::give_up() {
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
-    // Two programs may write the same file; none of them gets the other's half.
-    GrowingFile file{path, fmt::format(".{}.tmp", ::getpid())};
+    // Two programs may write the same file, perhaps of two machines; none of them gets the other's half.
+    char host[64] = "";
+    static_cast<void>(::gethostname(host, sizeof(host) - 1U));
+    GrowingFile file{path, fmt::format(".{}.{}.tmp", host, ::getpid())};
     try {
         file.write(content);
         file.finish();

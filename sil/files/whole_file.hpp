@@ -1,6 +1,7 @@
 // Whole files: reading one, and writing one so that nobody ever sees half of it under its name.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -15,6 +16,9 @@ inline constexpr std::uint64_t longest_file_bytes = 1024U * 1024U * 1024U;
 // ordinary file (a device or a pipe may have no end, or nobody who writes); or that it is longer than
 // `longest`.
 std::string read_whole_file(const std::filesystem::path& path, std::uint64_t longest = longest_file_bytes);
+
+// Its first bytes, at most so many: what kind of file it is. Throws as read_whole_file does.
+std::string read_beginning(const std::filesystem::path& path, std::size_t most);
 
 // What is not whole yet has this behind its name.
 inline constexpr std::string_view partial_ending = ".partial";

@@ -8,20 +8,20 @@
 
 #include "sil/files/whole_file.hpp"
 #include "sil/studies/campaign/campaign_folder.hpp"
+#include "sil/studies/campaign/campaign_part.hpp"
 #include "sil/studies/campaign/row_file.hpp"
 #include "sil/studies/campaign/run_trace.hpp"
 
 namespace sil {
 namespace {
 
-// `traces`: their folder; empty where none are wanted.
-MadeRow drive(const CampaignWorld& world, std::uint64_t number, const std::filesystem::path& traces) {
+// `traces`: their folder.
+MadeRow drive_with_trace(const CampaignWorld& world, std::uint64_t number,
+                         const std::filesystem::path& traces) {
     try {
         RunTrace trace;
-        const CampaignRow row = world.run(number, traces.empty() ? nullptr : &trace);
-        if (!traces.empty()) {
-            trace.write(traces, row);
-        }
+        const CampaignRow row = world.run(number, &trace);
+        trace.write(traces, row);
         return {row_line(row), row.outcome.end_time_s};
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format("run {}: {}", number, error.what()));
@@ -37,10 +37,32 @@ void refuse_rows_without_traces(const RowFile& file, const std::filesystem::path
     }
 }
 
+// Of a folder of parts the rows are not in one file.
+void refuse_parts(const std::filesystem::path& output) {
+    if (!parts_of(output).empty()) {
+        throw InputError(
+            fmt::format("{} holds parts of a campaign; go on with parts (--first, --count), report on them "
+                        "(--report-only), or "
+                        "use another output folder",
+                        output.string()));
+    }
+}
+
 }  // namespace
+
+RowWork campaign_work(const CampaignWorld& world, std::uint64_t count, unsigned jobs) {
+    RowWork work{count, jobs};
+    work.make_together = [&world](const NextRow& next, const RowTaker& take) {
+        world.run_together(next, [&take](const CampaignRow& row) {
+            return take(row.draw.number, {row_line(row), row.outcome.end_time_s});
+        });
+    };
+    return work;
+}
 
 RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path& output, unsigned jobs,
                          const std::atomic<bool>& stop, const RowListener& listener, bool with_traces) {
+    refuse_parts(output);
     const CampaignFolder folder{output, world.settings()};
     RowFile file{folder.rows(), row_header()};
     const std::filesystem::path traces = with_traces ? output / "traces" : std::filesystem::path{};
@@ -48,8 +70,12 @@ RowProgress run_campaign(const CampaignWorld& world, const std::filesystem::path
         refuse_rows_without_traces(file, traces);
         make_folder(traces);
     }
-    const auto make = [&world, &traces](std::uint64_t number) { return drive(world, number, traces); };
-    return make_rows(file, {world.settings().runs, jobs, make}, stop, listener);
+    RowWork work = campaign_work(world, world.settings().runs, jobs);
+    if (with_traces) {
+        work = {world.settings().runs, jobs};
+        work.make = [&](std::uint64_t number) { return drive_with_trace(world, number, traces); };
+    }
+    return make_rows(file, work, stop, listener);
 }
 
 }  // namespace sil

@@ -9,6 +9,10 @@
 
 namespace sil {
 
+// That many rows, or the lines of a part of them: runs that are driven together. A failure says the run's
+// number.
+RowWork campaign_work(const CampaignWorld& world, std::uint64_t count, unsigned jobs);
+
 // Takes the folder up where an earlier call with the same settings left it, or begins it, and does the runs
 // that are missing. Leaves campaign.toml and runs.csv there, the latter sorted by run number when all are
 // done; its bytes depend on the settings alone. Returns early, with every finished run kept, once `stop` is

@@ -18,27 +18,42 @@ namespace {
 
 constexpr const char* made_with = "[made_with]";
 
-// FNV-1a: tells whether a file has changed, not whether somebody meant to deceive.
-std::string fingerprint(const std::filesystem::path& path) {
+// FNV-1a: tells whether a text has changed, not whether somebody meant to deceive.
+std::string fingerprint_of(const std::string& text) {
     std::uint64_t hash = 0xCBF29CE484222325U;
-    for (const char letter : read_whole_file(path)) {
+    for (const char letter : text) {
         hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3U;
     }
     return fmt::format("{:016x}", hash);
 }
 
-std::string described(const CampaignSettings& settings) {
+std::string fingerprint(const std::filesystem::path& path) {
+    return fingerprint_of(read_whole_file(path));
+}
+
+// The revision does not tell one build from another, with changes that are not committed or other options.
+const std::string& fingerprint_of_this_program() {
+    static const std::string value = fingerprint("/proc/self/exe");
+    return value;
+}
+
+// All that its rows follow from.
+std::string origin(const CampaignSettings& settings) {
     const Versions versions = built_versions();
     std::string text = "# The settings of the campaign whose rows are beside; `rsi-sil campaign` wrote it.\n";
     text += to_toml(settings);
-    text += fmt::format("\n{}\ncomponent = \"{}\"\ngit_revision = \"{}\"\n", made_with, versions.component,
-                        versions.git_revision);
+    text += fmt::format("\n{}\ncomponent = \"{}\"\ngit_revision = \"{}\"\nprogram = \"{}\"\n", made_with,
+                        versions.component, versions.git_revision, fingerprint_of_this_program());
     for (std::size_t i = 0U; i < settings.vehicles.size(); ++i) {
         text += fmt::format("vehicle_{0}_parameters = \"{1}\"\nvehicle_{0}_calibration = \"{2}\"\n", i + 1U,
                             fingerprint(settings.vehicles[i].parameters),
                             fingerprint(settings.vehicles[i].calibration));
     }
     return text;
+}
+
+std::string described(const CampaignSettings& settings) {
+    return origin(settings) + fmt::format("parts = \"{}\"\n", campaign_fingerprint(settings));
 }
 
 std::string line_or_nothing(std::istream& stream) {
@@ -65,14 +80,53 @@ void refuse_difference(const std::filesystem::path& path, const std::string& sto
     }
 }
 
+void compare_or_store(const std::filesystem::path& folder, const CampaignSettings& settings) {
+    const std::filesystem::path file = folder / "campaign.toml";
+    if (!std::filesystem::exists(file)) {
+        if (std::filesystem::exists(folder / "runs.csv")) {
+            throw InputError(
+                fmt::format("{} has rows but no campaign.toml, so nobody knows what they are of; use another "
+                            "output folder",
+                            folder.string()));
+        }
+        write_file_atomically(file, described(settings));
+        return;
+    }
+    CampaignSettings stored_size = settings;
+    stored_size.runs = load_campaign(file).runs;
+    refuse_difference(file, read_whole_file(file), described(stored_size));
+    if (settings.runs < stored_size.runs) {
+        throw InputError(fmt::format("{} has {} runs; their number can grow, not shrink to {}",
+                                     folder.string(), stored_size.runs, settings.runs));
+    }
+    if (settings.runs > stored_size.runs) {
+        write_file_atomically(file, described(settings));
+    }
+}
+
 }  // namespace
+
+std::string campaign_fingerprint(CampaignSettings settings) {
+    settings.runs = 0U;
+    return fingerprint_of(origin(settings));
+}
+
+void begin_campaign_folder(const std::filesystem::path& path, const CampaignSettings& settings) {
+    if (std::filesystem::exists(path / "runs.csv")) {
+        throw InputError(fmt::format(
+            "{} holds the rows of a campaign in one file, runs.csv; put parts into another folder",
+            path.string()));
+    }
+    make_folder(path);
+    compare_or_store(path, settings);
+}
 
 CampaignFolder::CampaignFolder(const std::filesystem::path& path, const CampaignSettings& settings)
     : path_{path} {
     make_folder(path_);
     lock();
     try {
-        compare_or_store(settings);
+        compare_or_store(path_, settings);
     } catch (...) {
         ::close(lock_);
         throw;
@@ -94,30 +148,6 @@ void CampaignFolder::lock() {
         ::close(lock_);
         throw InputError(fmt::format(
             "{}: another campaign is writing into this folder; wait for it or end it", path_.string()));
-    }
-}
-
-void CampaignFolder::compare_or_store(const CampaignSettings& settings) {
-    const std::filesystem::path file = path_ / "campaign.toml";
-    if (!std::filesystem::exists(file)) {
-        if (std::filesystem::exists(rows())) {
-            throw InputError(
-                fmt::format("{} has rows but no campaign.toml, so nobody knows what they are of; use another "
-                            "output folder",
-                            path_.string()));
-        }
-        write_file_atomically(file, described(settings));
-        return;
-    }
-    CampaignSettings stored_size = settings;
-    stored_size.runs = load_campaign(file).runs;
-    refuse_difference(file, read_whole_file(file), described(stored_size));
-    if (settings.runs < stored_size.runs) {
-        throw InputError(fmt::format("{} has {} runs; their number can grow, not shrink to {}",
-                                     path_.string(), stored_size.runs, settings.runs));
-    }
-    if (settings.runs > stored_size.runs) {
-        write_file_atomically(file, described(settings));
     }
 }
 

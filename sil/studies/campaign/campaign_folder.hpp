@@ -2,10 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "sil/studies/campaign/settings.hpp"
 
 namespace sil {
+
+// The same for the same settings, but for the number of runs, the same vehicle files and the same program.
+// Throws InputError for a file that cannot be read.
+std::string campaign_fingerprint(CampaignSettings settings);
+
+// Begins a folder for parts (campaign_part.hpp), which many programs write at a time, or checks it, as
+// CampaignFolder does; refuses one with runs.csv.
+void begin_campaign_folder(const std::filesystem::path& path, const CampaignSettings& settings);
 
 class CampaignFolder {
  public:
@@ -21,7 +30,6 @@ class CampaignFolder {
 
  private:
     void lock();
-    void compare_or_store(const CampaignSettings& settings);
 
     std::filesystem::path path_;
     int lock_{-1};

@@ -40,8 +40,8 @@ std::vector<StudyCell> row_of(const Judgement& judgement) {
                                interval(detection.warned),
                                percent(detection.warned_100ms),
                                percent(detection.warned_200ms),
-                               or_not_known(quantile(detection.lead_times_s, 0.5)),
-                               or_not_known(quantile(detection.lead_times_s, 0.1)),
+                               or_not_known(detection.median_lead_s),
+                               or_not_known(detection.tenth_lead_s),
                                percent(detection.false_alarms),
                                interval(detection.false_alarms)};
     for (const Share& share : detection.alarms) {
@@ -119,13 +119,13 @@ StudyTable table_of_groups(const std::string& name, const std::string& what,
                      {}};
     for (const RunGroup& group : groups) {
         const Detection& warning = group.judgements.front().detection;
-        table.rows.push_back(
-            {group.name, static_cast<double>(group.runs), static_cast<double>(group.lifted),
-             static_cast<double>(group.brief_lifts),
-             static_cast<double>(warning.warned.total - warning.warned.count), percent(warning.warned),
-             percent(warning.warned_100ms), percent(warning.warned_200ms),
-             or_not_known(quantile(warning.lead_times_s, 0.5)), percent(warning.false_alarms),
-             group.time.wrong_side_s, group.time.unavailable_s, static_cast<double>(group.time.coded_runs)});
+        table.rows.push_back({group.name, static_cast<double>(group.runs), static_cast<double>(group.lifted),
+                              static_cast<double>(group.brief_lifts),
+                              static_cast<double>(warning.warned.total - warning.warned.count),
+                              percent(warning.warned), percent(warning.warned_100ms),
+                              percent(warning.warned_200ms), or_not_known(warning.median_lead_s),
+                              percent(warning.false_alarms), group.time.wrong_side_s,
+                              group.time.unavailable_s, static_cast<double>(group.time.coded_runs)});
     }
     return table;
 }
@@ -225,7 +225,7 @@ StudyTable table_of_runs(const std::string& name, const std::string& heading, co
         if (!is_listed(run) || ++found > most_listed_runs) {
             continue;
         }
-        table.rows.push_back({static_cast<double>(run.number), run.vehicle, run.manoeuvre,
+        table.rows.push_back({static_cast<double>(run.number), run.vehicle.text(), run.manoeuvre.text(),
                               or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s),
                               run.largest_ltr, static_cast<double>(run.warnings),
                               fmt::format("(cd {} && {} campaign --settings {} --output {} --run {})",
@@ -234,7 +234,7 @@ StudyTable table_of_runs(const std::string& name, const std::string& heading, co
                                           quoted(call.output.string()), run.number)});
     }
     table.note = found > most_listed_runs
-                     ? fmt::format("The first {} of {}; runs.csv has all.", most_listed_runs, found)
+                     ? fmt::format("The first {} of {}; the rows have all.", most_listed_runs, found)
                      : (found == 0U ? "There are none." : "");
     return table;
 }

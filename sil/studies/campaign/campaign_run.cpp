@@ -2,7 +2,9 @@
 #include "sil/studies/campaign/campaign_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <filesystem>
 #include <stdexcept>
 
@@ -10,16 +12,17 @@
 #include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/studies/campaign/learning_drive.hpp"
+#include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
+#include "sil/world/simulation/run_batch.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {
-namespace {
 
 // Keeps what every index says in every cycle: which of them count is known only when two-wheel lift-off is.
-class IndexRecorder final : public RunObserver {
+class CampaignWorld::IndexRecorder final : public RunObserver {
  public:
     IndexRecorder(const InProcessRun& run, const rsi::Parameters& parameters, RunObserver& also)
-        : run_{run}, parameters_{parameters}, also_{also} {
+        : run_{run}, parameters_{parameters}, readers_{parameters}, also_{also} {
         courses_.resize(campaign_indices().size());
     }
 
@@ -32,11 +35,11 @@ class IndexRecorder final : public RunObserver {
         }
         const rsi::Outputs& outputs = run_.outputs();
         const bool by_sensor = outputs.roll_source == RSI_ROLL_SENSOR;
-        const IndexSample sample{outputs, truth, parameters_,
+        const IndexSample sample{outputs, truth,
                                  by_sensor ? run_.inputs().roll_angle_rad : outputs.observed_roll_angle_rad};
         for (std::size_t i = 0U; i < courses_.size(); ++i) {
             courses_[i].times_s.push_back(truth.time_s);
-            courses_[i].risks.push_back(campaign_indices()[i].risk(sample));
+            courses_[i].risks.push_back(readers_.risk(i, sample));
         }
     }
 
@@ -63,13 +66,12 @@ class IndexRecorder final : public RunObserver {
  private:
     const InProcessRun& run_;
     const rsi::Parameters& parameters_;
+    const IndexReaders readers_;
     RunObserver& also_;
     OutcomeObserver outcome_{};
     std::uint64_t codes_{0U};
     std::vector<IndexCourse> courses_{};
 };
-
-}  // namespace
 
 CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{settings} {
     for (const CampaignVehicle& vehicle : settings.vehicles) {
@@ -86,32 +88,152 @@ CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{setti
     }
 }
 
-CampaignRow CampaignWorld::run(std::uint64_t number, RunWatch* watch) const {
-    const DrawnRun drawn = prepare(number);
-    InProcessRun run{drawn.vehicle,     drawn.manoeuvre, drawn.options,       drawn.sensors,
-                     drawn.calibration, nullptr,         learnt_before(drawn)};
-    RunObserver nobody;
-    if (watch != nullptr) {
-        watch->begin(run, drawn);
+// One run with what watches it.
+class CampaignWorld::Drive {
+ public:
+    Drive(const CampaignWorld& world, DrawnRun drawn, RunWatch* watch)
+        : world_{world},
+          drawn_{std::move(drawn)},
+          run_{drawn_.vehicle, drawn_.manoeuvre,           drawn_.options, drawn_.sensors, drawn_.calibration,
+               nullptr,        world.learnt_before(drawn_)},
+          recorder_{run_, drawn_.calibration,
+                    watch != nullptr ? static_cast<RunObserver&>(*watch) : nobody_} {
+        if (watch != nullptr) {
+            watch->begin(run_, drawn_);
+        }
     }
-    IndexRecorder recorder{run, drawn.calibration,
-                           watch != nullptr ? static_cast<RunObserver&>(*watch) : nobody};
-    run.run(recorder);
 
-    CampaignRow row;
-    row.draw = drawn.draw;
-    row.vehicle = vehicles_[drawn.draw.vehicle].name;
-    row.in_class = settings_.vehicles[drawn.draw.vehicle].in_class;
-    row.manoeuvre = drawn.manoeuvre.name;
-    row.speed_kmh = drawn.manoeuvre.initial_speed_mps * drawn.draw.speed_factor * 3.6;
-    row.outcome = recorder.outcome();
-    if (run.events().warning) {
-        row.warning_time_s = run.events().warning->time_s;
+    InProcessRun& run() { return run_; }
+    RunObserver& observer() { return recorder_; }
+    std::uint64_t number() const { return drawn_.draw.number; }
+
+    // Once the run has ended.
+    CampaignRow row() const {
+        CampaignRow row;
+        row.draw = drawn_.draw;
+        row.vehicle = world_.vehicles_[drawn_.draw.vehicle].name;
+        row.in_class = world_.settings_.vehicles[drawn_.draw.vehicle].in_class;
+        row.manoeuvre = drawn_.manoeuvre.name;
+        row.speed_kmh = drawn_.manoeuvre.initial_speed_mps * drawn_.draw.speed_factor * 3.6;
+        row.outcome = recorder_.outcome();
+        if (run_.events().warning) {
+            row.warning_time_s = run_.events().warning->time_s;
+        }
+        row.judgement = run_.events().judgement;
+        row.codes = recorder_.codes();
+        row.indices = recorder_.scores();
+        return row;
     }
-    row.judgement = run.events().judgement;
-    row.codes = recorder.codes();
-    row.indices = recorder.scores();
-    return row;
+
+ private:
+    const CampaignWorld& world_;
+    const DrawnRun drawn_;
+    InProcessRun run_;
+    RunObserver nobody_{};
+    IndexRecorder recorder_;
+};
+
+CampaignRow CampaignWorld::run(std::uint64_t number, RunWatch* watch) const {
+    Drive drive{*this, prepare(number), watch};
+    drive.run().run(drive.observer());
+    return drive.row();
+}
+
+// The lanes of one thread.
+class CampaignWorld::Lanes {
+ public:
+    Lanes(const CampaignWorld& world, const NextRun& next, const TakeRow& take)
+        : world_{world}, next_{next}, take_{take} {}
+
+    void drive() {
+        for (std::size_t lane = 0U; lane < drives_.size(); ++lane) {
+            fill(lane);
+        }
+        while (wanted_ && std::any_of(drives_.begin(), drives_.end(),
+                                      [](const auto& drive) { return drive != nullptr; })) {
+            const auto ended = cycle();
+            for (std::size_t lane = 0U; wanted_ && lane < drives_.size(); ++lane) {
+                if (ended[lane]) {
+                    finish(lane);
+                    fill(lane);
+                }
+            }
+        }
+    }
+
+ private:
+    [[noreturn]] static void fail(std::uint64_t number, const std::exception& error) {
+        throw std::runtime_error("run " + std::to_string(number) + ": " + error.what());
+    }
+
+    // Draws as many runs as there are lanes, and finds together what their drivers ask for.
+    void draw_ahead() {
+        while (drawn_.size() < RunBatch::lane_count) {
+            const std::optional<std::uint64_t> number = next_();
+            if (!number) {
+                break;
+            }
+            try {
+                drawn_.push_back(world_.prepare(*number));
+            } catch (const std::exception& error) {
+                fail(*number, error);
+            }
+        }
+        std::vector<const VehicleParameters*> vehicles;
+        for (const DrawnRun& drawn : drawn_) {
+            if (drawn.manoeuvre.asks_for_handwheel_angle) {
+                vehicles.push_back(&drawn.vehicle);
+            }
+        }
+        find_handwheel_angles_ahead(vehicles);
+    }
+
+    void fill(std::size_t lane) {
+        while (wanted_ && !drives_[lane]) {
+            if (drawn_.empty()) {
+                draw_ahead();
+            }
+            if (drawn_.empty()) {
+                return;
+            }
+            DrawnRun drawn = std::move(drawn_.front());
+            drawn_.pop_front();
+            const std::uint64_t number = drawn.draw.number;
+            try {
+                drives_[lane] = std::make_unique<Drive>(world_, std::move(drawn), nullptr);
+                if (!batch_.begin(lane, drives_[lane]->run(), drives_[lane]->observer())) {
+                    finish(lane);
+                }
+            } catch (const std::exception& error) {
+                fail(number, error);
+            }
+        }
+    }
+
+    std::array<bool, RunBatch::lane_count> cycle() {
+        try {
+            return batch_.cycle();
+        } catch (const std::exception& error) {
+            fail(drives_[batch_.lane_at_work()]->number(), error);
+        }
+    }
+
+    void finish(std::size_t lane) {
+        wanted_ = take_(drives_[lane]->row());
+        drives_[lane].reset();
+    }
+
+    const CampaignWorld& world_;
+    const NextRun& next_;
+    const TakeRow& take_;
+    std::deque<DrawnRun> drawn_{};  // not yet begun
+    std::array<std::unique_ptr<Drive>, RunBatch::lane_count> drives_{};
+    RunBatch batch_{};
+    bool wanted_{true};
+};
+
+void CampaignWorld::run_together(const NextRun& next, const TakeRow& take) const {
+    Lanes{*this, next, take}.drive();
 }
 
 // Manoeuvres that leave the vehicle as it is share the drive of the first of them.

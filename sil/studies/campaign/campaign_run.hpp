@@ -1,6 +1,7 @@
 // Campaign run: from the number of a run to its row.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -33,12 +34,24 @@ class CampaignWorld {
     // Safe to call from several threads at once. Throws std::exception when the run fails.
     CampaignRow run(std::uint64_t number, RunWatch* watch = nullptr) const;
 
+    // Runs that are driven together, which takes half the time; each row is the one of run().
+    // `next` gives the number of one more run, or nothing when there are no more; `take` gets each row as its
+    // run ends, and returns false to end the others at once. Safe to call from several threads at once.
+    // Throws std::runtime_error with its number when a run fails.
+    using NextRun = std::function<std::optional<std::uint64_t>()>;
+    using TakeRow = std::function<bool(const CampaignRow& row)>;
+    void run_together(const NextRun& next, const TakeRow& take) const;
+
     // What run() drives.
     DrawnRun prepare(std::uint64_t number) const;
 
     const CampaignSettings& settings() const { return settings_; }
 
  private:
+    class IndexRecorder;
+    class Drive;
+    class Lanes;
+
     // Of the vehicle as a manoeuvre has it. Driven when the first run needs it, by whichever thread comes
     // first.
     struct LearningDrive {

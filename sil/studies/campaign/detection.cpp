@@ -1,14 +1,13 @@
 #include "sil/studies/campaign/detection.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <cstring>
+#include <string>
+#include <unordered_map>
+#include <utility>
 
 namespace sil {
 namespace {
-
-std::size_t band_index(const RecordedCampaignRun& run) {
-    return static_cast<std::size_t>(load_band(run.largest_ltr));
-}
 
 // What one warning did in one run.
 struct Statement {
@@ -22,23 +21,29 @@ Statement of_lead(const std::optional<double>& lead_s, bool alarm) {
     return {is_warned(lead_s), is_warned(lead_s, early_s), is_warned(lead_s, very_early_s), alarm};
 }
 
+bool is_calm(LoadBand band) {
+    return band != LoadBand::from_0_9;
+}
+
+// `statement_of` the run in a place of the list.
 template <typename StatementOf>
-Detection detection_of(const std::vector<RecordedCampaignRun>& runs, const StatementOf& statement_of) {
+Detection detection_of(const RunList& runs, const StatementOf& statement_of) {
     ShareByVehicle warned;
     ShareByVehicle warned_100ms;
     ShareByVehicle warned_200ms;
     ShareByVehicle false_alarms;
     std::array<ShareByVehicle, band_count> alarms;
-    for (const RecordedCampaignRun& run : runs) {
-        const Statement statement = statement_of(run);
-        if (is_lifted(run)) {
+    for (std::size_t place = 0U; place < runs.entries().size(); ++place) {
+        const RunList::Entry& run = runs.entries()[place];
+        const Statement statement = statement_of(place);
+        if (run.lifted) {
             warned.add(run.vehicle, statement.warned);
             warned_100ms.add(run.vehicle, statement.warned_100ms);
             warned_200ms.add(run.vehicle, statement.warned_200ms);
             continue;
         }
-        alarms[band_index(run)].add(run.vehicle, statement.alarm);
-        if (is_calm(run)) {
+        alarms[static_cast<std::size_t>(run.band)].add(run.vehicle, statement.alarm);
+        if (is_calm(run.band)) {
             false_alarms.add(run.vehicle, statement.alarm);
         }
     }
@@ -53,25 +58,49 @@ Detection detection_of(const std::vector<RecordedCampaignRun>& runs, const State
 }
 
 template <typename LeadOf>
-std::vector<double> leads_of(const std::vector<RecordedCampaignRun>& runs, const LeadOf& lead_of) {
-    std::vector<double> leads_s;
-    for (const RecordedCampaignRun& run : runs) {
-        if (is_lifted(run)) {
-            leads_s.push_back(lead_of(run).value_or(0.0));
+void add_leads(Detection& detection, const RunList& runs, const LeadOf& lead_of) {
+    for (std::size_t place = 0U; place < runs.entries().size(); ++place) {
+        if (runs.entries()[place].lifted) {
+            detection.lead_times_s.push_back(lead_of(place).value_or(0.0));
         }
     }
-    return leads_s;
+    detection.median_lead_s = quantile(detection.lead_times_s, 0.5);
+    detection.tenth_lead_s = quantile(detection.lead_times_s, 0.1);
 }
 
-// The thresholds up to which runs of one kind are warned of, sorted.
-struct SortedThresholds {
-    std::vector<double> values{};
+// Runs of each kind by the threshold up to which they are warned of. Indices know some hundred thresholds,
+// however many runs there are.
+class ThresholdCounts {
+ public:
+    enum Kind : std::size_t { calm, lifted, lifted_100ms, lifted_200ms, first_band };
+    static constexpr std::size_t kinds = first_band + band_count;
+    using Counts = std::array<std::size_t, kinds>;
 
-    void sort() { std::sort(values.begin(), values.end()); }
-    Share at(double threshold) const {
-        const auto first = std::lower_bound(values.begin(), values.end(), threshold);
-        return {static_cast<std::size_t>(values.end() - first), values.size()};
+    void add(double threshold, std::size_t kind) {
+        std::uint64_t bits = 0U;  // by which a number is found more quickly than by itself
+        std::memcpy(&bits, &threshold, sizeof bits);
+        auto& [of, counts] = counts_[bits];
+        of = threshold;
+        ++counts[kind];
     }
+
+    // From the highest threshold downwards, each with those of all above.
+    std::vector<std::pair<double, Counts>> reached() const {
+        std::vector<std::pair<double, Counts>> all;
+        for (const auto& [bits, counted] : counts_) {
+            all.push_back(counted);
+        }
+        std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        for (std::size_t i = 1U; i < all.size(); ++i) {
+            for (std::size_t kind = 0U; kind < kinds; ++kind) {
+                all[i].second[kind] += all[i - 1U].second[kind];
+            }
+        }
+        return all;
+    }
+
+ private:
+    std::unordered_map<std::uint64_t, std::pair<double, Counts>> counts_{};
 };
 
 }  // namespace
@@ -81,78 +110,104 @@ bool is_lifted(const RecordedCampaignRun& run) {
 }
 
 bool is_calm(const RecordedCampaignRun& run) {
-    return !is_lifted(run) && load_band(run.largest_ltr) != LoadBand::from_0_9;
+    return !is_lifted(run) && is_calm(load_band(run.largest_ltr));
 }
 
-Detection detection_of_warning(const std::vector<RecordedCampaignRun>& runs) {
-    Detection detection = detection_of(
-        runs, [](const RecordedCampaignRun& run) { return of_lead(run.lead_s, run.warnings > 0U); });
-    detection.lead_times_s = leads_of(runs, [](const RecordedCampaignRun& run) { return run.lead_s; });
-    return detection;
+RunList::RunList(const std::vector<const RecordedCampaignRun*>& runs) {
+    std::unordered_map<const std::string*, std::uint32_t> numbers;
+    for (const RecordedCampaignRun* run : runs) {
+        numbers.emplace(&run->vehicle.text(), 0U);
+    }
+    std::vector<const std::string*> names;
+    for (const auto& [name, number] : numbers) {
+        names.push_back(name);
+    }
+    std::sort(names.begin(), names.end(), [](const auto* one, const auto* other) { return *one < *other; });
+    for (const std::string* name : names) {
+        numbers[name] = static_cast<std::uint32_t>(vehicles_++);
+    }
+    entries_.reserve(runs.size());
+    for (const RecordedCampaignRun* run : runs) {
+        entries_.push_back(
+            {run, numbers[&run->vehicle.text()], is_lifted(*run), load_band(run->largest_ltr)});
+    }
 }
 
-Detection detection_of_index(const std::vector<RecordedCampaignRun>& runs, std::size_t index) {
-    Detection detection = detection_of(runs, [index](const RecordedCampaignRun& run) {
-        return of_lead(run.indices[index].lead_s, run.indices[index].threshold >= 1.0);
+Detection detection_of_warning(const RunList& runs) {
+    const auto run_in = [&runs](std::size_t place) -> const RecordedCampaignRun& {
+        return *runs.entries()[place].run;
+    };
+    Detection detection = detection_of(runs, [&run_in](std::size_t place) {
+        return of_lead(run_in(place).lead_s, run_in(place).warnings > 0U);
     });
-    detection.lead_times_s =
-        leads_of(runs, [index](const RecordedCampaignRun& run) { return run.indices[index].lead_s; });
+    add_leads(detection, runs, [&run_in](std::size_t place) { return run_in(place).lead_s; });
     return detection;
 }
 
-Detection detection_at(const std::vector<RecordedCampaignRun>& runs, std::size_t index, double threshold) {
-    return detection_of(runs, [index, threshold](const RecordedCampaignRun& run) {
-        const RecordedIndex& recorded = run.indices[index];
+IndexOverRuns::IndexOverRuns(const RunList& runs, std::size_t index) : runs_{runs} {
+    recorded_.reserve(runs.entries().size());
+    for (const RunList::Entry& entry : runs.entries()) {
+        recorded_.push_back(entry.run->indices[index]);
+    }
+}
+
+Detection IndexOverRuns::at_one() const {
+    Detection detection = detection_of(runs_, [this](std::size_t place) {
+        return of_lead(recorded_[place].lead_s, recorded_[place].threshold >= 1.0);
+    });
+    add_leads(detection, runs_, [this](std::size_t place) { return recorded_[place].lead_s; });
+    return detection;
+}
+
+Detection IndexOverRuns::at(double threshold) const {
+    return detection_of(runs_, [this, threshold](std::size_t place) {
+        const RecordedIndex& recorded = recorded_[place];
         return Statement{recorded.threshold >= threshold, recorded.threshold_100ms >= threshold,
                          recorded.threshold_200ms >= threshold, recorded.threshold >= threshold};
     });
 }
 
-std::vector<CurvePoint> detection_curve(const std::vector<RecordedCampaignRun>& runs, std::size_t index) {
-    SortedThresholds calm;
-    std::array<SortedThresholds, band_count> bands;
-    SortedThresholds lifted;
-    SortedThresholds lifted_100ms;
-    SortedThresholds lifted_200ms;
-    for (const RecordedCampaignRun& run : runs) {
-        const RecordedIndex& recorded = run.indices[index];
-        if (is_lifted(run)) {
-            lifted.values.push_back(recorded.threshold);
-            lifted_100ms.values.push_back(recorded.threshold_100ms);
-            lifted_200ms.values.push_back(recorded.threshold_200ms);
+std::vector<CurvePoint> IndexOverRuns::curve() const {
+    ThresholdCounts counts;
+    ThresholdCounts::Counts totals{};
+    const auto add = [&](double threshold, std::size_t kind) {
+        counts.add(threshold, kind);
+        ++totals[kind];
+    };
+    for (std::size_t place = 0U; place < recorded_.size(); ++place) {
+        const RunList::Entry& run = runs_.entries()[place];
+        const RecordedIndex& recorded = recorded_[place];
+        if (run.lifted) {
+            add(recorded.threshold, ThresholdCounts::lifted);
+            add(recorded.threshold_100ms, ThresholdCounts::lifted_100ms);
+            add(recorded.threshold_200ms, ThresholdCounts::lifted_200ms);
             continue;
         }
-        bands[band_index(run)].values.push_back(recorded.threshold);
-        if (is_calm(run)) {
-            calm.values.push_back(recorded.threshold);
+        add(recorded.threshold, ThresholdCounts::first_band + static_cast<std::size_t>(run.band));
+        if (is_calm(run.band)) {
+            add(recorded.threshold, ThresholdCounts::calm);
         }
     }
-    std::vector<double> thresholds;
-    const auto take = [&thresholds](SortedThresholds& kind) {
-        kind.sort();
-        thresholds.insert(thresholds.end(), kind.values.begin(), kind.values.end());
-    };
-    for (SortedThresholds* kind : {&calm, &lifted, &lifted_100ms, &lifted_200ms}) {
-        take(*kind);
-    }
-    std::for_each(bands.begin(), bands.end(), take);
-    std::sort(thresholds.begin(), thresholds.end(), std::greater<>{});
-    thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
-    // 0 is no threshold: the run is warned of at none.
-    while (!thresholds.empty() && thresholds.back() <= 0.0) {
-        thresholds.pop_back();
-    }
-
     std::vector<CurvePoint> curve;
-    for (const double threshold : thresholds) {
+    for (const auto& each : counts.reached()) {
+        const double threshold = each.first;
+        const ThresholdCounts::Counts& reached = each.second;
+        // 0 is no threshold: the run is warned of at none.
+        if (threshold <= 0.0) {
+            break;
+        }
+        const auto share = [&reached, &totals](std::size_t kind) {
+            return Share{reached[kind], totals[kind]};
+        };
         CurvePoint point;
         point.threshold = threshold;
-        point.false_alarms = calm.at(threshold);
-        std::transform(bands.begin(), bands.end(), point.alarms.begin(),
-                       [threshold](const SortedThresholds& band) { return band.at(threshold); });
-        point.warned = lifted.at(threshold);
-        point.warned_100ms = lifted_100ms.at(threshold);
-        point.warned_200ms = lifted_200ms.at(threshold);
+        point.false_alarms = share(ThresholdCounts::calm);
+        for (std::size_t band = 0U; band < band_count; ++band) {
+            point.alarms[band] = share(ThresholdCounts::first_band + band);
+        }
+        point.warned = share(ThresholdCounts::lifted);
+        point.warned_100ms = share(ThresholdCounts::lifted_100ms);
+        point.warned_200ms = share(ThresholdCounts::lifted_200ms);
         curve.push_back(point);
     }
     return curve;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -28,16 +29,33 @@ struct Detection {
     std::array<Share, band_count> alarms{};  // of the runs of each LoadBand
     // Of all two-wheel lift-offs, 0 for those that were not warned of.
     std::vector<double> lead_times_s{};
+    std::optional<double> median_lead_s{};  // of these
+    std::optional<double> tenth_lead_s{};   // their 10th percentile
+};
+
+// Some of a table's runs, with what every judgement of them asks for side by side: a million runs are gone
+// through again and again. The table must live on.
+class RunList {
+ public:
+    struct Entry {
+        const RecordedCampaignRun* run{nullptr};
+        std::uint32_t vehicle{0U};  // numbered in the order of their names, from 0
+        bool lifted{false};
+        LoadBand band{LoadBand::below_0_7};
+    };
+
+    explicit RunList(const std::vector<const RecordedCampaignRun*>& runs);
+
+    const std::vector<Entry>& entries() const { return entries_; }
+    std::size_t vehicles() const { return vehicles_; }
+
+ private:
+    std::vector<Entry> entries_{};
+    std::size_t vehicles_{0U};
 };
 
 // Of the firmware's warning state.
-Detection detection_of_warning(const std::vector<RecordedCampaignRun>& runs);
-
-// Of an index with its threshold at 1.
-Detection detection_of_index(const std::vector<RecordedCampaignRun>& runs, std::size_t index);
-
-// Of an index with another threshold; its leads are not known.
-Detection detection_at(const std::vector<RecordedCampaignRun>& runs, std::size_t index, double threshold);
+Detection detection_of_warning(const RunList& runs);
 
 struct CurvePoint {
     double threshold{0.0};  // alarm from here on
@@ -48,9 +66,25 @@ struct CurvePoint {
     Share warned_200ms{};
 };
 
-// An index over thresholds, from the highest, which warns of the fewest runs, downwards: one point for each
-// threshold at which something changes.
-std::vector<CurvePoint> detection_curve(const std::vector<RecordedCampaignRun>& runs, std::size_t index);
+// An index over some runs, which must live on.
+class IndexOverRuns {
+ public:
+    IndexOverRuns(const RunList& runs, std::size_t index);
+
+    // With its threshold at 1.
+    Detection at_one() const;
+
+    // With another threshold; its leads are not known.
+    Detection at(double threshold) const;
+
+    // Over thresholds, from the highest, which warns of the fewest runs, downwards: one point for each
+    // threshold at which something changes.
+    std::vector<CurvePoint> curve() const;
+
+ private:
+    const RunList& runs_;
+    std::vector<RecordedIndex> recorded_{};  // of the runs, in their order
+};
 
 // The point of the most detection among those with a share of false alarms of at most `limit`; none when
 // there are no calm or no lifted runs, or when each threshold has more false alarms.

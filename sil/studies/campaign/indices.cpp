@@ -2,37 +2,25 @@
 #include "sil/studies/campaign/indices.hpp"
 
 #include <cmath>
-#include <cstdint>
+#include <iterator>
 
 #include "rsi/parameters.hpp"
-#include "rsi/warning/indicator_level.hpp"
 #include "sil/results/indices.hpp"
 
 namespace sil {
 namespace {
 
-std::function<rsi::RiskLevel(const IndexSample&)> risk_of(std::int32_t indicator) {
-    return [indicator](const IndexSample& sample) {
-        rsi::Parameters parameters = sample.parameters;
-        parameters.warning_indicator = indicator;
-        rsi::WarningIndicator reader;
-        reader.init(parameters);
-        const rsi::IndicatedRisk risk = reader.evaluate(sample.outputs, sample.roll_angle_rad);
-        return rsi::RiskLevel{risk.level, risk.direction, risk.opposite};
-    };
-}
-
-rsi::RiskLevel true_load_transfer(const IndexSample& sample) {
-    const auto ratio = static_cast<float>(true_load_transfer_ratio(sample.truth));
+rsi::RiskLevel true_load_transfer(const Truth& truth) {
+    const auto ratio = static_cast<float>(true_load_transfer_ratio(truth));
     return {std::abs(ratio), ratio};
 }
 
 std::vector<Index> all_indices() {
     std::vector<Index> indices;
     for (const char* name : rsi::indicator_choices) {
-        indices.push_back({name, risk_of(static_cast<std::int32_t>(indices.size()))});
+        indices.push_back({name});
     }
-    indices.push_back({"true_load_transfer", true_load_transfer});
+    indices.push_back({"true_load_transfer"});
     return indices;
 }
 
@@ -41,6 +29,24 @@ std::vector<Index> all_indices() {
 const std::vector<Index>& campaign_indices() {
     static const std::vector<Index> indices = all_indices();
     return indices;
+}
+
+IndexReaders::IndexReaders(const rsi::Parameters& calibration)
+    : indicators_(std::size(rsi::indicator_choices)) {
+    rsi::Parameters parameters = calibration;
+    parameters.warning_indicator = 0;
+    for (rsi::WarningIndicator& indicator : indicators_) {
+        indicator.init(parameters);
+        ++parameters.warning_indicator;
+    }
+}
+
+rsi::RiskLevel IndexReaders::risk(std::size_t index, const IndexSample& sample) const {
+    if (index >= indicators_.size()) {
+        return true_load_transfer(sample.truth);
+    }
+    const rsi::IndicatedRisk risk = indicators_[index].evaluate(sample.outputs, sample.roll_angle_rad);
+    return {risk.level, risk.direction, risk.opposite};
 }
 
 }  // namespace sil

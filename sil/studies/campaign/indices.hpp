@@ -1,11 +1,12 @@
 // Indices: every measure of rollover risk that a campaign compares, as a level at which 1 means "warn".
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "rsi/types.hpp"
+#include "rsi/warning/indicator_level.hpp"
 #include "rsi/warning/warning_state_machine.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
@@ -15,20 +16,33 @@ namespace sil {
 struct IndexSample {
     const rsi::Outputs& outputs;
     const Truth& truth;
-    const rsi::Parameters& parameters;  // of the firmware, wrong as they may be
-    float roll_angle_rad{0.0F};         // that the firmware uses; for the side of some
+    float roll_angle_rad{0.0F};  // that the firmware uses; for the side of some
 };
 
 struct Index {
     std::string name;  // of its columns
-    // The level, 0 and above, NaN where there is none, and the side.
-    std::function<rsi::RiskLevel(const IndexSample&)> risk;
-
-    double level(const IndexSample& sample) const { return static_cast<double>(risk(sample).indicator); }
 };
 
 // In the order of their columns: every indicator that the firmware can be told to warn by, under the name
 // that a calibration knows it by, and then what only the true wheel loads tell.
 const std::vector<Index>& campaign_indices();
+
+// All of them with the calibration of one run, wrong as it may be. Made once a run, for they are read in
+// every cycle.
+class IndexReaders {
+ public:
+    explicit IndexReaders(const rsi::Parameters& calibration);
+
+    // Of the index at this place of campaign_indices(): the level, 0 and above, NaN where there is none, and
+    // the side.
+    rsi::RiskLevel risk(std::size_t index, const IndexSample& sample) const;
+
+    double level(std::size_t index, const IndexSample& sample) const {
+        return static_cast<double>(risk(index, sample).indicator);
+    }
+
+ private:
+    std::vector<rsi::WarningIndicator> indicators_{};
+};
 
 }  // namespace sil

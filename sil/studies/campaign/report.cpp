@@ -2,7 +2,6 @@
 #include "sil/studies/campaign/report.hpp"
 
 #include <map>
-#include <set>
 
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 
@@ -31,44 +30,46 @@ void count(RunGroup& group, const RecordedCampaignRun& run) {
     group.brief_lifts += run.brief_two_wheel_lift_time_s ? 1U : 0U;
 }
 
-std::vector<std::optional<BestThreshold>> best_of(const std::vector<RecordedCampaignRun>& runs,
-                                                  std::size_t index) {
-    const std::vector<CurvePoint> curve = detection_curve(runs, index);
+std::vector<std::optional<BestThreshold>> best_of(const IndexOverRuns& index) {
+    const std::vector<CurvePoint> curve = index.curve();
     std::vector<std::optional<BestThreshold>> best;
     for (const double limit : false_alarm_limits) {
         const std::optional<CurvePoint> point = best_at(curve, limit);
-        best.push_back(point ? std::optional{BestThreshold{point->threshold,
-                                                           detection_at(runs, index, point->threshold)}}
+        best.push_back(point ? std::optional{BestThreshold{point->threshold, index.at(point->threshold)}}
                              : std::nullopt);
     }
     return best;
 }
 
-RunGroup judge(std::string name, const std::vector<RecordedCampaignRun>& runs,
-               const std::vector<std::string>& index_names) {
+RunGroup judge(std::string name, const RunList& runs, const std::vector<std::string>& index_names) {
     RunGroup group;
     group.name = std::move(name);
-    std::set<std::string> vehicles;
-    for (const RecordedCampaignRun& run : runs) {
-        count(group, run);
-        vehicles.insert(run.vehicle);
+    for (const RunList::Entry& entry : runs.entries()) {
+        count(group, *entry.run);
     }
-    group.vehicles = vehicles.size();
+    group.vehicles = runs.vehicles();
     group.judgements.push_back({"warning", detection_of_warning(runs), {}});
     for (std::size_t i = 0U; i < index_names.size(); ++i) {
-        group.judgements.push_back({index_names[i], detection_of_index(runs, i), best_of(runs, i)});
+        const IndexOverRuns index{runs, i};
+        group.judgements.push_back({index_names[i], index.at_one(), best_of(index)});
     }
     return group;
 }
 
-std::vector<RunGroup> judge_by(const RowTable& table, std::string RecordedCampaignRun::* key) {
-    std::map<std::string, std::vector<RecordedCampaignRun>> groups;
-    for (const RecordedCampaignRun& run : table.runs) {
-        groups[run.*key].push_back(run);
+using Runs = std::vector<const RecordedCampaignRun*>;
+
+std::vector<RunGroup> judge_by(const Runs& runs, Name RecordedCampaignRun::* key,
+                               const std::vector<std::string>& index_names) {
+    std::map<Name, Runs> groups;
+    for (const RecordedCampaignRun* run : runs) {
+        groups[run->*key].push_back(run);
     }
     std::vector<RunGroup> judged;
-    for (const auto& [name, runs] : groups) {
-        judged.push_back(judge(name, runs, table.index_names));
+    for (const auto& [name, members] : groups) {
+        judged.push_back(judge(name, RunList{members}, index_names));
+        for (Judgement& judgement : judged.back().judgements) {
+            judgement.detection.lead_times_s = std::vector<double>{};  // they are drawn of all runs only
+        }
     }
     return judged;
 }
@@ -78,24 +79,25 @@ std::vector<RunGroup> judge_by(const RowTable& table, std::string RecordedCampai
 CampaignReport make_report(const RowTable& table, std::uint64_t runs_wanted) {
     CampaignReport report;
     report.runs_wanted = runs_wanted;
-    RowTable drawn{table.index_names, {}};
+    Runs drawn;
     for (const RecordedCampaignRun& run : table.runs) {
         if (run.manoeuvre == ordinary_driving_name) {
             ++report.ordinary_runs;
             count(report.ordinary, run);
         } else {
-            drawn.runs.push_back(run);
+            drawn.push_back(&run);
         }
     }
-    report.all = judge("all", drawn.runs, drawn.index_names);
-    report.vehicles = judge_by(drawn, &RecordedCampaignRun::vehicle);
-    report.classes = judge_by(drawn, &RecordedCampaignRun::in_class);
+    const RunList all{drawn};
+    report.all = judge("all", all, table.index_names);
+    report.vehicles = judge_by(drawn, &RecordedCampaignRun::vehicle, table.index_names);
+    report.classes = judge_by(drawn, &RecordedCampaignRun::in_class, table.index_names);
     if (report.classes.size() == 1U && report.classes.front().name.empty()) {
         report.classes.clear();
     }
-    report.manoeuvres = judge_by(drawn, &RecordedCampaignRun::manoeuvre);
-    for (std::size_t i = 0U; i < drawn.index_names.size(); ++i) {
-        report.curves.push_back(detection_curve(drawn.runs, i));
+    report.manoeuvres = judge_by(drawn, &RecordedCampaignRun::manoeuvre, table.index_names);
+    for (std::size_t i = 0U; i < table.index_names.size(); ++i) {
+        report.curves.push_back(IndexOverRuns{all, i}.curve());
     }
     return report;
 }

@@ -41,8 +41,8 @@ Json json_of(const Detection& detection) {
     for (const LoadBand band : load_bands) {
         json["alarms"][to_string(band)] = json_of(detection.alarms[static_cast<std::size_t>(band)]);
     }
-    json["lead_time_median_s"] = number(quantile(detection.lead_times_s, 0.5));
-    json["lead_time_10th_percentile_s"] = number(quantile(detection.lead_times_s, 0.1));
+    json["lead_time_median_s"] = number(detection.median_lead_s);
+    json["lead_time_10th_percentile_s"] = number(detection.tenth_lead_s);
     return json;
 }
 
@@ -170,12 +170,12 @@ std::string table_at_one(const RunGroup& group) {
     text += rule(11);
     for (const Judgement& judgement : group.judgements) {
         const Detection& detection = judgement.detection;
-        text += fmt::format(
-            "| {} | {} | {} | {} | {} | {} | {}{} |\n", judgement.name,
-            percent_with_confidence(detection.warned), percent_with_confidence(detection.warned_100ms),
-            percent_with_confidence(detection.warned_200ms), seconds(quantile(detection.lead_times_s, 0.5)),
-            seconds(quantile(detection.lead_times_s, 0.1)), percent_with_confidence(detection.false_alarms),
-            alarms_of(detection, percent));
+        text += fmt::format("| {} | {} | {} | {} | {} | {} | {}{} |\n", judgement.name,
+                            percent_with_confidence(detection.warned),
+                            percent_with_confidence(detection.warned_100ms),
+                            percent_with_confidence(detection.warned_200ms), seconds(detection.median_lead_s),
+                            seconds(detection.tenth_lead_s), percent_with_confidence(detection.false_alarms),
+                            alarms_of(detection, percent));
     }
     return text;
 }
@@ -217,7 +217,7 @@ std::string table_of_groups(const std::vector<RunGroup>& groups) {
         text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {}{} | {:.2f} | {:.2f} |\n", group.name,
                             group.runs, group.lifted, group.brief_lifts, percent(warning.warned),
                             percent(warning.warned_100ms), percent(warning.warned_200ms),
-                            seconds(quantile(warning.lead_times_s, 0.5)), alarms_of(warning, percent),
+                            seconds(warning.median_lead_s), alarms_of(warning, percent),
                             group.time.wrong_side_s, group.time.unavailable_s);
     }
     return text;

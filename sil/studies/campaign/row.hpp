@@ -26,7 +26,20 @@ struct CampaignRow {
     std::vector<IndexScore> indices{};       // in the order of campaign_indices()
 };
 
-// The columns of all rows, without the end of the line. docs/drives.md says what they mean.
+struct RowColumn {
+    enum class Kind : std::uint8_t { text, count, yes_or_no, number };  // yes_or_no: 1 or 0
+
+    std::string name{};
+    Kind kind{Kind::text};
+    std::string unit{};  // empty: none
+    std::string meaning{};
+};
+
+// All columns in their order, also as JSON: an array of objects with name, kind, unit and meaning.
+std::vector<RowColumn> row_columns();
+std::string row_columns_json();
+
+// Their names, without the end of the line.
 std::string row_header();
 
 // The row as a line of the CSV, without its end; the same text for the same row.

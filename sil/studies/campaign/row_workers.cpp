@@ -3,7 +3,9 @@
 
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <mutex>
+#include <numeric>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -12,15 +14,18 @@
 namespace sil {
 namespace {
 
+// Takes a row that was made; called by one thread at a time.
+using RowKeeper = std::function<void(std::uint64_t number, const MadeRow& row)>;
+
 class Workers {
  public:
-    Workers(RowFile& file, const RowWork& work, const std::atomic<bool>& stop, const RowListener& listener)
-        : file_{file}, work_{work}, stop_{stop}, listener_{listener} {
-        for (std::uint64_t number = 0U; number < work.total; ++number) {
-            if (file.finished_runs().count(number) == 0U) {
-                missing_.push_back(number);
-            }
-        }
+    Workers(const RowWork& work, std::vector<std::uint64_t> missing, RowKeeper keep,
+            const std::atomic<bool>& stop, const RowListener& listener)
+        : work_{work},
+          keep_{std::move(keep)},
+          stop_{stop},
+          listener_{listener},
+          missing_{std::move(missing)} {
         progress_.total = work.total;
         progress_.begun_with = progress_.finished = work.total - missing_.size();
     }
@@ -48,22 +53,34 @@ class Workers {
 
  private:
     void work_alone() {
-        while (!stop_ && !failed_) {
-            const std::size_t index = next_++;
-            if (index >= missing_.size()) {
+        try {
+            if (work_.make_together) {
+                work_.make_together([this] { return next_missing(); },
+                                    [this](std::uint64_t number, const MadeRow& row) {
+                                        keep(number, row);
+                                        return !stop_ && !failed_;
+                                    });
                 return;
             }
-            try {
-                keep(missing_[index], work_.make(missing_[index]));
-            } catch (...) {
-                fail(std::current_exception());
+            while (const std::optional<std::uint64_t> number = next_missing()) {
+                keep(*number, work_.make(*number));
             }
+        } catch (...) {
+            fail(std::current_exception());
         }
+    }
+
+    std::optional<std::uint64_t> next_missing() {
+        if (stop_ || failed_) {
+            return std::nullopt;
+        }
+        const std::size_t index = next_++;
+        return index < missing_.size() ? std::optional{missing_[index]} : std::nullopt;
     }
 
     void keep(std::uint64_t number, const MadeRow& row) {
         const std::lock_guard<std::mutex> lock{mutex_};
-        file_.append(number, row.line);
+        keep_(number, row);
         ++progress_.finished;
         progress_.simulated_s += row.simulated_s;
         progress_.elapsed_s =
@@ -81,12 +98,12 @@ class Workers {
         failed_ = true;
     }
 
-    RowFile& file_;
     const RowWork& work_;
+    const RowKeeper keep_;
     const std::atomic<bool>& stop_;
     const RowListener& listener_;
     const std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
-    std::vector<std::uint64_t> missing_{};
+    const std::vector<std::uint64_t> missing_;
     std::atomic<std::size_t> next_{0U};
     std::atomic<bool> failed_{false};
     std::mutex mutex_;  // of all below
@@ -98,11 +115,30 @@ class Workers {
 
 RowProgress make_rows(RowFile& file, const RowWork& work, const std::atomic<bool>& stop,
                       const RowListener& listener) {
-    const RowProgress progress = Workers{file, work, stop, listener}.work();
+    std::vector<std::uint64_t> missing;
+    for (std::uint64_t number = 0U; number < work.total; ++number) {
+        if (file.finished_runs().count(number) == 0U) {
+            missing.push_back(number);
+        }
+    }
+    const RowProgress progress =
+        Workers{work, std::move(missing),
+                [&file](std::uint64_t number, const MadeRow& row) { file.append(number, row.line); }, stop,
+                listener}
+            .work();
     if (progress.finished >= progress.total) {
         file.finish();
     }
     return progress;
+}
+
+RowProgress make_lines(std::vector<std::string>& lines, std::uint64_t first, const RowWork& work,
+                       const std::atomic<bool>& stop, const RowListener& listener) {
+    lines.assign(work.total, {});
+    std::vector<std::uint64_t> numbers(work.total);
+    std::iota(numbers.begin(), numbers.end(), first);
+    const auto keep = [&](std::uint64_t number, const MadeRow& row) { lines[number - first] = row.line; };
+    return Workers{work, std::move(numbers), keep, stop, listener}.work();
 }
 
 }  // namespace sil

@@ -4,7 +4,9 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "sil/studies/campaign/row_file.hpp"
 
@@ -26,16 +28,29 @@ struct RowProgress {
 // Called after each finished row, by one thread at a time.
 using RowListener = std::function<void(const RowProgress&)>;
 
+// The number of the next row to make; nothing when there are no more.
+using NextRow = std::function<std::optional<std::uint64_t>()>;
+// Takes a row that was made; false: no more of them are wanted, not even of those that have been begun.
+using RowTaker = std::function<bool(std::uint64_t number, const MadeRow& row)>;
+
 struct RowWork {
-    std::uint64_t total{0U};                              // rows, numbered from 0
+    std::uint64_t total{0U};                              // rows
     unsigned jobs{1U};                                    // threads; fewer when the system gives no more
     std::function<MadeRow(std::uint64_t number)> make{};  // by several threads at a time
+    // In its place, for rows that are made quicker together: all that `next` gives. By several threads at a
+    // time.
+    std::function<void(const NextRow& next, const RowTaker& take)> make_together{};
 };
 
-// Makes the rows that are missing and appends each to the file, which is sorted once all are there. Returns
-// early, with every finished row kept, once `stop` is true or a row fails; of several failures throws the
-// first.
+// Makes the rows, numbered from 0, that are missing and appends each to the file, which is sorted once all
+// are there. Returns early, with every finished row kept, once `stop` is true or a row fails; of several
+// failures throws the first.
 RowProgress make_rows(RowFile& file, const RowWork& work, const std::atomic<bool>& stop,
                       const RowListener& listener);
+
+// The same without a file: the lines of the rows from number `first` on, in their order. Those that were not
+// made because `stop` became true are empty.
+RowProgress make_lines(std::vector<std::string>& lines, std::uint64_t first, const RowWork& work,
+                       const std::atomic<bool>& stop, const RowListener& listener);
 
 }  // namespace sil

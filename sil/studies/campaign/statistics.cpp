@@ -30,18 +30,20 @@ ConfidenceInterval Share::confidence() const {
 
 Share ShareByVehicle::share() const {
     Share all;
-    for (const auto& [vehicle, share] : vehicles_) {
+    std::size_t with_runs = 0U;
+    for (const Share& share : vehicles_) {
         all.count += share.count;
         all.total += share.total;
+        with_runs += share.total > 0U ? 1U : 0U;
     }
-    if (vehicles_.size() < fewest_clusters) {
+    if (with_runs < fewest_clusters) {
         return all;
     }
-    const auto vehicles = static_cast<double>(vehicles_.size());
+    const auto vehicles = static_cast<double>(with_runs);
     const auto total = static_cast<double>(all.total);
     const double p = all.value();
     double squares = 0.0;
-    for (const auto& [vehicle, share] : vehicles_) {
+    for (const Share& share : vehicles_) {
         const double residual = static_cast<double>(share.count) - p * static_cast<double>(share.total);
         squares += residual * residual;
     }
@@ -58,11 +60,11 @@ std::optional<double> quantile(std::vector<double> values, double share) {
     if (values.empty()) {
         return std::nullopt;
     }
-    std::sort(values.begin(), values.end());
     const double place = share * static_cast<double>(values.size() - 1U);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1U, values.size() - 1U);
-    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+    const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
+    std::nth_element(values.begin(), below, values.end());
+    const auto above = below + 1 == values.end() ? below : std::min_element(below + 1, values.end());
+    return *below + (place - std::floor(place)) * (*above - *below);
 }
 
 }  // namespace sil

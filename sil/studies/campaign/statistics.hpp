@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace sil {
@@ -43,11 +41,17 @@ inline constexpr std::size_t fewest_clusters = 10U;
 // there is no variance to see, and as many are taken as there are vehicles.
 class ShareByVehicle {
  public:
-    void add(const std::string& vehicle, bool counts) { vehicles_[vehicle].add(counts); }
+    // Vehicles are numbered from 0, without great gaps.
+    void add(std::size_t vehicle, bool counts) {
+        if (vehicle >= vehicles_.size()) {
+            vehicles_.resize(vehicle + 1U);
+        }
+        vehicles_[vehicle].add(counts);
+    }
     Share share() const;
 
  private:
-    std::map<std::string, Share> vehicles_{};
+    std::vector<Share> vehicles_{};
 };
 
 // The value below which `share` (0 to 1) of the values lie, linear between neighbours: the smallest value at

@@ -15,6 +15,7 @@ Manoeuvre banked_straight() {
         return std::make_unique<BankedStretchRoad>(from_degrees(6.0), 50.0, 390.0, 40.0);
     };
     manoeuvre.make_driver = lane_keeping();
+    manoeuvre.asks_for_handwheel_angle = true;
     return manoeuvre;
 }
 

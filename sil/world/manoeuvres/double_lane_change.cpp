@@ -80,6 +80,7 @@ Manoeuvre double_lane_change() {
     manoeuvre.duration_s = 11.0;
     manoeuvre.initial_speed_mps = from_kmh(entry_speed_kmh);
     manoeuvre.make_road = flat_road();
+    manoeuvre.asks_for_handwheel_angle = true;
     manoeuvre.make_driver = [](const VehicleParameters& parameters) {
         const double gradient =
             understeer_gradient_s2pm(parameters, handwheel_angle_at_0_3_g_rad(parameters));

@@ -29,6 +29,7 @@ Manoeuvre gentle_turns(double duration_s) {
     manoeuvre.duration_s = duration_s;
     manoeuvre.initial_speed_mps = from_mph(50.0);
     manoeuvre.make_road = flat_road();
+    manoeuvre.asks_for_handwheel_angle = true;
     manoeuvre.make_driver = [](const VehicleParameters& parameters) {
         const double angle_rad = share_of_0_3_g * handwheel_angle_at_0_3_g_rad(parameters);
         return open_loop([angle_rad](double time_s) {

@@ -71,9 +71,11 @@ Manoeuvre fishhook(FishhookReversal reversal, double speed_mps,
 }
 
 Manoeuvre fishhook_of_the_vehicle(FishhookReversal reversal) {
-    return fishhook(reversal, from_kmh(88.0), [](const VehicleParameters& parameters) {
+    Manoeuvre manoeuvre = fishhook(reversal, from_kmh(88.0), [](const VehicleParameters& parameters) {
         return fishhook_amplitude_factor * handwheel_angle_at_0_3_g_rad(parameters);
     });
+    manoeuvre.asks_for_handwheel_angle = true;
+    return manoeuvre;
 }
 
 }  // namespace

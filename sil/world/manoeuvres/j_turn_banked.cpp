@@ -69,6 +69,7 @@ Manoeuvre j_turn_banked() {
     manoeuvre.initial_speed_mps = from_kmh(110.0);
     manoeuvre.start_speed_share = start_share;
     manoeuvre.make_road = [] { return std::make_unique<BankedCircleRoad>(radius_m, std::atan(slope)); };
+    manoeuvre.asks_for_handwheel_angle = true;
     manoeuvre.make_driver = [](const VehicleParameters& parameters) {
         const double gradient =
             understeer_gradient_s2pm(parameters, handwheel_angle_at_0_3_g_rad(parameters));

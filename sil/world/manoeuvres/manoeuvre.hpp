@@ -54,6 +54,8 @@ struct Manoeuvre {
     double start_speed_share{1.0};  // of that, with which the run begins
     std::function<std::unique_ptr<Road>()> make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
+    // Whether make_driver asks for handwheel_angle_at_0_3_g_rad(), so that who drives many may find it ahead.
+    bool asks_for_handwheel_angle{false};
     // What the manoeuvre changes in the vehicle, such as a roof load; empty: nothing.
     std::function<VehicleParameters(VehicleParameters)> adapt_vehicle{};
 };

@@ -50,6 +50,10 @@ ManoeuvreRun::ManoeuvreRun(const ManoeuvreRun& other)
       vehicle_{other.vehicle_} {}
 
 void ManoeuvreRun::step() {
+    vehicle_.step(next_input(), options_.step_s);
+}
+
+DriverInput ManoeuvreRun::next_input() {
     const Truth& truth = vehicle_.truth();
     DriverCommand command = driver_->command(options_.mirrored ? mirrored(truth) : truth);
     command.steering_wheel_angle_rad *=
@@ -60,7 +64,7 @@ void ManoeuvreRun::step() {
     input.drive_force_n = speed_control_.drive_force_n(policy, wanted_speed_mps_ * command.speed_share,
                                                        truth.speed_mps, options_.step_s);
     input.brake = command.brake;
-    vehicle_.step(input, options_.step_s);
+    return input;
 }
 
 }  // namespace sil

@@ -29,6 +29,12 @@ class ManoeuvreRun {
     // One step of the vehicle under the driver's command.
     void step();
 
+    // The two halves of it, for who steps the vehicle together with others: what the driver does in the next
+    // step, to be asked once a step, and the vehicle.
+    DriverInput next_input();
+    Vehicle& vehicle_to_step() { return vehicle_; }
+    double step_s() const { return options_.step_s; }
+
     bool finished() const { return vehicle_.truth().time_s >= duration_s_ - 0.5 * options_.step_s; }
     double duration_s() const { return duration_s_; }
     const Truth& truth() const { return vehicle_.truth(); }

@@ -132,6 +132,7 @@ Manoeuvre driving(const Temper& temper, const char* name, std::uint64_t seed, do
     manoeuvre.duration_s = duration_s;
     manoeuvre.initial_speed_mps = from_kmh(110.0);
     manoeuvre.make_road = flat_road();
+    manoeuvre.asks_for_handwheel_angle = true;
     manoeuvre.make_driver = [temper, seed](const VehicleParameters& parameters) {
         return std::make_unique<MixedDriver>(temper, seed, parameters);
     };

@@ -13,6 +13,7 @@ Manoeuvre one_sided_bump() {
     manoeuvre.initial_speed_mps = from_kmh(40.0);
     manoeuvre.make_road = [] { return std::make_unique<OneSidedBumpRoad>(0.05, 3.0, 20.0, 25.0, 3); };
     manoeuvre.make_driver = lane_keeping();
+    manoeuvre.asks_for_handwheel_angle = true;
     return manoeuvre;
 }
 

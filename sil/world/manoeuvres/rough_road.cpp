@@ -13,6 +13,7 @@ Manoeuvre rough_road() {
     manoeuvre.initial_speed_mps = from_kmh(80.0);
     manoeuvre.make_road = [] { return std::make_unique<TwoTrackRoad>(RoughnessProfile::class_c_m3, 8608U); };
     manoeuvre.make_driver = lane_keeping();
+    manoeuvre.asks_for_handwheel_angle = true;
     return manoeuvre;
 }
 

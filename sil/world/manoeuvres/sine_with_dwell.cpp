@@ -49,6 +49,7 @@ Manoeuvre sine_with_dwell() {
         return std::clamp(6.5 * handwheel_angle_at_0_3_g_rad(parameters),
                           SineWithDwell::smallest_last_amplitude_rad, SineWithDwell::largest_amplitude_rad);
     });
+    manoeuvre.asks_for_handwheel_angle = true;
     manoeuvre.name = "sine-with-dwell";
     manoeuvre.description =
         "sine with dwell at 80 km/h, throttle released: 0.7 Hz, 500 ms, 270 to 300 degrees (FMVSS 126)";

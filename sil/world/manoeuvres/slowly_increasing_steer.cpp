@@ -2,10 +2,16 @@
 // 50 mph, held for two seconds.
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "sil/world/manoeuvres/manoeuvre.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
+#include "sil/world/vehicle/vehicle_batch.hpp"
 
 namespace sil {
 namespace {
@@ -54,6 +60,57 @@ Manoeuvre steer_from(double start_s) {
     return manoeuvre;
 }
 
+// A run of it until the angle is known.
+class AngleSearch {
+ public:
+    AngleSearch(const VehicleParameters& parameters, bool mirrored)
+        : direction_{mirrored ? -1.0 : 1.0}, run_{parameters, steer_from(0.0), options(mirrored)} {}
+
+    ManoeuvreRun& run() { return run_; }
+
+    // After each step of the run.
+    void see() {
+        const double acceleration = direction_ * run_.truth().lateral_acceleration_mps2;
+        if (acceleration > fit_to_mps2) {
+            angle_rad_ = line_.at(read_at_mps2);
+        } else if (acceleration > fit_from_mps2) {
+            line_.add(acceleration, direction_ * run_.truth().steering_wheel_angle_rad);
+        }
+    }
+    bool finished() const { return angle_rad_ || run_.finished(); }
+    const std::optional<double>& angle_rad() const { return angle_rad_; }
+
+ private:
+    static RunOptions options(bool mirrored) {
+        RunOptions options;
+        options.step_s = coarse_step_s;
+        options.mirrored = mirrored;
+        return options;
+    }
+
+    double direction_;
+    ManoeuvreRun run_;
+    Line line_{};
+    std::optional<double> angle_rad_{};
+};
+
+// Vehicles whose angle to the left this thread has found ahead of being asked for it.
+struct KnownAngle {
+    BasicVehicleParameters<double> vehicle;
+    double angle_rad;
+};
+thread_local std::vector<KnownAngle> known_angles;
+
+std::optional<double> known_angle_rad(const VehicleParameters& parameters) {
+    const BasicVehicleParameters<double>& vehicle = parameters;
+    for (const KnownAngle& known : known_angles) {
+        if (std::memcmp(&known.vehicle, &vehicle, sizeof(vehicle)) == 0) {
+            return known.angle_rad;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Manoeuvre slowly_increasing_steer();
@@ -65,26 +122,59 @@ Manoeuvre slowly_increasing_steer() {
 }
 
 double handwheel_angle_at_0_3_g_rad(const VehicleParameters& parameters, bool mirrored) {
-    RunOptions options;
-    options.step_s = coarse_step_s;
-    options.mirrored = mirrored;
-    const double direction = mirrored ? -1.0 : 1.0;
-    ManoeuvreRun run{parameters, steer_from(0.0), options};
-    Line line;
-    while (!run.finished()) {
-        run.step();
-        const double acceleration = direction * run.truth().lateral_acceleration_mps2;
-        if (acceleration > fit_to_mps2) {
-            return line.at(read_at_mps2);
+    if (!mirrored) {
+        if (const std::optional<double> known = known_angle_rad(parameters)) {
+            return *known;
         }
-        if (acceleration > fit_from_mps2) {
-            line.add(acceleration, direction * run.truth().steering_wheel_angle_rad);
-        }
+    }
+    AngleSearch search{parameters, mirrored};
+    while (!search.finished()) {
+        search.run().step();
+        search.see();
+    }
+    if (search.angle_rad()) {
+        return *search.angle_rad();
     }
     throw std::runtime_error(
         "The vehicle '" + parameters.name +
         "' does not reach 0.375 g in a slowly increasing steer at 50 mph, so the manoeuvre's handwheel "
         "angle cannot be found. Look at its steering ratio and its tyres' friction.");
+}
+
+void find_handwheel_angles_ahead(const std::vector<const VehicleParameters*>& vehicles) {
+    known_angles.clear();
+    VehicleBatch batch;
+    std::array<DriverInput, lane_count> inputs{};
+    for (std::size_t first = 0U; first < vehicles.size(); first += lane_count) {
+        std::array<std::unique_ptr<AngleSearch>, lane_count> searches;
+        std::size_t left = std::min(lane_count, vehicles.size() - first);
+        for (std::size_t lane = 0U; lane < left; ++lane) {
+            searches[lane] = std::make_unique<AngleSearch>(*vehicles[first + lane], false);
+            batch.enter(lane, searches[lane]->run().vehicle_to_step());
+        }
+        while (left > 0U) {
+            for (std::size_t lane = 0U; lane < lane_count; ++lane) {
+                if (searches[lane]) {
+                    inputs[lane] = searches[lane]->run().next_input();
+                }
+            }
+            batch.step(inputs, coarse_step_s, VehicleBatch::TruthWanted::motion);
+            for (std::size_t lane = 0U; lane < lane_count; ++lane) {
+                if (!searches[lane]) {
+                    continue;
+                }
+                searches[lane]->see();
+                if (searches[lane]->finished()) {
+                    if (searches[lane]->angle_rad()) {
+                        known_angles.push_back({*vehicles[first + lane], *searches[lane]->angle_rad()});
+                    }
+                    batch.leave(lane);
+                    searches[lane].reset();
+                    --left;
+                }
+            }
+        }
+    }
 }
 
 }  // namespace sil

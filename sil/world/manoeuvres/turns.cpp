@@ -14,6 +14,7 @@ Manoeuvre turn(double acceleration_mps2, std::function<DriverCommand(double)> co
     Manoeuvre manoeuvre;
     manoeuvre.initial_speed_mps = from_mph(50.0);
     manoeuvre.make_road = flat_road();
+    manoeuvre.asks_for_handwheel_angle = true;
     manoeuvre.make_driver = [acceleration_mps2, command](const VehicleParameters& parameters) {
         const double angle_rad =
             handwheel_angle_at_0_3_g_rad(parameters) * acceleration_mps2 / (0.3 * gravity_mps2);

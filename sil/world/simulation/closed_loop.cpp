@@ -7,7 +7,6 @@ namespace {
 
 // Beyond this the vehicle has rolled over; what the model does on its side is of no interest.
 constexpr double rolled_over_rad = 1.2;
-constexpr int steps_per_cycle = 10;
 
 }  // namespace
 
@@ -24,10 +23,24 @@ void ClosedLoop::run(RunObserver& observer) {
 }
 
 bool ClosedLoop::cycle(RunObserver& observer) {
+    if (number_ > 0U) {
+        for (int step = 0; step < steps_per_cycle; ++step) {
+            plant_.step();
+            see_step(observer);
+        }
+    }
+    return exchange(observer);
+}
+
+void ClosedLoop::see_step(RunObserver& observer) {
+    sensors_.observe(plant_.truth());
+    events_.observe(plant_.truth());
+    observer.step(plant_.truth());
+}
+
+bool ClosedLoop::exchange(RunObserver& observer) {
     if (number_ == 0U) {
         sensors_.observe(plant_.truth());
-    } else {
-        advance_vehicle(observer);
     }
     const SensorSample sample = observer.reported(sensors_.report(plant_.truth()));
     exchange_frames(number_, sample);
@@ -35,15 +48,6 @@ bool ClosedLoop::cycle(RunObserver& observer) {
     observer.cycle(plant_.truth(), sample, ecu_, events_.events());
     return !plant_.finished() && !observer.settled() &&
            std::abs(plant_.truth().roll_angle_rad) <= rolled_over_rad;
-}
-
-void ClosedLoop::advance_vehicle(RunObserver& observer) {
-    for (int step = 0; step < steps_per_cycle; ++step) {
-        plant_.step();
-        sensors_.observe(plant_.truth());
-        events_.observe(plant_.truth());
-        observer.step(plant_.truth());
-    }
 }
 
 void ClosedLoop::exchange_frames(std::uint32_t number, const SensorSample& sample) {

@@ -47,12 +47,18 @@ class ClosedLoop {
     // One cycle of it, for whoever sets the pace; false after the last one. Throws the same.
     bool cycle(RunObserver& observer);
 
+    // The parts of a cycle, for who steps the vehicle himself: all but the first begin with `steps_per_cycle`
+    // steps of the vehicle, each seen, and every one ends with the exchange. That is false after the last
+    // one, and throws as run() does.
+    static constexpr int steps_per_cycle = 10;
+    void see_step(RunObserver& observer);
+    bool exchange(RunObserver& observer);
+
     const RunEvents& events() const { return events_.events(); }
     const EcuFrames& ecu() const { return ecu_; }
     std::uint64_t frames_sent() const { return sensor_frames_.frames_sent(); }
 
  private:
-    void advance_vehicle(RunObserver& observer);
     void exchange_frames(std::uint32_t number, const SensorSample& sample);
     bool take(const hal::CanFrame& frame);
 

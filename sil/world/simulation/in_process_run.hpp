@@ -39,6 +39,10 @@ class InProcessRun {
         return run(nobody);
     }
 
+    // For who drives it with others instead of run().
+    ManoeuvreRun& plant() { return plant_; }
+    ClosedLoop& loop() { return *loop_; }
+
     const RunEvents& events() const { return loop_->events(); }
     const Truth& truth() const { return plant_.truth(); }
     const VehicleParameters& vehicle() const { return plant_.vehicle().parameters(); }

@@ -3,10 +3,12 @@
 
 namespace sil {
 
-struct DriverInput {
-    double steering_wheel_angle_rad{0.0};  // > 0 turns left
-    double drive_force_n{0.0};             // asked at the wheels, all together; below 0 is engine braking
-    double brake{0.0};                     // 0 (released) to 1 (full)
+template <typename Real>
+struct BasicDriverInput {
+    Real steering_wheel_angle_rad{0.0};  // > 0 turns left
+    Real drive_force_n{0.0};             // asked at the wheels, all together; below 0 is engine braking
+    Real brake{0.0};                     // 0 (released) to 1 (full)
 };
+using DriverInput = BasicDriverInput<double>;
 
 }  // namespace sil

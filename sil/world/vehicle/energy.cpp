@@ -4,25 +4,26 @@
 namespace sil {
 
 double Vehicle::mechanical_energy_j() const {
-    const AxlePose axle = rear_axle_.pose(state_.suspension[2], state_.suspension[3]);
-    const auto& q = state_.suspension;
-    const auto& rate = state_.suspension_rate;
-    const Vector3& omega = state_.angular_velocity;
+    const BasicAxlePose<double> axle =
+        model_.rear_axle.pose(model_.state.suspension[2], model_.state.suspension[3]);
+    const auto& q = model_.state.suspension;
+    const auto& rate = model_.state.suspension_rate;
+    const Vector3& omega = model_.state.angular_velocity;
     double energy = 0.0;
     const auto add_mass = [&](double mass, const Vector3& position, const Vector3& relative_velocity) {
-        const Vector3 velocity = state_.velocity + omega.cross(position) + relative_velocity;
-        const double height = (state_.position + state_.orientation * position).z();
+        const Vector3 velocity = model_.state.velocity + omega.cross(position) + relative_velocity;
+        const double height = (model_.state.position + model_.state.orientation * position).z();
         energy += mass * (0.5 * velocity.squaredNorm() + gravity_mps2 * height);
     };
 
     add_mass(parameters_.mass.sprung_kg, Vector3::Zero(), Vector3::Zero());
-    energy += 0.5 * omega.dot(inertia_.cwiseProduct(omega));
+    energy += 0.5 * omega.dot(model_.inertia.cwiseProduct(omega));
     for (int wheel = front_left; wheel <= front_right; ++wheel) {
         const auto index = static_cast<std::size_t>(wheel);
         const double outward = wheel == front_left ? 1.0 : -1.0;
-        add_mass(parameters_.mass.front_unsprung_kg, front_wheel_position(wheel),
-                 Vector3{0.0, outward * front_path_.slope(q[index]), 1.0} * rate[index]);
-        energy += front_spring_.stored_energy_j(q[index]);
+        add_mass(parameters_.mass.front_unsprung_kg, model_.front_wheel_position(wheel),
+                 Vector3{0.0, outward * model_.front_path.slope(q[index]), 1.0} * rate[index]);
+        energy += model_.front_spring.stored_energy_j(q[index]);
     }
     energy += 0.5 * parameters_.front_suspension.anti_roll_bar_npm * (q[0] - q[1]) * (q[0] - q[1]);
 
@@ -33,13 +34,14 @@ double Vehicle::mechanical_energy_j() const {
     energy += 0.5 * parameters_.inertia.rear_axle_kgm2 * (axle_rotation.squaredNorm() - along * along);
     const double lift = q[2] + axle.pivot_m * (1.0 - axle.direction.y());
     const double tilt = parameters_.rear_suspension.spring_half_base_m * axle.direction.z();
-    energy += rear_spring_.stored_energy_j(lift + tilt) + rear_spring_.stored_energy_j(lift - tilt);
+    energy +=
+        model_.rear_spring.stored_energy_j(lift + tilt) + model_.rear_spring.stored_energy_j(lift - tilt);
     energy += 0.5 * parameters_.rear_suspension.anti_roll_bar_nmprad * q[3] * q[3];
 
     for (std::size_t i = 0; i < wheel_count; ++i) {
-        const double deflection = evaluation_.wheels[i].deflection_m;
-        energy += deflection > 0.0 ? front_tyre_.stored_energy_j(deflection) : 0.0;
-        const double spin = state_.wheel_spin_radps[i];
+        const double deflection = model_.evaluation.wheels[i].deflection_m;
+        energy += deflection > 0.0 ? model_.front_tyre.stored_energy_j(deflection) : 0.0;
+        const double spin = model_.state.wheel_spin_radps[i];
         energy += 0.5 * parameters_.inertia.wheel_spin_kgm2 * spin * spin;
     }
     return energy;

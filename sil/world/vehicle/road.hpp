@@ -7,11 +7,13 @@
 
 namespace sil {
 
-struct RoadPoint {
-    double height_m{0.0};
-    Vector3 normal{Vector3::UnitZ()};  // of length 1, in the earth-fixed frame, pointing up
-    double friction_factor{1.0};       // multiplies the tyre's friction
+template <typename Real>
+struct BasicRoadPoint {
+    Real height_m{0.0};
+    Vector3Of<Real> normal{Vector3Of<Real>::UnitZ()};  // of length 1, in the earth-fixed frame, pointing up
+    Real friction_factor{1.0};                         // multiplies the tyre's friction
 };
+using RoadPoint = BasicRoadPoint<double>;
 
 // Implementations must be pure functions of position, so that a run can be repeated.
 class Road {

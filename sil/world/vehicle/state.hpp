@@ -9,18 +9,20 @@
 
 namespace sil {
 
-struct State {
-    double time_s{0.0};
-    Vector3 position{Vector3::Zero()};                               // sprung CG in the earth-fixed frame
-    Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  // body axes to earth-fixed
-    Vector3 velocity{Vector3::Zero()};                               // body components
-    Vector3 angular_velocity{Vector3::Zero()};                       // body components
-    std::array<double, 4> suspension{};  // front left jounce, front right jounce, axle heave, axle roll
-    std::array<double, 4> suspension_rate{};
-    std::array<double, wheel_count> wheel_spin_radps{};  // > 0 when rolling forward
-    std::array<TyreSlip, wheel_count> slip{};
-    double reached_handwheel_rad{0.0};  // the handwheel angle that the road wheels follow
-    double front_lateral_n{0.0};        // of the front tyres together, square to the wheels
+template <typename Real>
+struct BasicState {
+    Real time_s{0.0};
+    Vector3Of<Real> position{Vector3Of<Real>::Zero()};               // sprung CG in the earth-fixed frame
+    QuaternionOf<Real> orientation{QuaternionOf<Real>::Identity()};  // body axes to earth-fixed
+    Vector3Of<Real> velocity{Vector3Of<Real>::Zero()};               // body components
+    Vector3Of<Real> angular_velocity{Vector3Of<Real>::Zero()};       // body components
+    std::array<Real, 4> suspension{};  // front left jounce, front right jounce, axle heave, axle roll
+    std::array<Real, 4> suspension_rate{};
+    std::array<Real, wheel_count> wheel_spin_radps{};  // > 0 when rolling forward
+    std::array<BasicTyreSlip<Real>, wheel_count> slip{};
+    Real reached_handwheel_rad{0.0};  // the handwheel angle that the road wheels follow
+    Real front_lateral_n{0.0};        // of the front tyres together, square to the wheels
 };
+using State = BasicState<double>;
 
 }  // namespace sil

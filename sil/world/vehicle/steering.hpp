@@ -2,32 +2,34 @@
 // less what the front axle's lateral force turns them back.
 #pragma once
 
-#include <cmath>
-
+#include "sil/world/vehicle/number.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {
 
-struct RoadWheelAngle {
-    double angle_rad{0.0};
-    double sine{0.0};
-    double cosine{1.0};
+template <typename Real>
+struct BasicRoadWheelAngle {
+    Real angle_rad{0.0};
+    Real sine{0.0};
+    Real cosine{1.0};
 };
 
 // The handwheel angle that has reached the wheels a step after `reached_rad` had: column and linkage give
 // way.
-inline double reached_handwheel_rad(const SteeringParameters& parameters, double reached_rad,
-                                    double handwheel_rad, double step_s) {
-    if (parameters.lag_s <= 0.0) {
-        return handwheel_rad;
-    }
-    return reached_rad + (handwheel_rad - reached_rad) * step_s / (parameters.lag_s + step_s);
+template <typename Real>
+Real reached_handwheel_rad(const BasicSteeringParameters<Real>& parameters, Real reached_rad,
+                           Real handwheel_rad, double step_s) {
+    return number::choose(parameters.lag_s <= 0.0, handwheel_rad,
+                          reached_rad + (handwheel_rad - reached_rad) * step_s / (parameters.lag_s + step_s));
 }
 
-inline RoadWheelAngle road_wheel_angle(const SteeringParameters& parameters, double handwheel_rad,
-                                       double front_lateral_n) {
-    const double angle = handwheel_rad / parameters.ratio - parameters.compliance_radpn * front_lateral_n;
-    return {angle, std::sin(angle), std::cos(angle)};
+template <typename Real>
+BasicRoadWheelAngle<Real> road_wheel_angle(const BasicSteeringParameters<Real>& parameters,
+                                           Real handwheel_rad, Real front_lateral_n) {
+    BasicRoadWheelAngle<Real> angle;
+    angle.angle_rad = handwheel_rad / parameters.ratio - parameters.compliance_radpn * front_lateral_n;
+    number::sin_and_cos(angle.angle_rad, angle.sine, angle.cosine);
+    return angle;
 }
 
 }  // namespace sil

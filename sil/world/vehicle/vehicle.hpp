@@ -5,15 +5,12 @@
 // new velocities; meant for steps of 1 ms.
 #pragma once
 
-#include "sil/world/vehicle/axle.hpp"
 #include "sil/world/vehicle/driver_input.hpp"
-#include "sil/world/vehicle/evaluation.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 #include "sil/world/vehicle/road.hpp"
 #include "sil/world/vehicle/state.hpp"
-#include "sil/world/vehicle/suspension.hpp"
 #include "sil/world/vehicle/truth.hpp"
-#include "sil/world/vehicle/tyre.hpp"
+#include "sil/world/vehicle/vehicle_model.hpp"
 
 namespace sil {
 
@@ -47,14 +44,15 @@ class Vehicle {
     void step(const DriverInput& input, double step_s = nominal_step_s);
 
     const Truth& truth() const { return truth_; }
-    const State& state() const { return state_; }
+    const State& state() const { return model_.state; }
     const VehicleParameters& parameters() const { return parameters_; }
 
     // Kinetic and potential energy of everything, zero height being that of the earth-fixed origin.
     double mechanical_energy_j() const;
 
  private:
-    struct WheelPose;
+    friend class VehicleBatch;  // steps the model in its place
+
     struct Ground {
         double height_m;  // below the CG
         Vector3 normal;
@@ -62,27 +60,9 @@ class Vehicle {
 
     Ground ground_below(const InitialState& initial) const;
 
-    void evaluate(const DriverInput& input, double step_s);
-    double suspension_forces(const AxlePose& axle, EquationsOfMotion& equations) const;
-    void wheel_forces(int wheel, const WheelPose& pose, double drive_torque_nm, double brake_torque_nm,
-                      double step_s, EquationsOfMotion& equations);
-    void integrate(double step_s);
-    Vector3 front_wheel_position(int wheel) const;
-
     VehicleParameters parameters_;
     const Road& road_;
-    Vector3 inertia_;
-    double front_tyre_deflection_m_;  // in static equilibrium
-    double rear_tyre_deflection_m_;
-    SpringDamper front_spring_;
-    SpringDamper rear_spring_;
-    FrontWheelPath front_path_;
-    RearAxle rear_axle_;
-    Tyre front_tyre_;
-    Tyre rear_tyre_;
-
-    State state_{};
-    Evaluation evaluation_{};
+    VehicleModel<double> model_;
     Truth truth_{};
 };
 

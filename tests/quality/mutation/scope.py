@@ -73,7 +73,7 @@ JUDGES = Scope(
               "hal/zynqmp_r5/policy.hpp": "names one of two other headers",
               **{f"sil/studies/campaign/{name}{suffix}": why for why, names in (
                   (DRIVES, ("campaign_run", "draw", "drawn_run", "learning_drive", "settings")),
-                  (KEEPS, ("campaign", "campaign_folder", "row_file", "row_workers")), (WRITES, ("run_trace",)))
+                  (KEEPS, ("campaign", "campaign_folder", "campaign_part", "row_file", "row_workers")), (WRITES, ("run_trace",)))
                  for name in names for suffix in (".cpp", ".hpp")},
               "sil/studies/campaign/settings_file.cpp": DRIVES,
               "sil/studies/campaign/false_codes.cpp": "a program of its own, which is itself a test",

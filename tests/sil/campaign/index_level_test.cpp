@@ -88,10 +88,11 @@ TEST(CampaignIndex, ReadsItsOwnOutput) {
         calibration.warning_indicator = indicator;
         const float expected = rsi::indicator_level(outputs, calibration);
         calibration.warning_indicator = RSI_INDICATOR_PUBLISHED;
-        const sil::IndexSample sample{outputs, truth, calibration};
-        const sil::Index& index = sil::campaign_indices()[static_cast<std::size_t>(indicator)];
-        EXPECT_EQ(index.level(sample), static_cast<double>(expected)) << index.name;
-        EXPECT_GT(expected, 0.0F) << index.name;
+        const sil::IndexReaders readers{calibration};
+        const auto index = static_cast<std::size_t>(indicator);
+        const std::string& name = sil::campaign_indices()[index].name;
+        EXPECT_EQ(readers.level(index, {outputs, truth}), static_cast<double>(expected)) << name;
+        EXPECT_GT(expected, 0.0F) << name;
     }
 }
 
@@ -104,9 +105,9 @@ class WarningRecorder final : public sil::RunObserver {
     void cycle(const sil::Truth& truth, const sil::SensorSample&, const sil::EcuFrames&,
                const sil::RunEvents&) override {
         const auto index = static_cast<std::size_t>(calibration_.warning_indicator);
-        const sil::IndexSample sample{run_.outputs(), truth, calibration_, run_.inputs().roll_angle_rad};
+        const sil::IndexSample sample{run_.outputs(), truth, run_.inputs().roll_angle_rad};
         course.times_s.push_back(truth.time_s);
-        course.risks.push_back(sil::campaign_indices()[index].risk(sample));
+        course.risks.push_back(sil::IndexReaders{calibration_}.risk(index, sample));
     }
 
     sil::IndexCourse course{};

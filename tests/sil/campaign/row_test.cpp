@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -156,6 +157,27 @@ TEST(CampaignRow, OfNothingHasEmptyTimesAndSides) {
                              {index.name + "_threshold_200ms", "0"},
                              {index.name + "_lead_time_s", ""}});
     }
+}
+
+// A unit at the end of a name is that of the column; every column says what it means.
+TEST(CampaignRow, TellsUnitAndMeaningOfEveryColumn) {
+    const std::map<std::string, std::string> endings{
+        {"_s", "s"}, {"_m", "m"}, {"_g", "g"}, {"_deg", "deg"}, {"_kmh", "km/h"}};
+    for (const sil::RowColumn& column : sil::row_columns()) {
+        EXPECT_GT(column.meaning.size(), 5U) << column.name;
+        const std::size_t last = column.name.rfind('_');
+        const auto ending =
+            last == std::string::npos ? endings.end() : endings.find(column.name.substr(last));
+        EXPECT_EQ(column.unit, ending == endings.end() ? "" : ending->second) << column.name;
+    }
+    const auto json = nlohmann::json::parse(sil::row_columns_json());
+    ASSERT_EQ(json.size(), sil::row_columns().size());
+    EXPECT_EQ(json[0]["name"], "run");
+    EXPECT_EQ(json[0]["kind"], "count");
+    EXPECT_EQ(json[5]["name"], "speed_kmh");
+    EXPECT_EQ(json[5]["kind"], "number");
+    EXPECT_EQ(json[5]["unit"], "km/h");
+    EXPECT_EQ(json[5]["meaning"], "speed at the beginning, drawn");
 }
 
 TEST(CampaignRow, HasColumnsOfTheTrueLoadTransferToo) {

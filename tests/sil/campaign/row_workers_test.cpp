@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -54,6 +55,18 @@ TEST_F(RowWorkers, MakeWhatIsMissingAndSortTheFile) {
     EXPECT_EQ(progress.finished, 5U);
     EXPECT_EQ(progress.simulated_s, 1.5);
     EXPECT_GT(progress.elapsed_s, 0.0);
+}
+
+TEST_F(RowWorkers, MakeLinesInTheirOrderWithoutAFile) {
+    std::vector<std::string> lines;
+    const sil::RowProgress progress = sil::make_lines(lines, 7U, {3U, 3U, row_of}, never, {});
+    EXPECT_THAT(lines, ElementsAre("7,made", "8,made", "9,made"));
+    EXPECT_EQ(progress.finished, 3U);
+    EXPECT_EQ(progress.total, 3U);
+    EXPECT_FALSE(std::filesystem::exists(path()));
+    const std::atomic<bool> stopped{true};
+    EXPECT_EQ(sil::make_lines(lines, 7U, {3U, 1U, row_of}, stopped, {}).finished, 0U);
+    EXPECT_THAT(lines, ElementsAre("", "", ""));
 }
 
 TEST_F(RowWorkers, TellEachFinishedRow) {
@@ -119,6 +132,36 @@ TEST_F(RowWorkers, KeepWhatIsFinishedBeforeAFailure) {
                        }}),
                  std::runtime_error);
     EXPECT_EQ(text_of(path()), "row,value\n0,made\n1,made\n");
+}
+
+TEST_F(RowWorkers, MakeRowsTogetherOnceEach) {
+    begin_with("1,kept\n");
+    sil::RowWork work{6U, 2U};
+    work.make_together = [](const sil::NextRow& next, const sil::RowTaker& take) {
+        std::vector<std::uint64_t> numbers;
+        while (const std::optional<std::uint64_t> number = next()) {
+            numbers.push_back(*number);
+        }
+        for (const std::uint64_t number : numbers) {
+            EXPECT_TRUE(take(number, row_of(number)));
+        }
+    };
+    EXPECT_EQ(make(work).finished, 6U);
+    EXPECT_EQ(text_of(path()), "row,value\n0,made\n1,kept\n2,made\n3,made\n4,made\n5,made\n");
+}
+
+TEST_F(RowWorkers, GiveNoMoreNumbersOnceTheyAreStoppedOrHaveFailed) {
+    std::atomic<bool> stop{false};
+    sil::RowWork work{9U, 1U};
+    work.make_together = [&stop](const sil::NextRow& next, const sil::RowTaker& take) {
+        const std::uint64_t first = next().value();
+        stop = true;
+        EXPECT_EQ(next(), std::nullopt);
+        EXPECT_FALSE(take(first, row_of(first)));
+        throw std::runtime_error("no");
+    };
+    EXPECT_THROW(make(work, stop), std::runtime_error);
+    EXPECT_EQ(text_of(path()), "row,value\n0,made\n");
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ sil::Share of_vehicles(int vehicles, int counting, int offset = 0) {
     for (int vehicle = 0; vehicle < vehicles; ++vehicle) {
         const int own = counting + (vehicle % 2 == 0 ? offset : -offset);
         for (int run = 0; run < 10; ++run) {
-            shares.add(std::to_string(vehicle), run < own);
+            shares.add(static_cast<std::size_t>(vehicle), run < own);
         }
     }
     return shares.share();
@@ -87,11 +87,11 @@ TEST(ShareByVehicle, CountsVehiclesThatAreAllOrNothing) {
 TEST(ShareByVehicle, OfTwoVehiclesThatOutweighTheOthersIsTwoTrials) {
     sil::ShareByVehicle shares;
     for (int run = 0; run < 100; ++run) {
-        shares.add("always", true);
-        shares.add("never", false);
+        shares.add(0U, true);
+        shares.add(1U, false);
     }
     for (int vehicle = 0; vehicle < 8; ++vehicle) {
-        shares.add(std::to_string(vehicle), vehicle < 4);
+        shares.add(2U + static_cast<std::size_t>(vehicle), vehicle < 4);
     }
     // Residuals of 50 twice and of 1/2 eight times, of 208 runs.
     EXPECT_NEAR(shares.share().independent, 0.25 / (10.0 / 9.0 * 5002.0 / (208.0 * 208.0)), 1.0e-9);

@@ -63,6 +63,10 @@ TEST_F(WholeFile, WhatHasNoEndOrNobodyWhoWritesIsNotRead) {
 TEST_F(WholeFile, ALongFileIsReadUpToTheLimitAndRefusedBeyond) {
     write_text(path("long"), std::string(200'000U, 'x'));
     EXPECT_EQ(sil::read_whole_file(path("long"), 200'000U).size(), 200'000U);
+    EXPECT_EQ(sil::read_beginning(path("long"), 10U), sil::read_whole_file(path("long")).substr(0U, 10U));
+    EXPECT_EQ(sil::read_beginning(path("long"), 300'000U).size(), 200'000U);
+    EXPECT_THAT(error_of([&] { sil::read_beginning(path("none"), 10U); }),
+                HasSubstr("none: cannot be read: "));
     EXPECT_THAT(error_of([&] { sil::read_whole_file(path("long"), 199'999U); }),
                 HasSubstr("long: cannot be read: it is longer than 0 MiB; give a shorter file"));
     // Says of itself that it is empty.

@@ -10,6 +10,7 @@
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/lane_change_track.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
+#include "sil/world/vehicle/load.hpp"
 
 namespace {
 
@@ -82,6 +83,47 @@ TEST(SlowlyIncreasingSteer, OnIceThereIsNoAngleAndAnErrorSaysSo) {
         FAIL() << "no error";
     } catch (const std::runtime_error& error) {
         EXPECT_NE(std::string{error.what()}.find("ordinary SUV"), std::string::npos);
+    }
+}
+
+sil::VehicleParameters on_ice() {
+    return sil::with_friction(scenario::large_suv(), 0.02);
+}
+
+TEST(SlowlyIncreasingSteer, FoundAheadForSeveralVehiclesIsThatOfEachAlone) {
+    std::vector<sil::VehicleParameters> all;
+    for (const Named& vehicle : vehicles()) {
+        for (const double load_kg : {0.0, 50.0, 150.0, 300.0}) {
+            all.push_back(sil::with_load(vehicle.parameters, load_kg, 1.0));
+        }
+    }
+    std::vector<double> alone_rad;
+    std::vector<const sil::VehicleParameters*> pointers;
+    for (const sil::VehicleParameters& vehicle : all) {
+        alone_rad.push_back(sil::handwheel_angle_at_0_3_g_rad(vehicle));
+        pointers.push_back(&vehicle);
+    }
+    const sil::VehicleParameters ice = on_ice();
+    pointers.insert(pointers.begin() + 2, &ice);
+    const double mirrored_rad = sil::handwheel_angle_at_0_3_g_rad(all[0], true);
+    sil::find_handwheel_angles_ahead(pointers);
+    for (std::size_t i = 0U; i < all.size(); ++i) {
+        EXPECT_EQ(sil::handwheel_angle_at_0_3_g_rad(all[i]), alone_rad[i]) << i;
+    }
+    EXPECT_EQ(sil::handwheel_angle_at_0_3_g_rad(all[0], true), mirrored_rad);
+    EXPECT_THROW(sil::handwheel_angle_at_0_3_g_rad(ice), std::runtime_error);
+    sil::find_handwheel_angles_ahead({});
+    EXPECT_EQ(sil::handwheel_angle_at_0_3_g_rad(all[1]), alone_rad[1]);
+}
+
+// On ice there is no such angle, so who asks for it cannot begin.
+TEST(AllManoeuvres, SayWhetherTheyAskForTheHandwheelAngle) {
+    for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+        if (manoeuvre.asks_for_handwheel_angle) {
+            EXPECT_THROW((sil::ManoeuvreRun{on_ice(), manoeuvre}), std::runtime_error) << manoeuvre.name;
+        } else {
+            EXPECT_NO_THROW((sil::ManoeuvreRun{on_ice(), manoeuvre})) << manoeuvre.name;
+        }
     }
 }
 

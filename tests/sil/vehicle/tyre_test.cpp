@@ -90,7 +90,7 @@ TEST_F(TyreTest, LeaningToTheRightPushesToTheRightWithCamberThrust) {
 
 TEST(WheelContact, OfAnUprightWheelIsBelowItsCentreAtTheLoadedRadius) {
     const sil::WheelContact contact =
-        sil::find_wheel_contact(sil::Vector3::UnitY(), sil::Vector3::UnitZ(), 0.38, 0.40);
+        sil::find_wheel_contact<double>(sil::Vector3::UnitY(), sil::Vector3::UnitZ(), 0.38, 0.40);
     EXPECT_NEAR(contact.deflection_m, 0.02, 1e-12);
     EXPECT_NEAR((contact.arm - sil::Vector3{0.0, 0.0, -0.38}).norm(), 0.0, 1e-12);
     EXPECT_NEAR((contact.forward - sil::Vector3::UnitX()).norm(), 0.0, 1e-12);
@@ -100,7 +100,7 @@ TEST(WheelContact, OfAnUprightWheelIsBelowItsCentreAtTheLoadedRadius) {
 TEST(WheelContact, OfALeaningWheelMovesTowardsTheLeanAndTheRadiusShortens) {
     const double camber = 0.1;  // top to the right
     const sil::Vector3 axis{0.0, std::cos(camber), std::sin(camber)};
-    const sil::WheelContact contact = sil::find_wheel_contact(axis, sil::Vector3::UnitZ(), 0.5, 0.40);
+    const sil::WheelContact contact = sil::find_wheel_contact<double>(axis, sil::Vector3::UnitZ(), 0.5, 0.40);
     EXPECT_NEAR(contact.deflection_m, 0.40 * std::cos(camber) - 0.5, 1e-12);
     EXPECT_GT(contact.arm.y(), 0.0) << "the top leans to the right, so the bottom is to the left";
     EXPECT_NEAR(contact.arm.dot(axis), 0.0, 1e-12);
