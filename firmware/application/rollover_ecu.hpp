@@ -52,6 +52,8 @@ class RolloverEcu {
     // What the last cycle computed and what from, for a platform that shows or records it.
     const rsi::Outputs& outputs() const noexcept { return outputs_; }
     const rsi::Inputs& inputs() const noexcept { return inputs_; }
+    // What the monitoring has found, for diagnosis.
+    const monitoring::DiagnosticMemory& diagnostic_memory() const noexcept { return memory_; }
 
  private:
     [[gnu::cold]] void restore_load() noexcept;
