@@ -75,7 +75,8 @@ KeyAnswer SeedAndKey::take_key(const Block& key) noexcept {
     }
     is_unlocked_ = true;
     wrong_keys_ = 0U;
-    static_cast<void>(store(0U));  // else the next attempt counts from what is stored: too strict, not too lax
+    static_cast<void>(
+        store(0U));  // else the next attempt counts from what is stored: too strict, not too lax
     return KeyAnswer::unlocked;
 }
 

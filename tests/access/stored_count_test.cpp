@@ -33,7 +33,8 @@ TEST(AStoredCount, IsReadAsItWasWritten) {
 TEST(AStoredCount, HasItsBytesInTheirPlaces) {
     CutStorage storage;
     ASSERT_TRUE(access_control::write_count(storage, tag, 0x0D0C0B0AU));
-    const std::vector<std::uint8_t> expected{1U, 2U, 3U, 4U, 0x0AU, 0x0BU, 0x0CU, 0x0DU, 0xF5U, 0xF4U, 0xF3U, 0xF2U};
+    const std::vector<std::uint8_t> expected{1U,    2U,    3U,    4U,    0x0AU, 0x0BU,
+                                             0x0CU, 0x0DU, 0xF5U, 0xF4U, 0xF3U, 0xF2U};
     EXPECT_EQ(storage.record(), expected);
     EXPECT_EQ(expected.size(), access_control::stored_count_length);
 }
