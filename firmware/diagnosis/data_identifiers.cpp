@@ -42,20 +42,37 @@ bool read_identification(std::uint32_t identifier, const DataSources& sources, R
     return true;
 }
 
+// The members alone: names and units of the table stay out of the image.
+template <typename Member, typename Table>
+constexpr std::array<Member, std::tuple_size<Table>::value> members_of(const Table& table) {
+    std::array<Member, std::tuple_size<Table>::value> members{};
+    for (std::size_t index = 0U; index < members.size(); ++index) {
+        members[index] = table[index].member;
+    }
+    return members;
+}
+
+constexpr std::array<float rsi::Outputs::*, rsi::number_count> numbers =
+    members_of<float rsi::Outputs::*>(rsi::number_outputs);
+constexpr std::array<std::int32_t rsi::Outputs::*, rsi::code_count> codes =
+    members_of<std::int32_t rsi::Outputs::*>(rsi::code_outputs);
+constexpr std::array<float rsi::Inputs::*, input_values.size()> inputs =
+    members_of<float rsi::Inputs::*>(input_values);
+
 bool read_value(std::uint32_t identifier, const DataSources& sources, Response& response) {
     // Below its first one, each is a large number.
     const std::size_t number = identifier - first_number_identifier;
     const std::size_t code = identifier - first_code_identifier;
     const std::size_t input = identifier - first_input_identifier;
-    if (number < rsi::number_outputs.size()) {
+    if (number < numbers.size()) {
         response.put_16(identifier);
-        response.put_32(application::word_of(sources.outputs.*rsi::number_outputs[number].member));
-    } else if (code < rsi::code_outputs.size()) {
+        response.put_32(application::word_of(sources.outputs.*numbers[number]));
+    } else if (code < codes.size()) {
         response.put_16(identifier);
-        response.put(static_cast<std::uint8_t>(sources.outputs.*rsi::code_outputs[code].member));
-    } else if (input < input_values.size()) {
+        response.put(static_cast<std::uint8_t>(sources.outputs.*codes[code]));
+    } else if (input < inputs.size()) {
         response.put_16(identifier);
-        response.put_32(application::word_of(sources.inputs.*input_values[input].member));
+        response.put_32(application::word_of(sources.inputs.*inputs[input]));
     } else {
         return false;
     }

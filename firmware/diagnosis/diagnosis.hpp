@@ -3,7 +3,8 @@
 //   diagnosis::Diagnosis diagnosis{bus, {}, identification, one_place, other_place};
 //   application::RolloverEcu ecu{diagnosis.bus(), clock, watchdog};
 //   diagnosis.start(is_new_operation_cycle);
-//   each cycle: ecu.step(missed_cycles); diagnosis.step(ecu.diagnostic_memory(), ecu.inputs(), ecu.outputs());
+//   each cycle: ecu.step(missed_cycles); diagnosis.step(ecu.diagnostic_memory(), ecu.inputs(),
+//   ecu.outputs());
 //
 // Nothing of it is linked into an image that does not name it.
 #pragma once
@@ -30,11 +31,11 @@ class Diagnosis {
     hal::CanBus& bus() noexcept { return bus_; }
 
     // Without them nobody is unlocked, and no parameter section is taken.
-    void use(access::SeedAndKey& access) noexcept { server_.use(access); }
+    void use(access_control::SeedAndKey& access) noexcept { server_.use(access); }
     void use(SectionTarget& target) noexcept { server_.use(target); }
 
-    // Before the first cycle. `is_new_operation_cycle`: the ignition was switched on; false after a reset that
-    // nobody noticed but the controller.
+    // Before the first cycle. `is_new_operation_cycle`: the ignition was switched on; false after a reset
+    // that nobody noticed but the controller.
     [[gnu::cold]] void start(bool is_new_operation_cycle) noexcept {
         kept_.restore();
         kept_.codes().start(is_new_operation_cycle);

@@ -5,7 +5,7 @@
 namespace diagnosis {
 namespace {
 
-constexpr std::uint8_t padding = 0xCCU;  // few stuff bits
+constexpr std::uint8_t padding = 0xCCU;          // few stuff bits
 constexpr std::uint32_t time_out_cycles = 100U;  // N_As, N_Bs, N_Cr: 1 s
 constexpr std::uint8_t most_waits = 10U;
 // What a response may take of the bus in a cycle, in which the control unit sends eight frames of its own.
@@ -34,8 +34,8 @@ std::size_t single_length(const hal::CanFrame& frame) {
     return (length < frame.length) ? length : 0U;
 }
 
-// STmin as cycles from one frame to the next: a whole number of cycles may be a moment too short, so one more.
-// 0xF1 to 0xF9 are 0.1 to 0.9 ms; what is reserved counts as the longest.
+// STmin as cycles from one frame to the next: a whole number of cycles may be a moment too short, so one
+// more. 0xF1 to 0xF9 are 0.1 to 0.9 ms; what is reserved counts as the longest.
 std::uint32_t cycles_of_separation(std::uint8_t separation_time) {
     if (separation_time == 0U) {
         return 0U;
@@ -208,7 +208,8 @@ void IsoTp::send_flow_control() noexcept {
         return;
     }
     Payload payload{0U, 0U, 0U, padding, padding, padding, padding, padding};
-    payload[0] = static_cast<std::uint8_t>((flow_control << 4U) | static_cast<std::uint8_t>(flow_control_due_));
+    payload[0] =
+        static_cast<std::uint8_t>((flow_control << 4U) | static_cast<std::uint8_t>(flow_control_due_));
     if (send_frame(payload)) {
         flow_control_due_ = FlowStatus::none;
     }
@@ -251,7 +252,8 @@ void IsoTp::send_consecutive() noexcept {
         --gap_;
     }
     for (std::uint32_t count = 0U;
-         (count < most_frames_per_cycle) && (gap_ == 0U) && (sending_ == Sending::consecutive_frames); ++count) {
+         (count < most_frames_per_cycle) && (gap_ == 0U) && (sending_ == Sending::consecutive_frames);
+         ++count) {
         Payload payload{};
         payload.fill(padding);
         const std::size_t left = response_length_ - sent_;

@@ -104,7 +104,7 @@ Nrc SectionDownload::check_and_store(std::uint8_t& refusal) noexcept {
         return Nrc::response_pending;
     }
     state_ = State::idle;
-    return (answer == SectionAnswer::failed) ? Nrc::programming_failure : Nrc::none;
+    return Nrc::none;
 }
 
 }  // namespace diagnosis

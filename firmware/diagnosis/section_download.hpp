@@ -1,5 +1,5 @@
-// Section download: RequestDownload, TransferData and RequestTransferExit (34, 36, 37) of a parameter section,
-// and its check.
+// Section download: RequestDownload, TransferData and RequestTransferExit (34, 36, 37) of a parameter
+// section, and its check.
 #pragma once
 
 #include <cstddef>

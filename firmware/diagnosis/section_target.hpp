@@ -10,7 +10,6 @@ enum class SectionAnswer : std::uint8_t {
     stored,   // good, and kept for the next start
     refused,  // and the section that was there is still there
     busy,     // the memory cannot take it now; ask again
-    failed,   // the memory does not take it
 };
 
 class SectionTarget {

@@ -1,5 +1,5 @@
-// Tester bus: the bus as the application sees it while a tester is on it. The application is the same with and
-// without diagnosis.
+// Tester bus: the bus as the application sees it while a tester is on it. The application is the same with
+// and without diagnosis.
 #pragma once
 
 #include "diagnosis/iso_tp.hpp"

@@ -1,7 +1,7 @@
 // Diagnostic trouble codes: the number by which a workshop knows each diagnostic code. The one table of them.
 //
-// Three bytes each: a code of those that are left to the manufacturer (C1xxx and U1xxx of SAE J2012-DA: 0x5xxx
-// and 0xDxxx), and the type of failure.
+// Three bytes each: a code of those that are left to the manufacturer (C1xxx and U1xxx of SAE J2012-DA:
+// 0x5xxx and 0xDxxx), and the type of failure.
 #pragma once
 
 #include <array>
@@ -83,11 +83,15 @@ inline constexpr std::array<TroubleCode, trouble_code_count> trouble_codes{
     row(DiagnosticCode::steering_invalid, 0x5208U, failure_type::signal_invalid, Judged::always),
     row(DiagnosticCode::steering_jump, 0x5208U, failure_type::rate_above_limit, Judged::driving),
     row(DiagnosticCode::steering_stuck, 0x5208U, failure_type::signal_stuck, Judged::driving),
-    row(DiagnosticCode::roll_rate_contradicts_roll_angle, 0x5203U, failure_type::plausibility, Judged::driving),
+    row(DiagnosticCode::roll_rate_contradicts_roll_angle, 0x5203U, failure_type::plausibility,
+        Judged::driving),
     row(DiagnosticCode::roll_rate_offset, 0x5203U, failure_type::bias, Judged::driving),
-    row(DiagnosticCode::lateral_acceleration_contradicts_yaw_rate, 0x5201U, failure_type::plausibility, Judged::driving),
-    row(DiagnosticCode::roll_sensor_contradicts_observer, 0x5204U, failure_type::plausibility, Judged::driving),
-    row(DiagnosticCode::yaw_rate_contradicts_lateral_acceleration, 0x5206U, failure_type::plausibility, Judged::driving),
+    row(DiagnosticCode::lateral_acceleration_contradicts_yaw_rate, 0x5201U, failure_type::plausibility,
+        Judged::driving),
+    row(DiagnosticCode::roll_sensor_contradicts_observer, 0x5204U, failure_type::plausibility,
+        Judged::driving),
+    row(DiagnosticCode::yaw_rate_contradicts_lateral_acceleration, 0x5206U, failure_type::plausibility,
+        Judged::driving),
     row(DiagnosticCode::parameters_refused, 0x5210U, failure_type::configuration, Judged::always),
     row(DiagnosticCode::parameters_damaged, 0x5210U, failure_type::calibration_memory, Judged::always),
     row(DiagnosticCode::estimate_out_of_range, 0x5211U, failure_type::calculation, Judged::always),
@@ -116,7 +120,8 @@ constexpr bool is_table_of_all() {
     }
     return good;
 }
-static_assert(is_table_of_all(), "every code has its row, in the order of the codes, and a number of its own");
+static_assert(is_table_of_all(),
+              "every code has its row, in the order of the codes, and a number of its own");
 
 // The row of that number; trouble_code_count where there is none.
 constexpr std::size_t row_of_number(std::uint32_t number) {

@@ -80,7 +80,8 @@ std::uint16_t half_word(const std::uint8_t* bytes) {
 }
 
 FreezeFrame frame_at(const std::uint8_t* bytes) {
-    return FreezeFrame{static_cast<std::int16_t>(half_word(bytes)), static_cast<std::int16_t>(half_word(bytes + 2)),
+    return FreezeFrame{static_cast<std::int16_t>(half_word(bytes)),
+                       static_cast<std::int16_t>(half_word(bytes + 2)),
                        static_cast<std::int16_t>(half_word(bytes + 4)),
                        static_cast<std::int16_t>(half_word(bytes + 6)), half_word(bytes + 8)};
 }
@@ -149,8 +150,8 @@ void TroubleMemory::fail(std::size_t row) noexcept {
     TroubleState& state = states_[row];
     // What fails over and over in one operation cycle does not wear the memory out.
     request_storing(has(state.status, status::failed_this_cycle) ? Storing::later : Storing::now);
-    set_bits(state.status, status::test_failed | status::failed_this_cycle | status::pending | status::confirmed |
-                               status::failed_since_clear);
+    set_bits(state.status, status::test_failed | status::failed_this_cycle | status::pending |
+                               status::confirmed | status::failed_since_clear);
     clear_bits(state.status, status::cleared);
     state.occurrences = count_up(state.occurrences);
     state.ageing = 0U;
@@ -264,7 +265,8 @@ void TroubleMemory::restore(const std::uint8_t* bytes) noexcept {
     }
     for (TroubleSnapshots& each : snapshots_) {
         const bool is_known = (bytes[0] <= trouble_code_count);
-        each = is_known ? TroubleSnapshots{bytes[0], frame_at(bytes + 1), frame_at(bytes + 11)} : TroubleSnapshots{};
+        each = is_known ? TroubleSnapshots{bytes[0], frame_at(bytes + 1), frame_at(bytes + 11)}
+                        : TroubleSnapshots{};
         bytes += snapshot_bytes;
     }
 }

@@ -102,10 +102,10 @@ class TroubleMemory {
 
     std::array<TroubleState, trouble_code_count> states_{};
     std::array<TroubleSnapshots, snapshot_places> snapshots_{};
-    FreezeFrame measured_{};  // in this cycle
-    monitoring::CodeSet failed_{0U};  // in the cycle before
-    std::uint32_t cycles_{0U};        // since the start
-    std::uint32_t good_cycles_{0U};   // in which nothing failed
+    FreezeFrame measured_{};           // in this cycle
+    monitoring::CodeSet failed_{0U};   // in the cycle before
+    std::uint32_t cycles_{0U};         // since the start
+    std::uint32_t good_cycles_{0U};    // in which nothing failed
     std::uint32_t driven_cycles_{0U};  // of these
     bool is_recording_{true};
     Storing storing_{Storing::not_needed};

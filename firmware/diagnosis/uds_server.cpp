@@ -5,11 +5,11 @@
 namespace diagnosis {
 namespace {
 
-constexpr std::uint32_t session_cycles = 500U;      // S3: 5 s
-constexpr std::uint32_t response_milliseconds = 50U;  // P2
+constexpr std::uint32_t session_cycles = 500U;               // S3: 5 s
+constexpr std::uint32_t response_milliseconds = 50U;         // P2
 constexpr std::uint32_t late_response_milliseconds = 5000U;  // P2*
-constexpr std::uint32_t cycles_to_say_later = 3U;   // within P2
-constexpr std::uint32_t most_wait_cycles = 450U;    // within P2*
+constexpr std::uint32_t cycles_to_say_later = 3U;            // within P2
+constexpr std::uint32_t most_wait_cycles = 450U;             // within P2*
 constexpr float standing_mps = 1.4F;
 
 constexpr std::uint8_t suppress_positive = 0x80U;
@@ -78,16 +78,18 @@ std::uint8_t self_test_of(monitoring::CodeSet failed) {
     using monitoring::DiagnosticCode;
     using monitoring::set_of;
     const std::uint32_t found =
-        std::uint32_t{bit_where(
-            failed, set_of(DiagnosticCode::parameters_refused, DiagnosticCode::parameters_damaged),
-            self_test::parameters)} |
+        std::uint32_t{
+            bit_where(failed, set_of(DiagnosticCode::parameters_refused, DiagnosticCode::parameters_damaged),
+                      self_test::parameters)} |
         bit_where(failed, set_of(DiagnosticCode::memory_restored), self_test::memory) |
         bit_where(failed, set_of(DiagnosticCode::estimate_out_of_range, DiagnosticCode::output_not_finite),
                   self_test::computing) |
-        bit_where(failed,
-                  set_of(DiagnosticCode::cycle_overrun, DiagnosticCode::cycle_stall, DiagnosticCode::clock_jump),
-                  self_test::timing) |
-        bit_where(failed, set_of(DiagnosticCode::bus_error, DiagnosticCode::receive_overflow), self_test::bus);
+        bit_where(
+            failed,
+            set_of(DiagnosticCode::cycle_overrun, DiagnosticCode::cycle_stall, DiagnosticCode::clock_jump),
+            self_test::timing) |
+        bit_where(failed, set_of(DiagnosticCode::bus_error, DiagnosticCode::receive_overflow),
+                  self_test::bus);
     return static_cast<std::uint8_t>(found);
 }
 
@@ -184,7 +186,8 @@ void UdsServer::answer(const Request& request, Nrc code) noexcept {
     }
 }
 
-// The order of ISO 14229-1: service, session, access, sub-function, length; then what the service itself finds.
+// The order of ISO 14229-1: service, session, access, sub-function, length; then what the service itself
+// finds.
 Nrc UdsServer::check_and_run(const Request& request, const EcuState& ecu) noexcept {
     const Service* const service = service_of(request);
     if (service == nullptr) {
@@ -324,7 +327,7 @@ Nrc UdsServer::security_access(const Request& request) noexcept {
     if (sub_function_of(request) == 0x02U) {
         return take_key(request);
     }
-    access::Block seed{};  // all zeros: it is unlocked already
+    access_control::Block seed{};  // all zeros: it is unlocked already
     if (!access_->is_unlocked() && !access_->give_seed(seed)) {
         return Nrc::time_delay_not_expired;
     }
@@ -335,16 +338,16 @@ Nrc UdsServer::security_access(const Request& request) noexcept {
 }
 
 Nrc UdsServer::take_key(const Request& request) noexcept {
-    access::Block key{};
+    access_control::Block key{};
     for (std::size_t index = 0U; index < key.size(); ++index) {
         key[index] = request.bytes[2U + index];
     }
     switch (access_->take_key(key)) {
-        case access::KeyAnswer::unlocked:
+        case access_control::KeyAnswer::unlocked:
             return Nrc::none;
-        case access::KeyAnswer::no_seed:
+        case access_control::KeyAnswer::no_seed:
             return Nrc::request_sequence_error;
-        case access::KeyAnswer::too_many_attempts:
+        case access_control::KeyAnswer::too_many_attempts:
             return Nrc::exceeded_attempts;
         default:
             return Nrc::invalid_key;

@@ -43,7 +43,7 @@ class UdsServer {
         : transport_{transport}, bus_{bus}, kept_{kept}, identification_{identification} {}
 
     // Without them nobody is unlocked, and no section is taken.
-    void use(access::SeedAndKey& access) noexcept { access_ = &access; }
+    void use(access_control::SeedAndKey& access) noexcept { access_ = &access; }
     void use(SectionTarget& target) noexcept { download_.use(target); }
 
     // Once a cycle of 10 ms: answers at most one request.
@@ -87,7 +87,7 @@ class UdsServer {
     TesterBus& bus_;
     KeptData& kept_;
     const Identification& identification_;
-    access::SeedAndKey* access_{nullptr};
+    access_control::SeedAndKey* access_{nullptr};
     SectionDownload download_{};
     Response response_{};
     std::array<std::uint8_t, 3> pending_{};  // the negative response that says "later"

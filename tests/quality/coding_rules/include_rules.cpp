@@ -44,19 +44,25 @@ const std::vector<Rule>& rules() {
          {"rsi/", "monitoring/", "access/", "can_dbc/", "hal/interface/", "application/"},
          Rule::Others::standard,
          {}},
+        {"firmware/diagnosis/",
+         {"rsi/", "monitoring/", "access/", "hal/interface/", "application/", "diagnosis/"},
+         Rule::Others::standard,
+         {}},
         {"can_dbc/", {"can_dbc/"}, Rule::Others::standard, {}},
         {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
         {"hal/", {"hal/"}, Rule::Others::any, {}},
         {"firmware/images/",
-         {"rsi/", "monitoring/", "access/", "can_dbc/", "hal/", "application/", "images/"},
+         {"rsi/", "monitoring/", "access/", "can_dbc/", "hal/", "application/", "diagnosis/", "images/"},
          Rule::Others::any,
          {}},
         {"sil/",
-         {"rsi/", "monitoring/", "access/", "can_dbc/", "hal/", "application/", "images/", "sil/"},
+         {"rsi/", "monitoring/", "access/", "can_dbc/", "hal/", "application/", "diagnosis/", "images/",
+          "sil/"},
          Rule::Others::any,
          {}},
         {"tests/",
-         {"rsi/", "monitoring/", "access/", "can_dbc/", "hal/", "application/", "images/", "sil/", "tests/"},
+         {"rsi/", "monitoring/", "access/", "can_dbc/", "hal/", "application/", "diagnosis/", "images/",
+          "sil/", "tests/"},
          Rule::Others::any,
          {}},
     };
@@ -86,9 +92,9 @@ bool starts_with(const std::string& text, const std::string& beginning) {
 
 // The project's folder that a header is in, as it is written in an include; empty for all others.
 std::string project_folder(const std::string& header) {
-    static const std::vector<std::string> folders{"rsi/",      "monitoring/", "access/", "application/",
-                                                  "firmware/", "can_dbc/",    "hal/",    "images/",
-                                                  "sil/",      "tests/"};
+    static const std::vector<std::string> folders{"rsi/",       "monitoring/", "access/",  "application/",
+                                                  "diagnosis/", "firmware/",   "can_dbc/", "hal/",
+                                                  "images/",    "sil/",        "tests/"};
     for (const std::string& folder : folders) {
         if (starts_with(header, folder)) {
             return folder;
