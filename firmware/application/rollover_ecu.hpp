@@ -35,6 +35,14 @@ class RolloverEcu {
     // The same with the parameters of a section of the image, of whose memory `length` bytes may be read.
     ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept;
 
+    // Between two cycles: goes on with the parameters of a change that is ready and began from parameters(),
+    // as rsi::Component::change says. The checks of the inputs begin anew only where they depend on what has
+    // changed. An ECU that has refused its parameters starts with these.
+    [[gnu::cold]] void change(const rsi::ParameterChange& change) noexcept;
+
+    // Those in use, as far as they were accepted.
+    const rsi::Parameters& parameters() const noexcept { return parameters_; }
+
     // For a platform that knows why it started; sent in every cycle. Before init: after a loss of power the
     // stored load is doubted.
     void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
