@@ -10,7 +10,7 @@
 #include "hal/interface/random_source.hpp"
 #include "hal/interface/storage.hpp"
 
-namespace access {
+namespace access_control {
 
 using Block = std::array<std::uint8_t, 16>;
 
@@ -23,7 +23,8 @@ enum class KeyAnswer : std::uint8_t {
 
 class SeedAndKey {
  public:
-    // All three must outlive this object. `attempts` holds attempts_length bytes and is nobody else's.
+    // All three must outlive this object. `attempts` takes a record of stored_count_length bytes and is
+    // nobody else's. What it has taken must be safe from a loss of power before the next frame is answered.
     SeedAndKey(hal::KeyStore& keys, hal::KeySlot slot, hal::RandomSource& random,
                hal::Storage& attempts) noexcept
         : keys_{keys}, slot_{slot}, random_{random}, attempts_{attempts} {}
@@ -38,7 +39,7 @@ class SeedAndKey {
     // Consumes the seed, whatever the answer. A wrong key locks again.
     KeyAnswer take_key(const Block& key) noexcept;
 
-    void lock() noexcept { is_unlocked_ = false; }
+    void lock() noexcept;
 
     bool is_unlocked() const noexcept { return is_unlocked_; }
 
@@ -50,6 +51,8 @@ class SeedAndKey {
     }
 
  private:
+    bool store(std::uint32_t wrong_keys) noexcept;
+
     hal::KeyStore& keys_;
     hal::KeySlot slot_;
     hal::RandomSource& random_;
@@ -58,8 +61,9 @@ class SeedAndKey {
     bool has_seed_{false};
     bool is_started_{false};
     bool is_unlocked_{false};
-    std::uint32_t wrong_keys_{0U};
+    std::uint32_t wrong_keys_{0U};    // since the last good one
+    std::uint32_t stored_count_{0U};  // in `attempts`: one more while a seed waits for its key
     std::uint32_t delay_cycles_{0U};
 };
 
-}  // namespace access
+}  // namespace access_control
