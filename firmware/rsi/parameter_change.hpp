@@ -1,4 +1,5 @@
-// Parameter change: other parameters for a component that is running, prepared over as many cycles as it takes.
+// Parameter change: other parameters for a component that is running, prepared over as many cycles as it
+// takes.
 #pragma once
 
 #include "rsi/measurement/roll_bank_observer.hpp"
@@ -8,8 +9,8 @@ namespace rsi {
 
 class ParameterChange {
  public:
-    // From the parameters in use, `from`, to others. Accepts, or names the first field that is refused and why;
-    // then there is nothing to prepare.
+    // From the parameters in use, `from`, to others. Accepts, or names the first field that is refused and
+    // why; then there is nothing to prepare.
     [[gnu::cold]] Validation begin(const Parameters& from, const Parameters& to);
 
     // One cycle's share of the work, less than a step. True when the component may go on with it, which most

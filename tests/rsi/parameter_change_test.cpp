@@ -72,8 +72,9 @@ std::vector<rsi_parameters> neighbours(const rsi_parameters& parameters) {
         for (const float factor : {1.02F, 0.98F}) {
             rsi_parameters moved = parameters;
             const float value = moved.*field.member;
-            moved.*field.member = (std::abs(value) > 0.0F) ? factor * value
-                                                           : field.minimum + 0.1F * (field.maximum - field.minimum);
+            moved.*field.member = (std::abs(value) > 0.0F)
+                                      ? factor * value
+                                      : field.minimum + 0.1F * (field.maximum - field.minimum);
             if (rsi::validate(moved).accepted == 1) {
                 all.push_back(moved);
                 break;
