@@ -19,7 +19,6 @@ std::uint8_t least_length(Command command) noexcept {
         case Command::set_request:
         case Command::upload:
         case Command::download:
-        case Command::get_pag_processor_info:
         case Command::start_stop_synch:
             return 2U;
         case Command::get_seed:
