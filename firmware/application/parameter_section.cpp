@@ -37,22 +37,26 @@ ParametersRefusal check_form(const std::uint8_t* bytes, std::size_t length) {
     return intact ? ParametersRefusal::none : ParametersRefusal::checksum;
 }
 
-rsi::Parameters values_of(const std::uint8_t* bytes) {
+}  // namespace
+
+rsi::Parameters section::values_of(const std::uint8_t* values) noexcept {
     rsi::Parameters parameters{};
-    std::size_t place = section::values_at;
+    std::size_t place = 0U;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
-        parameters.*field.member = float_at(bytes, place);
+        parameters.*field.member = float_at(values, place);
         place += 4U;
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
-        const std::uint32_t word = word_at(bytes, place);
+        const std::uint32_t word = word_at(values, place);
         std::memcpy(&(parameters.*field.member), &word, sizeof word);
         place += 4U;
     }
     return parameters;
 }
 
-}  // namespace
+void section::put_checksum(std::uint8_t* bytes) noexcept {
+    put_word(bytes, checksum_at, crc32(bytes, checksum_at));
+}
 
 ParameterSectionAnswer read_parameter_section(const std::uint8_t* bytes, std::size_t length,
                                               rsi::Parameters& parameters) noexcept {
@@ -60,7 +64,7 @@ ParameterSectionAnswer read_parameter_section(const std::uint8_t* bytes, std::si
     if (answer.refusal != ParametersRefusal::none) {
         return answer;
     }
-    const rsi::Parameters read = values_of(bytes);
+    const rsi::Parameters read = section::values_of(bytes + section::values_at);
     answer.validation = rsi::validate(read);
     if (answer.validation.accepted != 0) {
         parameters = read;

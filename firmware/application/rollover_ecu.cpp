@@ -68,6 +68,23 @@ void RolloverEcu::start_checks() noexcept {
     reception_.start(parameters_);
 }
 
+void RolloverEcu::change(const rsi::ParameterChange& change) noexcept {
+    if (refusal_ != ParametersRefusal::none) {
+        static_cast<void>(init(change.parameters()));
+        return;
+    }
+    const bool other_checks = change.is_another_vehicle() || change.has_other_sensors();
+    parameters_ = change.parameters();
+    component_.change(change);
+    component_guard_.keep(component_);
+    parameter_guard_.start(parameters_);
+    if (other_checks) {
+        input_monitor_.start(parameters_);
+    }
+    reception_.start(parameters_);
+    load_keeper_.follow(parameters_);
+}
+
 // Who was reset while running carries what he did; who was without power may have been loaded or emptied.
 void RolloverEcu::restore_load() noexcept {
     load_keeper_.restore(parameters_, component_, reset_reason_ == hal::ResetReason::power_on);

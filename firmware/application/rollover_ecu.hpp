@@ -44,6 +44,14 @@ class RolloverEcu {
     // For a platform whose XCP or UDS asks for a key, before init: the bus is told when everybody knows it.
     void use_keys(const hal::KeyStore& keys) noexcept { has_test_keys_ = keys.has_test_keys(); }
 
+    // Between two cycles: goes on with the parameters of a change that is ready and began from parameters(),
+    // as rsi::Component::change says. The checks of the inputs begin anew only where they depend on what has
+    // changed. An ECU that has refused its parameters starts with these.
+    [[gnu::cold]] void change(const rsi::ParameterChange& change) noexcept;
+
+    // Those in use, as far as they were accepted.
+    const rsi::Parameters& parameters() const noexcept { return parameters_; }
+
     // For a platform that knows why it started; sent in every cycle. Before init: after a loss of power the
     // stored load is doubted.
     void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "application/calibrated_ecu.hpp"
 #include "application/rollover_ecu.hpp"
 #include "hal/linux/periodic_tick.hpp"
 #include "hal/linux/real_time.hpp"
@@ -15,6 +17,7 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/apps/bus_state_report.hpp"
+#include "sil/apps/calibration_access.hpp"
 #include "sil/lock_step/lock_step_receiver.hpp"
 #include "sil/lock_step/simulation.hpp"
 #include "sil/world/simulation/pace.hpp"
@@ -32,6 +35,9 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     for (const std::uint32_t value : application::sent_identifiers) {
         identifiers.push_back({value, false});
     }
+    if (request.xcp) {
+        identifiers.push_back({xcp::default_identifiers.command, false});
+    }
     if (request.lock_step) {
         identifiers.push_back({simulation_dbc::SimulationSync::identifier, false});
     }
@@ -47,13 +53,47 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     }
 }
 
-void start(application::RolloverEcu& ecu, const rsi::Parameters& parameters) {
-    const rsi::Validation answer = ecu.init(parameters);
-    if (answer.accepted == 0) {
-        throw std::runtime_error(
-            fmt::format("the component refuses its parameter {}: {}", answer.field, answer.reason));
+// The firmware, with XCP or without.
+class Ecu {
+ public:
+    // All must outlive the ECU.
+    Ecu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog, const rsi::Parameters& parameters,
+        CalibrationAccess* access) {
+        if (access != nullptr) {
+            calibrated_.emplace(bus, clock, watchdog, access->seed_and_key(), access->section().data(),
+                                access->section().size(), &access->stored_section());
+            start_calibrated(parameters);
+        } else {
+            require_accepted(plain_.emplace(bus, clock, watchdog).init(parameters));
+        }
     }
-}
+    void step(std::uint32_t missed_cycles) {
+        if (calibrated_) {
+            calibrated_->step(missed_cycles);
+        } else {
+            plain_->step(missed_cycles);
+        }
+    }
+
+ private:
+    static void require_accepted(const rsi::Validation& answer) {
+        if (answer.accepted == 0) {
+            throw std::runtime_error(
+                fmt::format("the component refuses its parameter {}: {}", answer.field, answer.reason));
+        }
+    }
+    void start_calibrated(const rsi::Parameters& parameters) {
+        require_accepted(calibrated_->init().validation);
+        const bool is_stored =
+            std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
+        if (is_stored) {
+            fmt::print("rsi-ecu: starts with the parameters that XCP has stored\n");
+        }
+    }
+
+    std::optional<application::RolloverEcu> plain_;
+    std::optional<application::CalibratedEcu> calibrated_;
+};
 
 void say_listening(const EcuRequest& request) {
     fmt::print("rsi-ecu: listening on {}{}\n", request.interface, request.lock_step ? ", in lock-step" : "");
@@ -81,12 +121,11 @@ void print_punctuality(const hal::PeriodicTick<hal::SteadyClock>& tick, const ha
     }
 }
 
-void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, hal::SocketCanBus& bus,
-                      const volatile std::sig_atomic_t& end_requested) {
+void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, CalibrationAccess* access,
+                      hal::SocketCanBus& bus, const volatile std::sig_atomic_t& end_requested) {
     hal::SteadyClock clock;
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
-    application::RolloverEcu ecu{bus, clock, watchdog};
-    start(ecu, parameters);
+    Ecu ecu{bus, clock, watchdog, parameters, access};
     const hal::RealTimeResult real_time = hal::enter_real_time({request.fifo_priority, request.lock_memory});
     if (!real_time) {
         throw std::runtime_error(real_time.message());
@@ -104,13 +143,13 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
     print_punctuality(tick, bus);
 }
 
-void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, hal::SocketCanBus& socket,
-                      const volatile std::sig_atomic_t& end_requested) {
+void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, CalibrationAccess* access,
+                      hal::SocketCanBus& socket, const volatile std::sig_atomic_t& end_requested) {
     hal::VirtualClock clock;
     LockStepReceiver<256U> bus{socket, clock};
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
-    std::optional<application::RolloverEcu> ecu;
-    start(ecu.emplace(bus, clock, watchdog), parameters);
+    std::optional<Ecu> ecu;
+    ecu.emplace(bus, clock, watchdog, parameters, access);
     say_listening(request);
     while (end_requested == 0) {
         // Short enough to notice a request to end, long enough to cost nothing.
@@ -120,7 +159,7 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
         while (bus.cycle_is_complete()) {
             // A new run must not see what the ECU has learnt and counted in the one before.
             if (bus.run_begins()) {
-                start(ecu.emplace(bus, clock, watchdog), parameters);
+                ecu.emplace(bus, clock, watchdog, parameters, access);
             }
             ecu->step(0U);
         }
@@ -132,11 +171,16 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
 void run_ecu(const EcuRequest& request, const rsi::Parameters& parameters,
              const volatile std::sig_atomic_t& end_requested) {
     hal::SocketCanBus bus;
+    std::optional<CalibrationAccess> access;
+    if (request.xcp) {
+        access.emplace(parameters, request.xcp_storage);
+    }
+    CalibrationAccess* const given = access ? &*access : nullptr;
     open_or_throw(bus, request);
     if (request.lock_step) {
-        run_in_lock_step(request, parameters, bus, end_requested);
+        run_in_lock_step(request, parameters, given, bus, end_requested);
     } else {
-        run_in_real_time(request, parameters, bus, end_requested);
+        run_in_real_time(request, parameters, given, bus, end_requested);
     }
 }
 

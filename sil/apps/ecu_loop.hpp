@@ -13,6 +13,8 @@ struct EcuRequest {
     bool lock_step{false};
     int fifo_priority{0};  // 0: the scheduling stays as it is
     bool lock_memory{false};
+    bool xcp{false};          // XCP on CAN answers
+    std::string xcp_storage;  // folder of what XCP stores; empty: nowhere
     bool receive_everything{
         false};  // no filters in the kernel: foreign frames reach the firmware, which drops them
 };

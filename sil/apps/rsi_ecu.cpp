@@ -87,6 +87,12 @@ int main(int argc, char** argv) {
     app.add_option("--priority", request.fifo_priority, "Real-time priority under SCHED_FIFO")
         ->check(CLI::Range(1, 99));
     app.add_flag("--lock-memory", request.lock_memory, "Keep all memory from being paged out");
+    CLI::Option* xcp =
+        app.add_flag("--xcp", request.xcp, "Answer XCP on CAN (identifiers 0x6F0 and 0x6F1, the test key)");
+    app.add_option("--xcp-storage", request.xcp_storage,
+                   "Existing folder for what XCP stores; without it that is lost at the end")
+        ->check(CLI::ExistingDirectory)
+        ->needs(xcp);
     app.add_flag("--receive-everything", request.receive_everything,
                  "Set no filters in the kernel, to show what a busy bus does without them");
 

@@ -9,7 +9,14 @@ namespace rsi {
 // A further estimator is a further member and a further case; what goes in and what comes out stays the same.
 class RollCentreEstimator {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters) {
+        tune(parameters);
+        reset();
+    }
+
+    // The parameters from now on; what has been learnt stays.
+    [[gnu::cold]] void tune(const Parameters& parameters);
+
     // Forgets everything.
     [[gnu::cold, gnu::noinline]] void reset();
 

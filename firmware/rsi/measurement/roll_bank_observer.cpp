@@ -62,15 +62,25 @@ float short_secant(float x) {
 
 }  // namespace
 
-void RollBankObserver::init(const Parameters& parameters) {
-    reinitialise(parameters);
-    const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
-    const float c = damping_over_inertia_ + 0.5F * T * k;
+ObserverModel observer_model_of(const Parameters& parameters) {
+    const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
+    RollStiffnessCurve stiffness_over_inertia;
+    stiffness_over_inertia.init(parameters, inverse_inertia);
+    const float k = stiffness_over_inertia.slope_nmprad(0.0F);
+    const float c = parameters.roll_damping_nmsprad * inverse_inertia + 0.5F * T * k;
     const float step = T / (1.0F + 0.5F * T * c);
-    gains_ = steady_observer_gains(UprightRoll{step * k, step * c}, noise_of(parameters));
+    return ObserverModel{UprightRoll{step * k, step * c}, noise_of(parameters)};
 }
 
-void RollBankObserver::reinitialise(const Parameters& parameters) {
+void RollBankObserver::init(const Parameters& parameters) {
+    tune(parameters);
+    assume_movement(0.0F);
+    reset();
+    const ObserverModel model = observer_model_of(parameters);
+    gains_ = steady_observer_gains(model.roll, model.noise);
+}
+
+void RollBankObserver::tune(const Parameters& parameters) {
     const float H = roll_arm_m(parameters);
     const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
     stiffness_over_inertia_.init(parameters, inverse_inertia);
@@ -78,9 +88,7 @@ void RollBankObserver::reinitialise(const Parameters& parameters) {
     force_to_acceleration_ = movement_to_acceleration_ * H;
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia;
     tipping_force_mps2_ = gravity_mps2 * static_stability_factor(parameters);
-    yaw_acceleration_.init(yaw_acceleration_lag_s);
-    assume_movement(0.0F);
-    reset();
+    yaw_acceleration_.tune(yaw_acceleration_lag_s);
 }
 
 void RollBankObserver::assume_movement(float vertical_movement_m) {

@@ -12,9 +12,14 @@ class FilteredDerivative {
  public:
     // `lag_s` >= 0; 0 gives the plain difference quotient.
     void init(float lag_s) {
+        tune(lag_s);
+        reset();
+    }
+
+    // The lag from now on; the signal goes on.
+    void tune(float lag_s) {
         weight_ = lag_weight(lag_s);
         gain_per_s_ = weight_ / sample_time_s;
-        reset();
     }
 
     void reset() { running_ = false; }
