@@ -1,5 +1,5 @@
-// Section store: a downloaded parameter section in the memory that outlives a loss of power, instead of that of
-// the image from the next start on.
+// Section store: a downloaded parameter section in the memory that outlives a loss of power, instead of that
+// of the image from the next start on.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@ namespace diagnosis {
 
 class SectionStore final : public SectionTarget {
  public:
-    // Both must outlive this object. `storage` takes a record of length() bytes. Without `authority` the build
-    // allows sections without a seal, and length() is that of one.
+    // Both must outlive this object. `storage` takes a record of length() bytes. Without `authority` the
+    // build allows sections without a seal, and length() is that of one.
     explicit SectionStore(hal::Storage& storage, application::SectionAuthority* authority = nullptr) noexcept
         : storage_{storage}, authority_{authority} {}
 
-    // Before the first cycle. True when a section has been stored and is good: then section() has it, until the
-    // next download begins. The ECU checks it all the same.
+    // Before the first cycle. True when a section has been stored and is good: then section() has it, until
+    // the next download begins. The ECU checks it all the same.
     [[gnu::cold]] bool restore() noexcept;
     const std::uint8_t* section() const noexcept { return bytes_.data(); }
 

@@ -94,7 +94,8 @@ void Slave::work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) n
         has_command_ = false;
         Packet packet{};
         if (answer(now, packet)) {
-            static_cast<void>(send_packet(bus, identifiers_.answer, packet));  // the master repeats its command
+            static_cast<void>(
+                send_packet(bus, identifiers_.answer, packet));  // the master repeats its command
         }
     }
     overload_ = !daq_.sample(bus, identifiers_.answer, now, missed_cycles) || overload_;
@@ -250,8 +251,8 @@ Packet Slave::identification() noexcept {
     return positive().add_byte(0U).add_half_word(0U).add_word(name.length);
 }
 
-// In pieces: how much is left with this one, and its bytes. Nothing is left to be unlocked where a seed has no
-// length.
+// In pieces: how much is left with this one, and its bytes. Nothing is left to be unlocked where a seed has
+// no length.
 Packet Slave::seed() noexcept {
     const std::uint8_t resource = command_.byte(2U);
     const bool is_first = (command_.byte(1U) == 0U);

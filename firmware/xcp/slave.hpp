@@ -21,8 +21,8 @@ class Slave {
     Slave(Target& target, access_control::SeedAndKey& access, const Identifiers& identifiers) noexcept
         : target_{target}, access_{access}, identifiers_{identifiers}, daq_{target} {}
 
-    // Every frame that the control unit receives; others than commands are left alone. Of several commands within
-    // a cycle, which no master sends, the last is answered.
+    // Every frame that the control unit receives; others than commands are left alone. Of several commands
+    // within a cycle, which no master sends, the last is answered.
     void look_at(const hal::CanFrame& frame) noexcept {
         if ((frame.identifier == identifiers_.command) && !frame.extended && !frame.flexible_data_rate) {
             keep(frame);
@@ -78,14 +78,14 @@ class Slave {
     Packet command_{};
     bool has_command_{false};
     bool connected_{false};
-    bool overload_{false};      // to be told
-    bool stored_{false};        // the same
-    bool freezes_{false};       // the segment's mode; the one segment is stored in either
-    Page visible_{Page::working};  // the page that the master reads
-    std::uint32_t address_{0U};    // of the next upload or download (MTA)
-    access_control::Block exchanged_{};    // seed or key, as far as it has gone over the bus
-    std::uint8_t seed_left_{0U};   // bytes
-    std::uint8_t key_got_{0U};     // bytes
+    bool overload_{false};               // to be told
+    bool stored_{false};                 // the same
+    bool freezes_{false};                // the segment's mode; the one segment is stored in either
+    Page visible_{Page::working};        // the page that the master reads
+    std::uint32_t address_{0U};          // of the next upload or download (MTA)
+    access_control::Block exchanged_{};  // seed or key, as far as it has gone over the bus
+    std::uint8_t seed_left_{0U};         // bytes
+    std::uint8_t key_got_{0U};           // bytes
 };
 
 }  // namespace xcp

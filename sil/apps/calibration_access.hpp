@@ -4,17 +4,15 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "access/seed_and_key.hpp"
 #include "application/parameter_section.hpp"
-#include "hal/linux/file_storage.hpp"
 #include "hal/linux/system_random.hpp"
-#include "hal/memory/memory_storage.hpp"
 #include "hal/software_keys/software_keys.hpp"
 #include "rsi/types.hpp"
+#include "sil/apps/kept_record.hpp"
 
 namespace sil {
 
@@ -31,21 +29,9 @@ class CalibrationAccess {
     const std::vector<std::uint8_t>& section() const { return section_; }  // the reference page
 
  private:
-    // A file, or memory that lasts as long as this.
-    class Record final : public hal::Storage {
-     public:
-        Record(const std::filesystem::path& folder, const char* name);
-        bool read(std::uint8_t* bytes, std::size_t length) noexcept override;
-        bool write(const std::uint8_t* bytes, std::size_t length) noexcept override;
-
-     private:
-        std::optional<hal::FileStorage> file_;
-        hal::MemoryStorage<application::section::length> memory_;
-    };
-
     std::vector<std::uint8_t> section_;
-    Record attempts_;
-    Record stored_section_;
+    KeptRecord attempts_;
+    KeptRecord stored_section_;
     hal::SoftwareKeys keys_{hal::test_keys};
     hal::SystemRandom random_{};
     access_control::SeedAndKey seed_and_key_{keys_, hal::KeySlot::calibration, random_, attempts_};

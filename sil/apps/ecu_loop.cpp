@@ -18,6 +18,7 @@
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/apps/bus_state_report.hpp"
 #include "sil/apps/calibration_access.hpp"
+#include "sil/apps/diagnosis_access.hpp"
 #include "sil/lock_step/lock_step_receiver.hpp"
 #include "sil/lock_step/simulation.hpp"
 #include "sil/world/simulation/pace.hpp"
@@ -38,6 +39,10 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     if (request.xcp) {
         identifiers.push_back({xcp::default_identifiers.command, false});
     }
+    if (request.diagnosis) {
+        identifiers.push_back({diagnosis::Addresses{}.physical_request, false});
+        identifiers.push_back({diagnosis::Addresses{}.functional_request, false});
+    }
     if (request.lock_step) {
         identifiers.push_back({simulation_dbc::SimulationSync::identifier, false});
     }
@@ -53,18 +58,30 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     }
 }
 
-// The firmware, with XCP or without.
+// What others may reach beside the warning; nullptr: nobody.
+struct Accesses {
+    CalibrationAccess* calibration{nullptr};
+    DiagnosisAccess* diagnosis{nullptr};
+};
+
+// The firmware, with XCP and diagnosis or without.
 class Ecu {
  public:
-    // All must outlive the ECU.
+    // All must outlive the ECU. `is_switched_on`: an operation cycle begins; false after a reset.
     Ecu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog, const rsi::Parameters& parameters,
-        CalibrationAccess* access) {
+        const Accesses& accesses, bool is_switched_on) {
+        if (accesses.diagnosis != nullptr) {
+            start_diagnosis(bus, *accesses.diagnosis, is_switched_on);
+        }
+        hal::CanBus& its_bus = diagnosis_ ? diagnosis_->bus() : bus;
+        CalibrationAccess* const access = accesses.calibration;
         if (access != nullptr) {
-            calibrated_.emplace(bus, clock, watchdog, access->seed_and_key(), access->section().data(),
+            calibrated_.emplace(its_bus, clock, watchdog, access->seed_and_key(), access->section().data(),
                                 access->section().size(), &access->stored_section());
             start_calibrated(parameters);
         } else {
-            require_accepted(plain_.emplace(bus, clock, watchdog).init(parameters));
+            plain_.emplace(its_bus, clock, watchdog);
+            start_plain(parameters, accesses.diagnosis);
         }
     }
     void step(std::uint32_t missed_cycles) {
@@ -73,9 +90,30 @@ class Ecu {
         } else {
             plain_->step(missed_cycles);
         }
+        if (diagnosis_) {
+            const application::RolloverEcu& ecu = calibrated_ ? calibrated_->ecu() : *plain_;
+            diagnosis_->step(ecu.diagnostic_memory(), ecu.inputs(), ecu.outputs());
+        }
     }
+    // A tester wants it to start anew.
+    bool is_reset_requested() const { return diagnosis_ && diagnosis_->is_reset_requested(); }
 
  private:
+    void start_diagnosis(hal::CanBus& bus, DiagnosisAccess& access, bool is_switched_on) {
+        diagnosis_.emplace(bus, diagnosis::Addresses{}, access.identification(), access.one(),
+                           access.other());
+        diagnosis_->use(access.seed_and_key());
+        diagnosis_->use(access.store());
+        diagnosis_->start(is_switched_on);
+    }
+    void start_plain(const rsi::Parameters& parameters, DiagnosisAccess* access) {
+        if ((access != nullptr) && access->store().restore()) {
+            require_accepted(plain_->init(access->store().section(), access->store().length()).validation);
+            fmt::print("rsi-ecu: starts with the parameters that were downloaded\n");
+        } else {
+            require_accepted(plain_->init(parameters));
+        }
+    }
     static void require_accepted(const rsi::Validation& answer) {
         if (answer.accepted == 0) {
             throw std::runtime_error(
@@ -87,10 +125,11 @@ class Ecu {
         const bool is_stored =
             std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
         if (is_stored) {
-            fmt::print("rsi-ecu: starts with the parameters that XCP has stored\n");
+            fmt::print("rsi-ecu: starts with the parameters that were stored\n");
         }
     }
 
+    std::optional<diagnosis::Diagnosis> diagnosis_;
     std::optional<application::RolloverEcu> plain_;
     std::optional<application::CalibratedEcu> calibrated_;
 };
@@ -121,11 +160,12 @@ void print_punctuality(const hal::PeriodicTick<hal::SteadyClock>& tick, const ha
     }
 }
 
-void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, CalibrationAccess* access,
+void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, const Accesses& accesses,
                       hal::SocketCanBus& bus, const volatile std::sig_atomic_t& end_requested) {
     hal::SteadyClock clock;
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
-    Ecu ecu{bus, clock, watchdog, parameters, access};
+    std::optional<Ecu> ecu;
+    ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
     const hal::RealTimeResult real_time = hal::enter_real_time({request.fifo_priority, request.lock_memory});
     if (!real_time) {
         throw std::runtime_error(real_time.message());
@@ -134,7 +174,11 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
     BusStateReport bus_state{request.interface};
     hal::PeriodicTick<hal::SteadyClock> tick{clock, cycle_time};
     while (end_requested == 0) {
-        ecu.step(tick.wait());
+        ecu->step(tick.wait());
+        if (ecu->is_reset_requested()) {
+            fmt::print("rsi-ecu: a tester resets it\n");
+            ecu.emplace(bus, clock, watchdog, parameters, accesses, false);
+        }
         bus_state.follow(bus);
         if (watchdog.expired()) {
             throw std::runtime_error("the watchdog expired: a cycle took longer than 500 ms");
@@ -143,13 +187,13 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
     print_punctuality(tick, bus);
 }
 
-void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, CalibrationAccess* access,
+void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, const Accesses& accesses,
                       hal::SocketCanBus& socket, const volatile std::sig_atomic_t& end_requested) {
     hal::VirtualClock clock;
     LockStepReceiver<256U> bus{socket, clock};
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
     std::optional<Ecu> ecu;
-    ecu.emplace(bus, clock, watchdog, parameters, access);
+    ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
     say_listening(request);
     while (end_requested == 0) {
         // Short enough to notice a request to end, long enough to cost nothing.
@@ -159,9 +203,12 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
         while (bus.cycle_is_complete()) {
             // A new run must not see what the ECU has learnt and counted in the one before.
             if (bus.run_begins()) {
-                ecu.emplace(bus, clock, watchdog, parameters, access);
+                ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
             }
             ecu->step(0U);
+            if (ecu->is_reset_requested()) {
+                ecu.emplace(bus, clock, watchdog, parameters, accesses, false);
+            }
         }
     }
 }
@@ -175,7 +222,12 @@ void run_ecu(const EcuRequest& request, const rsi::Parameters& parameters,
     if (request.xcp) {
         access.emplace(parameters, request.xcp_storage);
     }
-    CalibrationAccess* const given = access ? &*access : nullptr;
+    std::optional<DiagnosisAccess> workshop;
+    if (request.diagnosis) {
+        workshop.emplace(request.calibration_name, request.diagnosis_storage,
+                         access ? &access->stored_section() : nullptr);
+    }
+    const Accesses given{access ? &*access : nullptr, workshop ? &*workshop : nullptr};
     open_or_throw(bus, request);
     if (request.lock_step) {
         run_in_lock_step(request, parameters, given, bus, end_requested);

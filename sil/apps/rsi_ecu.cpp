@@ -31,7 +31,8 @@ void request_end(int) {
     end_requested = 1;
 }
 
-void run_loop(const sil::EcuRequest& request, const std::string& parameters) {
+void run_loop(sil::EcuRequest& request, const std::string& parameters) {
+    request.calibration_name = std::filesystem::path{parameters}.stem().string();
     std::signal(SIGTERM, request_end);
     std::signal(SIGINT, request_end);
     std::signal(SIGPIPE, SIG_IGN);  // it warns on, whoever has read its messages
@@ -93,6 +94,13 @@ int main(int argc, char** argv) {
                    "Existing folder for what XCP stores; without it that is lost at the end")
         ->check(CLI::ExistingDirectory)
         ->needs(xcp);
+    CLI::Option* diagnosis = app.add_flag(
+        "--diagnosis", request.diagnosis,
+        "Keep trouble codes and answer UDS on ISO-TP (identifiers 0x7A6, 0x7DF and 0x7AE, the test key)");
+    app.add_option("--diagnosis-storage", request.diagnosis_storage,
+                   "Existing folder for what diagnosis keeps; without it that is lost at the end")
+        ->check(CLI::ExistingDirectory)
+        ->needs(diagnosis);
     app.add_flag("--receive-everything", request.receive_everything,
                  "Set no filters in the kernel, to show what a busy bus does without them");
 

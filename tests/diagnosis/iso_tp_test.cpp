@@ -352,9 +352,9 @@ TEST_P(SeparationTimes, AreHonoured) {
 
 INSTANTIATE_TEST_SUITE_P(All, SeparationTimes,
                          ::testing::Values(Separation{1U, 1}, Separation{9U, 1}, Separation{10U, 2},
-                                           Separation{0x7FU, 13}, Separation{0x80U, 13}, Separation{0xF0U, 13},
-                                           Separation{0xF1U, 1}, Separation{0xF9U, 1}, Separation{0xFAU, 13},
-                                           Separation{0xFFU, 13}));
+                                           Separation{0x7FU, 13}, Separation{0x80U, 13},
+                                           Separation{0xF0U, 13}, Separation{0xF1U, 1}, Separation{0xF9U, 1},
+                                           Separation{0xFAU, 13}, Separation{0xFFU, 13}));
 
 // N_Bs.
 TEST_F(Transport, GivesUpATesterThatIsSilentForASecond) {

@@ -122,12 +122,14 @@ TEST(KeptData, ABusyPlaceIsAskedAgain) {
     EXPECT_TRUE(life.data.is_stored());
 }
 
-// Every write of a life with ten codes, one after the other, cut at the beginning, at the end, and at bytes between.
+// Every write of a life with ten codes, one after the other, cut at the beginning, at the end, and at bytes
+// between.
 TEST(KeptData, ALossOfPowerAtAnyWriteLosesAtMostTheNewestEntry) {
     constexpr std::size_t codes = 10U;
     int cuts = 0;
-    for (const std::size_t bytes : {std::size_t{0U}, std::size_t{1U}, std::size_t{7U}, std::size_t{8U},
-                                    std::size_t{100U}, KeptData::record_length - 1U, KeptData::record_length}) {
+    for (const std::size_t bytes :
+         {std::size_t{0U}, std::size_t{1U}, std::size_t{7U}, std::size_t{8U}, std::size_t{100U},
+          KeptData::record_length - 1U, KeptData::record_length}) {
         for (int at_write = 1; at_write <= 7; ++at_write) {
             for (const bool in_first : {true, false}) {
                 Memories memories;
@@ -160,8 +162,8 @@ TEST(KeptData, ALossOfPowerAtAnyWriteLosesAtMostTheNewestEntry) {
                 all.insert(newest);
                 const std::set<std::size_t> known = life.known();
                 EXPECT_TRUE(known == stored || known == all || (stored.empty() && known.empty()))
-                    << "cut at write " << at_write << " after " << bytes << " bytes: " << known.size() << " of "
-                    << stored.size() << " known";
+                    << "cut at write " << at_write << " after " << bytes << " bytes: " << known.size()
+                    << " of " << stored.size() << " known";
                 // And it goes on: what comes next is kept.
                 life.run(150, bit_of(20U));
                 Life next{memories};
@@ -183,7 +185,8 @@ TEST(KeptData, EveryDamagedByteIsNoticedAndTheOtherRecordUsed) {
         Memories damaged;
         damaged.one.record() = memories.one.record();
         damaged.other.record() = memories.other.record();
-        CutStorage& newer = (memories.one.record()[4] > memories.other.record()[4]) ? damaged.one : damaged.other;
+        CutStorage& newer =
+            (memories.one.record()[4] > memories.other.record()[4]) ? damaged.one : damaged.other;
         newer.record()[byte] ^= 0x40U;
         Life life{damaged};
         EXPECT_EQ(life.known(), (std::set<std::size_t>{1U})) << byte;

@@ -92,7 +92,8 @@ TEST_F(Download, ABadSectionIsRefusedWithItsReasonAndTheOldOneStays) {
 
     Bytes section = good_section();
     std::fill_n(section.begin() + 64, 4, std::uint8_t{0U});  // no sprung mass
-    application::put_word(section.data(), section_length - 4U, application::crc32(section.data(), section_length - 4U));
+    application::put_word(section.data(), section_length - 4U,
+                          application::crc32(section.data(), section_length - 4U));
     transfer(section);
     EXPECT_EQ(check(), result(application::ParametersRefusal::value));
     EXPECT_EQ(stored(), good_section());
@@ -104,7 +105,8 @@ TEST_F(Download, NothingOfAnInterruptedOneIsStored) {
     check();
     Bytes other = good_section();
     other[16] = 'X';  // its name
-    application::put_word(other.data(), section_length - 4U, application::crc32(other.data(), section_length - 4U));
+    application::put_word(other.data(), section_length - 4U,
+                          application::crc32(other.data(), section_length - 4U));
     for (std::size_t sent = 0U; sent < section_length; ++sent) {
         ASSERT_EQ(request_download()[0], 0x74U);
         unsigned number = 1U;
@@ -145,7 +147,8 @@ TEST_F(Download, TheRequestIsChecked) {
     EXPECT_EQ(ask({0x34U, 0x00U, 0x01U, 1U}), no(0x34U, 0x31U)) << "no section_length";
     EXPECT_EQ(ask({0x34U, 0x00U, 0x15U, 0U, 0U, 0U, 0U, 0U, 1U}), no(0x34U, 0x31U));
     EXPECT_EQ(ask({0x34U, 0x00U, 0x51U, 0U, 0U, 0U, 0U, 0U, 1U}), no(0x34U, 0x31U));
-    EXPECT_EQ(ask({0x34U, 0x00U, 0x24U, 0U, 0U, 0U, 1U, 0x01U, 0x54U}), no(0x34U, 0x31U)) << "another address";
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x24U, 0U, 0U, 0U, 1U, 0x01U, 0x54U}), no(0x34U, 0x31U))
+        << "another address";
     EXPECT_EQ(request_download(section_length - 1U), no(0x34U, 0x31U));
     EXPECT_EQ(request_download(section_length + 1U), no(0x34U, 0x31U));
     EXPECT_EQ(ask({0x34U, 0x00U, 0x44U, 0U, 0U, 0U, 0U, 0U, 0U, 0x01U, 0x54U})[0], 0x74U);

@@ -1,5 +1,5 @@
-// A tester on the bus of an ECU with diagnosis: sends requests, reads answers, and turns the ECU's cycles. Its ISO-TP
-// is its own.
+// A tester on the bus of an ECU with diagnosis: sends requests, reads answers, and turns the ECU's cycles.
+// Its ISO-TP is its own.
 #pragma once
 
 #include <algorithm>
@@ -112,7 +112,8 @@ class Tester {
         return got ? Bytes(got->data.begin(), got->data.begin() + got->length) : Bytes{};
     }
 
-    // A whole request, and the whole answer; empty: none came within `cycles`. A "later" is followed to its end.
+    // A whole request, and the whole answer; empty: none came within `cycles`. A "later" is followed to its
+    // end.
     Bytes ask(const Bytes& request, int cycles = 12) {
         send(request);
         return receive_final(cycles);

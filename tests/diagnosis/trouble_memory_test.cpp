@@ -23,8 +23,8 @@ namespace status = diagnosis::status;
 constexpr std::size_t row_of(DiagnosticCode code) {
     return static_cast<std::size_t>(code) - 1U;
 }
-constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);                          // always judged
-constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);        // in driving
+constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);                    // always judged
+constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);  // in driving
 constexpr std::size_t last_row = row_of(DiagnosticCode::own_identifier_received);
 constexpr CodeSet imu_failed = set_of(DiagnosticCode::imu_lost);
 constexpr CodeSet gain_failed = set_of(DiagnosticCode::lateral_acceleration_gain);

@@ -1,4 +1,5 @@
-// The order of negative responses of ISO 14229-1, functional addressing, suppressed answers, and random requests.
+// The order of negative responses of ISO 14229-1, functional addressing, suppressed answers, and random
+// requests.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -151,8 +152,8 @@ TEST_F(UdsOrder, TesterPresentDisturbsNothing) {
     EXPECT_EQ(tester_.ask_everybody({0x3EU, 0x00U}), (Bytes{0x7EU, 0x00U}));
 }
 
-// Ten thousand requests of all kinds, most of them nearly right: no answer but those that the standard knows, at the
-// rank that the standard gives them; nothing is unlocked, written or cleared.
+// Ten thousand requests of all kinds, most of them nearly right: no answer but those that the standard knows,
+// at the rank that the standard gives them; nothing is unlocked, written or cleared.
 TEST_F(UdsOrder, ARandomProberChangesNothing) {
     std::mt19937 random{14229U};
     const auto byte = [&] { return static_cast<std::uint8_t>(random() & 0xFFU); };
@@ -183,8 +184,8 @@ TEST_F(UdsOrder, ARandomProberChangesNothing) {
                                            answer[2] != 0x7EU && answer[2] != 0x7FU));
         } else {
             ASSERT_EQ(answer[0], request[0] + 0x40U);
-            ASSERT_TRUE(request[0] != 0x14U && request[0] != 0x2EU && request[0] != 0x34U && request[0] != 0x36U &&
-                        request[0] != 0x37U)
+            ASSERT_TRUE(request[0] != 0x14U && request[0] != 0x2EU && request[0] != 0x34U &&
+                        request[0] != 0x36U && request[0] != 0x37U)
                 << "without a key";
         }
     }

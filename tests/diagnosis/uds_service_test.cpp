@@ -154,7 +154,8 @@ TEST_F(Uds, ListsEveryCode) {
     const Bytes answer = ask({0x19U, 0x0AU});
     ASSERT_EQ(answer.size(), 3U + 4U * diagnosis::trouble_code_count);
     for (std::size_t row = 0U; row < diagnosis::trouble_code_count; ++row) {
-        EXPECT_EQ(diagnosis::big_endian_24(answer.data() + 3U + 4U * row), diagnosis::trouble_codes[row].number);
+        EXPECT_EQ(diagnosis::big_endian_24(answer.data() + 3U + 4U * row),
+                  diagnosis::trouble_codes[row].number);
         EXPECT_EQ(answer[6U + 4U * row], 0x50U);
     }
 }
@@ -170,8 +171,10 @@ TEST_F(Uds, TellsSnapshots) {
     tester_.fail(DiagnosticCode::imu_lost);
     tester_.cycles(1);
     const Bytes head = Bytes{0x59U, 0x04U} + imu_lost + Bytes{0x2FU};
-    const Bytes first{0x01U, 0x01U, 0x02U, 0x00U, 0x00U, 100U, 0xFFU, 0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x01U};
-    const Bytes last{0x02U, 0x01U, 0x02U, 0x00U, 0x80U, 0U, 0xFFU, 0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x02U};
+    const Bytes first{0x01U, 0x01U, 0x02U, 0x00U, 0x00U, 100U,  0xFFU,
+                      0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x01U};
+    const Bytes last{0x02U, 0x01U, 0x02U, 0x00U, 0x80U, 0U,    0xFFU,
+                     0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x02U};
     EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0x01U}), head + first);
     EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0x02U}), head + last);
     EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0xFFU}), head + first + last);
@@ -299,8 +302,9 @@ TEST_F(Uds, TellsEveryOutputAndInput) {
     }
     for (std::size_t code = 0U; code < rsi::code_outputs.size(); ++code) {
         tester_.outputs.*rsi::code_outputs[code].member = static_cast<std::int32_t>(code + 1U);
-        EXPECT_EQ(ask({0x22U, 0x11U, static_cast<std::uint8_t>(code)}),
-                  (Bytes{0x62U, 0x11U, static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code + 1U)}));
+        EXPECT_EQ(
+            ask({0x22U, 0x11U, static_cast<std::uint8_t>(code)}),
+            (Bytes{0x62U, 0x11U, static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code + 1U)}));
     }
     for (std::size_t input = 0U; input < diagnosis::input_values.size(); ++input) {
         tester_.inputs.*diagnosis::input_values[input].member = -1.25F * static_cast<float>(input);
@@ -309,7 +313,8 @@ TEST_F(Uds, TellsEveryOutputAndInput) {
     }
     EXPECT_EQ(ask({0x22U, 0x10U, static_cast<std::uint8_t>(rsi::number_outputs.size())}), no(0x22U, 0x31U));
     EXPECT_EQ(ask({0x22U, 0x11U, static_cast<std::uint8_t>(rsi::code_outputs.size())}), no(0x22U, 0x31U));
-    EXPECT_EQ(ask({0x22U, 0x12U, static_cast<std::uint8_t>(diagnosis::input_values.size())}), no(0x22U, 0x31U));
+    EXPECT_EQ(ask({0x22U, 0x12U, static_cast<std::uint8_t>(diagnosis::input_values.size())}),
+              no(0x22U, 0x31U));
 }
 
 TEST_F(Uds, SeveralIdentifiersComeTogetherAndUnknownOnesAreLeftOut) {
@@ -411,7 +416,8 @@ TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x28U, 0x01U, 0x00U}), no(0x28U, 0x31U));
     EXPECT_EQ(ask({0x28U, 0x01U, 0x04U}), no(0x28U, 0x31U));
-    EXPECT_EQ(ask({0x28U, 0x01U, 0x02U}), (Bytes{0x68U, 0x01U})) << "network management, which there is none of";
+    EXPECT_EQ(ask({0x28U, 0x01U, 0x02U}), (Bytes{0x68U, 0x01U}))
+        << "network management, which there is none of";
     EXPECT_TRUE(is_sent());
     EXPECT_EQ(ask({0x28U, 0x01U, 0x01U}), (Bytes{0x68U, 0x01U}));
     EXPECT_FALSE(is_sent());
@@ -446,13 +452,17 @@ TEST_F(Uds, TheSelfTestTellsWhatIsWrong) {
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x31U, 0x03U, 0x02U, 0x03U}), no(0x31U, 0x24U)) << "not yet run";
     EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x00U}));
-    const std::pair<DiagnosticCode, std::uint8_t> found[]{
-        {DiagnosticCode::parameters_refused, 0x01U}, {DiagnosticCode::parameters_damaged, 0x01U},
-        {DiagnosticCode::memory_restored, 0x02U},    {DiagnosticCode::estimate_out_of_range, 0x04U},
-        {DiagnosticCode::output_not_finite, 0x04U},  {DiagnosticCode::cycle_overrun, 0x08U},
-        {DiagnosticCode::cycle_stall, 0x08U},        {DiagnosticCode::clock_jump, 0x08U},
-        {DiagnosticCode::bus_error, 0x10U},          {DiagnosticCode::receive_overflow, 0x10U},
-        {DiagnosticCode::imu_lost, 0x00U}};
+    const std::pair<DiagnosticCode, std::uint8_t> found[]{{DiagnosticCode::parameters_refused, 0x01U},
+                                                          {DiagnosticCode::parameters_damaged, 0x01U},
+                                                          {DiagnosticCode::memory_restored, 0x02U},
+                                                          {DiagnosticCode::estimate_out_of_range, 0x04U},
+                                                          {DiagnosticCode::output_not_finite, 0x04U},
+                                                          {DiagnosticCode::cycle_overrun, 0x08U},
+                                                          {DiagnosticCode::cycle_stall, 0x08U},
+                                                          {DiagnosticCode::clock_jump, 0x08U},
+                                                          {DiagnosticCode::bus_error, 0x10U},
+                                                          {DiagnosticCode::receive_overflow, 0x10U},
+                                                          {DiagnosticCode::imu_lost, 0x00U}};
     for (const auto& [code, bit] : found) {
         tester_.fail(code);
         tester_.cycles(3);
