@@ -22,8 +22,8 @@ bool has_seal(const std::uint8_t* bytes, std::size_t length) {
 // A control unit that is new has used none; one that has lost its record might have used any.
 void SectionAuthority::start() noexcept {
     version_ = 0U;
-    is_readable_ = (access_control::read_count(newest_, version_tag, version_) !=
-                    access_control::CountState::damaged);
+    is_readable_ =
+        (access_control::read_count(newest_, version_tag, version_) != access_control::CountState::damaged);
 }
 
 SealFault SectionAuthority::check(const std::uint8_t* bytes, std::size_t length) noexcept {

@@ -321,7 +321,8 @@ TEST_F(ASectionAuthority, HasTheBusToldOfTestKeysAndOfSectionsThatNeedNoSeal) {
     Bench bench;
     SectionAuthority authority{everybodys, storage_};
     authority.start();
-    EXPECT_EQ(bench.start_with(sealed_section(1U, hal::test_keys), authority).refusal, ParametersRefusal::none);
+    EXPECT_EQ(bench.start_with(sealed_section(1U, hal::test_keys), authority).refusal,
+              ParametersRefusal::none);
     EXPECT_EQ(told_by(bench), SentProtection::sealed_test_keys);
 }
 
