@@ -38,8 +38,8 @@ TEST_F(KeyFile, GivesTheKeyOfTheSlot) {
     EXPECT_EQ(sil::load_key(path_, hal::KeySlot::diagnosis),
               (hal::Key{0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U, 14U, 15U}));
     EXPECT_EQ(sil::load_key(path_, hal::KeySlot::parameters),
-              (hal::Key{0xF0U, 0xE1U, 0xD2U, 0xC3U, 0xB4U, 0xA5U, 0x96U, 0x87U, 0x78U, 0x69U, 0x5AU, 0x4BU, 0x3CU,
-                        0x2DU, 0x1EU, 0x0FU}));
+              (hal::Key{0xF0U, 0xE1U, 0xD2U, 0xC3U, 0xB4U, 0xA5U, 0x96U, 0x87U, 0x78U, 0x69U, 0x5AU, 0x4BU,
+                        0x3CU, 0x2DU, 0x1EU, 0x0FU}));
     EXPECT_THROW(sil::load_key(path_, hal::KeySlot::calibration), sil::InputError);
 }
 
