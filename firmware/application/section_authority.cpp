@@ -7,8 +7,6 @@
 namespace application {
 namespace {
 
-constexpr std::uint32_t version_tag = 0x56495352U;  // "RSIV"
-
 bool has_seal(const std::uint8_t* bytes, std::size_t length) {
     bool same = (length >= seal::sealed_length);
     for (std::size_t index = 0U; same && (index < seal::magic.size()); ++index) {
@@ -22,8 +20,8 @@ bool has_seal(const std::uint8_t* bytes, std::size_t length) {
 // A control unit that is new has used none; one that has lost its record might have used any.
 void SectionAuthority::start() noexcept {
     version_ = 0U;
-    is_readable_ =
-        (access_control::read_count(newest_, version_tag, version_) != access_control::CountState::damaged);
+    is_readable_ = (access_control::read_count(newest_, access_control::CountOf::section_versions,
+                                               version_) != access_control::CountState::damaged);
 }
 
 SealFault SectionAuthority::check(const std::uint8_t* bytes, std::size_t length) noexcept {
@@ -50,7 +48,8 @@ bool SectionAuthority::raise(const std::uint8_t* bytes) noexcept {
     if (version == version_) {
         return true;
     }
-    const bool stored = access_control::write_count(newest_, version_tag, version);
+    const bool stored =
+        access_control::write_count(newest_, access_control::CountOf::section_versions, version);
     if (stored) {
         version_ = version;
     }

@@ -30,7 +30,7 @@ hal::Key load_key(const std::filesystem::path& path, hal::KeySlot slot) {
         return hal::test_keys[place];
     }
     TomlTable table =
-        TomlTable::load(path, "a key file has lines like parameters = \"32 hexadecimal digits\"");
+        TomlTable::load(path, "name a key file with lines like parameters = \"32 hexadecimal digits\"");
     for (const char* const name : slot_names) {
         table.allow(name);
     }

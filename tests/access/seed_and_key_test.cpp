@@ -266,7 +266,7 @@ TEST_F(Access, TakesADamagedOrImpossibleCountForTheLargest) {
     restart();
     EXPECT_EQ(wait_for_seed(), longest_delay);
     for (const std::uint32_t impossible : {10U, 0x80000000U, 0xFFFFFFFFU}) {
-        ASSERT_TRUE(access_control::write_count(storage_, 0x4B495352U, impossible));
+        ASSERT_TRUE(access_control::write_count(storage_, access_control::CountOf::wrong_keys, impossible));
         restart();
         EXPECT_EQ(wait_for_seed(), longest_delay);
     }
