@@ -76,15 +76,17 @@ void IsoTp::take_physical(const hal::CanFrame& frame) noexcept {
         take_flow_control(frame);
         return;
     }
-    if (physical_waits_ || is_sending()) {
+    if (physical_waits_) {
         return;
     }
-    if (kind == single_frame) {
+    if (kind == consecutive_frame) {
+        take_consecutive(frame);  // of a request that had begun before the answer to everybody's
+    } else if (is_sending()) {
+        // the tester speaks when he has been answered
+    } else if (kind == single_frame) {
         take_single(frame);
     } else if (kind == first_frame) {
         take_first(frame);
-    } else if (kind == consecutive_frame) {
-        take_consecutive(frame);
     } else {
         // reserved
     }

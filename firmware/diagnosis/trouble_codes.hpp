@@ -38,14 +38,14 @@ enum class Judged : std::uint8_t {
 };
 
 struct TroubleCode {
-    monitoring::DiagnosticCode code;
     std::uint32_t number;  // 24 bits
+    monitoring::DiagnosticCode code;
     Judged judged;
 };
 
 constexpr TroubleCode row(monitoring::DiagnosticCode code, std::uint32_t base, std::uint32_t type,
                           Judged judged) {
-    return TroubleCode{code, (base << 8U) | type, judged};
+    return TroubleCode{(base << 8U) | type, code, judged};
 }
 
 inline constexpr std::size_t trouble_code_count = monitoring::diagnostic_code_count - 1U;  // without `none`
@@ -123,10 +123,20 @@ constexpr bool is_table_of_all() {
 static_assert(is_table_of_all(),
               "every code has its row, in the order of the codes, and a number of its own");
 
+// What is left of the table in an image: the numbers.
+constexpr std::array<std::uint32_t, trouble_code_count> numbers_of_all() {
+    std::array<std::uint32_t, trouble_code_count> numbers{};
+    for (std::size_t index = 0U; index < trouble_code_count; ++index) {
+        numbers[index] = trouble_codes[index].number;
+    }
+    return numbers;
+}
+inline constexpr std::array<std::uint32_t, trouble_code_count> trouble_numbers = numbers_of_all();
+
 // The row of that number; trouble_code_count where there is none.
 constexpr std::size_t row_of_number(std::uint32_t number) {
     std::size_t index = 0U;
-    while ((index < trouble_code_count) && (trouble_codes[index].number != number)) {
+    while ((index < trouble_code_count) && (trouble_numbers[index] != number)) {
         ++index;
     }
     return index;

@@ -16,6 +16,9 @@ constexpr std::uint32_t cycles_to_judge = 300U;
 constexpr std::uint32_t driven_cycles_to_judge = 6000U;
 constexpr float driving_speed_mps = 10.0F;
 
+constexpr CodeSet judged_always = codes_judged(Judged::always);
+constexpr CodeSet judged_driving = codes_judged(Judged::driving);
+
 constexpr CodeSet bit_of(std::size_t row) {
     return CodeSet{2U} << row;  // the codes count from 1
 }
@@ -162,19 +165,19 @@ void TroubleMemory::fail(std::size_t row) noexcept {
 void TroubleMemory::count_good_cycle(float speed_mps) noexcept {
     hal::count_up(good_cycles_);
     if (good_cycles_ == cycles_to_judge) {
-        complete(Judged::always);
+        complete(judged_always);
     }
     if (speed_mps > driving_speed_mps) {
         hal::count_up(driven_cycles_);
         if (driven_cycles_ == driven_cycles_to_judge) {
-            complete(Judged::driving);
+            complete(judged_driving);
         }
     }
 }
 
-void TroubleMemory::complete(Judged judged) noexcept {
+void TroubleMemory::complete(CodeSet judged) noexcept {
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
-        if (trouble_codes[row].judged == judged) {
+        if ((judged & bit_of(row)) != 0U) {
             clear_bits(states_[row].status, status::cleared);
         }
     }

@@ -94,7 +94,7 @@ class TroubleMemory {
  private:
     void count_cycle(TroubleState& state, std::size_t row) noexcept;
     void fail(std::size_t row) noexcept;
-    void complete(Judged judged) noexcept;
+    void complete(monitoring::CodeSet judged) noexcept;
     void count_good_cycle(float speed_mps) noexcept;
     void keep_snapshot(std::size_t row) noexcept;
     TroubleSnapshots* place_for(std::size_t row) noexcept;

@@ -6,7 +6,7 @@ namespace {
 constexpr std::uint8_t iso_14229_1_format = 0x01U;
 
 void put_code(std::size_t row, const TroubleMemory& memory, Response& response) {
-    response.put_24(trouble_codes[row].number);
+    response.put_24(trouble_numbers[row]);
     response.put(memory.state(row).status);
 }
 

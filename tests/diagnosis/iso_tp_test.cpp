@@ -448,5 +448,17 @@ TEST_F(Transport, WhatComesWhileARequestWaitsOrAnAnswerGoesOutIsNotTaken) {
     EXPECT_EQ(bus_.sent.size(), 1U);
 }
 
+// To a functional request, which came in the middle of the physical one.
+TEST_F(Transport, ARequestThatHadBegunGoesOnWhileAnAnswerGoesOut) {
+    const Bytes request = counted(30U);
+    const Bytes answer = counted(60U);
+    take_first(request);
+    take_consecutive(request, 1U, 1U);
+    transport_.send(answer.data(), answer.size());
+    cycles(1);
+    take_consecutive(request, 2U);
+    EXPECT_EQ(waiting(), request);
+}
+
 }  // namespace
 }  // namespace testing_diagnosis

@@ -38,8 +38,12 @@ class Bus final : public hal::CanBus {
 // What a segmented request would be if no time had run out: the last first frame and those that followed.
 class Reassembly {
  public:
-    void take(const hal::CanFrame& frame) {
+    // Nothing new is taken while a request waits or an answer goes out.
+    void take(const hal::CanFrame& frame, bool was_waiting, bool was_sending) {
         const unsigned kind = frame.data[0] >> 4U;
+        if (was_waiting || (was_sending && kind != 2U)) {
+            return;
+        }
         if (kind == 1U && frame.length == 8U) {
             bytes_.assign(frame.data.begin() + 2, frame.data.begin() + 8);
         } else if (kind == 2U) {
@@ -100,13 +104,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             default: {
                 const hal::CanFrame frame = frame_from(reader);
                 const bool was_waiting = transport.request().length != 0U;
+                const bool was_sending = transport.is_sending();
                 transport.take(frame);
                 if (frame.identifier == addresses.physical_request && !frame.extended && frame.length <= 8U) {
-                    reassembly.take(frame);
+                    reassembly.take(frame, was_waiting, was_sending);
+                }
+                if (transport.request().is_functional) {  // at once, so that the other one is seen
+                    require(transport.request().length <= 7U, "length of a functional request");
+                    transport.finish(transport.request());
                 }
                 const diagnosis::Request request = transport.request();
                 require(request.length <= diagnosis::IsoTp::longest_request, "length of a request");
-                require(!request.is_functional || request.length <= 7U, "length of a functional request");
                 if (!was_waiting && request.length != 0U && !request.is_functional) {
                     require(reassembly.begins_with(request), "bytes of a request");
                 }
