@@ -1,7 +1,11 @@
-"""A tester of other authors, udsoncan over can-isotp, against the server: every service, as a workshop uses it.
+"""Testers against the server: udsoncan over can-isotp, of other authors, with every service as a workshop uses it; the
+commands of sil/tools/diagnosis; and the ODX of the ECU, read back by odxtools.
 
-use: peer_test.py ECU_ON_A_PIPE SECTION_IN_C
+use: peer_test.py ECU_ON_A_PIPE ODX_TABLE SECTION_IN_C
 """
+
+import contextlib
+import io
 
 import pathlib
 import re
@@ -9,12 +13,21 @@ import sys
 import tempfile
 import unittest
 
-from udsoncan import DataFormatIdentifier, MemoryLocation, services
+import odxtools
+from udsoncan import services
 from udsoncan.exceptions import NegativeResponseException
 
-import pipe_tester
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = HERE.parents[1]
+sys.path.insert(0, str(PROJECT / "sil/tools"))
 
-PROGRAM, SECTION = "", b""
+import odx
+import odx_tables
+import pipe_tester
+import workshop
+from log_error import LogError
+
+PROGRAM, SECTION, TABLES = "", b"", None
 IMU_LOST = 0xD12087
 FAILED_NOW = 0x2F
 
@@ -24,12 +37,12 @@ class Peer(unittest.TestCase):
     stack = {}
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.ecu = pipe_tester.Ecu(PROGRAM, folder.name)
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.ecu = pipe_tester.Ecu(PROGRAM, self.folder.name)
         self.addCleanup(lambda: self.ecu.close())
         self.connection = pipe_tester.PipeConnection(self.ecu, **self.stack)
-        self.client = pipe_tester.client(self.connection)
+        self.client = workshop.client(self.connection, TABLES)
         self.ecu.run(250)  # long enough to miss the sensors
 
     def unlock(self, session=services.DiagnosticSessionControl.Session.extendedDiagnosticSession):
@@ -142,21 +155,42 @@ class Peer(unittest.TestCase):
         self.ecu.run(510)
         self.assertEqual(self.client.read_data_by_identifier(0xF186).service_data.values[0xF186], (1,))
 
-    def download(self, section):
-        location = MemoryLocation(address=0, memorysize=len(section), address_format=8, memorysize_format=16)
-        answer = self.client.request_download(location, DataFormatIdentifier(compression=0, encryption=0))
-        size = answer.service_data.max_length - 2
-        for number, at in enumerate(range(0, len(section), size), start=1):
-            self.client.transfer_data(number, section[at:at + size])
-        self.client.request_transfer_exit()
-        return self.client.start_routine(0xFF01).service_data.routine_status_record
+    def section(self, content):
+        file = pathlib.Path(self.folder.name) / "section.bin"
+        file.write_bytes(content)
+        return file
+
+    def said(self, call, *arguments):
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            call(self.client, TABLES, *arguments)
+        return out.getvalue()
 
     def test_download_of_a_section(self):
-        self.unlock(services.DiagnosticSessionControl.Session.programmingSession)
         damaged = bytearray(SECTION)
         damaged[100] ^= 1
-        self.assertEqual(self.download(bytes(damaged)), b"\x05", "checksum, as ParametersRefusal has it")
-        self.assertEqual(self.download(SECTION), b"\x00")
+        with self.assertRaisesRegex(LogError, "a wrong checksum; what it had is still there"):
+            workshop.download(self.client, TABLES, self.section(bytes(damaged)))
+        with self.assertRaisesRegex(LogError, "has 339 bytes, a section for this firmware 340"):
+            workshop.download(self.client, TABLES, self.section(SECTION[:-1]))
+        self.assertFalse((pathlib.Path(self.folder.name) / "parameters.bin").exists())
+        self.assertIn("from the next start", self.said(workshop.download, self.section(SECTION)))
+        self.assertEqual((pathlib.Path(self.folder.name) / "parameters.bin").read_bytes(), SECTION)
+
+    def test_what_the_commands_say(self):
+        said = self.said(workshop.show_codes)
+        self.assertIn("U1120-87  imu lost: fails now, confirmed, pending\n    failed 1 times; good for 0", said)
+        self.assertIn("    first: 1 s after the start, nothing measured\n", said)
+        self.assertIn("calibration: large_suv\n", self.said(workshop.identify))
+        self.assertIn("nothing wrong", self.said(workshop.self_test))
+        self.ecu.send(0x7FF, b"")
+        self.assertEqual(self.said(workshop.clear), "cleared\n")
+        with self.assertRaisesRegex(LogError, "refuses ECUReset: ServiceNotSupportedInActiveSession"):
+            with workshop.told():
+                self.client.change_session(1)
+                self.client.ecu_reset(1)
+        for wrong in ("", "00", "zz" * 16):
+            with self.assertRaisesRegex(LogError, "32 hexadecimal digits"):
+                workshop.key_from(wrong)
 
 
 class WithBlocksAndGaps(Peer):
@@ -168,12 +202,73 @@ class WithShortGaps(Peer):
     stack = {"blocksize": 1, "stmin": 0xF5, "tx_padding": 0x55}
 
 
+class Odx(unittest.TestCase):
+    """What is in the file is what the ECU does: its requests are sent, its answers decoded."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        file = pathlib.Path(cls.folder.name) / "ecu.pdx"
+        file.write_bytes(odx.pdx_of(TABLES))
+        cls.layer = odxtools.load_pdx_file(str(file)).base_variants[0]
+        cls.ecu = pipe_tester.Ecu(PROGRAM, cls.folder.name)
+        cls.connection = pipe_tester.PipeConnection(cls.ecu)
+        cls.ecu.run(250)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.ecu.close()
+        cls.folder.cleanup()
+
+    def ask(self, name, **parameters):
+        request = self.layer.services[name].encode_request(**parameters)
+        self.connection.send(request)
+        answer = self.connection.wait_frame(timeout=1)
+        messages = self.layer.decode_response(answer, request)
+        self.assertEqual(len(messages), 1, answer.hex())
+        return messages[0].param_dict
+
+    def test_every_code_has_its_name(self):
+        codes = {code.trouble_code: code.short_name for code in self.layer.diag_data_dictionary_spec.dtc_dops[0].dtcs}
+        self.assertEqual(codes, {number: odx.short(name) for number, name in TABLES.codes.items()})
+        listed = self.ask("read_all_codes")["codes"]
+        self.assertEqual([each["code"].trouble_code for each in listed], list(TABLES.codes))
+        self.assertEqual(listed[0]["code"].display_trouble_code, "U1120-87")
+
+    def test_every_service_and_sub_function_is_described(self):
+        described = {bytes(service.request.coded_const_prefix()) for service in self.layer.services}
+        for service in TABLES.services:
+            self.assertTrue(any(each[0] == service for each in described), hex(service))
+        for service, number in TABLES.sub_functions:
+            self.assertTrue(any(each[:2] == bytes((service, number)) for each in described), (hex(service), number))
+
+    def test_every_value_is_read(self):
+        for identifier, name, *_ in TABLES.numbers + TABLES.choices:
+            self.assertIn(odx.short(name), self.ask(f"read_{name}"), hex(identifier))
+
+    def test_codes_and_snapshots_are_decoded(self):
+        codes = self.ask("read_codes", mask=0x08)["codes"]
+        lost = next(each for each in codes if each["code"].trouble_code == IMU_LOST)
+        self.assertEqual(lost["status"], FAILED_NOW)
+        snapshot = self.ask("read_snapshots", code=IMU_LOST, record=0xFF)["snapshots"][0]
+        self.assertEqual((snapshot["record"], snapshot["seconds_since_start"]), (1, 1))
+        self.assertAlmostEqual(snapshot["lateral_acceleration"], -327.68)
+        self.assertEqual(self.ask("read_counts", code=IMU_LOST, record=0x01)["counts"], [{"record": 1, "value": 1}])
+
+    def test_sessions_are_decoded(self):
+        self.assertEqual(self.ask("session_extended")["p2_ms"], 50)
+        self.assertEqual(len(self.ask("request_seed")["seed"]), 16)
+        self.assertEqual(self.ask("self_test")["found"], 0)
+        self.ask("session_default")
+
+
 def section_of(source):
     text = pathlib.Path(source).read_text(encoding="utf-8")
     return bytes(int(each, 16) for each in re.findall(r"0x([0-9A-F]{2})\b", text))
 
 
 if __name__ == "__main__":
-    PROGRAM, SECTION = sys.argv[1], section_of(sys.argv[2])
+    PROGRAM, SECTION = sys.argv[1], section_of(sys.argv[3])
+    TABLES = odx_tables.read(sys.argv[2], PROJECT / "can_dbc/rollover_warning.dbc")
     assert len(SECTION) == 340, "the section in C is not read as it is written now"
     unittest.main(argv=sys.argv[:1])

@@ -5,14 +5,9 @@ import subprocess
 
 import isotp
 import udsoncan
-import udsoncan.configs
-from cryptography.hazmat.primitives import cmac
-from cryptography.hazmat.primitives.ciphers import algorithms
-from udsoncan.client import Client
 from udsoncan.connections import BaseConnection
 
-PHYSICAL, FUNCTIONAL, RESPONSE = 0x7A6, 0x7DF, 0x7AE
-TEST_KEY = b"test key for UDS"
+PHYSICAL, RESPONSE = 0x7A6, 0x7AE
 
 
 class Ecu:
@@ -69,7 +64,6 @@ class PipeConnection(BaseConnection):
         address = isotp.Address(isotp.AddressingMode.Normal_11bits, rxid=RESPONSE, txid=PHYSICAL)
         self.stack = isotp.TransportLayerLogic(rxfn=self.receive_frame, txfn=self.send_frame, address=address,
                                                params={"blocking_send": False, **parameters})
-        self.is_functional = False
 
     def receive_frame(self, timeout):
         del timeout
@@ -79,7 +73,7 @@ class PipeConnection(BaseConnection):
         return isotp.CanMessage(arbitration_id=identifier, data=data, dlc=len(data))
 
     def send_frame(self, message):
-        self.ecu.send(FUNCTIONAL if self.is_functional else message.arbitration_id, message.data)
+        self.ecu.send(message.arbitration_id, message.data)
 
     def open(self):
         return self
@@ -111,39 +105,3 @@ class PipeConnection(BaseConnection):
             self.ecu.run(1)
             cycles -= 1
         raise udsoncan.exceptions.TimeoutException("no answer")
-
-
-def key_of(level, seed, params):
-    del level, params
-    code = cmac.CMAC(algorithms.AES(TEST_KEY))
-    code.update(bytes(seed))
-    return code.finalize()
-
-
-class Text(udsoncan.DidCodec):
-    """A text filled up with zeros."""
-
-    def __init__(self, length):
-        self.length = length
-
-    def encode(self, *value):
-        return value[0].encode().ljust(self.length, b"\0")
-
-    def decode(self, string_bin):
-        return string_bin.rstrip(b"\0").decode()
-
-    def __len__(self):
-        return self.length
-
-
-SNAPSHOT = 0x0200
-
-
-def client(connection):
-    config = dict(udsoncan.configs.default_client_config)
-    config.update(
-        security_algo=key_of, request_timeout=8, p2_timeout=0.05, p2_star_timeout=5,
-        data_identifiers={0xF182: Text(48), 0xF18C: Text(16), 0xF190: Text(17), 0xF195: Text(16), 0xF197: Text(16),
-                          0xF186: "B", 0x1000: ">f", 0x1206: ">f", SNAPSHOT: ">hhhhH"},
-        extended_data_size=1, dtc_snapshot_did_size=2)
-    return Client(connection, config=config)
