@@ -2,10 +2,10 @@
 // the other.
 //
 //   offset  bytes
-//        0      4  magic, "RSID"
-//        4      4  sequence number: the larger one is the newer record
-//        8      n  payload
-//    8 + n      4  CRC-32 of every byte before
+//        0      n  payload
+//        n      4  magic, "RSID"
+//    n + 4      4  sequence number: the larger one is the newer record
+//    n + 8      4  CRC-32 of every byte before
 //
 // Little-endian, whatever the target.
 #pragma once
@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include "application/crc32.hpp"
 #include "application/little_endian.hpp"
@@ -21,11 +22,13 @@
 
 namespace diagnosis {
 
-template <std::size_t payload_length>
+// `Payload` consists of bytes alone, so that it has no gaps and is the same on every target.
+template <typename Payload>
 class AlternatingRecord {
+    static_assert(std::is_trivially_copyable<Payload>::value && (alignof(Payload) == 1U));
+
  public:
-    static constexpr std::size_t length = payload_length + 12U;
-    using Payload = std::array<std::uint8_t, payload_length>;
+    static constexpr std::size_t length = sizeof(Payload) + 12U;
 
     // Both must outlive this object, and are nobody else's.
     AlternatingRecord(hal::Storage& one, hal::Storage& other) noexcept : places_{&one, &other} {}
@@ -41,7 +44,7 @@ class AlternatingRecord {
                 found = true;
                 sequence_ = sequence;
                 next_ = 1U - place;
-                std::memcpy(payload.data(), record.data() + payload_at, payload.size());
+                std::memcpy(&payload, record.data(), sizeof payload);
             }
         }
         return found;
@@ -51,9 +54,9 @@ class AlternatingRecord {
     // needs in the background before the next record goes to the other one.
     bool write(const Payload& payload) noexcept {
         Record record{};
-        application::put_word(record.data(), 0U, magic);
+        application::put_word(record.data(), magic_at, magic);
         application::put_word(record.data(), sequence_at, sequence_ + 1U);
-        std::memcpy(record.data() + payload_at, payload.data(), payload.size());
+        std::memcpy(record.data(), &payload, sizeof payload);
         application::put_word(record.data(), checksum_at, application::crc32(record.data(), checksum_at));
         const bool taken = places_[next_]->write(record.data(), record.size());
         if (taken) {
@@ -63,22 +66,15 @@ class AlternatingRecord {
         return taken;
     }
 
-    // True when what was written last can be read back.
-    bool is_readable() noexcept {
-        Record record{};
-        return places_[1U - next_]->read(record.data(), record.size()) && is_good(record) &&
-               (application::word_at(record.data(), sequence_at) == sequence_);
-    }
-
  private:
     using Record = std::array<std::uint8_t, length>;
     static constexpr std::uint32_t magic = 0x44495352U;  // "RSID"
-    static constexpr std::size_t sequence_at = 4U;
-    static constexpr std::size_t payload_at = 8U;
-    static constexpr std::size_t checksum_at = payload_at + payload_length;
+    static constexpr std::size_t magic_at = sizeof(Payload);
+    static constexpr std::size_t sequence_at = magic_at + 4U;
+    static constexpr std::size_t checksum_at = sequence_at + 4U;
 
     static bool is_good(const Record& record) noexcept {
-        return (application::word_at(record.data(), 0U) == magic) &&
+        return (application::word_at(record.data(), magic_at) == magic) &&
                (application::word_at(record.data(), checksum_at) ==
                 application::crc32(record.data(), checksum_at));
     }

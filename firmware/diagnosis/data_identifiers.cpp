@@ -5,37 +5,36 @@
 namespace diagnosis {
 namespace {
 
-void put_text(const char* text, std::size_t length, Response& response) {
-    for (std::size_t count = 0U; count < length; ++count) {
-        response.put(static_cast<std::uint8_t>(*text));
-        text += (*text != '\0') ? 1 : 0;
+void put_text(std::string_view text, std::size_t length, Response& response) {
+    for (std::size_t place = 0U; place < length; ++place) {
+        response.put((place < text.size()) ? static_cast<std::uint8_t>(text[place]) : std::uint8_t{0U});
     }
 }
 
 template <std::size_t length>
-void put_bytes(const std::array<std::uint8_t, length>& bytes, Response& response) {
-    for (const std::uint8_t byte : bytes) {
-        response.put(byte);
+void take_bytes(const Request& request, std::size_t place, std::array<std::uint8_t, length>& bytes) {
+    for (std::size_t index = 0U; index < length; ++index) {
+        bytes[index] = request.byte(place + index);
     }
 }
 
 bool read_identification(std::uint32_t identifier, const DataSources& sources, Response& response) {
     for (const IdentificationText& each : identification_texts) {
         if (identifier == each.identifier) {
-            response.put_16(identifier);
+            response.put_two(identifier);
             put_text(sources.identification.*each.text, each.length, response);
             return true;
         }
     }
     if (identifier == active_session_identifier) {
-        response.put_16(identifier);
+        response.put_two(identifier);
         response.put(static_cast<std::uint8_t>(sources.session));
     } else if (identifier == vehicle_number_identifier) {
-        response.put_16(identifier);
-        put_bytes(sources.written.vehicle_number, response);
+        response.put_two(identifier);
+        response.put_all(sources.written.vehicle_number);
     } else if (identifier == programming_date_identifier) {
-        response.put_16(identifier);
-        put_bytes(sources.written.programming_date, response);
+        response.put_two(identifier);
+        response.put_all(sources.written.programming_date);
     } else {
         return false;
     }
@@ -65,14 +64,14 @@ bool read_value(std::uint32_t identifier, const DataSources& sources, Response& 
     const std::size_t code = identifier - first_code_identifier;
     const std::size_t input = identifier - first_input_identifier;
     if (number < numbers.size()) {
-        response.put_16(identifier);
-        response.put_32(application::word_of(sources.outputs.*numbers[number]));
+        response.put_two(identifier);
+        response.put_four(application::word_of(sources.outputs.*numbers[number]));
     } else if (code < codes.size()) {
-        response.put_16(identifier);
+        response.put_two(identifier);
         response.put(static_cast<std::uint8_t>(sources.outputs.*codes[code]));
     } else if (input < inputs.size()) {
-        response.put_16(identifier);
-        response.put_32(application::word_of(sources.inputs.*inputs[input]));
+        response.put_two(identifier);
+        response.put_four(application::word_of(sources.inputs.*inputs[input]));
     } else {
         return false;
     }
@@ -85,14 +84,22 @@ bool read_identifier(std::uint32_t identifier, const DataSources& sources, Respo
     return read_value(identifier, sources, response) || read_identification(identifier, sources, response);
 }
 
-WritableData writable_data(std::uint32_t identifier, WrittenData& written) noexcept {
+std::size_t writable_length(std::uint32_t identifier) noexcept {
     if (identifier == vehicle_number_identifier) {
-        return WritableData{written.vehicle_number.data(), written.vehicle_number.size()};
+        return std::tuple_size<decltype(WrittenData::vehicle_number)>::value;
     }
-    if (identifier == programming_date_identifier) {
-        return WritableData{written.programming_date.data(), written.programming_date.size()};
+    return (identifier == programming_date_identifier)
+               ? std::tuple_size<decltype(WrittenData::programming_date)>::value
+               : 0U;
+}
+
+void write_identifier(std::uint32_t identifier, const Request& request, std::size_t place,
+                      WrittenData& written) noexcept {
+    if (identifier == vehicle_number_identifier) {
+        take_bytes(request, place, written.vehicle_number);
+    } else {
+        take_bytes(request, place, written.programming_date);
     }
-    return WritableData{nullptr, 0U};
 }
 
 }  // namespace diagnosis

@@ -13,7 +13,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
+#include "diagnosis/message.hpp"
 #include "diagnosis/uds.hpp"
 #include "rsi/output_table.hpp"
 #include "rsi/types.hpp"
@@ -22,17 +24,17 @@ namespace diagnosis {
 
 // Texts that outlive the diagnosis; a longer one is cut off.
 struct Identification {
-    const char* system_name{"Rollover warning"};
-    const char* software_version{""};
-    const char* calibration_name{""};
-    const char* hardware{""};
-    const char* serial_number{""};
+    std::string_view system_name{"Rollover warning"};
+    std::string_view software_version{""};
+    std::string_view calibration_name{""};
+    std::string_view hardware{""};
+    std::string_view serial_number{""};
 };
 
 struct IdentificationText {
     std::uint32_t identifier;
     std::size_t length;
-    const char* Identification::* text;
+    std::string_view Identification::* text;
     const char* name;
 };
 
@@ -52,8 +54,6 @@ inline constexpr std::uint32_t programming_date_identifier = 0xF199U;
 struct WrittenData {
     std::array<std::uint8_t, 17> vehicle_number{};
     std::array<std::uint8_t, 4> programming_date{};
-
-    static constexpr std::size_t stored_length = 21U;
 };
 
 struct InputValue {
@@ -91,11 +91,11 @@ struct DataSources {
 // Adds the identifier and its data to the response; false where nobody knows it.
 bool read_identifier(std::uint32_t identifier, const DataSources& sources, Response& response) noexcept;
 
-// The bytes that an identifier is written to and their number; nullptr and 0 where it cannot be written.
-struct WritableData {
-    std::uint8_t* bytes;
-    std::size_t length;
-};
-WritableData writable_data(std::uint32_t identifier, WrittenData& written) noexcept;
+// 0 where it cannot be written.
+std::size_t writable_length(std::uint32_t identifier) noexcept;
+
+// Takes the data, which are as long as that, from their place in the request.
+void write_identifier(std::uint32_t identifier, const Request& request, std::size_t place,
+                      WrittenData& written) noexcept;
 
 }  // namespace diagnosis

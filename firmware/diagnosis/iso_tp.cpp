@@ -1,11 +1,11 @@
 #include "diagnosis/iso_tp.hpp"
 
-#include <cstring>
-
 namespace diagnosis {
 namespace {
 
-constexpr std::uint8_t padding = 0xCCU;          // few stuff bits
+constexpr std::uint8_t padding = 0xCCU;  // few stuff bits
+constexpr std::array<std::uint8_t, 8> padded{padding, padding, padding, padding,
+                                             padding, padding, padding, padding};
 constexpr std::uint32_t time_out_cycles = 100U;  // N_As, N_Bs, N_Cr: 1 s
 constexpr std::uint8_t most_waits = 10U;
 // What a response may take of the bus in a cycle, in which the control unit sends eight frames of its own.
@@ -67,7 +67,9 @@ void IsoTp::take_functional(const hal::CanFrame& frame) noexcept {
         return;
     }
     functional_length_ = single_length(frame);
-    std::memcpy(functional_.data(), frame.data.data() + 1U, functional_.size());
+    for (std::size_t index = 0U; index < functional_.size(); ++index) {
+        functional_[index] = frame.data[1U + index];
+    }
 }
 
 void IsoTp::take_physical(const hal::CanFrame& frame) noexcept {
@@ -98,7 +100,8 @@ void IsoTp::take_single(const hal::CanFrame& frame) noexcept {
     if (length == 0U) {
         return;
     }
-    std::memcpy(physical_.data(), frame.data.data() + 1U, bytes_per_frame);
+    received_ = 0U;
+    take_bytes(frame, 1U, length);
     physical_length_ = length;
     is_receiving_ = false;
     flow_control_due_ = FlowStatus::none;
@@ -114,9 +117,9 @@ void IsoTp::take_first(const hal::CanFrame& frame) noexcept {
     is_receiving_ = !is_longer_still && (length <= longest_request);
     flow_control_due_ = is_receiving_ ? FlowStatus::continue_to_send : FlowStatus::overflow;
     if (is_receiving_) {
-        std::memcpy(physical_.data(), frame.data.data() + 2U, first_bytes);
+        received_ = 0U;
+        take_bytes(frame, 2U, first_bytes);
         physical_length_ = length;
-        received_ = first_bytes;
         next_received_ = 1U;
         receive_cycles_ = 0U;
     }
@@ -132,12 +135,18 @@ void IsoTp::take_consecutive(const hal::CanFrame& frame) noexcept {
         is_receiving_ = false;  // a frame is missing, or is cut off
         return;
     }
-    std::memcpy(physical_.data() + received_, frame.data.data() + 1U, carried);
-    received_ += carried;
+    take_bytes(frame, 1U, carried);
     next_received_ = low_half(static_cast<std::uint8_t>(next_received_ + 1U));
     receive_cycles_ = 0U;
     physical_waits_ = (received_ == physical_length_);
     is_receiving_ = !physical_waits_;
+}
+
+void IsoTp::take_bytes(const hal::CanFrame& frame, std::size_t from, std::size_t count) noexcept {
+    for (std::size_t index = 0U; index < count; ++index) {
+        physical_[received_ + index] = frame.data[from + index];
+    }
+    received_ += count;
 }
 
 void IsoTp::take_flow_control(const hal::CanFrame& frame) noexcept {
@@ -169,16 +178,15 @@ Request IsoTp::request() const noexcept {
 }
 
 void IsoTp::finish(const Request& request) noexcept {
-    if (request.is_functional) {
+    if (request.is_functional()) {
         functional_length_ = 0U;
     } else {
         physical_waits_ = false;
     }
 }
 
-void IsoTp::send(const std::uint8_t* bytes, std::size_t length) noexcept {
-    response_ = bytes;
-    response_length_ = length;
+void IsoTp::send(const Response& response) noexcept {
+    response_ = &response;
     sent_ = 0U;
     send_cycles_ = 0U;
     waits_ = 0U;
@@ -200,7 +208,9 @@ bool IsoTp::send_frame(const Payload& payload) noexcept {
     hal::CanFrame frame{};
     frame.identifier = addresses_.response;
     frame.length = 8U;
-    std::memcpy(frame.data.data(), payload.data(), payload.size());
+    for (std::size_t index = 0U; index < payload.size(); ++index) {
+        frame.data[index] = payload[index];
+    }
     return bus_.send(frame) == hal::SendResult::sent;
 }
 
@@ -209,7 +219,9 @@ void IsoTp::send_flow_control() noexcept {
     if (flow_control_due_ == FlowStatus::none) {
         return;
     }
-    Payload payload{0U, 0U, 0U, padding, padding, padding, padding, padding};
+    Payload payload = padded;
+    payload[1] = 0U;
+    payload[2] = 0U;
     payload[0] =
         static_cast<std::uint8_t>((flow_control << 4U) | static_cast<std::uint8_t>(flow_control_due_));
     if (send_frame(payload)) {
@@ -231,16 +243,21 @@ void IsoTp::send_response() noexcept {
     }
 }
 
+// The next bytes of the response.
+void IsoTp::fill(Payload& payload, std::size_t from, std::size_t count) const noexcept {
+    for (std::size_t index = 0U; index < count; ++index) {
+        payload[from + index] = response_->byte(sent_ + index);
+    }
+}
+
 void IsoTp::send_first() noexcept {
-    Payload payload{};
-    payload.fill(padding);
-    const bool is_single = (response_length_ <= bytes_per_frame);
-    const std::size_t header = is_single ? 1U : 2U;
-    const std::size_t carried = is_single ? response_length_ : first_bytes;
-    payload[0] = static_cast<std::uint8_t>(is_single ? response_length_
-                                                     : ((first_frame << 4U) | (response_length_ >> 8U)));
-    payload[1] = static_cast<std::uint8_t>(response_length_ & 0xFFU);
-    std::memcpy(payload.data() + header, response_, carried);
+    const std::size_t length = response_->length();
+    const bool is_single = (length <= bytes_per_frame);
+    const std::size_t carried = is_single ? length : first_bytes;
+    Payload payload = padded;
+    payload[0] = static_cast<std::uint8_t>(is_single ? length : ((first_frame << 4U) | (length >> 8U)));
+    payload[1] = static_cast<std::uint8_t>(length & 0xFFU);
+    fill(payload, is_single ? 1U : 2U, carried);
     if (send_frame(payload)) {
         sent_ = carried;
         next_sent_ = 1U;
@@ -256,29 +273,31 @@ void IsoTp::send_consecutive() noexcept {
     for (std::uint32_t count = 0U;
          (count < most_frames_per_cycle) && (gap_ == 0U) && (sending_ == Sending::consecutive_frames);
          ++count) {
-        Payload payload{};
-        payload.fill(padding);
-        const std::size_t left = response_length_ - sent_;
-        const std::size_t carried = (left < bytes_per_frame) ? left : bytes_per_frame;
+        const std::size_t carried = (left_to_send() < bytes_per_frame) ? left_to_send() : bytes_per_frame;
+        Payload payload = padded;
         payload[0] = static_cast<std::uint8_t>((consecutive_frame << 4U) | next_sent_);
-        std::memcpy(payload.data() + 1U, response_ + sent_, carried);
+        fill(payload, 1U, carried);
         if (!send_frame(payload)) {
             return;
         }
-        sent_ += carried;
-        next_sent_ = low_half(static_cast<std::uint8_t>(next_sent_ + 1U));
-        send_cycles_ = 0U;
-        gap_ = separation_;
-        if (block_is_limited_) {
-            --block_left_;
-        }
-        if (sent_ == response_length_) {
-            sending_ = Sending::nothing;
-        } else if (block_is_limited_ && (block_left_ == 0U)) {
-            sending_ = Sending::waiting_for_flow_control;
-        } else {
-            // on with the block
-        }
+        count_sent(carried);
+    }
+}
+
+void IsoTp::count_sent(std::size_t bytes) noexcept {
+    sent_ += bytes;
+    next_sent_ = low_half(static_cast<std::uint8_t>(next_sent_ + 1U));
+    send_cycles_ = 0U;
+    gap_ = separation_;
+    if (block_is_limited_) {
+        --block_left_;
+    }
+    if (left_to_send() == 0U) {
+        sending_ = Sending::nothing;
+    } else if (block_is_limited_ && (block_left_ == 0U)) {
+        sending_ = Sending::waiting_for_flow_control;
+    } else {
+        // on with the block
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "diagnosis/message.hpp"
 #include "hal/interface/can_bus.hpp"
 
 namespace diagnosis {
@@ -15,12 +16,6 @@ struct Addresses {
     std::uint32_t physical_request{0x7A6U};    // to this control unit alone
     std::uint32_t functional_request{0x7DFU};  // to every control unit
     std::uint32_t response{0x7AEU};
-};
-
-struct Request {
-    const std::uint8_t* bytes;
-    std::size_t length;
-    bool is_functional;
 };
 
 // One request at a time in each of the two ways of addressing, and one response. A functional request is one
@@ -40,9 +35,9 @@ class IsoTp {
     Request request() const noexcept;
     void finish(const Request& request) noexcept;
 
-    // `bytes` stay the caller's and must not change while is_sending(). Only while it is not; 1 to 4095
-    // bytes.
-    void send(const std::uint8_t* bytes, std::size_t length) noexcept;
+    // Only while it is not sending. `response` has a byte at least, and neither moves nor changes while
+    // is_sending().
+    void send(const Response& response) noexcept;
     bool is_sending() const noexcept { return sending_ != Sending::nothing; }
     // A segmented request is on its way.
     bool is_receiving() const noexcept { return is_receiving_; }
@@ -61,11 +56,15 @@ class IsoTp {
     void take_first(const hal::CanFrame& frame) noexcept;
     void take_consecutive(const hal::CanFrame& frame) noexcept;
     void take_flow_control(const hal::CanFrame& frame) noexcept;
+    void take_bytes(const hal::CanFrame& frame, std::size_t from, std::size_t count) noexcept;
+    std::size_t left_to_send() const noexcept { return response_->length() - sent_; }
+    void fill(Payload& payload, std::size_t from, std::size_t count) const noexcept;
     bool send_frame(const Payload& payload) noexcept;
     void send_flow_control() noexcept;
     void send_response() noexcept;
     void send_first() noexcept;
     void send_consecutive() noexcept;
+    void count_sent(std::size_t bytes) noexcept;
 
     hal::CanBus& bus_;
     Addresses addresses_;
@@ -82,8 +81,7 @@ class IsoTp {
     std::array<std::uint8_t, 7> functional_{};
     std::size_t functional_length_{0U};  // 0: none waits
 
-    const std::uint8_t* response_{nullptr};
-    std::size_t response_length_{0U};
+    const Response* response_{nullptr};
     std::size_t sent_{0U};
     std::uint32_t send_cycles_{0U};  // since the last progress
     std::uint32_t gap_{0U};          // cycles to the next frame

@@ -1,7 +1,5 @@
 #include "diagnosis/kept_data.hpp"
 
-#include <cstring>
-
 #include "hal/interface/saturating_count.hpp"
 
 namespace diagnosis {
@@ -10,21 +8,13 @@ namespace {
 constexpr std::uint32_t least_cycles_between_records = 100U;
 constexpr std::uint32_t cycles_to_store_counts = 6000U;
 
-constexpr std::size_t states_at = 1U;
-constexpr std::size_t vehicle_number_at = states_at + TroubleMemory::stored_length;
-constexpr std::size_t programming_date_at = vehicle_number_at + 17U;
-static_assert(programming_date_at + 4U == kept_payload_length);
-
 }  // namespace
 
 void KeptData::restore() noexcept {
-    Record::Payload payload{};
-    if (record_.read(payload) && (payload[0] == trouble_code_count)) {
-        codes_.restore(payload.data() + states_at);
-        std::memcpy(written_.vehicle_number.data(), payload.data() + vehicle_number_at,
-                    written_.vehicle_number.size());
-        std::memcpy(written_.programming_date.data(), payload.data() + programming_date_at,
-                    written_.programming_date.size());
+    KeptPayload payload{};
+    if (record_.read(payload) && (payload.code_count == trouble_code_count)) {
+        codes_.restore(payload.codes);
+        written_ = payload.written;
     }
     cycles_since_store_ = least_cycles_between_records;
 }
@@ -41,13 +31,7 @@ void KeptData::end_cycle() noexcept {
 }
 
 void KeptData::store() noexcept {
-    Record::Payload payload{};
-    payload[0] = static_cast<std::uint8_t>(trouble_code_count);
-    codes_.write(payload.data() + states_at);
-    std::memcpy(payload.data() + vehicle_number_at, written_.vehicle_number.data(),
-                written_.vehicle_number.size());
-    std::memcpy(payload.data() + programming_date_at, written_.programming_date.data(),
-                written_.programming_date.size());
+    const KeptPayload payload{static_cast<std::uint8_t>(trouble_code_count), codes_.stored_data(), written_};
     if (record_.write(payload)) {
         codes_.stored();
         cycles_since_store_ = 0U;

@@ -9,14 +9,17 @@
 
 namespace diagnosis {
 
-// Bytes of each of the two places. A record of other software, with other codes, has another length or
-// another count and is not read.
-inline constexpr std::size_t kept_payload_length =
-    1U + TroubleMemory::stored_length + WrittenData::stored_length;
+// A record of other software, with other codes, has another length or another count and is not read.
+struct KeptPayload {
+    std::uint8_t code_count{0U};
+    TroubleMemory::Stored codes{};
+    WrittenData written{};
+};
 
 class KeptData {
  public:
-    static constexpr std::size_t record_length = AlternatingRecord<kept_payload_length>::length;
+    // Bytes of each of the two places.
+    static constexpr std::size_t record_length = AlternatingRecord<KeptPayload>::length;
 
     // The places are nobody else's, take record_length bytes each, and outlive this object.
     KeptData(hal::Storage& one, hal::Storage& other) noexcept : record_{one, other} {}
@@ -34,7 +37,7 @@ class KeptData {
     bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
 
  private:
-    using Record = AlternatingRecord<kept_payload_length>;
+    using Record = AlternatingRecord<KeptPayload>;
 
     void store() noexcept;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "diagnosis/iso_tp.hpp"
+#include "diagnosis/message.hpp"
 #include "diagnosis/section_target.hpp"
 #include "diagnosis/uds.hpp"
 

@@ -1,15 +1,9 @@
 #include "diagnosis/section_store.hpp"
 
-#include <cstring>
-
 namespace diagnosis {
 
 bool SectionStore::restore() noexcept {
     return storage_.read(bytes_.data(), length()) && (check() == application::ParametersRefusal::none);
-}
-
-void SectionStore::put(std::size_t place, const std::uint8_t* bytes, std::size_t count) noexcept {
-    std::memcpy(bytes_.data() + place, bytes, count);
 }
 
 SectionAnswer SectionStore::store(std::uint8_t& reason) noexcept {

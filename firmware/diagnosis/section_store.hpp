@@ -27,7 +27,7 @@ class SectionStore final : public SectionTarget {
     std::size_t length() const noexcept override {
         return (authority_ != nullptr) ? application::seal::sealed_length : application::section::length;
     }
-    void put(std::size_t place, const std::uint8_t* bytes, std::size_t count) noexcept override;
+    void put(std::size_t place, std::uint8_t byte) noexcept override { bytes_[place] = byte; }
     SectionAnswer store(std::uint8_t& reason) noexcept override;
 
  private:

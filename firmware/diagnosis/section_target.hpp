@@ -20,8 +20,8 @@ class SectionTarget {
     // Bytes of a whole section.
     virtual std::size_t length() const noexcept = 0;
 
-    // Keeps bytes of a new section until they are stored; place + count is at most length().
-    virtual void put(std::size_t place, const std::uint8_t* bytes, std::size_t count) noexcept = 0;
+    // Keeps a byte of a new section until all of it is stored; `place` is below length().
+    virtual void put(std::size_t place, std::uint8_t byte) noexcept = 0;
 
     // All of it has been put: checks it as a whole and stores it as a whole, or leaves all as it was.
     // `reason`, where it is refused: the number that is sent as ParametersRefusal after a start with it.

@@ -44,49 +44,35 @@ bool has(std::uint8_t byte, std::uint8_t bits) {
 }
 
 // NaN compares with nothing.
-std::int16_t in_steps(float value, float steps_per_unit) {
+std::uint32_t in_steps(float value, float steps_per_unit) {
+    constexpr std::uint32_t not_available = 0x8000U;
+    constexpr float most = 32767.0F;
     const float steps = value * steps_per_unit;
     const bool is_number = (steps >= 0.0F) || (steps < 0.0F);
     if (!is_number) {
-        return FreezeFrame::not_available;
+        return not_available;
     }
     const float rounded = steps + ((steps < 0.0F) ? -0.5F : 0.5F);
-    constexpr float most = 32767.0F;
-    const float bounded = (rounded > most) ? most : ((rounded < -most) ? -most : rounded);
-    return static_cast<std::int16_t>(bounded);
+    const float below = (rounded > most) ? most : rounded;
+    const float bounded = (below < -most) ? -most : below;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(bounded)) & 0xFFFFU;
+}
+
+void put(FreezeFrame& frame, std::size_t place, std::uint32_t value) {
+    frame[place] = static_cast<std::uint8_t>(value >> 8U);
+    frame[place + 1U] = static_cast<std::uint8_t>(value & 0xFFU);
 }
 
 FreezeFrame frame_of(const monitoring::Snapshot& measured, std::uint32_t cycles) {
+    constexpr std::uint32_t later = 65535U;
     const std::uint32_t seconds = cycles / cycles_per_second;
-    return FreezeFrame{in_steps(measured.lateral_acceleration_mps2, 100.0F),
-                       in_steps(measured.roll_rate_radps, 1000.0F),
-                       in_steps(measured.roll_angle_rad, 1000.0F), in_steps(measured.speed_mps, 100.0F),
-                       static_cast<std::uint16_t>((seconds < 65535U) ? seconds : 65535U)};
-}
-
-std::uint8_t* put_half_word(std::uint8_t* bytes, std::uint32_t value) {
-    bytes[0] = static_cast<std::uint8_t>(value & 0xFFU);
-    bytes[1] = static_cast<std::uint8_t>((value >> 8U) & 0xFFU);
-    return bytes + 2;
-}
-
-std::uint8_t* put(std::uint8_t* bytes, const FreezeFrame& frame) {
-    bytes = put_half_word(bytes, static_cast<std::uint16_t>(frame.lateral_acceleration));
-    bytes = put_half_word(bytes, static_cast<std::uint16_t>(frame.roll_rate));
-    bytes = put_half_word(bytes, static_cast<std::uint16_t>(frame.roll_angle));
-    bytes = put_half_word(bytes, static_cast<std::uint16_t>(frame.speed));
-    return put_half_word(bytes, frame.seconds);
-}
-
-std::uint16_t half_word(const std::uint8_t* bytes) {
-    return static_cast<std::uint16_t>(bytes[0] | (static_cast<std::uint32_t>(bytes[1]) << 8U));
-}
-
-FreezeFrame frame_at(const std::uint8_t* bytes) {
-    return FreezeFrame{static_cast<std::int16_t>(half_word(bytes)),
-                       static_cast<std::int16_t>(half_word(bytes + 2)),
-                       static_cast<std::int16_t>(half_word(bytes + 4)),
-                       static_cast<std::int16_t>(half_word(bytes + 6)), half_word(bytes + 8)};
+    FreezeFrame frame{};
+    put(frame, 0U, in_steps(measured.lateral_acceleration_mps2, 100.0F));
+    put(frame, 2U, in_steps(measured.roll_rate_radps, 1000.0F));
+    put(frame, 4U, in_steps(measured.roll_angle_rad, 1000.0F));
+    put(frame, 6U, in_steps(measured.speed_mps, 100.0F));
+    put(frame, 8U, (seconds < later) ? seconds : later);
+    return frame;
 }
 
 }  // namespace
@@ -94,9 +80,9 @@ FreezeFrame frame_at(const std::uint8_t* bytes) {
 void TroubleMemory::start(bool is_new_cycle) noexcept {
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         if (is_new_cycle) {
-            count_cycle(states_[row], row);
+            count_cycle(data_.states[row], row);
         }
-        clear_bits(states_[row].status, status::test_failed);
+        clear_bits(data_.states[row].status, status::test_failed);
     }
     failed_ = 0U;
     cycles_ = 0U;
@@ -107,7 +93,8 @@ void TroubleMemory::start(bool is_new_cycle) noexcept {
 
 // The end of one operation cycle, of which nobody knows when it ends, at the beginning of the next.
 void TroubleMemory::count_cycle(TroubleState& state, std::size_t row) noexcept {
-    const bool was_good = !has(state.status, status::not_completed_this_cycle | status::failed_this_cycle);
+    constexpr std::uint8_t not_good = 0x42U;  // not completed in it, or failed
+    const bool was_good = !has(state.status, not_good);
     if (was_good) {
         clear_bits(state.status, status::pending);
     }
@@ -138,7 +125,7 @@ void TroubleMemory::update(CodeSet failed, const monitoring::Snapshot& measured,
             if ((changed & failed & bit) != 0U) {
                 fail(row);
             } else if ((changed & bit) != 0U) {
-                clear_bits(states_[row].status, status::test_failed);
+                clear_bits(data_.states[row].status, status::test_failed);
             } else {
                 // as it was
             }
@@ -150,11 +137,10 @@ void TroubleMemory::update(CodeSet failed, const monitoring::Snapshot& measured,
 }
 
 void TroubleMemory::fail(std::size_t row) noexcept {
-    TroubleState& state = states_[row];
+    TroubleState& state = data_.states[row];
     // What fails over and over in one operation cycle does not wear the memory out.
     request_storing(has(state.status, status::failed_this_cycle) ? Storing::later : Storing::now);
-    set_bits(state.status, status::test_failed | status::failed_this_cycle | status::pending |
-                               status::confirmed | status::failed_since_clear);
+    set_bits(state.status, status::failure);
     clear_bits(state.status, status::cleared);
     state.occurrences = count_up(state.occurrences);
     state.ageing = 0U;
@@ -178,7 +164,7 @@ void TroubleMemory::count_good_cycle(float speed_mps) noexcept {
 void TroubleMemory::complete(CodeSet judged) noexcept {
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         if ((judged & bit_of(row)) != 0U) {
-            clear_bits(states_[row].status, status::cleared);
+            clear_bits(data_.states[row].status, status::cleared);
         }
     }
     request_storing(Storing::now);
@@ -192,14 +178,14 @@ void TroubleMemory::clear_all() noexcept {
 
 // What still fails, fails anew in the next cycle.
 void TroubleMemory::clear(std::size_t row) noexcept {
-    states_[row] = TroubleState{};
+    data_.states[row] = TroubleState{};
     forget_snapshots(row);
     failed_ &= ~bit_of(row);
     request_storing(Storing::now);
 }
 
 const TroubleSnapshots* TroubleMemory::snapshots(std::size_t row) const noexcept {
-    for (const TroubleSnapshots& each : snapshots_) {
+    for (const TroubleSnapshots& each : data_.snapshots) {
         if (each.code == code_of(row)) {
             return &each;
         }
@@ -222,55 +208,38 @@ void TroubleMemory::keep_snapshot(std::size_t row) noexcept {
 // The code's own place; else a free one; else that of a code that does not fail now; else none: what failed
 // first explains what followed.
 TroubleSnapshots* TroubleMemory::place_for(std::size_t row) noexcept {
-    TroubleSnapshots* free = nullptr;
+    TroubleSnapshots* unused = nullptr;
     TroubleSnapshots* displaced = nullptr;
-    for (TroubleSnapshots& each : snapshots_) {
+    for (TroubleSnapshots& each : data_.snapshots) {
         if (each.code == code_of(row)) {
             return &each;
         }
         if (each.code == 0U) {
-            free = &each;
+            unused = &each;
         } else if ((failed_ & (CodeSet{1U} << each.code)) == 0U) {
             displaced = &each;
         } else {
             // it is needed
         }
     }
-    return (free != nullptr) ? free : displaced;
+    return (unused != nullptr) ? unused : displaced;
 }
 
 void TroubleMemory::forget_snapshots(std::size_t row) noexcept {
-    for (TroubleSnapshots& each : snapshots_) {
+    for (TroubleSnapshots& each : data_.snapshots) {
         if (each.code == code_of(row)) {
             each = TroubleSnapshots{};
         }
     }
 }
 
-void TroubleMemory::write(std::uint8_t* bytes) const noexcept {
-    for (const TroubleState& each : states_) {
-        bytes[0] = each.status;
-        bytes[1] = each.occurrences;
-        bytes[2] = each.ageing;
-        bytes += state_bytes;
+void TroubleMemory::restore(const Stored& stored) noexcept {
+    data_ = stored;
+    for (TroubleState& each : data_.states) {
+        each.status = static_cast<std::uint8_t>(each.status & status::available);
     }
-    for (const TroubleSnapshots& each : snapshots_) {
-        *bytes = each.code;
-        bytes = put(put(bytes + 1, each.first), each.last);
-    }
-}
-
-// The record's check word has been good; a code that nobody knows is none all the same.
-void TroubleMemory::restore(const std::uint8_t* bytes) noexcept {
-    for (TroubleState& each : states_) {
-        each = TroubleState{static_cast<std::uint8_t>(bytes[0] & status::available), bytes[1], bytes[2]};
-        bytes += state_bytes;
-    }
-    for (TroubleSnapshots& each : snapshots_) {
-        const bool is_known = (bytes[0] <= trouble_code_count);
-        each = is_known ? TroubleSnapshots{bytes[0], frame_at(bytes + 1), frame_at(bytes + 11)}
-                        : TroubleSnapshots{};
-        bytes += snapshot_bytes;
+    for (TroubleSnapshots& each : data_.snapshots) {
+        each = (each.code <= trouble_code_count) ? each : TroubleSnapshots{};
     }
 }
 

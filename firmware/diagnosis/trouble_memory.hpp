@@ -26,19 +26,17 @@ inline constexpr std::uint8_t failed_since_clear = 0x20U;
 inline constexpr std::uint8_t not_completed_this_cycle = 0x40U;
 // Bit 7, warningIndicatorRequested, is not available: this control unit requests no indicator for a code.
 inline constexpr std::uint8_t available = 0x7FU;
-inline constexpr std::uint8_t cleared = not_completed_since_clear | not_completed_this_cycle;
+inline constexpr std::uint8_t failure = 0x2FU;  // what a failed test sets
+inline constexpr std::uint8_t cleared = 0x50U;  // not completed, neither way
 }  // namespace status
 
-// What was measured when a code failed. As it is stored and sent, so that it needs no place for more.
-struct FreezeFrame {
-    std::int16_t lateral_acceleration{0};  // 0.01 m/s2
-    std::int16_t roll_rate{0};             // 0.001 rad/s
-    std::int16_t roll_angle{0};            // 0.001 rad
-    std::int16_t speed{0};                 // 0.01 m/s
-    std::uint16_t seconds{0U};             // since the start; 65535: later
-
-    static constexpr std::int16_t not_available = -32768;
-};
+// What was measured when a code failed, as it is stored and sent: numbers of two bytes, the most significant
+// first.
+//   0  lateral acceleration, 0.01 m/s2        4  roll angle, 0.001 rad
+//   2  roll rate, 0.001 rad/s                 6  speed, 0.01 m/s
+//   8  seconds since the start, without a sign; 65535: later
+// 0x8000: not available.
+using FreezeFrame = std::array<std::uint8_t, 10>;
 
 struct TroubleState {
     std::uint8_t status{status::cleared};
@@ -74,7 +72,7 @@ class TroubleMemory {
     void clear(std::size_t row) noexcept;
 
     // By the rows of trouble_codes.
-    const TroubleState& state(std::size_t row) const noexcept { return states_[row]; }
+    const TroubleState& state(std::size_t row) const noexcept { return data_.states[row]; }
     // nullptr where there is none: never failed, or displaced by newer ones.
     const TroubleSnapshots* snapshots(std::size_t row) const noexcept;
 
@@ -82,14 +80,16 @@ class TroubleMemory {
     void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
     void stored() noexcept { storing_ = Storing::not_needed; }
 
-    static constexpr std::size_t state_bytes = 3U;
-    static constexpr std::size_t snapshot_bytes = 21U;
-    static constexpr std::size_t stored_length =
-        state_bytes * trouble_code_count + snapshot_bytes * snapshot_places;
+    // What is stored: bytes without gaps, the same on every target.
+    struct Stored {
+        std::array<TroubleState, trouble_code_count> states{};
+        std::array<TroubleSnapshots, snapshot_places> snapshots{};
+    };
+    static_assert(sizeof(Stored) == 3U * trouble_code_count + 21U * snapshot_places);
 
-    // To and from `stored_length` bytes.
-    void write(std::uint8_t* bytes) const noexcept;
-    [[gnu::cold]] void restore(const std::uint8_t* bytes) noexcept;
+    const Stored& stored_data() const noexcept { return data_; }
+    // Whatever it holds: what nobody knows is left out.
+    [[gnu::cold]] void restore(const Stored& stored) noexcept;
 
  private:
     void count_cycle(TroubleState& state, std::size_t row) noexcept;
@@ -100,8 +100,7 @@ class TroubleMemory {
     TroubleSnapshots* place_for(std::size_t row) noexcept;
     void forget_snapshots(std::size_t row) noexcept;
 
-    std::array<TroubleState, trouble_code_count> states_{};
-    std::array<TroubleSnapshots, snapshot_places> snapshots_{};
+    Stored data_{};
     FreezeFrame measured_{};           // in this cycle
     monitoring::CodeSet failed_{0U};   // in the cycle before
     std::uint32_t cycles_{0U};         // since the start

@@ -6,19 +6,15 @@ namespace {
 constexpr std::uint8_t iso_14229_1_format = 0x01U;
 
 void put_code(std::size_t row, const TroubleMemory& memory, Response& response) {
-    response.put_24(trouble_numbers[row]);
+    response.put_three(trouble_numbers[row]);
     response.put(memory.state(row).status);
 }
 
 void put_frame(std::uint8_t record, const FreezeFrame& frame, Response& response) {
     response.put(record);
     response.put(1U);  // identifier
-    response.put_16(freeze_frame_identifier);
-    response.put_16(static_cast<std::uint16_t>(frame.lateral_acceleration));
-    response.put_16(static_cast<std::uint16_t>(frame.roll_rate));
-    response.put_16(static_cast<std::uint16_t>(frame.roll_angle));
-    response.put_16(static_cast<std::uint16_t>(frame.speed));
-    response.put_16(frame.seconds);
+    response.put_two(freeze_frame_identifier);
+    response.put_all(frame);
 }
 
 Nrc count_by_mask(std::uint8_t mask, const TroubleMemory& memory, Response& response) {
@@ -28,7 +24,7 @@ Nrc count_by_mask(std::uint8_t mask, const TroubleMemory& memory, Response& resp
     }
     response.put(status::available);
     response.put(iso_14229_1_format);
-    response.put_16(count);
+    response.put_two(count);
     return Nrc::none;
 }
 
@@ -56,8 +52,8 @@ bool is_wanted(std::uint8_t record, std::uint8_t which) {
 
 // A code without a snapshot is answered, without one.
 Nrc report_snapshots(const Request& request, const TroubleMemory& memory, Response& response) {
-    const std::size_t row = row_of_number(big_endian_24(request.bytes + 2));
-    const std::uint8_t record = request.bytes[5];
+    const std::size_t row = row_of_number(request.three_bytes(2U));
+    const std::uint8_t record = request.byte(5U);
     if ((row == trouble_code_count) ||
         !(is_wanted(record, first_snapshot) || is_wanted(record, last_snapshot))) {
         return Nrc::request_out_of_range;
@@ -76,8 +72,8 @@ Nrc report_snapshots(const Request& request, const TroubleMemory& memory, Respon
 }
 
 Nrc report_extended_data(const Request& request, const TroubleMemory& memory, Response& response) {
-    const std::size_t row = row_of_number(big_endian_24(request.bytes + 2));
-    const std::uint8_t record = request.bytes[5];
+    const std::size_t row = row_of_number(request.three_bytes(2U));
+    const std::uint8_t record = request.byte(5U);
     if ((row == trouble_code_count) ||
         !(is_wanted(record, occurrences_record) || is_wanted(record, ageing_record))) {
         return Nrc::request_out_of_range;
@@ -101,9 +97,9 @@ Nrc report_codes(std::uint8_t sub_function, const Request& request, const Troubl
     response.put(sub_function);
     switch (sub_function) {
         case 0x01U:
-            return count_by_mask(request.bytes[2], memory, response);
+            return count_by_mask(request.byte(2U), memory, response);
         case 0x02U:
-            return list_by_mask(request.bytes[2], memory, response);
+            return list_by_mask(request.byte(2U), memory, response);
         case 0x04U:
             return report_snapshots(request, memory, response);
         case 0x06U:

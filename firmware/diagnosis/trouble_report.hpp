@@ -1,7 +1,7 @@
 // Trouble report: ReadDTCInformation (service 19).
 #pragma once
 
-#include "diagnosis/iso_tp.hpp"
+#include "diagnosis/message.hpp"
 #include "diagnosis/trouble_memory.hpp"
 #include "diagnosis/uds.hpp"
 

@@ -19,25 +19,20 @@ constexpr std::uint32_t all_groups = 0xFF'FFFFU;
 
 const Service* service_of(const Request& request) {
     for (const Service& each : services) {
-        if (each.id == request.bytes[0]) {
-            return (each.is_functional || !request.is_functional) ? &each : nullptr;
+        if (each.id == request.service()) {
+            return (each.is_functional || !request.is_functional()) ? &each : nullptr;
         }
     }
     return nullptr;
 }
 
-// Of a request with at least two bytes.
-std::uint8_t sub_function_of(const Request& request) {
-    return static_cast<std::uint8_t>(request.bytes[1] & 0x7FU);
-}
-
 Nrc check_sub_function(const Request& request) {
-    if (request.length < 2U) {
+    if (request.length() < 2U) {
         return Nrc::incorrect_length;
     }
     for (const ListedSubFunction& each : sub_functions) {
-        if ((each.service == request.bytes[0]) && (each.number == sub_function_of(request))) {
-            return (request.length == each.length) ? Nrc::none : Nrc::incorrect_length;
+        if ((each.service == request.service()) && (each.number == request.sub_function())) {
+            return (request.length() == each.length) ? Nrc::none : Nrc::incorrect_length;
         }
     }
     return Nrc::sub_function_not_supported;
@@ -46,7 +41,7 @@ Nrc check_sub_function(const Request& request) {
 bool is_suppressed(const Request& request) {
     const Service* const service = service_of(request);
     return (service != nullptr) && (service->sub_function != SubFunction::none) &&
-           ((request.bytes[1] & suppress_positive) != 0U);
+           ((request.byte(1U) & suppress_positive) != 0U);
 }
 
 // Who asks everybody does not want to hear from all to whom it means nothing.
@@ -56,8 +51,8 @@ bool is_said_to_everybody(Nrc code) {
 }
 
 bool is_tester_present(const Request& request) {
-    return (request.length == 2U) && (request.bytes[0] == service_id::tester_present) &&
-           (request.bytes[1] == suppress_positive);
+    return (request.length() == 2U) && (request.service() == service_id::tester_present) &&
+           (request.byte(1U) == suppress_positive);
 }
 
 // A speed that is not known is none: on a bench nobody sends one.
@@ -109,7 +104,7 @@ void UdsServer::step(const EcuState& ecu) noexcept {
         wait_for_storage();
     } else if (transport_.is_sending()) {
         drop_functional_request();
-    } else if (request.length != 0U) {
+    } else if (request.length() != 0U) {
         serve(request, ecu);
     } else {
         // nobody asks
@@ -147,8 +142,8 @@ void UdsServer::enter(Session session) noexcept {
 // Whoever speaks to everybody meanwhile meets a deaf ear; "tester present" has nothing to say then.
 void UdsServer::drop_functional_request() noexcept {
     const Request request = transport_.request();
-    const bool is_waited_for = (waiting_ != Waiting::nothing) && waiting_for_.is_functional;
-    if (request.is_functional && !is_waited_for) {
+    const bool is_waited_for = (waiting_ != Waiting::nothing) && waiting_for_.is_functional();
+    if (request.is_functional() && !is_waited_for) {
         transport_.finish(request);
     }
 }
@@ -159,7 +154,7 @@ void UdsServer::serve(const Request& request, const EcuState& ecu) noexcept {
         transport_.finish(request);
         return;
     }
-    response_.begin(request.bytes[0]);
+    begin_answer(request, 0U);
     is_later_said_ = false;
     const Nrc code = check_and_run(request, ecu);
     if (code == Nrc::response_pending) {
@@ -176,13 +171,33 @@ void UdsServer::answer(const Request& request, Nrc code) noexcept {
     if (said == Nrc::none) {
         is_said = is_later_said_ || !is_suppressed(request);
     } else {
-        is_said = !request.is_functional || is_said_to_everybody(said);
-        response_.negative(request.bytes[0], said);
+        is_said = !request.is_functional() || is_said_to_everybody(said);
+        say_no(request, said);
     }
     is_later_said_ = false;
     transport_.finish(request);
     if (is_said) {
-        transport_.send(response_.bytes(), response_.length());
+        transport_.send(response_);
+    }
+}
+
+void UdsServer::say_no(const Request& request, Nrc code) noexcept {
+    response_.begin(0x7FU);
+    response_.put(request.service());
+    response_.put(static_cast<std::uint8_t>(code));
+}
+
+void UdsServer::begin_routine_answer(const Request& request) noexcept {
+    begin_answer(request, 0U);
+    response_.put(request.sub_function());
+    response_.put_two(request.two_bytes(2U));
+}
+
+// With so many bytes that the request has behind its service.
+void UdsServer::begin_answer(const Request& request, std::size_t repeated) noexcept {
+    response_.begin(static_cast<std::uint8_t>(request.service() + 0x40U));
+    for (std::size_t place = 1U; place <= repeated; ++place) {
+        response_.put(request.byte(place));
     }
 }
 
@@ -209,7 +224,7 @@ Nrc UdsServer::check_and_run(const Request& request, const EcuState& ecu) noexce
 }
 
 Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
-    switch (request.bytes[0]) {
+    switch (request.service()) {
         case service_id::session_control:
             return session_control(request, ecu);
         case service_id::reset:
@@ -217,7 +232,7 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
         case service_id::clear_codes:
             return clear_codes(request);
         case service_id::read_codes:
-            return report_codes(sub_function_of(request), request, kept_.codes(), response_);
+            return report_codes(request.sub_function(), request, kept_.codes(), response_);
         case service_id::read_data:
             return read_data(request, ecu);
         case service_id::security_access:
@@ -235,7 +250,7 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
         case service_id::transfer_exit:
             return download_.end(request);
         case service_id::code_setting:
-            return code_setting(sub_function_of(request));
+            return code_setting(request.sub_function());
         default:  // tester present
             response_.put(0x00U);
             return Nrc::none;
@@ -243,14 +258,14 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
 }
 
 Nrc UdsServer::session_control(const Request& request, const EcuState& ecu) noexcept {
-    const auto session = static_cast<Session>(sub_function_of(request));
+    const auto session = static_cast<Session>(request.sub_function());
     if ((session == Session::programming) && is_moving(ecu)) {
         return Nrc::conditions_not_correct;
     }
     enter(session);
     response_.put(static_cast<std::uint8_t>(session));
-    response_.put_16(response_milliseconds);
-    response_.put_16(late_response_milliseconds / 10U);
+    response_.put_two(response_milliseconds);
+    response_.put_two(late_response_milliseconds / 10U);
     return Nrc::none;
 }
 
@@ -259,15 +274,15 @@ Nrc UdsServer::reset(const Request& request, const EcuState& ecu) noexcept {
         return Nrc::conditions_not_correct;
     }
     is_reset_requested_ = true;
-    response_.put(sub_function_of(request));
+    response_.put(request.sub_function());
     return Nrc::none;
 }
 
 Nrc UdsServer::clear_codes(const Request& request) noexcept {
-    if (request.length != 4U) {
+    if (request.length() != 4U) {
         return Nrc::incorrect_length;
     }
-    const std::uint32_t group = big_endian_24(request.bytes + 1);
+    const std::uint32_t group = request.three_bytes(1U);
     const std::size_t row = row_of_number(group);
     if (group == all_groups) {
         kept_.codes().clear_all();
@@ -282,13 +297,13 @@ Nrc UdsServer::clear_codes(const Request& request) noexcept {
 
 // Identifiers that nobody knows are left out, unless all are.
 Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
-    if ((request.length < 3U) || ((request.length % 2U) == 0U)) {
+    if ((request.length() < 3U) || ((request.length() % 2U) == 0U)) {
         return Nrc::incorrect_length;
     }
     const DataSources sources{identification_, kept_.written(), ecu.inputs, ecu.outputs, session_};
     bool is_one_known = false;
-    for (std::size_t place = 1U; place < request.length; place += 2U) {
-        const bool is_known = read_identifier(big_endian_16(request.bytes + place), sources, response_);
+    for (std::size_t place = 1U; place < request.length(); place += 2U) {
+        const bool is_known = read_identifier(request.two_bytes(place), sources, response_);
         is_one_known = is_one_known || is_known;
     }
     return is_one_known ? Nrc::none : Nrc::request_out_of_range;
@@ -296,24 +311,21 @@ Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
 
 Nrc UdsServer::write_data(const Request& request) noexcept {
     constexpr std::size_t header = 3U;
-    if (request.length <= header) {
+    if (request.length() <= header) {
         return Nrc::incorrect_length;
     }
-    const std::uint32_t identifier = big_endian_16(request.bytes + 1);
-    const WritableData data = writable_data(identifier, kept_.written());
-    if (data.bytes == nullptr) {
+    const std::uint32_t identifier = request.two_bytes(1U);
+    const std::size_t length = writable_length(identifier);
+    if (length == 0U) {
         return Nrc::request_out_of_range;
     }
-    if (request.length != header + data.length) {
+    if (request.length() != header + length) {
         return Nrc::incorrect_length;
     }
     if (!is_unlocked()) {
         return Nrc::security_access_denied;
     }
-    for (std::size_t index = 0U; index < data.length; ++index) {
-        data.bytes[index] = request.bytes[header + index];
-    }
-    response_.put_16(identifier);
+    write_identifier(identifier, request, header, kept_.written());
     kept_.codes().request_storing(Storing::now);
     waiting_ = Waiting::codes_stored;
     return Nrc::response_pending;
@@ -323,8 +335,8 @@ Nrc UdsServer::security_access(const Request& request) noexcept {
     if (access_ == nullptr) {
         return Nrc::conditions_not_correct;
     }
-    response_.put(sub_function_of(request));
-    if (sub_function_of(request) == 0x02U) {
+    response_.put(request.sub_function());
+    if (request.sub_function() == 0x02U) {
         return take_key(request);
     }
     access_control::Block seed{};  // all zeros: it is unlocked already
@@ -340,7 +352,7 @@ Nrc UdsServer::security_access(const Request& request) noexcept {
 Nrc UdsServer::take_key(const Request& request) noexcept {
     access_control::Block key{};
     for (std::size_t index = 0U; index < key.size(); ++index) {
-        key[index] = request.bytes[2U + index];
+        key[index] = request.byte(2U + index);
     }
     switch (access_->take_key(key)) {
         case access_control::KeyAnswer::unlocked:
@@ -358,8 +370,8 @@ Nrc UdsServer::take_key(const Request& request) noexcept {
 // Reception is never switched off: by it the control unit knows that the vehicle rests.
 Nrc UdsServer::communication_control(const Request& request, const EcuState& ecu) noexcept {
     constexpr std::uint8_t network_management = 0x02U;
-    const std::uint8_t sub_function = sub_function_of(request);
-    const std::uint8_t messages = request.bytes[2];
+    const std::uint8_t sub_function = request.sub_function();
+    const std::uint8_t messages = request.byte(2U);
     if ((messages == 0U) || (messages > 3U)) {
         return Nrc::request_out_of_range;
     }
@@ -382,13 +394,13 @@ Nrc UdsServer::code_setting(std::uint8_t sub_function) noexcept {
 
 Nrc UdsServer::routine_control(const Request& request, const EcuState& ecu) noexcept {
     constexpr std::size_t whole_length = 4U;
-    if (request.length < whole_length) {
+    if (request.length() < whole_length) {
         return Nrc::incorrect_length;
     }
-    const std::uint32_t routine = big_endian_16(request.bytes + 2);
+    const std::uint32_t routine = request.two_bytes(2U);
     const bool is_check = (routine == check_section_routine) && (session_ == Session::programming);
     const bool is_self_test = (routine == self_test_routine) && (session_ == Session::extended);
-    const std::uint8_t sub_function = sub_function_of(request);
+    const std::uint8_t sub_function = request.sub_function();
     if (!is_check && !is_self_test) {
         return Nrc::request_out_of_range;
     }
@@ -398,17 +410,16 @@ Nrc UdsServer::routine_control(const Request& request, const EcuState& ecu) noex
     if ((sub_function != start_routine) && (is_check || (sub_function != routine_results))) {
         return Nrc::sub_function_not_supported;
     }
-    if (request.length != whole_length) {
+    if (request.length() != whole_length) {
         return Nrc::incorrect_length;
     }
-    response_.put(sub_function);
-    response_.put_16(routine);
     if (is_check) {
-        return check_section();
+        return check_section(request);
     }
     if (sub_function == start_routine) {
         return start_self_test(ecu);
     }
+    begin_routine_answer(request);
     response_.put(self_test_result_);
     return has_self_test_result_ ? Nrc::none : Nrc::request_sequence_error;
 }
@@ -421,13 +432,13 @@ Nrc UdsServer::start_self_test(const EcuState& ecu) noexcept {
     return Nrc::response_pending;
 }
 
-Nrc UdsServer::check_section() noexcept {
+Nrc UdsServer::check_section(const Request& request) noexcept {
     std::uint8_t refusal = 0U;
     const Nrc code = download_.check_and_store(refusal);
     if (code == Nrc::response_pending) {
         waiting_ = Waiting::section_stored;
     } else {
-        waiting_ = Waiting::nothing;
+        begin_routine_answer(request);
         response_.put(refusal);
     }
     return code;
@@ -441,20 +452,26 @@ Nrc UdsServer::request_download(const Request& request, const EcuState& ecu) noe
 Nrc UdsServer::storage_answer() noexcept {
     const bool is_late = (wait_cycles_ >= most_wait_cycles);
     if (waiting_ == Waiting::section_stored) {
-        const Nrc code = check_section();
+        const Nrc code = check_section(waiting_for_);
         return ((code == Nrc::response_pending) && is_late) ? Nrc::programming_failure : code;
     }
     if (!kept_.is_stored() && !is_late) {
         return Nrc::response_pending;
     }
     if (waiting_ == Waiting::self_test_stored) {
-        const std::uint32_t storing = kept_.is_stored() ? 0U : self_test::storing;
-        self_test_result_ = static_cast<std::uint8_t>(self_test_result_ | storing);
-        has_self_test_result_ = true;
-        response_.put(self_test_result_);
-        return Nrc::none;
+        return self_test_answer();
     }
+    begin_answer(waiting_for_, (waiting_for_.service() == service_id::write_data) ? 2U : 0U);
     return kept_.is_stored() ? Nrc::none : Nrc::programming_failure;
+}
+
+Nrc UdsServer::self_test_answer() noexcept {
+    const std::uint32_t storing = kept_.is_stored() ? 0U : self_test::storing;
+    self_test_result_ = static_cast<std::uint8_t>(self_test_result_ | storing);
+    has_self_test_result_ = true;
+    begin_routine_answer(waiting_for_);
+    response_.put(self_test_result_);
+    return Nrc::none;
 }
 
 void UdsServer::wait_for_storage() noexcept {
@@ -467,9 +484,9 @@ void UdsServer::wait_for_storage() noexcept {
         waiting_ = Waiting::nothing;
         answer(waiting_for_, code);
     } else if (wait_cycles_ == cycles_to_say_later) {
-        pending_ = {0x7FU, waiting_for_.bytes[0], static_cast<std::uint8_t>(Nrc::response_pending)};
+        say_no(waiting_for_, Nrc::response_pending);
         is_later_said_ = true;
-        transport_.send(pending_.data(), pending_.size());
+        transport_.send(response_);
     } else {
         // said once, it holds for P2*
     }

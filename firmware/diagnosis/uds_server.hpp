@@ -60,6 +60,9 @@ class UdsServer {
 
     void serve(const Request& request, const EcuState& ecu) noexcept;
     void answer(const Request& request, Nrc code) noexcept;
+    void say_no(const Request& request, Nrc code) noexcept;
+    void begin_routine_answer(const Request& request) noexcept;
+    void begin_answer(const Request& request, std::size_t repeated) noexcept;
     Nrc check_and_run(const Request& request, const EcuState& ecu) noexcept;
     Nrc run(const Request& request, const EcuState& ecu) noexcept;
     Nrc session_control(const Request& request, const EcuState& ecu) noexcept;
@@ -73,12 +76,13 @@ class UdsServer {
     Nrc code_setting(std::uint8_t sub_function) noexcept;
     Nrc routine_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc start_self_test(const EcuState& ecu) noexcept;
-    Nrc check_section() noexcept;
+    Nrc check_section(const Request& request) noexcept;
     Nrc request_download(const Request& request, const EcuState& ecu) noexcept;
 
     void drop_functional_request() noexcept;
     void wait_for_storage() noexcept;
     Nrc storage_answer() noexcept;
+    Nrc self_test_answer() noexcept;
     void count_session_time() noexcept;
     void enter(Session session) noexcept;
     bool is_unlocked() const noexcept { return (access_ != nullptr) && access_->is_unlocked(); }
@@ -90,8 +94,7 @@ class UdsServer {
     access_control::SeedAndKey* access_{nullptr};
     SectionDownload download_{};
     Response response_{};
-    std::array<std::uint8_t, 3> pending_{};  // the negative response that says "later"
-    Request waiting_for_{nullptr, 0U, false};
+    Request waiting_for_{};
     std::uint32_t wait_cycles_{0U};
     std::uint32_t idle_cycles_{0U};  // since the tester's last request
     std::uint8_t self_test_result_{0U};

@@ -17,8 +17,9 @@ namespace sil {
 // The key is the test key, which everybody knows.
 class DiagnosisAccess {
  public:
-    // `folder`: where trouble codes, identification, the downloaded section and the count of wrong keys are kept;
-    // empty: in memory only. `section`: where XCP stores its section, if it does, and then a download too.
+    // `folder`: where trouble codes, identification, the downloaded section and the count of wrong keys are
+    // kept; empty: in memory only. `section`: where XCP stores its section, if it does, and then a download
+    // too.
     DiagnosisAccess(std::string calibration_name, const std::filesystem::path& folder, hal::Storage* section)
         : calibration_name_{std::move(calibration_name)},
           one_{folder, "diagnosis_1.bin"},
@@ -47,7 +48,7 @@ class DiagnosisAccess {
     hal::SoftwareKeys keys_{hal::test_keys};
     hal::SystemRandom random_{};
     access_control::SeedAndKey seed_and_key_{keys_, hal::KeySlot::diagnosis, random_, attempts_};
-    diagnosis::Identification identification_{"Rollover warning", RSI_VERSION, calibration_name_.c_str(),
+    diagnosis::Identification identification_{"Rollover warning", RSI_VERSION, calibration_name_,
                                               "Linux host", "0"};
 };
 

@@ -68,7 +68,19 @@ class Transport : public ::testing::Test {
     }
     Bytes waiting() const {
         const Request request = transport_.request();
-        return {request.bytes, request.bytes + request.length};
+        Bytes bytes;
+        for (std::size_t place = 0U; place < request.length(); ++place) {
+            bytes.push_back(request.byte(place));
+        }
+        return bytes;
+    }
+    void send(const Bytes& message) { send(message, message.size()); }
+    void send(const Bytes& message, std::size_t length) {
+        response_.begin(message[0]);
+        for (std::size_t place = 1U; place < length; ++place) {
+            response_.put(message[place]);
+        }
+        transport_.send(response_);
     }
     void cycles(int count) {
         for (int turn = 0; turn < count; ++turn) {
@@ -91,6 +103,7 @@ class Transport : public ::testing::Test {
 
     NarrowBus bus_{};
     IsoTp transport_{bus_, {}};
+    diagnosis::Response response_{};
     const Bytes continue_to_send_{0x30U, 0U, 0U, 0xCCU, 0xCCU, 0xCCU, 0xCCU, 0xCCU};
     const Bytes overflow_{0x32U, 0U, 0U, 0xCCU, 0xCCU, 0xCCU, 0xCCU, 0xCCU};
 };
@@ -102,7 +115,7 @@ TEST_F(Transport, TakesASingleFrameOfEveryLengthPaddedOrNot) {
             payload.resize(frame, 0xAAU);
             take(payload);
             EXPECT_EQ(waiting(), counted(length));
-            EXPECT_FALSE(transport_.request().is_functional);
+            EXPECT_FALSE(transport_.request().is_functional());
             transport_.finish(transport_.request());
             EXPECT_TRUE(waiting().empty());
         }
@@ -253,14 +266,14 @@ TEST_F(Transport, FunctionalRequestsStandApart) {
     take_consecutive(message, 1U, 2U);
     take({0x02U, 0x3EU, 0x80U}, Tester::functional);
     EXPECT_EQ(waiting(), (Bytes{0x3EU, 0x80U}));
-    EXPECT_TRUE(transport_.request().is_functional);
+    EXPECT_TRUE(transport_.request().is_functional());
     take({0x02U, 0x10U, 0x01U}, Tester::functional);  // while another waits
     EXPECT_EQ(waiting(), (Bytes{0x3EU, 0x80U}));
     take_consecutive(message, 3U);
     const Request functional = transport_.request();
     transport_.finish(functional);
     EXPECT_EQ(waiting(), message);
-    EXPECT_FALSE(transport_.request().is_functional);
+    EXPECT_FALSE(transport_.request().is_functional());
 }
 
 TEST_F(Transport, FunctionalSegmentedRequestsAreNotAnswered) {
@@ -274,19 +287,19 @@ TEST_F(Transport, FunctionalSegmentedRequestsAreNotAnswered) {
 
 TEST_F(Transport, AShortAnswerIsOnePaddedFrame) {
     const Bytes message = counted(7U);
-    transport_.send(message.data(), 3U);
+    send(message, 3U);
     EXPECT_TRUE(transport_.is_sending());
     cycles(1);
     EXPECT_EQ(last(), (Bytes{3U, 1U, 2U, 3U, 0xCCU, 0xCCU, 0xCCU, 0xCCU}));
     EXPECT_FALSE(transport_.is_sending());
-    transport_.send(message.data(), 7U);
+    send(message, 7U);
     cycles(1);
     EXPECT_EQ(last(), Bytes{7U} + message);
 }
 
 TEST_F(Transport, ALongAnswerWaitsForFlowControlAndEveryFrameIsPadded) {
     const Bytes message = counted(250U);
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(5);
     ASSERT_EQ(bus_.sent.size(), 1U);
     EXPECT_EQ(last(), Bytes({0x10U, 250U}) + Bytes(message.begin(), message.begin() + 6));
@@ -307,7 +320,7 @@ TEST_F(Transport, ALongAnswerWaitsForFlowControlAndEveryFrameIsPadded) {
 
 TEST_F(Transport, SendsAFewFramesACycle) {
     const Bytes message = counted(100U);
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(1);
     take({0x30U, 0U, 0U});
     EXPECT_EQ(rhythm(5), (std::vector<std::size_t>{4U, 4U, 4U, 2U, 0U}));
@@ -315,7 +328,7 @@ TEST_F(Transport, SendsAFewFramesACycle) {
 
 TEST_F(Transport, HonoursBlockSizes) {
     const Bytes message = counted(60U);  // 8 consecutive frames
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(1);
     take({0x30U, 3U, 0U});
     EXPECT_EQ(rhythm(3), (std::vector<std::size_t>{3U, 0U, 0U}));
@@ -338,7 +351,7 @@ class SeparationTimes : public Transport, public ::testing::WithParamInterface<S
 // Never sooner than asked for.
 TEST_P(SeparationTimes, AreHonoured) {
     const Bytes message = counted(20U);  // 2 consecutive frames
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(1);
     take({0x30U, 0U, GetParam().time});
     cycles(1);
@@ -359,7 +372,7 @@ INSTANTIATE_TEST_SUITE_P(All, SeparationTimes,
 // N_Bs.
 TEST_F(Transport, GivesUpATesterThatIsSilentForASecond) {
     const Bytes message = counted(60U);
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(100);
     EXPECT_TRUE(transport_.is_sending());
     cycles(2);
@@ -371,7 +384,7 @@ TEST_F(Transport, GivesUpATesterThatIsSilentForASecond) {
 // Also after the second flow control, which others have forgotten.
 TEST_F(Transport, GivesUpAfterALaterFlowControlToo) {
     const Bytes message = counted(60U);
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(1);
     take({0x30U, 1U, 0U});
     cycles(1);
@@ -384,7 +397,7 @@ TEST_F(Transport, GivesUpAfterALaterFlowControlToo) {
 
 TEST_F(Transport, ATesterMayAskForTimeButNotForEver) {
     const Bytes message = counted(60U);
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(1);
     for (int wait = 0; wait < 10; ++wait) {
         cycles(90);
@@ -398,7 +411,7 @@ TEST_F(Transport, ATesterMayAskForTimeButNotForEver) {
 TEST_F(Transport, ATesterWithoutRoomOrSenseEndsIt) {
     const Bytes message = counted(60U);
     for (const std::uint8_t status : Bytes{0x32U, 0x33U, 0x3FU}) {
-        transport_.send(message.data(), message.size());
+        send(message);
         cycles(1);
         take({status, 0U, 0U});
         EXPECT_FALSE(transport_.is_sending()) << status;
@@ -407,7 +420,7 @@ TEST_F(Transport, ATesterWithoutRoomOrSenseEndsIt) {
 
 TEST_F(Transport, ACutOffFlowControlIsNone) {
     const Bytes message = counted(60U);
-    transport_.send(message.data(), message.size());
+    send(message);
     take({0x30U, 0U, 0U});  // before it was asked for
     cycles(1);
     take({0x30U, 0U});
@@ -419,7 +432,7 @@ TEST_F(Transport, ACutOffFlowControlIsNone) {
 TEST_F(Transport, WaitsForRoomOnTheBusForASecond) {
     const Bytes message = counted(60U);
     bus_.room = 0;
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(100);
     EXPECT_TRUE(transport_.is_sending());
     bus_.room = 2;
@@ -439,7 +452,7 @@ TEST_F(Transport, WhatComesWhileARequestWaitsOrAnAnswerGoesOutIsNotTaken) {
     EXPECT_EQ(waiting(), (Bytes{0x3EU, 0x00U}));
     transport_.finish(transport_.request());
     const Bytes message = counted(60U);
-    transport_.send(message.data(), message.size());
+    send(message);
     cycles(1);
     take({0x02U, 0x10U, 0x03U});
     take_first(counted(20U));
@@ -454,7 +467,7 @@ TEST_F(Transport, ARequestThatHadBegunGoesOnWhileAnAnswerGoesOut) {
     const Bytes answer = counted(60U);
     take_first(request);
     take_consecutive(request, 1U, 1U);
-    transport_.send(answer.data(), answer.size());
+    send(answer);
     cycles(1);
     take_consecutive(request, 2U);
     EXPECT_EQ(waiting(), request);

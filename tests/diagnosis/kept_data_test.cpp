@@ -185,8 +185,10 @@ TEST(KeptData, EveryDamagedByteIsNoticedAndTheOtherRecordUsed) {
         Memories damaged;
         damaged.one.record() = memories.one.record();
         damaged.other.record() = memories.other.record();
-        CutStorage& newer =
-            (memories.one.record()[4] > memories.other.record()[4]) ? damaged.one : damaged.other;
+        CutStorage& newer = (memories.one.record()[KeptData::record_length - 8U] >
+                             memories.other.record()[KeptData::record_length - 8U])
+                                ? damaged.one
+                                : damaged.other;
         newer.record()[byte] ^= 0x40U;
         Life life{damaged};
         EXPECT_EQ(life.known(), (std::set<std::size_t>{1U})) << byte;
@@ -194,28 +196,27 @@ TEST(KeptData, EveryDamagedByteIsNoticedAndTheOtherRecordUsed) {
 }
 
 TEST(KeptData, ARecordOfOtherCodesIsNotRead) {
-    using Other = diagnosis::AlternatingRecord<diagnosis::kept_payload_length>;
     Memories memories;
-    Other record{memories.one, memories.other};
-    Other::Payload payload{};
-    payload.fill(0xFFU);
-    payload[0] = diagnosis::trouble_code_count + 1U;
+    diagnosis::AlternatingRecord<diagnosis::KeptPayload> record{memories.one, memories.other};
+    diagnosis::KeptPayload payload{};
+    payload.codes.states.fill({diagnosis::status::failure, 1U, 0U});
+    payload.code_count = diagnosis::trouble_code_count + 1U;
     ASSERT_TRUE(record.write(payload));
     EXPECT_TRUE(Life{memories}.known().empty());
-    payload[0] = diagnosis::trouble_code_count;
+    payload.code_count = diagnosis::trouble_code_count;
     ASSERT_TRUE(record.write(payload));
     EXPECT_EQ(Life{memories}.known().size(), diagnosis::trouble_code_count);
 }
 
 // The sequence number may begin again at zero.
 TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
-    using Record = diagnosis::AlternatingRecord<1U>;
+    using Record = diagnosis::AlternatingRecord<std::uint8_t>;
     Memories memories;
     const auto record_with = [](std::uint32_t sequence, std::uint8_t byte) {
         Bytes record(Record::length);
-        application::put_word(record.data(), 0U, 0x44495352U);
-        application::put_word(record.data(), 4U, sequence);
-        record[8] = byte;
+        record[0] = byte;
+        application::put_word(record.data(), 1U, 0x44495352U);
+        application::put_word(record.data(), 5U, sequence);
         application::put_word(record.data(), 9U, application::crc32(record.data(), 9U));
         return record;
     };
@@ -223,9 +224,9 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
         memories.one.record() = record_with(one, 1U);
         memories.other.record() = record_with(other, 2U);
         Record record{memories.one, memories.other};
-        Record::Payload payload{};
+        std::uint8_t payload = 0U;
         EXPECT_TRUE(record.read(payload));
-        return unsigned{payload[0]};
+        return unsigned{payload};
     };
     EXPECT_EQ(newest(7U, 8U), 2U);
     EXPECT_EQ(newest(8U, 7U), 1U);
@@ -234,12 +235,11 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
 
     // And the older one is what the next record replaces.
     Record record{memories.one, memories.other};
-    Record::Payload payload{};
+    std::uint8_t payload = 0U;
     ASSERT_TRUE(record.read(payload));
-    payload[0] = 3U;
-    ASSERT_TRUE(record.write(payload));
-    EXPECT_EQ(memories.one.record()[8], 1U);
-    EXPECT_EQ(memories.other.record()[8], 3U);
+    ASSERT_TRUE(record.write(3U));
+    EXPECT_EQ(memories.one.record()[0], 1U);
+    EXPECT_EQ(memories.other.record()[0], 3U);
 }
 
 }  // namespace

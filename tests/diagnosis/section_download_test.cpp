@@ -220,11 +220,16 @@ TEST(SectionStore, TakesSealedSectionsOnlyWhereTheBuildWantsThem) {
     Bytes section = good_section();
     section.resize(store.length());
     std::uint8_t reason = 0U;
-    store.put(0U, section.data(), section.size());
+    const auto put = [&] {
+        for (std::size_t place = 0U; place < section.size(); ++place) {
+            store.put(place, section[place]);
+        }
+    };
+    put();
     EXPECT_EQ(store.store(reason), diagnosis::SectionAnswer::refused);
     EXPECT_EQ(reason, static_cast<std::uint8_t>(application::ParametersRefusal::unauthentic));
     ASSERT_TRUE(application::seal_section(keys, 1U, section.data()));
-    store.put(0U, section.data(), section.size());
+    put();
     EXPECT_EQ(store.store(reason), diagnosis::SectionAnswer::stored);
     EXPECT_EQ(reason, 0U);
     diagnosis::SectionStore again{storage, &authority};

@@ -31,6 +31,14 @@ constexpr CodeSet gain_failed = set_of(DiagnosticCode::lateral_acceleration_gain
 constexpr std::uint8_t failing = status::test_failed | status::failed_this_cycle | status::pending |
                                  status::confirmed | status::failed_since_clear;
 
+// A number of a snapshot.
+int number_in(const FreezeFrame& frame, std::size_t place) {
+    return static_cast<std::int16_t>(frame.at(place) * 256U + frame.at(place + 1U));
+}
+unsigned seconds_in(const FreezeFrame& frame) {
+    return frame[8] * 256U + frame[9];
+}
+
 class Troubles : public ::testing::Test {
  protected:
     Troubles() {
@@ -190,22 +198,22 @@ TEST_F(Troubles, KeepsTheFirstAndTheLastSnapshot) {
     run(1, imu_failed, 0.0F, {-2.0F, NAN, 1.0e9F, -1.0e9F});
     const TroubleSnapshots* const kept = memory_.snapshots(imu);
     ASSERT_NE(kept, nullptr);
-    EXPECT_EQ(kept->first.lateral_acceleration, 123);
-    EXPECT_EQ(kept->first.roll_rate, -500);
-    EXPECT_EQ(kept->first.roll_angle, 26);
-    EXPECT_EQ(kept->first.speed, 3334);
-    EXPECT_EQ(kept->first.seconds, 2U);
-    EXPECT_EQ(kept->last.lateral_acceleration, -200);
-    EXPECT_EQ(kept->last.roll_rate, FreezeFrame::not_available);
-    EXPECT_EQ(kept->last.roll_angle, 32767);
-    EXPECT_EQ(kept->last.speed, -32767);
-    EXPECT_EQ(kept->last.seconds, 4U);
+    EXPECT_EQ(number_in(kept->first, 0U), 123);
+    EXPECT_EQ(number_in(kept->first, 2U), -500);
+    EXPECT_EQ(number_in(kept->first, 4U), 26);
+    EXPECT_EQ(number_in(kept->first, 6U), 3334);
+    EXPECT_EQ(seconds_in(kept->first), 2U);
+    EXPECT_EQ(number_in(kept->last, 0U), -200);
+    EXPECT_EQ(number_in(kept->last, 2U), -32768);
+    EXPECT_EQ(number_in(kept->last, 4U), 32767);
+    EXPECT_EQ(number_in(kept->last, 6U), -32767);
+    EXPECT_EQ(seconds_in(kept->last), 4U);
 }
 
 TEST_F(Troubles, TheTimeOfASnapshotStandsAtItsLargest) {
     run(6553600);
     run(1, imu_failed);
-    EXPECT_EQ(memory_.snapshots(imu)->first.seconds, 65535U);
+    EXPECT_EQ(seconds_in(memory_.snapshots(imu)->first), 65535U);
 }
 
 TEST_F(Troubles, SnapshotsOfWhatFailsAreNotDisplaced) {
@@ -282,32 +290,28 @@ TEST_F(Troubles, ComesBackFromItsBytes) {
     run(1, imu_failed, 0.0F, {1.0F, -2.0F, 0.3F, 40.0F});
     run(200);
     run(1, imu_failed | gain_failed, 0.0F, {-1.0F, 2.0F, -0.3F, 4.0F});
-    std::array<std::uint8_t, TroubleMemory::stored_length> bytes{};
-    memory_.write(bytes.data());
     TroubleMemory other{};
-    other.restore(bytes.data());
+    other.restore(memory_.stored_data());
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         EXPECT_EQ(other.state(row).status, memory_.state(row).status);
         EXPECT_EQ(other.state(row).occurrences, memory_.state(row).occurrences);
         EXPECT_EQ(other.state(row).ageing, memory_.state(row).ageing);
     }
-    std::array<std::uint8_t, TroubleMemory::stored_length> again{};
-    other.write(again.data());
-    EXPECT_EQ(bytes, again);
-    EXPECT_EQ(other.snapshots(imu)->last.seconds, 3U);
-    EXPECT_EQ(other.snapshots(imu)->first.roll_rate, -2000);
+    EXPECT_EQ(seconds_in(other.snapshots(imu)->last), 3U);
+    EXPECT_EQ(number_in(other.snapshots(imu)->first, 2U), -2000);
 }
 
 TEST_F(Troubles, ACodeThatNobodyKnowsHasNoSnapshot) {
-    std::array<std::uint8_t, TroubleMemory::stored_length> bytes{};
-    bytes.fill(0xFFU);
-    memory_.restore(bytes.data());
+    TroubleMemory::Stored stored{};
+    stored.states.fill({0xFFU, 0xFFU, 0xFFU});
+    stored.snapshots.fill({0xFFU, {}, {}});
+    memory_.restore(stored);
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         EXPECT_EQ(memory_.snapshots(row), nullptr);
         EXPECT_EQ(status_of(row), 0x7FU) << "bit 7 is not available";
     }
-    bytes[3U * trouble_code_count] = static_cast<std::uint8_t>(trouble_code_count);
-    memory_.restore(bytes.data());
+    stored.snapshots[0].code = static_cast<std::uint8_t>(trouble_code_count);
+    memory_.restore(stored);
     EXPECT_NE(memory_.snapshots(last_row), nullptr);
 }
 

@@ -154,7 +154,7 @@ TEST_F(Uds, ListsEveryCode) {
     const Bytes answer = ask({0x19U, 0x0AU});
     ASSERT_EQ(answer.size(), 3U + 4U * diagnosis::trouble_code_count);
     for (std::size_t row = 0U; row < diagnosis::trouble_code_count; ++row) {
-        EXPECT_EQ(diagnosis::big_endian_24(answer.data() + 3U + 4U * row),
+        EXPECT_EQ(diagnosis::Request(answer.data(), answer.size(), false).three_bytes(3U + 4U * row),
                   diagnosis::trouble_codes[row].number);
         EXPECT_EQ(answer[6U + 4U * row], 0x50U);
     }

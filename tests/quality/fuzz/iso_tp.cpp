@@ -1,5 +1,5 @@
-// ISO-TP over any frames, answers and cycles, against a second reassembly that knows no times: what waits is what came,
-// whole; what goes out is padded, of one identifier and bounded; silence ends everything.
+// ISO-TP over any frames, answers and cycles, against a second reassembly that knows no times: what waits is
+// what came, whole; what goes out is padded, of one identifier and bounded; silence ends everything.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -20,7 +20,8 @@ class Bus final : public hal::CanBus {
  public:
     hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
     hal::SendResult send(const hal::CanFrame& frame) noexcept override {
-        require(frame.identifier == addresses.response && !frame.extended && frame.length == 8U, "its frames");
+        require(frame.identifier == addresses.response && !frame.extended && frame.length == 8U,
+                "its frames");
         if (room == 0U) {
             return hal::SendResult::full;
         }
@@ -53,8 +54,11 @@ class Reassembly {
         }
     }
     bool begins_with(const diagnosis::Request& request) const {
-        return request.length <= bytes_.size() &&
-               std::equal(request.bytes, request.bytes + request.length, bytes_.begin());
+        bool same = request.length() <= bytes_.size();
+        for (std::size_t place = 0U; same && place < request.length(); ++place) {
+            same = (request.byte(place) == bytes_[place]);
+        }
+        return same;
     }
 
  private:
@@ -79,7 +83,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     Bus bus;
     diagnosis::IsoTp transport{bus, addresses};
     Reassembly reassembly;
-    std::array<std::uint8_t, 256> response{};
+    diagnosis::Response response;
     while (!reader.empty()) {
         switch (reader.below(8U)) {
             case 0U: {
@@ -91,31 +95,35 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             }
             case 1U:
                 if (!transport.is_sending()) {
-                    transport.send(response.data(), 1U + reader.below(256U));
+                    response.begin(0U);
+                    for (unsigned more = reader.below(256U); more > 0U; --more) {
+                        response.put(static_cast<std::uint8_t>(more));
+                    }
+                    transport.send(response);
                 }
                 break;
             case 2U: {
                 const diagnosis::Request request = transport.request();
-                if (request.length != 0U) {
+                if (request.length() != 0U) {
                     transport.finish(request);
                 }
                 break;
             }
             default: {
                 const hal::CanFrame frame = frame_from(reader);
-                const bool was_waiting = transport.request().length != 0U;
+                const bool was_waiting = transport.request().length() != 0U;
                 const bool was_sending = transport.is_sending();
                 transport.take(frame);
                 if (frame.identifier == addresses.physical_request && !frame.extended && frame.length <= 8U) {
                     reassembly.take(frame, was_waiting, was_sending);
                 }
-                if (transport.request().is_functional) {  // at once, so that the other one is seen
-                    require(transport.request().length <= 7U, "length of a functional request");
+                if (transport.request().is_functional()) {  // at once, so that the other one is seen
+                    require(transport.request().length() <= 7U, "length of a functional request");
                     transport.finish(transport.request());
                 }
                 const diagnosis::Request request = transport.request();
-                require(request.length <= diagnosis::IsoTp::longest_request, "length of a request");
-                if (!was_waiting && request.length != 0U && !request.is_functional) {
+                require(request.length() <= diagnosis::IsoTp::longest_request, "length of a request");
+                if (!was_waiting && request.length() != 0U && !request.is_functional) {
                     require(reassembly.begins_with(request), "bytes of a request");
                 }
             }
