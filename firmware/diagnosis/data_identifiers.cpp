@@ -5,12 +5,6 @@
 namespace diagnosis {
 namespace {
 
-void put_text(std::string_view text, std::size_t length, Response& response) {
-    for (std::size_t place = 0U; place < length; ++place) {
-        response.put((place < text.size()) ? static_cast<std::uint8_t>(text[place]) : std::uint8_t{0U});
-    }
-}
-
 template <std::size_t length>
 void take_bytes(const Request& request, std::size_t place, std::array<std::uint8_t, length>& bytes) {
     for (std::size_t index = 0U; index < length; ++index) {
@@ -18,27 +12,37 @@ void take_bytes(const Request& request, std::size_t place, std::array<std::uint8
     }
 }
 
-bool read_identification(std::uint32_t identifier, const DataSources& sources, Response& response) {
-    for (const IdentificationText& each : identification_texts) {
-        if (identifier == each.identifier) {
-            response.put_two(identifier);
-            put_text(sources.identification.*each.text, each.length, response);
-            return true;
-        }
-    }
-    if (identifier == active_session_identifier) {
-        response.put_two(identifier);
-        response.put(static_cast<std::uint8_t>(sources.session));
-    } else if (identifier == vehicle_number_identifier) {
-        response.put_two(identifier);
-        response.put_all(sources.written.vehicle_number);
-    } else if (identifier == programming_date_identifier) {
-        response.put_two(identifier);
-        response.put_all(sources.written.programming_date);
-    } else {
-        return false;
+template <typename Element, std::size_t count>
+bool answer(std::uint32_t identifier, const std::array<Element, count>& elements, Response& response) {
+    response.put_two(identifier);
+    for (const Element each : elements) {
+        response.put(static_cast<std::uint8_t>(each));
     }
     return true;
+}
+
+bool read_identification(std::uint32_t identifier, const DataSources& sources, Response& response) {
+    const Identification& texts = sources.identification;
+    switch (identifier) {
+        case calibration_name_identifier:
+            return answer(identifier, texts.calibration_name, response);
+        case active_session_identifier:
+            return answer(identifier, std::array<Session, 1>{sources.session}, response);
+        case serial_number_identifier:
+            return answer(identifier, texts.serial_number, response);
+        case vehicle_number_identifier:
+            return answer(identifier, sources.written.vehicle_number, response);
+        case hardware_identifier:
+            return answer(identifier, texts.hardware, response);
+        case software_version_identifier:
+            return answer(identifier, texts.software_version, response);
+        case system_name_identifier:
+            return answer(identifier, texts.system_name, response);
+        case programming_date_identifier:
+            return answer(identifier, sources.written.programming_date, response);
+        default:
+            return false;
+    }
 }
 
 // The members alone: names and units of the table stay out of the image.

@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "diagnosis/message.hpp"
 #include "diagnosis/uds.hpp"
@@ -22,30 +21,34 @@
 
 namespace diagnosis {
 
-// Texts that outlive the diagnosis; a longer one is cut off.
+using ShortText = std::array<char, 16>;
+using LongText = std::array<char, 48>;
+
+// What it says in its first letters, and zeros.
+template <typename Text, std::size_t size>
+constexpr Text text_of(const char (&letters)[size]) noexcept {
+    Text text{};
+    static_assert(size - 1U <= std::tuple_size<Text>::value, "too long");
+    for (std::size_t place = 0U; place + 1U < size; ++place) {
+        text[place] = letters[place];
+    }
+    return text;
+}
+
+// Of the integration.
 struct Identification {
-    std::string_view system_name{"Rollover warning"};
-    std::string_view software_version{""};
-    std::string_view calibration_name{""};
-    std::string_view hardware{""};
-    std::string_view serial_number{""};
+    ShortText system_name{text_of<ShortText>("Rollover warning")};
+    ShortText software_version{};
+    LongText calibration_name{};
+    ShortText hardware{};
+    ShortText serial_number{};
 };
 
-struct IdentificationText {
-    std::uint32_t identifier;
-    std::size_t length;
-    std::string_view Identification::* text;
-    const char* name;
-};
-
-inline constexpr std::array<IdentificationText, 5> identification_texts{{
-    {0xF182U, 48U, &Identification::calibration_name, "calibration name"},
-    {0xF18CU, 16U, &Identification::serial_number, "serial number"},
-    {0xF191U, 16U, &Identification::hardware, "hardware"},
-    {0xF195U, 16U, &Identification::software_version, "software version"},
-    {0xF197U, 16U, &Identification::system_name, "system name"},
-}};
-
+inline constexpr std::uint32_t calibration_name_identifier = 0xF182U;
+inline constexpr std::uint32_t serial_number_identifier = 0xF18CU;
+inline constexpr std::uint32_t hardware_identifier = 0xF191U;
+inline constexpr std::uint32_t software_version_identifier = 0xF195U;
+inline constexpr std::uint32_t system_name_identifier = 0xF197U;
 inline constexpr std::uint32_t active_session_identifier = 0xF186U;
 inline constexpr std::uint32_t vehicle_number_identifier = 0xF190U;
 inline constexpr std::uint32_t programming_date_identifier = 0xF199U;

@@ -12,16 +12,16 @@ constexpr std::uint8_t most_waits = 10U;
 constexpr std::uint32_t most_frames_per_cycle = 4U;
 
 // The upper half of the first byte.
-constexpr std::uint8_t single_frame = 0x0U;
-constexpr std::uint8_t first_frame = 0x1U;
-constexpr std::uint8_t consecutive_frame = 0x2U;
-constexpr std::uint8_t flow_control = 0x3U;
+constexpr std::uint32_t single_frame = 0x0U;
+constexpr std::uint32_t first_frame = 0x1U;
+constexpr std::uint32_t consecutive_frame = 0x2U;
+constexpr std::uint32_t flow_control = 0x3U;
 
 constexpr std::size_t first_bytes = 6U;
 constexpr std::size_t bytes_per_frame = 7U;
 
-std::uint8_t kind_of(const hal::CanFrame& frame) {
-    return static_cast<std::uint8_t>(frame.data[0] >> 4U);
+std::uint32_t kind_of(const hal::CanFrame& frame) {
+    return std::uint32_t{frame.data[0]} >> 4U;
 }
 
 std::uint8_t low_half(std::uint8_t byte) {
@@ -73,7 +73,7 @@ void IsoTp::take_functional(const hal::CanFrame& frame) noexcept {
 }
 
 void IsoTp::take_physical(const hal::CanFrame& frame) noexcept {
-    const std::uint8_t kind = kind_of(frame);
+    const std::uint32_t kind = kind_of(frame);
     if (kind == flow_control) {
         take_flow_control(frame);
         return;
@@ -82,10 +82,17 @@ void IsoTp::take_physical(const hal::CanFrame& frame) noexcept {
         return;
     }
     if (kind == consecutive_frame) {
-        take_consecutive(frame);  // of a request that had begun before the answer to everybody's
-    } else if (is_sending()) {
-        // the tester speaks when he has been answered
-    } else if (kind == single_frame) {
+        take_consecutive(frame);  // also of a request that had begun before the answer to everybody's
+    } else if (!is_sending()) {   // the tester speaks when he has been answered
+        take_new(frame);
+    } else {
+        // too early
+    }
+}
+
+void IsoTp::take_new(const hal::CanFrame& frame) noexcept {
+    const std::uint32_t kind = kind_of(frame);
+    if (kind == single_frame) {
         take_single(frame);
     } else if (kind == first_frame) {
         take_first(frame);

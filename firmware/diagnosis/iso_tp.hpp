@@ -52,6 +52,7 @@ class IsoTp {
 
     void take_functional(const hal::CanFrame& frame) noexcept;
     void take_physical(const hal::CanFrame& frame) noexcept;
+    void take_new(const hal::CanFrame& frame) noexcept;
     void take_single(const hal::CanFrame& frame) noexcept;
     void take_first(const hal::CanFrame& frame) noexcept;
     void take_consecutive(const hal::CanFrame& frame) noexcept;

@@ -94,7 +94,7 @@ class UdsServer {
     access_control::SeedAndKey* access_{nullptr};
     SectionDownload download_{};
     Response response_{};
-    Request waiting_for_{};
+    Request waiting_for_;
     std::uint32_t wait_cycles_{0U};
     std::uint32_t idle_cycles_{0U};  // since the tester's last request
     std::uint8_t self_test_result_{0U};

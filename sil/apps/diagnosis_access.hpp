@@ -20,14 +20,18 @@ class DiagnosisAccess {
     // `folder`: where trouble codes, identification, the downloaded section and the count of wrong keys are
     // kept; empty: in memory only. `section`: where XCP stores its section, if it does, and then a download
     // too.
-    DiagnosisAccess(std::string calibration_name, const std::filesystem::path& folder, hal::Storage* section)
-        : calibration_name_{std::move(calibration_name)},
-          one_{folder, "diagnosis_1.bin"},
+    DiagnosisAccess(const std::string& calibration_name, const std::filesystem::path& folder,
+                    hal::Storage* section)
+        : one_{folder, "diagnosis_1.bin"},
           other_{folder, "diagnosis_2.bin"},
           attempts_{folder, "diagnosis_attempts.bin"},
           own_section_{folder, "parameters.bin"},
           store_{(section != nullptr) ? *section : own_section_} {
         seed_and_key_.start();
+        identification_.software_version = diagnosis::text_of<diagnosis::ShortText>(RSI_VERSION);
+        identification_.hardware = diagnosis::text_of<diagnosis::ShortText>("Linux host");
+        calibration_name.copy(identification_.calibration_name.data(),
+                              identification_.calibration_name.size());
     }
     DiagnosisAccess(const DiagnosisAccess&) = delete;
     DiagnosisAccess& operator=(const DiagnosisAccess&) = delete;
@@ -39,7 +43,6 @@ class DiagnosisAccess {
     hal::Storage& other() { return other_; }
 
  private:
-    std::string calibration_name_;
     KeptRecord one_;
     KeptRecord other_;
     KeptRecord attempts_;
@@ -48,8 +51,7 @@ class DiagnosisAccess {
     hal::SoftwareKeys keys_{hal::test_keys};
     hal::SystemRandom random_{};
     access_control::SeedAndKey seed_and_key_{keys_, hal::KeySlot::diagnosis, random_, attempts_};
-    diagnosis::Identification identification_{"Rollover warning", RSI_VERSION, calibration_name_,
-                                              "Linux host", "0"};
+    diagnosis::Identification identification_{};
 };
 
 }  // namespace sil

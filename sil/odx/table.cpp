@@ -1,5 +1,5 @@
-// odx-table: what ODX needs to know of the firmware, from the firmware's own tables. Lines of fields that are separated
-// by tabs:
+// odx-table: what ODX needs to know of the firmware, from the firmware's own tables. Lines of fields that are
+// separated by tabs:
 //   constant   NAME VALUE
 //   code       NUMBER-OF-THE-DIAGNOSTIC-CODE TROUBLE-CODE
 //   text       IDENTIFIER LENGTH NAME
@@ -37,10 +37,17 @@ void codes() {
     }
 }
 
+void text(std::uint32_t identifier, std::size_t length, const char* name) {
+    fmt::print("text\t{}\t{}\t{}\n", identifier, length, name);
+}
+
 void data() {
-    for (const diagnosis::IdentificationText& each : diagnosis::identification_texts) {
-        fmt::print("text\t{}\t{}\t{}\n", each.identifier, each.length, each.name);
-    }
+    const diagnosis::Identification all{};
+    text(diagnosis::calibration_name_identifier, all.calibration_name.size(), "calibration name");
+    text(diagnosis::serial_number_identifier, all.serial_number.size(), "serial number");
+    text(diagnosis::hardware_identifier, all.hardware.size(), "hardware");
+    text(diagnosis::software_version_identifier, all.software_version.size(), "software version");
+    text(diagnosis::system_name_identifier, all.system_name.size(), "system name");
     std::uint32_t identifier = diagnosis::first_number_identifier;
     for (const rsi::NumberOutput& each : rsi::number_outputs) {
         fmt::print("number\t{}\t{}\t{}\n", identifier++, each.name, each.unit);
@@ -68,7 +75,8 @@ void services() {
 
 int main(int argc, char** argv) {
     if (argc != 1) {
-        fmt::print(stderr, "{}: takes no arguments; the head of sil/odx/table.cpp says what it prints\n", argv[0]);
+        fmt::print(stderr, "{}: takes no arguments; the head of sil/odx/table.cpp says what it prints\n",
+                   argv[0]);
         return 2;
     }
     constants();

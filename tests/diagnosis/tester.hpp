@@ -216,7 +216,11 @@ class Tester {
     CountingRandom random_{};
     diagnosis::SectionStore store_;
     access_control::SeedAndKey access_;
-    diagnosis::Identification identification_{"Rollover warning", "0.2.0", "large_suv", "none", "4711"};
+    diagnosis::Identification identification_{diagnosis::text_of<diagnosis::ShortText>("Rollover warning"),
+                                              diagnosis::text_of<diagnosis::ShortText>("0.2.0"),
+                                              diagnosis::text_of<diagnosis::LongText>("large_suv"),
+                                              diagnosis::text_of<diagnosis::ShortText>("none"),
+                                              diagnosis::text_of<diagnosis::ShortText>("4711")};
     diagnosis::Diagnosis diagnosis_;
     monitoring::DiagnosticMemory monitoring_{};
     monitoring::CodeSet failing_{0U};
