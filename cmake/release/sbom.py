@@ -1,8 +1,8 @@
 """The bill of materials of a release, as SPDX 2.3 in JSON.
 
 Its files, and the Debian packages of which something is in them: libraries that a program loads, objects that the
-linker took into an image, headers that the compiler read; and Mbed TLS, of whose sources a program is made. It is found out from the programs, the linker's map and the
-compiler's lists of dependencies, not from a list that somebody keeps.
+linker took into an image, headers that the compiler read; and Mbed TLS, of whose sources a program is made. It is found
+out from the programs, the linker's map and the compiler's lists of dependencies, not from a list that somebody keeps.
 """
 
 import dataclasses
@@ -221,7 +221,7 @@ def document(folder, version, seconds, files, builds):
             "created": datetime.datetime.fromtimestamp(seconds, datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ"),
             "creators": ["Tool: cmake/release/sbom.py"],
         },
-        "packages": [release] + [described(package) for package in sorted(packages)] + ([mbedtls()] if made_of_mbedtls else []),
+        "packages": [release, *map(described, sorted(packages)), *([mbedtls()] if made_of_mbedtls else [])],
         "files": entries,
         "relationships": relations,
     }
