@@ -189,6 +189,13 @@ TEST_F(Access, MakesWrongKeysWaitLongerEachTime) {
     }
 }
 
+TEST_F(Access, HasNoDelayHoweverManyCyclesPassWithoutAWrongKey) {
+    for (int cycle = 0; cycle < 10; ++cycle) {
+        lock_->end_cycle();
+    }
+    EXPECT_EQ(wait_for_seed(), 0);
+}
+
 TEST_F(Access, GivesNoSeedWhileTheDelayRunsAndTakesNoKeyEither) {
     for (int attempt = 0; attempt < 3; ++attempt) {
         give_wrong_key();
