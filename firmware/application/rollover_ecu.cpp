@@ -191,9 +191,10 @@ void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint
 
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {
     hal::count_up(cycle_overruns_, missed_cycles);
+    const hal::BusStatistics statistics = bus_.statistics();
     return Health{refusal_,
-                  receive_overflow(),
-                  bus_error(),
+                  receive_overflow(statistics),
+                  bus_error(statistics),
                   missed_cycles > 0U,
                   cycle_overruns_,
                   reset_reason_,
@@ -204,14 +205,14 @@ Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept 
 }
 
 // The bus is not error-active, or did not take a frame in the last cycle.
-bool RolloverEcu::bus_error() noexcept {
-    const bool failed = has_changed(bus_.statistics().send_failures, send_failure_count_);
+bool RolloverEcu::bus_error(const hal::BusStatistics& statistics) noexcept {
+    const bool failed = has_changed(statistics.send_failures, send_failure_count_);
     return failed || (bus_.state() != hal::BusState::error_active);
 }
 
 // True in the cycle that follows a loss.
-bool RolloverEcu::receive_overflow() noexcept {
-    return has_changed(bus_.statistics().frames_lost, overflow_count_);
+bool RolloverEcu::receive_overflow(const hal::BusStatistics& statistics) noexcept {
+    return has_changed(statistics.frames_lost, overflow_count_);
 }
 
 }  // namespace application

@@ -83,8 +83,8 @@ class RolloverEcu {
     [[gnu::cold]] void start_checks() noexcept;
     bool check_itself() noexcept;
     bool internal_fault() const noexcept;
-    bool bus_error() noexcept;
-    bool receive_overflow() noexcept;
+    bool bus_error(const hal::BusStatistics& statistics) noexcept;
+    bool receive_overflow(const hal::BusStatistics& statistics) noexcept;
 
     hal::CanBus& bus_;
     const hal::Clock& clock_;
