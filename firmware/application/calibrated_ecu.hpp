@@ -8,8 +8,9 @@
 
 namespace application {
 
-// An ECU that answers XCP. Whoever wants none has a RolloverEcu, and nothing of this is linked. As RolloverEcu, but
-// for the section: it is kept as the reference page, so it must live as long, as all others must.
+// An ECU that answers XCP. Whoever wants none has a RolloverEcu, and nothing of this is linked. As
+// RolloverEcu, but for the section: it is kept as the reference page, so it must live as long, as all others
+// must.
 class CalibratedEcu {
  public:
     CalibratedEcu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog,

@@ -146,7 +146,8 @@ std::uint8_t CalibrationPages::byte_at(std::uint32_t address, xcp::Page page) co
     }
     if (address >= map::outputs_at) {
         const std::uint32_t place = address - map::outputs_at;
-        const auto* const words = static_cast<const unsigned char*>(static_cast<const void*>(&ecu_.outputs()));
+        const auto* const words =
+            static_cast<const unsigned char*>(static_cast<const void*>(&ecu_.outputs()));
         std::uint32_t word = 0U;
         std::memcpy(&word, words + (place - place % 4U), sizeof word);
         return byte_of(word, place);
@@ -169,9 +170,11 @@ bool CalibrationPages::checksum(std::uint32_t address, xcp::Page page, std::size
 }
 
 // A value that is begun in its middle is refused, unless what comes before it has just been written.
-xcp::Error CalibrationPages::write(std::uint32_t address, const std::uint8_t* bytes, std::size_t count) noexcept {
+xcp::Error CalibrationPages::write(std::uint32_t address, const std::uint8_t* bytes,
+                                   std::size_t count) noexcept {
     if (!is_usable_ || !is_within(address, count, parameter_range)) {
-        return is_within(address, count, output_range) ? xcp::Error::write_protected : xcp::Error::access_denied;
+        return is_within(address, count, output_range) ? xcp::Error::write_protected
+                                                       : xcp::Error::access_denied;
     }
     std::uint32_t place = address - map::parameters_at;
     if ((place % 4U != 0U) && (place != piece_ends_at_)) {

@@ -1,4 +1,5 @@
-// Calibration pages: the parameters as a master of XCP sees and changes them, and the outputs as he measures them.
+// Calibration pages: the parameters as a master of XCP sees and changes them, and the outputs as he measures
+// them.
 #pragma once
 
 #include <array>
@@ -12,9 +13,9 @@
 
 namespace application {
 
-// Addresses of XCP. They are a map of its own, so that an A2L is of a version of the firmware and not of a link:
-// the values of a parameter section in their order, the outputs in theirs, and what is said of a change. All are
-// words of four bytes, little-endian.
+// Addresses of XCP. They are a map of its own, so that an A2L is of a version of the firmware and not of a
+// link: the values of a parameter section in their order, the outputs in theirs, and what is said of a
+// change. All are words of four bytes, little-endian.
 namespace calibration_map {
 
 inline constexpr std::uint32_t parameters_at = 0x10000U;
@@ -31,15 +32,15 @@ inline constexpr std::uint32_t name_at = 0x50000U;
 // What an A2L of this version has as its EPK: the version, the layout of the values and of the outputs.
 extern const std::array<std::uint8_t, 32> calibration_epk;
 
-// The working page is a parameter section in RAM, the reference page that of the image. Whole values only get into
-// the working page: of one that arrives in two pieces the first waits for the second. While the control unit works
-// with it, each change is validated as a whole and taken over between two cycles; what is refused stays on the page
-// to be corrected, the control unit goes on with what it had, and `refused field` says why. To change several
-// values at once, select the reference page before and the working page after.
+// The working page is a parameter section in RAM, the reference page that of the image. Whole values only get
+// into the working page: of one that arrives in two pieces the first waits for the second. While the control
+// unit works with it, each change is validated as a whole and taken over between two cycles; what is refused
+// stays on the page to be corrected, the control unit goes on with what it had, and `refused field` says why.
+// To change several values at once, select the reference page before and the working page after.
 class CalibrationPages final : public xcp::Target {
  public:
-    // All must outlive the pages. `reference`: a section, of whose memory `length` bytes may be read. Without a
-    // storage nothing can be stored.
+    // All must outlive the pages. `reference`: a section, of whose memory `length` bytes may be read. Without
+    // a storage nothing can be stored.
     CalibrationPages(RolloverEcu& ecu, const std::uint8_t* reference, std::size_t length,
                      hal::Storage* storage) noexcept
         : ecu_{ecu}, reference_{reference}, reference_length_{length}, storage_{storage} {}
@@ -82,8 +83,8 @@ class CalibrationPages final : public xcp::Target {
     xcp::Page selected_{xcp::Page::working};
     rsi::ParameterChange change_{};
     bool is_changing_{false};
-    std::uint8_t refused_field_{0U};  // 0: none, else its number in the tables, from 1
-    std::uint32_t changes_{0U};       // taken over since the start
+    std::uint8_t refused_field_{0U};       // 0: none, else its number in the tables, from 1
+    std::uint32_t changes_{0U};            // taken over since the start
     std::array<std::uint8_t, 4> piece_{};  // of a value that is not whole yet
     std::uint32_t piece_ends_at_{0U};      // an offset; a multiple of 4: there is none
 };

@@ -7,8 +7,8 @@
 
 namespace xcp {
 
-// The bus as it is; nothing is taken from it. The application drops commands as it drops all that is foreign, and
-// counts its own failures to send: that a bus has no room for samples is no fault of it.
+// The bus as it is; nothing is taken from it. The application drops commands as it drops all that is foreign,
+// and counts its own failures to send: that a bus has no room for samples is no fault of it.
 class BusTap final : public hal::CanBus {
  public:
     // Both must outlive the tap.

@@ -48,7 +48,8 @@ class DaqLists {
     Error point_to(std::uint32_t list, std::uint32_t part, std::uint32_t entry) noexcept;
     Error write(std::uint32_t address, std::uint32_t size) noexcept;
 
-    // `mode`: with timestamps or without (timestamp_mode). The list sends every `prescaler` times of its event.
+    // `mode`: with timestamps or without (timestamp_mode). The list sends every `prescaler` times of its
+    // event.
     Error set_mode(std::uint32_t list, std::uint8_t mode, std::uint32_t event,
                    std::uint8_t prescaler) noexcept;
     // As GET_DAQ_LIST_MODE answers; false where there is no such list.
@@ -57,7 +58,8 @@ class DaqLists {
     Error stop(std::uint32_t list) noexcept;
     Error start(std::uint32_t list) noexcept;
     Error select(std::uint32_t list) noexcept;
-    // As START_STOP_SYNCH's modes. Starting none is an error; one selected list that cannot start keeps all still.
+    // As START_STOP_SYNCH's modes. Starting none is an error; one selected list that cannot start keeps all
+    // still.
     void stop_all() noexcept;
     Error start_selected() noexcept;
     void stop_selected() noexcept;
@@ -69,7 +71,8 @@ class DaqLists {
 
     // After a step: sends what is due. False when a frame was not taken by the bus, or cycles were missed, so
     // that samples are missing.
-    bool sample(hal::CanBus& bus, std::uint32_t identifier, hal::Time now, std::uint32_t missed_cycles) noexcept;
+    bool sample(hal::CanBus& bus, std::uint32_t identifier, hal::Time now,
+                std::uint32_t missed_cycles) noexcept;
 
  private:
     struct List {

@@ -9,8 +9,8 @@
 
 namespace hal {
 
-// A record is written beside the old one and takes its name at the end, so that a process that is killed leaves
-// one of the two. It is in the kernel's hands then: a machine that loses its power may lose it.
+// A record is written beside the old one and takes its name at the end, so that a process that is killed
+// leaves one of the two. It is in the kernel's hands then: a machine that loses its power may lose it.
 class FileStorage final : public Storage {
  public:
     // The file need not be there; its folder must.

@@ -26,7 +26,8 @@ TEST(Epk, HasVersionAndBothLayoutsAndIsFilledUp) {
     std::snprintf(layout, sizeof layout, "%08X", static_cast<unsigned>(application::section::layout));
     EXPECT_EQ(words.substr(0U, 8U), layout);
     EXPECT_EQ(words[8], ' ');
-    EXPECT_TRUE(std::all_of(words.begin() + 9, words.end(), [](unsigned char c) { return std::isxdigit(c); }));
+    EXPECT_TRUE(
+        std::all_of(words.begin() + 9, words.end(), [](unsigned char c) { return std::isxdigit(c); }));
     EXPECT_EQ(text.substr(begin.size() + 17U), std::string(32U - begin.size() - 17U, '\0'));
 }
 

@@ -11,8 +11,10 @@ const Bytes locked{0xFE, 0x25};
 TEST(Key, IsWantedByEveryCommandThatChangesSomething) {
     Bench bench;
     bench.connect();
-    for (const int code : {0xF0, 0xF9, 0xEB, 0xE6, 0xE4, 0xE3, 0xE2, 0xE1, 0xE0, 0xDE, 0xDD, 0xD6, 0xD5, 0xD4, 0xD3}) {
-        EXPECT_EQ(bench.command({static_cast<std::uint8_t>(code), 0, 0, 0, 0, 0, 0, 0}), locked) << std::hex << code;
+    for (const int code :
+         {0xF0, 0xF9, 0xEB, 0xE6, 0xE4, 0xE3, 0xE2, 0xE1, 0xE0, 0xDE, 0xDD, 0xD6, 0xD5, 0xD4, 0xD3}) {
+        EXPECT_EQ(bench.command({static_cast<std::uint8_t>(code), 0, 0, 0, 0, 0, 0, 0}), locked)
+            << std::hex << code;
     }
     EXPECT_EQ(bench.command({0xFD}), (Bytes{0xFF, 0, 0x05, 0, 0, 0}));
 }

@@ -1,5 +1,5 @@
-// Whatever is written, in whatever order, whole or in pieces, and wherever it is broken off: the component runs on
-// parameters that validate accepts, and on none that nobody has written.
+// Whatever is written, in whatever order, whole or in pieces, and wherever it is broken off: the component
+// runs on parameters that validate accepts, and on none that nobody has written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,8 +34,8 @@ std::vector<std::uint32_t> trials(std::size_t field) {
     std::vector<std::uint32_t> words;
     for (const float value :
          {number.minimum, number.maximum, std::nextafter(number.minimum, -infinity),
-          std::nextafter(number.maximum, infinity), 0.5F * (number.minimum + number.maximum), -1.0e30F, infinity,
-          std::numeric_limits<float>::quiet_NaN()}) {
+          std::nextafter(number.maximum, infinity), 0.5F * (number.minimum + number.maximum), -1.0e30F,
+          infinity, std::numeric_limits<float>::quiet_NaN()}) {
         words.push_back(bits_of(value));
     }
     return words;
@@ -52,7 +52,8 @@ class AnyDownload : public ::testing::TestWithParam<unsigned> {
 
     std::uint32_t word_in_use(std::size_t field) {
         std::uint32_t word = 0U;
-        std::memcpy(&word, static_cast<const char*>(static_cast<const void*>(&bench.used())) + 4U * field, 4U);
+        std::memcpy(&word, static_cast<const char*>(static_cast<const void*>(&bench.used())) + 4U * field,
+                    4U);
         return word;
     }
 
@@ -70,8 +71,7 @@ class AnyDownload : public ::testing::TestWithParam<unsigned> {
     void write_one() {
         const std::size_t field = below(field_count);
         const std::vector<std::uint32_t> words = trials(field);
-        const std::uint32_t word =
-            (below(3U) == 0U) ? bits_of_start[field] : words[below(words.size())];
+        const std::uint32_t word = (below(3U) == 0U) ? bits_of_start[field] : words[below(words.size())];
         const Bytes bytes = Bench::with_word({}, word);
         const std::uint32_t address = map::parameters_at + static_cast<std::uint32_t>(4U * field);
         const unsigned cut = 1U + below(7U);  // 4 and more: whole

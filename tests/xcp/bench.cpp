@@ -15,7 +15,8 @@ bool CountingRandom::fill(std::uint8_t* bytes, std::size_t length) noexcept {
 void Bench::restart() {
     access_.emplace(keys_, hal::KeySlot::calibration, random, attempts_);
     access_->start();
-    ecu_.emplace(bus_.endpoint(0U), clock_, watchdog_, *access_, reference.data(), reference.size(), &storage_);
+    ecu_.emplace(bus_.endpoint(0U), clock_, watchdog_, *access_, reference.data(), reference.size(),
+                 &storage_);
     static_cast<void>(ecu_->init());
 }
 

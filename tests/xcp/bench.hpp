@@ -74,7 +74,7 @@ class Bench {
     application::CalibratedEcu& ecu() { return *ecu_; }
     hal::Storage& storage() { return storage_; }
 
-    std::vector<Bytes> answers;                   // answers, errors, events
+    std::vector<Bytes> answers;  // answers, errors, events
     std::vector<Bytes> samples;
     std::vector<hal::CanFrame> others;  // of the ECU
     rsi::ParameterField field_of(const char* name) const;

@@ -88,7 +88,9 @@ TEST(Slave, AnswersByTheBook) {
         {"SHORT_UPLOAD of nowhere", {0xF4, 4, 0, 0, 0, 0, 9, 0}, {0xFE, 0x24}},
         {"GET_PAG_PROCESSOR_INFO", {0xE9}, {0xFF, 1, 1}},
         {"GET_SEGMENT_INFO, address", {0xE8, 0, 0, 0, 0}, {0xFF, 0, 0, 0, 0, 0, 1, 0}},
-        {"GET_SEGMENT_INFO, length", {0xE8, 0, 0, 1, 0}, {0xFF, 0, 0, 0, low(length), low(length >> 8U), 0, 0}},
+        {"GET_SEGMENT_INFO, length",
+         {0xE8, 0, 0, 1, 0},
+         {0xFF, 0, 0, 0, low(length), low(length >> 8U), 0, 0}},
         {"GET_SEGMENT_INFO, what is not", {0xE8, 0, 0, 2, 0}, {0xFE, 0x22}},
         {"GET_SEGMENT_INFO, pages", {0xE8, 1, 0, 0, 0}, {0xFF, 2, 0, 0, 0, 0}},
         {"GET_SEGMENT_INFO, mapping", {0xE8, 2, 0, 0, 0}, {0xFE, 0x22}},
@@ -144,9 +146,8 @@ TEST(Slave, AnswersByTheBook) {
 TEST(Slave, RefusesCommandsThatAreTooShort) {
     const std::vector<std::pair<int, int>> lengths{
         {0xFA, 2}, {0xF9, 2}, {0xF8, 3}, {0xF7, 3}, {0xF6, 8}, {0xF5, 2}, {0xF4, 8}, {0xF3, 8}, {0xF0, 2},
-        {0xEB, 4}, {0xEA, 3}, {0xE8, 5}, {0xE7, 4}, {0xE6, 3}, {0xE5, 3}, {0xE4, 5}, {0xE3, 4},
-        {0xE2, 6}, {0xE1, 8}, {0xE0, 8}, {0xDF, 4}, {0xDE, 4}, {0xDD, 2}, {0xD7, 4}, {0xD5, 4}, {0xD4, 5},
-        {0xD3, 6}};
+        {0xEB, 4}, {0xEA, 3}, {0xE8, 5}, {0xE7, 4}, {0xE6, 3}, {0xE5, 3}, {0xE4, 5}, {0xE3, 4}, {0xE2, 6},
+        {0xE1, 8}, {0xE0, 8}, {0xDF, 4}, {0xDE, 4}, {0xDD, 2}, {0xD7, 4}, {0xD5, 4}, {0xD4, 5}, {0xD3, 6}};
     Bench bench;
     bench.connect_and_unlock();
     for (const auto& [code, length] : lengths) {

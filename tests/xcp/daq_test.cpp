@@ -18,7 +18,9 @@ class Lists : public ::testing::Test {
     Lists() { bench.connect_and_unlock(); }
 
     Bytes allot_lists(std::uint8_t count) { return bench.command({0xD5, 0, count, 0}); }
-    Bytes allot_parts(std::uint8_t list, std::uint8_t count) { return bench.command({0xD4, 0, list, 0, count}); }
+    Bytes allot_parts(std::uint8_t list, std::uint8_t count) {
+        return bench.command({0xD4, 0, list, 0, count});
+    }
     Bytes allot_entries(std::uint8_t list, std::uint8_t part, std::uint8_t count) {
         return bench.command({0xD3, 0, list, 0, part, count});
     }
@@ -28,7 +30,8 @@ class Lists : public ::testing::Test {
     Bytes write(std::uint32_t address, std::uint8_t size) {
         return bench.command(Bench::with_word({0xE1, 0xFF, size, 0}, address));
     }
-    Bytes set_mode(std::uint8_t list, std::uint8_t mode, std::uint8_t event = 0U, std::uint8_t prescaler = 1U) {
+    Bytes set_mode(std::uint8_t list, std::uint8_t mode, std::uint8_t event = 0U,
+                   std::uint8_t prescaler = 1U) {
         return bench.command({0xE0, mode, list, 0, event, 0, prescaler, 0});
     }
     Bytes start(std::uint8_t list) { return bench.command({0xDE, 1, list, 0}); }

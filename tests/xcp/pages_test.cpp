@@ -89,7 +89,8 @@ TEST(WorkingPage, TakesWholeValuesOnly) {
 TEST(WorkingPage, IsWrittenWithinItsEndsAlone) {
     Bench bench;
     bench.connect_and_unlock();
-    EXPECT_EQ(bench.download(map::parameters_at + map::parameters_length - 4U, {0, 0, 0, 0, 0}), (Bytes{0xFE, 0x24}));
+    EXPECT_EQ(bench.download(map::parameters_at + map::parameters_length - 4U, {0, 0, 0, 0, 0}),
+              (Bytes{0xFE, 0x24}));
     EXPECT_EQ(bench.download(map::parameters_at - 4U, {0, 0, 0, 0}), (Bytes{0xFE, 0x24}));
     EXPECT_EQ(bench.download(map::outputs_at, {0, 0, 0, 0}), (Bytes{0xFE, 0x23}));
     EXPECT_EQ(bench.download(map::parameters_at, {}), (Bytes{0xFE, 0x22}));
@@ -253,7 +254,8 @@ TEST(Store, ThatIsDamagedGivesWayToTheReference) {
 // An image whose parameters contradict each other can be calibrated to work.
 TEST(Reference, WhoseValuesAreRefusedCanBeCorrected) {
     Bench bench;
-    const std::size_t at = application::section::values_at + Bench::address_of("warning_on") - map::parameters_at;
+    const std::size_t at =
+        application::section::values_at + Bench::address_of("warning_on") - map::parameters_at;
     bench.reference[at + 3U] = 0x40U;  // 3.x
     application::section::put_checksum(bench.reference.data());
     bench.restart();

@@ -29,8 +29,8 @@ void ObserverGainsSearch::begin(const UprightRoll& roll, const ObserverNoise& no
     roll_ = roll;
     noise_ = noise;
     left_ = iterations;
-    covariance_ = Vector4{2.5e-3F, 1.0e-4F, 1.0e-2F, 3.0e-4F}.asDiagonal();
-    gains_ = ObserverGains{};
+    covariance_.setZero();
+    covariance_.diagonal() << 2.5e-3F, 1.0e-4F, 1.0e-2F, 3.0e-4F;
 }
 
 bool ObserverGainsSearch::iterate(std::uint32_t at_most) {
