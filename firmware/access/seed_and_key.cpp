@@ -6,8 +6,6 @@
 namespace access_control {
 namespace {
 
-constexpr std::uint32_t count_tag = 0x4B495352U;  // "RSIK"
-
 // From the third wrong key on the next seed is given 10 s later, then after twice as long each time. A guess
 // has a chance of 2^-128: the delay keeps the bus and the memory of the count from being worn out rather than
 // the key from being found, and more than ten minutes would only help who wants to keep others out.
@@ -30,7 +28,7 @@ constexpr std::uint32_t one_more(std::uint32_t wrong_keys) {
 // its memory gains nothing.
 void SeedAndKey::start() noexcept {
     stored_count_ = 0U;
-    const CountState state = read_count(attempts_, count_tag, stored_count_);
+    const CountState state = read_count(attempts_, CountOf::wrong_keys, stored_count_);
     const bool is_good = (state != CountState::damaged) && (stored_count_ <= most_counted);
     wrong_keys_ = is_good ? stored_count_ : most_counted;
     delay_cycles_ = delay_cycles_after(wrong_keys_);
@@ -75,12 +73,13 @@ KeyAnswer SeedAndKey::take_key(const Block& key) noexcept {
     }
     is_unlocked_ = true;
     wrong_keys_ = 0U;
-    static_cast<void>(store(0U));  // else the next attempt counts from what is stored: too strict, not too lax
+    static_cast<void>(
+        store(0U));  // else the next attempt counts from what is stored: too strict, not too lax
     return KeyAnswer::unlocked;
 }
 
 bool SeedAndKey::store(std::uint32_t wrong_keys) noexcept {
-    if ((wrong_keys != stored_count_) && !write_count(attempts_, count_tag, wrong_keys)) {
+    if ((wrong_keys != stored_count_) && !write_count(attempts_, CountOf::wrong_keys, wrong_keys)) {
         return false;
     }
     stored_count_ = wrong_keys;

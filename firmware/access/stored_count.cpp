@@ -26,22 +26,23 @@ void put_word(Record& record, std::size_t place, std::uint32_t word) {
 
 }  // namespace
 
-CountState read_count(hal::Storage& storage, std::uint32_t tag, std::uint32_t& count) noexcept {
+CountState read_count(hal::Storage& storage, CountOf what, std::uint32_t& count) noexcept {
     Record record{};
     if (!storage.read(record.data(), record.size())) {
         return CountState::absent;
     }
     const std::uint32_t read = word_at(record, count_at);
-    if ((word_at(record, 0U) != tag) || (word_at(record, inverted_at) != ~read)) {
+    if ((word_at(record, 0U) != static_cast<std::uint32_t>(what)) ||
+        (word_at(record, inverted_at) != ~read)) {
         return CountState::damaged;
     }
     count = read;
     return CountState::good;
 }
 
-bool write_count(hal::Storage& storage, std::uint32_t tag, std::uint32_t count) noexcept {
+bool write_count(hal::Storage& storage, CountOf what, std::uint32_t count) noexcept {
     Record record{};
-    put_word(record, 0U, tag);
+    put_word(record, 0U, static_cast<std::uint32_t>(what));
     put_word(record, count_at, count);
     put_word(record, inverted_at, ~count);
     return storage.write(record.data(), record.size());

@@ -30,16 +30,34 @@ rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     parameters_ = parameters;
     start_checks();
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
+    protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
     return answer;
 }
 
 ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
     parameters_ = rsi::Parameters{};  // which the component refuses, unless the section replaces them
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
+    start_with(answer);
+    protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
+    return answer;
+}
+
+ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length,
+                                         SectionAuthority& authority) noexcept {
+    parameters_ = rsi::Parameters{};
+    const ParameterSectionAnswer answer = read_parameter_section(section, length, authority, parameters_);
+    start_with(answer);
+    if (answer.refusal == ParametersRefusal::none) {
+        static_cast<void>(authority.raise(section));  // else at the next start
+    }
+    protection_ = authority.keys().has_test_keys() ? Protection::sealed_test_keys : Protection::sealed;
+    return answer;
+}
+
+void RolloverEcu::start_with(const ParameterSectionAnswer& answer) noexcept {
     static_cast<void>(component_.init(parameters_));
     start_checks();
     refusal_ = answer.refusal;
-    return answer;
 }
 
 void RolloverEcu::start_checks() noexcept {
@@ -178,6 +196,7 @@ Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept 
                   missed_cycles > 0U,
                   cycle_overruns_,
                   reset_reason_,
+                  protection_,
                   reception_.report(now),
                   {},
                   {}};

@@ -6,6 +6,7 @@
 
 #include "application/load_keeper.hpp"
 #include "application/parameter_section.hpp"
+#include "application/section_authority.hpp"
 #include "application/sensor_reception.hpp"
 #include "application/warning_transmission.hpp"
 #include "hal/interface/can_bus.hpp"
@@ -43,6 +44,14 @@ class RolloverEcu {
     // Those in use, as far as they were accepted.
     const rsi::Parameters& parameters() const noexcept { return parameters_; }
 
+    // The same for a platform that takes sealed sections only. What it starts with raises the authority's
+    // version.
+    ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length,
+                                SectionAuthority& authority) noexcept;
+
+    // For a platform whose XCP or UDS asks for a key, before init: the bus is told when everybody knows it.
+    void use_keys(const hal::KeyStore& keys) noexcept { has_test_keys_ = keys.has_test_keys(); }
+
     // For a platform that knows why it started; sent in every cycle. Before init: after a loss of power the
     // stored load is doubted.
     void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
@@ -62,6 +71,7 @@ class RolloverEcu {
     const rsi::Inputs& inputs() const noexcept { return inputs_; }
 
  private:
+    [[gnu::cold]] void start_with(const ParameterSectionAnswer& answer) noexcept;
     [[gnu::cold]] void restore_load() noexcept;
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
     void report_reception(const ReceptionReport& reception) noexcept;
@@ -90,6 +100,8 @@ class RolloverEcu {
     rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
+    bool has_test_keys_{false};
+    Protection protection_{Protection::unsealed};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     std::uint32_t cycles_{0U};  // since the start
     std::uint32_t cycle_overruns_{0U};

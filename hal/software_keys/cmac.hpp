@@ -1,5 +1,5 @@
-// AES-128-CMAC: the authentication code of RFC 4493, over the block cipher of Mbed TLS. Mbed TLS has a CMAC of its
-// own, which wants a heap.
+// AES-128-CMAC: the authentication code of RFC 4493, over the block cipher of Mbed TLS. Mbed TLS has a CMAC
+// of its own, which wants a heap.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Software keys: a key store without hardware. Its keys lie in the program or in a file, where whoever reads those
-// reads them; a product has a hardware security module behind hal::KeyStore instead.
+// Software keys: a key store without hardware. Its keys lie in the program or in a file, where whoever reads
+// those reads them; a product has a hardware security module behind hal::KeyStore instead.
 #pragma once
 
 #include <array>

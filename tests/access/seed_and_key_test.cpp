@@ -182,10 +182,18 @@ TEST_F(Access, MakesWrongKeysWaitLongerEachTime) {
     int wrong_keys = 0;
     for (const int delay : delays) {
         EXPECT_EQ(wait_for_seed(), delay) << wrong_keys;
-        const bool is_delayed = delays[std::min<std::size_t>(static_cast<std::size_t>(wrong_keys) + 1U, 11U)] > 0;
+        const bool is_delayed =
+            delays[std::min<std::size_t>(static_cast<std::size_t>(wrong_keys) + 1U, 11U)] > 0;
         EXPECT_EQ(give_wrong_key(), is_delayed ? KeyAnswer::too_many_attempts : KeyAnswer::wrong_key);
         ++wrong_keys;
     }
+}
+
+TEST_F(Access, HasNoDelayHoweverManyCyclesPassWithoutAWrongKey) {
+    for (int cycle = 0; cycle < 10; ++cycle) {
+        lock_->end_cycle();
+    }
+    EXPECT_EQ(wait_for_seed(), 0);
 }
 
 TEST_F(Access, GivesNoSeedWhileTheDelayRunsAndTakesNoKeyEither) {
@@ -265,7 +273,7 @@ TEST_F(Access, TakesADamagedOrImpossibleCountForTheLargest) {
     restart();
     EXPECT_EQ(wait_for_seed(), longest_delay);
     for (const std::uint32_t impossible : {10U, 0x80000000U, 0xFFFFFFFFU}) {
-        ASSERT_TRUE(access_control::write_count(storage_, 0x4B495352U, impossible));
+        ASSERT_TRUE(access_control::write_count(storage_, access_control::CountOf::wrong_keys, impossible));
         restart();
         EXPECT_EQ(wait_for_seed(), longest_delay);
     }
@@ -274,8 +282,8 @@ TEST_F(Access, TakesADamagedOrImpossibleCountForTheLargest) {
     EXPECT_EQ(wait_for_seed(), 0);
 }
 
-// Whoever guesses and cuts the power at any write, however much of it is done by then, finds after the start at
-// least as many wrong keys counted as he has seen answered.
+// Whoever guesses and cuts the power at any write, however much of it is done by then, finds after the start
+// at least as many wrong keys counted as he has seen answered.
 TEST_F(Access, GivesNoAttemptBackWhenThePowerGoesAtAnyWrite) {
     std::set<int> cut_at;
     for (int wrong_before = 0; wrong_before < 4; ++wrong_before) {

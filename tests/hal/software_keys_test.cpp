@@ -37,10 +37,11 @@ const std::string message =
 
 TEST(Cmac, GivesTheAnswersOfRfc4493) {
     const auto key = array_of<hal::Key>("2b7e151628aed2a6abf7158809cf4f3c");
-    const std::vector<std::pair<std::size_t, std::string>> examples{{0U, "bb1d6929e95937287fa37d129b756746"},
-                                                                    {16U, "070a16b46b4d4144f79bdd9dd04a287c"},
-                                                                    {40U, "dfa66747de9ae63030ca32611497c827"},
-                                                                    {64U, "51f0bebf7e3b9d92fc49741779363cfe"}};
+    const std::vector<std::pair<std::size_t, std::string>> examples{
+        {0U, "bb1d6929e95937287fa37d129b756746"},
+        {16U, "070a16b46b4d4144f79bdd9dd04a287c"},
+        {40U, "dfa66747de9ae63030ca32611497c827"},
+        {64U, "51f0bebf7e3b9d92fc49741779363cfe"}};
     for (const auto& [length, expected] : examples) {
         hal::AuthenticationCode code{};
         // Memory of exactly that size, so that a sanitizer sees a read beyond it.
@@ -74,7 +75,8 @@ TEST(SoftwareKeys, UseTheKeyOfTheSlot) {
         EXPECT_EQ(code, expected);
     }
     hal::AuthenticationCode code{};
-    EXPECT_FALSE(keys.authenticate(static_cast<hal::KeySlot>(hal::key_slots), bytes.data(), bytes.size(), code));
+    EXPECT_FALSE(
+        keys.authenticate(static_cast<hal::KeySlot>(hal::key_slots), bytes.data(), bytes.size(), code));
     EXPECT_EQ(code, hal::AuthenticationCode{});
 }
 

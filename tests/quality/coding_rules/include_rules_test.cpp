@@ -54,6 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Include{"firmware/monitoring/a.cpp", "can_dbc/codec.hpp"},
                       Include{"firmware/monitoring/a.cpp", "hal/interface/clock.hpp"},
                       Include{"firmware/monitoring/a.cpp", "application/ecu.hpp"},
+                      Include{"firmware/access/a.cpp", "application/ecu.hpp"},
+                      Include{"firmware/access/a.cpp", "hal/software_keys/cmac.hpp"},
                       Include{"hal/socketcan/bus.cpp", "rsi/rsi.h"},
                       Include{"hal/socketcan/bus.cpp", "application/ecu.hpp"},
                       Include{"hal/memory/bus.cpp", "sil/world/vehicle/truth.hpp"},
