@@ -73,6 +73,8 @@ class CalibrationPages final : public xcp::Target {
     [[gnu::cold]] void go_on() noexcept;
     bool begin_change(const std::uint8_t* section) noexcept;
     std::uint8_t byte_at(std::uint32_t address, xcp::Page page) const noexcept;
+    std::uint8_t change_byte(std::uint32_t place) const noexcept;
+    std::uint8_t output_byte(std::uint32_t place) const noexcept;
 
     RolloverEcu& ecu_;
     const std::uint8_t* reference_;

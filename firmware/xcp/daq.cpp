@@ -18,7 +18,7 @@ bool send_packet(hal::CanBus& bus, std::uint32_t identifier, const Packet& packe
     return bus.send(frame) == hal::SendResult::sent;
 }
 
-void DaqLists::free() noexcept {
+void DaqLists::release() noexcept {
     lists_ = {};
     parts_ = {};
     entries_ = {};
@@ -30,7 +30,7 @@ void DaqLists::free() noexcept {
     running_ = 0U;
 }
 
-// In the order of lists, parts, entries; each once after free().
+// In the order of lists, parts, entries; each once after release().
 Error DaqLists::allot_lists(std::uint32_t count) noexcept {
     if (list_count_ > 0U) {
         return Error::sequence;

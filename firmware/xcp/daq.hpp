@@ -34,8 +34,8 @@ class DaqLists {
  public:
     explicit DaqLists(const Target& target) noexcept : target_{target} {}
 
-    // Stops all, and nothing is allotted.
-    void free() noexcept;
+    // Stops all, and nothing is allotted any more.
+    void release() noexcept;
 
     Error allot_lists(std::uint32_t count) noexcept;
     Error allot_parts(std::uint32_t list, std::uint32_t count) noexcept;

@@ -59,7 +59,7 @@ Error Slave::change_lists(Command command) noexcept {
         case Command::start_stop_synch:
             return start_or_stop_all();
         case Command::free_daq:
-            daq_.free();
+            daq_.release();
             return Error::none;
         case Command::alloc_daq:
             return daq_.allot_lists(command_.half_word(2U));

@@ -54,7 +54,7 @@ Error Slave::set_page() noexcept {
     if (number >= page_count) {
         return Error::page_not_valid;
     }
-    if ((mode & (for_control_unit | for_master)) == 0U) {
+    if (((mode & for_control_unit) == 0U) && ((mode & for_master) == 0U)) {
         return Error::mode_not_valid;
     }
     const auto page = static_cast<Page>(number);

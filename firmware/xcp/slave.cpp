@@ -212,7 +212,7 @@ void Slave::disconnect() noexcept {
     seed_left_ = 0U;
     key_got_ = 0U;
     access_.lock();
-    daq_.free();
+    daq_.release();
 }
 
 std::uint8_t Slave::locked_resources() const noexcept {

@@ -75,8 +75,8 @@ class Slave {
     access_control::SeedAndKey& access_;
     Identifiers identifiers_;
     DaqLists daq_;
-    Packet command_{};
-    Packet answer_{};  // what it will be if nothing is wrong
+    Packet command_;
+    Packet answer_;  // what it will be if nothing is wrong
     bool has_command_{false};
     bool connected_{false};
     bool overload_{false};               // to be told

@@ -22,7 +22,7 @@ namespace map = application::calibration_map;
 
 // Those of the image's section.
 inline rsi::Parameters image_parameters() {
-    return application::section::values_of(rsi_parameter_section + application::section::values_at);
+    return application::section::values_of(rsi_parameter_section);
 }
 
 // Other numbers each time.
