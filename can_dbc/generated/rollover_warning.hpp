@@ -1158,6 +1158,7 @@ struct RolloverDiagnosis {
         roll_angle_two_senders = 48,
         vehicle_motion_two_senders = 49,
         own_identifier_received = 50,
+        imu_held_back = 51,
     };
 
     // How far that code has come.
@@ -1323,6 +1324,7 @@ struct RolloverDiagnosis {
             case Code::roll_angle_two_senders:
             case Code::vehicle_motion_two_senders:
             case Code::own_identifier_received:
+            case Code::imu_held_back:
                 return true;
         }
         return false;
@@ -1433,6 +1435,8 @@ struct RolloverDiagnosis {
                 return "vehicle motion two senders";
             case Code::own_identifier_received:
                 return "own identifier received";
+            case Code::imu_held_back:
+                return "imu held back";
         }
         return "unknown";
     }

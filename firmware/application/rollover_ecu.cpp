@@ -11,10 +11,10 @@ constexpr std::uint32_t most_missed_cycles = 2U;
 // A sensor that has not yet sent anything is no fault for so long after the start.
 constexpr std::uint32_t start_cycles = 100U;
 
-constexpr monitoring::CodeSet another_sender = monitoring::set_of(
+constexpr monitoring::CodeSet of_rare_faults = monitoring::set_of(
     monitoring::DiagnosticCode::imu_two_senders, monitoring::DiagnosticCode::roll_angle_two_senders,
     monitoring::DiagnosticCode::vehicle_motion_two_senders,
-    monitoring::DiagnosticCode::own_identifier_received);
+    monitoring::DiagnosticCode::own_identifier_received, monitoring::DiagnosticCode::imu_held_back);
 
 // True when `count` is not what it was at the last call.
 bool has_changed(std::uint32_t count, std::uint32_t& previous) {
@@ -170,11 +170,12 @@ void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
     report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
     report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
            DiagnosticCode::vehicle_motion_damaged);
-    if (reception.has_another_sender() || ((memory_.active_codes() & another_sender) != 0U)) {
+    if (reception.has_rare_fault() || ((memory_.active_codes() & of_rare_faults) != 0U)) {
         memory_.report(DiagnosticCode::imu_two_senders, reception.imu.two_senders);
         memory_.report(DiagnosticCode::roll_angle_two_senders, reception.roll_angle.two_senders);
         memory_.report(DiagnosticCode::vehicle_motion_two_senders, reception.vehicle_motion.two_senders);
         memory_.report(DiagnosticCode::own_identifier_received, reception.own_identifier);
+        memory_.report(DiagnosticCode::imu_held_back, reception.imu_held_back);
     }
 }
 

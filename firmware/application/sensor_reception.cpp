@@ -55,9 +55,9 @@ void SensorReception::receive(hal::CanBus& bus, std::uint32_t missed_cycles) noe
     vertical_acceleration_sent_ =
         vertical_acceleration_sent_ ||
         (imu_.latest().status.vertical_acceleration_mps2 != SignalStatus::not_available);
-    roll_angle_delay_.update(imu_.latest_counter(), roll_angle_.latest_counter(),
-                             roll_angle_.latest().value.roll_angle_deg * radians_per_degree,
-                             imu_.latest().value.roll_rate_deg_per_s * radians_per_degree);
+    delay_.update(imu_.latest_counter(), roll_angle_.latest_counter(),
+                  roll_angle_.latest().value.roll_angle_deg * radians_per_degree,
+                  imu_.latest().value.roll_rate_deg_per_s * radians_per_degree);
 }
 
 void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
@@ -135,9 +135,10 @@ ReceptionReport SensorReception::report(hal::Time now) const noexcept {
         report.vehicle_motion = faults(vehicle_motion_, vehicle_motion_.is_fresh(now), motion_valid);
     }
     report.vertical_acceleration_sent = vertical_acceleration_sent_;
+    report.imu_held_back = delay_.imu_is_late();
     report.own_identifier = own_identifier_;
     report.vehicle_mass_is_fresh = vehicle_mass_.is_fresh(now);
-    if (roll_angle_delay_.is_late() && roll_angle_.is_fresh(now)) {
+    if (delay_.roll_angle_is_late() && roll_angle_.is_fresh(now)) {
         report.late_roll_angle_rad = roll_angle_.latest().value.roll_angle_deg * radians_per_degree;
     }
     add_counts(imu_, report);

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "application/frame_delay.hpp"
 #include "application/frame_monitor.hpp"
-#include "application/roll_angle_delay.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
@@ -28,14 +28,17 @@ struct ReceptionReport {
     FrameFaults vehicle_motion{};
     bool vehicle_mass_is_fresh{false};       // few vehicles send it
     bool vertical_acceleration_sent{false};  // an IMU without one says "not available" all the time
+    bool imu_held_back{false};               // its frames come in order, but late all the time
     bool own_identifier{false};              // a frame that only this control unit sends came from elsewhere
     std::uint32_t frames_rejected{0U};       // since the start
     std::uint32_t frames_lost{0U};           // since the start, by the counters
     // The newest roll angle while it is held back, and for that not among the inputs; else NaN.
     float late_roll_angle_rad{rsi::not_available};
 
-    bool has_another_sender() const noexcept {
-        return own_identifier || imu.two_senders || roll_angle.two_senders || vehicle_motion.two_senders;
+    // One whose absence is no news.
+    bool has_rare_fault() const noexcept {
+        return own_identifier || imu_held_back || imu.two_senders || roll_angle.two_senders ||
+               vehicle_motion.two_senders;
     }
 };
 
@@ -64,14 +67,14 @@ class SensorReception {
  private:
     void dispatch(const hal::CanFrame& frame) noexcept;
     bool is_roll_angle_fresh(hal::Time now) const noexcept {
-        return roll_angle_.is_fresh(now) && !roll_angle_delay_.is_late();
+        return roll_angle_.is_fresh(now) && !delay_.roll_angle_is_late();
     }
 
     FrameMonitor<can_dbc::Imu> imu_{};
     FrameMonitor<can_dbc::RollAngle> roll_angle_{};
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
     FrameMonitor<can_dbc::VehicleMass> vehicle_mass_{};  // few vehicles send it, so its absence is no fault
-    RollAngleDelay roll_angle_delay_{};
+    FrameDelay delay_{};
     bool own_identifier_{false};              // in this cycle
     bool vertical_acceleration_sent_{false};  // since the start
     bool roll_angle_fitted_{true};

@@ -60,6 +60,7 @@ Debounce debounce_of(DiagnosticCode code) noexcept {
         case DiagnosticCode::clock_jump:
         case DiagnosticCode::receive_overflow:
         case DiagnosticCode::own_identifier_received:
+        case DiagnosticCode::imu_held_back:
             return {1U, 100U};
         default:  // roll rate against roll angle, offsets, the bus
             return {3U, 100U};

@@ -79,10 +79,13 @@ enum class DiagnosticCode : std::uint8_t {
 
     // A frame that only this control unit sends comes from elsewhere
     own_identifier_received,
+
+    // Frames that are as old as their counters say, in order and late all the time
+    imu_held_back,
 };
 
 inline constexpr std::size_t diagnostic_code_count =
-    static_cast<std::size_t>(DiagnosticCode::own_identifier_received) + 1U;
+    static_cast<std::size_t>(DiagnosticCode::imu_held_back) + 1U;
 
 // A set: the bit of each code is its number.
 using CodeSet = std::uint64_t;

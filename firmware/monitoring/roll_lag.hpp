@@ -27,7 +27,9 @@ class RollLag {
     }
 
     // It has moved enough, and is not behind by as much as makes a value too old.
-    bool is_in_time() const noexcept { return (moved_ > 1.0F) && (lagged_ < 0.035F * moved_); }
+    bool angle_is_in_time() const noexcept { return (moved_ > 1.0F) && (lagged_ < 0.035F * moved_); }
+    // The same of the rate.
+    bool rate_is_in_time() const noexcept { return (moved_ > 1.0F) && (lagged_ > -0.035F * moved_); }
 
  private:
     static constexpr float quick_share = 0.3F / (0.3F + rsi::sample_time_s);  // high-pass of 0.3 s

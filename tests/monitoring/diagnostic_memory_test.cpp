@@ -76,6 +76,7 @@ constexpr StatedDebounce stated_debounces[] = {
     {DiagnosticCode::roll_angle_two_senders, 1, 100},
     {DiagnosticCode::vehicle_motion_two_senders, 1, 100},
     {DiagnosticCode::own_identifier_received, 1, 100},
+    {DiagnosticCode::imu_held_back, 1, 100},
 };
 
 class ADiagnosticMemory : public ::testing::Test {
@@ -245,7 +246,7 @@ TEST_F(ADiagnosticMemory, HasMeasuredNothingOfACodeThatIsOnlySet) {
 }
 
 TEST_F(ADiagnosticMemory, TellsTheOnlyEntryInEveryCycleWhicheverItIs) {
-    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::own_identifier_received}) {
+    for (const DiagnosticCode code : {DiagnosticCode::imu_lost, DiagnosticCode::imu_held_back}) {
         memory = {};
         confirm(code);
         for (int cycle = 0; cycle < 5; ++cycle) {

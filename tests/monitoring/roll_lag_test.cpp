@@ -53,30 +53,49 @@ TEST_F(ALateRollAngle, IsInTimeUpTo35Milliseconds) {
     for (const float lag_ms : {0.0F, 20.0F, 34.0F}) {
         lag = {};
         roll(1000, lag_ms);
-        EXPECT_TRUE(lag.is_in_time()) << lag_ms;
+        EXPECT_TRUE(lag.angle_is_in_time()) << lag_ms;
     }
     for (const float lag_ms : {36.0F, 50.0F, 100.0F, 200.0F}) {
         lag = {};
         roll(1000, lag_ms);
-        EXPECT_FALSE(lag.is_in_time()) << lag_ms;
+        EXPECT_FALSE(lag.angle_is_in_time()) << lag_ms;
     }
+}
+
+TEST_F(ALateRollAngle, OrALateRateIsInTimeUpTo35MillisecondsAndOnlyOnceTheBodyHasRolledEnough) {
+    for (const float lag_ms : {0.0F, 34.0F, 36.0F, 50.0F, 100.0F}) {
+        RollLag of_rate;
+        roll(40, 100.0F);
+        for (int sample = 0; sample < 1000; ++sample) {
+            roll(1, 0.0F);
+            const float late_rate = (late(lag_ms) - late(lag_ms + sample_ms)) / 0.01F;
+            of_rate.update(late(0.0F), late_rate);
+        }
+        EXPECT_EQ(of_rate.rate_is_in_time(), lag_ms < 35.0F) << lag_ms;
+    }
+    lag = {};
+    EXPECT_FALSE(lag.rate_is_in_time());
+    roll(100, 0.0F, 4.0F);
+    EXPECT_FALSE(lag.rate_is_in_time());
+    roll(10, 0.0F, 4.0F);
+    EXPECT_TRUE(lag.rate_is_in_time());
 }
 
 // A second at 0.1 rad/s; fast enough to be no bank.
 TEST_F(ALateRollAngle, IsInTimeOnlyOnceTheBodyHasRolledEnough) {
-    EXPECT_FALSE(lag.is_in_time());
+    EXPECT_FALSE(lag.angle_is_in_time());
     roll(100, 0.0F, 4.0F);
-    EXPECT_FALSE(lag.is_in_time());
+    EXPECT_FALSE(lag.angle_is_in_time());
     roll(10, 0.0F, 4.0F);
-    EXPECT_TRUE(lag.is_in_time());
+    EXPECT_TRUE(lag.angle_is_in_time());
 }
 
 TEST_F(ALateRollAngle, IsNotJudgedByABodyThatRestsOrByASlowBank) {
     roll(10000, 0.0F, 0.5F, 0.0F);
-    EXPECT_FALSE(lag.is_in_time());
+    EXPECT_FALSE(lag.angle_is_in_time());
     drift_radps = 0.1F;
     roll(100, 0.0F, 0.5F, 0.0F);
-    EXPECT_FALSE(lag.is_in_time());
+    EXPECT_FALSE(lag.angle_is_in_time());
 }
 
 TEST_F(ALateRollAngle, IsJudgedWhateverItsOffsetAndTheRoadsBank) {
@@ -86,7 +105,7 @@ TEST_F(ALateRollAngle, IsJudgedWhateverItsOffsetAndTheRoadsBank) {
             offset_rad = offset;
             drift_radps = 0.02F * offset;
             roll(1000, lag_ms);
-            EXPECT_EQ(lag.is_in_time(), lag_ms < 35.0F);
+            EXPECT_EQ(lag.angle_is_in_time(), lag_ms < 35.0F);
         }
     }
 }
@@ -97,14 +116,14 @@ TEST_F(ALateRollAngle, StartsAnewAfterASampleThatIsNotFinite) {
         for (const float bad : {nan, infinity}) {
             lag = {};
             roll(1000, 0.0F);
-            ASSERT_TRUE(lag.is_in_time());
+            ASSERT_TRUE(lag.angle_is_in_time());
             lag.update(of_angle ? bad : angles[0], of_angle ? 0.1F : bad);
-            EXPECT_FALSE(lag.is_in_time());
+            EXPECT_FALSE(lag.angle_is_in_time());
             roll(1000, 50.0F);
-            EXPECT_FALSE(lag.is_in_time());
+            EXPECT_FALSE(lag.angle_is_in_time());
             lag.update(of_angle ? bad : angles[0], of_angle ? 0.1F : bad);
             roll(1000, 20.0F);
-            EXPECT_TRUE(lag.is_in_time());
+            EXPECT_TRUE(lag.angle_is_in_time());
         }
     }
 }

@@ -16,7 +16,6 @@ const std::vector<KnownUndetected>& known_undetected_errors() {
         {FaultKind::drift, FaultPlace::lateral_acceleration, -1, "as its offset, and smaller"},
         {FaultKind::drift, FaultPlace::vertical_acceleration, 1,
          "found after 1.1 s to 1.5 s: until then as its offset"},
-        {FaultKind::delayed, FaultPlace::imu_frame, 0, "only the silence at its beginning shows"},
         {FaultKind::delayed, FaultPlace::vehicle_motion_frame, 0, "only the silence at its beginning shows"},
     };
     return all;

@@ -1,5 +1,5 @@
-// RollAngle frames that arrive in order, but late all the time.
-#include "application/roll_angle_delay.hpp"
+// Frames that arrive in order, but late all the time.
+#include "application/frame_delay.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,13 +18,28 @@ namespace {
 using Degradation = can_dbc::RolloverDiagnosis::Degradation;
 using State = can_dbc::RolloverWarning::State;
 
+// Codes are told in turn.
+bool tells_imu_held_back(Bench& bench) {
+    bool tells = false;
+    for (int cycle = 0; cycle < 10; ++cycle) {
+        bench.run_cycles(1);
+        const can_dbc::RolloverDiagnosis told = bench.last().diagnosis.value;
+        tells = tells || ((told.code == can_dbc::RolloverDiagnosis::Code::imu_held_back) &&
+                          (told.code_status == can_dbc::RolloverDiagnosis::CodeStatus::confirmed));
+    }
+    return tells;
+}
+
 // A weave; the roll angle's frames can be told to be as old as `late_s` says.
 struct Weave {
     explicit Weave(double amplitude_mps2) {
         bench.drive([this, amplitude_mps2](double time_s) {
             vehicle.advance(amplitude_mps2 * std::sin(3.0 * time_s));
             angles.push_back(vehicle.motion().roll_angle);
+            motions.push_back(vehicle.motion());
             Motion motion = vehicle.motion();
+            const auto imu_late = static_cast<std::size_t>(std::lround(imu_late_s * 100.0));
+            motion.imu = motions[motions.size() > imu_late ? motions.size() - 1U - imu_late : 0U].imu;
             const auto late = static_cast<std::size_t>(std::lround(late_s * 100.0));
             motion.roll_angle = angles[angles.size() > late ? angles.size() - 1U - late : 0U];
             return motion;
@@ -32,16 +47,19 @@ struct Weave {
         bench.run_for(2.0);
     }
 
-    // For so long no RollAngle frame comes; then its counter goes on where it had stopped.
-    void hold_back(double seconds) {
-        bench.stop(Sensor::roll_angle);
+    // For so long no frame of it comes; then its counter goes on where it had stopped.
+    void hold_back(double seconds, Sensor sensor = Sensor::roll_angle) {
+        bench.stop(sensor);
         bench.run_for(seconds);
         bench.resume_all();
     }
 
     bool told_lost() const { return bench.status().roll_angle_timeout; }
+    bool imu_told_late() { return tells_imu_held_back(bench); }
 
     double late_s{0.0};
+    double imu_late_s{0.0};
+    std::vector<Motion> motions{};
     std::vector<can_dbc::RollAngle> angles{};
     RollPlaneVehicle vehicle{large_suv()};
     Bench bench;
@@ -176,10 +194,19 @@ struct Counters {
         }
     }
 
+    // Nothing of it comes for so long; then its counter goes on where it had stopped.
+    void hold_back(bool imu, int cycles) {
+        (imu ? imu_comes : roll_comes) = false;
+        run(cycles);
+        (imu ? imu_sent : roll_sent) -= static_cast<std::uint32_t>(cycles);
+        imu_comes = true;
+        roll_comes = true;
+    }
+
     std::uint32_t imu_sent{0U}, roll_sent{0U};
     std::uint32_t imu_known{0U}, roll_known{0U};
     bool imu_comes{true}, roll_comes{true};
-    application::RollAngleDelay delay{};
+    application::FrameDelay delay{};
 };
 
 // Both are damaged or lost, the IMU's frames for longer, or the IMU has just come back.
@@ -197,7 +224,8 @@ TEST(ARollAngle, IsNotLateBecauseTheImuIsNotKnown) {
                 counters.run(imu_after);
                 counters.imu_comes = true;
                 counters.run(20);
-                ASSERT_FALSE(counters.delay.is_late()) << imu_before << ' ' << together << ' ' << imu_after;
+                ASSERT_FALSE(counters.delay.roll_angle_is_late())
+                    << imu_before << ' ' << together << ' ' << imu_after;
             }
         }
     }
@@ -213,7 +241,7 @@ TEST(ARollAngle, IsNotLateByAPauseThatIsLongOver) {
     counters.run(10);
     counters.imu_sent += 5U;
     counters.run(10);
-    EXPECT_FALSE(counters.delay.is_late());
+    EXPECT_FALSE(counters.delay.roll_angle_is_late());
 }
 
 // Held back in the same moment: found as soon as the IMU is known again, unless that takes so long that its
@@ -230,7 +258,7 @@ TEST(ARollAngle, IsFoundLateWhenTheImuIsKnownAgain) {
         counters.run(imu_after);
         counters.imu_comes = true;
         counters.run(2);
-        EXPECT_EQ(counters.delay.is_late(), imu_after <= 6) << imu_after;
+        EXPECT_EQ(counters.delay.roll_angle_is_late(), imu_after <= 6) << imu_after;
     }
 }
 
@@ -245,7 +273,152 @@ TEST(ARollAngle, IsJudgedWhileTheImuHasLostUpToThreeFrames) {
         counters.roll_sent -= 8U;
         counters.roll_comes = true;
         counters.run(1);
-        EXPECT_EQ(counters.delay.is_late(), lost <= 3) << lost;
+        EXPECT_EQ(counters.delay.roll_angle_is_late(), lost <= 3) << lost;
+    }
+}
+
+// The warning goes on, and is late: whoever reads the codes knows it.
+TEST(AnImu, ThatIsHeldBackIsReportedAndUsed) {
+    for (const double held_back_s : {0.05, 0.07, 0.11}) {
+        Weave drive{0.5};
+        drive.hold_back(held_back_s, Sensor::imu);
+        drive.bench.run_for(2.0);
+        for (int tenth = 0; tenth < 50; ++tenth) {
+            ASSERT_TRUE(drive.imu_told_late()) << held_back_s << ' ' << tenth;
+            ASSERT_FALSE(drive.told_lost()) << held_back_s << ' ' << tenth;
+            ASSERT_EQ(drive.bench.state(), State::ready) << held_back_s << ' ' << tenth;
+        }
+    }
+}
+
+TEST(AnImu, IsNotLateAfterAShorterSilenceOrOneInWhichItMayHaveStartedAnew) {
+    for (const double silence_s : {0.04, 0.12, 0.2, 1.0}) {
+        Weave drive{0.5};
+        drive.hold_back(silence_s, Sensor::imu);
+        drive.bench.run_for(2.0);
+        EXPECT_FALSE(drive.imu_told_late()) << silence_s;
+    }
+}
+
+TEST(AnImu, IsNotLateWhenFramesWereLostOrItHasCaughtUp) {
+    Weave lost{0.5};
+    lost.bench.lose_frames(Sensor::imu, 10U);
+    lost.bench.run_for(0.5);
+    EXPECT_FALSE(lost.imu_told_late());
+    Weave drive{0.5};
+    drive.hold_back(0.1, Sensor::imu);
+    drive.bench.run_for(1.0);
+    ASSERT_TRUE(drive.imu_told_late());
+    drive.bench.lose_frames(Sensor::imu, 10U);
+    drive.bench.run_for(3.0);  // the code heals
+    EXPECT_FALSE(drive.imu_told_late());
+}
+
+TEST(AnImu, IsBelievedAgainWhenItMovesWithTheRollAngleAndNotIfItMovesLater) {
+    Weave drive{4.0};
+    drive.hold_back(0.1, Sensor::imu);
+    drive.bench.run_for(1.0);
+    EXPECT_TRUE(drive.imu_told_late());
+    drive.bench.run_for(10.0);
+    EXPECT_FALSE(drive.imu_told_late());
+
+    Weave late{4.0};
+    late.imu_late_s = 0.1;
+    late.hold_back(0.1, Sensor::imu);
+    for (int second = 0; second < 60; ++second) {
+        late.bench.run_for(1.0);
+        ASSERT_FALSE(late.bench.status().roll_angle_timeout) << second;
+    }
+    EXPECT_TRUE(late.imu_told_late());
+}
+
+// A lead that changes without a pause is no delay, but what a delay is measured from.
+TEST(ASender, ThatIsHeldBackIsMeasuredFromWhereItWas) {
+    for (const std::uint32_t lost_before : {0U, 2U, 3U}) {
+        for (const bool imu : {true, false}) {
+            Counters counters;
+            counters.run(20);
+            (imu ? counters.roll_sent : counters.imu_sent) += lost_before;
+            counters.run(20);
+            counters.hold_back(imu, 11);
+            counters.run(1);
+            EXPECT_EQ(counters.delay.imu_is_late(), imu) << lost_before;
+            EXPECT_EQ(counters.delay.roll_angle_is_late(), !imu) << lost_before;
+        }
+    }
+}
+
+TEST(AnImu, IsNotLateWithARollAngleThatIsHeldBackLongAfterItWasSilentItself) {
+    Counters counters;
+    counters.run(20);
+    counters.imu_comes = false;
+    counters.run(5);
+    counters.imu_comes = true;
+    counters.run(10);
+    counters.hold_back(false, 5);
+    counters.run(1);
+    EXPECT_TRUE(counters.delay.roll_angle_is_late());
+    EXPECT_FALSE(counters.delay.imu_is_late());
+}
+
+// What showed that the first one was over says nothing of the second.
+TEST(ASender, ThatIsHeldBackTwiceIsLateTwice) {
+    for (const Sensor sensor : {Sensor::imu, Sensor::roll_angle}) {
+        Weave drive{4.0};
+        drive.hold_back(0.1, sensor);
+        drive.bench.run_for(12.0);
+        EXPECT_FALSE(drive.told_lost());
+        EXPECT_FALSE(drive.imu_told_late());
+        drive.hold_back(0.1, sensor);
+        drive.bench.run_for(0.1);
+        EXPECT_TRUE((sensor == Sensor::imu) ? drive.imu_told_late() : drive.told_lost());
+    }
+}
+
+// Both are silent, in any order; the counter of the roll angle begins anew, the IMU's goes on.
+TEST(AnImu, IsNotLateWhenTheRollAngleMayHaveStartedAnew) {
+    for (int together = 1; together < 12; ++together) {
+        for (int imu_after = 0; together + imu_after < 12; ++imu_after) {
+            for (std::uint32_t anew = 0U; anew < 15U; ++anew) {
+                Counters counters;
+                counters.run(20);
+                counters.roll_comes = false;
+                counters.run(12);
+                counters.imu_comes = false;
+                counters.run(together);
+                counters.roll_sent = 30U + anew;
+                counters.roll_comes = true;
+                counters.run(imu_after);
+                counters.imu_comes = true;
+                counters.run(20);
+                ASSERT_FALSE(counters.delay.imu_is_late()) << together << ' ' << imu_after << ' ' << anew;
+            }
+        }
+    }
+    for (int roll_before = 0; roll_before < 25; ++roll_before) {
+        for (int together = 0; together < 12; ++together) {
+            for (int roll_after = 0; roll_after < 25; ++roll_after) {
+                if (roll_before + together + roll_after < 12) {
+                    continue;
+                }
+                for (std::uint32_t anew = 0U; anew < 15U; ++anew) {
+                    Counters counters;
+                    counters.run(20);
+                    counters.roll_comes = false;
+                    counters.run(roll_before);
+                    counters.imu_comes = false;
+                    counters.run(together);
+                    counters.imu_comes = true;
+                    counters.run(roll_after);
+                    counters.roll_sent = 30U + anew;
+                    counters.roll_comes = true;
+                    counters.run(20);
+                    ASSERT_FALSE(counters.delay.imu_is_late())
+                        << roll_before << ' ' << together << ' ' << roll_after << ' ' << anew;
+                    ASSERT_FALSE(counters.delay.roll_angle_is_late());
+                }
+            }
+        }
     }
 }
 
@@ -322,22 +495,32 @@ monitoring::RollLag lag_after(double delay_s, double seconds, double amplitude_r
 
 TEST(RollLag, TellsAnAngleInTimeFromOneThatIsTooOld) {
     for (const double delay_s : {0.0, 0.01, 0.02, 0.03}) {
-        EXPECT_TRUE(lag_after(delay_s, 5.0, 0.2).is_in_time()) << delay_s;
+        EXPECT_TRUE(lag_after(delay_s, 5.0, 0.2).angle_is_in_time()) << delay_s;
     }
     for (const double delay_s : {0.045, 0.06, 0.1, 0.13}) {
-        EXPECT_FALSE(lag_after(delay_s, 5.0, 0.2).is_in_time()) << delay_s;
+        EXPECT_FALSE(lag_after(delay_s, 5.0, 0.2).angle_is_in_time()) << delay_s;
     }
 }
 
 TEST(RollLag, KnowsNothingOfABodyThatHasHardlyRolled) {
-    EXPECT_FALSE(lag_after(0.0, 5.0, 0.02).is_in_time());
-    EXPECT_FALSE(lag_after(0.0, 0.3, 0.2).is_in_time());
+    EXPECT_FALSE(lag_after(0.0, 5.0, 0.02).angle_is_in_time());
+    EXPECT_FALSE(lag_after(0.0, 0.3, 0.2).angle_is_in_time());
+    EXPECT_FALSE(lag_after(0.0, 5.0, 0.02).rate_is_in_time());
+}
+
+TEST(RollLag, TellsARateInTimeFromOneThatIsTooOld) {
+    for (const double delay_s : {0.0, 0.01, 0.02, 0.03}) {
+        EXPECT_TRUE(lag_after(-delay_s, 5.0, 0.2).rate_is_in_time()) << delay_s;
+    }
+    for (const double delay_s : {0.045, 0.06, 0.1, 0.13}) {
+        EXPECT_FALSE(lag_after(-delay_s, 5.0, 0.2).rate_is_in_time()) << delay_s;
+    }
 }
 
 TEST(RollLag, StartsAnewWithANumberThatIsNotFinite) {
     monitoring::RollLag lag = lag_after(0.0, 5.0, 0.2);
     lag.update(std::numeric_limits<float>::quiet_NaN(), 0.0F);
-    EXPECT_FALSE(lag.is_in_time());
+    EXPECT_FALSE(lag.angle_is_in_time());
 }
 
 }  // namespace
