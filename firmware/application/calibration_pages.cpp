@@ -1,7 +1,6 @@
 #include "application/calibration_pages.hpp"
 
 #include <cstring>
-#include <string_view>
 
 #include "application/little_endian.hpp"
 #include "hal/interface/saturating_count.hpp"
@@ -35,10 +34,11 @@ constexpr std::uint8_t digit_of(std::uint32_t nibble) {
 constexpr std::array<std::uint8_t, 32> make_epk() {
     std::array<std::uint8_t, 32> text{};
     std::size_t place = 0U;
-    for (const char letter : std::string_view{"rsi " RSI_VERSION}) {
+    for (const char letter : "rsi " RSI_VERSION) {
         text[place] = static_cast<std::uint8_t>(letter);
         ++place;
     }
+    --place;  // the text's closing zero
     for (const std::uint32_t word : {section::layout, layout_of_outputs()}) {
         text[place] = ' ';
         ++place;
@@ -50,13 +50,21 @@ constexpr std::array<std::uint8_t, 32> make_epk() {
     return text;
 }
 
+bool are_same(const char* name, const char* other) {
+    std::size_t place = 0U;
+    while ((name[place] == other[place]) && (name[place] != '\0')) {
+        ++place;
+    }
+    return name[place] == other[place];
+}
+
 // The table's number of a field's name, from 1; 0 for none.
-std::uint8_t number_of(std::string_view name) {
+std::uint8_t number_of(const char* name) {
     std::uint8_t number = 0U;
     std::uint8_t found = 0U;
     const auto look_at = [&](const char* field) {
         ++number;
-        if (name == field) {
+        if (are_same(name, field)) {
             found = number;
         }
     };

@@ -136,9 +136,9 @@ class Session {
 
     void unlock() {
         command({0xFF, 0});
-        for (const std::uint8_t mode : {0U, 1U, 1U}) {
-            command({0xF8, mode, 1});
-        }
+        command({0xF8, 0, 1});
+        command({0xF8, 1, 1});
+        command({0xF8, 1, 1});
         const auto key = static_cast<std::uint8_t>(~random_.calls);
         command({0xF7, 16, key, key, key, key, key, key});
         command({0xF7, 10, key, key, key, key, key, key});
