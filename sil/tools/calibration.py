@@ -74,15 +74,16 @@ def write_mf4(path, times, columns, objects):
     pathlib.Path(saved).replace(path)
 
 
-def measure(session, options):
-    def wait():
-        end = time.monotonic() + options.seconds
-        while (left := end - time.monotonic()) > 0.0:
-            print(f"\r{options.seconds - left:6.1f} s of {options.seconds:g} s", end="", file=sys.stderr, flush=True)
-            time.sleep(min(left, 0.5))
-        print(file=sys.stderr)
+def wait(seconds):
+    end = time.monotonic() + seconds
+    while (left := end - time.monotonic()) > 0.0:
+        print(f"\r{seconds - left:6.1f} s of {seconds:g} s", end="", file=sys.stderr, flush=True)
+        time.sleep(min(left, 0.5))
+    print(file=sys.stderr)
 
-    times, columns = session.measure(options.names, wait)
+
+def measure(session, options, wait_for=wait):
+    times, columns = session.measure(options.names, lambda: wait_for(options.seconds))
     if not times:
         raise LogError("no sample has come; does the ECU run?")
     if options.output.suffix == ".csv":
@@ -129,7 +130,7 @@ def main(arguments):
     except LogError as error:
         sys.exit(f"sil/tools/calibrate: {error}")
     except OSError as error:
-        sys.exit(f"sil/tools/calibrate: {options.interface}: {error}")
+        sys.exit(f"sil/tools/calibrate: {error}")
     except KeyboardInterrupt:
         sys.exit(130)
 

@@ -1,9 +1,12 @@
 """A session of XCP with the ECU, by pyxcp and an A2L."""
 
+import contextlib
+import io
 import logging
 import struct
 import time
 
+import can
 import pyxcp.config
 import pyxcp.master
 import pyxcp.types
@@ -60,7 +63,11 @@ class Session:
         self.xcp = pyxcp.master.Master("can", config=application, policy=self.samples, transport_layer_interface=bus)
 
     def __enter__(self):
-        self.xcp.__enter__()
+        try:
+            with contextlib.redirect_stdout(io.StringIO()):  # pyxcp's thoughts about the interface
+                self.xcp.__enter__()
+        except can.CanError as error:
+            raise LogError(f"the interface cannot be used: {error}; --interface names another") from None
         try:
             self.xcp.connect()
         except pyxcp.types.XcpTimeoutError:

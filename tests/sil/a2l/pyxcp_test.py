@@ -2,7 +2,9 @@
 
 import pathlib
 import struct
+import subprocess
 import sys
+import tempfile
 import tomllib
 import unittest
 
@@ -13,6 +15,8 @@ PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[1:1] = [str(PROJECT / "sil/tools"), str(PROJECT / "cmake/environment")]
 
 import a2l_objects  # noqa: E402
+import asammdf  # noqa: E402
+import calibration  # noqa: E402
 import pyxcp.types  # noqa: E402
 import simulated_bus  # noqa: E402
 import xcp_session  # noqa: E402
@@ -181,6 +185,49 @@ class PyXcp(unittest.TestCase):
         self.assertEqual(list(parts), list(range(begin, begin + len(parts))))
         self.assertLessEqual(max(parts.values()), 20)
         self.assertEqual(len(set(parts.values())), 1)
+
+    def test_measures_into_csv_and_mf4(self):
+        names = ["state", "warning_level", "rsi"]
+        for ending in (".csv", ".mf4"):
+            self.bus.drive(*DRIVE)
+            with tempfile.TemporaryDirectory() as folder, self.session() as session:
+                session.unlock()
+                path = pathlib.Path(folder) / f"run{ending}"
+                options = calibration.parse(["measure", *names, "--seconds", "3", "--output", str(path)])
+                calibration.measure(session, options, lambda seconds: self.bus.run(round(100 * seconds)))
+                self.assertEqual([entry.name for entry in pathlib.Path(folder).iterdir()], [path.name])
+                if ending == ".csv":
+                    rows = [line.split(",") for line in path.read_text().splitlines()]
+                    self.assertEqual(rows[0], ["time_s", *names])
+                    told = [[float(row[at]) for row in rows[1:]] for at in range(1, 4)]
+                else:
+                    with asammdf.MDF(path) as measured:
+                        told = [list(measured.get(name).samples) for name in names]
+                        self.assertEqual(measured.get("state").comment, self.a2l.objects["state"].text)
+            first = self.bus.samples[0][0]
+            states = [cycle.state for cycle in self.bus.cycles if cycle.number >= first]
+            self.assertEqual([int(value) for value in told[0]], states[:len(told[0])])
+            self.assertGreaterEqual(len(told[0]), 250)
+            self.assertIn(WARNING, told[0])
+            self.assertEqual([len(column) for column in told], [len(told[0])] * 3)
+
+
+class TheCommand(unittest.TestCase):
+    def run_it(self, *arguments):
+        return subprocess.run([PROJECT / "sil/tools/calibrate", *arguments], capture_output=True, text=True, check=False)
+
+    def test_explains_itself_and_refuses_what_it_does_not_know(self):
+        self.assertEqual(self.run_it("--help").returncode, 0)
+        for wrong in (["paint"], [], ["read", "--paint"], ["write", "warning_on"], ["measure", "rsi", "--seconds", "0",
+                      "--output", "a.csv"], ["measure", "rsi", "--seconds", "1", "--output", "a.txt"], ["store", "--key", "12"]):
+            self.assertEqual(self.run_it(*wrong).returncode, 2, wrong)
+
+    def test_says_what_is_wrong_with_the_interface_and_the_a2l(self):
+        finished = self.run_it("read", "--interface", "nosuch", "--a2l", str(A2L))
+        self.assertEqual((finished.returncode, finished.stdout), (1, ""))
+        self.assertRegex(finished.stderr, r"^sil/tools/calibrate: the interface cannot be used: .*\n$")
+        finished = self.run_it("read", "--a2l", "/nowhere.a2l")
+        self.assertRegex(finished.stderr, r"^sil/tools/calibrate: there is no /nowhere.a2l; make it: .*\n$")
 
 
 if __name__ == "__main__":
