@@ -75,6 +75,9 @@ class Ecu {
         }
     }
 
+    // It has started with other parameters than those that it was given.
+    bool has_stored() const { return has_stored_; }
+
  private:
     static void require_accepted(const rsi::Validation& answer) {
         if (answer.accepted == 0) {
@@ -84,19 +87,19 @@ class Ecu {
     }
     void start_calibrated(const rsi::Parameters& parameters) {
         require_accepted(calibrated_->init().validation);
-        const bool is_stored =
-            std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
-        if (is_stored) {
-            fmt::print("rsi-ecu: starts with the parameters that XCP has stored\n");
-        }
+        has_stored_ = std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
     }
 
     std::optional<application::RolloverEcu> plain_;
     std::optional<application::CalibratedEcu> calibrated_;
+    bool has_stored_{false};
 };
 
-void say_listening(const EcuRequest& request) {
+void say_listening(const EcuRequest& request, const Ecu& ecu) {
     fmt::print("rsi-ecu: listening on {}{}\n", request.interface, request.lock_step ? ", in lock-step" : "");
+    if (ecu.has_stored()) {
+        fmt::print("rsi-ecu: with the parameters that XCP has stored in {}\n", request.xcp_storage);
+    }
     std::fflush(stdout);
 }
 
@@ -130,7 +133,7 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
     if (!real_time) {
         throw std::runtime_error(real_time.message());
     }
-    say_listening(request);
+    say_listening(request, ecu);
     BusStateReport bus_state{request.interface};
     hal::PeriodicTick<hal::SteadyClock> tick{clock, cycle_time};
     while (end_requested == 0) {
@@ -150,7 +153,7 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
     std::optional<Ecu> ecu;
     ecu.emplace(bus, clock, watchdog, parameters, access);
-    say_listening(request);
+    say_listening(request, *ecu);
     while (end_requested == 0) {
         // Short enough to notice a request to end, long enough to cost nothing.
         if (!socket.wait_for_frame(hal::Time::from_milliseconds(100))) {

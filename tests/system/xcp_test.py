@@ -112,7 +112,7 @@ class Xcp(unittest.TestCase):
         with self.ecu() as ecu:
             self.assertAlmostEqual(Master.read_float(self.connected(), "warning_on"), LOWER, places=6)
             ecu.stop()
-            self.assertIn("starts with the parameters that XCP has stored", ecu.output)
+            self.assertIn("with the parameters that XCP has stored in", ecu.output)
 
     def connected(self):
         master = Master()
