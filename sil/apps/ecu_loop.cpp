@@ -6,6 +6,7 @@
 #include <cstring>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "application/calibrated_ecu.hpp"
@@ -96,10 +97,10 @@ class Ecu {
 };
 
 void say_listening(const EcuRequest& request, const Ecu& ecu) {
-    fmt::print("rsi-ecu: listening on {}{}\n", request.interface, request.lock_step ? ", in lock-step" : "");
-    if (ecu.has_stored()) {
-        fmt::print("rsi-ecu: with the parameters that XCP has stored in {}\n", request.xcp_storage);
-    }
+    const std::string stored =
+        ecu.has_stored() ? fmt::format(", with what XCP has stored in {}", request.xcp_storage) : "";
+    fmt::print("rsi-ecu: listening on {}{}{}\n", request.interface, request.lock_step ? ", in lock-step" : "",
+               stored);
     std::fflush(stdout);
 }
 

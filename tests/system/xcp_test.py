@@ -95,12 +95,17 @@ class Xcp(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
 
+    def master(self):
+        master = Master()
+        self.addCleanup(master.socket.close)
+        return master
+
     def ecu(self):
         return programs.Ecu("--xcp", "--xcp-storage", self.folder.name)
 
     def test_changes_stores_and_finds_it_after_a_restart(self):
         with self.ecu():
-            master = Master()
+            master = self.master()
             self.assertEqual(master.ask(0xFF, 0), bytes((0xFF, 5, 0x80, 8, 8, 0, 1, 1)))
             self.assertEqual(master.ask(0xF9, 1), bytes((ERROR, 0x25)))  # locked
             master.unlock()
@@ -110,18 +115,14 @@ class Xcp(unittest.TestCase):
             self.assertNotAlmostEqual(before, LOWER)
         self.assertTrue((pathlib.Path(self.folder.name) / "xcp_parameters.bin").is_file())
         with self.ecu() as ecu:
-            self.assertAlmostEqual(Master.read_float(self.connected(), "warning_on"), LOWER, places=6)
-            ecu.stop()
-            self.assertIn("with the parameters that XCP has stored in", ecu.output)
-
-    def connected(self):
-        master = Master()
-        master.demand(0xFF, 0)
-        return master
+            self.assertIn(", with what XCP has stored in", ecu.output)
+            master = self.master()
+            master.demand(0xFF, 0)
+            self.assertAlmostEqual(master.read_float("warning_on"), LOWER, places=6)
 
     def test_measures_beside_the_warning(self):
         with self.ecu():
-            master = Master()
+            master = self.master()
             master.unlock()
             master.measure(19)
         stamps = [struct.unpack("<H", sample[1:3])[0] for sample in master.samples if sample[0] == 0]
@@ -135,7 +136,7 @@ class Xcp(unittest.TestCase):
 
     def test_without_the_option_nobody_answers(self):
         with programs.Ecu():
-            master = Master()
+            master = self.master()
             master.socket.send(FRAME.pack(COMMAND, 2, bytes((0xFF, 0)).ljust(8, b"\0")))
             self.assertIsNone(master.receive(time.monotonic() + 0.5))
 

@@ -115,6 +115,24 @@ TEST_F(Lists, HaveNoMoreBytesInAPartThanAFrame) {
     EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
 }
 
+// The first of two entries is empty, and so is a whole part.
+TEST_F(Lists, DoNotStartWithAnEmptyEntry) {
+    ASSERT_EQ(allot_lists(1U), good);
+    ASSERT_EQ(allot_parts(0U, 2U), good);
+    ASSERT_EQ(allot_entries(0U, 0U, 2U), good);
+    ASSERT_EQ(allot_entries(0U, 1U, 1U), good);
+    ASSERT_EQ(point_to(0U, 0U, 1U), good);
+    ASSERT_EQ(write(map::outputs_at, 1U), good);
+    EXPECT_EQ(start(0U), error(0x2A));
+    ASSERT_EQ(point_to(0U, 0U, 0U), good);
+    ASSERT_EQ(write(map::outputs_at, 1U), good);
+    EXPECT_EQ(start(0U), error(0x2A));
+    ASSERT_EQ(point_to(0U, 1U, 0U), good);
+    ASSERT_EQ(write(map::outputs_at, 1U), good);
+    EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
+    EXPECT_EQ(bench.samples.size(), 2U);
+}
+
 TEST_F(Lists, HaveAModeThatIsTold) {
     two_lists();
     EXPECT_EQ(set_mode(2U, 0U), error(0x22));
@@ -285,7 +303,8 @@ class NarrowBus final : public hal::CanBus {
  public:
     hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
     hal::SendResult send(const hal::CanFrame&) noexcept override {
-        if (room == 0) {
+        if ((room == 0) || (refused > 0)) {
+            --refused;
             return hal::SendResult::full;
         }
         --room;
@@ -294,7 +313,34 @@ class NarrowBus final : public hal::CanBus {
     hal::BusState state() const noexcept override { return hal::BusState::error_passive; }
     hal::BusStatistics statistics() const noexcept override { return {7U, 6U, 5U, 4U, 3U}; }
     int room{0};
+    int refused{0};  // so many at first
 };
+
+// A bus that takes the first frames of a cycle and no more.
+TEST(DaqLists, SayThatAnyFrameWasNotTaken) {
+    Bench bench;
+    NarrowBus narrow;
+    application::RolloverEcu& ecu = bench.ecu().ecu();
+    application::CalibrationPages pages{ecu, nullptr, 0U, nullptr};
+    xcp::DaqLists lists{pages};
+    ASSERT_EQ(lists.allot_lists(1U), xcp::Error::none);
+    ASSERT_EQ(lists.allot_parts(0U, 2U), xcp::Error::none);
+    ASSERT_EQ(lists.start(0U), xcp::Error::none);
+    for (int room = 0; room <= 2; ++room) {
+        narrow.room = room;
+        EXPECT_EQ(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U), room == 2) << room;
+    }
+    narrow.room = 2;
+    narrow.refused = 1;
+    EXPECT_FALSE(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U));
+}
+
+TEST(Packet, EndsWithItsFrame) {
+    xcp::Packet packet{0xFFU};
+    packet.add_word(0x04030201U).add_word(0x08070605U);
+    EXPECT_EQ(packet.length(), 8U);
+    EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
+}
 
 TEST(BusTap, CountsTheEcusFailuresAlone) {
     Bench bench;

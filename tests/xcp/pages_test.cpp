@@ -241,6 +241,18 @@ TEST(Store, TellsOfAMemoryThatTakesNothing) {
     EXPECT_EQ(bench.command({0xF9, 0x01}), good);
 }
 
+TEST(Store, NeedsAMemory) {
+    Bench bench;
+    bench.has_memory = false;
+    bench.restart();
+    bench.connect_and_unlock();
+    EXPECT_EQ(bench.read_float("warning_on"), image_parameters().warning_on);
+    ASSERT_TRUE(bench.write_float("warning_on", 0.85F));
+    bench.cycle();
+    EXPECT_EQ(bench.used().warning_on, 0.85F);
+    EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x24}));
+}
+
 TEST(Store, ThatIsDamagedGivesWayToTheReference) {
     Bench bench;
     bench.connect_and_unlock();

@@ -1,5 +1,5 @@
-// xcp-key SEED: the key for a seed of 16 bytes, both as hexadecimal digits, by the test key. For tests on a machine whose
-// Python knows no AES.
+// xcp-key SEED: the key for a seed of 16 bytes, both as hexadecimal digits, by the test key. For tests on a
+// machine whose Python knows no AES.
 #include <charconv>
 #include <cstdio>
 #include <cstring>

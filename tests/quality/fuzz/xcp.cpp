@@ -1,6 +1,7 @@
-// XCP around the whole ECU: any frames of a master, with the key and without, broken off, repeated, while cycles are
-// missed and the bus takes nothing. Whatever comes, each cycle sends the ECU's frames, answers at most one command, sends
-// no more samples than there are parts, and runs on parameters that validate accepts; without the key they stay as they were.
+// XCP around the whole ECU: any frames of a master, with the key and without, broken off, repeated, while
+// cycles are missed and the bus takes nothing. Whatever comes, each cycle sends the ECU's frames, answers at
+// most one command, sends no more samples than there are parts, and runs on parameters that validate accepts;
+// without the key they stay as they were.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -122,7 +123,8 @@ class Session {
 
     // Into the parameters, whole words or parts of them.
     void write(ByteReader& bytes) {
-        const std::uint32_t address = map::parameters_at + 4U * bytes.below(68U) + (bytes.one_in(8U) ? bytes.below(4U) : 0U);
+        const std::uint32_t address =
+            map::parameters_at + 4U * bytes.below(68U) + (bytes.one_in(8U) ? bytes.below(4U) : 0U);
         command({0xF6, 0, 0, 0, static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(address >> 8U),
                  static_cast<std::uint8_t>(address >> 16U), 0});
         std::array<std::uint8_t, 8> data{0xF0, 4U};
@@ -168,7 +170,8 @@ class Session {
         require(samples <= xcp::most_parts, "no more samples than parts");
         const rsi::Parameters& used = ecu_.ecu().parameters();
         require(rsi::validate(used).accepted == 1, "the component runs on accepted parameters");
-        require(was_unlocked_ || std::memcmp(&used, &start_, sizeof used) == 0, "nothing changes without the key");
+        require(was_unlocked_ || std::memcmp(&used, &start_, sizeof used) == 0,
+                "nothing changes without the key");
     }
 
     hal::VirtualClock clock_;
@@ -179,10 +182,9 @@ class Session {
     PlainKeys keys_;
     CountingRandom random_;
     access_control::SeedAndKey access_{keys_, hal::KeySlot::calibration, random_, attempts_};
-    application::CalibratedEcu ecu_{bus_.endpoint(0U),    clock_,
-                                    watchdog_,            access_,
-                                    rsi_parameter_section, application::section::length,
-                                    &stored_};
+    application::CalibratedEcu ecu_{
+        bus_.endpoint(0U), clock_, watchdog_, access_, rsi_parameter_section, application::section::length,
+        &stored_};
     rsi::Parameters start_{};
     hal::Time now_{};
     bool was_unlocked_{false};
