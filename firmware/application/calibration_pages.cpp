@@ -2,9 +2,9 @@
 
 #include <cstring>
 
+#include "application/calibration_epk.hpp"
 #include "application/little_endian.hpp"
 #include "hal/interface/saturating_count.hpp"
-#include "rsi/version.h"
 
 namespace application {
 namespace {
@@ -12,43 +12,6 @@ namespace {
 namespace map = calibration_map;
 
 constexpr std::array<std::uint8_t, 7> program_name{{'r', 's', 'i', '-', 'e', 'c', 'u'}};
-
-template <typename Table>
-constexpr std::uint32_t add_names(std::uint32_t remainder, const Table& table) {
-    for (const auto& row : table) {
-        remainder = section::add_word(remainder, row.name, '\n');
-    }
-    return remainder;
-}
-
-// Evaluated by the compiler: the texts do not get into a controller.
-constexpr std::uint32_t layout_of_outputs() {
-    return crc32_end(add_names(add_names(crc32_start, rsi::code_outputs), rsi::number_outputs));
-}
-
-constexpr std::uint8_t digit_of(std::uint32_t nibble) {
-    return static_cast<std::uint8_t>((nibble < 10U) ? '0' + nibble : 'A' + (nibble - 10U));
-}
-
-// "rsi 0.2.0 89ABCDEF 01234567", filled up with zeros.
-constexpr std::array<std::uint8_t, 32> make_epk() {
-    std::array<std::uint8_t, 32> text{};
-    std::size_t place = 0U;
-    for (const char letter : "rsi " RSI_VERSION) {
-        text[place] = static_cast<std::uint8_t>(letter);
-        ++place;
-    }
-    --place;  // the text's closing zero
-    for (const std::uint32_t word : {section::layout, layout_of_outputs()}) {
-        text[place] = ' ';
-        ++place;
-        for (std::uint32_t shift = 32U; shift > 0U; shift -= 4U) {
-            text[place] = digit_of((word >> (shift - 4U)) & 0xFU);
-            ++place;
-        }
-    }
-    return text;
-}
 
 bool are_same(const char* name, const char* other) {
     std::size_t place = 0U;
@@ -90,14 +53,10 @@ bool is_within(std::uint32_t address, std::size_t count, xcp::Target::Range rang
 constexpr xcp::Target::Range parameter_range{map::parameters_at, map::parameters_length};
 constexpr xcp::Target::Range output_range{map::outputs_at, map::outputs_length};
 constexpr xcp::Target::Range change_range{map::change_at, map::change_length};
-constexpr xcp::Target::Range epk_range{map::epk_at, 32U};
+constexpr xcp::Target::Range epk_range{map::epk_at, calibration_epk.size()};
 constexpr xcp::Target::Range name_range{map::name_at, static_cast<std::uint32_t>(program_name.size())};
 
-constexpr std::array<std::uint8_t, 32> epk_text = make_epk();
-
 }  // namespace
-
-const std::array<std::uint8_t, 32> calibration_epk = epk_text;
 
 ParameterSectionAnswer CalibrationPages::init() noexcept {
     selected_ = xcp::Page::working;

@@ -29,9 +29,6 @@ inline constexpr std::uint32_t name_at = 0x50000U;
 
 }  // namespace calibration_map
 
-// What an A2L of this version has as its EPK: the version, the layout of the values and of the outputs.
-extern const std::array<std::uint8_t, 32> calibration_epk;
-
 // The working page is a parameter section in RAM, the reference page that of the image. Whole values only get
 // into the working page: of one that arrives in two pieces the first waits for the second. While the control
 // unit works with it, each change is validated as a whole and taken over between two cycles; what is refused

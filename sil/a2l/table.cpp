@@ -8,6 +8,7 @@
 #include <cstring>
 #include <string>
 
+#include "application/calibration_epk.hpp"
 #include "application/calibration_pages.hpp"
 #include "rsi/parameters.hpp"
 #include "xcp/daq.hpp"
