@@ -31,7 +31,8 @@ TEST(Epk, HasVersionAndBothLayoutsAndIsFilledUp) {
         std::all_of(words.begin() + 9, words.end(), [](unsigned char c) { return std::isxdigit(c); }));
     EXPECT_EQ(text.substr(begin.size() + 17U), std::string(32U - begin.size() - 17U, '\0'));
     // What the compiler has evaluated, evaluated here.
-    const auto again = application::make_calibration_epk();
+    std::array<std::uint8_t, 32> again{};
+    again = application::make_calibration_epk();
     EXPECT_EQ(std::string(again.begin(), again.end()), text);
 }
 
