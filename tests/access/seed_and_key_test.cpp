@@ -100,6 +100,8 @@ TEST_F(Access, IsLockedUntilTheKeyOfTheSeedComes) {
 TEST_F(Access, GivesNoSeedBeforeItsStart) {
     SeedAndKey fresh{keys_, hal::KeySlot::diagnosis, random_, storage_};
     Block seed{};
+    EXPECT_FALSE(fresh.is_unlocked());
+    EXPECT_EQ(fresh.take_key(key_for(seed)), KeyAnswer::no_seed);
     EXPECT_FALSE(fresh.give_seed(seed));
     EXPECT_EQ(fresh.take_key(key_for(seed)), KeyAnswer::no_seed);
     fresh.start();
@@ -214,6 +216,9 @@ TEST_F(Access, ForgivesWrongKeysAfterAGoodOne) {
     give_wrong_key();
     EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
     EXPECT_EQ(give_wrong_key(), KeyAnswer::wrong_key);
+    EXPECT_EQ(give_wrong_key(), KeyAnswer::wrong_key);
+    EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
+    EXPECT_EQ(give_wrong_key(), KeyAnswer::wrong_key);
     restart();
     EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
     restart();
@@ -232,6 +237,20 @@ TEST_F(Access, StartsItsDelayAnewAfterAReset) {
         EXPECT_FALSE(lock_->is_unlocked());
         EXPECT_EQ(wait_for_seed(), delays[wrong_keys]);
     }
+}
+
+TEST_F(Access, IsStartedAnewWithNothingOfBefore) {
+    give_wrong_key();
+    EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
+    give_wrong_key();
+    give_wrong_key();
+    EXPECT_EQ(give_wrong_key(), KeyAnswer::too_many_attempts);
+    storage_.record().clear();  // another memory
+    lock_->start();
+    EXPECT_EQ(wait_for_seed(), 0);
+    EXPECT_EQ(give_good_key(), KeyAnswer::unlocked);
+    lock_->start();
+    EXPECT_FALSE(lock_->is_unlocked());
 }
 
 TEST_F(Access, CountsAnAttemptThatAResetCutOff) {

@@ -162,6 +162,11 @@ TEST_F(ASectionAuthority, RefusesASectionWithoutASealOrWithPartOfOne) {
     Bytes erased_behind{rsi_parameter_section, rsi_parameter_section + section::length};
     erased_behind.resize(4096U, std::uint8_t{0xFFU});
     EXPECT_EQ(check(erased_behind), SealFault::missing);
+    for (std::size_t byte = 0U; byte < seal::magic.size(); ++byte) {
+        Bytes bytes = whole;
+        bytes[seal::magic_at + byte] ^= 1U;
+        EXPECT_EQ(check(bytes), SealFault::missing) << byte;
+    }
     EXPECT_EQ(refusal_of(erased_behind), ParametersRefusal::unauthentic);
 }
 
@@ -181,6 +186,14 @@ TEST_F(ASectionAuthority, RefusesAllWhenTheKeyStoreDoesNotAnswer) {
     EXPECT_EQ(authority.check(bytes.data(), bytes.size()), SealFault::forged);
     EXPECT_FALSE(application::seal_section(silent, 7U, bytes.data()));
     EXPECT_EQ(check(bytes), SealFault::missing);
+    EXPECT_EQ(application::word_at(bytes.data(), seal::magic_at), 0U);
+}
+
+TEST_F(ASectionAuthority, IsStartedAnewWithNothingOfBefore) {
+    EXPECT_TRUE(raise(7U));
+    storage_.record().clear();  // another memory
+    authority_->start();
+    EXPECT_EQ(authority_->version(), 0U);
 }
 
 TEST_F(ASectionAuthority, NeverGoesBackToAnOlderVersion) {
