@@ -70,6 +70,7 @@ void Slave::keep(const hal::CanFrame& frame) noexcept {
 }
 
 void Slave::work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept {
+    const std::uint32_t failures_before = bus.statistics().send_failures;
     if (has_command_) {
         has_command_ = false;
         if (answer(now)) {
@@ -87,6 +88,7 @@ void Slave::work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) n
     };
     tell(overload_, Event::daq_overload);
     tell(stored_, Event::store_cal);
+    send_failures_ += bus.statistics().send_failures - failures_before;
 }
 
 // False where a slave keeps silent: without a connection it hears nothing but CONNECT.

@@ -39,6 +39,9 @@ class Slave {
 
     bool is_connected() const noexcept { return connected_; }
 
+    // Of its own frames, among those that the bus has counted.
+    std::uint32_t send_failures() const noexcept { return send_failures_; }
+
  private:
     void keep(const hal::CanFrame& frame) noexcept;
     void work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept;
@@ -78,6 +81,7 @@ class Slave {
     Packet command_;
     Packet answer_;  // what it will be if nothing is wrong
     bool has_command_{false};
+    std::uint32_t send_failures_{0U};
     bool connected_{false};
     bool overload_{false};               // to be told
     bool stored_{false};                 // the same

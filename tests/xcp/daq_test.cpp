@@ -342,24 +342,34 @@ TEST(Packet, EndsWithItsFrame) {
     EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
 }
 
-TEST(BusTap, CountsTheEcusFailuresAlone) {
+TEST(BusTap, PassesOnWhatTheBusSays) {
     Bench bench;
     NarrowBus narrow;
-    hal::VirtualClock clock;
     hal::SoftwareKeys keys{hal::test_keys};
     hal::MemoryStorage<64U> attempts;
     access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
-    testing_application::NoWatchdog watchdog;
-    application::RolloverEcu ecu{narrow, clock, watchdog};
-    application::CalibrationPages pages{ecu, nullptr, 0U, nullptr};
+    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
     xcp::Slave slave{pages, access, xcp::default_identifiers};
     xcp::BusTap tap{narrow, slave};
     EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::full);
     narrow.room = 1;
     EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::sent);
-    EXPECT_EQ(tap.statistics().send_failures, 1U);
+    EXPECT_EQ(tap.statistics().send_failures, 3U);
     EXPECT_EQ(tap.statistics().frames_received, 7U);
     EXPECT_EQ(tap.state(), hal::BusState::error_passive);
+}
+
+// The ECU reports a fault of the bus when its own frames are not taken, and none when samples are not.
+TEST_F(Lists, ThatTheBusHasNoRoomForAreNoFaultOfTheBus) {
+    two_lists();
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    const std::uint32_t before = bench.ecu_bus().statistics().send_failures;
+    bench.ecu_bus().set_state(hal::BusState::bus_off);
+    bench.cycles(3);
+    const std::uint32_t failed = bench.ecu_bus().statistics().send_failures - before;
+    const std::uint32_t of_the_slave = bench.ecu().slave().send_failures();
+    EXPECT_GE(of_the_slave, 3U);
+    EXPECT_EQ(failed - of_the_slave, 3U * testing_application::frames_per_cycle);
 }
 
 }  // namespace
