@@ -71,7 +71,7 @@ class Session:
         try:
             self.xcp.connect()
         except pyxcp.types.XcpTimeoutError:
-            raise LogError("no answer to CONNECT: is the ECU on this interface, and does it answer XCP (rsi-ecu --xcp)?") from None
+            raise LogError("no answer to CONNECT: is the ECU on this interface, does it answer XCP (rsi-ecu --xcp)?") from None
         self.xcp.setMta(self.a2l.epk_at)
         epk = self.xcp.fetch(len(self.a2l.epk)).decode(errors="replace")
         if epk != self.a2l.epk:
