@@ -1,5 +1,6 @@
 #include "rsi/parameter_change.hpp"
 
+#include <array>
 #include <cstddef>
 
 #include "rsi/parameters.hpp"
@@ -10,31 +11,35 @@ namespace {
 // Of 2,000, so that a change of the vehicle is ready within two seconds.
 constexpr std::uint32_t iterations_a_cycle = 10U;
 
-// Places in the table of fields.
-constexpr std::size_t place_of(float Parameters::* member) {
-    std::size_t place = 0U;
-    while ((place < parameter_fields.size()) && (parameter_fields[place].member != member)) {
-        ++place;
-    }
-    return place;
-}
+using Field = float Parameters::*;
 
-// Before the wheelbase stands the vehicle's body and how it rolls.
-constexpr std::size_t vehicle_end = place_of(&Parameters::wheelbase_m);
-constexpr std::size_t units_begin = place_of(&Parameters::regression_scale_nm);
-constexpr std::size_t units_end = place_of(&Parameters::covariance_limit);
-constexpr std::size_t bank_drift = place_of(&Parameters::observer_bank_drift_radps);
-constexpr std::size_t sensors_begin = place_of(&Parameters::accelerometer_noise_mps2);
-constexpr std::size_t sensors_end = parameter_fields.size();
-static_assert((vehicle_end < units_begin) && (units_begin < units_end) && (units_end < bank_drift) &&
-              (bank_drift < sensors_begin) && (sensors_begin < sensors_end));
+// The vehicle's body and how it rolls.
+constexpr std::array<Field, 11> vehicle{&Parameters::sprung_mass_kg,
+                                        &Parameters::sprung_cg_height_m,
+                                        &Parameters::track_width_m,
+                                        &Parameters::roll_inertia_kgm2,
+                                        &Parameters::unsprung_mass_kg,
+                                        &Parameters::unsprung_cg_height_m,
+                                        &Parameters::fixed_roll_centre_height_m,
+                                        &Parameters::roll_stiffness_nmprad,
+                                        &Parameters::roll_damping_nmsprad,
+                                        &Parameters::roll_stiffness_cubic_nmprad3,
+                                        &Parameters::roll_stiffness_quintic_nmprad5};
 
-bool differ(const Parameters& one, const Parameters& other, std::size_t begin, std::size_t end) {
+constexpr std::array<Field, 4> units{
+    &Parameters::regression_scale_nm, &Parameters::initial_roll_centre_deviation_m,
+    &Parameters::initial_stiffness_deviation_nmprad, &Parameters::initial_damping_deviation_nmsprad};
+
+constexpr std::array<Field, 1> bank_drift{&Parameters::observer_bank_drift_radps};
+
+constexpr std::array<Field, 2> sensors{&Parameters::accelerometer_noise_mps2,
+                                       &Parameters::speed_resolution_mps};
+
+template <std::size_t count>
+bool differ(const Parameters& one, const Parameters& other, const std::array<Field, count>& fields) {
     bool found = false;
-    for (std::size_t place = begin; place < end; ++place) {
-        const float a = one.*parameter_fields[place].member;
-        const float b = other.*parameter_fields[place].member;
-        found = found || (a < b) || (a > b);
+    for (const Field field : fields) {
+        found = found || (one.*field < other.*field) || (one.*field > other.*field);
     }
     return found;
 }
@@ -42,8 +47,7 @@ bool differ(const Parameters& one, const Parameters& other, std::size_t begin, s
 bool have_other_sensors(const Parameters& one, const Parameters& other) {
     return (one.roll_angle_reference != other.roll_angle_reference) ||
            (one.roll_angle_sensor != other.roll_angle_sensor) ||
-           (one.vehicle_motion_sensors != other.vehicle_motion_sensors) ||
-           differ(one, other, sensors_begin, sensors_end);
+           (one.vehicle_motion_sensors != other.vehicle_motion_sensors) || differ(one, other, sensors);
 }
 
 }  // namespace
@@ -52,10 +56,10 @@ Validation ParameterChange::begin(const Parameters& from, const Parameters& to) 
     const Validation answer = validate(to);
     if (answer.accepted != 0) {
         to_ = to;
-        is_another_vehicle_ = differ(from, to, 0U, vehicle_end);
+        is_another_vehicle_ = differ(from, to, vehicle);
         has_other_sensors_ = have_other_sensors(from, to);
-        has_other_units_ = differ(from, to, units_begin, units_end);
-        has_gains_ = is_another_vehicle_ || differ(from, to, bank_drift, bank_drift + 1U);
+        has_other_units_ = differ(from, to, units);
+        has_gains_ = is_another_vehicle_ || differ(from, to, bank_drift);
         RollBankObserver observer;
         observer.tune(to);
         search_.begin(observer.upright_roll(), observer_noise(to));
