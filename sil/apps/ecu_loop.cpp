@@ -63,6 +63,7 @@ class Ecu {
         if (access != nullptr) {
             calibrated_.emplace(bus, clock, watchdog, access->seed_and_key(), access->section().data(),
                                 access->section().size(), &access->stored_section());
+            calibrated_->ecu().use_keys(access->keys());
             start_calibrated(parameters);
         } else {
             require_accepted(plain_.emplace(bus, clock, watchdog).init(parameters));
