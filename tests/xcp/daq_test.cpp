@@ -238,6 +238,107 @@ TEST_F(Lists, AreClearedWhileTheyRun) {
     EXPECT_EQ(bench.samples.size(), 1U);
 }
 
+// Nothing of what was allotted, written or set is left.
+TEST_F(Lists, AreReleasedWhole) {
+    two_lists();
+    ASSERT_EQ(set_mode(1U, with_time, 1U, 3U), good);
+    select(1U);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    ASSERT_EQ(point_to(1U, 0U, 0U), good);
+    ASSERT_EQ(bench.command({0xD6}), good);
+    EXPECT_TRUE(bench.samples.empty());
+    EXPECT_EQ(bench.command({0xFD}), (Bytes{0xFF, 0x00, 0, 0, 0, 0}));
+    EXPECT_EQ(write(map::outputs_at, 4U), error(0x29));
+    ASSERT_EQ(allot_lists(2U), good);
+    EXPECT_EQ(bench.command({0xDF, 0, 1, 0}), (Bytes{0xFF, 0, 0, 0, 0, 0, 1, 0}));
+    ASSERT_EQ(allot_parts(0U, 1U), good);
+    ASSERT_EQ(allot_entries(0U, 0U, 1U), good);
+    EXPECT_EQ(start(0U), error(0x2A));            // the entry is empty
+    EXPECT_EQ(allot_parts(1U, 1U), error(0x29));  // behind entries
+}
+
+// Both parts with two entries each; the other list keeps its own.
+TEST_F(Lists, AreClearedWholeAndAlone) {
+    ASSERT_EQ(allot_lists(2U), good);
+    ASSERT_EQ(allot_parts(0U, 2U), good);
+    ASSERT_EQ(allot_parts(1U, 1U), good);
+    for (const auto& [list, part] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 0}}) {
+        ASSERT_EQ(allot_entries(static_cast<std::uint8_t>(list), static_cast<std::uint8_t>(part), 2U), good);
+    }
+    const auto fill = [&](std::uint8_t list, std::uint8_t part) {
+        ASSERT_EQ(point_to(list, part, 0U), good);
+        ASSERT_EQ(write(map::epk_at, 1U), good);
+        ASSERT_EQ(write(map::epk_at + 1U, 2U), good);
+    };
+    fill(0U, 0U);
+    fill(0U, 1U);
+    fill(1U, 0U);
+    select(0U);
+    ASSERT_EQ(bench.command({0xE3, 0, 0, 0}), good);
+    EXPECT_EQ(bench.command({0xDF, 0, 0, 0}).at(1U), 0U);  // selected no longer
+    ASSERT_EQ(start(1U), (Bytes{0xFF, 2}));
+    EXPECT_EQ(bench.samples, std::vector<Bytes>{(Bytes{2, 'r', 's', 'i'})});
+    stop(1U);
+    // Every entry is empty: filled one by one, the list starts with the last.
+    for (const auto& [part, entry] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 0}, std::pair{1, 1}}) {
+        EXPECT_EQ(start(0U), error(0x2A)) << part << entry;
+        ASSERT_EQ(point_to(0U, static_cast<std::uint8_t>(part), static_cast<std::uint8_t>(entry)), good);
+        ASSERT_EQ(write(map::epk_at, 1U), good);
+    }
+    EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
+}
+
+TEST_F(Lists, HaveTheTimeInTheirFirstPartAlone) {
+    ASSERT_EQ(allot_lists(1U), good);
+    ASSERT_EQ(allot_parts(0U, 2U), good);
+    ASSERT_EQ(allot_entries(0U, 1U, 1U), good);
+    ASSERT_EQ(point_to(0U, 1U, 0U), good);
+    ASSERT_EQ(write(map::epk_at, 7U), good);
+    ASSERT_EQ(set_mode(0U, with_time), good);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    ASSERT_EQ(bench.samples.size(), 2U);
+    EXPECT_EQ(bench.samples[0].size(), 3U);
+    EXPECT_EQ(bench.samples[1].size(), 8U);
+}
+
+TEST_F(Lists, AreSelectedUntilTheyAreStopped) {
+    two_lists();
+    const auto selected = [&] { return bench.command({0xDF, 0, 1, 0}).at(1U) & 1U; };
+    select(1U);
+    EXPECT_EQ(selected(), 1U);
+    EXPECT_EQ(bench.command({0xDD, 0}), good);
+    EXPECT_EQ(selected(), 0U);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    ASSERT_EQ(start(1U), (Bytes{0xFF, 1}));
+    select(1U);
+    EXPECT_EQ(bench.command({0xDD, 2}), good);
+    EXPECT_EQ(selected(), 0U);
+    ASSERT_EQ(bench.samples.size(), 1U);
+    EXPECT_EQ(bench.samples[0][0], 0U);
+}
+
+// One that is started again begins at once, whatever its prescaler had left.
+TEST_F(Lists, BeginAtOnceWhenTheyAreStartedAgain) {
+    two_lists();
+    ASSERT_EQ(set_mode(0U, 0U, 0U, 50U), good);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    EXPECT_EQ(bench.samples.size(), 1U);
+    stop(0U);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    EXPECT_EQ(bench.samples.size(), 1U);
+}
+
+TEST_F(Lists, LeaveNoEventToAnotherSession) {
+    two_lists();
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    bench.ecu_bus().set_state(hal::BusState::bus_off);
+    bench.cycle();
+    bench.command({0xF9, 0x01});
+    bench.ecu_bus().set_state(hal::BusState::error_active);
+    bench.connect();
+    EXPECT_EQ(bench.answers.size(), 1U);
+}
+
 TEST_F(Lists, WithoutPartsDoNotStart) {
     ASSERT_EQ(allot_lists(1U), good);
     EXPECT_EQ(start(0U), error(0x2A));
