@@ -127,7 +127,8 @@ TEST(ParameterChange, OfTheWarningsThresholdMovesTheWarningAlone) {
     EXPECT_GT(first_difference, 0);
 }
 
-// Whoever is changed before he has seen anything is the same as who was started so: no constant was forgotten.
+// Whoever is changed before he has seen anything is the same as who was started so: no constant was
+// forgotten.
 TEST(ParameterChange, TakesOverEveryField) {
     const std::vector<rsi_parameters> all = neighbours(rsi_test::large_suv());
     ASSERT_GE(all.size(), rsi::parameter_fields.size());

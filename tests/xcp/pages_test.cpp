@@ -114,6 +114,37 @@ TEST(WorkingPage, TakesABlockPieceByPiece) {
     EXPECT_EQ(bench.command({0xF5, 4}), (Bytes{0xFF, 'r', 's', 'i', ' '}));
 }
 
+// The component reckons with it, and no check takes the change for damage.
+TEST(WorkingPage, IsWhatTheComponentReckonsWithFromThenOn) {
+    Bench bench;
+    bench.connect_and_unlock();
+    bench.cycles(100);
+    ASSERT_EQ(bench.ecu().ecu().outputs().warning_level, 0.0F);
+    EXPECT_EQ(
+        bench.download(Bench::address_of("warning_indicator"), {RSI_INDICATOR_TIME_TO_ROLLOVER, 0, 0, 0}),
+        good);
+    ASSERT_EQ(bench.refused_field(), 0U);
+    for (int k = 0; k < 60; ++k) {
+        bench.cycle();
+        ASSERT_EQ(bench.ecu().ecu().outputs().state, RSI_STATE_READY) << k;
+        // Ten seconds, as long as the body does not roll.
+        ASSERT_FLOAT_EQ(bench.ecu().ecu().outputs().warning_level,
+                        0.1F * bench.used().time_to_rollover_limit_s)
+            << k;
+    }
+}
+
+TEST(WorkingPage, SaysWhichSensorsAreHeard) {
+    Bench bench;
+    bench.connect_and_unlock();
+    bench.cycles(300);
+    ASSERT_EQ(bench.ecu().ecu().outputs().roll_source, RSI_ROLL_SENSOR);
+    EXPECT_EQ(bench.download(Bench::address_of("roll_angle_sensor"), {RSI_ROLL_SENSOR_NOT_FITTED, 0, 0, 0}),
+              good);
+    bench.cycles(10);
+    EXPECT_EQ(bench.ecu().ecu().outputs().roll_source, RSI_ROLL_OBSERVER);
+}
+
 TEST(WorkingPage, ForgetsAPieceWhenItIsCopied) {
     Bench bench;
     bench.connect_and_unlock();
