@@ -2,9 +2,9 @@
 
 #include <cstring>
 
+#include "application/calibration_epk.hpp"
 #include "application/little_endian.hpp"
 #include "hal/interface/saturating_count.hpp"
-#include "rsi/version.h"
 
 namespace application {
 namespace {
@@ -13,35 +13,12 @@ namespace map = calibration_map;
 
 constexpr std::array<std::uint8_t, 7> program_name{{'r', 's', 'i', '-', 'e', 'c', 'u'}};
 
-#define RSI_ROW(name, ...) remainder = section::add_word(remainder, #name, '\n');
-constexpr std::uint32_t layout_of_outputs() {
-    std::uint32_t remainder = crc32_start;
-    RSI_OUTPUTS(RSI_ROW, RSI_ROW, RSI_ROW)
-    return crc32_end(remainder);
-}
-#undef RSI_ROW
-
-constexpr std::uint8_t digit_of(std::uint32_t nibble) {
-    return static_cast<std::uint8_t>((nibble < 10U) ? '0' + nibble : 'A' + (nibble - 10U));
-}
-
-// "rsi 0.2.0 89ABCDEF 01234567", filled up with zeros.
-constexpr std::array<std::uint8_t, 32> make_epk() {
-    std::array<std::uint8_t, 32> text{};
+bool are_same(const char* name, const char* other) {
     std::size_t place = 0U;
-    for (const char* letter = "rsi " RSI_VERSION; *letter != '\0'; ++letter) {
-        text[place] = static_cast<std::uint8_t>(*letter);
+    while ((name[place] == other[place]) && (name[place] != '\0')) {
         ++place;
     }
-    for (const std::uint32_t word : {section::layout, layout_of_outputs()}) {
-        text[place] = ' ';
-        ++place;
-        for (std::uint32_t shift = 32U; shift > 0U; shift -= 4U) {
-            text[place] = digit_of((word >> (shift - 4U)) & 0xFU);
-            ++place;
-        }
-    }
-    return text;
+    return name[place] == other[place];
 }
 
 // The table's number of a field's name, from 1; 0 for none.
@@ -50,7 +27,7 @@ std::uint8_t number_of(const char* name) {
     std::uint8_t found = 0U;
     const auto look_at = [&](const char* field) {
         ++number;
-        if (std::strcmp(field, name) == 0) {
+        if (are_same(name, field)) {
             found = number;
         }
     };
@@ -76,12 +53,10 @@ bool is_within(std::uint32_t address, std::size_t count, xcp::Target::Range rang
 constexpr xcp::Target::Range parameter_range{map::parameters_at, map::parameters_length};
 constexpr xcp::Target::Range output_range{map::outputs_at, map::outputs_length};
 constexpr xcp::Target::Range change_range{map::change_at, map::change_length};
-constexpr xcp::Target::Range epk_range{map::epk_at, 32U};
+constexpr xcp::Target::Range epk_range{map::epk_at, calibration_epk.size()};
 constexpr xcp::Target::Range name_range{map::name_at, static_cast<std::uint32_t>(program_name.size())};
 
 }  // namespace
-
-const std::array<std::uint8_t, 32> calibration_epk = make_epk();
 
 ParameterSectionAnswer CalibrationPages::init() noexcept {
     selected_ = xcp::Page::working;
@@ -101,7 +76,6 @@ ParameterSectionAnswer CalibrationPages::init() noexcept {
     return answer;
 }
 
-// Who has refused his parameters begins with these; there is nothing to go on from.
 void CalibrationPages::go_on() noexcept {
     if (change_.prepare()) {
         ecu_.change(change_);
@@ -111,7 +85,7 @@ void CalibrationPages::go_on() noexcept {
 }
 
 bool CalibrationPages::begin_change(const std::uint8_t* section) noexcept {
-    const rsi::Parameters wanted = section::values_of(section + section::values_at);
+    const rsi::Parameters wanted = section::values_of(section);
     const rsi::Validation answer = change_.begin(ecu_.parameters(), wanted);
     is_changing_ = (answer.accepted != 0);
     refused_field_ = is_changing_ ? std::uint8_t{0U} : number_of(answer.field);
@@ -139,21 +113,26 @@ std::uint8_t CalibrationPages::byte_at(std::uint32_t address, xcp::Page page) co
         return calibration_epk[address - map::epk_at];
     }
     if (address >= map::change_at) {
-        const std::uint32_t place = address - map::change_at;
-        const std::array<std::uint8_t, 4> codes{static_cast<std::uint8_t>(selected_),
-                                                static_cast<std::uint8_t>(is_changing_), refused_field_, 0U};
-        return (place < codes.size()) ? codes[place] : byte_of(changes_, place);
+        return change_byte(address - map::change_at);
     }
     if (address >= map::outputs_at) {
-        const std::uint32_t place = address - map::outputs_at;
-        const auto* const words =
-            static_cast<const unsigned char*>(static_cast<const void*>(&ecu_.outputs()));
-        std::uint32_t word = 0U;
-        std::memcpy(&word, words + (place - place % 4U), sizeof word);
-        return byte_of(word, place);
+        return output_byte(address - map::outputs_at);
     }
-    const std::uint32_t place = section::values_at + (address - map::parameters_at);
+    const std::uint32_t place =
+        static_cast<std::uint32_t>(section::values_at) + (address - map::parameters_at);
     return (page == xcp::Page::working) ? working_[place] : reference_[place];
+}
+
+std::uint8_t CalibrationPages::change_byte(std::uint32_t place) const noexcept {
+    const std::array<std::uint8_t, 4> codes{static_cast<std::uint8_t>(selected_),
+                                            static_cast<std::uint8_t>(is_changing_), refused_field_, 0U};
+    return (place < codes.size()) ? codes[place] : byte_of(changes_, place);
+}
+
+std::uint8_t CalibrationPages::output_byte(std::uint32_t place) const noexcept {
+    std::array<std::uint32_t, map::outputs_length / 4U> words{};
+    std::memcpy(words.data(), &ecu_.outputs(), sizeof words);
+    return byte_of(words[place / 4U], place);
 }
 
 bool CalibrationPages::checksum(std::uint32_t address, xcp::Page page, std::size_t count,

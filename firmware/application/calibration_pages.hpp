@@ -29,9 +29,6 @@ inline constexpr std::uint32_t name_at = 0x50000U;
 
 }  // namespace calibration_map
 
-// What an A2L of this version has as its EPK: the version, the layout of the values and of the outputs.
-extern const std::array<std::uint8_t, 32> calibration_epk;
-
 // The working page is a parameter section in RAM, the reference page that of the image. Whole values only get
 // into the working page: of one that arrives in two pieces the first waits for the second. While the control
 // unit works with it, each change is validated as a whole and taken over between two cycles; what is refused
@@ -73,6 +70,8 @@ class CalibrationPages final : public xcp::Target {
     [[gnu::cold]] void go_on() noexcept;
     bool begin_change(const std::uint8_t* section) noexcept;
     std::uint8_t byte_at(std::uint32_t address, xcp::Page page) const noexcept;
+    std::uint8_t change_byte(std::uint32_t place) const noexcept;
+    std::uint8_t output_byte(std::uint32_t place) const noexcept;
 
     RolloverEcu& ecu_;
     const std::uint8_t* reference_;

@@ -39,15 +39,15 @@ ParametersRefusal check_form(const std::uint8_t* bytes, std::size_t length) {
 
 }  // namespace
 
-rsi::Parameters section::values_of(const std::uint8_t* values) noexcept {
+rsi::Parameters section::values_of(const std::uint8_t* bytes) noexcept {
     rsi::Parameters parameters{};
-    std::size_t place = 0U;
+    std::size_t place = values_at;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
-        parameters.*field.member = float_at(values, place);
+        parameters.*field.member = float_at(bytes, place);
         place += 4U;
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
-        const std::uint32_t word = word_at(values, place);
+        const std::uint32_t word = word_at(bytes, place);
         std::memcpy(&(parameters.*field.member), &word, sizeof word);
         place += 4U;
     }
@@ -64,7 +64,7 @@ ParameterSectionAnswer read_parameter_section(const std::uint8_t* bytes, std::si
     if (answer.refusal != ParametersRefusal::none) {
         return answer;
     }
-    const rsi::Parameters read = section::values_of(bytes + section::values_at);
+    const rsi::Parameters read = section::values_of(bytes);
     answer.validation = rsi::validate(read);
     if (answer.validation.accepted != 0) {
         parameters = read;

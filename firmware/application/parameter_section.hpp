@@ -83,8 +83,8 @@ constexpr std::uint32_t layout_of_values() {
 
 inline constexpr std::uint32_t layout = layout_of_values();
 
-// The parameters in the values of a section, which are 4 * value_count bytes; accepted by nobody yet.
-rsi::Parameters values_of(const std::uint8_t* values) noexcept;
+// The parameters in a section whose form is good; accepted by nobody yet.
+rsi::Parameters values_of(const std::uint8_t* bytes) noexcept;
 
 // Into a section whose values have been changed.
 void put_checksum(std::uint8_t* bytes) noexcept;

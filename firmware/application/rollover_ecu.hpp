@@ -36,14 +36,6 @@ class RolloverEcu {
     // The same with the parameters of a section of the image, of whose memory `length` bytes may be read.
     ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept;
 
-    // The same for a platform that takes sealed sections only. What it starts with raises the authority's
-    // version.
-    ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length,
-                                SectionAuthority& authority) noexcept;
-
-    // For a platform whose XCP or UDS asks for a key, before init: the bus is told when everybody knows it.
-    void use_keys(const hal::KeyStore& keys) noexcept { has_test_keys_ = keys.has_test_keys(); }
-
     // Between two cycles: goes on with the parameters of a change that is ready and began from parameters(),
     // as rsi::Component::change says. The checks of the inputs begin anew only where they depend on what has
     // changed. An ECU that has refused its parameters starts with these.
@@ -51,6 +43,14 @@ class RolloverEcu {
 
     // Those in use, as far as they were accepted.
     const rsi::Parameters& parameters() const noexcept { return parameters_; }
+
+    // The same for a platform that takes sealed sections only. What it starts with raises the authority's
+    // version.
+    ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length,
+                                SectionAuthority& authority) noexcept;
+
+    // For a platform whose XCP or UDS asks for a key, before init: the bus is told when everybody knows it.
+    void use_keys(const hal::KeyStore& keys) noexcept { has_test_keys_ = keys.has_test_keys(); }
 
     // For a platform that knows why it started; sent in every cycle. Before init: after a loss of power the
     // stored load is doubted.

@@ -53,7 +53,6 @@ class Diagnosis {
     // A tester has asked for it and has his answer.
     bool is_reset_requested() const noexcept { return server_.is_reset_requested(); }
 
-    TroubleMemory& codes() noexcept { return kept_.codes(); }
     Session session() const noexcept { return server_.session(); }
 
  private:

@@ -108,6 +108,7 @@ inline constexpr std::array<TroubleCode, trouble_code_count> trouble_codes{
     row(DiagnosticCode::roll_angle_two_senders, 0xD121U, failure_type::bus_message, Judged::always),
     row(DiagnosticCode::vehicle_motion_two_senders, 0xD122U, failure_type::bus_message, Judged::always),
     row(DiagnosticCode::own_identifier_received, 0xD0D0U, failure_type::bus_message, Judged::always),
+    row(DiagnosticCode::imu_held_back, 0xD120U, failure_type::plausibility, Judged::always),
 };
 
 constexpr bool is_table_of_all() {

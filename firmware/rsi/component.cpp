@@ -105,6 +105,10 @@ void Component::change(const ParameterChange& change) {
         estimator_.reset();
         moment_arm_error_.reset();
         load_adaptation_.init(parameters);
+    } else if (change.has_other_units()) {
+        estimator_.forget_published();
+    } else {
+        // All that has been learnt is of this vehicle and these units.
     }
     measurement_.assume_movement(estimator_.movement_for_observer_m());
     measurement_.assume_mass(load_adaptation_.known_mass_factor());

@@ -25,6 +25,9 @@ class ParameterChange {
     // Whether they describe other sensors: their noise, their resolution, or what the vehicle has.
     bool has_other_sensors() const { return has_other_sensors_; }
 
+    // Whether the published estimator reckons in other units.
+    bool has_other_units() const { return has_other_units_; }
+
     // Whether the observer settles to other gains.
     bool has_gains() const { return has_gains_; }
     const ObserverGains& gains() const { return search_.gains(); }
@@ -33,6 +36,7 @@ class ParameterChange {
     Parameters to_{};
     bool is_another_vehicle_{false};
     bool has_other_sensors_{false};
+    bool has_other_units_{false};
     bool has_gains_{false};
     ObserverGainsSearch search_{};
 };

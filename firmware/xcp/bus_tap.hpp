@@ -2,13 +2,12 @@
 #pragma once
 
 #include "hal/interface/can_bus.hpp"
-#include "hal/interface/saturating_count.hpp"
 #include "xcp/slave.hpp"
 
 namespace xcp {
 
 // The bus as it is; nothing is taken from it. The application drops commands as it drops all that is foreign,
-// and counts its own failures to send: that a bus has no room for samples is no fault of it.
+// and is not told of the slave's failures to send: that a bus has no room for samples is no fault of it.
 class BusTap final : public hal::CanBus {
  public:
     // Both must outlive the tap.
@@ -21,24 +20,17 @@ class BusTap final : public hal::CanBus {
         }
         return result;
     }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
-        const hal::SendResult result = bus_.send(frame);
-        if (result != hal::SendResult::sent) {
-            hal::count_up(send_failures_);
-        }
-        return result;
-    }
+    hal::SendResult send(const hal::CanFrame& frame) noexcept override { return bus_.send(frame); }
     hal::BusState state() const noexcept override { return bus_.state(); }
     hal::BusStatistics statistics() const noexcept override {
         hal::BusStatistics statistics = bus_.statistics();
-        statistics.send_failures = send_failures_;
+        statistics.send_failures -= slave_.send_failures();  // which are among them
         return statistics;
     }
 
  private:
     hal::CanBus& bus_;
     Slave& slave_;
-    std::uint32_t send_failures_{0U};
 };
 
 }  // namespace xcp

@@ -18,7 +18,7 @@ bool send_packet(hal::CanBus& bus, std::uint32_t identifier, const Packet& packe
     return bus.send(frame) == hal::SendResult::sent;
 }
 
-void DaqLists::free() noexcept {
+void DaqLists::release() noexcept {
     lists_ = {};
     parts_ = {};
     entries_ = {};
@@ -30,7 +30,7 @@ void DaqLists::free() noexcept {
     running_ = 0U;
 }
 
-// In the order of lists, parts, entries; each once after free().
+// In the order of lists, parts, entries; each once after release().
 Error DaqLists::allot_lists(std::uint32_t count) noexcept {
     if (list_count_ > 0U) {
         return Error::sequence;
@@ -159,8 +159,8 @@ bool DaqLists::mode(std::uint32_t list, Packet& answer) const noexcept {
     const List& asked = lists_[list];
     const std::uint32_t selected = asked.selected ? 0x01U : 0U;
     const std::uint32_t running = asked.running ? 0x40U : 0U;
-    answer.add_byte(selected | running | asked.mode).add_half_word(0U);
-    answer.add_half_word(asked.event).add_byte(asked.prescaler).add_byte(0U);
+    answer.add_byte(selected | running | asked.mode).add_zeros(2U);
+    answer.add_half_word(asked.event).add_byte(asked.prescaler).add_zeros(1U);
     return true;
 }
 

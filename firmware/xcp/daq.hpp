@@ -16,6 +16,7 @@ namespace xcp {
 inline constexpr std::uint32_t most_lists = 4U;
 inline constexpr std::uint32_t most_parts = 20U;
 inline constexpr std::uint32_t most_entries = 64U;
+static_assert(most_parts * 135U * 100U * 100U / 500'000U == 54U, "share of a bus, in percent, at 100 Hz");
 inline constexpr std::uint32_t largest_entry = packet_length - 1U;  // bytes
 inline constexpr std::uint32_t timestamp_length = 2U;               // bytes, in a list's first part
 inline constexpr std::int64_t nanoseconds_per_tick = 100'000;
@@ -34,8 +35,8 @@ class DaqLists {
  public:
     explicit DaqLists(const Target& target) noexcept : target_{target} {}
 
-    // Stops all, and nothing is allotted.
-    void free() noexcept;
+    // Stops all, and nothing is allotted any more.
+    void release() noexcept;
 
     Error allot_lists(std::uint32_t count) noexcept;
     Error allot_parts(std::uint32_t list, std::uint32_t count) noexcept;

@@ -19,63 +19,62 @@ constexpr std::array<EventChannel, event_count> events{{{10U, 1U}, {100U, 0U}}};
 
 }  // namespace
 
-Packet Slave::answer_about_lists(Command command, hal::Time now) noexcept {
+Error Slave::answer_about_lists(Command command, hal::Time now) noexcept {
     switch (command) {
         case Command::get_daq_list_mode:
             return list_mode();
         case Command::get_daq_clock:
-            return positive().add_byte(0U).add_half_word(0U).add_word(ticks_of(now));
+            answer_.add_zeros(3U).add_word(ticks_of(now));
+            return Error::none;
         case Command::get_daq_processor_info:
             return processor_info();
         case Command::get_daq_resolution_info:
-            return positive()
-                .add_byte(1U)
+            answer_.add_byte(1U)
                 .add_byte(largest_entry)
-                .add_half_word(0U)  // no stimulation
+                .add_zeros(2U)  // no stimulation
                 .add_byte(timestamp_format)
                 .add_half_word(1U);
+            return Error::none;
         default:
             return event_info();
     }
 }
 
-Packet Slave::change_lists(Command command) noexcept {
+Error Slave::change_lists(Command command) noexcept {
     switch (command) {
         case Command::clear_daq_list:
-            return answer_to(daq_.clear(command_.half_word(2U)));
+            return daq_.clear(command_.half_word(2U));
         case Command::set_daq_ptr:
-            return answer_to(daq_.point_to(command_.half_word(2U), command_.byte(4U), command_.byte(5U)));
+            return daq_.point_to(command_.half_word(2U), command_.byte(4U), command_.byte(5U));
         case Command::write_daq:
             if ((command_.byte(1U) != whole_bytes) || (command_.byte(3U) != 0U)) {
-                return negative(Error::out_of_range);
+                return Error::out_of_range;
             }
-            return answer_to(daq_.write(command_.word(4U), command_.byte(2U)));
+            return daq_.write(command_.word(4U), command_.byte(2U));
         case Command::set_daq_list_mode:
-            return answer_to(daq_.set_mode(command_.half_word(2U), command_.byte(1U), command_.half_word(4U),
-                                           command_.byte(6U)));
+            return daq_.set_mode(command_.half_word(2U), command_.byte(1U), command_.half_word(4U),
+                                 command_.byte(6U));
         case Command::start_stop_daq_list:
             return start_or_stop_list();
         case Command::start_stop_synch:
-            return answer_to(start_or_stop_all());
+            return start_or_stop_all();
         case Command::free_daq:
-            daq_.free();
-            return positive();
+            daq_.release();
+            return Error::none;
         case Command::alloc_daq:
-            return answer_to(daq_.allot_lists(command_.half_word(2U)));
+            return daq_.allot_lists(command_.half_word(2U));
         case Command::alloc_odt:
-            return answer_to(daq_.allot_parts(command_.half_word(2U), command_.byte(4U)));
+            return daq_.allot_parts(command_.half_word(2U), command_.byte(4U));
         default:
-            return answer_to(
-                daq_.allot_entries(command_.half_word(2U), command_.byte(4U), command_.byte(5U)));
+            return daq_.allot_entries(command_.half_word(2U), command_.byte(4U), command_.byte(5U));
     }
 }
 
-Packet Slave::list_mode() const noexcept {
-    Packet packet = positive();
-    return daq_.mode(command_.half_word(2U), packet) ? packet : negative(Error::out_of_range);
+Error Slave::list_mode() noexcept {
+    return daq_.mode(command_.half_word(2U), answer_) ? Error::none : Error::out_of_range;
 }
 
-Packet Slave::start_or_stop_list() noexcept {
+Error Slave::start_or_stop_list() noexcept {
     const std::uint32_t list = command_.half_word(2U);
     Error error = Error::mode_not_valid;
     if (command_.byte(1U) == 0U) {
@@ -87,7 +86,10 @@ Packet Slave::start_or_stop_list() noexcept {
     } else {
         // There is no other.
     }
-    return (error == Error::none) ? positive().add_byte(daq_.first_part(list)) : negative(error);
+    if (error == Error::none) {
+        answer_.add_byte(daq_.first_part(list));
+    }
+    return error;
 }
 
 Error Slave::start_or_stop_all() noexcept {
@@ -105,28 +107,24 @@ Error Slave::start_or_stop_all() noexcept {
 }
 
 // Samples bear the number of their part alone (absolute ODT number).
-Packet Slave::processor_info() const noexcept {
-    return positive()
-        .add_byte(daq_properties)
-        .add_half_word(daq_.count())
-        .add_half_word(event_count)
-        .add_byte(0U)
-        .add_byte(0U);
+Error Slave::processor_info() noexcept {
+    answer_.add_byte(daq_properties).add_half_word(daq_.count()).add_half_word(event_count).add_zeros(2U);
+    return Error::none;
 }
 
-Packet Slave::event_info() const noexcept {
+Error Slave::event_info() noexcept {
     constexpr std::uint8_t for_measurement = 0x04U;
     const std::uint32_t event = command_.half_word(2U);
     if (event >= event_count) {
-        return negative(Error::out_of_range);
+        return Error::out_of_range;
     }
-    return positive()
-        .add_byte(for_measurement)
+    answer_.add_byte(for_measurement)
         .add_byte(most_lists)
         .add_byte(0U)  // the A2L has its name
         .add_byte(events[event].period_ms)
         .add_byte(unit_1_ms)
         .add_byte(events[event].priority);
+    return Error::none;
 }
 
 }  // namespace xcp

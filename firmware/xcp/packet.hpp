@@ -85,8 +85,8 @@ class Packet {
     std::uint8_t length() const noexcept { return length_; }
     const std::array<std::uint8_t, packet_length>& bytes() const noexcept { return bytes_; }
 
-    // 0 where the packet has ended. Commands are never read beyond a length that was asked for.
-    std::uint8_t byte(std::size_t place) const noexcept { return (place < length_) ? bytes_[place] : 0U; }
+    // 0 where the packet has ended; `place` within a frame.
+    std::uint8_t byte(std::size_t place) const noexcept { return bytes_[place]; }
     std::uint32_t half_word(std::size_t place) const noexcept {
         return static_cast<std::uint32_t>(byte(place)) | (static_cast<std::uint32_t>(byte(place + 1U)) << 8U);
     }
@@ -107,22 +107,15 @@ class Packet {
         return add_half_word(value).add_half_word(value >> 16U);
     }
 
-    std::size_t room() const noexcept { return packet_length - length_; }
+    // Within the packet.
+    Packet& add_zeros(std::uint8_t count) noexcept {
+        length_ = static_cast<std::uint8_t>(length_ + count);
+        return *this;
+    }
 
  private:
     std::array<std::uint8_t, packet_length> bytes_{};
     std::uint8_t length_{0U};
 };
-
-inline Packet positive() noexcept {
-    return Packet{answer_code};
-}
-inline Packet negative(Error error) noexcept {
-    return Packet{error_code}.add_byte(static_cast<std::uint32_t>(error));
-}
-// The plain answer to a command that gives no data.
-inline Packet answer_to(Error error) noexcept {
-    return (error == Error::none) ? positive() : negative(error);
-}
 
 }  // namespace xcp

@@ -12,68 +12,48 @@ constexpr std::uint8_t driver_version = 0x01U;
 constexpr std::size_t block_length = access_control::Block{}.size();
 constexpr std::size_t piece_length = packet_length - 2U;  // of a seed or key in one packet
 
-// The bytes that a command has at least, with its code.
-std::uint8_t least_length(Command command) noexcept {
-    switch (command) {
-        case Command::get_id:
-        case Command::set_request:
-        case Command::upload:
-        case Command::download:
-        case Command::start_stop_synch:
-            return 2U;
-        case Command::get_seed:
-        case Command::unlock:
-        case Command::get_cal_page:
-        case Command::set_segment_mode:
-        case Command::get_segment_mode:
-            return 3U;
-        case Command::set_cal_page:
-        case Command::get_page_info:
-        case Command::clear_daq_list:
-        case Command::get_daq_list_mode:
-        case Command::start_stop_daq_list:
-        case Command::get_daq_event_info:
-        case Command::alloc_daq:
-            return 4U;
-        case Command::get_segment_info:
-        case Command::copy_cal_page:
-        case Command::alloc_odt:
-            return 5U;
-        case Command::set_daq_ptr:
-        case Command::alloc_odt_entry:
-            return 6U;
-        case Command::set_mta:
-        case Command::short_upload:
-        case Command::build_checksum:
-        case Command::write_daq:
-        case Command::set_daq_list_mode:
-            return 8U;
-        default:
-            return 1U;
-    }
-}
+// What a command has: at least so many bytes, with its code; and whether the key must have been given.
+constexpr std::uint8_t key = 0x80U;
+constexpr std::uint8_t first_in_form = 0xD3U;
+constexpr std::array<std::uint8_t, 45> form{{
+    6U | key,  // D3 ALLOC_ODT_ENTRY
+    5U | key,  // D4 ALLOC_ODT
+    4U | key,  // D5 ALLOC_DAQ
+    1U | key,  // D6 FREE_DAQ
+    4U,        // D7 GET_DAQ_EVENT_INFO
+    1U,       1U, 1U, 1U, 1U,
+    2U | key,  // DD START_STOP_SYNCH
+    4U | key,  // DE START_STOP_DAQ_LIST
+    4U,        // DF GET_DAQ_LIST_MODE
+    8U | key,  // E0 SET_DAQ_LIST_MODE
+    8U | key,  // E1 WRITE_DAQ
+    6U | key,  // E2 SET_DAQ_PTR
+    4U | key,  // E3 CLEAR_DAQ_LIST
+    5U | key,  // E4 COPY_CAL_PAGE
+    3U,        // E5 GET_SEGMENT_MODE
+    3U | key,  // E6 SET_SEGMENT_MODE
+    4U,        // E7 GET_PAGE_INFO
+    5U,        // E8 GET_SEGMENT_INFO
+    1U,        // E9
+    3U,        // EA GET_CAL_PAGE
+    4U | key,  // EB SET_CAL_PAGE
+    1U,       1U, 1U, 1U,
+    2U | key,  // F0 DOWNLOAD
+    1U,       1U,
+    8U,        // F3 BUILD_CHECKSUM
+    8U,        // F4 SHORT_UPLOAD
+    2U,        // F5 UPLOAD
+    8U,        // F6 SET_MTA
+    3U,        // F7 UNLOCK
+    3U,        // F8 GET_SEED
+    2U | key,  // F9 SET_REQUEST
+    2U,        // FA GET_ID
+    1U,       1U, 1U, 1U, 1U,
+}};
 
-bool needs_key(Command command) noexcept {
-    switch (command) {
-        case Command::download:
-        case Command::set_request:
-        case Command::set_cal_page:
-        case Command::set_segment_mode:
-        case Command::copy_cal_page:
-        case Command::clear_daq_list:
-        case Command::set_daq_ptr:
-        case Command::write_daq:
-        case Command::set_daq_list_mode:
-        case Command::start_stop_daq_list:
-        case Command::start_stop_synch:
-        case Command::free_daq:
-        case Command::alloc_daq:
-        case Command::alloc_odt:
-        case Command::alloc_odt_entry:
-            return true;
-        default:
-            return false;
-    }
+// Of a command that there is not, its code alone.
+std::uint8_t form_of(std::uint8_t code) noexcept {
+    return (code >= first_in_form) ? form[static_cast<std::size_t>(code) - first_in_form] : std::uint8_t{1U};
 }
 
 }  // namespace
@@ -90,50 +70,56 @@ void Slave::keep(const hal::CanFrame& frame) noexcept {
 }
 
 void Slave::work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept {
+    const std::uint32_t failures_before = bus.statistics().send_failures;
     if (has_command_) {
         has_command_ = false;
-        Packet packet{};
-        if (answer(now, packet)) {
+        if (answer(now)) {
             static_cast<void>(
-                send_packet(bus, identifiers_.answer, packet));  // the master repeats its command
+                send_packet(bus, identifiers_.answer, answer_));  // the master repeats its command
         }
     }
     overload_ = !daq_.sample(bus, identifiers_.answer, now, missed_cycles) || overload_;
     const auto tell = [&](bool& pending, Event event) {
         if (pending) {
-            const Packet packet = Packet{event_code}.add_byte(static_cast<std::uint32_t>(event));
+            Packet packet{event_code};
+            packet.add_byte(static_cast<std::uint32_t>(event));
             pending = !send_packet(bus, identifiers_.answer, packet);
         }
     };
     tell(overload_, Event::daq_overload);
     tell(stored_, Event::store_cal);
+    send_failures_ += bus.statistics().send_failures - failures_before;
 }
 
 // False where a slave keeps silent: without a connection it hears nothing but CONNECT.
-bool Slave::answer(hal::Time now, Packet& packet) noexcept {
+bool Slave::answer(hal::Time now) noexcept {
+    answer_ = Packet{answer_code};
     const auto command = static_cast<Command>(command_.byte(0U));
     if (command == Command::connect) {
         // Mode 1 is for slaves whose identifiers a user sets; byte 1 missing is mode 0.
         if (command_.byte(1U) != 0U) {
             return false;
         }
-        packet = connect();
+        connect();
         return true;
     }
     if (!connected_) {
         return false;
     }
-    if (command_.length() < least_length(command)) {
-        packet = negative(Error::syntax);
-    } else if (needs_key(command) && !access_.is_unlocked()) {
-        packet = negative(Error::access_locked);
-    } else {
-        packet = answer_in_session(command, now);
+    Error error = Error::syntax;
+    const std::uint8_t wanted = form_of(command_.byte(0U));
+    if (command_.length() >= (wanted & ~static_cast<std::uint32_t>(key))) {
+        error = (((wanted & key) != 0U) && !access_.is_unlocked()) ? Error::access_locked
+                                                                   : answer_in_session(command, now);
+    }
+    if (error != Error::none) {
+        answer_ = Packet{error_code};
+        answer_.add_byte(static_cast<std::uint32_t>(error));
     }
     return true;
 }
 
-Packet Slave::answer_in_session(Command command, hal::Time now) noexcept {
+Error Slave::answer_in_session(Command command, hal::Time now) noexcept {
     switch (command) {
         case Command::set_cal_page:
         case Command::get_cal_page:
@@ -166,17 +152,18 @@ Packet Slave::answer_in_session(Command command, hal::Time now) noexcept {
     }
 }
 
-Packet Slave::answer_standard(Command command) noexcept {
+Error Slave::answer_standard(Command command) noexcept {
     switch (command) {
         case Command::disconnect:
             disconnect();
-            return positive();
+            return Error::none;
         case Command::get_status:
             return status();
         case Command::synch:
-            return negative(Error::synch);
+            return Error::synch;
         case Command::get_comm_mode_info:
-            return positive().add_word(0U).add_half_word(0U).add_byte(driver_version);
+            answer_.add_zeros(6U).add_byte(driver_version);
+            return Error::none;
         case Command::get_id:
             return identification();
         case Command::set_request:
@@ -187,15 +174,15 @@ Packet Slave::answer_standard(Command command) noexcept {
             return unlock();
         case Command::set_mta:
             if (command_.byte(3U) != 0U) {
-                return negative(Error::out_of_range);  // no address extension
+                return Error::out_of_range;  // no address extension
             }
             address_ = command_.word(4U);
-            return positive();
+            return Error::none;
         case Command::upload:
             return upload(address_);
         case Command::short_upload:
             if (command_.byte(3U) != 0U) {
-                return negative(Error::out_of_range);
+                return Error::out_of_range;
             }
             return upload(command_.word(4U));
         case Command::build_checksum:
@@ -203,17 +190,16 @@ Packet Slave::answer_standard(Command command) noexcept {
         case Command::download:
             return download();
         default:
-            return negative(Error::unknown);
+            return Error::unknown;
     }
 }
 
-Packet Slave::connect() noexcept {
+void Slave::connect() noexcept {
     disconnect();
     connected_ = true;
     visible_ = Page::working;
     address_ = 0U;
-    return positive()
-        .add_byte(calibration_resource | daq_resource)
+    answer_.add_byte(calibration_resource | daq_resource)
         .add_byte(optional_mode)
         .add_byte(packet_length)
         .add_half_word(packet_length)
@@ -228,7 +214,7 @@ void Slave::disconnect() noexcept {
     seed_left_ = 0U;
     key_got_ = 0U;
     access_.lock();
-    daq_.free();
+    daq_.release();
 }
 
 std::uint8_t Slave::locked_resources() const noexcept {
@@ -236,59 +222,63 @@ std::uint8_t Slave::locked_resources() const noexcept {
                                  : static_cast<std::uint8_t>(calibration_resource | daq_resource);
 }
 
-Packet Slave::status() const noexcept {
+Error Slave::status() noexcept {
     const std::uint32_t running = daq_.is_running() ? 0x40U : 0U;
-    return positive().add_byte(running).add_byte(locked_resources()).add_byte(0U).add_half_word(0U);
+    answer_.add_byte(running).add_byte(locked_resources()).add_zeros(3U);
+    return Error::none;
 }
 
 // Text (0), and the A2L's name without an ending (1): one and the same, read by uploads.
-Packet Slave::identification() noexcept {
+Error Slave::identification() noexcept {
     if (command_.byte(1U) > 1U) {
-        return positive().add_byte(0U).add_half_word(0U).add_word(0U);
+        answer_.add_zeros(7U);
+        return Error::none;
     }
     const Target::Range name = target_.name();
     address_ = name.address;
-    return positive().add_byte(0U).add_half_word(0U).add_word(name.length);
+    answer_.add_zeros(3U).add_word(name.length);
+    return Error::none;
 }
 
 // In pieces: how much is left with this one, and its bytes. Nothing is left to be unlocked where a seed has
 // no length.
-Packet Slave::seed() noexcept {
+Error Slave::seed() noexcept {
     const std::uint8_t resource = command_.byte(2U);
     const bool is_first = (command_.byte(1U) == 0U);
     if (is_first) {
         if ((resource != calibration_resource) && (resource != daq_resource)) {
-            return negative(Error::out_of_range);
+            return Error::out_of_range;
         }
         key_got_ = 0U;
         seed_left_ = 0U;
         if (access_.is_unlocked()) {
-            return positive().add_byte(0U);
+            answer_.add_byte(0U);
+            return Error::none;
         }
         if (!access_.give_seed(exchanged_)) {
-            return negative(Error::temporarily_not_accessible);
+            return Error::temporarily_not_accessible;
         }
         seed_left_ = static_cast<std::uint8_t>(block_length);
     } else if (seed_left_ == 0U) {
-        return negative(Error::sequence);
+        return Error::sequence;
     } else {
         // The next piece.
     }
-    Packet packet = positive().add_byte(seed_left_);
-    while ((seed_left_ > 0U) && (packet.room() > 0U)) {
-        packet.add_byte(exchanged_[block_length - seed_left_]);
+    answer_.add_byte(seed_left_);
+    while ((seed_left_ > 0U) && (answer_.length() < packet_length)) {
+        answer_.add_byte(exchanged_[block_length - seed_left_]);
         --seed_left_;
     }
-    return packet;
+    return Error::none;
 }
 
 // The same way back; the byte before each piece says how much is left with it.
-Packet Slave::unlock() noexcept {
+Error Slave::unlock() noexcept {
     const std::size_t left = block_length - key_got_;
     const std::size_t piece = (left < piece_length) ? left : piece_length;
     if ((command_.byte(1U) != left) || (command_.length() < 2U + piece)) {
         key_got_ = 0U;
-        return negative(Error::sequence);
+        return Error::sequence;
     }
     for (std::size_t place = 0U; place < piece; ++place) {
         exchanged_[key_got_] = command_.byte(2U + place);
@@ -298,50 +288,51 @@ Packet Slave::unlock() noexcept {
         key_got_ = 0U;
         if (access_.take_key(exchanged_) != access_control::KeyAnswer::unlocked) {
             disconnect();  // as the standard has it
-            return negative(Error::access_locked);
+            return Error::access_locked;
         }
     }
-    return positive().add_byte(locked_resources());
+    answer_.add_byte(locked_resources());
+    return Error::none;
 }
 
-Packet Slave::upload(std::uint32_t address) noexcept {
+Error Slave::upload(std::uint32_t address) noexcept {
     std::array<std::uint8_t, packet_length> bytes{};
     const std::size_t count = command_.byte(1U);
     if ((count == 0U) || (count > packet_length - 1U)) {
-        return negative(Error::out_of_range);
+        return Error::out_of_range;
     }
     if (!target_.read(address, visible_, bytes.data(), count)) {
-        return negative(Error::access_denied);
+        return Error::access_denied;
     }
     address_ = address + static_cast<std::uint32_t>(count);
-    Packet packet = positive();
     for (std::size_t place = 0U; place < count; ++place) {
-        packet.add_byte(bytes[place]);
+        answer_.add_byte(bytes[place]);
     }
-    return packet;
+    return Error::none;
 }
 
-Packet Slave::checksum() noexcept {
+Error Slave::checksum() noexcept {
     constexpr std::uint32_t type_crc_32 = 0x09U;
     const std::uint32_t count = command_.word(4U);
     std::uint32_t sum = 0U;
     if (!target_.checksum(address_, visible_, count, sum)) {
-        return negative(Error::access_denied);
+        return Error::access_denied;
     }
     address_ += count;
-    return positive().add_byte(type_crc_32).add_half_word(0U).add_word(sum);
+    answer_.add_byte(type_crc_32).add_zeros(2U).add_word(sum);
+    return Error::none;
 }
 
-Packet Slave::download() noexcept {
+Error Slave::download() noexcept {
     const std::size_t count = command_.byte(1U);
     if ((count == 0U) || (count > piece_length)) {
-        return negative(Error::out_of_range);
+        return Error::out_of_range;
     }
     if (command_.length() < 2U + count) {
-        return negative(Error::syntax);
+        return Error::syntax;
     }
     if (visible_ != Page::working) {
-        return negative(Error::write_protected);
+        return Error::write_protected;
     }
     std::array<std::uint8_t, piece_length> bytes{};
     for (std::size_t place = 0U; place < count; ++place) {
@@ -351,17 +342,17 @@ Packet Slave::download() noexcept {
     if (error == Error::none) {
         address_ += static_cast<std::uint32_t>(count);
     }
-    return answer_to(error);
+    return error;
 }
 
-Packet Slave::store() noexcept {
+Error Slave::store() noexcept {
     constexpr std::uint8_t store_cal = 0x01U;
     if (command_.byte(1U) != store_cal) {
-        return negative(Error::out_of_range);
+        return Error::out_of_range;
     }
     const Error error = target_.store();
     stored_ = (error == Error::none);
-    return answer_to(error);
+    return error;
 }
 
 }  // namespace xcp

@@ -39,44 +39,49 @@ class Slave {
 
     bool is_connected() const noexcept { return connected_; }
 
+    // Of its own frames, among those that the bus has counted.
+    std::uint32_t send_failures() const noexcept { return send_failures_; }
+
  private:
     void keep(const hal::CanFrame& frame) noexcept;
     void work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept;
-    bool answer(hal::Time now, Packet& packet) noexcept;
-    Packet answer_in_session(Command command, hal::Time now) noexcept;
-    Packet answer_standard(Command command) noexcept;
-    Packet answer_about_pages(Command command) noexcept;
-    Packet answer_about_lists(Command command, hal::Time now) noexcept;
-    Packet change_lists(Command command) noexcept;
+    bool answer(hal::Time now) noexcept;
+    Error answer_in_session(Command command, hal::Time now) noexcept;
+    Error answer_standard(Command command) noexcept;
+    Error answer_about_pages(Command command) noexcept;
+    Error answer_about_lists(Command command, hal::Time now) noexcept;
+    Error change_lists(Command command) noexcept;
 
-    Packet connect() noexcept;
+    void connect() noexcept;
     void disconnect() noexcept;
-    Packet status() const noexcept;
-    Packet identification() noexcept;
-    Packet seed() noexcept;
-    Packet unlock() noexcept;
-    Packet upload(std::uint32_t address) noexcept;
-    Packet checksum() noexcept;
-    Packet download() noexcept;
-    Packet set_page() noexcept;
-    Packet page() const noexcept;
-    Packet segment_info() const noexcept;
-    Packet page_info() const noexcept;
-    Packet copy_page() noexcept;
-    Packet store() noexcept;
-    Packet list_mode() const noexcept;
-    Packet start_or_stop_list() noexcept;
+    Error status() noexcept;
+    Error identification() noexcept;
+    Error seed() noexcept;
+    Error unlock() noexcept;
+    Error upload(std::uint32_t address) noexcept;
+    Error checksum() noexcept;
+    Error download() noexcept;
+    Error set_page() noexcept;
+    Error page() noexcept;
+    Error segment_info() noexcept;
+    Error page_info() noexcept;
+    Error copy_page() noexcept;
+    Error store() noexcept;
+    Error list_mode() noexcept;
+    Error start_or_stop_list() noexcept;
     Error start_or_stop_all() noexcept;
-    Packet processor_info() const noexcept;
-    Packet event_info() const noexcept;
+    Error processor_info() noexcept;
+    Error event_info() noexcept;
     std::uint8_t locked_resources() const noexcept;
 
     Target& target_;
     access_control::SeedAndKey& access_;
     Identifiers identifiers_;
     DaqLists daq_;
-    Packet command_{};
+    Packet command_;
+    Packet answer_;  // what it will be if nothing is wrong
     bool has_command_{false};
+    std::uint32_t send_failures_{0U};
     bool connected_{false};
     bool overload_{false};               // to be told
     bool stored_{false};                 // the same

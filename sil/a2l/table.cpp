@@ -1,5 +1,5 @@
-// a2l-table: what an A2L needs to know of the firmware, from the firmware's own tables. Lines of fields that are
-// separated by tabs:
+// a2l-table: what an A2L needs to know of the firmware, from the firmware's own tables. Lines of fields that
+// are separated by tabs:
 //   constant   NAME VALUE
 //   parameter  NAME ADDRESS LEAST LARGEST CHOICES         choices separated by commas; empty: a float
 //   output     NAME ADDRESS LARGEST UNIT MEANING          largest of a code; empty: a float
@@ -8,6 +8,7 @@
 #include <cstring>
 #include <string>
 
+#include "application/calibration_epk.hpp"
 #include "application/calibration_pages.hpp"
 #include "rsi/parameters.hpp"
 #include "xcp/daq.hpp"
@@ -57,11 +58,13 @@ void parameters() {
 void outputs() {
     const rsi::Outputs all{};
     const auto address_of = [&all](const void* member) {
-        return map::outputs_at + static_cast<std::uint32_t>(static_cast<const char*>(member) -
-                                                            static_cast<const char*>(static_cast<const void*>(&all)));
+        return map::outputs_at +
+               static_cast<std::uint32_t>(static_cast<const char*>(member) -
+                                          static_cast<const char*>(static_cast<const void*>(&all)));
     };
-#define RSI_CODE(name, reset, largest, risk, meaning) \
-    fmt::print("output\t{}\t{}\t{}\t\t{}\n", #name, address_of(&all.name), static_cast<int>(largest), meaning);
+#define RSI_CODE(name, reset, largest, risk, meaning)                                                 \
+    fmt::print("output\t{}\t{}\t{}\t\t{}\n", #name, address_of(&all.name), static_cast<int>(largest), \
+               meaning);
 #define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) \
     fmt::print("output\t{}\t{}\t\t{}\t{}\n", #name, address_of(&all.name), unit, meaning);
 #define RSI_INDEX(name, unit, mirror, CHOICE, number, choice, scale, side, meaning) \

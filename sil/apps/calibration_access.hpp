@@ -24,6 +24,7 @@ class CalibrationAccess {
     CalibrationAccess(const CalibrationAccess&) = delete;
     CalibrationAccess& operator=(const CalibrationAccess&) = delete;
 
+    const hal::KeyStore& keys() const { return keys_; }
     access_control::SeedAndKey& seed_and_key() { return seed_and_key_; }
     hal::Storage& stored_section() { return stored_section_; }
     const std::vector<std::uint8_t>& section() const { return section_; }  // the reference page

@@ -39,6 +39,7 @@ class DiagnosisAccess {
     diagnosis::SectionStore& store() { return store_; }
     access_control::SeedAndKey& seed_and_key() { return seed_and_key_; }
     const diagnosis::Identification& identification() const { return identification_; }
+    const hal::KeyStore& keys() const { return keys_; }
     hal::Storage& one() { return one_; }
     hal::Storage& other() { return other_; }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "application/calibrated_ecu.hpp"
@@ -78,9 +79,13 @@ class Ecu {
         if (access != nullptr) {
             calibrated_.emplace(its_bus, clock, watchdog, access->seed_and_key(), access->section().data(),
                                 access->section().size(), &access->stored_section());
+            calibrated_->ecu().use_keys(access->keys());
             start_calibrated(parameters);
         } else {
             plain_.emplace(its_bus, clock, watchdog);
+            if (accesses.diagnosis != nullptr) {
+                plain_->use_keys(accesses.diagnosis->keys());
+            }
             start_plain(parameters, accesses.diagnosis);
         }
     }
@@ -97,6 +102,9 @@ class Ecu {
     }
     // A tester wants it to start anew.
     bool is_reset_requested() const { return diagnosis_ && diagnosis_->is_reset_requested(); }
+
+    // It has started with other parameters than those that it was given.
+    bool has_stored() const { return has_stored_; }
 
  private:
     void start_diagnosis(hal::CanBus& bus, DiagnosisAccess& access, bool is_switched_on) {
@@ -122,20 +130,20 @@ class Ecu {
     }
     void start_calibrated(const rsi::Parameters& parameters) {
         require_accepted(calibrated_->init().validation);
-        const bool is_stored =
-            std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
-        if (is_stored) {
-            fmt::print("rsi-ecu: starts with the parameters that were stored\n");
-        }
+        has_stored_ = std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
     }
 
     std::optional<diagnosis::Diagnosis> diagnosis_;
     std::optional<application::RolloverEcu> plain_;
     std::optional<application::CalibratedEcu> calibrated_;
+    bool has_stored_{false};
 };
 
-void say_listening(const EcuRequest& request) {
-    fmt::print("rsi-ecu: listening on {}{}\n", request.interface, request.lock_step ? ", in lock-step" : "");
+void say_listening(const EcuRequest& request, const Ecu& ecu) {
+    const std::string stored =
+        ecu.has_stored() ? fmt::format(", with what XCP has stored in {}", request.xcp_storage) : "";
+    fmt::print("rsi-ecu: listening on {}{}{}\n", request.interface, request.lock_step ? ", in lock-step" : "",
+               stored);
     std::fflush(stdout);
 }
 
@@ -170,7 +178,7 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
     if (!real_time) {
         throw std::runtime_error(real_time.message());
     }
-    say_listening(request);
+    say_listening(request, *ecu);
     BusStateReport bus_state{request.interface};
     hal::PeriodicTick<hal::SteadyClock> tick{clock, cycle_time};
     while (end_requested == 0) {
@@ -194,7 +202,7 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
     std::optional<Ecu> ecu;
     ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
-    say_listening(request);
+    say_listening(request, *ecu);
     while (end_requested == 0) {
         // Short enough to notice a request to end, long enough to cost nothing.
         if (!socket.wait_for_frame(hal::Time::from_milliseconds(100))) {

@@ -92,14 +92,17 @@ std::vector<rsi_parameters> neighbours(const rsi_parameters& parameters) {
 }
 
 TEST(ParameterChange, ToTheSameParametersChangesNoBit) {
-    Pair pair{rsi_test::large_suv()};
-    for (int k = 0; k < 2000; ++k) {
+    rsi_parameters adaptive = rsi_test::large_suv();
+    adaptive.load_adaptation = 1.0F;
+    Pair pair{adaptive};
+    for (int k = 0; k < 4000; ++k) {
         pair.step();
         ASSERT_TRUE(same_bits(pair.changed_outputs, pair.other_outputs)) << "sample " << k;
         if (k % 97 == 0) {
-            pair.changed.change(ready_change(rsi_test::large_suv(), rsi_test::large_suv()));
+            pair.changed.change(ready_change(adaptive, adaptive));
         }
     }
+    EXPECT_NE(pair.changed.learnt_load().excess, 0.0F);
 }
 
 TEST(ParameterChange, OfTheWarningsThresholdMovesTheWarningAlone) {
@@ -124,15 +127,14 @@ TEST(ParameterChange, OfTheWarningsThresholdMovesTheWarningAlone) {
     EXPECT_GT(first_difference, 0);
 }
 
-// Whoever is changed and then starts anew is the same as who was started so: no constant was forgotten.
+// Whoever is changed before he has seen anything is the same as who was started so: no constant was
+// forgotten.
 TEST(ParameterChange, TakesOverEveryField) {
     const std::vector<rsi_parameters> all = neighbours(rsi_test::large_suv());
     ASSERT_GE(all.size(), rsi::parameter_fields.size());
     for (const rsi_parameters& parameters : all) {
         Pair pair{rsi_test::large_suv()};
-        pair.run(150);
         pair.changed.change(ready_change(rsi_test::large_suv(), parameters));
-        pair.changed.reset(parameters);
         ASSERT_EQ(pair.other.init(parameters).accepted, 1);
         for (int k = 0; k < 300; ++k) {
             pair.step();
@@ -196,6 +198,63 @@ TEST(ParameterChange, OfAnotherVehicleTakesCyclesToPrepareAndOthersNone) {
     EXPECT_EQ(prepared_in(change), 1);
     ASSERT_EQ(change.begin(rsi_test::large_suv(), coarse).accepted, 1);
     EXPECT_TRUE(change.has_other_sensors());
+}
+
+// More or less of a value, and each selection of a sensor.
+TEST(ParameterChange, TellsWhatIsOther) {
+    struct Case {
+        bool vehicle;
+        bool sensors;
+        bool units;
+        bool gains;
+        void (*move)(rsi_parameters&);
+    };
+    const Case cases[]{
+        {false, false, false, false, [](rsi_parameters&) {}},
+        {true, false, false, true, [](rsi_parameters& p) { p.sprung_mass_kg = 2050.0F; }},
+        {true, false, false, true, [](rsi_parameters& p) { p.roll_stiffness_quintic_nmprad5 = 6.0e7F; }},
+        {false, false, false, false, [](rsi_parameters& p) { p.wheelbase_m = 3.0F; }},
+        {false, false, true, false, [](rsi_parameters& p) { p.regression_scale_nm = 440.0F; }},
+        {false, false, true, false, [](rsi_parameters& p) { p.initial_damping_deviation_nmsprad = 2.0e3F; }},
+        {false, false, false, false, [](rsi_parameters& p) { p.covariance_limit = 200.0F; }},
+        {false, false, false, true, [](rsi_parameters& p) { p.observer_bank_drift_radps *= 0.9F; }},
+        {false, true, false, false, [](rsi_parameters& p) { p.accelerometer_noise_mps2 = 0.5F; }},
+        {false, true, false, false, [](rsi_parameters& p) { p.speed_resolution_mps = 0.5F; }},
+        {false, true, false, false,
+         [](rsi_parameters& p) { p.roll_angle_reference = RSI_ROLL_AGAINST_HORIZON; }},
+        {false, true, false, false,
+         [](rsi_parameters& p) { p.roll_angle_sensor = RSI_ROLL_SENSOR_NOT_FITTED; }},
+        {false, true, false, false,
+         [](rsi_parameters& p) { p.vehicle_motion_sensors = RSI_MOTION_NOT_FITTED; }},
+        {false, false, false, false, [](rsi_parameters& p) { p.estimator = RSI_ESTIMATOR_PUBLISHED; }},
+    };
+    for (const Case& each : cases) {
+        rsi_parameters moved = rsi_test::large_suv();
+        each.move(moved);
+        rsi::ParameterChange change;
+        ASSERT_EQ(change.begin(rsi_test::large_suv(), moved).accepted, 1);
+        const auto place = &each - cases;
+        EXPECT_EQ(change.is_another_vehicle(), each.vehicle) << place;
+        EXPECT_EQ(change.has_other_sensors(), each.sensors) << place;
+        EXPECT_EQ(change.has_other_units(), each.units) << place;
+        EXPECT_EQ(change.has_gains(), each.gains) << place;
+    }
+}
+
+TEST(ParameterChange, OfTheUnitsForgetsThePublishedEstimateAlone) {
+    rsi_parameters published = rsi_test::large_suv();
+    published.estimator = RSI_ESTIMATOR_PUBLISHED;
+    rsi_parameters scaled = published;
+    scaled.regression_scale_nm = 2.0F * scaled.regression_scale_nm;
+    Pair pair{published};
+    pair.run(2000);
+    ASSERT_NE(pair.changed_outputs.roll_centre_vertical_m, 0.0F);
+    const rsi_learnt_load learnt = pair.changed.learnt_load();
+    pair.changed.change(ready_change(published, scaled));
+    EXPECT_EQ(pair.changed.learnt_load().excess, learnt.excess);
+    pair.step();
+    EXPECT_LT(std::abs(pair.changed_outputs.roll_centre_vertical_m),
+              std::abs(pair.other_outputs.roll_centre_vertical_m));
 }
 
 TEST(ParameterChange, ThatIsRefusedNamesTheFieldAndLeavesWhatWasPrepared) {

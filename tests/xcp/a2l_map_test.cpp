@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string>
 
+#include "application/calibration_epk.hpp"
 #include "tests/xcp/bench.hpp"
 
 namespace testing_xcp {
@@ -29,6 +30,10 @@ TEST(Epk, HasVersionAndBothLayoutsAndIsFilledUp) {
     EXPECT_TRUE(
         std::all_of(words.begin() + 9, words.end(), [](unsigned char c) { return std::isxdigit(c); }));
     EXPECT_EQ(text.substr(begin.size() + 17U), std::string(32U - begin.size() - 17U, '\0'));
+    // What the compiler has evaluated, evaluated here.
+    std::array<std::uint8_t, 32> again{};
+    again = application::make_calibration_epk();
+    EXPECT_EQ(std::string(again.begin(), again.end()), text);
 }
 
 TEST(Identifiers, AreNoFramesAndLowerInPriority) {

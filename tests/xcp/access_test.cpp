@@ -73,6 +73,33 @@ TEST(Key, CannotBeGivenOutOfOrder) {
     EXPECT_EQ(bench.command({0xF7, 4, 0, 0, 0, 0}), locked);
 }
 
+TEST(Key, BegunAndBrokenOffIsBegunAnew) {
+    Bench bench;
+    bench.connect();
+    // By another length, by another seed, by another session.
+    EXPECT_EQ(bench.command({0xF7, 16, 0, 0, 0, 0, 0, 0}), (Bytes{0xFF, 0x05}));
+    EXPECT_EQ(bench.command({0xF7, 9, 0, 0, 0, 0, 0, 0}), (Bytes{0xFE, 0x29}));
+    EXPECT_EQ(bench.command({0xF7, 10, 0, 0, 0, 0, 0, 0}), (Bytes{0xFE, 0x29}));
+    EXPECT_EQ(bench.command({0xF7, 16, 0, 0, 0, 0, 0, 0}), (Bytes{0xFF, 0x05}));
+    EXPECT_EQ(bench.unlock(), (Bytes{0xFF, 0x00}));
+    bench.connect();
+    EXPECT_EQ(bench.command({0xF7, 16, 0, 0, 0, 0, 0, 0}), (Bytes{0xFF, 0x05}));
+    EXPECT_EQ(bench.command({0xF8, 0, 0x01}).at(1U), 16U);
+    bench.connect();
+    EXPECT_EQ(bench.command({0xF8, 1, 0x01}), (Bytes{0xFE, 0x29}));
+    EXPECT_EQ(bench.command({0xF7, 10, 0, 0, 0, 0, 0, 0}), (Bytes{0xFE, 0x29}));
+    EXPECT_EQ(bench.unlock(), (Bytes{0xFF, 0x00}));
+}
+
+TEST(Key, WhoseSeedIsAskedForInUnlockedStateHasNone) {
+    Bench bench;
+    bench.connect();
+    EXPECT_EQ(bench.command({0xF8, 0, 0x01}).at(1U), 16U);
+    EXPECT_EQ(bench.unlock(), (Bytes{0xFF, 0x00}));
+    EXPECT_EQ(bench.command({0xF8, 0, 0x01}), (Bytes{0xFF, 0}));
+    EXPECT_EQ(bench.command({0xF8, 1, 0x01}), (Bytes{0xFE, 0x29}));
+}
+
 TEST(Key, IsForgottenByAnotherSession) {
     Bench bench;
     bench.connect_and_unlock();

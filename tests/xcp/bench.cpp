@@ -16,7 +16,7 @@ void Bench::restart() {
     access_.emplace(keys_, hal::KeySlot::calibration, random, attempts_);
     access_->start();
     ecu_.emplace(bus_.endpoint(0U), clock_, watchdog_, *access_, reference.data(), reference.size(),
-                 &storage_);
+                 has_memory ? &storage_ : nullptr);
     static_cast<void>(ecu_->init());
 }
 

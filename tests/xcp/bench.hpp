@@ -22,7 +22,7 @@ namespace map = application::calibration_map;
 
 // Those of the image's section.
 inline rsi::Parameters image_parameters() {
-    return application::section::values_of(rsi_parameter_section + application::section::values_at);
+    return application::section::values_of(rsi_parameter_section);
 }
 
 // Other numbers each time.
@@ -81,6 +81,7 @@ class Bench {
     static std::uint32_t address_of(const char* name);
 
     CountingRandom random;
+    bool has_memory{true};  // to store in, from the next restart on
     hal::MemoryStorage<application::section::length> storage_;
     hal::MemoryBus<3U>::Endpoint& ecu_bus() { return bus_.endpoint(0U); }
     Bytes reference{rsi_parameter_section, rsi_parameter_section + application::section::length};

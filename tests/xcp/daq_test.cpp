@@ -115,6 +115,24 @@ TEST_F(Lists, HaveNoMoreBytesInAPartThanAFrame) {
     EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
 }
 
+// The first of two entries is empty, and so is a whole part.
+TEST_F(Lists, DoNotStartWithAnEmptyEntry) {
+    ASSERT_EQ(allot_lists(1U), good);
+    ASSERT_EQ(allot_parts(0U, 2U), good);
+    ASSERT_EQ(allot_entries(0U, 0U, 2U), good);
+    ASSERT_EQ(allot_entries(0U, 1U, 1U), good);
+    ASSERT_EQ(point_to(0U, 0U, 1U), good);
+    ASSERT_EQ(write(map::outputs_at, 1U), good);
+    EXPECT_EQ(start(0U), error(0x2A));
+    ASSERT_EQ(point_to(0U, 0U, 0U), good);
+    ASSERT_EQ(write(map::outputs_at, 1U), good);
+    EXPECT_EQ(start(0U), error(0x2A));
+    ASSERT_EQ(point_to(0U, 1U, 0U), good);
+    ASSERT_EQ(write(map::outputs_at, 1U), good);
+    EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
+    EXPECT_EQ(bench.samples.size(), 2U);
+}
+
 TEST_F(Lists, HaveAModeThatIsTold) {
     two_lists();
     EXPECT_EQ(set_mode(2U, 0U), error(0x22));
@@ -220,6 +238,107 @@ TEST_F(Lists, AreClearedWhileTheyRun) {
     EXPECT_EQ(bench.samples.size(), 1U);
 }
 
+// Nothing of what was allotted, written or set is left.
+TEST_F(Lists, AreReleasedWhole) {
+    two_lists();
+    ASSERT_EQ(set_mode(1U, with_time, 1U, 3U), good);
+    select(1U);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    ASSERT_EQ(point_to(1U, 0U, 0U), good);
+    ASSERT_EQ(bench.command({0xD6}), good);
+    EXPECT_TRUE(bench.samples.empty());
+    EXPECT_EQ(bench.command({0xFD}), (Bytes{0xFF, 0x00, 0, 0, 0, 0}));
+    EXPECT_EQ(write(map::outputs_at, 4U), error(0x29));
+    ASSERT_EQ(allot_lists(2U), good);
+    EXPECT_EQ(bench.command({0xDF, 0, 1, 0}), (Bytes{0xFF, 0, 0, 0, 0, 0, 1, 0}));
+    ASSERT_EQ(allot_parts(0U, 1U), good);
+    ASSERT_EQ(allot_entries(0U, 0U, 1U), good);
+    EXPECT_EQ(start(0U), error(0x2A));            // the entry is empty
+    EXPECT_EQ(allot_parts(1U, 1U), error(0x29));  // behind entries
+}
+
+// Both parts with two entries each; the other list keeps its own.
+TEST_F(Lists, AreClearedWholeAndAlone) {
+    ASSERT_EQ(allot_lists(2U), good);
+    ASSERT_EQ(allot_parts(0U, 2U), good);
+    ASSERT_EQ(allot_parts(1U, 1U), good);
+    for (const auto& [list, part] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 0}}) {
+        ASSERT_EQ(allot_entries(static_cast<std::uint8_t>(list), static_cast<std::uint8_t>(part), 2U), good);
+    }
+    const auto fill = [&](std::uint8_t list, std::uint8_t part) {
+        ASSERT_EQ(point_to(list, part, 0U), good);
+        ASSERT_EQ(write(map::epk_at, 1U), good);
+        ASSERT_EQ(write(map::epk_at + 1U, 2U), good);
+    };
+    fill(0U, 0U);
+    fill(0U, 1U);
+    fill(1U, 0U);
+    select(0U);
+    ASSERT_EQ(bench.command({0xE3, 0, 0, 0}), good);
+    EXPECT_EQ(bench.command({0xDF, 0, 0, 0}).at(1U), 0U);  // selected no longer
+    ASSERT_EQ(start(1U), (Bytes{0xFF, 2}));
+    EXPECT_EQ(bench.samples, std::vector<Bytes>{(Bytes{2, 'r', 's', 'i'})});
+    stop(1U);
+    // Every entry is empty: filled one by one, the list starts with the last.
+    for (const auto& [part, entry] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 0}, std::pair{1, 1}}) {
+        EXPECT_EQ(start(0U), error(0x2A)) << part << entry;
+        ASSERT_EQ(point_to(0U, static_cast<std::uint8_t>(part), static_cast<std::uint8_t>(entry)), good);
+        ASSERT_EQ(write(map::epk_at, 1U), good);
+    }
+    EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
+}
+
+TEST_F(Lists, HaveTheTimeInTheirFirstPartAlone) {
+    ASSERT_EQ(allot_lists(1U), good);
+    ASSERT_EQ(allot_parts(0U, 2U), good);
+    ASSERT_EQ(allot_entries(0U, 1U, 1U), good);
+    ASSERT_EQ(point_to(0U, 1U, 0U), good);
+    ASSERT_EQ(write(map::epk_at, 7U), good);
+    ASSERT_EQ(set_mode(0U, with_time), good);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    ASSERT_EQ(bench.samples.size(), 2U);
+    EXPECT_EQ(bench.samples[0].size(), 3U);
+    EXPECT_EQ(bench.samples[1].size(), 8U);
+}
+
+TEST_F(Lists, AreSelectedUntilTheyAreStopped) {
+    two_lists();
+    const auto selected = [&] { return bench.command({0xDF, 0, 1, 0}).at(1U) & 1U; };
+    select(1U);
+    EXPECT_EQ(selected(), 1U);
+    EXPECT_EQ(bench.command({0xDD, 0}), good);
+    EXPECT_EQ(selected(), 0U);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    ASSERT_EQ(start(1U), (Bytes{0xFF, 1}));
+    select(1U);
+    EXPECT_EQ(bench.command({0xDD, 2}), good);
+    EXPECT_EQ(selected(), 0U);
+    ASSERT_EQ(bench.samples.size(), 1U);
+    EXPECT_EQ(bench.samples[0][0], 0U);
+}
+
+// One that is started again begins at once, whatever its prescaler had left.
+TEST_F(Lists, BeginAtOnceWhenTheyAreStartedAgain) {
+    two_lists();
+    ASSERT_EQ(set_mode(0U, 0U, 0U, 50U), good);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    EXPECT_EQ(bench.samples.size(), 1U);
+    stop(0U);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    EXPECT_EQ(bench.samples.size(), 1U);
+}
+
+TEST_F(Lists, LeaveNoEventToAnotherSession) {
+    two_lists();
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    bench.ecu_bus().set_state(hal::BusState::bus_off);
+    bench.cycle();
+    bench.command({0xF9, 0x01});
+    bench.ecu_bus().set_state(hal::BusState::error_active);
+    bench.connect();
+    EXPECT_EQ(bench.answers.size(), 1U);
+}
+
 TEST_F(Lists, WithoutPartsDoNotStart) {
     ASSERT_EQ(allot_lists(1U), good);
     EXPECT_EQ(start(0U), error(0x2A));
@@ -285,7 +404,8 @@ class NarrowBus final : public hal::CanBus {
  public:
     hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
     hal::SendResult send(const hal::CanFrame&) noexcept override {
-        if (room == 0) {
+        if ((room == 0) || (refused > 0)) {
+            --refused;
             return hal::SendResult::full;
         }
         --room;
@@ -294,26 +414,63 @@ class NarrowBus final : public hal::CanBus {
     hal::BusState state() const noexcept override { return hal::BusState::error_passive; }
     hal::BusStatistics statistics() const noexcept override { return {7U, 6U, 5U, 4U, 3U}; }
     int room{0};
+    int refused{0};  // so many at first
 };
 
-TEST(BusTap, CountsTheEcusFailuresAlone) {
+// A bus that takes the first frames of a cycle and no more.
+TEST(DaqLists, SayThatAnyFrameWasNotTaken) {
     Bench bench;
     NarrowBus narrow;
-    hal::VirtualClock clock;
+    application::RolloverEcu& ecu = bench.ecu().ecu();
+    application::CalibrationPages pages{ecu, nullptr, 0U, nullptr};
+    xcp::DaqLists lists{pages};
+    ASSERT_EQ(lists.allot_lists(1U), xcp::Error::none);
+    ASSERT_EQ(lists.allot_parts(0U, 2U), xcp::Error::none);
+    ASSERT_EQ(lists.start(0U), xcp::Error::none);
+    for (int room = 0; room <= 2; ++room) {
+        narrow.room = room;
+        EXPECT_EQ(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U), room == 2) << room;
+    }
+    narrow.room = 2;
+    narrow.refused = 1;
+    EXPECT_FALSE(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U));
+}
+
+TEST(Packet, EndsWithItsFrame) {
+    xcp::Packet packet{0xFFU};
+    packet.add_word(0x04030201U).add_word(0x08070605U);
+    EXPECT_EQ(packet.length(), 8U);
+    EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
+}
+
+TEST(BusTap, PassesOnWhatTheBusSays) {
+    Bench bench;
+    NarrowBus narrow;
     hal::SoftwareKeys keys{hal::test_keys};
     hal::MemoryStorage<64U> attempts;
     access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
-    testing_application::NoWatchdog watchdog;
-    application::RolloverEcu ecu{narrow, clock, watchdog};
-    application::CalibrationPages pages{ecu, nullptr, 0U, nullptr};
+    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
     xcp::Slave slave{pages, access, xcp::default_identifiers};
     xcp::BusTap tap{narrow, slave};
     EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::full);
     narrow.room = 1;
     EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::sent);
-    EXPECT_EQ(tap.statistics().send_failures, 1U);
+    EXPECT_EQ(tap.statistics().send_failures, 3U);
     EXPECT_EQ(tap.statistics().frames_received, 7U);
     EXPECT_EQ(tap.state(), hal::BusState::error_passive);
+}
+
+// The ECU reports a fault of the bus when its own frames are not taken, and none when samples are not.
+TEST_F(Lists, ThatTheBusHasNoRoomForAreNoFaultOfTheBus) {
+    two_lists();
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
+    const std::uint32_t before = bench.ecu_bus().statistics().send_failures;
+    bench.ecu_bus().set_state(hal::BusState::bus_off);
+    bench.cycles(3);
+    const std::uint32_t failed = bench.ecu_bus().statistics().send_failures - before;
+    const std::uint32_t of_the_slave = bench.ecu().slave().send_failures();
+    EXPECT_GE(of_the_slave, 3U);
+    EXPECT_EQ(failed - of_the_slave, 3U * testing_application::frames_per_cycle);
 }
 
 }  // namespace

@@ -86,6 +86,84 @@ TEST(WorkingPage, TakesWholeValuesOnly) {
     EXPECT_EQ(bench.download(address + 1U, {0x00}), (Bytes{0xFE, 0x22}));
 }
 
+// As a master sends a block: the address once, then six bytes at a time, which end within values.
+TEST(WorkingPage, TakesABlockPieceByPiece) {
+    Bench bench;
+    bench.connect_and_unlock();
+    EXPECT_EQ(bench.command({0xEB, 0x01, 0, 1}), good);  // the reference, while it is written
+    Bytes block;
+    for (const float value : {0.5F, 0.25F, 0.75F}) {
+        std::uint32_t word = 0U;
+        std::memcpy(&word, &value, sizeof word);
+        block = Bench::with_word(block, word);
+    }
+    ASSERT_TRUE(bench.set_address(Bench::address_of("advisory_on")));
+    Bytes first{0xF0, 6};
+    Bytes second{0xF0, 6};
+    first.insert(first.end(), block.begin(), block.begin() + 6);
+    second.insert(second.end(), block.begin() + 6, block.end());
+    EXPECT_EQ(bench.command(first), good);
+    EXPECT_EQ(bench.command({0xF0, 7, 0, 0, 0, 0, 0, 0}), (Bytes{0xFE, 0x22}));  // changes no address
+    EXPECT_EQ(bench.command(second), good);
+    EXPECT_EQ(bench.read_float("advisory_on"), 0.5F);
+    EXPECT_EQ(bench.read_float("advisory_off"), 0.25F);
+    EXPECT_EQ(bench.read_float("warning_on"), 0.75F);
+    // What is refused leaves the address where it was.
+    ASSERT_TRUE(bench.set_address(map::epk_at));
+    EXPECT_EQ(bench.command({0xF0, 4, 0, 0, 0, 0}), (Bytes{0xFE, 0x24}));
+    EXPECT_EQ(bench.command({0xF5, 4}), (Bytes{0xFF, 'r', 's', 'i', ' '}));
+}
+
+// The component reckons with it, and no check takes the change for damage.
+TEST(WorkingPage, IsWhatTheComponentReckonsWithFromThenOn) {
+    Bench bench;
+    bench.connect_and_unlock();
+    bench.cycles(100);
+    ASSERT_EQ(bench.ecu().ecu().outputs().warning_level, 0.0F);
+    EXPECT_EQ(
+        bench.download(Bench::address_of("warning_indicator"), {RSI_INDICATOR_TIME_TO_ROLLOVER, 0, 0, 0}),
+        good);
+    ASSERT_EQ(bench.refused_field(), 0U);
+    for (int k = 0; k < 60; ++k) {
+        bench.cycle();
+        ASSERT_EQ(bench.ecu().ecu().outputs().state, RSI_STATE_READY) << k;
+        // Ten seconds, as long as the body does not roll.
+        ASSERT_FLOAT_EQ(bench.ecu().ecu().outputs().warning_level,
+                        0.1F * bench.used().time_to_rollover_limit_s)
+            << k;
+    }
+}
+
+TEST(WorkingPage, SaysWhichSensorsAreHeard) {
+    Bench bench;
+    bench.connect_and_unlock();
+    bench.cycles(300);
+    ASSERT_EQ(bench.ecu().ecu().outputs().roll_source, RSI_ROLL_SENSOR);
+    EXPECT_EQ(bench.download(Bench::address_of("roll_angle_sensor"), {RSI_ROLL_SENSOR_NOT_FITTED, 0, 0, 0}),
+              good);
+    bench.cycles(10);
+    EXPECT_EQ(bench.ecu().ecu().outputs().roll_source, RSI_ROLL_OBSERVER);
+}
+
+TEST(WorkingPage, ForgetsAPieceWhenItIsCopied) {
+    Bench bench;
+    bench.connect_and_unlock();
+    const std::uint32_t address = Bench::address_of("warning_on");
+    EXPECT_EQ(bench.download(address, {0x00, 0x00}), good);
+    EXPECT_EQ(bench.command({0xE4, 0, 1, 0, 0}), good);
+    EXPECT_EQ(bench.download(address + 2U, {0x00, 0x00}), (Bytes{0xFE, 0x22}));
+}
+
+TEST(Pages, AreSeenAnewByEachSession) {
+    Bench bench;
+    bench.connect_and_unlock();
+    EXPECT_EQ(bench.command({0xEB, 0x02, 0, 1}), good);
+    ASSERT_TRUE(bench.set_address(map::name_at));
+    bench.connect();
+    EXPECT_EQ(bench.command({0xEA, 0x02, 0}), (Bytes{0xFF, 0, 0, 0}));
+    EXPECT_EQ(bench.command({0xF5, 1}), (Bytes{0xFE, 0x24}));
+}
+
 TEST(WorkingPage, IsWrittenWithinItsEndsAlone) {
     Bench bench;
     bench.connect_and_unlock();
@@ -239,6 +317,18 @@ TEST(Store, TellsOfAMemoryThatTakesNothing) {
     EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x33}));
     bench.storage_.set_busy(false);
     EXPECT_EQ(bench.command({0xF9, 0x01}), good);
+}
+
+TEST(Store, NeedsAMemory) {
+    Bench bench;
+    bench.has_memory = false;
+    bench.restart();
+    bench.connect_and_unlock();
+    EXPECT_EQ(bench.read_float("warning_on"), image_parameters().warning_on);
+    ASSERT_TRUE(bench.write_float("warning_on", 0.85F));
+    bench.cycle();
+    EXPECT_EQ(bench.used().warning_on, 0.85F);
+    EXPECT_EQ(bench.command({0xF9, 0x01}), (Bytes{0xFE, 0x24}));
 }
 
 TEST(Store, ThatIsDamagedGivesWayToTheReference) {

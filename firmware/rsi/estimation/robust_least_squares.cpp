@@ -19,19 +19,12 @@ void RobustLeastSquares::tune(const Parameters& parameters) {
     forgetting_growth_ = 1.0F / forgetting_factor_;
     disturbance_weight_ =
         1.0F - decaying_exponential(two_pi * parameters.disturbance_cutoff_hz * sample_time_s);
-    const Vector3 input_scale_before = input_scale_;
-    const float output_scale_before_nm = output_scale_nm_;
     output_scale_nm_ = parameters.regression_scale_nm;
     parameter_scale_ << parameters.initial_roll_centre_deviation_m,
         parameters.initial_stiffness_deviation_nmprad, parameters.initial_damping_deviation_nmsprad;
     input_scale_ = parameter_scale_ / output_scale_nm_;
     output_scale_inverse_ = 1.0F / output_scale_nm_;
     covariance_limit_ = parameters.covariance_limit;
-    const float rescaled = (input_scale_ - input_scale_before).squaredNorm() +
-                           absolute(output_scale_nm_ - output_scale_before_nm);
-    if (rescaled > 0.0F) {
-        reset();
-    }
 }
 
 void RobustLeastSquares::reset() {

@@ -14,7 +14,7 @@ class RobustLeastSquares {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
 
-    // The parameters from now on. What has been learnt stays, unless it stands in other units.
+    // The parameters from now on; what has been learnt stays, so their units must be the same.
     [[gnu::cold]] void tune(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void reset();
 

@@ -17,6 +17,9 @@ class RollCentreEstimator {
     // The parameters from now on; what has been learnt stays.
     [[gnu::cold]] void tune(const Parameters& parameters);
 
+    // What the published estimator has learnt stands in the units of its parameters.
+    void forget_published() { published_.reset(); }
+
     // Forgets everything.
     [[gnu::cold, gnu::noinline]] void reset();
 

@@ -11,13 +11,7 @@
 
 namespace rsi {
 
-// What the settled gains follow from.
-struct ObserverModel {
-    UprightRoll roll;
-    ObserverNoise noise;
-};
-
-[[gnu::cold]] ObserverModel observer_model_of(const Parameters& parameters);
+[[gnu::cold]] ObserverNoise observer_noise(const Parameters& parameters);
 
 // Extended Kalman filter with four states [phi, w, b, o]: roll angle relative to the road, the body's roll
 // rate against the horizon, the road's bank, and the part of w that is not phi': the bank's rate, or the
@@ -35,6 +29,9 @@ class RollBankObserver {
 
     // The vehicle from now on. State and settled gains, which are found by iterating, stay.
     [[gnu::cold]] void tune(const Parameters& parameters);
+
+    // What, with the noise, the settled gains follow from.
+    [[gnu::cold]] UprightRoll upright_roll() const;
 
     // Those of steady_observer_gains for the same vehicle.
     void assume_gains(const ObserverGains& gains) { gains_ = gains; }

@@ -1,9 +1,7 @@
 """The A2L as another's parser reads it (pya2l)."""
 
 import dataclasses
-import json
 import pathlib
-import subprocess
 import sys
 
 BINARIES = pathlib.Path(sys.executable).parent
@@ -19,12 +17,6 @@ class Object:
     method: str
     least: float
     largest: float
-
-
-def parsed(path):
-    finished = subprocess.run([BINARIES / "pya2l", path, "to_json", "-o", "/dev/stdout"], capture_output=True,
-                              text=True, check=True)
-    return json.loads(finished.stdout[finished.stdout.index("{"):])["PROJECT"]["MODULE"][0]
 
 
 def value(element):

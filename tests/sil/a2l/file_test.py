@@ -7,10 +7,13 @@ import sys
 import unittest
 
 sys.dont_write_bytecode = True
-import a2l_file  # noqa: E402
-
 A2L = pathlib.Path(sys.argv.pop(1))
 PROJECT = pathlib.Path(sys.argv.pop(1))
+sys.path.insert(1, str(PROJECT / "sil/tools"))
+
+import a2l_file  # noqa: E402
+import a2l_objects  # noqa: E402
+
 PARAMETERS = (PROJECT / "firmware/rsi/parameters.hpp").read_text()
 OUTPUTS = (PROJECT / "firmware/rsi/rsi_outputs.h").read_text()
 UNIT_ENDINGS = {"m/s^2": "m/s2", "N m": "N.m", "N m/rad": "N.m/rad", "N m s/rad": "N.m.s/rad", "-": ""}
@@ -25,7 +28,7 @@ def ranges():
 class TheFile(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.module = a2l_file.parsed(A2L)
+        cls.module = a2l_objects.module_of(A2L)
         cls.objects = a2l_file.objects(cls.module)
         cls.units = {entry["Name"]["Value"]: entry.get("Unit", {}).get("Value", "") for entry in cls.module["COMPU_METHOD"]}
 

@@ -1,32 +1,13 @@
 """A CAN interface for pyxcp whose bus is simulated: time goes on while a master waits for its answer, and when told."""
 
-import logging
 import queue
 import subprocess
 import threading
 
 import can
-import pyxcp.config
-import pyxcp.master
-from cryptography.hazmat.primitives.ciphers import algorithms
-from cryptography.hazmat.primitives.cmac import CMAC
 
-TEST_KEY = b"test key for XCP"
-COMMAND, ANSWER = 0x6F0, 0x6F1
+ANSWER = 0x6F1
 MOST_CYCLES_TO_AN_ANSWER = 5
-
-
-def unlock(xcp):
-    """pyxcp's own cond_unlock stops after twelve bytes of a seed."""
-    answer = xcp.getSeed(0, 0x01)
-    seed = bytes(answer.seed)
-    while len(seed) < 16:
-        seed += bytes(xcp.getSeed(1, 0x01).seed)
-    code = CMAC(algorithms.AES(TEST_KEY))
-    code.update(seed)
-    key = code.finalize()
-    for at in range(0, 16, 6):
-        xcp.unlock(16 - at, key[at:at + 6])
 
 
 class Cycle:
@@ -114,15 +95,3 @@ class Interface:
 
     def send(self, message):
         self.bus.ask(bytes(message.data))
-
-
-def master(bus):
-    """Connected by its `with` block."""
-    application = pyxcp.config.create_application_from_config(
-        {"Transport": {"CAN": {"can_id_master": COMMAND, "can_id_slave": ANSWER}}}, log_level=logging.ERROR)
-    application.general.disable_error_handling = True  # else a refusal ends the process
-    application.transport.create_daq_timestamps = False
-    application.transport.timeout = 5.0
-    logging.disable(logging.CRITICAL)
-    pyxcp.config.set_application(application)
-    return pyxcp.master.Master("can", config=application, transport_layer_interface=Interface(bus))

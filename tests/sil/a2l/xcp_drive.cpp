@@ -1,11 +1,11 @@
-// xcp-drive: the simulated vehicle and the ECU with XCP in one process, for a master of XCP on the other end of two
-// pipes, who says when time goes on. So nothing depends on how fast a master is. One command a line:
+// xcp-drive: the simulated vehicle and the ECU with XCP in one process, for a master of XCP on the other end
+// of two pipes, who says when time goes on. So nothing depends on how fast a master is. One command a line:
 //   drive MANOEUVRE SECONDS   a new drive, the ECU off and on again before it; what was stored stays
 //   send HEX                  a frame of the master, for the next cycle
 //   step CYCLES               at most so many cycles; fewer where the drive ends
 // The answer to each ends in a line "done"; before it, for each cycle:
-//   cycle NUMBER STATE SIDE FRAMES NUMBERS   frames of the ECU but XCP's; a checksum of all outputs but state and side
-//   xcp HEX                                  a frame of the slave
+//   cycle NUMBER STATE SIDE FRAMES NUMBERS   frames of the ECU but XCP's; a checksum of all outputs but state
+//   and side xcp HEX                                  a frame of the slave
 #include <fmt/format.h>
 
 #include <charconv>
@@ -52,7 +52,12 @@ class Drive final : private sil::Pace {
  public:
     Drive(Permanent& permanent, const std::string& manoeuvre, double seconds)
         : access_{permanent.keys, hal::KeySlot::calibration, permanent.random, permanent.attempts},
-          ecu_{bus_.endpoint(0U), clock_, watchdog_, access_, permanent.section.data(), permanent.section.size(),
+          ecu_{bus_.endpoint(0U),
+               clock_,
+               watchdog_,
+               access_,
+               permanent.section.data(),
+               permanent.section.size(),
                &permanent.parameters},
           plant_{vehicle_, sil::find_manoeuvre(manoeuvre), options(seconds)},
           sensors_{sil::mounted_sensors(vehicle_, {})},
