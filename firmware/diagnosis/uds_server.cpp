@@ -38,10 +38,14 @@ Nrc check_sub_function(const Request& request) {
     return Nrc::sub_function_not_supported;
 }
 
+// Of a request that has passed its checks.
 bool is_suppressed(const Request& request) {
-    const Service* const service = service_of(request);
-    return (service != nullptr) && (service->sub_function != SubFunction::none) &&
-           ((request.byte(1U) & suppress_positive) != 0U);
+    bool has_sub_function = false;
+    for (const Service& each : services) {
+        const bool is_it = (each.id == request.service()) && (each.sub_function != SubFunction::none);
+        has_sub_function = has_sub_function || is_it;
+    }
+    return has_sub_function && ((request.byte(1U) & suppress_positive) != 0U);
 }
 
 // Who asks everybody does not want to hear from all to whom it means nothing.

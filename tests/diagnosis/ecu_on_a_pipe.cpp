@@ -2,9 +2,10 @@
 //
 //   use: ecu_on_a_pipe FOLDER       FOLDER: where it keeps what outlives it
 //
-// In, a line each: a frame as `7A6#023E00`, or a number of cycles to run. Out: the frames sent by diagnosis, then `.`
-// after each number of cycles, or `reset` where a tester has asked for one and the ECU has started anew. It has no
-// sensors, so that it has trouble codes; `speed N` on its input gives it a speed in m/s instead of none.
+// In, a line each: a frame as `7A6#023E00`, or a number of cycles to run. Out: the frames sent by diagnosis,
+// then `.` after each number of cycles, or `reset` where a tester has asked for one and the ECU has started
+// anew. It has no sensors, so that it has trouble codes; `speed N` on its input gives it a speed in m/s
+// instead of none.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -57,7 +58,8 @@ class EcuOnAPipe {
         hal::CanFrame frame{};
         frame.identifier = static_cast<std::uint32_t>(std::stoul(line.substr(0U, 3U), nullptr, 16));
         for (std::size_t at = 4U; at + 1U < line.size() && frame.length < 8U; at += 2U) {
-            frame.data.at(frame.length) = static_cast<std::uint8_t>(std::stoul(line.substr(at, 2U), nullptr, 16));
+            frame.data.at(frame.length) =
+                static_cast<std::uint8_t>(std::stoul(line.substr(at, 2U), nullptr, 16));
             ++frame.length;
         }
         bus_.endpoint(1U).send(frame);

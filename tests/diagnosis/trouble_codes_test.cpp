@@ -20,6 +20,14 @@ TEST(TroubleCodes, AreOfTheManufacturersRanges) {
     }
 }
 
+// What the compiler makes of the table, made again where the tests' coverage is counted.
+TEST(TroubleCodes, AreOneRowACode) {
+    EXPECT_TRUE(diagnosis::is_table_of_all());
+    EXPECT_EQ(diagnosis::numbers_of_all(), diagnosis::trouble_numbers);
+    const auto judged = diagnosis::Judged::driving;
+    EXPECT_EQ(diagnosis::row(monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U, judged).number, 0xD12087U);
+}
+
 TEST(TroubleCodes, AreFoundByTheirNumbers) {
     EXPECT_EQ(trouble_codes[diagnosis::row_of_number(0xD12087U)].code, monitoring::DiagnosticCode::imu_lost);
     EXPECT_EQ(trouble_codes[diagnosis::row_of_number(0x521044U + 2U)].code,

@@ -262,6 +262,22 @@ TEST_F(Uds, WhileItWaitsNobodyElseIsServed) {
     EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
 }
 
+// The bus takes no frame while "later" is to be said.
+TEST_F(Uds, AnAnswerWaitsUntilLaterHasBeenSaid) {
+    tester_.unlock();
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
+    tester_.set_bus_state(hal::BusState::bus_off);
+    tester_.cycles(10);
+    memories_.one.refuse(false);
+    memories_.other.refuse(false);
+    tester_.cycles(10);
+    tester_.set_bus_state(hal::BusState::error_active);
+    EXPECT_EQ(tester_.receive(2), no(0x14U, 0x78U));
+    EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
+}
+
 TEST_F(Uds, EverybodyMayBeAskedToClear) {
     tester_.unlock();
     memories_.one.refuse(true);

@@ -53,16 +53,18 @@ const std::vector<Rule>& rules() {
         {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
         {"hal/", {"hal/"}, Rule::Others::any, {}},
         {"firmware/images/",
-         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/", "images/"},
+         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
+          "images/"},
          Rule::Others::any,
          {}},
         {"sil/",
-         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/", "images/", "sil/"},
+         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
+          "images/", "sil/"},
          Rule::Others::any,
          {}},
         {"tests/",
-         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/", "images/", "sil/",
-          "tests/"},
+         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
+          "images/", "sil/", "tests/"},
          Rule::Others::any,
          {}},
     };
@@ -92,9 +94,9 @@ bool starts_with(const std::string& text, const std::string& beginning) {
 
 // The project's folder that a header is in, as it is written in an include; empty for all others.
 std::string project_folder(const std::string& header) {
-    static const std::vector<std::string> folders{"rsi/",         "monitoring/", "access/",  "xcp/",
-                                                  "application/", "diagnosis/", "firmware/",   "can_dbc/", "hal/",
-                                                  "images/",      "sil/",        "tests/"};
+    static const std::vector<std::string> folders{"rsi/",         "monitoring/", "access/",   "xcp/",
+                                                  "application/", "diagnosis/",  "firmware/", "can_dbc/",
+                                                  "hal/",         "images/",     "sil/",      "tests/"};
     for (const std::string& folder : folders) {
         if (starts_with(header, folder)) {
             return folder;

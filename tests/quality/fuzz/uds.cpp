@@ -1,5 +1,5 @@
-// The UDS server and what it keeps, over any requests, faults, cycles, refusing memories and starts from new: an answer is
-// one that the standard knows, and without the key nothing is cleared, written or downloaded.
+// The UDS server and what it keeps, over any requests, faults, cycles, refusing memories and starts from new:
+// an answer is one that the standard knows, and without the key nothing is cleared, written or downloaded.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -21,8 +21,9 @@ constexpr std::array<std::uint8_t, 16> services{0x10U, 0x11U, 0x14U, 0x19U, 0x22
                                                 0x31U, 0x34U, 0x36U, 0x37U, 0x3EU, 0x85U, 0x29U, 0x00U};
 
 bool is_known(std::uint8_t code) {
-    constexpr std::array<std::uint8_t, 17> codes{0x11U, 0x12U, 0x13U, 0x14U, 0x22U, 0x24U, 0x31U, 0x33U, 0x35U,
-                                                 0x36U, 0x37U, 0x70U, 0x71U, 0x72U, 0x73U, 0x78U, 0x7FU};
+    constexpr std::array<std::uint8_t, 17> codes{0x11U, 0x12U, 0x13U, 0x14U, 0x22U, 0x24U,
+                                                 0x31U, 0x33U, 0x35U, 0x36U, 0x37U, 0x70U,
+                                                 0x71U, 0x72U, 0x73U, 0x78U, 0x7FU};
     return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
@@ -73,7 +74,8 @@ class Drive {
     }
 
     void end() {
-        require(has_used_the_key_ || memories_.section.record().empty(), "a section was stored without the key");
+        require(has_used_the_key_ || memories_.section.record().empty(),
+                "a section was stored without the key");
     }
 
  private:
@@ -93,7 +95,8 @@ class Drive {
         const std::uint8_t service = services[reader_.below(services.size())];
         const bool is_functional = reader_.one_in(8U);
         const std::size_t length = reader_.one_in(8U) ? reader_.below(140U) : reader_.below(7U);
-        const Bytes request = Bytes{service} + payload(is_functional ? std::min(length, std::size_t{6U}) : length);
+        const Bytes request =
+            Bytes{service} + payload(is_functional ? std::min(length, std::size_t{6U}) : length);
         const Bytes answer = is_functional ? tester_->ask_everybody(request, 3) : tester_->ask(request, 3);
         if (answer.empty() || tester_->times_told_later != 0) {
             tester_->times_told_later = 0;
