@@ -45,6 +45,12 @@ class Reassembly {
         if (was_waiting || (was_sending && kind != 2U)) {
             return;
         }
+        const unsigned length =
+            (kind == 1U) ? ((frame.data[0] & 0x0FU) << 8U) | frame.data[1] : frame.data[0] & 0x0FU;
+        if ((kind == 1U && length >= 1U && length <= 7U) ||
+            (kind == 0U && (length == 0U || length >= frame.length))) {
+            return;  // no good frame: as if it had not come
+        }
         if (kind == 1U && frame.length == 8U) {
             bytes_.assign(frame.data.begin() + 2, frame.data.begin() + 8);
         } else if (kind == 2U) {
@@ -123,7 +129,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                 }
                 const diagnosis::Request request = transport.request();
                 require(request.length() <= diagnosis::IsoTp::longest_request, "length of a request");
-                if (!was_waiting && request.length() != 0U && !request.is_functional) {
+                if (!was_waiting && request.length() != 0U && !request.is_functional()) {
                     require(reassembly.begins_with(request), "bytes of a request");
                 }
             }
