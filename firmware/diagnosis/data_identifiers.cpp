@@ -45,16 +45,6 @@ bool read_identification(std::uint32_t identifier, const DataSources& sources, R
     }
 }
 
-// The members alone: names and units of the table stay out of the image.
-template <typename Member, typename Table>
-constexpr std::array<Member, std::tuple_size<Table>::value> members_of(const Table& table) {
-    std::array<Member, std::tuple_size<Table>::value> members{};
-    for (std::size_t index = 0U; index < members.size(); ++index) {
-        members[index] = table[index].member;
-    }
-    return members;
-}
-
 constexpr std::array<float rsi::Outputs::*, rsi::number_count> numbers =
     members_of<float rsi::Outputs::*>(rsi::number_outputs);
 constexpr std::array<std::int32_t rsi::Outputs::*, rsi::code_count> codes =

@@ -82,6 +82,16 @@ inline constexpr std::uint32_t first_number_identifier = 0x1000U;
 inline constexpr std::uint32_t first_code_identifier = 0x1100U;
 inline constexpr std::uint32_t first_input_identifier = 0x1200U;
 
+// The members alone: names and units of the table stay out of the image.
+template <typename Member, typename Table>
+constexpr std::array<Member, std::tuple_size<Table>::value> members_of(const Table& table) {
+    std::array<Member, std::tuple_size<Table>::value> members{};
+    for (std::size_t index = 0U; index < members.size(); ++index) {
+        members[index] = table[index].member;
+    }
+    return members;
+}
+
 // What identifiers are read from.
 struct DataSources {
     const Identification& identification;

@@ -111,17 +111,17 @@ inline constexpr std::array<TroubleCode, trouble_code_count> trouble_codes{
     row(DiagnosticCode::imu_held_back, 0xD120U, failure_type::plausibility, Judged::always),
 };
 
-constexpr bool is_table_of_all() {
+constexpr bool is_table_of_all(const std::array<TroubleCode, trouble_code_count>& table) {
     bool good = true;
     for (std::size_t index = 0U; index < trouble_code_count; ++index) {
-        good = good && (static_cast<std::size_t>(trouble_codes[index].code) == index + 1U);
+        good = good && (static_cast<std::size_t>(table[index].code) == index + 1U);
         for (std::size_t other = 0U; other < index; ++other) {
-            good = good && (trouble_codes[index].number != trouble_codes[other].number);
+            good = good && (table[index].number != table[other].number);
         }
     }
     return good;
 }
-static_assert(is_table_of_all(),
+static_assert(is_table_of_all(trouble_codes),
               "every code has its row, in the order of the codes, and a number of its own");
 
 // What is left of the table in an image: the numbers.

@@ -22,7 +22,13 @@ TEST(TroubleCodes, AreOfTheManufacturersRanges) {
 
 // What the compiler makes of the table, made again where the tests' coverage is counted.
 TEST(TroubleCodes, AreOneRowACode) {
-    EXPECT_TRUE(diagnosis::is_table_of_all());
+    auto table = trouble_codes;
+    EXPECT_TRUE(diagnosis::is_table_of_all(table));
+    std::swap(table[3], table[7]);
+    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "another order";
+    table = trouble_codes;
+    table[7].number = table[3].number;
+    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "a number twice";
     EXPECT_EQ(diagnosis::numbers_of_all(), diagnosis::trouble_numbers);
     const auto judged = diagnosis::Judged::driving;
     EXPECT_EQ(diagnosis::row(monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U, judged).number, 0xD12087U);
@@ -37,8 +43,8 @@ TEST(TroubleCodes, AreFoundByTheirNumbers) {
 }
 
 TEST(TroubleCodes, EachIsJudgedInOneWay) {
-    const monitoring::CodeSet always = diagnosis::codes_judged(diagnosis::Judged::always);
-    const monitoring::CodeSet driving = diagnosis::codes_judged(diagnosis::Judged::driving);
+    monitoring::CodeSet always = diagnosis::codes_judged(diagnosis::Judged::always);
+    monitoring::CodeSet driving = diagnosis::codes_judged(diagnosis::Judged::driving);
     EXPECT_EQ(always & driving, 0U);
     EXPECT_EQ(always | driving, (monitoring::CodeSet{2U} << trouble_code_count) - 2U);
 }

@@ -333,6 +333,15 @@ TEST_F(Uds, TellsEveryOutputAndInput) {
               no(0x22U, 0x31U));
 }
 
+TEST(DataIdentifiers, TheMembersOfATableAreInItsOrder) {
+    auto table = rsi::code_outputs;
+    const auto members = diagnosis::members_of<std::int32_t rsi::Outputs::*>(table);
+    ASSERT_EQ(members.size(), table.size());
+    for (std::size_t row = 0U; row < table.size(); ++row) {
+        EXPECT_EQ(members[row], table[row].member);
+    }
+}
+
 TEST_F(Uds, SeveralIdentifiersComeTogetherAndUnknownOnesAreLeftOut) {
     EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U, 0x00U, 0x01U, 0x11U, 0x00U}),
               (Bytes{0x62U, 0xF1U, 0x86U, 0x01U, 0x11U, 0x00U, 0x00U}));
