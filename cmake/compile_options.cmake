@@ -19,7 +19,8 @@ target_compile_options(rsi_options_host INTERFACE
     -ffp-contract=off -fno-math-errno)
 if(RSI_SANITIZERS)
     target_compile_options(rsi_options_host INTERFACE
-        -fsanitize=${RSI_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+        -fsanitize=${RSI_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer
+        -fno-sanitize=vptr)  # wants the type information that the firmware does not have
     target_link_options(rsi_options_host INTERFACE -fsanitize=${RSI_SANITIZERS})
 endif()
 

@@ -1,15 +1,22 @@
 # What `cmake --install` puts where, for find_package(rsi) in somebody else's project; docs/integration.md.
 #   rsi::rsi            the component, with its C interface and its C++ one
 #   rsi::application    around it the frames: end-to-end check, freshness, encoding, diagnosis, parameter section
+#   rsi::access         seed and key for XCP and UDS, for the application too
+#   rsi::diagnosis      trouble codes, ISO-TP and UDS beside the application, for whoever wants it
+#   rsi::calibration_pages, rsi::xcp    XCP on CAN around the application, for whoever wants it
 #   rsi::can_dbc, rsi::hal_interface    headers that the application stands on
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(rsi_installed rsi application can_dbc hal_interface)
+set(rsi_installed rsi access application calibration_pages diagnosis xcp can_dbc hal_interface)
 foreach(target IN LISTS rsi_installed)
     add_library(rsi::${target} ALIAS ${target})  # one name, however the project was taken in
 endforeach()
+set_target_properties(access PROPERTIES OUTPUT_NAME rsi_access)
 set_target_properties(application PROPERTIES OUTPUT_NAME rsi_application)
+set_target_properties(calibration_pages PROPERTIES OUTPUT_NAME rsi_calibration_pages)
+set_target_properties(xcp PROPERTIES OUTPUT_NAME rsi_xcp)
+set_target_properties(diagnosis PROPERTIES OUTPUT_NAME rsi_diagnosis)
 
 if(NOT PROJECT_IS_TOP_LEVEL)
     return()
@@ -21,7 +28,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rsi)
 set(header_patterns FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 
 install(TARGETS ${rsi_installed} EXPORT rsiTargets INCLUDES DESTINATION ${headers})
-install(DIRECTORY firmware/rsi firmware/monitoring firmware/application DESTINATION ${headers} ${header_patterns})
+install(DIRECTORY firmware/rsi firmware/monitoring firmware/access firmware/xcp firmware/application firmware/diagnosis DESTINATION ${headers} ${header_patterns})
 install(DIRECTORY can_dbc/codec can_dbc/e2e can_dbc/generated DESTINATION ${headers}/can_dbc ${header_patterns})
 install(DIRECTORY hal/interface DESTINATION ${headers}/hal ${header_patterns})
 install(DIRECTORY firmware/calibrations DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)

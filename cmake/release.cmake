@@ -3,6 +3,6 @@ if(RSI_BUILD_SIL AND PROJECT_IS_TOP_LEVEL AND PROJECT_BINARY_DIR STREQUAL "${PRO
     add_custom_target(package
         COMMAND ${PROJECT_SOURCE_DIR}/cmake/environment/build cortex-r5f rsi-ecu-r5f
         COMMAND ${PROJECT_SOURCE_DIR}/cmake/release/package
-        DEPENDS rsi-sil rsi-ecu
+        DEPENDS rsi-sil rsi-ecu a2l
         USES_TERMINAL VERBATIM)
 endif()

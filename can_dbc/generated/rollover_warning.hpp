@@ -301,6 +301,7 @@ struct RolloverWarning {
         length = 4,
         checksum = 5,
         value = 6,
+        unauthentic = 7,
     };
 
     static constexpr const char* name{"RolloverWarning"};
@@ -421,6 +422,7 @@ struct RolloverWarning {
             case ParametersRefusal::length:
             case ParametersRefusal::checksum:
             case ParametersRefusal::value:
+            case ParametersRefusal::unauthentic:
                 return true;
         }
         return false;
@@ -443,6 +445,8 @@ struct RolloverWarning {
                 return "checksum";
             case ParametersRefusal::value:
                 return "value";
+            case ParametersRefusal::unauthentic:
+                return "unauthentic";
         }
         return "unknown";
     }
@@ -831,7 +835,7 @@ constexpr Decoded<RollIndicesClassic> RollIndicesClassic::decode(const std::uint
     return decoded;
 }
 
-// Observer of roll angle and bank, how good the estimate of the roll centre is, and why the control unit last started.
+// Observer of roll angle and bank, how good the estimate of the roll centre is, why the control unit last started, and how it is protected.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollObserver {
     // Where the roll angle in use comes from.
@@ -852,6 +856,14 @@ struct RollObserver {
         stack_overflow = 6,
         interrupt = 7,
         start_without_reset = 8,
+    };
+
+    // Whether the control unit takes parameters without a seal, and whether everybody knows its keys.
+    enum class Protection : std::uint8_t {
+        unsealed = 0,
+        unsealed_test_keys = 1,
+        sealed_test_keys = 2,
+        sealed = 3,
     };
 
     static constexpr const char* name{"RollObserver"};
@@ -879,6 +891,8 @@ struct RollObserver {
     bool estimate_frozen{false};
     // Why the control unit last started.
     ResetReason reset_reason{ResetReason::power_on};
+    // Whether the control unit takes parameters without a seal, and whether everybody knows its keys.
+    Protection protection{Protection::unsealed};
 
     struct Status {
         SignalStatus observed_roll_angle_deg{SignalStatus::not_available};
@@ -888,6 +902,7 @@ struct RollObserver {
         SignalStatus roll_sensor_disagrees{SignalStatus::not_available};
         SignalStatus estimate_frozen{SignalStatus::not_available};
         SignalStatus reset_reason{SignalStatus::not_available};
+        SignalStatus protection{SignalStatus::not_available};
 
         constexpr bool all_valid() const {
             return observed_roll_angle_deg == SignalStatus::valid &&
@@ -896,7 +911,8 @@ struct RollObserver {
                    roll_source == SignalStatus::valid &&
                    roll_sensor_disagrees == SignalStatus::valid &&
                    estimate_frozen == SignalStatus::valid &&
-                   reset_reason == SignalStatus::valid;
+                   reset_reason == SignalStatus::valid &&
+                   protection == SignalStatus::valid;
         }
     };
 
@@ -918,6 +934,8 @@ struct RollObserver {
             {ByteOrder::little_endian, 54U, 1U, false}, 0, 1, 0};
         static constexpr EnumerationSignal reset_reason{
             {ByteOrder::little_endian, 55U, 4U, false}, 0, false, 0};
+        static constexpr EnumerationSignal protection{
+            {ByteOrder::little_endian, 59U, 2U, false}, 0, false, 0};
     };
 
     static constexpr bool is_known(RollSource value) {
@@ -984,6 +1002,32 @@ struct RollObserver {
         return "unknown";
     }
 
+    static constexpr bool is_known(Protection value) {
+        switch (value) {
+            case Protection::unsealed:
+            case Protection::unsealed_test_keys:
+            case Protection::sealed_test_keys:
+            case Protection::sealed:
+                return true;
+        }
+        return false;
+    }
+
+    // The value's name in the DBC file, or "unknown".
+    static constexpr const char* name_of(Protection value) {
+        switch (value) {
+            case Protection::unsealed:
+                return "unsealed";
+            case Protection::unsealed_test_keys:
+                return "unsealed test keys";
+            case Protection::sealed_test_keys:
+                return "sealed test keys";
+            case Protection::sealed:
+                return "sealed";
+        }
+        return "unknown";
+    }
+
     // See can_dbc::encode and can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
@@ -994,6 +1038,7 @@ struct RollObserver {
         write_signal(Signals::roll_sensor_disagrees, roll_sensor_disagrees, payload.data());
         write_signal(Signals::estimate_frozen, estimate_frozen, payload.data());
         write_enumeration(Signals::reset_reason, &RollObserver::is_known, reset_reason, payload.data());
+        write_enumeration(Signals::protection, &RollObserver::is_known, protection, payload.data());
         return payload;
     }
 
@@ -1031,6 +1076,7 @@ struct RollObserver {
         visitor("RollSensorDisagrees", "-", &RollObserver::roll_sensor_disagrees, &Status::roll_sensor_disagrees);
         visitor("EstimateFrozen", "-", &RollObserver::estimate_frozen, &Status::estimate_frozen);
         visitor("ResetReason", "-", &RollObserver::reset_reason, &Status::reset_reason);
+        visitor("Protection", "-", &RollObserver::protection, &Status::protection);
     }
 };
 
@@ -1043,6 +1089,7 @@ constexpr Decoded<RollObserver> RollObserver::decode(const std::uint8_t* payload
     read_signal(Signals::roll_sensor_disagrees, payload, decoded.value.roll_sensor_disagrees, decoded.status.roll_sensor_disagrees);
     read_signal(Signals::estimate_frozen, payload, decoded.value.estimate_frozen, decoded.status.estimate_frozen);
     read_enumeration(Signals::reset_reason, &RollObserver::is_known, payload, decoded.value.reset_reason, decoded.status.reset_reason);
+    read_enumeration(Signals::protection, &RollObserver::is_known, payload, decoded.value.protection, decoded.status.protection);
     return decoded;
 }
 

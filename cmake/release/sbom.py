@@ -1,8 +1,8 @@
 """The bill of materials of a release, as SPDX 2.3 in JSON.
 
 Its files, and the Debian packages of which something is in them: libraries that a program loads, objects that the
-linker took into an image, headers that the compiler read. It is found out from the programs, the linker's map and the
-compiler's lists of dependencies, not from a list that somebody keeps.
+linker took into an image, headers that the compiler read; and Mbed TLS, of whose sources a program is made. It is found
+out from the programs, the linker's map and the compiler's lists of dependencies, not from a list that somebody keeps.
 """
 
 import dataclasses
@@ -13,6 +13,7 @@ import pathlib
 import re
 import subprocess
 
+MBEDTLS = pathlib.Path(__file__).resolve().parents[2] / "build/mbedtls"
 LICENSES = {"libeigen3-dev": "MPL-2.0"}  # what EIGEN_MPL2_ONLY lets in; the others': /usr/share/doc/PACKAGE/copyright
 
 
@@ -67,6 +68,34 @@ def read_headers(build):
     if missing or not headers:
         raise SbomError(f"ninja does not know what {sorted(missing)[:1] or build.target} was made from; build it anew")
     return headers
+
+
+def is_made_of_mbedtls(build):
+    """Whether its sources are among the inputs of a program, or its code in the map of an image."""
+    if build.map:
+        return "libmbedtls_aes.a(" in build.map.read_text(errors="replace").split("\nDiscarded input sections")[0]
+    return "/library/aes.c" in output_of("ninja", "-C", build.folder, "-t", "inputs", build.target)
+
+
+def mbedtls():
+    """What cmake/environment/fetch_mbedtls has fetched."""
+    number = (MBEDTLS / "version").read_text().strip()
+    return {
+        "SPDXID": identifier("Package", "mbedtls"),
+        "name": "mbedtls",
+        "versionInfo": number,
+        "supplier": "Organization: Debian",
+        "downloadLocation": "https://snapshot.debian.org/package/mbedtls/",
+        "filesAnalyzed": False,
+        "licenseConcluded": "NOASSERTION",
+        "licenseDeclared": "Apache-2.0",
+        "copyrightText": "Copyright The Mbed TLS Contributors",
+        "externalRefs": [{
+            "referenceCategory": "PACKAGE-MANAGER",
+            "referenceType": "purl",
+            "referenceLocator": f"pkg:deb/debian/mbedtls@{number}?arch=source",
+        }],
+    }
 
 
 def packages_of(paths):
@@ -148,6 +177,7 @@ def document(folder, version, seconds, files, builds):
     of_file = {name: entry["SPDXID"] for name, entry in zip(names, entries)}
     whole = identifier("Package", "rsi")
     packages = set()
+    made_of_mbedtls = []
     relations = [related("SPDXRef-DOCUMENT", "DESCRIBES", whole)]
     relations += [related(whole, "CONTAINS", entry["SPDXID"]) for entry in entries]
     for build in builds:
@@ -161,10 +191,13 @@ def document(folder, version, seconds, files, builds):
         relations += [related(file, "DEPENDS_ON", identifier("Package", package), "compiled with its headers")
                       for package in sorted(headers)]
         relations += [related(identifier("Package", tool), "BUILD_TOOL_OF", file) for tool in sorted(tools)]
+        if is_made_of_mbedtls(build):
+            made_of_mbedtls.append(related(file, "STATIC_LINK", identifier("Package", "mbedtls"), "made of its sources"))
     eigen = next(iter(packages_of(["/usr/include/eigen3/Eigen/Core"])))
     packages.add(eigen)
     relations += [related(of_file[name], "COPY_OF", identifier("Package", eigen), "one of its headers")
                   for name in names if name.startswith("sources/eigen3/")]
+    relations += made_of_mbedtls
     sha1 = sorted(entry["checksums"][0]["checksumValue"] for entry in entries)
     release = {
         "SPDXID": whole,
@@ -188,7 +221,7 @@ def document(folder, version, seconds, files, builds):
             "created": datetime.datetime.fromtimestamp(seconds, datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ"),
             "creators": ["Tool: cmake/release/sbom.py"],
         },
-        "packages": [release] + [described(package) for package in sorted(packages)],
+        "packages": [release, *map(described, sorted(packages)), *([mbedtls()] if made_of_mbedtls else [])],
         "files": entries,
         "relationships": relations,
     }

@@ -26,6 +26,10 @@ void LoadKeeper::restore(const rsi::Parameters& parameters, rsi::Component& comp
     }
 }
 
+void LoadKeeper::follow(const rsi::Parameters& parameters) noexcept {
+    parameters_check_word_ = check_word_of(parameters);
+}
+
 // What is known less well than it was stored is no news.
 void LoadKeeper::keep(const rsi::LearntLoad& learnt) noexcept {
     hal::count_up(cycles_since_store_);

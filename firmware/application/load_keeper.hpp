@@ -19,6 +19,9 @@ class LoadKeeper {
     [[gnu::cold]] void restore(const rsi::Parameters& parameters, rsi::Component& component,
                                bool doubted) noexcept;
 
+    // Other parameters from now on: what is learnt from here is stored for them.
+    [[gnu::cold]] void follow(const rsi::Parameters& parameters) noexcept;
+
     // One cycle.
     void keep(const rsi::LearntLoad& learnt) noexcept;
 

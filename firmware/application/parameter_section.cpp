@@ -37,9 +37,11 @@ ParametersRefusal check_form(const std::uint8_t* bytes, std::size_t length) {
     return intact ? ParametersRefusal::none : ParametersRefusal::checksum;
 }
 
-rsi::Parameters values_of(const std::uint8_t* bytes) {
+}  // namespace
+
+rsi::Parameters section::values_of(const std::uint8_t* bytes) noexcept {
     rsi::Parameters parameters{};
-    std::size_t place = section::values_at;
+    std::size_t place = values_at;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
         parameters.*field.member = float_at(bytes, place);
         place += 4U;
@@ -52,7 +54,9 @@ rsi::Parameters values_of(const std::uint8_t* bytes) {
     return parameters;
 }
 
-}  // namespace
+void section::put_checksum(std::uint8_t* bytes) noexcept {
+    put_word(bytes, checksum_at, crc32(bytes, checksum_at));
+}
 
 ParameterSectionAnswer read_parameter_section(const std::uint8_t* bytes, std::size_t length,
                                               rsi::Parameters& parameters) noexcept {
@@ -60,7 +64,7 @@ ParameterSectionAnswer read_parameter_section(const std::uint8_t* bytes, std::si
     if (answer.refusal != ParametersRefusal::none) {
         return answer;
     }
-    const rsi::Parameters read = values_of(bytes);
+    const rsi::Parameters read = section::values_of(bytes);
     answer.validation = rsi::validate(read);
     if (answer.validation.accepted != 0) {
         parameters = read;

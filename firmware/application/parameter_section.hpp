@@ -29,12 +29,13 @@ namespace application {
 // ParametersRefusal.
 enum class ParametersRefusal : std::uint8_t {
     none = 0,
-    missing = 1,   // not yet started, or no parameter section: the magic is not there (erased memory)
-    version = 2,   // of another format
-    layout = 3,    // written for another set of parameters, by another version of the tools
-    length = 4,    // too little memory for a section, or a section of another length
-    checksum = 5,  // CRC-32
-    value = 6,     // outside its range, or in contradiction to another; the answer names it
+    missing = 1,      // not yet started, or no parameter section: the magic is not there (erased memory)
+    version = 2,      // of another format
+    layout = 3,       // written for another set of parameters, by another version of the tools
+    length = 4,       // too little memory for a section, or a section of another length
+    checksum = 5,     // CRC-32
+    value = 6,        // outside its range, or in contradiction to another; the answer names it
+    unauthentic = 7,  // without a good seal, or older than one that was in use (section_authority.hpp)
 };
 
 namespace section {
@@ -81,6 +82,12 @@ constexpr std::uint32_t layout_of_values() {
 }
 
 inline constexpr std::uint32_t layout = layout_of_values();
+
+// The parameters in a section whose form is good; accepted by nobody yet.
+rsi::Parameters values_of(const std::uint8_t* bytes) noexcept;
+
+// Into a section whose values have been changed.
+void put_checksum(std::uint8_t* bytes) noexcept;
 
 }  // namespace section
 

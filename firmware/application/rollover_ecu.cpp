@@ -30,16 +30,34 @@ rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
     parameters_ = parameters;
     start_checks();
     refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
+    protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
     return answer;
 }
 
 ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
     parameters_ = rsi::Parameters{};  // which the component refuses, unless the section replaces them
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
+    start_with(answer);
+    protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
+    return answer;
+}
+
+ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length,
+                                         SectionAuthority& authority) noexcept {
+    parameters_ = rsi::Parameters{};
+    const ParameterSectionAnswer answer = read_parameter_section(section, length, authority, parameters_);
+    start_with(answer);
+    if (answer.refusal == ParametersRefusal::none) {
+        static_cast<void>(authority.raise(section));  // else at the next start
+    }
+    protection_ = authority.keys().has_test_keys() ? Protection::sealed_test_keys : Protection::sealed;
+    return answer;
+}
+
+void RolloverEcu::start_with(const ParameterSectionAnswer& answer) noexcept {
     static_cast<void>(component_.init(parameters_));
     start_checks();
     refusal_ = answer.refusal;
-    return answer;
 }
 
 void RolloverEcu::start_checks() noexcept {
@@ -48,6 +66,23 @@ void RolloverEcu::start_checks() noexcept {
     parameter_guard_.start(parameters_);
     input_monitor_.start(parameters_);
     reception_.start(parameters_);
+}
+
+void RolloverEcu::change(const rsi::ParameterChange& change) noexcept {
+    if (refusal_ != ParametersRefusal::none) {
+        static_cast<void>(init(change.parameters()));
+        return;
+    }
+    const bool other_checks = change.is_another_vehicle() || change.has_other_sensors();
+    parameters_ = change.parameters();
+    component_.change(change);
+    component_guard_.keep(component_);
+    parameter_guard_.start(parameters_);
+    if (other_checks) {
+        input_monitor_.start(parameters_);
+    }
+    reception_.start(parameters_);
+    load_keeper_.follow(parameters_);
 }
 
 // Who was reset while running carries what he did; who was without power may have been loaded or emptied.
@@ -156,26 +191,28 @@ void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint
 
 Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {
     hal::count_up(cycle_overruns_, missed_cycles);
+    const hal::BusStatistics statistics = bus_.statistics();
     return Health{refusal_,
-                  receive_overflow(),
-                  bus_error(),
+                  receive_overflow(statistics),
+                  bus_error(statistics),
                   missed_cycles > 0U,
                   cycle_overruns_,
                   reset_reason_,
+                  protection_,
                   reception_.report(now),
                   {},
                   {}};
 }
 
 // The bus is not error-active, or did not take a frame in the last cycle.
-bool RolloverEcu::bus_error() noexcept {
-    const bool failed = has_changed(bus_.statistics().send_failures, send_failure_count_);
+bool RolloverEcu::bus_error(const hal::BusStatistics& statistics) noexcept {
+    const bool failed = has_changed(statistics.send_failures, send_failure_count_);
     return failed || (bus_.state() != hal::BusState::error_active);
 }
 
 // True in the cycle that follows a loss.
-bool RolloverEcu::receive_overflow() noexcept {
-    return has_changed(bus_.statistics().frames_lost, overflow_count_);
+bool RolloverEcu::receive_overflow(const hal::BusStatistics& statistics) noexcept {
+    return has_changed(statistics.frames_lost, overflow_count_);
 }
 
 }  // namespace application

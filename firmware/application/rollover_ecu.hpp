@@ -6,6 +6,7 @@
 
 #include "application/load_keeper.hpp"
 #include "application/parameter_section.hpp"
+#include "application/section_authority.hpp"
 #include "application/sensor_reception.hpp"
 #include "application/warning_transmission.hpp"
 #include "hal/interface/can_bus.hpp"
@@ -35,6 +36,22 @@ class RolloverEcu {
     // The same with the parameters of a section of the image, of whose memory `length` bytes may be read.
     ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept;
 
+    // Between two cycles: goes on with the parameters of a change that is ready and began from parameters(),
+    // as rsi::Component::change says. The checks of the inputs begin anew only where they depend on what has
+    // changed. An ECU that has refused its parameters starts with these.
+    [[gnu::cold]] void change(const rsi::ParameterChange& change) noexcept;
+
+    // Those in use, as far as they were accepted.
+    const rsi::Parameters& parameters() const noexcept { return parameters_; }
+
+    // The same for a platform that takes sealed sections only. What it starts with raises the authority's
+    // version.
+    ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length,
+                                SectionAuthority& authority) noexcept;
+
+    // For a platform whose XCP or UDS asks for a key, before init: the bus is told when everybody knows it.
+    void use_keys(const hal::KeyStore& keys) noexcept { has_test_keys_ = keys.has_test_keys(); }
+
     // For a platform that knows why it started; sent in every cycle. Before init: after a loss of power the
     // stored load is doubted.
     void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
@@ -52,8 +69,11 @@ class RolloverEcu {
     // What the last cycle computed and what from, for a platform that shows or records it.
     const rsi::Outputs& outputs() const noexcept { return outputs_; }
     const rsi::Inputs& inputs() const noexcept { return inputs_; }
+    // What the monitoring has found, for diagnosis.
+    const monitoring::DiagnosticMemory& diagnostic_memory() const noexcept { return memory_; }
 
  private:
+    [[gnu::cold]] void start_with(const ParameterSectionAnswer& answer) noexcept;
     [[gnu::cold]] void restore_load() noexcept;
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
     void report_reception(const ReceptionReport& reception) noexcept;
@@ -63,8 +83,8 @@ class RolloverEcu {
     [[gnu::cold]] void start_checks() noexcept;
     bool check_itself() noexcept;
     bool internal_fault() const noexcept;
-    bool bus_error() noexcept;
-    bool receive_overflow() noexcept;
+    bool bus_error(const hal::BusStatistics& statistics) noexcept;
+    bool receive_overflow(const hal::BusStatistics& statistics) noexcept;
 
     hal::CanBus& bus_;
     const hal::Clock& clock_;
@@ -82,6 +102,8 @@ class RolloverEcu {
     rsi::Inputs inputs_{no_inputs};
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
+    bool has_test_keys_{false};
+    Protection protection_{Protection::unsealed};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     std::uint32_t cycles_{0U};  // since the start
     std::uint32_t cycle_overruns_{0U};

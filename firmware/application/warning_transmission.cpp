@@ -29,6 +29,7 @@ void fill(can_dbc::RolloverWarning& message, const Health& health) {
 
 void fill(can_dbc::RollObserver& message, const Health& health) {
     message.reset_reason = static_cast<can_dbc::RollObserver::ResetReason>(health.reset_reason);
+    message.protection = static_cast<can_dbc::RollObserver::Protection>(health.protection);
 }
 
 void fill(can_dbc::RolloverDiagnosis& message, const Health& health) {

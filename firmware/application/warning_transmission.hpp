@@ -2,6 +2,7 @@
 #pragma once
 
 #include "application/parameter_section.hpp"
+#include "application/section_authority.hpp"
 #include "application/sensor_reception.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
@@ -21,6 +22,7 @@ struct Health {
     bool cycle_overrun{false};         // this cycle began late
     std::uint32_t cycle_overruns{0U};  // since the start
     hal::ResetReason reset_reason{};   // of the last start
+    Protection protection{Protection::unsealed};
     ReceptionReport reception{};
     monitoring::Degradation degradation{};
     monitoring::DiagnosticRecord diagnosis{};  // the one that this cycle tells of

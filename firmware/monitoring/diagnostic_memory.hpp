@@ -31,6 +31,7 @@ class DiagnosticMemory {
  public:
     // What the entries that are confirmed in this cycle will keep.
     void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
+    const Snapshot& snapshot() const noexcept { return snapshot_; }
 
     // One cycle in which the code's condition could be judged; a code that is not reported stays as it is.
     // In nearly every cycle nearly every code is good and inactive; this is the path that must be cheap.

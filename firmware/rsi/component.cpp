@@ -64,20 +64,55 @@ void Component::reset(const Parameters& parameters) {
 }
 
 void Component::start(const Parameters& parameters) {
+    tune(parameters);
+    estimator_.reset();
+    lateral_response_.reset();
+    moment_arm_error_.reset();
+    load_adaptation_.init(parameters);
+    warning_.update_unavailable();
+}
+
+// All that follows from the parameters alone, with the calibrated body. What has no state has an init() only.
+void Component::tune(const Parameters& parameters) {
     static_stability_factor_ = static_stability_factor(parameters);
     observer_weight_ = 1.0F + parameters.observer_margin;
     motion_filter_.init(parameters);
     model_.init(parameters);
-    estimator_.init(parameters);
+    estimator_.tune(parameters);
     threshold_.init(parameters);
     load_transfer_.init(parameters);
     steering_demand_.init(parameters);
-    lateral_response_.init(parameters);
-    moment_arm_error_.init(parameters);
+    lateral_response_.tune(parameters);
+    moment_arm_error_.tune(parameters);
     predictor_.init(parameters);
-    load_adaptation_.init(parameters);
+    load_adaptation_.tune(parameters);
     warning_indicator_.init(parameters);
-    warning_.init(parameters);
+    warning_.tune(parameters);
+}
+
+void Component::change(const ParameterChange& change) {
+    if (!initialised_) {
+        return;
+    }
+    const Parameters& parameters = change.parameters();
+    measurement_.tune(parameters);
+    if (change.has_gains()) {
+        measurement_.assume_gains(change.gains());
+    }
+    comparison_.init(parameters);
+    tune(parameters);
+    if (change.is_another_vehicle()) {
+        estimator_.reset();
+        moment_arm_error_.reset();
+        load_adaptation_.init(parameters);
+    } else if (change.has_other_units()) {
+        estimator_.forget_published();
+    } else {
+        // All that has been learnt is of this vehicle and these units.
+    }
+    measurement_.assume_movement(estimator_.movement_for_observer_m());
+    measurement_.assume_mass(load_adaptation_.known_mass_factor());
+    assume_body(load_adaptation_.body());
 }
 
 bool Component::restore_load(const LearntLoad& learnt, bool doubted) {

@@ -9,6 +9,7 @@
 #include "rsi/measurement/measurement.hpp"
 #include "rsi/measurement/roll_motion.hpp"
 #include "rsi/model/roll_plane_model.hpp"
+#include "rsi/parameter_change.hpp"
 #include "rsi/parameters.hpp"
 #include "rsi/prediction/moment_arm_error.hpp"
 #include "rsi/prediction/roll_predictor.hpp"
@@ -30,6 +31,11 @@ class Component {
     // step, so it fits into a cycle; init does not. Without an accepted init it does nothing.
     [[gnu::cold]] void reset(const Parameters& parameters);
 
+    // Goes on with the parameters of a change that is ready, and that began from those in use. Signals,
+    // states and what has been learnt stay; only of another vehicle what was learnt of this one is forgotten.
+    // Costs no more than a step. Without an accepted init it does nothing.
+    [[gnu::cold]] void change(const ParameterChange& change);
+
     // What has been learnt of the load so far, to be kept without power.
     LearntLoad learnt_load() const { return load_adaptation_.learnt(); }
 
@@ -42,6 +48,7 @@ class Component {
 
  private:
     void start(const Parameters& parameters);
+    void tune(const Parameters& parameters);
     // Rare, so not to be made part of step() as all the rest is.
     [[gnu::cold, gnu::noinline]] void step_unavailable(Outputs& outputs);
     void resume(const Measurement& measured);

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "application/calibrated_ecu.hpp"
 #include "application/rollover_ecu.hpp"
 #include "hal/linux/periodic_tick.hpp"
 #include "hal/linux/real_time.hpp"
@@ -15,6 +18,8 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "sil/apps/bus_state_report.hpp"
+#include "sil/apps/calibration_access.hpp"
+#include "sil/apps/diagnosis_access.hpp"
 #include "sil/lock_step/lock_step_receiver.hpp"
 #include "sil/lock_step/simulation.hpp"
 #include "sil/world/simulation/pace.hpp"
@@ -32,6 +37,13 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     for (const std::uint32_t value : application::sent_identifiers) {
         identifiers.push_back({value, false});
     }
+    if (request.xcp) {
+        identifiers.push_back({xcp::default_identifiers.command, false});
+    }
+    if (request.diagnosis) {
+        identifiers.push_back({diagnosis::Addresses{}.physical_request, false});
+        identifiers.push_back({diagnosis::Addresses{}.functional_request, false});
+    }
     if (request.lock_step) {
         identifiers.push_back({simulation_dbc::SimulationSync::identifier, false});
     }
@@ -47,16 +59,91 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     }
 }
 
-void start(application::RolloverEcu& ecu, const rsi::Parameters& parameters) {
-    const rsi::Validation answer = ecu.init(parameters);
-    if (answer.accepted == 0) {
-        throw std::runtime_error(
-            fmt::format("the component refuses its parameter {}: {}", answer.field, answer.reason));
-    }
-}
+// What others may reach beside the warning; nullptr: nobody.
+struct Accesses {
+    CalibrationAccess* calibration{nullptr};
+    DiagnosisAccess* diagnosis{nullptr};
+};
 
-void say_listening(const EcuRequest& request) {
-    fmt::print("rsi-ecu: listening on {}{}\n", request.interface, request.lock_step ? ", in lock-step" : "");
+// The firmware, with XCP and diagnosis or without.
+class Ecu {
+ public:
+    // All must outlive the ECU. `is_switched_on`: an operation cycle begins; false after a reset.
+    Ecu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog, const rsi::Parameters& parameters,
+        const Accesses& accesses, bool is_switched_on) {
+        if (accesses.diagnosis != nullptr) {
+            start_diagnosis(bus, *accesses.diagnosis, is_switched_on);
+        }
+        hal::CanBus& its_bus = diagnosis_ ? diagnosis_->bus() : bus;
+        CalibrationAccess* const access = accesses.calibration;
+        if (access != nullptr) {
+            calibrated_.emplace(its_bus, clock, watchdog, access->seed_and_key(), access->section().data(),
+                                access->section().size(), &access->stored_section());
+            calibrated_->ecu().use_keys(access->keys());
+            start_calibrated(parameters);
+        } else {
+            plain_.emplace(its_bus, clock, watchdog);
+            if (accesses.diagnosis != nullptr) {
+                plain_->use_keys(accesses.diagnosis->keys());
+            }
+            start_plain(parameters, accesses.diagnosis);
+        }
+    }
+    void step(std::uint32_t missed_cycles) {
+        if (calibrated_) {
+            calibrated_->step(missed_cycles);
+        } else {
+            plain_->step(missed_cycles);
+        }
+        if (diagnosis_) {
+            const application::RolloverEcu& ecu = calibrated_ ? calibrated_->ecu() : *plain_;
+            diagnosis_->step(ecu.diagnostic_memory(), ecu.inputs(), ecu.outputs());
+        }
+    }
+    // A tester wants it to start anew.
+    bool is_reset_requested() const { return diagnosis_ && diagnosis_->is_reset_requested(); }
+
+    // It has started with other parameters than those that it was given.
+    bool has_stored() const { return has_stored_; }
+
+ private:
+    void start_diagnosis(hal::CanBus& bus, DiagnosisAccess& access, bool is_switched_on) {
+        diagnosis_.emplace(bus, diagnosis::Addresses{}, access.identification(), access.one(),
+                           access.other());
+        diagnosis_->use(access.seed_and_key());
+        diagnosis_->use(access.store());
+        diagnosis_->start(is_switched_on);
+    }
+    void start_plain(const rsi::Parameters& parameters, DiagnosisAccess* access) {
+        if ((access != nullptr) && access->store().restore()) {
+            require_accepted(plain_->init(access->store().section(), access->store().length()).validation);
+            fmt::print("rsi-ecu: starts with the parameters that were downloaded\n");
+        } else {
+            require_accepted(plain_->init(parameters));
+        }
+    }
+    static void require_accepted(const rsi::Validation& answer) {
+        if (answer.accepted == 0) {
+            throw std::runtime_error(
+                fmt::format("the component refuses its parameter {}: {}", answer.field, answer.reason));
+        }
+    }
+    void start_calibrated(const rsi::Parameters& parameters) {
+        require_accepted(calibrated_->init().validation);
+        has_stored_ = std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
+    }
+
+    std::optional<diagnosis::Diagnosis> diagnosis_;
+    std::optional<application::RolloverEcu> plain_;
+    std::optional<application::CalibratedEcu> calibrated_;
+    bool has_stored_{false};
+};
+
+void say_listening(const EcuRequest& request, const Ecu& ecu) {
+    const std::string stored =
+        ecu.has_stored() ? fmt::format(", with what XCP has stored in {}", request.xcp_storage) : "";
+    fmt::print("rsi-ecu: listening on {}{}{}\n", request.interface, request.lock_step ? ", in lock-step" : "",
+               stored);
     std::fflush(stdout);
 }
 
@@ -81,21 +168,25 @@ void print_punctuality(const hal::PeriodicTick<hal::SteadyClock>& tick, const ha
     }
 }
 
-void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, hal::SocketCanBus& bus,
-                      const volatile std::sig_atomic_t& end_requested) {
+void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, const Accesses& accesses,
+                      hal::SocketCanBus& bus, const volatile std::sig_atomic_t& end_requested) {
     hal::SteadyClock clock;
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
-    application::RolloverEcu ecu{bus, clock, watchdog};
-    start(ecu, parameters);
+    std::optional<Ecu> ecu;
+    ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
     const hal::RealTimeResult real_time = hal::enter_real_time({request.fifo_priority, request.lock_memory});
     if (!real_time) {
         throw std::runtime_error(real_time.message());
     }
-    say_listening(request);
+    say_listening(request, *ecu);
     BusStateReport bus_state{request.interface};
     hal::PeriodicTick<hal::SteadyClock> tick{clock, cycle_time};
     while (end_requested == 0) {
-        ecu.step(tick.wait());
+        ecu->step(tick.wait());
+        if (ecu->is_reset_requested()) {
+            fmt::print("rsi-ecu: a tester resets it\n");
+            ecu.emplace(bus, clock, watchdog, parameters, accesses, false);
+        }
         bus_state.follow(bus);
         if (watchdog.expired()) {
             throw std::runtime_error("the watchdog expired: a cycle took longer than 500 ms");
@@ -104,14 +195,14 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
     print_punctuality(tick, bus);
 }
 
-void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, hal::SocketCanBus& socket,
-                      const volatile std::sig_atomic_t& end_requested) {
+void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, const Accesses& accesses,
+                      hal::SocketCanBus& socket, const volatile std::sig_atomic_t& end_requested) {
     hal::VirtualClock clock;
     LockStepReceiver<256U> bus{socket, clock};
     hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
-    std::optional<application::RolloverEcu> ecu;
-    start(ecu.emplace(bus, clock, watchdog), parameters);
-    say_listening(request);
+    std::optional<Ecu> ecu;
+    ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
+    say_listening(request, *ecu);
     while (end_requested == 0) {
         // Short enough to notice a request to end, long enough to cost nothing.
         if (!socket.wait_for_frame(hal::Time::from_milliseconds(100))) {
@@ -120,9 +211,12 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
         while (bus.cycle_is_complete()) {
             // A new run must not see what the ECU has learnt and counted in the one before.
             if (bus.run_begins()) {
-                start(ecu.emplace(bus, clock, watchdog), parameters);
+                ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
             }
             ecu->step(0U);
+            if (ecu->is_reset_requested()) {
+                ecu.emplace(bus, clock, watchdog, parameters, accesses, false);
+            }
         }
     }
 }
@@ -132,11 +226,21 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
 void run_ecu(const EcuRequest& request, const rsi::Parameters& parameters,
              const volatile std::sig_atomic_t& end_requested) {
     hal::SocketCanBus bus;
+    std::optional<CalibrationAccess> access;
+    if (request.xcp) {
+        access.emplace(parameters, request.xcp_storage);
+    }
+    std::optional<DiagnosisAccess> workshop;
+    if (request.diagnosis) {
+        workshop.emplace(request.calibration_name, request.diagnosis_storage,
+                         access ? &access->stored_section() : nullptr);
+    }
+    const Accesses given{access ? &*access : nullptr, workshop ? &*workshop : nullptr};
     open_or_throw(bus, request);
     if (request.lock_step) {
-        run_in_lock_step(request, parameters, bus, end_requested);
+        run_in_lock_step(request, parameters, given, bus, end_requested);
     } else {
-        run_in_real_time(request, parameters, bus, end_requested);
+        run_in_real_time(request, parameters, given, bus, end_requested);
     }
 }
 

@@ -13,6 +13,11 @@ struct EcuRequest {
     bool lock_step{false};
     int fifo_priority{0};  // 0: the scheduling stays as it is
     bool lock_memory{false};
+    bool xcp{false};                // XCP on CAN answers
+    std::string xcp_storage;        // folder of what XCP stores; empty: nowhere
+    bool diagnosis{false};          // UDS on ISO-TP answers, and trouble codes are kept
+    std::string diagnosis_storage;  // folder of what is kept; empty: nowhere
+    std::string calibration_name;   // for a tester
     bool receive_everything{
         false};  // no filters in the kernel: foreign frames reach the firmware, which drops them
 };

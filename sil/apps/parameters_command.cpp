@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/key_file.hpp"
 #include "sil/files/parameter_section_file.hpp"
 #include "sil/files/whole_file.hpp"
 
@@ -28,6 +29,8 @@ struct ParametersRequest {
     std::uint32_t address{0U};
     std::string name;
     std::filesystem::path checked;
+    std::filesystem::path key;
+    std::optional<std::uint32_t> section_version;
 };
 
 std::optional<std::uint32_t> address(std::string_view text) {
@@ -41,12 +44,30 @@ std::optional<std::uint32_t> address(std::string_view text) {
     return error == std::errc{} && rest == end ? std::optional{value} : std::nullopt;
 }
 
+// A key that others can read is none any more.
+hal::Key section_key(const ParametersRequest& request) {
+    namespace fs = std::filesystem;
+    const hal::Key key = load_key(request.key, hal::KeySlot::parameters);
+    std::error_code ignored;
+    const fs::perms others = fs::perms::group_read | fs::perms::others_read;
+    if (request.key == test_key_name) {
+        fmt::print(stderr,
+                   "rsi-sil: everybody has the test key; no vehicle may have a control unit with it\n");
+    } else if ((fs::status(request.key, ignored).permissions() & others) != fs::perms::none) {
+        fmt::print(stderr, "rsi-sil: others can read {0}; chmod 600 {0}\n", request.key.string());
+    }
+    return key;
+}
+
 std::string content_of(const ParametersRequest& request, const rsi::Parameters& parameters,
                        const std::string& name) {
     if (request.format == "h") {
         return calibration_header(parameters, name);
     }
-    const std::vector<std::uint8_t> section = parameter_section(parameters, name);
+    std::vector<std::uint8_t> section = parameter_section(parameters, name);
+    if (request.section_version) {
+        section = sealed(section, *request.section_version, section_key(request));
+    }
     if (request.format == "hex") {
         return intel_hex(section, request.address);
     }
@@ -64,7 +85,23 @@ void write_section(const ParametersRequest& request) {
     fmt::print("{}: calibration \"{}\"\n", request.output.string(), name);
 }
 
-void check_section(const std::filesystem::path& path) {
+// A line about the seal, if there is one or a key to check it. Throws when it is not good.
+std::string about_seal(const ParametersRequest& request, const std::vector<std::uint8_t>& bytes) {
+    if (request.key.empty()) {
+        return is_sealed(bytes) ? fmt::format("# sealed as version {}; give --key FILE to check the seal\n",
+                                              sealed_version(bytes))
+                                : std::string{};
+    }
+    const application::SealFault fault = seal_fault(bytes, section_key(request));
+    if (fault != application::SealFault::none) {
+        throw std::runtime_error(fmt::format("{}: a firmware that wants a seal would refuse it: {}",
+                                             request.checked.string(), explain(fault)));
+    }
+    return fmt::format("# sealed as version {} with that key\n", sealed_version(bytes));
+}
+
+void check_section(const ParametersRequest& request) {
+    const std::filesystem::path& path = request.checked;
     const std::string content = read_whole_file(path);
     const std::vector<std::uint8_t> bytes{content.begin(), content.end()};
     rsi::Parameters parameters{};
@@ -74,8 +111,8 @@ void check_section(const std::filesystem::path& path) {
         throw std::runtime_error(
             fmt::format("{}: the firmware would refuse it: {}", path.string(), explain(answer)));
     }
-    fmt::print("# {}: the firmware takes it; calibration \"{}\"\n{}", path.string(), section_name(bytes),
-               calibration_toml(parameters));
+    fmt::print("# {}: the firmware takes it; calibration \"{}\"\n{}{}", path.string(), section_name(bytes),
+               about_seal(request, bytes), calibration_toml(parameters));
 }
 
 }  // namespace
@@ -121,12 +158,30 @@ void add_parameters_command(CLI::App& app) {
     CLI::Option* check =
         command->add_option("--check", request->checked, "Section as raw bytes: would the firmware take it?");
     check->excludes(calibration)->excludes(output);
-    command->callback([request, calibration, check] {
+    CLI::Option* key = command->add_option("--key", request->key,
+                                           "Key file (TOML: parameters = \"32 hexadecimal digits\") for the "
+                                           "section's seal, or the word \"test\" for "
+                                           "the key that everybody knows");
+    CLI::Option* version =
+        command
+            ->add_option("--section-version", request->section_version,
+                         "Version in the seal: a control unit refuses one that is lower than before")
+            ->needs(key)
+            ->needs(output)
+            ->excludes(check);
+    command->callback([request, calibration, check, key, version] {
         if (!*calibration && !*check) {
             throw CLI::RequiredError("--parameters FILE.toml with --output FILE.bin, or --check FILE.bin,");
         }
+        if (*key && !*version && !*check) {
+            throw CLI::RequiredError("--section-version N, which goes with --key and --output,");
+        }
+        if (*version && request->format == "h") {
+            throw CLI::ValidationError("--section-version",
+                                       "a header (--format h) is no section and has no seal");
+        }
         if (*check) {
-            check_section(request->checked);
+            check_section(*request);
         } else {
             write_section(*request);
         }

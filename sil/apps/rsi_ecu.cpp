@@ -31,7 +31,8 @@ void request_end(int) {
     end_requested = 1;
 }
 
-void run_loop(const sil::EcuRequest& request, const std::string& parameters) {
+void run_loop(sil::EcuRequest& request, const std::string& parameters) {
+    request.calibration_name = std::filesystem::path{parameters}.stem().string();
     std::signal(SIGTERM, request_end);
     std::signal(SIGINT, request_end);
     std::signal(SIGPIPE, SIG_IGN);  // it warns on, whoever has read its messages
@@ -87,6 +88,19 @@ int main(int argc, char** argv) {
     app.add_option("--priority", request.fifo_priority, "Real-time priority under SCHED_FIFO")
         ->check(CLI::Range(1, 99));
     app.add_flag("--lock-memory", request.lock_memory, "Keep all memory from being paged out");
+    CLI::Option* xcp =
+        app.add_flag("--xcp", request.xcp, "Answer XCP on CAN (identifiers 0x6F0 and 0x6F1, the test key)");
+    app.add_option("--xcp-storage", request.xcp_storage,
+                   "Existing folder for what XCP stores; without it that is lost at the end")
+        ->check(CLI::ExistingDirectory)
+        ->needs(xcp);
+    CLI::Option* diagnosis = app.add_flag(
+        "--diagnosis", request.diagnosis,
+        "Keep trouble codes and answer UDS on ISO-TP (identifiers 0x7A6, 0x7DF and 0x7AE, the test key)");
+    app.add_option("--diagnosis-storage", request.diagnosis_storage,
+                   "Existing folder for what diagnosis keeps; without it that is lost at the end")
+        ->check(CLI::ExistingDirectory)
+        ->needs(diagnosis);
     app.add_flag("--receive-everything", request.receive_everything,
                  "Set no filters in the kernel, to show what a busy bus does without them");
 

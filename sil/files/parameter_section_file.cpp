@@ -6,6 +6,9 @@
 #include <cstring>
 #include <numeric>
 
+#include "application/little_endian.hpp"
+#include "hal/memory/memory_storage.hpp"
+#include "hal/software_keys/software_keys.hpp"
 #include "rsi/parameters.hpp"
 #include "sil/files/calibration_file.hpp"
 
@@ -37,6 +40,13 @@ void put_name(std::vector<std::uint8_t>& bytes, std::string_view name) {
             name, section::name_length));
     }
     std::copy(name.begin(), name.end(), bytes.begin() + section::name_at);
+}
+
+// The other slots are of no use here.
+hal::Keys with_parameters_key(const hal::Key& key) {
+    hal::Keys keys{};
+    keys[static_cast<std::size_t>(hal::KeySlot::parameters)] = key;
+    return keys;
 }
 
 std::string hex_record(std::uint8_t type, std::uint32_t address, const std::uint8_t* data,
@@ -75,6 +85,35 @@ std::vector<std::uint8_t> parameter_section(const rsi::Parameters& parameters, s
     }
     put(bytes, section::checksum_at, application::crc32(bytes.data(), section::checksum_at), 4U);
     return bytes;
+}
+
+std::vector<std::uint8_t> sealed(const std::vector<std::uint8_t>& section, std::uint32_t version,
+                                 const hal::Key& key) {
+    std::vector<std::uint8_t> bytes = section;
+    bytes.resize(application::seal::sealed_length);
+    hal::SoftwareKeys keys{with_parameters_key(key)};
+    if (!application::seal_section(keys, version, bytes.data())) {
+        throw std::logic_error("the key store in software has not answered");
+    }
+    return bytes;
+}
+
+bool is_sealed(const std::vector<std::uint8_t>& section) {
+    const auto& magic = application::seal::magic;
+    return section.size() >= application::seal::sealed_length &&
+           std::equal(magic.begin(), magic.end(), section.begin() + application::seal::magic_at);
+}
+
+std::uint32_t sealed_version(const std::vector<std::uint8_t>& section) {
+    return application::word_at(section.data(), application::seal::version_at);
+}
+
+application::SealFault seal_fault(const std::vector<std::uint8_t>& section, const hal::Key& key) {
+    hal::SoftwareKeys keys{with_parameters_key(key)};
+    hal::MemoryStorage<1U> nothing;
+    application::SectionAuthority authority{keys, nothing};
+    authority.start();
+    return authority.check(section.data(), section.size());
 }
 
 std::string section_name(const std::vector<std::uint8_t>& bytes) {
@@ -187,8 +226,28 @@ std::string explain(const application::ParameterSectionAnswer& answer) {
         case ParametersRefusal::value:
             return fmt::format("\"{}\" {}; correct it in the TOML file and write the section anew",
                                answer.validation.field, answer.validation.reason);
+        case ParametersRefusal::unauthentic:
+            return "it has no good seal; seal it: --key FILE --section-version N";
     }
     return "unknown refusal";
+}
+
+std::string explain(application::SealFault fault) {
+    using application::SealFault;
+    switch (fault) {
+        case SealFault::none:
+            return "its seal is good";
+        case SealFault::missing:
+            return "it has no seal; write it with --key FILE --section-version N";
+        case SealFault::forged:
+            return "its seal is of another key, or a byte has changed; seal it with the key of that control "
+                   "unit";
+        case SealFault::outdated:
+            return "a newer version has been in use; seal it with a higher --section-version";
+        case SealFault::version_lost:
+            return "which version has been in use cannot be read any more; the control unit needs service";
+    }
+    return "unknown fault of a seal";
 }
 
 }  // namespace sil

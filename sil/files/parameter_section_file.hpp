@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "application/parameter_section.hpp"
+#include "application/section_authority.hpp"
+#include "hal/software_keys/cmac.hpp"
 #include "rsi/types.hpp"
 
 namespace sil {
@@ -14,6 +16,19 @@ namespace sil {
 // The section that application::read_parameter_section reads. `name` is at most 48 printable ASCII
 // characters; throws InputError otherwise. The parameters are written as they are, valid or not.
 std::vector<std::uint8_t> parameter_section(const rsi::Parameters& parameters, std::string_view name);
+
+// The same with its seal. `version` is never less than that of the section before.
+std::vector<std::uint8_t> sealed(const std::vector<std::uint8_t>& section, std::uint32_t version,
+                                 const hal::Key& key);
+
+// Whether a section that is otherwise good has something behind it that looks like a seal.
+bool is_sealed(const std::vector<std::uint8_t>& section);
+
+// The version in a section that is_sealed.
+std::uint32_t sealed_version(const std::vector<std::uint8_t>& section);
+
+// What a control unit with `key` that has used no section yet finds wrong with the seal.
+application::SealFault seal_fault(const std::vector<std::uint8_t>& section, const hal::Key& key);
 
 // The name in a section that is not `missing` and not too short.
 std::string section_name(const std::vector<std::uint8_t>& section);
@@ -34,5 +49,6 @@ std::string calibration_header(const rsi::Parameters& parameters, std::string_vi
 
 // What a refusal means and what to do next, in one sentence without its end.
 std::string explain(const application::ParameterSectionAnswer& answer);
+std::string explain(application::SealFault fault);
 
 }  // namespace sil

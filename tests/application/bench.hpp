@@ -90,6 +90,16 @@ class Bench {
         return ecu_.init(section.data(), section.size());
     }
 
+    application::ParameterSectionAnswer start_with(const std::vector<std::uint8_t>& section,
+                                                   application::SectionAuthority& authority) {
+        return ecu_.init(section.data(), section.size(), authority);
+    }
+    // The same with parameters.
+    rsi::Validation start_with(const rsi::Parameters& parameters) { return ecu_.init(parameters); }
+
+    // Before the start: what XCP or UDS ask for.
+    void use_keys(const hal::KeyStore& keys) { ecu_.use_keys(keys); }
+
     // Why the ECU's controller started.
     void start_after(hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
 

@@ -22,6 +22,7 @@ PAIRS = [
     ("rsi_side", RSI, "RSI_SIDE_", "RolloverWarning", "Side"),
     ("rsi_roll_source", RSI, "RSI_ROLL_", "RollObserver", "RollSource"),
     ("ParametersRefusal", "firmware/application/parameter_section.hpp", "", "RolloverWarning", "ParametersRefusal"),
+    ("Protection", "firmware/application/section_authority.hpp", "", "RollObserver", "Protection"),
     ("ResetReason", "hal/interface/reset_reason.hpp", "", "RollObserver", "ResetReason"),
     ("Degradation", "firmware/monitoring/degradation.hpp", "", "RolloverDiagnosis", "Degradation"),
     ("EventStatus", "firmware/monitoring/diagnostic_event.hpp", "", "RolloverDiagnosis", "CodeStatus"),

@@ -206,7 +206,7 @@ TEST(EveryEnumeration, HasTheNamesOfTheDbcFile) {
     can_dbc::visit_messages([&enumerations](auto type) {
         enumerations += expect_names_of_dbc<typename decltype(type)::Type>("can_dbc/rollover_warning.dbc");
     });
-    EXPECT_EQ(enumerations, 8);
+    EXPECT_EQ(enumerations, 9);
     enumerations = 0;
     byte_orders::visit_messages([&enumerations](auto type) {
         enumerations += expect_names_of_dbc<typename decltype(type)::Type>("tests/can_dbc/byte_orders.dbc");

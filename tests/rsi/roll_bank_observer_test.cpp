@@ -227,7 +227,7 @@ TEST(RollBankObserver, ANumberThatIsNotFiniteStartsItAnewAndLeavesNoTrace) {
 
 TEST(RollSensorCheck, NeedsTheWholeTimeToSpeakAndToFallSilent) {
     rsi::RollSensorCheck check;
-    check.init(rsi_test::large_suv());  // 0.05 rad for 0.3 s
+    check.tune(rsi_test::large_suv());  // 0.05 rad for 0.3 s
     const auto repeat = [&check](int samples, float difference_rad) {
         for (int k = 0; k < samples; ++k) {
             check.update(difference_rad);
@@ -247,7 +247,7 @@ TEST(RollSensorCheck, NeedsTheWholeTimeToSpeakAndToFallSilent) {
 TEST(RollSensorCheck, SpeaksAfterTheSameTimeOnEitherSideAndFromTheStart) {
     for (const float side : {1.0F, -1.0F}) {
         rsi::RollSensorCheck check;
-        check.init(rsi_test::large_suv());
+        check.tune(rsi_test::large_suv());
         for (int after_reset = 0; after_reset < 2; ++after_reset) {
             for (int k = 0; k < 30; ++k) {
                 check.update(side * 0.051F);
@@ -267,7 +267,7 @@ TEST(RollSensorCheck, SpeaksAfterTheSameTimeOnEitherSideAndFromTheStart) {
 
 TEST(RollSensorCheck, CountsAnewAfterEachChange) {
     rsi::RollSensorCheck check;
-    check.init(rsi_test::large_suv());
+    check.tune(rsi_test::large_suv());
     for (int change = 0; change < 4; ++change) {
         const bool before = (change % 2) != 0;
         const float difference_rad = before ? 0.024F : 0.051F;
@@ -413,7 +413,7 @@ TEST(RollBankObserver, KnowsNothingOfATippedVehicleAfterAReset) {
 
 TEST(RollSensorCheck, WantsTheWholeTimeAfterAReset) {
     rsi::RollSensorCheck check;
-    check.init(rsi_test::large_suv());
+    check.tune(rsi_test::large_suv());
     for (int k = 0; k < 30; ++k) {
         check.update(0.051F);
     }
@@ -428,7 +428,7 @@ TEST(RollSensorCheck, WantsTheWholeTimeAfterAReset) {
 
 TEST(RollSensorCheck, TheSensorAgreesAgainWithinHalfOfTheLimitOnly) {
     rsi::RollSensorCheck check;
-    check.init(rsi_test::large_suv());  // 0.05 rad
+    check.tune(rsi_test::large_suv());  // 0.05 rad
     for (int k = 0; k < 31; ++k) {
         check.update(0.051F);
     }
@@ -448,7 +448,7 @@ TEST(RollSensorCheck, ItsTimeIsRoundedToSamples) {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.observer_disagreement_s = time_s;
         rsi::RollSensorCheck check;
-        check.init(parameters);
+        check.tune(parameters);
         for (int k = 0; k < 30; ++k) {
             check.update(0.051F);
         }

@@ -20,8 +20,7 @@ constexpr float clear_change_of_mass = 0.05F;
 void LoadAdaptation::init(const Parameters& parameters) {
     calibrated_ = calibrated_body(parameters);
     unsprung_mass_kg_ = parameters.unsprung_mass_kg;
-    used_share_ = parameters.load_adaptation;
-    margin_ = used_share_ * parameters.load_margin;
+    tune(parameters);
     // Validated: at least 1.2 / 1.1.
     largest_factor_ = parameters.roll_stiffness_nmprad /
                       (least_stiffness_reserve * gravity_mps2 * calibrated_.moment_arm_kgm());

@@ -16,6 +16,12 @@ class LoadAdaptation {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
 
+    // How much is used of what has been learnt, from now on.
+    [[gnu::cold]] void tune(const Parameters& parameters) {
+        used_share_ = parameters.load_adaptation;
+        margin_ = used_share_ * parameters.load_margin;
+    }
+
     // One sample; `load` is that of `motion`. Learns only from a `measured_angle`: the observer's comes from
     // the calibrated equation itself.
     void update(const Inputs& inputs, const RollMotion& motion, const TransferredLoad& load,

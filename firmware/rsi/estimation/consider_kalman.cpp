@@ -39,7 +39,12 @@ constexpr float straight_roll_rate_radps = 0.01F;
 }  // namespace
 
 void ConsiderKalman::init(const Parameters& parameters) {
-    equation_.init(parameters);
+    tune(parameters);
+    reset();
+}
+
+void ConsiderKalman::tune(const Parameters& parameters) {
+    equation_.tune(parameters);
     prior_variance_m2_ = square(parameters.roll_centre_prior_deviation_m);
     reversion_ = 1.0F - decaying_exponential(sample_time_s / parameters.roll_centre_reversion_s);
     limit_m_ = parameters.roll_centre_limit_m;
@@ -51,7 +56,6 @@ void ConsiderKalman::init(const Parameters& parameters) {
     const float nm_per_mps2 = parameters.sprung_mass_kg * roll_arm_m(parameters);
     offset_prior_nm2_ = square(offset_prior_mps2 * nm_per_mps2);
     offset_drift_nm2_ = square(offset_drift_mps2_per_root_s * nm_per_mps2) * sample_time_s;
-    reset();
 }
 
 void ConsiderKalman::reset() {

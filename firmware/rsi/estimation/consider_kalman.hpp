@@ -17,6 +17,9 @@ namespace rsi {
 class ConsiderKalman {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // The parameters from now on; signals and what has been learnt stay.
+    [[gnu::cold]] void tune(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void reset();
 
     // Forgets the signals, not what has been learnt: for a gap in the measurements.

@@ -10,6 +10,11 @@ constexpr float two_pi = 6.2831853F;
 }  // namespace
 
 void RobustLeastSquares::init(const Parameters& parameters) {
+    tune(parameters);
+    reset();
+}
+
+void RobustLeastSquares::tune(const Parameters& parameters) {
     forgetting_factor_ = parameters.forgetting_factor;
     forgetting_growth_ = 1.0F / forgetting_factor_;
     disturbance_weight_ =
@@ -20,7 +25,6 @@ void RobustLeastSquares::init(const Parameters& parameters) {
     input_scale_ = parameter_scale_ / output_scale_nm_;
     output_scale_inverse_ = 1.0F / output_scale_nm_;
     covariance_limit_ = parameters.covariance_limit;
-    reset();
 }
 
 void RobustLeastSquares::reset() {

@@ -13,6 +13,9 @@ namespace rsi {
 class RobustLeastSquares {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
+
+    // The parameters from now on; what has been learnt stays, so their units must be the same.
+    [[gnu::cold]] void tune(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void reset();
 
     // One sample. A step that would leave anything not finite resets the estimator instead.

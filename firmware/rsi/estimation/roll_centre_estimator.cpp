@@ -2,10 +2,10 @@
 
 namespace rsi {
 
-void RollCentreEstimator::init(const Parameters& parameters) {
+void RollCentreEstimator::tune(const Parameters& parameters) {
     in_use_ = static_cast<rsi_estimator>(parameters.estimator);
-    published_.init(parameters);
-    consider_kalman_.init(parameters);
+    published_.tune(parameters);
+    consider_kalman_.tune(parameters);
 }
 
 void RollCentreEstimator::reset() {

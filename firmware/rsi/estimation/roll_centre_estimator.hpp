@@ -9,7 +9,17 @@ namespace rsi {
 // A further estimator is a further member and a further case; what goes in and what comes out stays the same.
 class RollCentreEstimator {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters) {
+        tune(parameters);
+        reset();
+    }
+
+    // The parameters from now on; what has been learnt stays.
+    [[gnu::cold]] void tune(const Parameters& parameters);
+
+    // What the published estimator has learnt stands in the units of its parameters.
+    void forget_published() { published_.reset(); }
+
     // Forgets everything.
     [[gnu::cold, gnu::noinline]] void reset();
 

@@ -2,7 +2,7 @@
 
 namespace rsi {
 
-void FilteredRollEquation::init(const Parameters& parameters) {
+void FilteredRollEquation::tune(const Parameters& parameters) {
     curve_.init(parameters);
     damping_nmsprad_ = parameters.roll_damping_nmsprad;
     assume_body(calibrated_body(parameters));
@@ -10,7 +10,6 @@ void FilteredRollEquation::init(const Parameters& parameters) {
     weight_ = lag_weight(lag_s);
     // After eight time constants two equal lags still hold 0.3 % of what they were started with.
     settling_samples_ = 2 + static_cast<int>(8.0F * lag_s / sample_time_s);
-    restart();
 }
 
 void FilteredRollEquation::assume_body(const SprungBody& body) {

@@ -26,7 +26,13 @@ struct RollEquation {
 // same sample, so both sides belong to the same instant.
 class FilteredRollEquation {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters) {
+        tune(parameters);
+        restart();
+    }
+
+    // The parameters from now on; the signals go on.
+    [[gnu::cold]] void tune(const Parameters& parameters);
 
     // The body from now on.
     void assume_body(const SprungBody& body);

@@ -67,16 +67,25 @@ void MeasurementStage::init(const Parameters& parameters) {
 }
 
 void MeasurementStage::reinitialise(const Parameters& parameters) {
+    tune(parameters);
+    mass_factor_ = 1.0F;
+    assume_movement(0.0F);
+    reset();
+}
+
+void MeasurementStage::tune(const Parameters& parameters) {
     imu_x_m_ = parameters.imu_x_m;
     imu_y_m_ = parameters.imu_y_m;
     imu_z_m_ = parameters.imu_z_m;
-    mass_factor_ = 1.0F;
-    against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
-    roll_acceleration_.init(parameters.angular_acceleration_lag_s);
-    yaw_acceleration_.init(parameters.angular_acceleration_lag_s);
-    observer_.reinitialise(parameters);
-    road_bank_.forget();
-    check_.init(parameters);
+    const bool against_horizon = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
+    if (against_horizon != against_horizon_) {
+        road_bank_.forget();
+    }
+    against_horizon_ = against_horizon;
+    roll_acceleration_.tune(parameters.angular_acceleration_lag_s);
+    yaw_acceleration_.tune(parameters.angular_acceleration_lag_s);
+    observer_.tune(parameters);
+    check_.tune(parameters);
 }
 
 void MeasurementStage::reset() {

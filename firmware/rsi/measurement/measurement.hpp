@@ -47,6 +47,11 @@ class MeasurementStage {
     // As init, but keeps the observer's settled gains.
     [[gnu::cold]] void reinitialise(const Parameters& parameters);
 
+    // The parameters from now on; what is known of the motion stays, and so do the observer's settled gains.
+    [[gnu::cold]] void tune(const Parameters& parameters);
+
+    void assume_gains(const ObserverGains& gains) { observer_.assume_gains(gains); }
+
     void reset();
 
     // True and a measurement when lateral force and roll rate are available and in range, and the roll angle

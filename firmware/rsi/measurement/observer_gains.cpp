@@ -5,7 +5,7 @@
 namespace rsi {
 namespace {
 
-constexpr int iterations = 2000;
+constexpr std::uint32_t iterations = 2000U;
 
 using State = ObserverState;
 
@@ -23,17 +23,15 @@ Matrix4 step_of_error(const UprightRoll& roll, float offset_decay) {
     return F;
 }
 
-}  // namespace
-
-ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise& noise) {
+// So many iterations on.
+void settle(const UprightRoll& roll, const ObserverNoise& noise, std::uint32_t count, Matrix4& P,
+            ObserverGains& gains) {
     const float s = roll.stiffness_step;
     const Matrix4 F = step_of_error(roll, noise.offset_decay);
     const Vector4 Q{noise.roll_rad2, noise.rate_rad2ps2, noise.bank_rad2, noise.offset_rad2ps2};
     // g (phi + b)
     const Vector4 turn{gravity_mps2, 0.0F, gravity_mps2, 0.0F};
-    Matrix4 P = Vector4{2.5e-3F, 1.0e-4F, 1.0e-2F, 3.0e-4F}.asDiagonal();
-    ObserverGains gains;
-    for (int k = 0; k < iterations; ++k) {
+    for (std::uint32_t k = 0U; k < count; ++k) {
         const float roll_variance_before = P(State::roll, State::roll);
         P = F * P * F.transpose();
         P.diagonal() += Q;
@@ -53,6 +51,32 @@ ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise
         gains.bank_growth_rad2 = square(by_turn(State::bank)) / turn_variance;
         P -= by_turn * by_turn.transpose() / turn_variance;
     }
+}
+
+Matrix4 initial_covariance() {
+    return Vector4{2.5e-3F, 1.0e-4F, 1.0e-2F, 3.0e-4F}.asDiagonal();
+}
+
+}  // namespace
+
+void ObserverGainsSearch::begin(const UprightRoll& roll, const ObserverNoise& noise) {
+    roll_ = roll;
+    noise_ = noise;
+    left_ = iterations;
+    covariance_ = initial_covariance();
+}
+
+bool ObserverGainsSearch::iterate(std::uint32_t at_most) {
+    const std::uint32_t count = (at_most < left_) ? at_most : left_;
+    settle(roll_, noise_, count, covariance_, gains_);
+    left_ -= count;
+    return left_ == 0U;
+}
+
+ObserverGains steady_observer_gains(const UprightRoll& roll, const ObserverNoise& noise) {
+    Matrix4 covariance = initial_covariance();
+    ObserverGains gains;
+    settle(roll, noise, iterations, covariance, gains);
     return gains;
 }
 

@@ -1,6 +1,8 @@
 // Gains of the roll and bank observer: the steady Kalman filter of its four states, computed once.
 #pragma once
 
+#include <cstdint>
+
 #include "rsi/numeric/matrix.hpp"
 #include "rsi/types.hpp"
 
@@ -46,6 +48,24 @@ struct ObserverNoise {
     float offset_decay;
     float gyro_rad2ps2;
     float turn_mps2_2;
+};
+
+// The same, a few iterations at a time.
+class ObserverGainsSearch {
+ public:
+    [[gnu::cold]] void begin(const UprightRoll& roll, const ObserverNoise& noise);
+
+    // At most so many iterations; true when the gains have settled.
+    [[gnu::cold]] bool iterate(std::uint32_t at_most);
+
+    const ObserverGains& gains() const { return gains_; }
+
+ private:
+    UprightRoll roll_{};
+    ObserverNoise noise_{};
+    std::uint32_t left_{0U};
+    Matrix4 covariance_{Matrix4::Zero()};
+    ObserverGains gains_{};
 };
 
 // Iterates the filter's covariance from its start for a bounded number of steps (20 s of driving straight).

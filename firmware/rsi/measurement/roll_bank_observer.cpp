@@ -35,19 +35,6 @@ constexpr float initial_roll_variance_rad2 = square(0.05F);
 constexpr float initial_bank_variance_rad2 = square(0.1F);
 constexpr float smallest_roll_variance_rad2 = 1.0e-9F;
 
-// Noise of the model and of the measurements, tuned on simulated drives; variances of one step.
-ObserverNoise noise_of(const Parameters& parameters) {
-    ObserverNoise noise{};
-    noise.roll_rad2 = 9.0e-5F * T;
-    noise.rate_rad2ps2 = 0.36F * T;
-    noise.bank_rad2 = square(parameters.observer_bank_drift_radps) * T;
-    noise.offset_rad2ps2 = square(radians(2.0F)) * T;
-    noise.offset_decay = offset_decay;
-    noise.gyro_rad2ps2 = square(radians(0.45F));
-    noise.turn_mps2_2 = square(turn_deviation_mps2);
-    return noise;
-}
-
 // sin x to within 2e-4 up to 1 rad; finite and of the right sign up to 3 rad.
 float short_sine(float x) {
     const float z = x * x;
@@ -62,15 +49,34 @@ float short_secant(float x) {
 
 }  // namespace
 
-void RollBankObserver::init(const Parameters& parameters) {
-    reinitialise(parameters);
+// Noise of the model and of the measurements, tuned on simulated drives; variances of one step.
+ObserverNoise observer_noise(const Parameters& parameters) {
+    ObserverNoise noise{};
+    noise.roll_rad2 = 9.0e-5F * T;
+    noise.rate_rad2ps2 = 0.36F * T;
+    noise.bank_rad2 = square(parameters.observer_bank_drift_radps) * T;
+    noise.offset_rad2ps2 = square(radians(2.0F)) * T;
+    noise.offset_decay = offset_decay;
+    noise.gyro_rad2ps2 = square(radians(0.45F));
+    noise.turn_mps2_2 = square(turn_deviation_mps2);
+    return noise;
+}
+
+UprightRoll RollBankObserver::upright_roll() const {
     const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
     const float c = damping_over_inertia_ + 0.5F * T * k;
     const float step = T / (1.0F + 0.5F * T * c);
-    gains_ = steady_observer_gains(UprightRoll{step * k, step * c}, noise_of(parameters));
+    return UprightRoll{step * k, step * c};
 }
 
-void RollBankObserver::reinitialise(const Parameters& parameters) {
+void RollBankObserver::init(const Parameters& parameters) {
+    tune(parameters);
+    assume_movement(0.0F);
+    reset();
+    gains_ = steady_observer_gains(upright_roll(), observer_noise(parameters));
+}
+
+void RollBankObserver::tune(const Parameters& parameters) {
     const float H = roll_arm_m(parameters);
     const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
     stiffness_over_inertia_.init(parameters, inverse_inertia);
@@ -78,9 +84,7 @@ void RollBankObserver::reinitialise(const Parameters& parameters) {
     force_to_acceleration_ = movement_to_acceleration_ * H;
     damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia;
     tipping_force_mps2_ = gravity_mps2 * static_stability_factor(parameters);
-    yaw_acceleration_.init(yaw_acceleration_lag_s);
-    assume_movement(0.0F);
-    reset();
+    yaw_acceleration_.tune(yaw_acceleration_lag_s);
 }
 
 void RollBankObserver::assume_movement(float vertical_movement_m) {

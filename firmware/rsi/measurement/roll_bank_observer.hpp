@@ -11,6 +11,8 @@
 
 namespace rsi {
 
+[[gnu::cold]] ObserverNoise observer_noise(const Parameters& parameters);
+
 // Extended Kalman filter with four states [phi, w, b, o]: roll angle relative to the road, the body's roll
 // rate against the horizon, the road's bank, and the part of w that is not phi': the bank's rate, or the
 // gyro's bias.
@@ -25,8 +27,14 @@ class RollBankObserver {
  public:
     [[gnu::cold]] void init(const Parameters& parameters);
 
-    // As init, but keeps the settled gains, which are found by iterating.
-    [[gnu::cold]] void reinitialise(const Parameters& parameters);
+    // The vehicle from now on. State and settled gains, which are found by iterating, stay.
+    [[gnu::cold]] void tune(const Parameters& parameters);
+
+    // What, with the noise, the settled gains follow from.
+    [[gnu::cold]] UprightRoll upright_roll() const;
+
+    // Those of steady_observer_gains for the same vehicle.
+    void assume_gains(const ObserverGains& gains) { gains_ = gains; }
 
     // Forgets everything; the next update starts anew.
     void reset() { running_ = false; }

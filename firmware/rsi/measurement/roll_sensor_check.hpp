@@ -12,11 +12,10 @@ namespace rsi {
 // `observer_disagreement_s`; false again after they have been closer than half of it for as long.
 class RollSensorCheck {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters) {
+    [[gnu::cold]] void tune(const Parameters& parameters) {
         limit_rad_ = parameters.observer_disagreement_rad;
         confirmation_samples_ =
             static_cast<std::int32_t>(parameters.observer_disagreement_s / sample_time_s + 0.5F);
-        reset();
     }
 
     void reset() {

@@ -10,11 +10,10 @@ namespace rsi {
 // lag.
 class FilteredDerivative {
  public:
-    // `lag_s` >= 0; 0 gives the plain difference quotient.
-    void init(float lag_s) {
+    // `lag_s` >= 0, from now on; 0 gives the plain difference quotient. The signal goes on.
+    void tune(float lag_s) {
         weight_ = lag_weight(lag_s);
         gain_per_s_ = weight_ / sample_time_s;
-        reset();
     }
 
     void reset() { running_ = false; }

@@ -13,7 +13,7 @@ constexpr float return_weight = 3.0F * sample_time_s / 5.0F;
 
 }  // namespace
 
-void LateralResponse::init(const Parameters& parameters) {
+void LateralResponse::tune(const Parameters& parameters) {
     const float w = parameters.lateral_response_frequency_radps;
     const float zeta = parameters.lateral_response_damping;
     is_known_ = (w > 0.0F);
@@ -33,7 +33,6 @@ void LateralResponse::init(const Parameters& parameters) {
     force_by_rate_ = (force_by_force + rate_by_rate) * force_by_rate;
     rate_by_force_ = (force_by_force + rate_by_rate) * rate_by_force;
     rate_by_rate_ = rate_by_force * force_by_rate + rate_by_rate * rate_by_rate;
-    reset();
 }
 
 bool LateralResponse::update(const RollMotion& motion, const DemandedForce& demand) {

@@ -23,7 +23,14 @@ class LateralResponse {
     // Seconds between two points of a course; half of it costs twice as much and warns no earlier.
     static constexpr float step_s = 0.04F;
 
-    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters) {
+        tune(parameters);
+        reset();
+    }
+
+    // The parameters from now on; the learnt limit goes to the new one's by itself.
+    [[gnu::cold]] void tune(const Parameters& parameters);
+
     void reset() { limit_mps2_ = largest_mps2_; }
 
     // One sample: learns the limit. False where the course is not known: without steering, speed, or a

@@ -21,13 +21,12 @@ constexpr float noise_correlation = 3.0F;
 
 }  // namespace
 
-void MomentArmError::init(const Parameters& parameters) {
+void MomentArmError::tune(const Parameters& parameters) {
     assume_body(calibrated_body(parameters));
     stiffness_noise_ = noise_correlation * square(stiffness_share * parameters.roll_stiffness_nmprad);
     damping_noise_ = noise_correlation * square(damping_share * parameters.roll_damping_nmsprad);
     excitation_nm_ = moment_arm_kgm_ * parameters.excitation_threshold_mps2;
     noise_nm2_ = noise_correlation * square(sample_noise_share * gravity_mps2 * moment_arm_kgm_);
-    reset();
 }
 
 void MomentArmError::reset() {

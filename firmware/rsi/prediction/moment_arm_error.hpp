@@ -16,7 +16,13 @@ namespace rsi {
 // holds the errors of K and h as well. Independent of the estimator in use.
 class MomentArmError {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters) {
+        tune(parameters);
+        reset();
+    }
+
+    // The parameters from now on, with the calibrated body; e stays.
+    [[gnu::cold]] void tune(const Parameters& parameters);
     [[gnu::cold, gnu::noinline]] void reset();
 
     // The body from now on: e is what the load does not explain.

@@ -17,7 +17,7 @@ rsi_side falling_side(float side) {
 
 }  // namespace
 
-void WarningStateMachine::init(const Parameters& parameters) {
+void WarningStateMachine::tune(const Parameters& parameters) {
     advisory_on_ = parameters.advisory_on;
     advisory_off_ = parameters.advisory_off;
     warning_on_ = parameters.warning_on;
@@ -26,7 +26,6 @@ void WarningStateMachine::init(const Parameters& parameters) {
     advisory_hold_samples_ = to_samples(parameters.advisory_hold_s);
     warning_hold_samples_ = to_samples(parameters.warning_hold_s);
     recovery_samples_ = to_samples(parameters.recovery_s);
-    update_unavailable();
 }
 
 void WarningStateMachine::update_unavailable() {

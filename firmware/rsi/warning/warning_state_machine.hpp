@@ -17,7 +17,13 @@ struct RiskLevel {
 
 class WarningStateMachine {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    [[gnu::cold]] void init(const Parameters& parameters) {
+        tune(parameters);
+        update_unavailable();
+    }
+
+    // The parameters from now on; the state stays until a sample changes it.
+    [[gnu::cold]] void tune(const Parameters& parameters);
 
     // A sample without a statement: "unavailable" at once.
     void update_unavailable();

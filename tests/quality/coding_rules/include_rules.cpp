@@ -39,23 +39,32 @@ const std::vector<Rule>& rules() {
          Rule::Others::listed,
          freestanding_and({"math.h", "string.h", "calibrations/", "selftest/"})},
         {"firmware/monitoring/", {"rsi/", "monitoring/"}, Rule::Others::standard, {}},
+        {"firmware/access/", {"hal/interface/", "access/"}, Rule::Others::standard, {}},
+        {"firmware/xcp/", {"hal/interface/", "access/", "xcp/"}, Rule::Others::standard, {}},
         {"firmware/application/",
-         {"rsi/", "monitoring/", "can_dbc/", "hal/interface/", "application/"},
+         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/interface/", "application/"},
+         Rule::Others::standard,
+         {}},
+        {"firmware/diagnosis/",
+         {"rsi/", "monitoring/", "access/", "hal/interface/", "application/", "diagnosis/"},
          Rule::Others::standard,
          {}},
         {"can_dbc/", {"can_dbc/"}, Rule::Others::standard, {}},
         {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
         {"hal/", {"hal/"}, Rule::Others::any, {}},
         {"firmware/images/",
-         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/"},
+         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
+          "images/"},
          Rule::Others::any,
          {}},
         {"sil/",
-         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/", "sil/"},
+         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
+          "images/", "sil/"},
          Rule::Others::any,
          {}},
         {"tests/",
-         {"rsi/", "monitoring/", "can_dbc/", "hal/", "application/", "images/", "sil/", "tests/"},
+         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
+          "images/", "sil/", "tests/"},
          Rule::Others::any,
          {}},
     };
@@ -85,8 +94,9 @@ bool starts_with(const std::string& text, const std::string& beginning) {
 
 // The project's folder that a header is in, as it is written in an include; empty for all others.
 std::string project_folder(const std::string& header) {
-    static const std::vector<std::string> folders{
-        "rsi/", "monitoring/", "application/", "firmware/", "can_dbc/", "hal/", "images/", "sil/", "tests/"};
+    static const std::vector<std::string> folders{"rsi/",         "monitoring/", "access/",   "xcp/",
+                                                  "application/", "diagnosis/",  "firmware/", "can_dbc/",
+                                                  "hal/",         "images/",     "sil/",      "tests/"};
     for (const std::string& folder : folders) {
         if (starts_with(header, folder)) {
             return folder;

@@ -10,7 +10,7 @@ PROJECT = pathlib.Path(__file__).resolve().parents[3]
 BUILD = PROJECT / "build/coverage"
 # What tests the firmware and the codec and needs nothing of sil/.
 PROGRAMS = {"rsi_tests": "tests/rsi", "monitoring_tests": "tests/monitoring", "application_test": "tests/application",
-            "codec_test": "tests/can_dbc"}
+            "access_test": "tests/access", "xcp_test": "tests/xcp", "diagnosis_test": "tests/diagnosis", "codec_test": "tests/can_dbc"}
 TIME_LIMIT_S = 1500
 
 

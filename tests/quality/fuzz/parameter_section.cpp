@@ -1,12 +1,17 @@
 // Parameter sections from any bytes, against a second reader: the first thing that is wrong is refused by its
 // own code, nothing beyond the memory is read, and only what is good is taken over. An accepted section,
-// written again by the tool that makes them, is the same.
+// written again by the tool that makes them, is the same. Whoever wants a seal takes what was sealed with his
+// key and is not older than what he had, and nothing else.
 #include <cstdint>
 #include <cstring>
 #include <string>
 #include <vector>
 
+#include "access/stored_count.hpp"
 #include "application/parameter_section.hpp"
+#include "application/section_authority.hpp"
+#include "hal/memory/memory_storage.hpp"
+#include "hal/software_keys/software_keys.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/parameter_section_file.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
@@ -102,6 +107,45 @@ void check_written_again(const Bytes& bytes, const rsi::Parameters& parameters) 
     require(again == expected, "the tool writes the same section");
 }
 
+constexpr hal::Key key{1U, 2U, 3U};
+
+// Sealed with the key, with another or not at all, with or without a change behind it; then the version that
+// was in use before.
+void check_seal(ByteReader& reader, const Bytes& any, ParametersRefusal refusal) {
+    Bytes bytes = any;
+    bool good = reader.below(4U) != 0U && bytes.size() >= section::length;
+    const auto version = reader.take<std::uint32_t>();
+    if (good) {
+        bytes.resize(section::length);
+        const bool is_own = reader.below(4U) != 0U;
+        bytes = sil::sealed(bytes, version, is_own ? key : hal::Key{});
+        const std::size_t at = reader.take<std::uint16_t>() % bytes.size();
+        const auto change =
+            static_cast<std::uint8_t>(reader.below(2U) == 0U ? 0U : reader.take<std::uint8_t>());
+        bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ change);
+        good = is_own && change == 0U;
+    }
+    bytes.shrink_to_fit();
+    hal::Keys keys{};
+    keys[static_cast<std::size_t>(hal::KeySlot::parameters)] = key;
+    hal::SoftwareKeys store{keys};
+    hal::MemoryStorage<access_control::stored_count_length> newest;
+    application::SectionAuthority authority{store, newest};
+    const auto before = reader.take<std::uint32_t>();
+    Bytes used(application::seal::sealed_length);
+    require(application::seal_section(store, before, used.data()), "the store answers");
+    authority.start();
+    require(authority.raise(used.data()) && authority.version() == before, "the storage takes the version");
+
+    rsi::Parameters parameters{};
+    const ParametersRefusal answer =
+        application::read_parameter_section(bytes.data(), bytes.size(), authority, parameters).refusal;
+    const bool accepted = answer == ParametersRefusal::none;
+    require(accepted == (good && version >= before && refusal == ParametersRefusal::none),
+            "what is sealed and new is taken, and nothing else");
+    require(authority.version() == before, "looking raises nothing");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -125,5 +169,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (accepted) {
         check_written_again(bytes, parameters);
     }
+    check_seal(reader, bytes, answer.refusal);
     return 0;
 }

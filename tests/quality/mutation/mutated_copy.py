@@ -131,7 +131,8 @@ class MutatedCopy:
         flags = f"-O1 -w -Wno-narrowing -D_GLIBCXX_ASSERTIONS -include {PROJECT / HELPERS}"
         configured = subprocess.run(
             ["cmake", "-S", self._source, "-B", self._build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-             f"-DRSI_MUTATION={self.scope.name}", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}", *self.scope.options],
+             f"-DRSI_MUTATION={self.scope.name}", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}",
+             f"-DRSI_MBEDTLS={PROJECT / 'build/mbedtls'}", *self.scope.options],
             capture_output=True, text=True)
         if configured.returncode != 0:
             raise SystemExit(f"{configured.stdout}{configured.stderr}\nmutation: could not configure {self._build}")

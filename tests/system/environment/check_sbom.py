@@ -7,7 +7,7 @@ import sys
 
 FOLDER = pathlib.Path(sys.argv[1])
 NOT_LISTED = {"./sbom.spdx.json", "./SHA256SUMS"}  # they are made from the list
-PARTS = {"libeigen3-dev", "libnewlib-arm-none-eabi", "gcc-arm-none-eabi", "libstdc++6", "libfmt9", "libc6"}
+PARTS = {"libeigen3-dev", "libnewlib-arm-none-eabi", "gcc-arm-none-eabi", "libstdc++6", "libfmt9", "libc6", "mbedtls"}
 problems = []
 
 

@@ -1,0 +1,65 @@
+// Diagnosis: the trouble memory, and a tester on the bus, beside an ECU that knows nothing of either.
+//
+//   diagnosis::Diagnosis diagnosis{bus, {}, identification, one_place, other_place};
+//   application::RolloverEcu ecu{diagnosis.bus(), clock, watchdog};
+//   diagnosis.start(is_new_operation_cycle);
+//   each cycle: ecu.step(missed_cycles); diagnosis.step(ecu.diagnostic_memory(), ecu.inputs(),
+//   ecu.outputs());
+//
+// Nothing of it is linked into an image that does not name it.
+#pragma once
+
+#include "diagnosis/iso_tp.hpp"
+#include "diagnosis/kept_data.hpp"
+#include "diagnosis/tester_bus.hpp"
+#include "diagnosis/uds_server.hpp"
+#include "monitoring/diagnostic_memory.hpp"
+
+namespace diagnosis {
+
+class Diagnosis {
+ public:
+    // All must outlive this object. The places take KeptData::record_length bytes each.
+    Diagnosis(hal::CanBus& bus, const Addresses& addresses, const Identification& identification,
+              hal::Storage& one, hal::Storage& other) noexcept
+        : transport_{bus, addresses},
+          bus_{bus, transport_},
+          kept_{one, other},
+          server_{transport_, bus_, kept_, identification} {}
+
+    // The bus that the ECU is given.
+    hal::CanBus& bus() noexcept { return bus_; }
+
+    // Without them nobody is unlocked, and no parameter section is taken.
+    void use(access_control::SeedAndKey& access) noexcept { server_.use(access); }
+    void use(SectionTarget& target) noexcept { server_.use(target); }
+
+    // Before the first cycle. `is_new_operation_cycle`: the ignition was switched on; false after a reset
+    // that nobody noticed but the controller.
+    [[gnu::cold]] void start(bool is_new_operation_cycle) noexcept {
+        kept_.restore();
+        kept_.codes().start(is_new_operation_cycle);
+    }
+
+    // After each step of the ECU, with what it has found.
+    void step(const monitoring::DiagnosticMemory& memory, const rsi::Inputs& inputs,
+              const rsi::Outputs& outputs) noexcept {
+        kept_.codes().update(memory.confirmed_codes(), memory.snapshot(), inputs.speed_mps);
+        server_.step(EcuState{memory.confirmed_codes(), inputs, outputs});
+        kept_.end_cycle();
+        transport_.end_cycle();
+    }
+
+    // A tester has asked for it and has his answer.
+    bool is_reset_requested() const noexcept { return server_.is_reset_requested(); }
+
+    Session session() const noexcept { return server_.session(); }
+
+ private:
+    IsoTp transport_;
+    TesterBus bus_;
+    KeptData kept_;
+    UdsServer server_;
+};
+
+}  // namespace diagnosis

@@ -1,0 +1,50 @@
+// Kept data: trouble memory and written identification in the memory that outlives a loss of power.
+#pragma once
+
+#include <cstdint>
+
+#include "diagnosis/alternating_record.hpp"
+#include "diagnosis/data_identifiers.hpp"
+#include "diagnosis/trouble_memory.hpp"
+
+namespace diagnosis {
+
+// A record of other software, with other codes, has another length or another count and is not read.
+struct KeptPayload {
+    std::uint8_t code_count{0U};
+    TroubleMemory::Stored codes{};
+    WrittenData written{};
+};
+
+class KeptData {
+ public:
+    // Bytes of each of the two places.
+    static constexpr std::size_t record_length = AlternatingRecord<KeptPayload>::length;
+
+    // The places are nobody else's, take record_length bytes each, and outlive this object.
+    KeptData(hal::Storage& one, hal::Storage& other) noexcept : record_{one, other} {}
+
+    // Before the first cycle.
+    [[gnu::cold]] void restore() noexcept;
+
+    // Once a cycle: stores what is to be stored. New entries at once, though a second after the last record,
+    // which may still be on its way in the background; what only counts further once a minute.
+    void end_cycle() noexcept;
+
+    TroubleMemory& codes() noexcept { return codes_; }
+    WrittenData& written() noexcept { return written_; }
+    // All that was to be stored at once has been taken by the memory.
+    bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
+
+ private:
+    using Record = AlternatingRecord<KeptPayload>;
+
+    void store() noexcept;
+
+    Record record_;
+    TroubleMemory codes_{};
+    WrittenData written_{};
+    std::uint32_t cycles_since_store_{0U};
+};
+
+}  // namespace diagnosis

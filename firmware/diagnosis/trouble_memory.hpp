@@ -1,0 +1,113 @@
+// Trouble memory: what a workshop finds of each diagnostic code, in the terms of ISO 14229-1, over operation
+// cycles and losses of power.
+//
+// The monitoring (monitoring/diagnostic_memory.hpp) decides when a code has failed and when it is good again;
+// a code that it has confirmed is a failed test here. It starts with every start of the ECU; this memory is
+// stored.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "diagnosis/trouble_codes.hpp"
+#include "monitoring/diagnostic_memory.hpp"
+
+namespace diagnosis {
+
+// The status byte of ISO 14229-1.
+namespace status {
+inline constexpr std::uint8_t test_failed = 0x01U;
+inline constexpr std::uint8_t failed_this_cycle = 0x02U;
+inline constexpr std::uint8_t pending = 0x04U;
+inline constexpr std::uint8_t confirmed = 0x08U;
+inline constexpr std::uint8_t not_completed_since_clear = 0x10U;
+inline constexpr std::uint8_t failed_since_clear = 0x20U;
+inline constexpr std::uint8_t not_completed_this_cycle = 0x40U;
+// Bit 7, warningIndicatorRequested, is not available: this control unit requests no indicator for a code.
+inline constexpr std::uint8_t available = 0x7FU;
+inline constexpr std::uint8_t failure = 0x2FU;  // what a failed test sets
+inline constexpr std::uint8_t cleared = 0x50U;  // not completed, neither way
+}  // namespace status
+
+// What was measured when a code failed, as it is stored and sent: numbers of two bytes, the most significant
+// first.
+//   0  lateral acceleration, 0.01 m/s2        4  roll angle, 0.001 rad
+//   2  roll rate, 0.001 rad/s                 6  speed, 0.01 m/s
+//   8  seconds since the start, without a sign; 65535: later
+// 0x8000: not available.
+using FreezeFrame = std::array<std::uint8_t, 10>;
+
+struct TroubleState {
+    std::uint8_t status{status::cleared};
+    std::uint8_t occurrences{0U};  // since it was cleared; 255: more
+    std::uint8_t ageing{0U};       // operation cycles in which it was tested and never failed
+};
+
+struct TroubleSnapshots {
+    std::uint8_t code{0U};  // number of the diagnostic code; 0: free
+    FreezeFrame first{};
+    FreezeFrame last{};
+};
+
+// How soon it is to be stored.
+enum class Storing : std::uint8_t { not_needed, later, now };
+
+class TroubleMemory {
+ public:
+    static constexpr std::size_t snapshot_places = 8U;
+    static constexpr std::uint8_t ageing_cycles = 40U;  // a confirmed code is forgotten after so many
+
+    // Before the first cycle, after what was stored has been restored. `is_new_cycle`: an operation cycle
+    // begins, so the one before is counted; false after a reset within one.
+    void start(bool is_new_cycle) noexcept;
+
+    // One cycle. `failed`: the codes that the monitoring has confirmed. `speed_mps` NaN: not known.
+    void update(monitoring::CodeSet failed, const monitoring::Snapshot& measured, float speed_mps) noexcept;
+
+    // Off: nothing is recorded (ControlDTCSetting). What still fails when it is on again is recorded then.
+    void set_recording(bool is_on) noexcept { is_recording_ = is_on; }
+
+    void clear_all() noexcept;
+    void clear(std::size_t row) noexcept;
+
+    // By the rows of trouble_codes.
+    const TroubleState& state(std::size_t row) const noexcept { return data_.states[row]; }
+    // nullptr where there is none: never failed, or displaced by newer ones.
+    const TroubleSnapshots* snapshots(std::size_t row) const noexcept;
+
+    Storing storing() const noexcept { return storing_; }
+    void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
+    void stored() noexcept { storing_ = Storing::not_needed; }
+
+    // What is stored: bytes without gaps, the same on every target.
+    struct Stored {
+        std::array<TroubleState, trouble_code_count> states{};
+        std::array<TroubleSnapshots, snapshot_places> snapshots{};
+    };
+    static_assert(sizeof(Stored) == 3U * trouble_code_count + 21U * snapshot_places);
+
+    const Stored& stored_data() const noexcept { return data_; }
+    // Whatever it holds: what nobody knows is left out.
+    [[gnu::cold]] void restore(const Stored& stored) noexcept;
+
+ private:
+    void count_cycle(TroubleState& state, std::size_t row) noexcept;
+    void fail(std::size_t row) noexcept;
+    void complete(monitoring::CodeSet judged) noexcept;
+    void count_good_cycle(float speed_mps) noexcept;
+    void keep_snapshot(std::size_t row) noexcept;
+    TroubleSnapshots* place_for(std::size_t row) noexcept;
+    void forget_snapshots(std::size_t row) noexcept;
+
+    Stored data_{};
+    FreezeFrame measured_{};           // in this cycle
+    monitoring::CodeSet failed_{0U};   // in the cycle before
+    std::uint32_t cycles_{0U};         // since the start
+    std::uint32_t good_cycles_{0U};    // in which nothing failed
+    std::uint32_t driven_cycles_{0U};  // of these
+    bool is_recording_{true};
+    Storing storing_{Storing::not_needed};
+};
+
+}  // namespace diagnosis

@@ -1,0 +1,108 @@
+// UDS server (ISO 14229-1): sessions, access, and the services of service_table.hpp.
+#pragma once
+
+#include <cstdint>
+
+#include "access/seed_and_key.hpp"
+#include "diagnosis/data_identifiers.hpp"
+#include "diagnosis/iso_tp.hpp"
+#include "diagnosis/kept_data.hpp"
+#include "diagnosis/section_download.hpp"
+#include "diagnosis/service_table.hpp"
+#include "diagnosis/tester_bus.hpp"
+#include "diagnosis/uds.hpp"
+#include "monitoring/diagnostic_code.hpp"
+#include "rsi/types.hpp"
+
+namespace diagnosis {
+
+inline constexpr std::uint32_t self_test_routine = 0x0203U;
+inline constexpr std::uint32_t check_section_routine = 0xFF01U;
+
+// What the self test found wrong, a bit each.
+namespace self_test {
+inline constexpr std::uint8_t parameters = 0x01U;  // refused or damaged
+inline constexpr std::uint8_t memory = 0x02U;      // a bit of the component had changed
+inline constexpr std::uint8_t computing = 0x04U;   // estimate or outputs
+inline constexpr std::uint8_t timing = 0x08U;      // cycle or clock
+inline constexpr std::uint8_t bus = 0x10U;
+inline constexpr std::uint8_t storing = 0x20U;  // the memory has not taken a record
+}  // namespace self_test
+
+// What the ECU has found and computed in its last cycle.
+struct EcuState {
+    monitoring::CodeSet failed;
+    const rsi::Inputs& inputs;
+    const rsi::Outputs& outputs;
+};
+
+class UdsServer {
+ public:
+    // All must outlive the server.
+    UdsServer(IsoTp& transport, TesterBus& bus, KeptData& kept, const Identification& identification) noexcept
+        : transport_{transport}, bus_{bus}, kept_{kept}, identification_{identification} {}
+
+    // Without them nobody is unlocked, and no section is taken.
+    void use(access_control::SeedAndKey& access) noexcept { access_ = &access; }
+    void use(SectionTarget& target) noexcept { download_.use(target); }
+
+    // Once a cycle of 10 ms: answers at most one request.
+    void step(const EcuState& ecu) noexcept;
+
+    // A tester has asked for a reset and has his answer. For the platform: it starts the ECU anew.
+    bool is_reset_requested() const noexcept { return is_reset_requested_ && !transport_.is_sending(); }
+
+    Session session() const noexcept { return session_; }
+
+ private:
+    // What a request waits for before it is answered.
+    enum class Waiting : std::uint8_t { nothing, codes_stored, self_test_stored, section_stored };
+
+    void serve(const Request& request, const EcuState& ecu) noexcept;
+    void answer(const Request& request, Nrc code) noexcept;
+    void say_no(const Request& request, Nrc code) noexcept;
+    void begin_routine_answer(const Request& request) noexcept;
+    void begin_answer(const Request& request, std::size_t repeated) noexcept;
+    Nrc check_and_run(const Request& request, const EcuState& ecu) noexcept;
+    Nrc run(const Request& request, const EcuState& ecu) noexcept;
+    Nrc session_control(const Request& request, const EcuState& ecu) noexcept;
+    Nrc reset(const Request& request, const EcuState& ecu) noexcept;
+    Nrc clear_codes(const Request& request) noexcept;
+    Nrc read_data(const Request& request, const EcuState& ecu) noexcept;
+    Nrc write_data(const Request& request) noexcept;
+    Nrc security_access(const Request& request) noexcept;
+    Nrc take_key(const Request& request) noexcept;
+    Nrc communication_control(const Request& request, const EcuState& ecu) noexcept;
+    Nrc code_setting(std::uint8_t sub_function) noexcept;
+    Nrc routine_control(const Request& request, const EcuState& ecu) noexcept;
+    Nrc start_self_test(const EcuState& ecu) noexcept;
+    Nrc check_section(const Request& request) noexcept;
+    Nrc request_download(const Request& request, const EcuState& ecu) noexcept;
+
+    void drop_functional_request() noexcept;
+    void wait_for_storage() noexcept;
+    Nrc storage_answer() noexcept;
+    Nrc self_test_answer() noexcept;
+    void count_session_time() noexcept;
+    void enter(Session session) noexcept;
+    bool is_unlocked() const noexcept { return (access_ != nullptr) && access_->is_unlocked(); }
+
+    IsoTp& transport_;
+    TesterBus& bus_;
+    KeptData& kept_;
+    const Identification& identification_;
+    access_control::SeedAndKey* access_{nullptr};
+    SectionDownload download_{};
+    Response response_{};
+    Request waiting_for_;
+    std::uint32_t wait_cycles_{0U};
+    std::uint32_t idle_cycles_{0U};  // since the tester's last request
+    std::uint8_t self_test_result_{0U};
+    bool has_self_test_result_{false};
+    bool is_reset_requested_{false};
+    bool is_later_said_{false};  // to the request that waits
+    Waiting waiting_{Waiting::nothing};
+    Session session_{Session::standard};
+};
+
+}  // namespace diagnosis

@@ -1,0 +1,96 @@
+// XCP slave: answers one command a cycle, and sends what is measured. By ASAM MCD-1 XCP 1.1, on classic CAN.
+#pragma once
+
+#include <cstdint>
+
+#include "access/seed_and_key.hpp"
+#include "hal/interface/can_bus.hpp"
+#include "hal/interface/clock.hpp"
+#include "xcp/daq.hpp"
+#include "xcp/identifiers.hpp"
+#include "xcp/packet.hpp"
+#include "xcp/target.hpp"
+
+namespace xcp {
+
+// Whoever is connected may read. Calibration and measurement (which loads the bus) want the key: one seed and
+// key for both. Disconnecting, connecting anew and a wrong key lock again.
+class Slave {
+ public:
+    // Both must outlive the slave.
+    Slave(Target& target, access_control::SeedAndKey& access, const Identifiers& identifiers) noexcept
+        : target_{target}, access_{access}, identifiers_{identifiers}, daq_{target} {}
+
+    // Every frame that the control unit receives; others than commands are left alone. Of several commands
+    // within a cycle, which no master sends, the last is answered.
+    void look_at(const hal::CanFrame& frame) noexcept {
+        if ((frame.identifier == identifiers_.command) && !frame.extended && !frame.flexible_data_rate) {
+            keep(frame);
+        }
+    }
+
+    // After a step of 10 ms and its frames: answers, then samples. `missed_cycles` as the step was told.
+    void end_cycle(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept {
+        access_.end_cycle();
+        if (has_command_ || connected_) {
+            work(bus, now, missed_cycles);
+        }
+    }
+
+    bool is_connected() const noexcept { return connected_; }
+
+    // Of its own frames, among those that the bus has counted.
+    std::uint32_t send_failures() const noexcept { return send_failures_; }
+
+ private:
+    void keep(const hal::CanFrame& frame) noexcept;
+    void work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept;
+    bool answer(hal::Time now) noexcept;
+    Error answer_in_session(Command command, hal::Time now) noexcept;
+    Error answer_standard(Command command) noexcept;
+    Error answer_about_pages(Command command) noexcept;
+    Error answer_about_lists(Command command, hal::Time now) noexcept;
+    Error change_lists(Command command) noexcept;
+
+    void connect() noexcept;
+    void disconnect() noexcept;
+    Error status() noexcept;
+    Error identification() noexcept;
+    Error seed() noexcept;
+    Error unlock() noexcept;
+    Error upload(std::uint32_t address) noexcept;
+    Error checksum() noexcept;
+    Error download() noexcept;
+    Error set_page() noexcept;
+    Error page() noexcept;
+    Error segment_info() noexcept;
+    Error page_info() noexcept;
+    Error copy_page() noexcept;
+    Error store() noexcept;
+    Error list_mode() noexcept;
+    Error start_or_stop_list() noexcept;
+    Error start_or_stop_all() noexcept;
+    Error processor_info() noexcept;
+    Error event_info() noexcept;
+    std::uint8_t locked_resources() const noexcept;
+
+    Target& target_;
+    access_control::SeedAndKey& access_;
+    Identifiers identifiers_;
+    DaqLists daq_;
+    Packet command_;
+    Packet answer_;  // what it will be if nothing is wrong
+    bool has_command_{false};
+    std::uint32_t send_failures_{0U};
+    bool connected_{false};
+    bool overload_{false};               // to be told
+    bool stored_{false};                 // the same
+    bool freezes_{false};                // the segment's mode; the one segment is stored in either
+    Page visible_{Page::working};        // the page that the master reads
+    std::uint32_t address_{0U};          // of the next upload or download (MTA)
+    access_control::Block exchanged_{};  // seed or key, as far as it has gone over the bus
+    std::uint8_t seed_left_{0U};         // bytes
+    std::uint8_t key_got_{0U};           // bytes
+};
+
+}  // namespace xcp

@@ -1,0 +1,29 @@
+// File storage: a record in a file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "hal/interface/storage.hpp"
+
+namespace hal {
+
+// A record is written beside the old one and takes its name at the end, so that a process that is killed
+// leaves one of the two. It is in the kernel's hands then: a machine that loses its power may lose it.
+class FileStorage final : public Storage {
+ public:
+    // The file need not be there; its folder must.
+    explicit FileStorage(std::string path);
+
+    // False where there is no file of just that length.
+    bool read(std::uint8_t* bytes, std::size_t length) noexcept override;
+    // False where the file cannot be written.
+    bool write(const std::uint8_t* bytes, std::size_t length) noexcept override;
+
+ private:
+    std::string path_;
+    std::string new_path_;
+};
+
+}  // namespace hal

@@ -1,0 +1,21 @@
+// System random: the kernel's random numbers.
+#pragma once
+
+#include <sys/random.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/interface/random_source.hpp"
+
+namespace hal {
+
+class SystemRandom final : public RandomSource {
+ public:
+    bool fill(std::uint8_t* bytes, std::size_t length) noexcept override {
+        const ssize_t filled = ::getrandom(bytes, length, GRND_NONBLOCK);
+        return (filled >= 0) && (static_cast<std::size_t>(filled) == length);
+    }
+};
+
+}  // namespace hal

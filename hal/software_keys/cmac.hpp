@@ -1,0 +1,18 @@
+// AES-128-CMAC: the authentication code of RFC 4493, over the block cipher of Mbed TLS. Mbed TLS has a CMAC
+// of its own, which wants a heap.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/interface/key_store.hpp"
+
+namespace hal {
+
+using Key = std::array<std::uint8_t, 16>;
+
+// Of `length` bytes. False where the library refuses; `code` is then left as it was.
+bool cmac(const Key& key, const std::uint8_t* bytes, std::size_t length, AuthenticationCode& code) noexcept;
+
+}  // namespace hal

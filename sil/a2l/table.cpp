@@ -1,0 +1,84 @@
+// a2l-table: what an A2L needs to know of the firmware, from the firmware's own tables. Lines of fields that
+// are separated by tabs:
+//   constant   NAME VALUE
+//   parameter  NAME ADDRESS LEAST LARGEST CHOICES         choices separated by commas; empty: a float
+//   output     NAME ADDRESS LARGEST UNIT MEANING          largest of a code; empty: a float
+#include <fmt/format.h>
+
+#include <cstring>
+#include <string>
+
+#include "application/calibration_epk.hpp"
+#include "application/calibration_pages.hpp"
+#include "rsi/parameters.hpp"
+#include "xcp/daq.hpp"
+#include "xcp/identifiers.hpp"
+
+namespace {
+
+namespace map = application::calibration_map;
+
+template <typename Value>
+void constant(const char* name, Value value) {
+    fmt::print("constant\t{}\t{}\n", name, value);
+}
+
+void constants() {
+    const auto* const letters =
+        static_cast<const char*>(static_cast<const void*>(application::calibration_epk.data()));
+    constant("epk", std::string{letters, ::strnlen(letters, application::calibration_epk.size())});
+    constant("epk_at", map::epk_at);
+    constant("parameters_at", map::parameters_at);
+    constant("parameters_length", map::parameters_length);
+    constant("change_at", map::change_at);
+    constant("command_identifier", xcp::default_identifiers.command);
+    constant("answer_identifier", xcp::default_identifiers.answer);
+    constant("most_lists", xcp::most_lists);
+    constant("most_parts", xcp::most_parts);
+    constant("largest_entry", xcp::largest_entry);
+    constant("packet_length", xcp::packet_length);
+}
+
+void parameters() {
+    std::uint32_t address = map::parameters_at;
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        fmt::print("parameter\t{}\t{}\t{}\t{}\t\n", field.name, address, field.minimum, field.maximum);
+        address += 4U;
+    }
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        std::string choices;
+        for (std::int32_t choice = 0; choice < field.choice_count; ++choice) {
+            choices += (choice == 0 ? "" : ",") + std::string{field.choices[choice]};
+        }
+        fmt::print("parameter\t{}\t{}\t0\t{}\t{}\n", field.name, address, field.choice_count - 1, choices);
+        address += 4U;
+    }
+}
+
+void outputs() {
+    const rsi::Outputs all{};
+    const auto address_of = [&all](const void* member) {
+        return map::outputs_at +
+               static_cast<std::uint32_t>(static_cast<const char*>(member) -
+                                          static_cast<const char*>(static_cast<const void*>(&all)));
+    };
+#define RSI_CODE(name, reset, largest, risk, meaning)                                                 \
+    fmt::print("output\t{}\t{}\t{}\t\t{}\n", #name, address_of(&all.name), static_cast<int>(largest), \
+               meaning);
+#define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) \
+    fmt::print("output\t{}\t{}\t\t{}\t{}\n", #name, address_of(&all.name), unit, meaning);
+#define RSI_INDEX(name, unit, mirror, CHOICE, number, choice, scale, side, meaning) \
+    RSI_NUMBER(name, unit, mirror, always, detail, meaning)
+    RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_INDEX)
+#undef RSI_INDEX
+#undef RSI_NUMBER
+#undef RSI_CODE
+}
+
+}  // namespace
+
+int main() {
+    constants();
+    parameters();
+    outputs();
+}

@@ -1,0 +1,14 @@
+#include "sil/apps/calibration_access.hpp"
+
+#include "sil/files/parameter_section_file.hpp"
+
+namespace sil {
+
+CalibrationAccess::CalibrationAccess(const rsi::Parameters& parameters, const std::filesystem::path& folder)
+    : section_{parameter_section(parameters, "rsi-ecu")},
+      attempts_{folder, "xcp_attempts.bin"},
+      stored_section_{folder, "xcp_parameters.bin"} {
+    seed_and_key_.start();
+}
+
+}  // namespace sil

@@ -1,0 +1,64 @@
+// A storage whose power is cut at a chosen write, which may then be done, not be done, or be torn.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hal/interface/storage.hpp"
+
+namespace rsi_test {
+
+class CutStorage final : public hal::Storage {
+ public:
+    // What the write at which power goes leaves: that many of its bytes, and behind them those of before.
+    struct Cut {
+        int at_write;  // counted from 1; 0: never
+        std::size_t bytes_written;
+    };
+
+    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
+        if (record_.size() != length) {
+            return false;
+        }
+        std::copy(record_.begin(), record_.end(), bytes);
+        return true;
+    }
+
+    bool write(const std::uint8_t* bytes, std::size_t length) noexcept override {
+        if (refuses_) {
+            return false;
+        }
+        ++writes_;
+        if (writes_ != cut_.at_write) {
+            record_.assign(bytes, bytes + length);
+            return true;
+        }
+        has_power_ = false;
+        if (cut_.bytes_written > 0U) {
+            record_.resize(length);
+            std::copy_n(bytes, std::min(length, cut_.bytes_written), record_.begin());
+        }
+        return true;
+    }
+
+    void cut_power_at(Cut cut) {
+        cut_ = cut;
+        writes_ = 0;
+        has_power_ = true;
+    }
+    void refuse(bool refuses) { refuses_ = refuses; }
+    bool has_power() const { return has_power_; }
+    int writes() const { return writes_; }
+    std::vector<std::uint8_t>& record() { return record_; }
+
+ private:
+    std::vector<std::uint8_t> record_;
+    Cut cut_{0, 0U};
+    int writes_{0};
+    bool has_power_{true};
+    bool refuses_{false};
+};
+
+}  // namespace rsi_test

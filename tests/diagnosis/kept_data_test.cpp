@@ -1,0 +1,246 @@
+// What outlives a loss of power: at whichever write it comes, at most the newest entry is lost.
+#include "diagnosis/kept_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/diagnosis/tester.hpp"
+
+namespace testing_diagnosis {
+namespace {
+
+using diagnosis::KeptData;
+using monitoring::CodeSet;
+using rsi_test::CutStorage;
+
+constexpr CodeSet bit_of(std::size_t row) {
+    return CodeSet{2U} << row;
+}
+
+// An ECU with two places, through whose life one may cut the power.
+struct Life {
+    explicit Life(Memories& memories) : data{memories.one, memories.other} {
+        data.restore();
+        data.codes().start(true);
+    }
+    void run(int cycles, CodeSet failed = 0U) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            data.codes().update(failed, {}, 0.0F);
+            data.end_cycle();
+        }
+    }
+    bool has_power(const Memories& memories) const {
+        return memories.one.has_power() && memories.other.has_power();
+    }
+    std::set<std::size_t> known() {
+        std::set<std::size_t> rows;
+        for (std::size_t row = 0U; row < diagnosis::trouble_code_count; ++row) {
+            if ((data.codes().state(row).status & diagnosis::status::confirmed) != 0U) {
+                rows.insert(row);
+            }
+        }
+        return rows;
+    }
+
+    KeptData data;
+};
+
+TEST(KeptData, AnEmptyMemoryIsNone) {
+    Memories memories;
+    Life life{memories};
+    EXPECT_TRUE(life.known().empty());
+    EXPECT_EQ(life.data.written().vehicle_number[0], 0U);
+}
+
+TEST(KeptData, EntriesAndWrittenDataComeBack) {
+    Memories memories;
+    {
+        Life life{memories};
+        life.run(200);
+        life.run(1, bit_of(3U));
+        life.data.written().vehicle_number.fill('V');
+        life.data.written().programming_date = {0x20U, 0x26U, 0x11U, 0x25U};
+        life.data.codes().request_storing(diagnosis::Storing::now);
+        life.run(200);
+    }
+    Life life{memories};
+    EXPECT_EQ(life.known(), (std::set<std::size_t>{3U}));
+    EXPECT_EQ(life.data.written().vehicle_number[16], 'V');
+    EXPECT_EQ(life.data.written().programming_date[3], 0x25U);
+}
+
+// A cycle that begins is stored at once, else it would age the codes again and again.
+TEST(KeptData, TheFirstRecordIsWrittenInTheFirstCycle) {
+    Memories memories;
+    Life life{memories};
+    life.run(1);
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), 1);
+}
+
+// The place may still be busy with the record before.
+TEST(KeptData, RecordsAreASecondApartAndTakeTurns) {
+    Memories memories;
+    Life life{memories};
+    life.run(1);
+    life.run(98, bit_of(0U));
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), 1);
+    life.run(2, bit_of(0U));
+    EXPECT_EQ(memories.one.writes(), 1);
+    EXPECT_EQ(memories.other.writes(), 1);
+    EXPECT_TRUE(life.data.is_stored());
+}
+
+TEST(KeptData, WhatOnlyCountsFurtherIsStoredOnceAMinute) {
+    Memories memories;
+    Life life{memories};
+    life.run(350);
+    life.run(200, bit_of(0U));
+    const int writes = memories.one.writes() + memories.other.writes();
+    for (int time = 0; time < 2850; ++time) {
+        life.run(1);
+        life.run(1, bit_of(0U));
+    }
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes);
+    for (int time = 0; time < 200; ++time) {
+        life.run(1);
+        life.run(1, bit_of(0U));
+    }
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes + 1);
+}
+
+TEST(KeptData, ABusyPlaceIsAskedAgain) {
+    Memories memories;
+    memories.one.refuse(true);
+    memories.other.refuse(true);
+    Life life{memories};
+    life.run(500);
+    EXPECT_FALSE(life.data.is_stored());
+    memories.one.refuse(false);
+    memories.other.refuse(false);
+    life.run(1);
+    EXPECT_TRUE(life.data.is_stored());
+}
+
+// Every write of a life with ten codes, one after the other, cut at the beginning, at the end, and at bytes
+// between.
+TEST(KeptData, ALossOfPowerAtAnyWriteLosesAtMostTheNewestEntry) {
+    constexpr std::size_t codes = 10U;
+    int cuts = 0;
+    for (const std::size_t bytes :
+         {std::size_t{0U}, std::size_t{1U}, std::size_t{7U}, std::size_t{8U}, std::size_t{100U},
+          KeptData::record_length - 1U, KeptData::record_length}) {
+        for (int at_write = 1; at_write <= 7; ++at_write) {
+            for (const bool in_first : {true, false}) {
+                Memories memories;
+                (in_first ? memories.one : memories.other).cut_power_at({at_write, bytes});
+                std::set<std::size_t> stored;
+                std::size_t newest = codes;
+                {
+                    Life life{memories};
+                    life.run(350);
+                    CodeSet failed = 0U;
+                    for (std::size_t row = 0U; (row < codes) && life.has_power(memories); ++row) {
+                        failed |= bit_of(row);
+                        newest = row;
+                        for (int cycle = 0; (cycle < 150) && life.has_power(memories); ++cycle) {
+                            life.run(1, failed);
+                        }
+                        if (life.has_power(memories)) {
+                            stored.insert(row);
+                        }
+                    }
+                    if (life.has_power(memories)) {
+                        continue;  // there were fewer writes
+                    }
+                }
+                ++cuts;
+                memories.one.cut_power_at({0, 0U});
+                memories.other.cut_power_at({0, 0U});
+                Life life{memories};
+                std::set<std::size_t> all = stored;
+                all.insert(newest);
+                const std::set<std::size_t> known = life.known();
+                EXPECT_TRUE(known == stored || known == all || (stored.empty() && known.empty()))
+                    << "cut at write " << at_write << " after " << bytes << " bytes: " << known.size()
+                    << " of " << stored.size() << " known";
+                // And it goes on: what comes next is kept.
+                life.run(150, bit_of(20U));
+                Life next{memories};
+                EXPECT_EQ(next.known().count(20U), 1U);
+            }
+        }
+    }
+    EXPECT_GE(cuts, 70);
+}
+
+TEST(KeptData, EveryDamagedByteIsNoticedAndTheOtherRecordUsed) {
+    Memories memories;
+    {
+        Life life{memories};
+        life.run(150, bit_of(1U));
+        life.run(150, bit_of(1U) | bit_of(2U));
+    }
+    for (std::size_t byte = 0U; byte < KeptData::record_length; ++byte) {
+        Memories damaged;
+        damaged.one.record() = memories.one.record();
+        damaged.other.record() = memories.other.record();
+        CutStorage& newer = (memories.one.record()[KeptData::record_length - 8U] >
+                             memories.other.record()[KeptData::record_length - 8U])
+                                ? damaged.one
+                                : damaged.other;
+        newer.record()[byte] ^= 0x40U;
+        Life life{damaged};
+        EXPECT_EQ(life.known(), (std::set<std::size_t>{1U})) << byte;
+    }
+}
+
+TEST(KeptData, ARecordOfOtherCodesIsNotRead) {
+    Memories memories;
+    diagnosis::AlternatingRecord<diagnosis::KeptPayload> record{memories.one, memories.other};
+    diagnosis::KeptPayload payload{};
+    payload.codes.states.fill({diagnosis::status::failure, 1U, 0U});
+    payload.code_count = diagnosis::trouble_code_count + 1U;
+    ASSERT_TRUE(record.write(payload));
+    EXPECT_TRUE(Life{memories}.known().empty());
+    payload.code_count = diagnosis::trouble_code_count;
+    ASSERT_TRUE(record.write(payload));
+    EXPECT_EQ(Life{memories}.known().size(), diagnosis::trouble_code_count);
+}
+
+// The sequence number may begin again at zero.
+TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
+    using Record = diagnosis::AlternatingRecord<std::uint8_t>;
+    Memories memories;
+    const auto record_with = [](std::uint32_t sequence, std::uint8_t byte) {
+        Bytes record(Record::length);
+        record[0] = byte;
+        application::put_word(record.data(), 1U, 0x44495352U);
+        application::put_word(record.data(), 5U, sequence);
+        application::put_word(record.data(), 9U, application::crc32(record.data(), 9U));
+        return record;
+    };
+    const auto newest = [&](std::uint32_t one, std::uint32_t other) {
+        memories.one.record() = record_with(one, 1U);
+        memories.other.record() = record_with(other, 2U);
+        Record record{memories.one, memories.other};
+        std::uint8_t payload = 0U;
+        EXPECT_TRUE(record.read(payload));
+        return unsigned{payload};
+    };
+    EXPECT_EQ(newest(7U, 8U), 2U);
+    EXPECT_EQ(newest(8U, 7U), 1U);
+    EXPECT_EQ(newest(0xFFFFFFFFU, 0U), 2U);
+    EXPECT_EQ(newest(0U, 0xFFFFFFFFU), 1U);
+
+    // And the older one is what the next record replaces.
+    Record record{memories.one, memories.other};
+    std::uint8_t payload = 0U;
+    ASSERT_TRUE(record.read(payload));
+    ASSERT_TRUE(record.write(3U));
+    EXPECT_EQ(memories.one.record()[0], 1U);
+    EXPECT_EQ(memories.other.record()[0], 3U);
+}
+
+}  // namespace
+}  // namespace testing_diagnosis

@@ -1,0 +1,274 @@
+"""Testers against the server: udsoncan over can-isotp, of other authors, with every service as a workshop uses it; the
+commands of sil/tools/diagnosis; and the ODX of the ECU, read back by odxtools.
+
+use: peer_test.py ECU_ON_A_PIPE ODX_TABLE SECTION_IN_C
+"""
+
+import contextlib
+import io
+
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+import odxtools
+from udsoncan import services
+from udsoncan.exceptions import NegativeResponseException
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = HERE.parents[1]
+sys.path.insert(0, str(PROJECT / "sil/tools"))
+
+import odx
+import odx_tables
+import pipe_tester
+import workshop
+from log_error import LogError
+
+PROGRAM, SECTION, TABLES = "", b"", None
+IMU_LOST = 0xD12087
+FAILED_NOW = 0x2F
+
+
+
+class Peer(unittest.TestCase):
+    stack = {}
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.ecu = pipe_tester.Ecu(PROGRAM, self.folder.name)
+        self.addCleanup(lambda: self.ecu.close())
+        self.connection = pipe_tester.PipeConnection(self.ecu, **self.stack)
+        self.client = workshop.client(self.connection, TABLES)
+        self.ecu.run(250)  # long enough to miss the sensors
+
+    def unlock(self, session=services.DiagnosticSessionControl.Session.extendedDiagnosticSession):
+        self.client.change_session(session)
+        self.client.unlock_security_access(1)
+
+    def codes(self, mask=0x08):
+        return {code.id: code.status.get_byte_as_int() for code in
+                self.client.get_dtc_by_status_mask(mask).service_data.dtcs}
+
+    def refused(self, call, code):
+        with self.assertRaises(NegativeResponseException) as caught:
+            call()
+        self.assertEqual(caught.exception.response.code, code)
+
+    def test_times_of_a_session(self):
+        answer = self.client.change_session(3).service_data
+        self.assertEqual(answer.session_echo, 3)
+        self.assertAlmostEqual(answer.p2_server_max, 0.05)
+        self.assertAlmostEqual(answer.p2_star_server_max, 5.0)
+
+    def test_codes_with_snapshots_and_counts(self):
+        codes = self.codes()
+        self.assertEqual(codes[IMU_LOST], FAILED_NOW)
+        self.assertEqual(self.client.get_number_of_dtc_by_status_mask(0x08).service_data.dtc_count, len(codes))
+        supported = self.client.get_supported_dtc().service_data
+        self.assertEqual(supported.dtc_count, len(TABLES.codes))
+        self.assertTrue(set(codes) <= {code.id for code in supported.dtcs})
+        snapshot = self.client.get_dtc_snapshot_by_dtc_number(IMU_LOST, 0xFF).service_data.dtcs[0]
+        self.assertEqual([each.record_number for each in snapshot.snapshots], [1, 2])
+        lateral, _, _, _, seconds = snapshot.snapshots[0].data
+        self.assertEqual((lateral, seconds), (-32768, 1), "no sensor, and it was missed after a second")
+        extended = self.client.get_dtc_extended_data_by_dtc_number(IMU_LOST, 1, data_size=1).service_data.dtcs[0]
+        self.assertEqual(extended.extended_data[0].raw_data, b"\x01")
+
+    def test_codes_outlive_a_loss_of_power(self):
+        before = self.codes()
+        self.ecu.loses_power()
+        self.ecu.run(1)
+        after = self.codes()
+        self.assertEqual(set(after), set(before))
+        self.assertEqual(after[IMU_LOST] & 0x0F, 0x0C, "confirmed and pending, and not yet failed again")
+
+    def test_clearing(self):
+        self.refused(lambda: self.client.clear_dtc(0xFFFFFF), 0x33)
+        self.unlock()
+        self.client.control_dtc_setting(services.ControlDTCSetting.SettingType.off)
+        self.client.clear_dtc(0xFFFFFF)
+        self.assertEqual(self.codes(), {})
+        self.client.control_dtc_setting(services.ControlDTCSetting.SettingType.on)
+        self.assertEqual(self.codes()[IMU_LOST], FAILED_NOW)
+
+    def test_identification_and_values(self):
+        values = self.client.read_data_by_identifier([0xF182, 0xF195, 0xF197, 0xF186, 0x1000]).service_data.values
+        self.assertEqual(values[0xF182], "large_suv")
+        self.assertEqual(values[0xF197], "Rollover warning")
+        self.assertEqual(values[0xF186], (1,))
+        self.assertNotEqual(values[0x1000][0], values[0x1000][0], "without sensors there is no warning level: NaN")
+        self.ecu.say("speed 12.5")
+        self.ecu.run(10)
+        self.assertAlmostEqual(self.client.read_data_by_identifier(0x1206).service_data.values[0x1206][0], 12.5, delta=0.1)
+
+    def test_writing_the_vehicle_number(self):
+        self.unlock()
+        self.client.write_data_by_identifier(0xF190, "WVWZZZ1JZXW000001")
+        self.ecu.loses_power()
+        self.assertEqual(self.client.read_data_by_identifier(0xF190).service_data.values[0xF190], "WVWZZZ1JZXW000001")
+
+    def test_wrong_keys(self):
+        self.client.change_session(3)
+        for code in (0x35, 0x35, 0x36):
+            self.client.request_seed(1)
+            self.refused(lambda: self.client.send_key(2, bytes(16)), code)
+        self.refused(lambda: self.client.request_seed(1), 0x37)
+        self.ecu.loses_power()
+        self.client.change_session(3)
+        self.refused(lambda: self.client.request_seed(1), 0x37)
+
+    def test_self_test(self):
+        self.client.change_session(3)
+        self.client.start_routine(0x0203)
+        self.assertEqual(self.client.get_routine_result(0x0203).service_data.routine_status_record, b"\x00")
+
+    def test_silence_of_the_ecu_at_rest_only(self):
+        self.client.change_session(3)
+        silent = services.CommunicationControl.ControlType.enableRxAndDisableTx
+        self.refused(lambda: self.client.communication_control(silent, 1), 0x22)
+        self.ecu.say("speed 0")
+        self.ecu.run(10)
+        self.client.communication_control(silent, 1)
+        self.ecu.say("speed 20")
+        self.ecu.run(10)
+        self.refused(lambda: self.client.communication_control(silent, 1), 0x22)
+
+    def test_reset(self):
+        self.client.change_session(3)
+        self.client.ecu_reset(services.ECUReset.ResetType.hardReset)
+        self.ecu.run(2)
+        self.assertEqual(self.ecu.resets, 1)
+        self.assertEqual(self.client.read_data_by_identifier(0xF186).service_data.values[0xF186], (1,))
+
+    def test_tester_present_keeps_a_session(self):
+        self.client.change_session(3)
+        for _ in range(3):
+            self.ecu.run(400)
+            with self.client.suppress_positive_response:
+                self.client.tester_present()
+            self.ecu.run(5)  # P3: after a request that is not answered a tester waits
+        self.assertEqual(self.client.read_data_by_identifier(0xF186).service_data.values[0xF186], (3,))
+        self.ecu.run(510)
+        self.assertEqual(self.client.read_data_by_identifier(0xF186).service_data.values[0xF186], (1,))
+
+    def section(self, content):
+        file = pathlib.Path(self.folder.name) / "section.bin"
+        file.write_bytes(content)
+        return file
+
+    def said(self, call, *arguments):
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            call(self.client, TABLES, *arguments)
+        return out.getvalue()
+
+    def test_download_of_a_section(self):
+        damaged = bytearray(SECTION)
+        damaged[100] ^= 1
+        with self.assertRaisesRegex(LogError, "a wrong checksum; what it had is still there"):
+            workshop.download(self.client, TABLES, self.section(bytes(damaged)))
+        with self.assertRaisesRegex(LogError, "has 339 bytes, a section for this firmware 340"):
+            workshop.download(self.client, TABLES, self.section(SECTION[:-1]))
+        self.assertFalse((pathlib.Path(self.folder.name) / "parameters.bin").exists())
+        self.assertIn("from the next start", self.said(workshop.download, self.section(SECTION)))
+        self.assertEqual((pathlib.Path(self.folder.name) / "parameters.bin").read_bytes(), SECTION)
+
+    def test_what_the_commands_say(self):
+        said = self.said(workshop.show_codes)
+        self.assertIn("U1120-87  imu lost: fails now, confirmed, pending\n    failed 1 times; good for 0", said)
+        self.assertIn("    first: 1 s after the start, nothing measured\n", said)
+        self.assertIn("calibration: large_suv\n", self.said(workshop.identify))
+        self.assertIn("nothing wrong", self.said(workshop.self_test))
+        self.ecu.send(0x7FF, b"")
+        self.assertEqual(self.said(workshop.clear), "cleared\n")
+        with self.assertRaisesRegex(LogError, "refuses ECUReset: ServiceNotSupportedInActiveSession"):
+            with workshop.told():
+                self.client.change_session(1)
+                self.client.ecu_reset(1)
+        for wrong in ("", "00", "zz" * 16):
+            with self.assertRaisesRegex(LogError, "32 hexadecimal digits"):
+                workshop.key_from(wrong)
+
+
+class WithBlocksAndGaps(Peer):
+    """The tester asks for blocks and for time between frames."""
+    stack = {"blocksize": 3, "stmin": 5}
+
+
+class WithShortGaps(Peer):
+    stack = {"blocksize": 1, "stmin": 0xF5, "tx_padding": 0x55}
+
+
+class Odx(unittest.TestCase):
+    """What is in the file is what the ECU does: its requests are sent, its answers decoded."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        file = pathlib.Path(cls.folder.name) / "ecu.pdx"
+        file.write_bytes(odx.pdx_of(TABLES))
+        cls.layer = odxtools.load_pdx_file(str(file)).base_variants[0]
+        cls.ecu = pipe_tester.Ecu(PROGRAM, cls.folder.name)
+        cls.connection = pipe_tester.PipeConnection(cls.ecu)
+        cls.ecu.run(250)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.ecu.close()
+        cls.folder.cleanup()
+
+    def ask(self, name, **parameters):
+        request = self.layer.services[name].encode_request(**parameters)
+        self.connection.send(request)
+        answer = self.connection.wait_frame(timeout=1)
+        messages = self.layer.decode_response(answer, request)
+        self.assertEqual(len(messages), 1, answer.hex())
+        return messages[0].param_dict
+
+    def test_every_code_has_its_name(self):
+        codes = {code.trouble_code: code.short_name for code in self.layer.diag_data_dictionary_spec.dtc_dops[0].dtcs}
+        self.assertEqual(codes, {number: odx.short(name) for number, name in TABLES.codes.items()})
+        listed = self.ask("read_all_codes")["codes"]
+        self.assertEqual([each["code"].trouble_code for each in listed], list(TABLES.codes))
+        self.assertEqual(listed[0]["code"].display_trouble_code, "U1120-87")
+
+    def test_every_service_and_sub_function_is_described(self):
+        described = {bytes(service.request.coded_const_prefix()) for service in self.layer.services}
+        for service in TABLES.services:
+            self.assertTrue(any(each[0] == service for each in described), hex(service))
+        for service, number in TABLES.sub_functions:
+            self.assertTrue(any(each[:2] == bytes((service, number)) for each in described), (hex(service), number))
+
+    def test_every_value_is_read(self):
+        for identifier, name, *_ in TABLES.numbers + TABLES.choices:
+            self.assertIn(odx.short(name), self.ask(f"read_{name}"), hex(identifier))
+
+    def test_codes_and_snapshots_are_decoded(self):
+        codes = self.ask("read_codes", mask=0x08)["codes"]
+        lost = next(each for each in codes if each["code"].trouble_code == IMU_LOST)
+        self.assertEqual(lost["status"], FAILED_NOW)
+        snapshot = self.ask("read_snapshots", code=IMU_LOST, record=0xFF)["snapshots"][0]
+        self.assertEqual((snapshot["record"], snapshot["seconds_since_start"]), (1, 1))
+        self.assertAlmostEqual(snapshot["lateral_acceleration"], -327.68)
+        self.assertEqual(self.ask("read_counts", code=IMU_LOST, record=0x01)["counts"], [{"record": 1, "value": 1}])
+
+    def test_sessions_are_decoded(self):
+        self.assertEqual(self.ask("session_extended")["p2_ms"], 50)
+        self.assertEqual(len(self.ask("request_seed")["seed"]), 16)
+        self.assertEqual(self.ask("self_test")["found"], 0)
+        self.ask("session_default")
+
+
+def section_of(source):
+    text = pathlib.Path(source).read_text(encoding="utf-8")
+    return bytes(int(each, 16) for each in re.findall(r"0x([0-9A-F]{2})\b", text))
+
+
+if __name__ == "__main__":
+    PROGRAM, SECTION = sys.argv[1], section_of(sys.argv[3])
+    TABLES = odx_tables.read(sys.argv[2], PROJECT / "can_dbc/rollover_warning.dbc")
+    assert len(SECTION) == 340, "the section in C is not read as it is written now"
+    unittest.main(argv=sys.argv[:1])

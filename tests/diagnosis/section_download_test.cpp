@@ -1,0 +1,242 @@
+// Download of a parameter section: whole and good, or all is as it was.
+#include "diagnosis/section_download.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "tests/diagnosis/tester.hpp"
+
+extern "C" const unsigned char rsi_parameter_section[application::section::length];
+
+namespace testing_diagnosis {
+namespace {
+
+constexpr std::size_t section_length = application::section::length;
+
+Bytes good_section() {
+    return {rsi_parameter_section, rsi_parameter_section + section_length};
+}
+
+class Download : public ::testing::Test {
+ protected:
+    Download() { tester_.unlock(0x02U); }
+
+    Bytes ask(const Bytes& request) { return tester_.ask(request); }
+    Bytes request_download(std::size_t size = section_length) {
+        return ask({0x34U, 0x00U, 0x24U, 0U, 0U, 0U, 0U, static_cast<std::uint8_t>(size >> 8U),
+                    static_cast<std::uint8_t>(size & 0xFFU)});
+    }
+    Bytes block(unsigned number, const Bytes& data) {
+        return ask(Bytes{0x36U, static_cast<std::uint8_t>(number)} + data);
+    }
+    // All of it in blocks of that many bytes, to the end.
+    void transfer(const Bytes& section, std::size_t size = 128U) {
+        ASSERT_EQ(request_download(), (Bytes{0x74U, 0x20U, 0x00U, 0x82U}));
+        unsigned number = 1U;
+        for (std::size_t at = 0U; at < section.size(); at += size) {
+            const std::size_t end = std::min(at + size, section.size());
+            const Bytes answer = block(number, Bytes(section.begin() + static_cast<std::ptrdiff_t>(at),
+                                                     section.begin() + static_cast<std::ptrdiff_t>(end)));
+            ASSERT_EQ(answer, (Bytes{0x76U, static_cast<std::uint8_t>(number & 0xFFU)}));
+            ++number;
+        }
+        ASSERT_EQ(ask({0x37U}), (Bytes{0x77U}));
+    }
+    Bytes check() { return ask({0x31U, 0x01U, 0xFFU, 0x01U}); }
+    static Bytes result(application::ParametersRefusal refusal) {
+        return {0x71U, 0x01U, 0xFFU, 0x01U, static_cast<std::uint8_t>(refusal)};
+    }
+    const Bytes& stored() { return memories_.section.record(); }
+
+    Memories memories_{};
+    Tester tester_{memories_};
+};
+
+TEST_F(Download, AGoodSectionIsStoredForTheNextStart) {
+    EXPECT_FALSE(tester_.store().restore());
+    transfer(good_section());
+    EXPECT_TRUE(stored().empty()) << "not before it has been checked";
+    EXPECT_EQ(check(), result(application::ParametersRefusal::none));
+    EXPECT_EQ(stored(), good_section());
+    diagnosis::SectionStore store{memories_.section};
+    EXPECT_TRUE(store.restore());
+    EXPECT_TRUE(std::equal(rsi_parameter_section, rsi_parameter_section + section_length, store.section()));
+}
+
+TEST_F(Download, BlocksMayHaveAnyLength) {
+    for (const std::size_t size : {std::size_t{1U}, std::size_t{7U}, std::size_t{128U}}) {
+        memories_.section.record().clear();
+        transfer(good_section(), size);
+        EXPECT_EQ(check(), result(application::ParametersRefusal::none));
+        EXPECT_EQ(stored(), good_section());
+    }
+}
+
+TEST_F(Download, ABadSectionIsRefusedWithItsReasonAndTheOldOneStays) {
+    transfer(good_section());
+    check();
+    const auto refused = [&](std::size_t byte, application::ParametersRefusal reason) {
+        Bytes section = good_section();
+        section[byte] ^= 0x01U;
+        transfer(section);
+        EXPECT_EQ(check(), result(reason));
+        EXPECT_EQ(stored(), good_section());
+    };
+    refused(0U, application::ParametersRefusal::missing);
+    refused(4U, application::ParametersRefusal::version);
+    refused(8U, application::ParametersRefusal::layout);
+    refused(12U, application::ParametersRefusal::length);
+    refused(100U, application::ParametersRefusal::checksum);
+
+    Bytes section = good_section();
+    std::fill_n(section.begin() + 64, 4, std::uint8_t{0U});  // no sprung mass
+    application::put_word(section.data(), section_length - 4U,
+                          application::crc32(section.data(), section_length - 4U));
+    transfer(section);
+    EXPECT_EQ(check(), result(application::ParametersRefusal::value));
+    EXPECT_EQ(stored(), good_section());
+}
+
+// Interrupted at every byte: by the end of the session, a new request, or silence.
+TEST_F(Download, NothingOfAnInterruptedOneIsStored) {
+    transfer(good_section());
+    check();
+    Bytes other = good_section();
+    other[16] = 'X';  // its name
+    application::put_word(other.data(), section_length - 4U,
+                          application::crc32(other.data(), section_length - 4U));
+    for (std::size_t sent = 0U; sent < section_length; ++sent) {
+        ASSERT_EQ(request_download()[0], 0x74U);
+        unsigned number = 1U;
+        for (std::size_t at = 0U; at < sent; at += 128U) {
+            const std::size_t end = std::min(at + 128U, sent);
+            ASSERT_EQ(block(number, Bytes(other.begin() + static_cast<std::ptrdiff_t>(at),
+                                          other.begin() + static_cast<std::ptrdiff_t>(end)))[0],
+                      0x76U);
+            ++number;
+        }
+        if (sent % 3U == 0U) {
+            EXPECT_EQ(ask({0x37U}), no(0x37U, 0x24U));
+            EXPECT_EQ(check(), no(0x31U, 0x24U));
+        } else if (sent % 3U == 1U) {
+            tester_.unlock(0x02U);
+            EXPECT_EQ(ask({0x37U}), no(0x37U, 0x24U));
+            EXPECT_EQ(block(number, {1U}), no(0x36U, 0x24U));
+        } else {
+            EXPECT_EQ(check(), no(0x31U, 0x24U));
+        }
+        ASSERT_EQ(stored(), good_section());
+    }
+}
+
+TEST_F(Download, ACheckEndsTheDownload) {
+    transfer(good_section());
+    check();
+    EXPECT_EQ(check(), no(0x31U, 0x24U));
+    EXPECT_EQ(ask({0x37U}), no(0x37U, 0x24U));
+}
+
+TEST_F(Download, TheRequestIsChecked) {
+    EXPECT_EQ(ask({0x34U, 0x00U}), no(0x34U, 0x13U));
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x11U, 0U}), no(0x34U, 0x13U));
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x11U, 0U, 1U, 1U}), no(0x34U, 0x13U));
+    EXPECT_EQ(ask({0x34U, 0x10U, 0x24U, 0U, 0U, 0U, 0U, 0x01U, 0x54U}), no(0x34U, 0x31U)) << "compressed";
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x10U, 1U}), no(0x34U, 0x31U)) << "no address";
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x01U, 1U}), no(0x34U, 0x31U)) << "no section_length";
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x15U, 0U, 0U, 0U, 0U, 0U, 1U}), no(0x34U, 0x31U));
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x51U, 0U, 0U, 0U, 0U, 0U, 1U}), no(0x34U, 0x31U));
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x24U, 0U, 0U, 0U, 1U, 0x01U, 0x54U}), no(0x34U, 0x31U))
+        << "another address";
+    EXPECT_EQ(request_download(section_length - 1U), no(0x34U, 0x31U));
+    EXPECT_EQ(request_download(section_length + 1U), no(0x34U, 0x31U));
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x44U, 0U, 0U, 0U, 0U, 0U, 0U, 0x01U, 0x54U})[0], 0x74U);
+    static_assert(section_length == 0x154U);
+    tester_.inputs.speed_mps = 3.0F;
+    EXPECT_EQ(request_download(), no(0x34U, 0x22U));
+}
+
+TEST_F(Download, BlocksAreCounted) {
+    EXPECT_EQ(block(1U, {1U}), no(0x36U, 0x24U)) << "nothing was requested";
+    request_download();
+    EXPECT_EQ(ask({0x36U}), no(0x36U, 0x13U));
+    EXPECT_EQ(block(0U, {1U}), no(0x36U, 0x73U)) << "no block has been, so none is repeated";
+    EXPECT_EQ(block(2U, {1U}), no(0x36U, 0x73U));
+    EXPECT_EQ(block(1U, {}), no(0x36U, 0x13U));
+    EXPECT_EQ(block(1U, Bytes(100U, 1U)), (Bytes{0x76U, 0x01U}));
+    EXPECT_EQ(block(1U, Bytes(100U, 1U)), (Bytes{0x76U, 0x01U})) << "repeated: taken once";
+    EXPECT_EQ(block(2U, Bytes(128U, 1U)), (Bytes{0x76U, 0x02U}));
+    EXPECT_EQ(block(3U, Bytes(113U, 1U)), no(0x36U, 0x71U)) << "a byte too many";
+    EXPECT_EQ(ask({0x37U}), no(0x37U, 0x24U));
+    EXPECT_EQ(block(3U, Bytes(112U, 1U)), (Bytes{0x76U, 0x03U}));
+    EXPECT_EQ(block(4U, {1U}), no(0x36U, 0x71U));
+    EXPECT_EQ(ask({0x37U, 0x00U}), no(0x37U, 0x13U));
+    EXPECT_EQ(ask({0x37U}), (Bytes{0x77U}));
+    EXPECT_EQ(block(4U, {1U}), no(0x36U, 0x24U));
+}
+
+TEST_F(Download, AMemoryThatIsBusyIsWaitedFor) {
+    transfer(good_section());
+    memories_.section.refuse(true);
+    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+    EXPECT_EQ(tester_.receive(20), no(0x31U, 0x78U));
+    tester_.cycles(100);
+    memories_.section.refuse(false);
+    EXPECT_EQ(tester_.receive(20), result(application::ParametersRefusal::none));
+    EXPECT_EQ(stored(), good_section());
+}
+
+TEST_F(Download, AMemoryThatNeverTakesItIsSaid) {
+    transfer(good_section());
+    memories_.section.refuse(true);
+    EXPECT_EQ(check(), no(0x31U, 0x72U));
+}
+
+TEST_F(Download, ATornRecordIsNoSection) {
+    transfer(good_section());
+    memories_.section.cut_power_at({1, 200U});
+    check();
+    diagnosis::SectionStore store{memories_.section};
+    EXPECT_FALSE(store.restore());
+}
+
+TEST(SectionDownload, IsNotAcceptedWithoutATarget) {
+    diagnosis::SectionDownload download;
+    diagnosis::Response response;
+    const Bytes request{0x34U, 0x00U, 0x11U, 0U, 1U};
+    EXPECT_EQ(download.begin({request.data(), request.size(), false}, response), Nrc::download_not_accepted);
+}
+
+// With an authority a section needs its seal.
+TEST(SectionStore, TakesSealedSectionsOnlyWhereTheBuildWantsThem) {
+    hal::SoftwareKeys keys{hal::test_keys};
+    rsi_test::CutStorage newest;
+    application::SectionAuthority authority{keys, newest};
+    authority.start();
+    rsi_test::CutStorage storage;
+    diagnosis::SectionStore store{storage, &authority};
+    ASSERT_EQ(store.length(), application::seal::sealed_length);
+    Bytes section = good_section();
+    section.resize(store.length());
+    std::uint8_t reason = 0U;
+    const auto put = [&] {
+        for (std::size_t place = 0U; place < section.size(); ++place) {
+            store.put(place, section[place]);
+        }
+    };
+    put();
+    EXPECT_EQ(store.store(reason), diagnosis::SectionAnswer::refused);
+    EXPECT_EQ(reason, static_cast<std::uint8_t>(application::ParametersRefusal::unauthentic));
+    ASSERT_TRUE(application::seal_section(keys, 1U, section.data()));
+    put();
+    EXPECT_EQ(store.store(reason), diagnosis::SectionAnswer::stored);
+    EXPECT_EQ(reason, 0U);
+    diagnosis::SectionStore again{storage, &authority};
+    EXPECT_TRUE(again.restore());
+    storage.record()[350] ^= 1U;
+    EXPECT_FALSE(again.restore());
+}
+
+}  // namespace
+}  // namespace testing_diagnosis

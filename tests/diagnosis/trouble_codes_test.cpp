@@ -1,0 +1,53 @@
+// The table of trouble codes: what a workshop's documents hold stays.
+#include "diagnosis/trouble_codes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace testing_diagnosis {
+namespace {
+
+using diagnosis::trouble_code_count;
+using diagnosis::trouble_codes;
+
+TEST(TroubleCodes, AreOfTheManufacturersRanges) {
+    for (const diagnosis::TroubleCode& each : trouble_codes) {
+        const std::uint32_t range = each.number >> 20U;
+        EXPECT_TRUE(range == 0x5U || range == 0xDU) << std::hex << each.number;
+        EXPECT_NE(each.number & 0xFFU, 0U) << "no type of failure: " << std::hex << each.number;
+        EXPECT_EQ(each.number >> 24U, 0U);
+    }
+}
+
+// What the compiler makes of the table, made again where the tests' coverage is counted.
+TEST(TroubleCodes, AreOneRowACode) {
+    auto table = trouble_codes;
+    EXPECT_TRUE(diagnosis::is_table_of_all(table));
+    std::swap(table[3], table[7]);
+    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "another order";
+    table = trouble_codes;
+    table[7].number = table[3].number;
+    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "a number twice";
+    EXPECT_EQ(diagnosis::numbers_of_all(), diagnosis::trouble_numbers);
+    const auto judged = diagnosis::Judged::driving;
+    EXPECT_EQ(diagnosis::row(monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U, judged).number, 0xD12087U);
+}
+
+TEST(TroubleCodes, AreFoundByTheirNumbers) {
+    EXPECT_EQ(trouble_codes[diagnosis::row_of_number(0xD12087U)].code, monitoring::DiagnosticCode::imu_lost);
+    EXPECT_EQ(trouble_codes[diagnosis::row_of_number(0x521044U + 2U)].code,
+              monitoring::DiagnosticCode::parameters_damaged);
+    EXPECT_EQ(diagnosis::row_of_number(0x123456U), trouble_code_count);
+    EXPECT_EQ(diagnosis::row_of_number(0U), trouble_code_count);
+}
+
+TEST(TroubleCodes, EachIsJudgedInOneWay) {
+    monitoring::CodeSet always = diagnosis::codes_judged(diagnosis::Judged::always);
+    monitoring::CodeSet driving = diagnosis::codes_judged(diagnosis::Judged::driving);
+    EXPECT_EQ(always & driving, 0U);
+    EXPECT_EQ(always | driving, (monitoring::CodeSet{2U} << trouble_code_count) - 2U);
+}
+
+}  // namespace
+}  // namespace testing_diagnosis

@@ -1,0 +1,319 @@
+// The trouble memory: status bytes of ISO 14229-1 over operation cycles, ageing, snapshots.
+#include "diagnosis/trouble_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace testing_diagnosis {
+namespace {
+
+using diagnosis::FreezeFrame;
+using diagnosis::Storing;
+using diagnosis::trouble_code_count;
+using diagnosis::TroubleMemory;
+using diagnosis::TroubleSnapshots;
+using monitoring::CodeSet;
+using monitoring::DiagnosticCode;
+using monitoring::set_of;
+using monitoring::Snapshot;
+namespace status = diagnosis::status;
+
+constexpr std::size_t row_of(DiagnosticCode code) {
+    return static_cast<std::size_t>(code) - 1U;
+}
+constexpr std::size_t imu = row_of(DiagnosticCode::imu_lost);                    // always judged
+constexpr std::size_t gain = row_of(DiagnosticCode::lateral_acceleration_gain);  // in driving
+constexpr std::size_t last_row = row_of(DiagnosticCode::imu_held_back);
+constexpr CodeSet imu_failed = set_of(DiagnosticCode::imu_lost);
+constexpr CodeSet gain_failed = set_of(DiagnosticCode::lateral_acceleration_gain);
+constexpr std::uint8_t failing = status::test_failed | status::failed_this_cycle | status::pending |
+                                 status::confirmed | status::failed_since_clear;
+
+// A number of a snapshot.
+int number_in(const FreezeFrame& frame, std::size_t place) {
+    return static_cast<std::int16_t>(frame.at(place) * 256U + frame.at(place + 1U));
+}
+unsigned seconds_in(const FreezeFrame& frame) {
+    return frame[8] * 256U + frame[9];
+}
+
+class Troubles : public ::testing::Test {
+ protected:
+    Troubles() {
+        memory_.start(true);
+        memory_.stored();
+    }
+    void run(int cycles, CodeSet failed = 0U, float speed_mps = 0.0F, const Snapshot& measured = {}) {
+        for (int cycle = 0; cycle < cycles; ++cycle) {
+            memory_.update(failed, measured, speed_mps);
+        }
+    }
+    unsigned status_of(std::size_t row) const { return memory_.state(row).status; }
+    // A whole operation cycle, good or with a failure.
+    void drive(CodeSet failed = 0U) {
+        memory_.start(true);
+        run(300);
+        run(1, failed);
+        run(6000, 0U, 20.0F);
+    }
+
+    TroubleMemory memory_{};
+};
+
+TEST_F(Troubles, NothingIsKnownAtFirst) {
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        EXPECT_EQ(status_of(row), 0x50U);
+        EXPECT_EQ(memory_.snapshots(row), nullptr);
+    }
+}
+
+TEST_F(Troubles, AFailureSetsItsBitsAndOnlyItsOwn) {
+    run(1, imu_failed);
+    EXPECT_EQ(status_of(imu), failing);
+    EXPECT_EQ(status_of(imu), 0x2FU);
+    EXPECT_EQ(memory_.state(imu).occurrences, 1U);
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        EXPECT_TRUE(row == imu || status_of(row) == 0x50U);
+    }
+    run(1);
+    EXPECT_EQ(status_of(imu), 0x2EU);
+    run(1, set_of(DiagnosticCode::imu_held_back));
+    EXPECT_EQ(status_of(last_row), 0x2FU);
+}
+
+TEST_F(Troubles, EachFailureIsCountedOnceAndTheCountStands) {
+    run(5, imu_failed);
+    EXPECT_EQ(memory_.state(imu).occurrences, 1U);
+    for (int time = 0; time < 300; ++time) {
+        run(1);
+        run(1, imu_failed);
+    }
+    EXPECT_EQ(memory_.state(imu).occurrences, 255U);
+}
+
+// Without a failure for three seconds; what needs driving, after a minute of it.
+TEST_F(Troubles, AGoodTestIsCompletedInTime) {
+    run(299);
+    EXPECT_EQ(status_of(imu), 0x50U);
+    EXPECT_EQ(memory_.storing(), Storing::not_needed);
+    run(1);
+    EXPECT_EQ(status_of(imu), 0x00U);
+    EXPECT_EQ(status_of(gain), 0x50U);
+    EXPECT_EQ(memory_.storing(), Storing::now);
+    run(6000, 0U, 10.0F);
+    run(100, 0U, std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(status_of(gain), 0x50U);
+    run(5999, 0U, 10.1F);
+    EXPECT_EQ(status_of(gain), 0x50U);
+    run(1, 0U, 10.1F);
+    EXPECT_EQ(status_of(gain), 0x00U);
+}
+
+TEST_F(Troubles, NoTestIsCompletedWhileACodeFails) {
+    run(1000, imu_failed, 20.0F);
+    EXPECT_EQ(status_of(last_row), 0x50U);
+    run(299, 0U, 20.0F);
+    EXPECT_EQ(status_of(last_row), 0x50U);
+    run(1, 0U, 20.0F);
+    EXPECT_EQ(status_of(last_row), 0x00U);
+}
+
+TEST_F(Troubles, ANewOperationCycleBeginsTheTestsAnew) {
+    run(1, imu_failed);
+    memory_.start(true);
+    EXPECT_EQ(status_of(imu), 0x6CU) << "pending and confirmed stay, and that it failed since it was cleared";
+    EXPECT_EQ(memory_.storing(), Storing::now);
+    drive();
+    memory_.start(true);
+    EXPECT_EQ(status_of(imu), 0x68U) << "a cycle tested and without failure: no longer pending";
+}
+
+// A reset within an operation cycle is no new one.
+TEST_F(Troubles, AResetIsNoNewCycle) {
+    run(1, imu_failed);
+    memory_.stored();
+    memory_.start(false);
+    EXPECT_EQ(status_of(imu), 0x2EU);
+    EXPECT_EQ(memory_.storing(), Storing::not_needed);
+    run(1, imu_failed);
+    EXPECT_EQ(status_of(imu), 0x2FU);
+    EXPECT_EQ(memory_.state(imu).occurrences, 2U);
+}
+
+TEST_F(Troubles, ACodeIsForgottenAfterFortyGoodCycles) {
+    run(1, imu_failed | gain_failed);
+    drive();
+    EXPECT_EQ(memory_.state(imu).ageing, 0U) << "the cycle in which it failed";
+    for (int cycle = 1; cycle < 40; ++cycle) {
+        drive();
+        EXPECT_EQ(memory_.state(imu).ageing, cycle);
+    }
+    EXPECT_EQ(status_of(imu), 0x28U);
+    EXPECT_NE(memory_.snapshots(imu), nullptr);
+    memory_.start(true);
+    EXPECT_EQ(status_of(imu), 0x60U);
+    EXPECT_EQ(memory_.state(imu).occurrences, 0U);
+    EXPECT_EQ(memory_.state(imu).ageing, 0U);
+    EXPECT_EQ(memory_.snapshots(imu), nullptr);
+    EXPECT_EQ(status_of(gain), 0x60U);
+}
+
+TEST_F(Troubles, ACycleWithoutTheTestDoesNotAge) {
+    run(1, imu_failed | gain_failed);
+    memory_.start(true);
+    run(1000);  // not driven
+    memory_.start(true);
+    EXPECT_EQ(memory_.state(imu).ageing, 1U);
+    EXPECT_EQ(memory_.state(gain).ageing, 0U);
+    EXPECT_EQ(status_of(gain), 0x6CU);
+}
+
+TEST_F(Troubles, AFailureAgesFromTheBeginning) {
+    run(1, imu_failed);
+    for (int cycle = 0; cycle < 20; ++cycle) {
+        drive();
+    }
+    drive(imu_failed);
+    EXPECT_EQ(memory_.state(imu).ageing, 0U);
+    memory_.start(true);
+    EXPECT_EQ(memory_.state(imu).ageing, 0U);
+    EXPECT_EQ(status_of(imu), 0x6CU);
+}
+
+TEST_F(Troubles, WhatNeverFailedDoesNotAge) {
+    drive();
+    drive();
+    memory_.start(true);
+    EXPECT_EQ(memory_.state(imu).ageing, 0U);
+    EXPECT_EQ(status_of(imu), 0x40U);
+}
+
+TEST_F(Troubles, KeepsTheFirstAndTheLastSnapshot) {
+    run(250);
+    run(1, imu_failed, 0.0F, {1.234F, -0.5F, 0.0256F, 33.336F});
+    run(1);
+    run(150);
+    run(1, imu_failed, 0.0F, {-2.0F, NAN, 1.0e9F, -1.0e9F});
+    const TroubleSnapshots* const kept = memory_.snapshots(imu);
+    ASSERT_NE(kept, nullptr);
+    EXPECT_EQ(number_in(kept->first, 0U), 123);
+    EXPECT_EQ(number_in(kept->first, 2U), -500);
+    EXPECT_EQ(number_in(kept->first, 4U), 26);
+    EXPECT_EQ(number_in(kept->first, 6U), 3334);
+    EXPECT_EQ(seconds_in(kept->first), 2U);
+    EXPECT_EQ(number_in(kept->last, 0U), -200);
+    EXPECT_EQ(number_in(kept->last, 2U), -32768);
+    EXPECT_EQ(number_in(kept->last, 4U), 32767);
+    EXPECT_EQ(number_in(kept->last, 6U), -32767);
+    EXPECT_EQ(seconds_in(kept->last), 4U);
+}
+
+TEST_F(Troubles, TheTimeOfASnapshotStandsAtItsLargest) {
+    run(6553600);
+    run(1, imu_failed);
+    EXPECT_EQ(seconds_in(memory_.snapshots(imu)->first), 65535U);
+}
+
+TEST_F(Troubles, SnapshotsOfWhatFailsAreNotDisplaced) {
+    CodeSet failed = 0U;
+    for (std::size_t row = 0U; row < TroubleMemory::snapshot_places + 1U; ++row) {
+        failed |= CodeSet{2U} << row;
+        run(1, failed);
+    }
+    EXPECT_NE(memory_.snapshots(0U), nullptr);
+    EXPECT_NE(memory_.snapshots(TroubleMemory::snapshot_places - 1U), nullptr);
+    EXPECT_EQ(memory_.snapshots(TroubleMemory::snapshot_places), nullptr);
+    EXPECT_EQ(status_of(TroubleMemory::snapshot_places), failing);
+
+    failed &= ~(CodeSet{2U} << 3U);
+    run(1, failed);
+    run(1, failed | gain_failed);
+    EXPECT_EQ(memory_.snapshots(3U), nullptr);
+    EXPECT_NE(memory_.snapshots(gain), nullptr);
+}
+
+TEST_F(Troubles, ClearingOneLeavesTheOthers) {
+    run(1, imu_failed | gain_failed);
+    run(1);
+    memory_.stored();
+    memory_.clear(imu);
+    EXPECT_EQ(status_of(imu), 0x50U);
+    EXPECT_EQ(memory_.state(imu).occurrences, 0U);
+    EXPECT_EQ(memory_.snapshots(imu), nullptr);
+    EXPECT_EQ(status_of(gain), 0x2EU);
+    EXPECT_NE(memory_.snapshots(gain), nullptr);
+    EXPECT_EQ(memory_.storing(), Storing::now);
+}
+
+TEST_F(Troubles, WhatStillFailsFailsAnewAfterClearing) {
+    run(1, imu_failed | gain_failed);
+    memory_.clear_all();
+    EXPECT_EQ(status_of(imu), 0x50U);
+    EXPECT_EQ(status_of(gain), 0x50U);
+    run(1, imu_failed);
+    EXPECT_EQ(status_of(imu), failing);
+    EXPECT_EQ(status_of(gain), 0x50U);
+    EXPECT_EQ(memory_.state(imu).occurrences, 1U);
+}
+
+TEST_F(Troubles, NothingIsRecordedWhileItIsOff) {
+    run(1, imu_failed);
+    memory_.set_recording(false);
+    run(1000, gain_failed, 20.0F);
+    EXPECT_EQ(status_of(imu), failing);
+    EXPECT_EQ(status_of(gain), 0x50U);
+    memory_.set_recording(true);
+    run(1, gain_failed);
+    EXPECT_EQ(status_of(imu), 0x2EU);
+    EXPECT_EQ(status_of(gain), failing);
+}
+
+TEST_F(Troubles, WhatFailsOverAndOverIsStoredLater) {
+    run(1, imu_failed);
+    EXPECT_EQ(memory_.storing(), Storing::now);
+    memory_.stored();
+    run(1);
+    EXPECT_EQ(memory_.storing(), Storing::not_needed);
+    run(1, imu_failed);
+    EXPECT_EQ(memory_.storing(), Storing::later);
+    run(1, imu_failed | gain_failed);
+    EXPECT_EQ(memory_.storing(), Storing::now);
+    run(1);
+    run(1, imu_failed);
+    EXPECT_EQ(memory_.storing(), Storing::now) << "what is to be stored at once stays so";
+}
+
+TEST_F(Troubles, ComesBackFromItsBytes) {
+    run(123);
+    run(1, imu_failed, 0.0F, {1.0F, -2.0F, 0.3F, 40.0F});
+    run(200);
+    run(1, imu_failed | gain_failed, 0.0F, {-1.0F, 2.0F, -0.3F, 4.0F});
+    TroubleMemory other{};
+    other.restore(memory_.stored_data());
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        EXPECT_EQ(other.state(row).status, memory_.state(row).status);
+        EXPECT_EQ(other.state(row).occurrences, memory_.state(row).occurrences);
+        EXPECT_EQ(other.state(row).ageing, memory_.state(row).ageing);
+    }
+    EXPECT_EQ(seconds_in(other.snapshots(imu)->last), 3U);
+    EXPECT_EQ(number_in(other.snapshots(imu)->first, 2U), -2000);
+}
+
+TEST_F(Troubles, ACodeThatNobodyKnowsHasNoSnapshot) {
+    TroubleMemory::Stored stored{};
+    stored.states.fill({0xFFU, 0xFFU, 0xFFU});
+    stored.snapshots.fill({0xFFU, {}, {}});
+    memory_.restore(stored);
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        EXPECT_EQ(memory_.snapshots(row), nullptr);
+        EXPECT_EQ(status_of(row), 0x7FU) << "bit 7 is not available";
+    }
+    stored.snapshots[0].code = static_cast<std::uint8_t>(trouble_code_count);
+    memory_.restore(stored);
+    EXPECT_NE(memory_.snapshots(last_row), nullptr);
+}
+
+}  // namespace
+}  // namespace testing_diagnosis

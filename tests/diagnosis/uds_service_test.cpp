@@ -1,0 +1,502 @@
+// UDS, service by service, as a tester meets them.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "rsi/output_table.hpp"
+#include "tests/diagnosis/tester.hpp"
+
+namespace testing_diagnosis {
+namespace {
+
+class Uds : public ::testing::Test {
+ protected:
+    Bytes ask(const Bytes& request) { return tester_.ask(request); }
+    // Switches the ECU off and on.
+    void switch_on_again() {
+        tester_.~Tester();
+        new (&tester_) Tester{memories_};
+    }
+
+    Memories memories_{};
+    Tester tester_{memories_};
+};
+
+Bytes text(const char* text, std::size_t length) {
+    Bytes bytes(text, text + std::strlen(text));
+    bytes.resize(length);
+    return bytes;
+}
+
+float number_in(const Bytes& answer, std::size_t at) {
+    std::uint32_t word = 0U;
+    for (std::size_t byte = 0U; byte < 4U; ++byte) {
+        word = (word << 8U) | answer.at(at + byte);
+    }
+    float value = 0.0F;
+    std::memcpy(&value, &word, sizeof value);
+    return value;
+}
+
+// Of the lost IMU.
+const Bytes imu_lost{0xD1U, 0x20U, 0x87U};
+
+// ---- sessions
+
+TEST_F(Uds, SessionsTellTheirTimes) {
+    for (const std::uint8_t session : Bytes{0x03U, 0x02U, 0x01U}) {
+        EXPECT_EQ(ask({0x10U, session}), (Bytes{0x50U, session, 0x00U, 0x32U, 0x01U, 0xF4U}));
+        EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U}), (Bytes{0x62U, 0xF1U, 0x86U, session}));
+    }
+}
+
+TEST_F(Uds, AnAnswerComesInTheCycleOfTheRequest) {
+    tester_.send_frame(Tester::physical, {0x02U, 0x3EU, 0x00U});
+    tester_.cycle();
+    EXPECT_EQ(tester_.payload(), (Bytes{0x02U, 0x7EU, 0x00U, 0xCCU, 0xCCU, 0xCCU, 0xCCU, 0xCCU}));
+}
+
+// S3.
+TEST_F(Uds, ASessionEndsFiveSecondsAfterTheLastRequest) {
+    ask({0x10U, 0x03U});
+    tester_.cycles(480);
+    ask({0x3EU, 0x00U});
+    tester_.cycles(480);
+    tester_.ask_everybody({0x3EU, 0x80U}, 0);
+    tester_.cycles(480);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.cycles(30);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
+}
+
+TEST_F(Uds, ASessionThatTimesOutLocksAndRestores) {
+    tester_.unlock();
+    ask({0x85U, 0x02U});
+    ask({0x28U, 0x01U, 0x01U});
+    tester_.cycles(510);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(3);
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x01U}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x01U}));
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'A')), no(0x2EU, 0x33U));
+    hal::CanFrame frame{};
+    frame.identifier = 0x0D0U;
+    tester_.diagnosis().bus().send(frame);
+    EXPECT_TRUE(tester_.frame().has_value());
+}
+
+TEST_F(Uds, ALongRequestKeepsTheSessionWhileItComes) {
+    ask({0x10U, 0x03U});
+    tester_.cycles(495);
+    tester_.send_frame(Tester::physical, {0x10U, 20U, 0x22U, 0xF1U, 0x86U, 0U, 0U, 0U});
+    tester_.cycles(90);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+}
+
+TEST_F(Uds, EverySessionChangeLocks) {
+    tester_.unlock();
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
+}
+
+TEST_F(Uds, NoProgrammingWhileTheVehicleMoves) {
+    tester_.inputs.speed_mps = 1.5F;
+    EXPECT_EQ(ask({0x10U, 0x02U}), no(0x10U, 0x22U));
+    EXPECT_EQ(ask({0x10U, 0x03U})[0], 0x50U);
+    tester_.inputs.speed_mps = 1.4F;
+    EXPECT_EQ(ask({0x10U, 0x02U})[0], 0x50U);
+}
+
+// ---- reset
+
+TEST_F(Uds, AResetIsAskedForOnceItIsAnswered) {
+    ask({0x10U, 0x03U});
+    tester_.inputs.speed_mps = 20.0F;
+    EXPECT_EQ(ask({0x11U, 0x01U}), no(0x11U, 0x22U));
+    EXPECT_FALSE(tester_.diagnosis().is_reset_requested());
+    tester_.inputs.speed_mps = rsi::not_available;
+    EXPECT_EQ(ask({0x11U, 0x03U}), (Bytes{0x51U, 0x03U}));
+    EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+}
+
+TEST_F(Uds, AResetWaitsUntilTheAnswerIsOut) {
+    ask({0x10U, 0x03U});
+    tester_.set_bus_state(hal::BusState::error_passive);
+    tester_.send_frame(Tester::physical, {0x02U, 0x11U, 0x01U});
+    hal::CanFrame frame{};
+    tester_.diagnosis().bus().receive(frame);
+    tester_.set_bus_state(hal::BusState::bus_off);
+    tester_.cycle();
+    EXPECT_FALSE(tester_.diagnosis().is_reset_requested());
+    tester_.set_bus_state(hal::BusState::error_active);
+    tester_.cycle();
+    EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+}
+
+// ---- trouble codes
+
+TEST_F(Uds, TellsHowManyAndWhichCodesByTheirStatus) {
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x0FU}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x00U}));
+    EXPECT_EQ(ask({0x19U, 0x02U, 0x0FU}), (Bytes{0x59U, 0x02U, 0x7FU}));
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.fail(DiagnosticCode::own_identifier_received);
+    tester_.cycles(2);
+    tester_.heal(DiagnosticCode::imu_lost);
+    tester_.cycles(20);
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x08U}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x02U}));
+    EXPECT_EQ(ask({0x19U, 0x02U, 0x01U}), (Bytes{0x59U, 0x02U, 0x7FU, 0xD0U, 0xD0U, 0x08U, 0x2FU}));
+    const Bytes both = Bytes{0x59U, 0x02U, 0x7FU} + imu_lost + Bytes{0x2EU, 0xD0U, 0xD0U, 0x08U, 0x2FU};
+    EXPECT_EQ(ask({0x19U, 0x02U, 0x08U}), both);
+    EXPECT_EQ(ask({0x19U, 0x02U, 0x80U}), (Bytes{0x59U, 0x02U, 0x7FU}));
+}
+
+TEST_F(Uds, ListsEveryCode) {
+    const Bytes answer = ask({0x19U, 0x0AU});
+    ASSERT_EQ(answer.size(), 3U + 4U * diagnosis::trouble_code_count);
+    for (std::size_t row = 0U; row < diagnosis::trouble_code_count; ++row) {
+        EXPECT_EQ(diagnosis::Request(answer.data(), answer.size(), false).three_bytes(3U + 4U * row),
+                  diagnosis::trouble_codes[row].number);
+        EXPECT_EQ(answer[6U + 4U * row], 0x50U);
+    }
+}
+
+TEST_F(Uds, TellsSnapshots) {
+    tester_.measured = {1.0F, -0.002F, 0.5F, 12.34F};
+    tester_.cycles(99);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(1);
+    tester_.heal(DiagnosticCode::imu_lost);
+    tester_.cycles(100);
+    tester_.measured.lateral_acceleration_mps2 = rsi::not_available;
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(1);
+    const Bytes head = Bytes{0x59U, 0x04U} + imu_lost + Bytes{0x2FU};
+    const Bytes first{0x01U, 0x01U, 0x02U, 0x00U, 0x00U, 100U,  0xFFU,
+                      0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x01U};
+    const Bytes last{0x02U, 0x01U, 0x02U, 0x00U, 0x80U, 0U,    0xFFU,
+                     0xFEU, 0x01U, 0xF4U, 0x04U, 0xD2U, 0x00U, 0x02U};
+    EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0x01U}), head + first);
+    EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0x02U}), head + last);
+    EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0xFFU}), head + first + last);
+    EXPECT_EQ(ask(Bytes{0x19U, 0x04U} + imu_lost + Bytes{0x03U}), no(0x19U, 0x31U));
+    EXPECT_EQ(ask({0x19U, 0x04U, 0x12U, 0x34U, 0x56U, 0xFFU}), no(0x19U, 0x31U));
+    EXPECT_EQ(ask({0x19U, 0x04U, 0xD0U, 0xD0U, 0x08U, 0xFFU}),
+              (Bytes{0x59U, 0x04U, 0xD0U, 0xD0U, 0x08U, 0x50U}));
+}
+
+TEST_F(Uds, TellsExtendedData) {
+    for (int time = 0; time < 3; ++time) {
+        tester_.fail(DiagnosticCode::imu_lost);
+        tester_.cycles(1);
+        tester_.heal(DiagnosticCode::imu_lost);
+        tester_.cycles(20);
+    }
+    const Bytes head = Bytes{0x59U, 0x06U} + imu_lost + Bytes{0x2EU};
+    EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0x01U}), head + Bytes({0x01U, 3U}));
+    EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0x02U}), head + Bytes({0x02U, 0U}));
+    EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0xFFU}), head + Bytes({0x01U, 3U, 0x02U, 0U}));
+    EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0x00U}), no(0x19U, 0x31U));
+    EXPECT_EQ(ask({0x19U, 0x06U, 0x12U, 0x34U, 0x56U, 0x01U}), no(0x19U, 0x31U));
+}
+
+TEST_F(Uds, ClearsWithTheKeyOnlyAndStoresThat) {
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.fail(DiagnosticCode::roll_angle_lost);
+    tester_.cycles(2);
+    tester_.heal(DiagnosticCode::imu_lost);
+    tester_.heal(DiagnosticCode::roll_angle_lost);
+    tester_.cycles(200);
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
+    tester_.unlock();
+    EXPECT_EQ(ask(Bytes{0x14U} + imu_lost), (Bytes{0x54U}));
+    EXPECT_EQ(ask({0x19U, 0x02U, 0x08U}), (Bytes{0x59U, 0x02U, 0x7FU, 0xD1U, 0x21U, 0x87U, 0x2EU}));
+    EXPECT_EQ(ask({0x14U, 0x12U, 0x34U, 0x56U}), no(0x14U, 0x31U));
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), (Bytes{0x54U}));
+    switch_on_again();
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x2FU}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x00U}));
+}
+
+TEST_F(Uds, CodesOutliveALossOfPower) {
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(150);
+    switch_on_again();
+    EXPECT_EQ(ask({0x19U, 0x02U, 0x08U}), Bytes({0x59U, 0x02U, 0x7FU}) + imu_lost + Bytes(1U, 0x6CU));
+}
+
+// The record before was written less than a second ago.
+TEST_F(Uds, AClearThatTakesTimeIsAnnounced) {
+    tester_.unlock();
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(100);
+    tester_.heal(DiagnosticCode::imu_lost);
+    tester_.cycles(12);
+    ask({0x14U, 0xFFU, 0xFFU, 0xFFU});
+    const int told = tester_.times_told_later;
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), (Bytes{0x54U}));
+    EXPECT_EQ(tester_.times_told_later, told + 1);
+}
+
+TEST_F(Uds, AMemoryThatTakesNothingIsSaid) {
+    tester_.unlock();
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x72U));
+    EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x20U}));
+    memories_.one.refuse(false);
+    memories_.other.refuse(false);
+    EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x00U}));
+}
+
+// While it waits for the memory, neither another request nor a functional one gets between.
+TEST_F(Uds, WhileItWaitsNobodyElseIsServed) {
+    tester_.unlock();
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
+    tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
+    EXPECT_EQ(tester_.ask_everybody({0x3EU, 0x80U}), no(0x14U, 0x78U));
+    EXPECT_EQ(tester_.ask_everybody({0x10U, 0x01U}), Bytes{});
+    memories_.one.refuse(false);
+    memories_.other.refuse(false);
+    EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+}
+
+// The bus takes no frame while "later" is to be said.
+TEST_F(Uds, AnAnswerWaitsUntilLaterHasBeenSaid) {
+    tester_.unlock();
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
+    tester_.set_bus_state(hal::BusState::bus_off);
+    tester_.cycles(10);
+    memories_.one.refuse(false);
+    memories_.other.refuse(false);
+    tester_.cycles(10);
+    tester_.set_bus_state(hal::BusState::error_active);
+    EXPECT_EQ(tester_.receive(2), no(0x14U, 0x78U));
+    EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
+}
+
+TEST_F(Uds, EverybodyMayBeAskedToClear) {
+    tester_.unlock();
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    EXPECT_EQ(tester_.ask_everybody({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x78U));
+    tester_.ask_everybody({0x3EU, 0x80U}, 2);
+    memories_.one.refuse(false);
+    memories_.other.refuse(false);
+    EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
+}
+
+TEST_F(Uds, RecordingIsOffUntilItIsOnOrTheSessionEnds) {
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x85U, 0x02U}), (Bytes{0xC5U, 0x02U}));
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(10);
+    EXPECT_EQ(ask({0x19U, 0x02U, 0x08U}), (Bytes{0x59U, 0x02U, 0x7FU}));
+    EXPECT_EQ(ask({0x85U, 0x01U}), (Bytes{0xC5U, 0x01U}));
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x08U})[5], 1U);
+}
+
+// ---- data
+
+TEST_F(Uds, TellsWhatItIs) {
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x82U}), Bytes({0x62U, 0xF1U, 0x82U}) + text("large_suv", 48U));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x8CU}), Bytes({0x62U, 0xF1U, 0x8CU}) + text("4711", 16U));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x91U}), Bytes({0x62U, 0xF1U, 0x91U}) + text("none", 16U));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x95U}), Bytes({0x62U, 0xF1U, 0x95U}) + text("0.2.0", 16U));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x97U}), Bytes({0x62U, 0xF1U, 0x97U}) + text("Rollover warning", 16U));
+}
+
+TEST_F(Uds, TellsEveryOutputAndInput) {
+    for (std::size_t number = 0U; number < rsi::number_outputs.size(); ++number) {
+        tester_.outputs.*rsi::number_outputs[number].member = 0.5F + static_cast<float>(number);
+        const Bytes answer = ask({0x22U, 0x10U, static_cast<std::uint8_t>(number)});
+        ASSERT_EQ(answer.size(), 7U);
+        EXPECT_EQ(number_in(answer, 3U), 0.5F + static_cast<float>(number));
+    }
+    for (std::size_t code = 0U; code < rsi::code_outputs.size(); ++code) {
+        tester_.outputs.*rsi::code_outputs[code].member = static_cast<std::int32_t>(code + 1U);
+        EXPECT_EQ(
+            ask({0x22U, 0x11U, static_cast<std::uint8_t>(code)}),
+            (Bytes{0x62U, 0x11U, static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code + 1U)}));
+    }
+    for (std::size_t input = 0U; input < diagnosis::input_values.size(); ++input) {
+        tester_.inputs.*diagnosis::input_values[input].member = -1.25F * static_cast<float>(input);
+        EXPECT_EQ(number_in(ask({0x22U, 0x12U, static_cast<std::uint8_t>(input)}), 3U),
+                  -1.25F * static_cast<float>(input));
+    }
+    EXPECT_EQ(ask({0x22U, 0x10U, static_cast<std::uint8_t>(rsi::number_outputs.size())}), no(0x22U, 0x31U));
+    EXPECT_EQ(ask({0x22U, 0x11U, static_cast<std::uint8_t>(rsi::code_outputs.size())}), no(0x22U, 0x31U));
+    EXPECT_EQ(ask({0x22U, 0x12U, static_cast<std::uint8_t>(diagnosis::input_values.size())}),
+              no(0x22U, 0x31U));
+}
+
+TEST(DataIdentifiers, TheMembersOfATableAreInItsOrder) {
+    auto table = rsi::code_outputs;
+    const auto members = diagnosis::members_of<std::int32_t rsi::Outputs::*>(table);
+    ASSERT_EQ(members.size(), table.size());
+    for (std::size_t row = 0U; row < table.size(); ++row) {
+        EXPECT_EQ(members[row], table[row].member);
+    }
+}
+
+TEST_F(Uds, SeveralIdentifiersComeTogetherAndUnknownOnesAreLeftOut) {
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U, 0x00U, 0x01U, 0x11U, 0x00U}),
+              (Bytes{0x62U, 0xF1U, 0x86U, 0x01U, 0x11U, 0x00U, 0x00U}));
+    EXPECT_EQ(ask({0x22U, 0x00U, 0x01U, 0x0FU, 0xFFU}), no(0x22U, 0x31U));
+    Bytes much{0x22U};
+    for (int time = 0; time < 6; ++time) {
+        much = much + Bytes{0xF1U, 0x82U};
+    }
+    EXPECT_EQ(ask(much), no(0x22U, 0x14U));
+}
+
+TEST_F(Uds, WritesIdentificationWithTheKeyOnlyAndStoresIt) {
+    const Bytes number(17U, 'W');
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + number), no(0x2EU, 0x7FU));
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + number), no(0x2EU, 0x33U));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x90U}), Bytes({0x62U, 0xF1U, 0x90U}) + Bytes(17U, 0U));
+    tester_.unlock();
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + number), (Bytes{0x6EU, 0xF1U, 0x90U}));
+    EXPECT_EQ(ask({0x2EU, 0xF1U, 0x99U, 0x20U, 0x26U, 0x11U, 0x25U}), (Bytes{0x6EU, 0xF1U, 0x99U}));
+    EXPECT_EQ(ask({0x2EU, 0xF1U, 0x99U, 0x20U, 0x26U, 0x11U}), no(0x2EU, 0x13U));
+    EXPECT_EQ(ask({0x2EU, 0xF1U, 0x95U, 1U}), no(0x2EU, 0x31U));
+    switch_on_again();
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x90U}), Bytes({0x62U, 0xF1U, 0x90U}) + number);
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x99U}), (Bytes{0x62U, 0xF1U, 0x99U, 0x20U, 0x26U, 0x11U, 0x25U}));
+}
+
+// ---- access
+
+TEST_F(Uds, TheKeyOfTheSeedUnlocksAndNoOther) {
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask(Bytes{0x27U, 0x02U} + Bytes(16U, 1U)), no(0x27U, 0x24U)) << "no seed was given";
+    Bytes seed = ask({0x27U, 0x01U});
+    ASSERT_EQ(seed.size(), 18U);
+    EXPECT_NE(Bytes(seed.begin() + 2, seed.end()), Bytes(16U, 0U));
+    Bytes wrong = Tester::key_of(seed);
+    wrong[15] ^= 1U;
+    EXPECT_EQ(ask(Bytes{0x27U, 0x02U} + wrong), no(0x27U, 0x35U));
+    EXPECT_EQ(ask(Bytes{0x27U, 0x02U} + Tester::key_of(seed)), no(0x27U, 0x24U)) << "the seed is used up";
+    seed = ask({0x27U, 0x01U});
+    EXPECT_EQ(ask(Bytes{0x27U, 0x02U} + Tester::key_of(seed)), (Bytes{0x67U, 0x02U}));
+    EXPECT_EQ(ask({0x27U, 0x01U}), Bytes({0x67U, 0x01U}) + Bytes(16U, 0U)) << "unlocked already";
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), (Bytes{0x54U}));
+}
+
+TEST_F(Uds, WrongKeysCostTimeAlsoAfterARestart) {
+    ask({0x10U, 0x03U});
+    for (int attempt = 1; attempt <= 3; ++attempt) {
+        ASSERT_EQ(ask({0x27U, 0x01U}).size(), 18U);
+        EXPECT_EQ(ask(Bytes{0x27U, 0x02U} + Bytes(16U, 1U)), no(0x27U, attempt < 3 ? 0x35U : 0x36U));
+    }
+    EXPECT_EQ(ask({0x27U, 0x01U}), no(0x27U, 0x37U));
+    switch_on_again();
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x27U, 0x01U}), no(0x27U, 0x37U));
+    for (int second = 0; second < 11; ++second) {
+        tester_.cycles(100);
+        ask({0x3EU, 0x00U});
+    }
+    EXPECT_EQ(ask({0x27U, 0x01U}).size(), 18U);
+}
+
+TEST(UdsWithoutAccess, NobodyIsUnlockedAndNoSectionTaken) {
+    Memories memories;
+    hal::VirtualClock clock;
+    hal::MemoryBus<2U> bus{clock};
+    const diagnosis::Identification identification{};
+    diagnosis::Diagnosis diagnosis{bus.endpoint(0U), {}, identification, memories.one, memories.other};
+    diagnosis.start(true);
+    const monitoring::DiagnosticMemory memory{};
+    const auto ask = [&](const Bytes& request) {
+        hal::CanFrame frame{};
+        frame.identifier = Tester::physical;
+        frame.length = static_cast<std::uint8_t>(request.size() + 1U);
+        frame.data[0] = static_cast<std::uint8_t>(request.size());
+        std::copy(request.begin(), request.end(), frame.data.begin() + 1);
+        bus.endpoint(1U).send(frame);
+        diagnosis.bus().receive(frame);
+        diagnosis.step(memory, {}, {});
+        bus.endpoint(1U).receive(frame);
+        return Bytes(frame.data.begin() + 1, frame.data.begin() + 1 + frame.data[0]);
+    };
+    ask({0x10U, 0x02U});
+    EXPECT_EQ(ask({0x27U, 0x01U}), no(0x27U, 0x22U));
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x11U, 0U, 1U}), no(0x34U, 0x33U));
+}
+
+// ---- communication
+
+TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
+    hal::CanFrame warning{};
+    warning.identifier = 0x0D0U;
+    const auto is_sent = [&] {
+        EXPECT_EQ(tester_.diagnosis().bus().send(warning), hal::SendResult::sent);
+        return tester_.frame().has_value();
+    };
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x28U, 0x01U, 0x00U}), no(0x28U, 0x31U));
+    EXPECT_EQ(ask({0x28U, 0x01U, 0x04U}), no(0x28U, 0x31U));
+    EXPECT_EQ(ask({0x28U, 0x01U, 0x02U}), (Bytes{0x68U, 0x01U}))
+        << "network management, which there is none of";
+    EXPECT_TRUE(is_sent());
+    EXPECT_EQ(ask({0x28U, 0x01U, 0x01U}), (Bytes{0x68U, 0x01U}));
+    EXPECT_FALSE(is_sent());
+    EXPECT_EQ(ask({0x28U, 0x00U, 0x01U}), (Bytes{0x68U, 0x00U}));
+    EXPECT_TRUE(is_sent());
+    for (const float speed : {1.5F, rsi::not_available}) {
+        tester_.inputs.speed_mps = 0.0F;
+        EXPECT_EQ(ask({0x28U, 0x01U, 0x03U}), (Bytes{0x68U, 0x01U}));
+        EXPECT_FALSE(is_sent());
+        tester_.inputs.speed_mps = speed;
+        tester_.cycle();
+        EXPECT_TRUE(is_sent()) << "it moves, or nobody knows";
+        EXPECT_EQ(ask({0x28U, 0x01U, 0x03U}), no(0x28U, 0x22U));
+        EXPECT_EQ(ask({0x28U, 0x00U, 0x03U}), (Bytes{0x68U, 0x00U}));
+    }
+}
+
+TEST_F(Uds, TheBusIsOtherwiseAsItIs) {
+    hal::CanBus& bus = tester_.diagnosis().bus();
+    EXPECT_EQ(bus.state(), hal::BusState::error_active);
+    tester_.send_frame(0x120U, {1U, 2U});
+    hal::CanFrame frame{};
+    EXPECT_EQ(bus.receive(frame), hal::ReceiveResult::frame);
+    EXPECT_EQ(frame.identifier, 0x120U);
+    EXPECT_EQ(bus.receive(frame), hal::ReceiveResult::empty);
+    EXPECT_EQ(bus.statistics().frames_received, 1U);
+}
+
+// ---- self test
+
+TEST_F(Uds, TheSelfTestTellsWhatIsWrong) {
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x31U, 0x03U, 0x02U, 0x03U}), no(0x31U, 0x24U)) << "not yet run";
+    EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x00U}));
+    const std::pair<DiagnosticCode, std::uint8_t> found[]{{DiagnosticCode::parameters_refused, 0x01U},
+                                                          {DiagnosticCode::parameters_damaged, 0x01U},
+                                                          {DiagnosticCode::memory_restored, 0x02U},
+                                                          {DiagnosticCode::estimate_out_of_range, 0x04U},
+                                                          {DiagnosticCode::output_not_finite, 0x04U},
+                                                          {DiagnosticCode::cycle_overrun, 0x08U},
+                                                          {DiagnosticCode::cycle_stall, 0x08U},
+                                                          {DiagnosticCode::clock_jump, 0x08U},
+                                                          {DiagnosticCode::bus_error, 0x10U},
+                                                          {DiagnosticCode::receive_overflow, 0x10U},
+                                                          {DiagnosticCode::imu_lost, 0x00U}};
+    for (const auto& [code, bit] : found) {
+        tester_.fail(code);
+        tester_.cycles(3);
+        EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, bit}));
+        EXPECT_EQ(ask({0x31U, 0x03U, 0x02U, 0x03U}), (Bytes{0x71U, 0x03U, 0x02U, 0x03U, bit}));
+        tester_.heal(code);
+        tester_.cycles(110);
+    }
+}
+
+}  // namespace
+}  // namespace testing_diagnosis

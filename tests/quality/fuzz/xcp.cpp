@@ -1,0 +1,200 @@
+// XCP around the whole ECU: any frames of a master, with the key and without, broken off, repeated, while
+// cycles are missed and the bus takes nothing. Whatever comes, each cycle sends the ECU's frames, answers at
+// most one command, sends no more samples than there are parts, and runs on parameters that validate accepts;
+// without the key they stay as they were.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "application/calibrated_ecu.hpp"
+#include "hal/memory/memory_bus.hpp"
+#include "hal/memory/memory_storage.hpp"
+#include "hal/memory/virtual_clock.hpp"
+#include "rsi/parameters.hpp"
+#include "tests/quality/fuzz/support/byte_reader.hpp"
+#include "tests/quality/fuzz/support/require.hpp"
+
+// Of firmware/calibrations/generated/large_suv.c.
+extern "C" const unsigned char rsi_parameter_section[application::section::length];
+
+namespace {
+
+using fuzz::ByteReader;
+using fuzz::require;
+namespace map = application::calibration_map;
+
+constexpr int most_cycles = 400;
+constexpr unsigned frames_of_the_ecu = application::sent_identifiers.size();
+
+struct NoWatchdog final : hal::Watchdog {
+    void feed() noexcept override {}
+};
+
+struct CountingRandom final : hal::RandomSource {
+    bool fill(std::uint8_t* bytes, std::size_t length) noexcept override {
+        std::fill_n(bytes, length, ++calls);
+        return true;
+    }
+    std::uint8_t calls{0U};
+};
+
+// The answer is the seed with each bit turned over: AES is not what is searched.
+struct PlainKeys final : hal::KeyStore {
+    bool authenticate(hal::KeySlot, const std::uint8_t* bytes, std::size_t length,
+                      hal::AuthenticationCode& code) noexcept override {
+        for (std::size_t at = 0U; at < code.size(); ++at) {
+            code[at] = static_cast<std::uint8_t>(~bytes[at % length]);
+        }
+        return true;
+    }
+    bool has_test_keys() const noexcept override { return true; }
+};
+
+class Session {
+ public:
+    Session() {
+        access_.start();
+        require(ecu_.init().refusal == application::ParametersRefusal::none, "the section is good");
+        start_ = ecu_.ecu().parameters();
+    }
+
+    void play(ByteReader& bytes) {
+        for (int k = 0; k < most_cycles && !bytes.empty(); ++k) {
+            act(bytes);
+        }
+    }
+
+ private:
+    void act(ByteReader& bytes) {
+        switch (bytes.below(10U)) {
+            case 0U:
+                unlock();
+                break;
+            case 1U:
+                cycle(bytes.below(4U));
+                break;
+            case 2U:
+                bus_.endpoint(0U).set_state(bytes.one_in(3U) ? hal::BusState::bus_off
+                                                             : hal::BusState::error_active);
+                cycle(0U);
+                break;
+            case 3U:
+                for (int k = 0; k < 210; ++k) {
+                    cycle(0U);
+                }
+                break;
+            case 4U:
+            case 5U:
+                write(bytes);
+                break;
+            default:
+                any(bytes);
+                break;
+        }
+    }
+
+    void send(const std::uint8_t* bytes, std::size_t length) {
+        hal::CanFrame frame;
+        frame.identifier = xcp::default_identifiers.command;
+        frame.length = static_cast<std::uint8_t>(length);
+        std::copy_n(bytes, length, frame.data.begin());
+        bus_.endpoint(1U).send(frame);
+    }
+
+    void command(std::initializer_list<std::uint8_t> bytes) {
+        send(bytes.begin(), bytes.size());
+        cycle(0U);
+    }
+
+    // Codes that there are, twice as often as others.
+    void any(ByteReader& bytes) {
+        std::array<std::uint8_t, 8> data{};
+        bytes.take_into(data.data(), data.size());
+        const unsigned length = bytes.below(9U);
+        if (bytes.one_in(2U)) {
+            data[0] = static_cast<std::uint8_t>(0xD3U + data[0] % 45U);
+        }
+        send(data.data(), (length == 0U) ? data.size() : length);
+        if (!bytes.one_in(8U)) {
+            cycle(0U);
+        }
+    }
+
+    // Into the parameters, whole words or parts of them.
+    void write(ByteReader& bytes) {
+        const std::uint32_t address =
+            map::parameters_at + 4U * bytes.below(68U) + (bytes.one_in(8U) ? bytes.below(4U) : 0U);
+        command({0xF6, 0, 0, 0, static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(address >> 8U),
+                 static_cast<std::uint8_t>(address >> 16U), 0});
+        std::array<std::uint8_t, 8> data{0xF0, 4U};
+        if (bytes.one_in(4U)) {
+            data[1] = static_cast<std::uint8_t>(1U + bytes.below(6U));
+        }
+        bytes.take_into(&data[2], 6U);
+        send(data.data(), 2U + data[1]);
+        cycle(0U);
+    }
+
+    void unlock() {
+        command({0xFF, 0});
+        command({0xF8, 0, 1});
+        command({0xF8, 1, 1});
+        command({0xF8, 1, 1});
+        const auto key = static_cast<std::uint8_t>(~random_.calls);
+        command({0xF7, 16, key, key, key, key, key, key});
+        command({0xF7, 10, key, key, key, key, key, key});
+        command({0xF7, 4, key, key, key, key});
+        was_unlocked_ = was_unlocked_ || access_.is_unlocked();
+    }
+
+    void cycle(std::uint32_t missed) {
+        now_ = now_ + hal::Time::from_milliseconds(10);
+        clock_.set(now_);
+        ecu_.step(missed);
+        unsigned own = 0U;
+        unsigned answers = 0U;
+        unsigned samples = 0U;
+        hal::CanFrame frame;
+        while (bus_.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+            if (frame.identifier != xcp::default_identifiers.answer) {
+                ++own;
+            } else {
+                require(frame.length >= 1U && frame.length <= 8U, "a packet has one to eight bytes");
+                (frame.data[0] >= 0xFEU ? answers : samples) += (frame.data[0] == 0xFDU) ? 0U : 1U;
+            }
+        }
+        const bool on_bus = bus_.endpoint(0U).state() == hal::BusState::error_active;
+        require(own == (on_bus ? frames_of_the_ecu : 0U), "the ECU sends its frames in every cycle");
+        require(answers <= 1U, "at most one answer a cycle");
+        require(samples <= xcp::most_parts, "no more samples than parts");
+        const rsi::Parameters& used = ecu_.ecu().parameters();
+        require(rsi::validate(used).accepted == 1, "the component runs on accepted parameters");
+        require(was_unlocked_ || std::memcmp(&used, &start_, sizeof used) == 0,
+                "nothing changes without the key");
+    }
+
+    hal::VirtualClock clock_;
+    hal::MemoryBus<2U> bus_{clock_};
+    NoWatchdog watchdog_;
+    hal::MemoryStorage<64U> attempts_;
+    hal::MemoryStorage<application::section::length> stored_;
+    PlainKeys keys_;
+    CountingRandom random_;
+    access_control::SeedAndKey access_{keys_, hal::KeySlot::calibration, random_, attempts_};
+    application::CalibratedEcu ecu_{
+        bus_.endpoint(0U), clock_, watchdog_, access_, rsi_parameter_section, application::section::length,
+        &stored_};
+    rsi::Parameters start_{};
+    hal::Time now_{};
+    bool was_unlocked_{false};
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    ByteReader reader{bytes, size};
+    Session session;
+    session.play(reader);
+    return 0;
+}

@@ -1,0 +1,39 @@
+"""The A2L as another's parser reads it (pya2l)."""
+
+import dataclasses
+import pathlib
+import sys
+
+BINARIES = pathlib.Path(sys.executable).parent
+
+
+@dataclasses.dataclass
+class Object:
+    kind: str
+    name: str
+    text: str
+    address: int
+    data_type: str
+    method: str
+    least: float
+    largest: float
+
+
+def value(element):
+    return element.get("Value", 0)
+
+
+def objects(module):
+    """Of both kinds, by name."""
+    found = {}
+    for entry in module["CHARACTERISTIC"]:
+        found[entry["Name"]["Value"]] = Object(
+            "CHARACTERISTIC", entry["Name"]["Value"], entry["LongIdentifier"].get("Value", ""), int(value(entry["Address"])),
+            entry["Deposit"]["Value"], entry["Conversion"]["Value"], float(value(entry["LowerLimit"])),
+            float(value(entry["UpperLimit"])))
+    for entry in module["MEASUREMENT"]:
+        found[entry["Name"]["Value"]] = Object(
+            "MEASUREMENT", entry["Name"]["Value"], entry["LongIdentifier"].get("Value", ""),
+            int(value(entry["ECU_ADDRESS"]["Address"])), entry["DataType"]["Value"], entry["Conversion"]["Value"],
+            float(value(entry["LowerLimit"])), float(value(entry["UpperLimit"])))
+    return found

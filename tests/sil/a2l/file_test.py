@@ -1,0 +1,111 @@
+"""The A2L: strict for a2ltool and pya2l, complete, and with the ranges, units and choices of the sources."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+A2L = pathlib.Path(sys.argv.pop(1))
+PROJECT = pathlib.Path(sys.argv.pop(1))
+sys.path.insert(1, str(PROJECT / "sil/tools"))
+
+import a2l_file  # noqa: E402
+import a2l_objects  # noqa: E402
+
+PARAMETERS = (PROJECT / "firmware/rsi/parameters.hpp").read_text()
+OUTPUTS = (PROJECT / "firmware/rsi/rsi_outputs.h").read_text()
+UNIT_ENDINGS = {"m/s^2": "m/s2", "N m": "N.m", "N m/rad": "N.m/rad", "N m s/rad": "N.m.s/rad", "-": ""}
+
+
+def ranges():
+    """Name to limits, read from the table without the compiler."""
+    rows = re.findall(r'\{"(\w+)", &Parameters::\w+, (\S+?)F?, (\S+?)F?\},', PARAMETERS)
+    return {name: (float(least), float(largest)) for name, least, largest in rows}
+
+
+class TheFile(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.module = a2l_objects.module_of(A2L)
+        cls.objects = a2l_file.objects(cls.module)
+        cls.units = {entry["Name"]["Value"]: entry.get("Unit", {}).get("Value", "") for entry in cls.module["COMPU_METHOD"]}
+
+    def test_is_accepted_by_a2ltool(self):
+        finished = subprocess.run([a2l_file.BINARIES / "a2ltool", A2L, "--check", "--strict", "--show-xcp"],
+                                  capture_output=True, text=True, check=False)
+        self.assertEqual(finished.returncode, 0, finished.stdout + finished.stderr)
+        self.assertIn("No problems found", finished.stdout)
+        self.assertIn("CAN id master: 0x6F0", finished.stdout)
+        self.assertIn("CAN id slave: 0x6F1", finished.stdout)
+
+    def test_keeps_to_its_version_for_pya2l(self):
+        """Without IF_DATA, of which pya2l says that its blocks come twice when they come once."""
+        bare = A2L.with_suffix(".bare.a2l")
+        bare.write_text(re.sub(r" */begin IF_DATA.*?/end IF_DATA\n", "", A2L.read_text(), flags=re.S))
+        finished = subprocess.run([a2l_file.BINARIES / "pya2l", "-c", bare, "to_json", "-o", "/dev/null"],
+                                  capture_output=True, text=True, check=False)
+        bare.unlink()
+        self.assertEqual((finished.returncode, finished.stdout + finished.stderr), (0, ""))
+
+    def test_that_is_wrong_is_refused_by_a2ltool(self):
+        """Else the test before says nothing."""
+        wrong = A2L.with_suffix(".wrong.a2l")
+        wrong.write_text(A2L.read_text().replace("RL_value 0 CM_kg ", "RL_value 0 CM_none_such ", 1))
+        finished = subprocess.run([a2l_file.BINARIES / "a2ltool", wrong, "--check", "--strict"], capture_output=True,
+                                  text=True, check=False)
+        wrong.unlink()
+        self.assertNotIn("No problems found", finished.stdout)
+
+    def test_has_every_parameter_with_its_range(self):
+        expected = ranges()
+        self.assertEqual(len(expected), int(re.search(r"ParameterField, (\d+)>", PARAMETERS)[1]))
+        for name, (least, largest) in expected.items():
+            entry = self.objects[name]
+            self.assertEqual((entry.kind, entry.data_type), ("CHARACTERISTIC", "RL_value"), name)
+            self.assertEqual((entry.least, entry.largest), (least, largest), name)
+            self.assertTrue(entry.text, name)
+
+    def test_has_every_selection_with_its_choices(self):
+        tables = {entry["Name"]["Value"]: entry for entry in self.module["COMPU_VTAB"]}
+        lists = dict(re.findall(r"(\w+)_choices\{\s*\{(.*?)\}\};", PARAMETERS, re.S))
+        lists["warning_indicator"] = ",".join(
+            f'"{choice}"' for choice in re.findall(r"INDEX\(\w+, \"[^\"]+\", \w+, \w+, \d+, (\w+),", OUTPUTS))
+        names = re.findall(r'\{"(\w+)", &Parameters::\w+, \w+\.data\(\)', PARAMETERS)
+        self.assertEqual(len(names), 5)
+        for name in names:
+            entry = self.objects[name]
+            choices = re.findall(r'"(\w+)"', lists[name])
+            self.assertEqual((entry.kind, entry.data_type, entry.largest), ("CHARACTERISTIC", "RL_selection", len(choices) - 1))
+            pairs = tables[f"VT_{name}"]["InValOutVal"]
+            self.assertEqual([pair["OutVal"]["Value"] for pair in pairs], choices)
+
+    def test_has_every_output_with_its_unit(self):
+        rows = re.findall(r"\b(?:NUMBER|INDEX)\((\w+), \"([^\"]+)\", (?:turns|stays)", OUTPUTS)
+        codes = re.findall(r"\bCODE\((\w+), ([A-Z]\w+|0),", OUTPUTS)
+        self.assertGreater(len(rows), 30)
+        self.assertEqual(len(codes), 5)
+        for name, unit in rows:
+            entry = self.objects[name]
+            self.assertEqual((entry.kind, entry.data_type), ("MEASUREMENT", "FLOAT32_IEEE"), name)
+            self.assertEqual(self.units[entry.method], UNIT_ENDINGS.get(unit, unit), name)
+            self.assertTrue(entry.text, name)
+        for name, _ in codes:
+            self.assertEqual((self.objects[name].kind, self.objects[name].data_type), ("MEASUREMENT", "UBYTE"), name)
+        status = {"page_in_use", "change_pending", "refused_parameter", "changes_taken_over"}
+        measured = {name for name, entry in self.objects.items() if entry.kind == "MEASUREMENT"}
+        self.assertEqual(measured - status, {name for name, _ in rows} | {name for name, _ in codes})
+
+    def test_no_two_lie_at_the_same_address(self):
+        addresses = [entry.address for entry in self.objects.values()]
+        self.assertEqual(len(addresses), len(set(addresses)))
+
+    def test_every_object_is_in_a_group_and_no_text_is_empty(self):
+        grouped = set(re.findall(r"'Value': '(\w+)'", str(self.module["GROUP"])))
+        self.assertEqual(set(self.objects) - grouped, set())
+        self.assertEqual([name for name, entry in self.objects.items() if not entry.text], [])
+
+
+if __name__ == "__main__":
+    unittest.main()
