@@ -29,6 +29,12 @@ class FrameDelay {
         }
     }
 
+    // Silences were not counted.
+    void miss_cycles() noexcept {
+        may_be_anew_ = true;
+        calm_ = false;
+    }
+
     bool roll_angle_is_late() const noexcept { return roll_.late; }
     bool imu_is_late() const noexcept { return imu_.late; }
 

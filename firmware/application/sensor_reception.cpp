@@ -43,6 +43,7 @@ void SensorReception::receive(hal::CanBus& bus, std::uint32_t missed_cycles) noe
         roll_angle_.miss_cycles(missed_cycles);
         vehicle_motion_.miss_cycles(missed_cycles);
         vehicle_mass_.miss_cycles(missed_cycles);
+        delay_.miss_cycles();
     }
     own_identifier_ = false;
     hal::CanFrame frame{};

@@ -361,6 +361,21 @@ TEST(ASender, ThatSendsAtOnceWhatItHasHeldBackIsInTime) {
     }
 }
 
+// How long it was silent while no cycle ran, nobody knows.
+TEST(ASender, IsNotLateAfterMissedCycles) {
+    for (const bool imu : {true, false}) {
+        Counters counters;
+        counters.run(20);
+        counters.hold_back(imu, 5);
+        counters.delay.miss_cycles();
+        counters.run(10);
+        EXPECT_FALSE(counters.delay.imu_is_late() || counters.delay.roll_angle_is_late());
+        counters.hold_back(imu, 5);
+        counters.run(1);
+        EXPECT_TRUE(imu ? counters.delay.imu_is_late() : counters.delay.roll_angle_is_late());
+    }
+}
+
 TEST(AnImu, IsNotLateWithARollAngleThatIsHeldBackLongAfterItWasSilentItself) {
     Counters counters;
     counters.run(20);
