@@ -54,8 +54,8 @@ bool is_wanted(std::uint8_t record, std::uint8_t which) {
 Nrc report_snapshots(const Request& request, const TroubleMemory& memory, Response& response) {
     const std::size_t row = row_of_number(request.three_bytes(2U));
     const std::uint8_t record = request.byte(5U);
-    if ((row == trouble_code_count) ||
-        !(is_wanted(record, first_snapshot) || is_wanted(record, last_snapshot))) {
+    const bool is_snapshot = is_wanted(record, first_snapshot) || is_wanted(record, last_snapshot);
+    if ((row == trouble_code_count) || !is_snapshot) {
         return Nrc::request_out_of_range;
     }
     put_code(row, memory, response);
@@ -74,8 +74,8 @@ Nrc report_snapshots(const Request& request, const TroubleMemory& memory, Respon
 Nrc report_extended_data(const Request& request, const TroubleMemory& memory, Response& response) {
     const std::size_t row = row_of_number(request.three_bytes(2U));
     const std::uint8_t record = request.byte(5U);
-    if ((row == trouble_code_count) ||
-        !(is_wanted(record, occurrences_record) || is_wanted(record, ageing_record))) {
+    const bool is_count = is_wanted(record, occurrences_record) || is_wanted(record, ageing_record);
+    if ((row == trouble_code_count) || !is_count) {
         return Nrc::request_out_of_range;
     }
     put_code(row, memory, response);

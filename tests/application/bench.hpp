@@ -149,6 +149,7 @@ class Bench {
     const can_dbc::RolloverStatus& status() const { return last().status.value; }
     // What the ECU made of the sensors' frames in its last cycle.
     const rsi::Inputs& inputs() const { return ecu_.inputs(); }
+    const monitoring::DiagnosticMemory& diagnostic_memory() const { return ecu_.diagnostic_memory(); }
     const rsi::Outputs& outputs() const { return ecu_.outputs(); }
     int watchdog_feeds() const { return watchdog_.feeds; }
     const rsi::Validation& parameters_answer() const { return answer_; }
