@@ -81,8 +81,9 @@ TEST(AConfirmedCode, CarriesWhatTheSensorsSaidWhenItWasConfirmedFirst) {
         bench.run_cycles(1);
     }
     ASSERT_TRUE(confirmed(bench.last()));
-    EXPECT_TRUE(bench.diagnostic_memory().confirmed(monitoring::DiagnosticCode::vehicle_motion_damaged));
     const can_dbc::RolloverDiagnosis& diagnosis = bench.last().diagnosis.value;
+    const auto told = static_cast<monitoring::DiagnosticCode>(diagnosis.code);
+    EXPECT_TRUE(bench.diagnostic_memory().confirmed(told));
     EXPECT_NEAR(diagnosis.first_lateral_acceleration_mps2, 3.0F, 0.1F);
     EXPECT_NEAR(diagnosis.first_roll_angle_deg, 4.0F, 0.2F);
 }
