@@ -43,7 +43,15 @@ def parse(arguments):
     query.add_argument("--csv", type=pathlib.Path, metavar="FILE")
     convert = commands.add_parser("convert", add_help=False, allow_abbrev=False)
     convert.add_argument("folder", type=pathlib.Path, metavar="DIR")
-    for command in (run, query, convert):
+    score = commands.add_parser("score", add_help=False, allow_abbrev=False)
+    score.add_argument("folder", type=pathlib.Path, metavar="DIR")
+    score.add_argument("given", nargs="+", metavar="NAME=FILE")
+    score.add_argument("--csv", type=pathlib.Path, metavar="FILE")
+    rare = commands.add_parser("rare", add_help=False, allow_abbrev=False)
+    rare.add_argument("folders", nargs="+", type=pathlib.Path, metavar="DIR")
+    rare.add_argument("--event", required=True, choices=("missed", "late", "alarm_below_0_7", "alarm_0_7_to_0_8"))
+    rare.add_argument("--propose", type=pathlib.Path, metavar="FILE")
+    for command in (run, query, convert, score, rare):
         command.add_argument("--program", type=pathlib.Path, default=PROJECT / "build/release/sil/rsi-sil", metavar="FILE")
     options = parser.parse_args(arguments)
     asks = options.command == "query" and not options.list
@@ -63,6 +71,14 @@ def main(arguments):
             import parquet
 
             parquet.convert(options.folder, options.program)
+        elif options.command == "score":
+            import query
+
+            print(query.answer(options.folder, options.program, "index_comparison", None, options.csv, options.given))
+        elif options.command == "rare":
+            import rare
+
+            print(rare.answer(options))
         else:
             import query
 

@@ -10,6 +10,7 @@ import shlex
 import duckdb
 
 import parquet
+import scoring
 import whole_file
 from campaign_error import CampaignError
 
@@ -29,7 +30,7 @@ def quoted(text):
 
 
 def open_rows(folder, program):
-    """A connection with the tables runs, drawn and index_scores, and with the function drive_again."""
+    """A connection with the tables runs, drawn, index_scores and statements, and with the function drive_again."""
     files = parquet.convert(folder, program)
     connection = duckdb.connect()
     connection.execute(f"CREATE VIEW runs AS SELECT * FROM read_parquet([{', '.join(map(quoted, files))}])")
@@ -37,10 +38,13 @@ def open_rows(folder, program):
     ending = "_threshold_100ms"
     indices = [name.removesuffix(ending) for name in connection.table("runs").columns if name.endswith(ending)]
     connection.execute("CREATE VIEW index_scores AS " + " UNION ALL ".join(
-        f"SELECT run, vehicle, class, manoeuvre, largest_ltr, lifted, calm, {quoted(index)} AS index_name, "
+        f"SELECT run, vehicle, class, manoeuvre, largest_ltr, lifted, calm, band, {quoted(index)} AS index_name, "
         f"{index}_threshold AS threshold, {index}_threshold_100ms AS threshold_100ms, "
         f"{index}_threshold_200ms AS threshold_200ms, "
         f"{index}_lead_time_s AS lead_time_s FROM drawn" for index in indices))
+    connection.execute("CREATE TABLE entries (entry VARCHAR)")
+    connection.execute("CREATE TABLE changes (entry VARCHAR, run BIGINT, time_s DOUBLE, side VARCHAR)")
+    connection.execute((VIEWS / "statements.sql").read_text(encoding="utf-8"))
     again = (f"(cd {shlex.quote(os.getcwd())} && {shlex.quote(str(program))} campaign "
              f"--settings {shlex.quote(str(folder / 'campaign.toml'))} --output {shlex.quote(str(folder))} --run ")
     connection.execute(f"CREATE MACRO drive_again(number) AS {quoted(again)} || number || ')'")
@@ -72,11 +76,13 @@ def csv_of(head, rows):
     return text.getvalue()
 
 
-def answer(folder, program, name, sql, target):
-    """What is printed."""
+def answer(folder, program, name, sql, target, given=()):
+    """What is printed. `given`: NAME=FILE of indicators to score beside."""
     if sql is None and name not in names():
         raise CampaignError(f"there is no question {name}; there are: {' '.join(names())}")
     connection = open_rows(folder.resolve(), program.resolve())
+    for text in given:
+        scoring.add_entry(connection, folder, text)
     try:
         result = connection.execute(sql or (QUERIES / f"{name}.sql").read_text(encoding="utf-8"))
         head, rows = [column[0] for column in result.description], result.fetchall()

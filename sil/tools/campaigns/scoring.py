@@ -1,0 +1,115 @@
+"""Indicators of others, scored on a campaign's runs: their files become the warnings in force, the queries judge them.
+
+A file is CSV or Parquet with the columns run and time_s, ascending in each run, and one of
+  side           changes of the warning in force: left, right or none from then on. A run without rows has no warning.
+  level, side    a time series; a level of 1 says "warn", towards side (left or right)
+  right, left    a time series of the levels towards either side
+A time series drives a copy of the firmware's warning states, as the campaign's own indices do (docs/drives.md, What counts),
+with the calibration of the run, which `rsi-sil campaign --traces` leaves.
+"""
+
+import pathlib
+import sys
+import tomllib
+
+import duckdb
+
+from campaign_error import CampaignError
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "studies/predictors"))
+
+from warning import WarningStates  # noqa: E402
+
+READERS = {".csv": "read_csv(?, all_varchar = true)", ".parquet": "read_parquet(?)"}
+FORMS = ({"side"}, {"level", "side"}, {"right", "left"})
+
+
+def read(connection, path):
+    """The table `given_file`. Raises CampaignError for what cannot be scored."""
+    reader = READERS.get(path.suffix)
+    if reader is None:
+        raise CampaignError(f"{path}: wants a file whose name ends in {' or '.join(READERS)}")
+    try:
+        columns = {column[0] for column in connection.execute(f"SELECT * FROM {reader} LIMIT 0", [str(path)]).description}
+        levels = columns - {"run", "time_s"}
+        if not {"run", "time_s"} <= columns or levels not in FORMS:
+            raise CampaignError(f"{path}: has the columns {', '.join(sorted(columns))}; wants run, time_s, and side, or level and "
+                                "side, or right and left")
+        casts = ", ".join(name if name == "side" else f'CAST("{name}" AS DOUBLE) AS "{name}"' for name in sorted(levels))
+        connection.execute(f"CREATE OR REPLACE TEMP TABLE given_file AS SELECT CAST(run AS BIGINT) AS run, CAST(time_s AS DOUBLE) "
+                           f"AS time_s, {casts} FROM {reader}", [str(path)])
+    except duckdb.Error as error:
+        raise CampaignError(f"{path}: {str(error).splitlines()[0]}") from None
+    checks(connection, path, levels)
+    return levels
+
+
+def checks(connection, path, levels):
+    def refuse(where, what):
+        found = connection.execute(f"SELECT run, time_s FROM ({where}) LIMIT 1").fetchone()
+        if found:
+            raise CampaignError(f"{path}: run {found[0]}, time_s {found[1]}: {what}")
+
+    refuse("SELECT * FROM given_file WHERE run IS NULL OR time_s IS NULL OR NOT isfinite(time_s)", "run and time are wanted")
+    refuse("SELECT * FROM given_file ANTI JOIN runs USING (run)", "there is no such run in the campaign")
+    refuse("SELECT * FROM (SELECT *, lag(time_s) OVER (PARTITION BY run) AS before FROM given_file) WHERE time_s <= before",
+           "the times of a run must increase")
+    if "side" in levels:
+        sides = "'left', 'right'" + (", 'none'" if levels == {"side"} else "")
+        refuse(f"SELECT * FROM given_file WHERE side IS NULL OR side NOT IN ({sides})", f"side wants one of {sides}")
+    for level in sorted(levels - {"side"}):
+        refuse(f"SELECT * FROM given_file WHERE \"{level}\" IS NULL OR NOT isfinite(\"{level}\")", f"{level} wants a number")
+    if levels != {"side"}:
+        refuse("SELECT run, 0 AS time_s FROM drawn ANTI JOIN given_file USING (run)", "is missing: every run wants its series")
+
+
+def warnings_of(calibration, series):
+    """Changes (time_s, side) of the warning that the firmware's states make of (time_s, right, left), cycle by cycle."""
+    states, named, changes = WarningStates(calibration), "none", []
+    scale = calibration["warning_on"]
+    for time_s, right, left in series:
+        states.update(scale * right, scale * left)
+        side = states.side or "none" if states.state == "warning" else "none"
+        if side != named:
+            named = side
+            changes.append((time_s, side))
+    return changes
+
+
+def calibration_of(folder, run):
+    path = folder / "traces" / f"{run}.toml"
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise CampaignError(f"{path}: {error.strerror}; a time series is scored on a campaign made with `rsi-sil campaign "
+                            "--traces`; changes of a warning on any") from None
+
+
+def series_changes(connection, folder, levels):
+    both = "\"right\", \"left\"" if "right" in levels else ("CASE side WHEN 'right' THEN level ELSE 0 END, "
+                                                      "CASE side WHEN 'left' THEN level ELSE 0 END")
+    rows = connection.execute(f"SELECT run, time_s, {both} FROM given_file ORDER BY run, time_s").fetchall()
+    series = {}
+    for run, *sample in rows:
+        series.setdefault(run, []).append(sample)
+    return [(run, *change) for run, samples in series.items()
+            for change in warnings_of(calibration_of(folder, run), samples)]
+
+
+def add_entry(connection, folder, text):
+    """NAME=FILE: the file's warnings as the entry NAME of `statements`."""
+    name, equals, file = text.partition("=")
+    if not (name and equals and file):
+        raise CampaignError(f"wants NAME=FILE, not {text}")
+    if name in [row[0] for row in connection.execute("SELECT DISTINCT entry FROM statements").fetchall()]:
+        raise CampaignError(f"there is an entry {name} already; give another name")
+    levels = read(connection, pathlib.Path(file))
+    connection.execute("INSERT INTO entries VALUES (?)", [name])
+    if levels == {"side"}:
+        connection.execute("INSERT INTO changes SELECT ?, run, time_s, side FROM given_file", [name])
+        return
+    changes = series_changes(connection, folder, levels)
+    if changes:
+        runs, times, sides = zip(*changes)
+        connection.execute("INSERT INTO changes SELECT ?, unnest(?), unnest(?), unnest(?)",
+                           [name, list(runs), list(times), list(sides)])
