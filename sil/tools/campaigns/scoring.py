@@ -39,7 +39,7 @@ def read(connection, path):
         connection.execute(f"CREATE OR REPLACE TEMP TABLE given_file AS SELECT CAST(run AS BIGINT) AS run, CAST(time_s AS DOUBLE) "
                            f"AS time_s, {casts} FROM {reader}", [str(path)])
     except duckdb.Error as error:
-        raise CampaignError(f"{path}: {str(error).splitlines()[0]}") from None
+        raise CampaignError(f"{path}: {'; '.join(str(error).splitlines()[:3])}") from None
     checks(connection, path, levels)
     return levels
 
@@ -52,7 +52,7 @@ def checks(connection, path, levels):
 
     refuse("SELECT * FROM given_file WHERE run IS NULL OR time_s IS NULL OR NOT isfinite(time_s)", "run and time are wanted")
     refuse("SELECT * FROM given_file ANTI JOIN runs USING (run)", "there is no such run in the campaign")
-    refuse("SELECT * FROM (SELECT *, lag(time_s) OVER (PARTITION BY run) AS before FROM given_file) WHERE time_s <= before",
+    refuse("SELECT * FROM (SELECT run, time_s, lag(time_s) OVER (PARTITION BY run ORDER BY rowid) AS before FROM given_file) WHERE time_s <= before",
            "the times of a run must increase")
     if "side" in levels:
         sides = "'left', 'right'" + (", 'none'" if levels == {"side"} else "")

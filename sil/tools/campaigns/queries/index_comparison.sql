@@ -17,5 +17,5 @@ SELECT entry AS index_name, lift_offs,
        round(100.0 * count(*) FILTER (band = '0.8 to 0.9') / nullif(runs_from_0_8, 0), 2) AS "0.8 to 0.9, %"
 FROM statements, totals
 WHERE lifted OR alarm
-GROUP BY ALL
+GROUP BY entry, lift_offs, calm_runs, runs_below, runs_from_0_7, runs_from_0_8
 ORDER BY "0.1 s before, %" DESC NULLS LAST, index_name;
