@@ -36,6 +36,8 @@ DRAWN = (*PAIRS, *(column for columns in EITHER_WAY.values() for column in colum
 DIGITS = 1e-8  # to which a row tells what was drawn
 NEAREST = 0.05  # share of the runs that may become an event, to which a proposal is drawn
 FEWEST_NEAR = 30
+HARDLY = 1e-6  # weight of a manoeuvre that does not come near
+SEED_STEP = 1_000_003  # from a pilot's seed to that of the settings it proposes
 
 
 def settings_of(folder):
@@ -107,6 +109,9 @@ def check_alike(folders, all_settings):
         if settings["seed"] in seeds:
             raise CampaignError(f"{folder}: has the seed of another; the runs would not be independent")
         seeds.add(settings["seed"])
+    if any(seed + SEED_STEP in seeds for seed in seeds):
+        raise CampaignError("one of the campaigns is the pilot from whose runs another was proposed; weighed together they would "
+                            "be biased: take a plain campaign of another seed in its place")
 
 
 class Estimate(typing.NamedTuple):
@@ -180,26 +185,16 @@ def propose(folder, program, event):
     manoeuvres = []
     for place, manoeuvre in enumerate(settings["manoeuvre"]):
         of_this = [row for row in near if row[1] == manoeuvre["name"]]
-        if not of_this:
-            continue
-        narrowed = dict(manoeuvre, weight=len(of_this))
+        narrowed = dict(manoeuvre, weight=len(of_this) or HARDLY)
         for column, key in ((2, "speed"), (3, "steering")):
             drawn = [row[column] / vehicles[row[0]].get(f"{key}_factors", {place: 1.0})[place] for row in of_this]
             narrowed[f"{key}_factor"] = narrower(drawn, manoeuvre[f"{key}_factor"])
-        manoeuvres.append((place, narrowed))
-    places = [place for place, _ in manoeuvres]
-    listed = []
-    for row in near:  # a vehicle as often as it comes near, with the factors of the manoeuvres that are left
-        vehicle = dict(vehicles[row[0]])
-        for key in ("speed_factors", "steering_factors"):
-            if key in vehicle:
-                vehicle[key] = [vehicle[key][place] for place in places]
-        listed.append(vehicle)
+        manoeuvres.append(narrowed)
     spread = dict(settings["spread"])
     spread["friction_factor"] = narrower([row[4] for row in near], spread["friction_factor"])
     left = {key: value for key, value in settings.items() if key != "made_with"}
-    return toml_of({**left, "seed": settings["seed"] + 1_000_003, "spread": spread, "vehicle": listed,
-                    "manoeuvre": [manoeuvre for _, manoeuvre in manoeuvres]})
+    return toml_of({**left, "seed": settings["seed"] + SEED_STEP, "spread": spread, "manoeuvre": manoeuvres,
+                    "vehicle": [vehicles[row[0]] for row in near]})  # as often as each comes near
 
 
 def narrower(values, interval):
@@ -220,8 +215,8 @@ def answer(options):
         if len(options.folders) != 1:
             raise CampaignError("--propose wants one folder, of a plain campaign")
         whole_file.write(options.propose, propose(options.folders[0], options.program, options.event))
-        return (f"{options.propose} draws nearer to {options.event}. Drive it: rsi-sil campaign --settings {options.propose} --runs N "
-                f"--output DIR; then: sil/tools/campaign rare {options.folders[0]} DIR --event {options.event}")
+        return (f"{options.propose} draws nearer to {options.event}. Drive it, and the settings of {options.folders[0]} with another "
+                f"--seed; then: sil/tools/campaign rare PLAIN NEARER --event {options.event}")
     samples, weights = weighed(options.folders, options.program, EVENTS[options.event][0])
     all_weights = [weight for of_folder in weights for weight in of_folder]
     lines = [f"{options.event}: {EVENTS[options.event][0]}; in 1,000,000 runs of {options.folders[0]}, 95 % in brackets"]
