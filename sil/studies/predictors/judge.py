@@ -62,10 +62,12 @@ class Share:
     def __init__(self):
         self._vehicles = {}
 
-    def add(self, vehicle, counts):
+    def add(self, vehicle, counts, of=1):
+        if not of:
+            return  # such a vehicle says nothing, and none of the intervals counts it
         cell = self._vehicles.setdefault(vehicle, [0, 0])
-        cell[0] += bool(counts)
-        cell[1] += 1
+        cell[0] += int(counts)
+        cell[1] += of
 
     @property
     def count(self):

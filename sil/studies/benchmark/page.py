@@ -1,0 +1,152 @@
+"""Scores the benchmark's entries and writes its page, what its picture is drawn from, and the drives' time series as one file.
+
+Use: page.py PROGRAM CHOSEN REPORTED ENTRIES PAGE PICTURE_DATA
+
+CHOSEN and REPORTED are folders of campaigns with traces; ENTRIES has NAME.csv of the learned entries. Called by
+sil/studies/benchmark/run.
+"""
+
+import hashlib
+import math
+import os
+import pathlib
+import sys
+
+PROJECT = pathlib.Path(__file__).resolve().parents[3]
+sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/tools/campaigns", "sil/studies/predictors", "cmake/environment")]
+
+import judge  # noqa: E402
+import query  # noqa: E402
+import scoring  # noqa: E402
+import whole_file  # noqa: E402
+
+HERE = pathlib.Path(__file__).resolve().parent
+FIRMWARE = "the firmware's warning"
+LEVEL_BAND = judge.BANDS[2]
+COLUMNS = ("warned", "warned_100ms", "warned_200ms", *judge.BANDS)
+# Of each vehicle and entry: what counts for each of COLUMNS, and of how many. {0}: warned at all, by 0.1 s, by 0.2 s; {1}: alarm.
+COUNTS = ("SELECT {entry}, vehicle, count(*) FILTER (lifted), " + ", ".join(
+    f"count(*) FILTER (lifted AND {{{k}}})" for k in range(3)) + ", " + ", ".join(
+    f"count(*) FILTER (NOT lifted AND band = '{band}'), count(*) FILTER (NOT lifted AND band = '{band}' AND {{3}})"
+    for band in judge.BANDS) + " FROM {table} GROUP BY ALL ORDER BY ALL")
+CURVE_POINTS = [0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.8]
+
+
+def shares(connection, table, entry, *conditions):
+    """Entry: (Share of each of COLUMNS)."""
+    found = {}
+    for name, vehicle, lifted, *counts in connection.execute(COUNTS.format(*conditions, table=table, entry=entry)).fetchall():
+        cells = found.setdefault(name, [judge.Share() for _ in COLUMNS])
+        for cell, count in zip(cells, counts[:3]):
+            cell.add(vehicle, count, lifted)
+        for cell, total, count in zip(cells[3:], counts[3::2], counts[4::2]):
+            cell.add(vehicle, count, total)
+    return found
+
+
+def as_they_say(connection):
+    """Every entry with its own threshold."""
+    return shares(connection, "statements", "entry", "lead_time_s IS NOT NULL", "lead_time_s >= 0.1 - 1e-6",
+                  "lead_time_s >= 0.2 - 1e-6", "alarm")
+
+
+def at_thresholds(connection, thresholds):
+    """Every index at a threshold of its own."""
+    connection.execute("CREATE OR REPLACE TEMP TABLE chosen_thresholds (index_name VARCHAR, chosen DOUBLE)")
+    connection.executemany("INSERT INTO chosen_thresholds VALUES (?, ?)", list(thresholds.items()))
+    return shares(connection, "(scores JOIN chosen_thresholds USING (index_name))", "index_name", "threshold >= chosen",
+                  "threshold_100ms >= chosen", "threshold_200ms >= chosen", "threshold >= chosen")
+
+
+def matched(connection, share):
+    """Index: the largest threshold with at least this share of alarms in the band, as sil/studies/predictors/comparison.py."""
+    of_band = {}
+    for name, threshold in connection.execute(f"SELECT index_name, threshold FROM scores WHERE band = '{LEVEL_BAND}' "
+                                              "ORDER BY index_name, threshold DESC").fetchall():
+        of_band.setdefault(name, []).append(threshold)
+    wanted = {name: math.ceil(share * len(values) - 1e-9) for name, values in of_band.items()}
+    # At a threshold of 0 an index would warn always; one that reaches none cannot be matched.
+    return {name: (values[wanted[name] - 1] if wanted[name] else math.inf) or 1e-9 for name, values in of_band.items()}
+
+
+def percent(share):
+    if not share.total:
+        return "-"
+    low, high = share.interval()
+    return f"{100 * share.value():.1f} ({100 * low:.1f} to {100 * high:.1f})"
+
+
+def table(rows, first_columns=()):
+    """`rows`: (name, cells of the first columns, shares), the earliest first."""
+    head = ["", *first_columns, "warned, %", "0.1 s before, %", "0.2 s before, %", *(f"alarms {band}, %" for band in judge.BANDS)]
+    lines = [f"| {' | '.join(head)} |".replace("|  |", "| |"), "|---" + "|---:" * len(first_columns) + "|---" * 7 + "|"]
+    for name, cells, of_entry in sorted(rows, key=lambda row: (-row[2][2].count, row[0])):
+        figures = [*map(percent, of_entry[:3]), *(f"{100 * s.value():.1f}" if s.total else "-" for s in of_entry[3:])]
+        lines.append(f"| {' | '.join([name, *cells, *figures])} |")
+    return "\n".join(lines)
+
+
+def point(of_entry):
+    return f"{100 * of_entry[COLUMNS.index(LEVEL_BAND)].value():.2f} {100 * of_entry[2].value():.2f}\n"
+
+
+def blocks(points):
+    return "\n\n".join(f'"{name}"\n' + "".join(map(point, of_name)) for name, of_name in points.items())
+
+
+def digest(folder):
+    return hashlib.sha256((folder / "runs.csv").read_bytes()).hexdigest()[:16]
+
+
+def write_series(connection, folder):
+    """All time series of a folder as one file: series.parquet."""
+    target = folder / "series.parquet"
+    if target.exists():
+        return
+    partial = target.with_name(f"series.{os.getpid()}.partial")
+    try:
+        connection.execute(f"COPY (SELECT CAST(regexp_extract(filename, '([0-9]+)[.]csv$', 1) AS BIGINT) AS run, "
+                           f"* EXCLUDE (filename) FROM read_csv({query.quoted(folder / 'traces/*.csv')}, filename = true, "
+                           f"comment = '#', header = true)) TO {query.quoted(partial)} (FORMAT parquet, COMPRESSION zstd)")
+        partial.replace(target)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def main(arguments):
+    program, chosen, reported, entries, page, data = map(pathlib.Path, arguments)
+    of_chosen, of_reported = query.open_rows(chosen, program), query.open_rows(reported, program)
+    for connection in (of_chosen, of_reported):  # asked often
+        connection.execute("CREATE TEMP TABLE scores AS SELECT * FROM index_scores")
+    learned = {path.stem.replace("_", " "): path for path in sorted(entries.glob("*.csv"))}
+    for name, path in learned.items():
+        scoring.add_entry(of_reported, reported, f"{name}={path}")
+    for connection, folder in ((of_chosen, chosen), (of_reported, reported)):
+        write_series(connection, folder)
+    own = as_they_say(of_reported)
+    wanted = as_they_say(of_chosen)[FIRMWARE][COLUMNS.index(LEVEL_BAND)].value()
+    thresholds = matched(of_chosen, wanted)
+    fair = at_thresholds(of_reported, thresholds)
+    equal = [(name, [f"{thresholds[name]:.3f}"], of_index) for name, of_index in fair.items()]
+    equal += [(name, ["-"], own[name]) for name in (FIRMWARE, *learned)]
+    curves = {}
+    for share in CURVE_POINTS:
+        for name, of_index in at_thresholds(of_reported, matched(of_reported, share)).items():
+            curves.setdefault(name, []).append(of_index)
+    text = (HERE / "benchmark.md.in").read_text(encoding="utf-8")
+    for key, value in {
+            "equal": table(equal, ["threshold"]),
+            "own": table([(name, [], of_entry) for name, of_entry in own.items() if name not in learned]),
+            "runs": str(sum(share.total for share in (own[FIRMWARE][0], *own[FIRMWARE][3:]))),
+            "vehicles": str(of_reported.execute("SELECT count(DISTINCT vehicle) FROM drawn").fetchone()[0]),
+            "lifted": str(own[FIRMWARE][0].total),
+            "bands": ", ".join(f"{share.total} {band}" for band, share in zip(judge.BANDS, own[FIRMWARE][3:])),
+            "chosen_digest": digest(chosen), "reported_digest": digest(reported)}.items():
+        text = text.replace(f"@{key}@", value)
+    whole_file.write(page, text)
+    whole_file.write(data.with_suffix(".curves"), blocks(curves))
+    whole_file.write(data.with_suffix(".points"), blocks({name: [own[name]] for name in (FIRMWARE, *learned)}))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
