@@ -8,9 +8,12 @@ sil/studies/benchmark/run.
 
 import hashlib
 import math
-import os
 import pathlib
 import sys
+
+import pyarrow
+import pyarrow.csv
+import pyarrow.parquet
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/tools/campaigns", "sil/studies/predictors", "cmake/environment")]
@@ -98,19 +101,24 @@ def digest(folder):
     return hashlib.sha256((folder / "runs.csv").read_bytes()).hexdigest()[:16]
 
 
-def write_series(connection, folder):
-    """All time series of a folder as one file: series.parquet."""
+def write_series(folder):
+    """All time series of a folder as one file, series.parquet; a group of rows a run."""
     target = folder / "series.parquet"
     if target.exists():
         return
-    partial = target.with_name(f"series.{os.getpid()}.partial")
-    try:
-        connection.execute(f"COPY (SELECT CAST(regexp_extract(filename, '([0-9]+)[.]csv$', 1) AS BIGINT) AS run, "
-                           f"* EXCLUDE (filename) FROM read_csv({query.quoted(folder / 'traces/*.csv')}, filename = true, "
-                           f"comment = '#', header = true)) TO {query.quoted(partial)} (FORMAT parquet, COMPRESSION zstd)")
-        partial.replace(target)
-    finally:
-        partial.unlink(missing_ok=True)
+    paths = sorted((folder / "traces").glob("*.csv"), key=lambda path: int(path.stem))
+    with paths[0].open(encoding="utf-8") as file:
+        remarks = 0
+        while (line := file.readline()).startswith("#"):
+            remarks += 1
+    types = {name: pyarrow.string() if name in ("state", "side") else pyarrow.float64() for name in line.strip().split(",")}
+    schema = pyarrow.schema([("run", pyarrow.int64()), *types.items()])
+    with whole_file.growing(target) as file, pyarrow.parquet.ParquetWriter(file, schema, compression="zstd") as writer:
+        for path in paths:
+            rows = pyarrow.csv.read_csv(path, pyarrow.csv.ReadOptions(skip_rows=remarks),
+                                        convert_options=pyarrow.csv.ConvertOptions(column_types=types))
+            runs = pyarrow.array([int(path.stem)] * len(rows), pyarrow.int64())
+            writer.write_table(pyarrow.table([runs, *rows.columns], schema=schema))
 
 
 def main(arguments):
@@ -121,8 +129,8 @@ def main(arguments):
     learned = {path.stem.replace("_", " "): path for path in sorted(entries.glob("*.csv"))}
     for name, path in learned.items():
         scoring.add_entry(of_reported, reported, f"{name}={path}")
-    for connection, folder in ((of_chosen, chosen), (of_reported, reported)):
-        write_series(connection, folder)
+    for folder in (chosen, reported):
+        write_series(folder)
     own = as_they_say(of_reported)
     wanted = as_they_say(of_chosen)[FIRMWARE][COLUMNS.index(LEVEL_BAND)].value()
     thresholds = matched(of_chosen, wanted)
