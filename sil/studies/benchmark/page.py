@@ -1,9 +1,9 @@
 """Scores the benchmark's entries and writes its page, what its picture is drawn from, and the drives' time series as one file.
 
-Use: page.py PROGRAM CHOSEN REPORTED ENTRIES PAGE PICTURE_DATA
+Use: page.py PROGRAM CHOSEN REPORTED ENTRIES PAGE PICTURE_DATA [RARE]
 
-CHOSEN and REPORTED are folders of campaigns with traces; ENTRIES has NAME.csv of the learned entries. Called by
-sil/studies/benchmark/run.
+CHOSEN and REPORTED are folders of campaigns with traces; ENTRIES has NAME.csv of the learned entries; RARE has a
+campaign `plain` and one for each rare event. Called by sil/studies/benchmark/run.
 """
 
 import hashlib
@@ -20,6 +20,7 @@ sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/tools/campaigns", "sil
 
 import judge  # noqa: E402
 import query  # noqa: E402
+import rare  # noqa: E402
 import scoring  # noqa: E402
 import whole_file  # noqa: E402
 
@@ -121,8 +122,25 @@ def write_series(folder):
             writer.write_table(pyarrow.table([runs, *rows.columns], schema=schema))
 
 
+def rare_table(folder, program):
+    """Of each event that has a campaign drawn nearer to it, in a million runs: plain runs alone, and all weighed."""
+    lines = ["| in 1,000,000 runs | plain runs alone | events | all runs, weighed | events | worth so many plain runs |",
+             "|---|---|---:|---|---:|---:|"]
+    for event, (what, _) in rare.EVENTS.items():
+        if (folder / event).is_dir():
+            samples, _ = rare.weighed([folder / "plain", folder / event], program, what)
+            plain = rare.plainly(samples[0])
+            weighed = rare.estimate(samples, len(samples[0]))
+            cells = [f"`{event}`"]
+            for found in (plain, weighed):
+                low, high = (rare.per_million(end) for end in found.interval)
+                cells += [f"{rare.per_million(found.share)} ({low} to {high})", f"{found.events} in {found.runs}"]
+            lines.append(f"| {' | '.join(cells)} | {weighed.trials:.0f} |")
+    return "\n".join(lines)
+
+
 def main(arguments):
-    program, chosen, reported, entries, page, data = map(pathlib.Path, arguments)
+    program, chosen, reported, entries, page, data, *rare_folder = map(pathlib.Path, arguments)
     of_chosen, of_reported = query.open_rows(chosen, program), query.open_rows(reported, program)
     for connection in (of_chosen, of_reported):  # asked often
         connection.execute("CREATE TEMP TABLE scores AS SELECT * FROM index_scores")
@@ -143,6 +161,7 @@ def main(arguments):
             curves.setdefault(name, []).append(of_index)
     text = (HERE / "benchmark.md.in").read_text(encoding="utf-8")
     for key, value in {
+            "rare": rare_table(rare_folder[0], program) if rare_folder else "(Not driven for this page.)",
             "equal": table(equal, ["threshold"]),
             "own": table([(name, [], of_entry) for name, of_entry in own.items() if name not in learned]),
             "runs": str(sum(share.total for share in (own[FIRMWARE][0], *own[FIRMWARE][3:]))),

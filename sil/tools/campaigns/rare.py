@@ -36,6 +36,7 @@ DRAWN = (*PAIRS, *(column for columns in EITHER_WAY.values() for column in colum
 DIGITS = 1e-8  # to which a row tells what was drawn
 NEAREST = 0.05  # share of the runs that may become an event, to which a proposal is drawn
 FEWEST_NEAR = 30
+AGAIN = 2  # how often a vehicle is in the proposal for each of its runs that come near, beside once as all are
 HARDLY = 1e-6  # weight of a manoeuvre that does not come near
 SEED_STEP = 1_000_003  # from a pilot's seed to that of the settings it proposes
 
@@ -137,6 +138,11 @@ def estimate(samples, runs_plain):
     return Estimate(events, runs, share, judge.wilson_interval(min(share, 1.0), trials), trials)
 
 
+def plainly(sample):
+    """What a plain campaign's runs say without the others'."""
+    return estimate([[float(weight > 0) for weight in sample]], len(sample))
+
+
 def weighed(folders, program, what):
     """The samples of estimate(), and the weights of all runs."""
     all_settings = [settings_of(folder) for folder in folders]
@@ -194,19 +200,19 @@ def propose(folder, program, event):
     spread["friction_factor"] = narrower([row[4] for row in near], spread["friction_factor"])
     left = {key: value for key, value in settings.items() if key != "made_with"}
     return toml_of({**left, "seed": settings["seed"] + SEED_STEP, "spread": spread, "manoeuvre": manoeuvres,
-                    "vehicle": [vehicles[row[0]] for row in near]})  # as often as each comes near
+                    "vehicle": [*settings["vehicle"], *(vehicles[row[0]] for row in near for _ in range(AGAIN))]})
 
 
 def narrower(values, interval):
     """About these values, and in the interval."""
-    if len(values) < 3 or interval[0] == interval[1]:
+    if len(values) < 5 or interval[0] == interval[1]:
         return list(interval)
-    room = (max(values) - min(values)) / len(values) + 1e-6
+    room = 2 * (max(values) - min(values)) / len(values) + 1e-6  # few say little of where the ends are
     return [max(interval[0], min(values) - room), min(interval[1], max(values) + room)]
 
 
 def per_million(value):
-    return f"{1e6 * value:.3g}"
+    return f"{float(f'{1e6 * value:.3g}'):g}"
 
 
 def answer(options):
@@ -220,7 +226,7 @@ def answer(options):
     samples, weights = weighed(options.folders, options.program, EVENTS[options.event][0])
     all_weights = [weight for of_folder in weights for weight in of_folder]
     lines = [f"{options.event}: {EVENTS[options.event][0]}; in 1,000,000 runs of {options.folders[0]}, 95 % in brackets"]
-    plain = estimate([[float(weight > 0) for weight in samples[0]]], len(samples[0]))
+    plain = plainly(samples[0])
     for name, found in (("plain runs alone", plain), ("all, weighed", estimate(samples, len(samples[0])))):
         low, high = found.interval
         lines.append(f"{name + ':':<18}{per_million(found.share)} ({per_million(low)} to {per_million(high)}), {found.events} events "
