@@ -45,11 +45,11 @@ bool read_identification(std::uint32_t identifier, const DataSources& sources, R
     }
 }
 
-constexpr std::array<float rsi::Outputs::*, rsi::number_count> numbers =
+constexpr std::array<float rsi::Outputs::*, rsi::number_count> number_members =
     members_of<float rsi::Outputs::*>(rsi::number_outputs);
-constexpr std::array<std::int32_t rsi::Outputs::*, rsi::code_count> codes =
+constexpr std::array<std::int32_t rsi::Outputs::*, rsi::code_count> code_members =
     members_of<std::int32_t rsi::Outputs::*>(rsi::code_outputs);
-constexpr std::array<float rsi::Inputs::*, input_values.size()> inputs =
+constexpr std::array<float rsi::Inputs::*, input_values.size()> input_members =
     members_of<float rsi::Inputs::*>(input_values);
 
 bool read_value(std::uint32_t identifier, const DataSources& sources, Response& response) {
@@ -57,15 +57,15 @@ bool read_value(std::uint32_t identifier, const DataSources& sources, Response& 
     const std::size_t number = identifier - first_number_identifier;
     const std::size_t code = identifier - first_code_identifier;
     const std::size_t input = identifier - first_input_identifier;
-    if (number < numbers.size()) {
+    if (number < number_members.size()) {
         response.put_two(identifier);
-        response.put_four(application::word_of(sources.outputs.*numbers[number]));
-    } else if (code < codes.size()) {
+        response.put_four(application::word_of(sources.outputs.*number_members[number]));
+    } else if (code < code_members.size()) {
         response.put_two(identifier);
-        response.put(static_cast<std::uint8_t>(sources.outputs.*codes[code]));
-    } else if (input < inputs.size()) {
+        response.put(static_cast<std::uint8_t>(sources.outputs.*code_members[code]));
+    } else if (input < input_members.size()) {
         response.put_two(identifier);
-        response.put_four(application::word_of(sources.inputs.*inputs[input]));
+        response.put_four(application::word_of(sources.inputs.*input_members[input]));
     } else {
         return false;
     }

@@ -370,6 +370,8 @@ TEST(ASender, IsNotLateAfterMissedCycles) {
         counters.delay.miss_cycles();
         counters.run(10);
         EXPECT_FALSE(counters.delay.imu_is_late() || counters.delay.roll_angle_is_late());
+        counters.delay.miss_cycles();
+        counters.run(10);
         counters.hold_back(imu, 5);
         counters.run(1);
         EXPECT_TRUE(imu ? counters.delay.imu_is_late() : counters.delay.roll_angle_is_late());
