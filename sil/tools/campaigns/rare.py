@@ -93,7 +93,8 @@ def rest_of(settings):
     """What must be alike in campaigns that are weighed together."""
     spread = {key: value for key, value in settings["spread"].items() if key not in (*PAIRS, *EITHER_WAY)}
     vehicles = {pathlib.Path(vehicle["parameters"]).stem: vehicle for vehicle in settings["vehicle"]}
-    return spread, vehicles, settings.get("changes"), settings.get("learning_s"), settings.get("made_with", {}).get("program")
+    program = settings.get("made_with", {}).get("program")
+    return spread, vehicles, settings.get("changes"), settings.get("learning_s"), program
 
 
 def check_alike(folders, all_settings):
@@ -221,16 +222,16 @@ def answer(options):
         if len(options.folders) != 1:
             raise CampaignError("--propose wants one folder, of a plain campaign")
         whole_file.write(options.propose, propose(options.folders[0], options.program, options.event))
-        return (f"{options.propose} draws nearer to {options.event}. Drive it, and the settings of {options.folders[0]} with another "
-                f"--seed; then: sil/tools/campaign rare PLAIN NEARER --event {options.event}")
+        return (f"{options.propose} draws nearer to {options.event}. Drive it, and the settings of {options.folders[0]} with "
+                f"another --seed; then: sil/tools/campaign rare PLAIN NEARER --event {options.event}")
     samples, weights = weighed(options.folders, options.program, EVENTS[options.event][0])
     all_weights = [weight for of_folder in weights for weight in of_folder]
     lines = [f"{options.event}: {EVENTS[options.event][0]}; in 1,000,000 runs of {options.folders[0]}, 95 % in brackets"]
     plain = plainly(samples[0])
     for name, found in (("plain runs alone", plain), ("all, weighed", estimate(samples, len(samples[0])))):
         low, high = found.interval
-        lines.append(f"{name + ':':<18}{per_million(found.share)} ({per_million(low)} to {per_million(high)}), {found.events} events "
-                     f"in {found.runs} runs, worth {found.trials:.0f} plain ones")
+        lines.append(f"{name + ':':<18}{per_million(found.share)} ({per_million(low)} to {per_million(high)}), {found.events} "
+                     f"events in {found.runs} runs, worth {found.trials:.0f} plain ones")
     lines.append(f"mean weight {math.fsum(all_weights) / len(all_weights):.4f} (1 is expected), effective sample size "
                  f"{math.fsum(all_weights) ** 2 / math.fsum(w * w for w in all_weights):.0f} of {len(all_weights)}")
     return "\n".join(lines)

@@ -33,11 +33,11 @@ def read(connection, path):
         columns = {column[0] for column in connection.execute(f"SELECT * FROM {reader} LIMIT 0", [str(path)]).description}
         levels = columns - {"run", "time_s"}
         if not {"run", "time_s"} <= columns or levels not in FORMS:
-            raise CampaignError(f"{path}: has the columns {', '.join(sorted(columns))}; wants run, time_s, and side, or level and "
-                                "side, or right and left")
+            raise CampaignError(f"{path}: has the columns {', '.join(sorted(columns))}; wants run, time_s, and side, or level "
+                                "and side, or right and left")
         casts = ", ".join(name if name == "side" else f'CAST("{name}" AS DOUBLE) AS "{name}"' for name in sorted(levels))
-        connection.execute(f"CREATE OR REPLACE TEMP TABLE given_file AS SELECT CAST(run AS BIGINT) AS run, CAST(time_s AS DOUBLE) "
-                           f"AS time_s, {casts} FROM {reader}", [str(path)])
+        connection.execute("CREATE OR REPLACE TEMP TABLE given_file AS SELECT CAST(run AS BIGINT) AS run, "
+                           f"CAST(time_s AS DOUBLE) AS time_s, {casts} FROM {reader}", [str(path)])
     except duckdb.Error as error:
         raise CampaignError(f"{path}: {'; '.join(str(error).splitlines()[:3])}") from None
     checks(connection, path, levels)
@@ -52,8 +52,8 @@ def checks(connection, path, levels):
 
     refuse("SELECT * FROM given_file WHERE run IS NULL OR time_s IS NULL OR NOT isfinite(time_s)", "run and time are wanted")
     refuse("SELECT * FROM given_file ANTI JOIN runs USING (run)", "there is no such run in the campaign")
-    refuse("SELECT * FROM (SELECT run, time_s, lag(time_s) OVER (PARTITION BY run ORDER BY rowid) AS before FROM given_file) WHERE time_s <= before",
-           "the times of a run must increase")
+    refuse("SELECT * FROM (SELECT run, time_s, lag(time_s) OVER (PARTITION BY run ORDER BY rowid) AS before FROM given_file) "
+           "WHERE time_s <= before", "the times of a run must increase")
     if "side" in levels:
         sides = "'left', 'right'" + (", 'none'" if levels == {"side"} else "")
         refuse(f"SELECT * FROM given_file WHERE side IS NULL OR side NOT IN ({sides})", f"side wants one of {sides}")

@@ -44,12 +44,14 @@ class Benchmark(unittest.TestCase):
     @classmethod
     def drive(cls, name, seed):
         subprocess.run([cls.program, "campaign", *cls.vehicles, "--runs", str(RUNS), "--seed", str(seed), "--set",
-                        "warning_on=0.85", "--traces", "--output", cls.scratch / name], cwd=PROJECT, check=True, capture_output=True, timeout=300)
+                        "warning_on=0.85", "--traces", "--output", cls.scratch / name],
+                       cwd=PROJECT, check=True, capture_output=True, timeout=300)
         return cls.scratch / name
 
     def rows(self, section):
         lines = self.text.split(f"## {section}")[1].split("\n## ")[0].splitlines()
-        return {cells[1]: cells[2:-1] for cells in ([cell.strip() for cell in line.split("|")] for line in lines) if len(cells) > 8}
+        split = ([cell.strip() for cell in line.split("|")] for line in lines)
+        return {cells[1]: cells[2:-1] for cells in split if len(cells) > 8}
 
     def test_figures_and_intervals_are_those_of_the_report(self):
         rows = self.rows("As each says itself")

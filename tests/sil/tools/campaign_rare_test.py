@@ -83,9 +83,9 @@ class Campaigns(unittest.TestCase):
         subprocess.run([cls.program, "campaign", *map(str, arguments)], cwd=PROJECT, check=True, capture_output=True, timeout=300)
 
     def test_what_is_drawn_has_the_probability_that_the_settings_give_it(self):
-        # With the one vehicle (a half), of the turn (a quarter), the upper tenth of the speed (factor 0.5), the lower twentieth of
-        # the friction.
-        what = ("vehicle = 'ordinary_suv' AND manoeuvre = 'j-turn-110' AND speed_factor > 0.95 * 0.5 AND friction_factor < 0.725")
+        # With the one vehicle (a half), of the turn (a quarter), the upper tenth of the speed (factor 0.5), the lower twentieth
+        # of the friction.
+        what = "vehicle = 'ordinary_suv' AND manoeuvre = 'j-turn-110' AND speed_factor > 0.95 * 0.5 AND friction_factor < 0.725"
         with contextlib.redirect_stderr(io.StringIO()):
             samples, weights = rare.weighed([self.plain, self.nearer], self.program, what)
         truth = 0.5 * 0.25 * 0.1 * 0.05
@@ -119,8 +119,8 @@ class Campaigns(unittest.TestCase):
         self.run_program("--settings", proposed, "--runs", 5, "--output", self.scratch / "proposed")
         drawn = rare.Distribution(rare.settings_of(self.scratch / "proposed"))
         plainly = rare.Distribution(rare.settings_of(turns))
-        turn = {"vehicle": "large_suv", "manoeuvre": "j-turn-110", "speed_factor": 0.99, "steering_factor": 1.1, "friction_factor": 1.1,
-                **dict.fromkeys(rare.DRAWN[1:], 0.0), "load_height_factor": 1.0}
+        turn = {**dict.fromkeys(rare.DRAWN, 0.0), "load_height_factor": 1.0, "friction_factor": 1.1, "vehicle": "large_suv",
+                "manoeuvre": "j-turn-110", "speed_factor": 0.99, "steering_factor": 1.1}
         straight = dict(turn, manoeuvre="straight", speed_factor=0.9)
         self.assertGreater(drawn.density(turn), plainly.density(turn))
         self.assertLess(drawn.density(straight), 1e-3 * plainly.density(straight), "a straight drive never lifts two wheels")
@@ -129,10 +129,10 @@ class Campaigns(unittest.TestCase):
         self.assertIn("is the pilot", str(raised.exception))
 
     def test_campaigns_of_another_kind_are_refused(self):
-        other = self.drive("other", settings(3, ("large_suv", "ordinary_suv"), (("straight", 1.0, "[0.5, 1.0]"), ("j-turn-110", 1.0, "[0.5, 1.0]"))).replace(
-            "[spread]", "[spread]\nsensor_noise = false").replace(f"runs = {RUNS}", "runs = 2"))
-        same_seed = self.drive("same_seed", settings(1, ("large_suv",), (("straight", 1.0, "[0.5, 0.6]"), ("j-turn-110", 1.0, "[0.5, 1.0]"))).replace(
-            f"runs = {RUNS}", "runs = 2"))
+        both, turns = ("large_suv", "ordinary_suv"), (("straight", 1.0, "[0.5, 1.0]"), ("j-turn-110", 1.0, "[0.5, 1.0]"))
+        few = f"runs = {RUNS}", "runs = 2"
+        quiet = settings(3, both, turns).replace(*few).replace("[spread]", "[spread]\nsensor_noise = false")
+        other, same_seed = self.drive("other", quiet), self.drive("same_seed", settings(1, both, turns).replace(*few))
         for folder, expected in ((other, "is of another kind than"), (same_seed, "has the seed of another")):
             with self.assertRaises(CampaignError) as raised:
                 rare.weighed([self.plain, folder], self.program, "lifted")

@@ -1,5 +1,5 @@
-"""Indicators of others are scored as the campaign's own report scores: its warnings and its indices, given as files, come out with
-the report's own figures."""
+"""Indicators of others are scored as the campaign's own report scores: its warnings and its indices, given as files, come out
+with the report's own figures."""
 
 import contextlib
 import csv
@@ -32,7 +32,8 @@ class Scores(unittest.TestCase):
         cls.folder = cls.scratch / "campaign"
         # A level at which calm runs have alarms.
         settings = cls.scratch / "settings.toml"
-        settings.write_text('changes = ["warning_on=0.8", "warning_off=0.75", "advisory_on=0.7", "advisory_off=0.65"]\n' + "".join(
+        changes = 'changes = ["warning_on=0.8", "warning_off=0.75", "advisory_on=0.7", "advisory_off=0.65"]\n'
+        settings.write_text(changes + "".join(
             f'\n[[manoeuvre]]\nname = "{name}"\nspeed_factor = [0.8, 1.2]\nsteering_factor = [0.5, 1.2]\n'
             for name in ("j-turn-110", "fishhook-1a")), encoding="utf-8")
         subprocess.run([cls.program, "campaign", "--settings", settings, "--runs", str(RUNS), "--traces", "--output", cls.folder],
@@ -111,7 +112,8 @@ class Scores(unittest.TestCase):
         other = {"left": "right", "right": "left"}
 
         def warned(of):
-            rows = [(row["run"], *change) for row in lifted for change in of(float(row["two_wheel_lift_time_s"]), row["falling_side"])]
+            rows = [(row["run"], *change) for row in lifted
+                    for change in of(float(row["two_wheel_lift_time_s"]), row["falling_side"])]
             score = self.score(f"mine={self.file('mine.csv', ('run', 'time_s', 'side'), rows)}")["mine"]
             return [float(score[column]) for column in list(EARLY)[:3]]
 
