@@ -4,6 +4,8 @@ import os
 import pathlib
 import re
 import signal
+import socket
+import struct
 import subprocess
 import time
 
@@ -16,7 +18,9 @@ CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
 SENSOR_IDENTIFIERS = ("120", "121", "122")
 WARNING_IDENTIFIER = "0D0"
 STATUS_IDENTIFIER = "231"
+OBSERVER_IDENTIFIER = "234"
 SYNC_IDENTIFIER = "7F0"
+FRAME = struct.Struct("=IB3x8s")  # of a raw socket: identifier, length, data
 CYCLE_S = 0.01
 ALL_AND_ERRORS = ",0:0,#FFFFFFFF"  # filters for candump: every frame and every error frame
 MOST_OVERRUNS = 255  # where CycleOverruns ends
@@ -69,6 +73,25 @@ class Ecu:
             except subprocess.TimeoutExpired:
                 self.process.kill()
         self.process.communicate()
+
+
+def test_key(slot, seed):
+    """The key for a seed of XCP (calibration) or UDS (diagnosis), by the key that everybody has."""
+    command = [os.environ["RSI_TEST_KEY"], slot, seed.hex()]
+    return bytes.fromhex(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+
+
+PROTECTION = ("unsealed", "unsealed test keys", "sealed test keys", "sealed")
+
+
+def protection():
+    """RollObserver.Protection of the next such frame on the interface, as the DBC file names it."""
+    with socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW) as bus:
+        bus.setsockopt(socket.SOL_CAN_RAW, socket.CAN_RAW_FILTER, struct.pack("=II", int(OBSERVER_IDENTIFIER, 16), 0x7FF))
+        bus.bind((INTERFACE,))
+        bus.settimeout(LONGEST_S)
+        data = FRAME.unpack(bus.recv(FRAME.size))[2]
+    return PROTECTION[data[7] >> 3 & 0x3]
 
 
 class Candump:

@@ -1,18 +1,15 @@
 """rsi-ecu --xcp on the interface, with a master of a few lines: change, store, start again, measure beside the warning."""
 
-import os
 import pathlib
 import re
 import socket
 import struct
-import subprocess
 import tempfile
 import time
 import unittest
 
 import programs
 
-FRAME = struct.Struct("=IB3x8s")
 COMMAND, ANSWER = 0x6F0, 0x6F1
 ERROR, EVENT, FIRST_ANSWER = 0xFE, 0xFD, 0xFC
 OVERLOAD = bytes((EVENT, 0x06))
@@ -36,7 +33,7 @@ class Master:
         while (left := until - time.monotonic()) > 0.0:
             self.socket.settimeout(left)
             try:
-                _, length, data = FRAME.unpack(self.socket.recv(FRAME.size))
+                _, length, data = programs.FRAME.unpack(self.socket.recv(programs.FRAME.size))
             except TimeoutError:
                 break
             data = data[:length]
@@ -50,7 +47,7 @@ class Master:
 
     def ask(self, *data, word=None):
         data = bytes(data) + (b"" if word is None else struct.pack("<I", word))
-        self.socket.send(FRAME.pack(COMMAND, len(data), data.ljust(8, b"\0")))
+        self.socket.send(programs.FRAME.pack(COMMAND, len(data), data.ljust(8, b"\0")))
         return self.receive(time.monotonic() + LONGEST_ANSWER_S)
 
     def demand(self, *data, word=None):
@@ -62,8 +59,7 @@ class Master:
     def unlock(self):
         self.demand(0xFF, 0)
         seed = b"".join(self.demand(0xF8, int(place > 0), 1)[2:] for place in range(3))
-        key = bytes.fromhex(subprocess.run([os.environ["RSI_XCP_KEY"], seed.hex()], check=True, capture_output=True,
-                                           text=True).stdout)
+        key = programs.test_key("calibration", seed)
         for at in range(0, 16, 6):
             answer = self.demand(0xF7, 16 - at, *key[at:at + 6])
         assert answer[1] == 0, "the slave is not unlocked"
@@ -107,6 +103,7 @@ class Xcp(unittest.TestCase):
         with self.ecu():
             master = self.master()
             self.assertEqual(master.ask(0xFF, 0), bytes((0xFF, 5, 0x80, 8, 8, 0, 1, 1)))
+            self.assertEqual(programs.protection(), "unsealed test keys")
             self.assertEqual(master.ask(0xF9, 1), bytes((ERROR, 0x25)))  # locked
             master.unlock()
             before = master.read_float("warning_on")
@@ -136,8 +133,9 @@ class Xcp(unittest.TestCase):
 
     def test_without_the_option_nobody_answers(self):
         with programs.Ecu():
+            self.assertEqual(programs.protection(), "unsealed")
             master = self.master()
-            master.socket.send(FRAME.pack(COMMAND, 2, bytes((0xFF, 0)).ljust(8, b"\0")))
+            master.socket.send(programs.FRAME.pack(COMMAND, 2, bytes((0xFF, 0)).ljust(8, b"\0")))
             self.assertIsNone(master.receive(time.monotonic() + 0.5))
 
 
