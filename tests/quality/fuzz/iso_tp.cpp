@@ -42,7 +42,7 @@ class Reassembly {
     // Nothing new is taken while a request waits or an answer goes out.
     void take(const hal::CanFrame& frame, bool was_waiting, bool was_sending) {
         const unsigned kind = frame.data[0] >> 4U;
-        if (was_waiting || (was_sending && kind != 2U)) {
+        if (frame.length == 0U || was_waiting || (was_sending && kind != 2U)) {
             return;
         }
         const unsigned length =
