@@ -80,6 +80,20 @@ def link_everything_else(names, project, source):
     link(project)
 
 
+def forget_another_scope(names, folder):
+    """Of a copy in which other files were mutated, all but the results, of which hints are taken. A file that is mutated no
+    longer becomes a link to one that is older than what was compiled of the mutated one: ninja would keep that, and so would
+    the record the numbers of mutants that are none any more."""
+    kept = folder / "names.json"
+    if not kept.is_file() or json.loads(kept.read_text()) != names:
+        for place in ("source", "build"):
+            shutil.rmtree(folder / place, ignore_errors=True)
+        for old in folder.glob("record_*.json"):
+            old.unlink()
+        folder.mkdir(parents=True, exist_ok=True)
+        kept.write_text(json.dumps(names))
+
+
 def refused_places(output, names, source, build):
     """File and line of every error in a mutated file."""
     places = set()
@@ -106,6 +120,7 @@ class MutatedCopy:
 
     def make(self, jobs):
         """Writes, builds; a line that does not compile when mutated is left out, and counted. Gives all mutants."""
+        forget_another_scope(self._names, self.folder)
         link_everything_else(self._names, PROJECT, self._source)
         self._configure()
         left_out = self._refused_earlier()

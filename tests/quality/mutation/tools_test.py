@@ -276,6 +276,22 @@ class Linked(unittest.TestCase):
             with self.assertRaises(ValueError):
                 mutated_copy.write_if_other(source / "a/one.cpp", "mutated")
 
+    def test_nothing_compiled_or_recorded_of_another_scope_is_kept(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name) / "mutation"
+            def copy(names):
+                """Whether what the copy before has built, recorded and found is still there."""
+                mutated_copy.forget_another_scope(names, folder)
+                files = [folder / file for file in ("source/a.cpp", "build/a.o", "record_a_test_1.json", "results_1.jsonl")]
+                kept = [file.is_file() for file in files]
+                for file in files:
+                    file.parent.mkdir(parents=True, exist_ok=True)
+                    file.write_text("[]")
+                return kept
+            self.assertEqual(copy(["a.cpp", "b.cpp"]), [False] * 4)
+            self.assertEqual(copy(["a.cpp", "b.cpp"]), [True] * 4)
+            self.assertEqual(copy(["a.cpp"]), [False, False, False, True])
+
     def test_the_mutants_of_a_larger_scope_are_not_taken_for_those_of_a_smaller_one(self):
         smaller = dataclasses.replace(scope.JUDGES, left_out={**scope.JUDGES.left_out, "sil/results/events.cpp": "a test"})
         self.assertNotEqual(*(mutated_copy.MutatedCopy(asked)._digest() for asked in (scope.JUDGES, smaller)))
