@@ -44,10 +44,9 @@ std::uint8_t byte_of(std::uint32_t word, std::uint32_t place) {
     return static_cast<std::uint8_t>(word >> (8U * (place % 4U)));
 }
 
-// Without an overflow, whatever a master asks for.
+// Whatever a master asks for: an address below the range is, seen from it, further away than any is long.
 bool is_within(std::uint32_t address, std::size_t count, xcp::Target::Range range) {
-    return (address >= range.address) && (count <= range.length) &&
-           (address - range.address <= range.length - count);
+    return (count <= range.length) && (address - range.address <= range.length - count);
 }
 
 constexpr xcp::Target::Range parameter_range{map::parameters_at, map::parameters_length};
@@ -59,8 +58,6 @@ constexpr xcp::Target::Range name_range{map::name_at, static_cast<std::uint32_t>
 }  // namespace
 
 ParameterSectionAnswer CalibrationPages::init() noexcept {
-    selected_ = xcp::Page::working;
-    is_changing_ = false;
     if ((storage_ != nullptr) && storage_->read(working_.data(), working_.size())) {
         const ParameterSectionAnswer stored = ecu_.init(working_.data(), working_.size());
         if (stored.refusal == ParametersRefusal::none) {

@@ -42,7 +42,8 @@ class CalibrationPages final : public xcp::Target {
                      hal::Storage* storage) noexcept
         : ecu_{ecu}, reference_{reference}, reference_length_{length}, storage_{storage} {}
 
-    // In place of RolloverEcu::init: with the stored section if there is a good one, else with the reference.
+    // Once, in place of RolloverEcu::init: with the stored section if there is a good one, else with the
+    // reference.
     ParameterSectionAnswer init() noexcept;
 
     // Between two cycles: prepares a change, or hands it to the control unit.

@@ -25,7 +25,6 @@ void DaqLists::release() noexcept {
     list_count_ = 0U;
     part_count_ = 0U;
     entry_count_ = 0U;
-    next_entry_ = 0U;
     end_entry_ = 0U;
     running_ = 0U;
 }
@@ -98,11 +97,12 @@ Error DaqLists::point_to(std::uint32_t list, std::uint32_t part, std::uint32_t e
     if (lists_[list].running) {
         return Error::daq_active;
     }
-    pointed_part_ = lists_[list].first + part;
-    const Part& pointed = parts_[pointed_part_];
+    const std::uint32_t number = lists_[list].first + part;
+    const Part& pointed = parts_[number];
     if (entry >= pointed.entries) {
         return Error::out_of_range;
     }
+    pointed_part_ = number;
     next_entry_ = pointed.first + entry;
     end_entry_ = static_cast<std::uint32_t>(pointed.first) + pointed.entries;
     return Error::none;
@@ -152,24 +152,21 @@ Error DaqLists::set_mode(std::uint32_t list, std::uint8_t mode, std::uint32_t ev
     return Error::none;
 }
 
-bool DaqLists::mode(std::uint32_t list, Packet& answer) const noexcept {
+Error DaqLists::mode(std::uint32_t list, Packet& answer) const noexcept {
     if (!is_list(list)) {
-        return false;
+        return Error::out_of_range;
     }
     const List& asked = lists_[list];
     const std::uint32_t selected = asked.selected ? 0x01U : 0U;
     const std::uint32_t running = asked.running ? 0x40U : 0U;
     answer.add_byte(selected | running | asked.mode).add_zeros(2U);
     answer.add_half_word(asked.event).add_byte(asked.prescaler).add_zeros(1U);
-    return true;
+    return Error::none;
 }
 
 // Every entry is written, and the timestamp has room beside those of the first part.
 bool DaqLists::can_start(const List& list) const noexcept {
-    if (list.parts == 0U) {
-        return false;
-    }
-    bool good = true;
+    bool good = (list.parts > 0U);
     for (std::uint32_t part = 0U; part < list.parts; ++part) {
         const Part& checked = parts_[list.first + part];
         for (std::uint32_t entry = 0U; entry < checked.entries; ++entry) {
@@ -224,13 +221,15 @@ void DaqLists::stop_all() noexcept {
 }
 
 Error DaqLists::start_selected() noexcept {
-    bool good = false;
-    bool bad = false;
+    bool any = false;
+    bool all = true;
     for (const List& list : lists_) {
-        good = good || list.selected;
-        bad = bad || (list.selected && !can_start(list));
+        if (list.selected) {
+            any = true;
+            all = can_start(list) && all;
+        }
     }
-    if (!good || bad) {
+    if (!any || !all) {
         return Error::daq_config;
     }
     for (List& list : lists_) {
@@ -298,9 +297,7 @@ bool DaqLists::send(hal::CanBus& bus, std::uint32_t identifier, const List& list
             std::array<std::uint8_t, largest_entry> bytes{};
             const std::size_t size = what >> size_shift;
             static_cast<void>(target_.read(what & largest_address, Page::working, bytes.data(), size));
-            for (std::size_t byte = 0U; byte < size; ++byte) {
-                packet.add_byte(bytes[byte]);
-            }
+            packet.add_bytes(bytes.data(), size);
         }
         all = send_packet(bus, identifier, packet) && all;
     }

@@ -53,8 +53,8 @@ class DaqLists {
     // event.
     Error set_mode(std::uint32_t list, std::uint8_t mode, std::uint32_t event,
                    std::uint8_t prescaler) noexcept;
-    // As GET_DAQ_LIST_MODE answers; false where there is no such list.
-    bool mode(std::uint32_t list, Packet& answer) const noexcept;
+    // As GET_DAQ_LIST_MODE answers.
+    Error mode(std::uint32_t list, Packet& answer) const noexcept;
 
     Error stop(std::uint32_t list) noexcept;
     Error start(std::uint32_t list) noexcept;
@@ -101,9 +101,6 @@ class DaqLists {
     bool is_due(List& list, bool slow_event) const noexcept;
 
     const Target& target_;
-    std::array<List, most_lists> lists_{};
-    std::array<Part, most_parts> parts_{};
-    std::array<Entry, most_entries> entries_{};
     std::uint32_t list_count_{0U};
     std::uint32_t part_count_{0U};
     std::uint32_t entry_count_{0U};
@@ -112,6 +109,9 @@ class DaqLists {
     std::uint32_t pointed_part_{0U};
     std::uint32_t running_{0U};
     std::uint32_t cycles_{0U};  // since the slow event
+    std::array<List, most_lists> lists_{};
+    std::array<Part, most_parts> parts_{};
+    std::array<Entry, most_entries> entries_{};
 };
 
 // A frame with such a packet.

@@ -20,9 +20,25 @@ constexpr std::array<EventChannel, event_count> events{{{10U, 1U}, {100U, 0U}}};
 }  // namespace
 
 Error Slave::answer_about_lists(Command command, hal::Time now) noexcept {
+    const std::uint32_t list = command_.half_word(2U);  // of a command that names one
     switch (command) {
+        case Command::clear_daq_list:
+            return daq_.clear(list);
+        case Command::set_daq_ptr:
+            return daq_.point_to(list, command_.byte(4U), command_.byte(5U));
+        case Command::write_daq:
+            if ((command_.byte(1U) != whole_bytes) || (command_.byte(3U) != 0U)) {
+                return Error::out_of_range;
+            }
+            return daq_.write(command_.word(4U), command_.byte(2U));
+        case Command::set_daq_list_mode:
+            return daq_.set_mode(list, command_.byte(1U), command_.half_word(4U), command_.byte(6U));
         case Command::get_daq_list_mode:
-            return list_mode();
+            return daq_.mode(list, answer_);
+        case Command::start_stop_daq_list:
+            return start_or_stop_list(list);
+        case Command::start_stop_synch:
+            return start_or_stop_all();
         case Command::get_daq_clock:
             answer_.add_zeros(3U).add_word(ticks_of(now));
             return Error::none;
@@ -35,47 +51,23 @@ Error Slave::answer_about_lists(Command command, hal::Time now) noexcept {
                 .add_byte(timestamp_format)
                 .add_half_word(1U);
             return Error::none;
-        default:
+        case Command::get_daq_event_info:
             return event_info();
-    }
-}
-
-Error Slave::change_lists(Command command) noexcept {
-    switch (command) {
-        case Command::clear_daq_list:
-            return daq_.clear(command_.half_word(2U));
-        case Command::set_daq_ptr:
-            return daq_.point_to(command_.half_word(2U), command_.byte(4U), command_.byte(5U));
-        case Command::write_daq:
-            if ((command_.byte(1U) != whole_bytes) || (command_.byte(3U) != 0U)) {
-                return Error::out_of_range;
-            }
-            return daq_.write(command_.word(4U), command_.byte(2U));
-        case Command::set_daq_list_mode:
-            return daq_.set_mode(command_.half_word(2U), command_.byte(1U), command_.half_word(4U),
-                                 command_.byte(6U));
-        case Command::start_stop_daq_list:
-            return start_or_stop_list();
-        case Command::start_stop_synch:
-            return start_or_stop_all();
         case Command::free_daq:
             daq_.release();
             return Error::none;
         case Command::alloc_daq:
-            return daq_.allot_lists(command_.half_word(2U));
+            return daq_.allot_lists(list);  // as many
         case Command::alloc_odt:
-            return daq_.allot_parts(command_.half_word(2U), command_.byte(4U));
+            return daq_.allot_parts(list, command_.byte(4U));
+        case Command::alloc_odt_entry:
+            return daq_.allot_entries(list, command_.byte(4U), command_.byte(5U));
         default:
-            return daq_.allot_entries(command_.half_word(2U), command_.byte(4U), command_.byte(5U));
+            return Error::unknown;
     }
 }
 
-Error Slave::list_mode() noexcept {
-    return daq_.mode(command_.half_word(2U), answer_) ? Error::none : Error::out_of_range;
-}
-
-Error Slave::start_or_stop_list() noexcept {
-    const std::uint32_t list = command_.half_word(2U);
+Error Slave::start_or_stop_list(std::uint32_t list) noexcept {
     Error error = Error::mode_not_valid;
     if (command_.byte(1U) == 0U) {
         error = daq_.stop(list);

@@ -107,6 +107,13 @@ class Packet {
         return add_half_word(value).add_half_word(value >> 16U);
     }
 
+    Packet& add_bytes(const std::uint8_t* bytes, std::size_t count) noexcept {
+        for (std::size_t place = 0U; place < count; ++place) {
+            add_byte(bytes[place]);
+        }
+        return *this;
+    }
+
     // Within the packet.
     Packet& add_zeros(std::uint8_t count) noexcept {
         length_ = static_cast<std::uint8_t>(length_ + count);

@@ -59,14 +59,11 @@ std::uint8_t form_of(std::uint8_t code) noexcept {
 }  // namespace
 
 void Slave::keep(const hal::CanFrame& frame) noexcept {
-    if (frame.length == 0U) {
-        return;
+    if (frame.length > 0U) {
+        command_ = Packet{};
+        command_.add_bytes(frame.data.data(), frame.length);
+        has_command_ = true;
     }
-    command_ = Packet{frame.data[0]};
-    for (std::size_t place = 1U; place < frame.length; ++place) {
-        command_.add_byte(frame.data[place]);
-    }
-    has_command_ = true;
 }
 
 void Slave::work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept {
@@ -119,37 +116,13 @@ bool Slave::answer(hal::Time now) noexcept {
     return true;
 }
 
+// The codes lie in three blocks.
 Error Slave::answer_in_session(Command command, hal::Time now) noexcept {
-    switch (command) {
-        case Command::set_cal_page:
-        case Command::get_cal_page:
-        case Command::get_pag_processor_info:
-        case Command::get_segment_info:
-        case Command::get_page_info:
-        case Command::set_segment_mode:
-        case Command::get_segment_mode:
-        case Command::copy_cal_page:
-            return answer_about_pages(command);
-        case Command::get_daq_list_mode:
-        case Command::get_daq_clock:
-        case Command::get_daq_processor_info:
-        case Command::get_daq_resolution_info:
-        case Command::get_daq_event_info:
-            return answer_about_lists(command, now);
-        case Command::clear_daq_list:
-        case Command::set_daq_ptr:
-        case Command::write_daq:
-        case Command::set_daq_list_mode:
-        case Command::start_stop_daq_list:
-        case Command::start_stop_synch:
-        case Command::free_daq:
-        case Command::alloc_daq:
-        case Command::alloc_odt:
-        case Command::alloc_odt_entry:
-            return change_lists(command);
-        default:
-            return answer_standard(command);
+    if (command > Command::set_cal_page) {
+        return answer_standard(command);
     }
+    return (command > Command::clear_daq_list) ? answer_about_pages(command)
+                                               : answer_about_lists(command, now);
 }
 
 Error Slave::answer_standard(Command command) noexcept {
@@ -264,11 +237,9 @@ Error Slave::seed() noexcept {
     } else {
         // The next piece.
     }
-    answer_.add_byte(seed_left_);
-    while ((seed_left_ > 0U) && (answer_.length() < packet_length)) {
-        answer_.add_byte(exchanged_[block_length - seed_left_]);
-        --seed_left_;
-    }
+    // As many as have room.
+    answer_.add_byte(seed_left_).add_bytes(&exchanged_[block_length - seed_left_], seed_left_);
+    seed_left_ = static_cast<std::uint8_t>(seed_left_ + 2U - answer_.length());
     return Error::none;
 }
 
@@ -281,9 +252,9 @@ Error Slave::unlock() noexcept {
         return Error::sequence;
     }
     for (std::size_t place = 0U; place < piece; ++place) {
-        exchanged_[key_got_] = command_.byte(2U + place);
-        ++key_got_;
+        exchanged_[key_got_ + place] = command_.byte(2U + place);
     }
+    key_got_ = static_cast<std::uint8_t>(key_got_ + piece);
     if (key_got_ == block_length) {
         key_got_ = 0U;
         if (access_.take_key(exchanged_) != access_control::KeyAnswer::unlocked) {
@@ -305,9 +276,7 @@ Error Slave::upload(std::uint32_t address) noexcept {
         return Error::access_denied;
     }
     address_ = address + static_cast<std::uint32_t>(count);
-    for (std::size_t place = 0U; place < count; ++place) {
-        answer_.add_byte(bytes[place]);
-    }
+    answer_.add_bytes(bytes.data(), count);
     return Error::none;
 }
 
@@ -334,11 +303,7 @@ Error Slave::download() noexcept {
     if (visible_ != Page::working) {
         return Error::write_protected;
     }
-    std::array<std::uint8_t, piece_length> bytes{};
-    for (std::size_t place = 0U; place < count; ++place) {
-        bytes[place] = command_.byte(2U + place);
-    }
-    const Error error = target_.write(address_, bytes.data(), count);
+    const Error error = target_.write(address_, &command_.bytes()[2U], count);
     if (error == Error::none) {
         address_ += static_cast<std::uint32_t>(count);
     }

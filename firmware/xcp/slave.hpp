@@ -50,7 +50,6 @@ class Slave {
     Error answer_standard(Command command) noexcept;
     Error answer_about_pages(Command command) noexcept;
     Error answer_about_lists(Command command, hal::Time now) noexcept;
-    Error change_lists(Command command) noexcept;
 
     void connect() noexcept;
     void disconnect() noexcept;
@@ -67,8 +66,7 @@ class Slave {
     Error page_info() noexcept;
     Error copy_page() noexcept;
     Error store() noexcept;
-    Error list_mode() noexcept;
-    Error start_or_stop_list() noexcept;
+    Error start_or_stop_list(std::uint32_t list) noexcept;
     Error start_or_stop_all() noexcept;
     Error processor_info() noexcept;
     Error event_info() noexcept;
@@ -77,7 +75,6 @@ class Slave {
     Target& target_;
     access_control::SeedAndKey& access_;
     Identifiers identifiers_;
-    DaqLists daq_;
     Packet command_;
     Packet answer_;  // what it will be if nothing is wrong
     bool has_command_{false};
@@ -91,6 +88,7 @@ class Slave {
     access_control::Block exchanged_{};  // seed or key, as far as it has gone over the bus
     std::uint8_t seed_left_{0U};         // bytes
     std::uint8_t key_got_{0U};           // bytes
+    DaqLists daq_;                       // the largest as the last: what is near takes shorter instructions
 };
 
 }  // namespace xcp

@@ -88,7 +88,20 @@ TEST(Key, BegunAndBrokenOffIsBegunAnew) {
     bench.connect();
     EXPECT_EQ(bench.command({0xF8, 1, 0x01}), (Bytes{0xFE, 0x29}));
     EXPECT_EQ(bench.command({0xF7, 10, 0, 0, 0, 0, 0, 0}), (Bytes{0xFE, 0x29}));
+    EXPECT_EQ(bench.command({0xF7, 16, 0, 0, 0, 0, 0, 0}), (Bytes{0xFF, 0x05}));
+    bench.connect();
+    EXPECT_EQ(bench.command({0xF7, 10, 0, 0, 0, 0, 0, 0}), (Bytes{0xFE, 0x29}));
     EXPECT_EQ(bench.unlock(), (Bytes{0xFF, 0x00}));
+}
+
+// Where none can be given, the rest of the one before is not given out either.
+TEST(Key, HasNoSeedLeftWhenAnotherCannotBeHad) {
+    Bench bench;
+    bench.connect();
+    ASSERT_EQ(bench.command({0xF8, 0, 0x01}).at(1U), 16U);
+    bench.random.is_empty = true;
+    EXPECT_EQ(bench.command({0xF8, 0, 0x01}), (Bytes{0xFE, 0x33}));
+    EXPECT_EQ(bench.command({0xF8, 1, 0x01}), (Bytes{0xFE, 0x29}));
 }
 
 TEST(Key, WhoseSeedIsAskedForInUnlockedStateHasNone) {
@@ -98,6 +111,16 @@ TEST(Key, WhoseSeedIsAskedForInUnlockedStateHasNone) {
     EXPECT_EQ(bench.unlock(), (Bytes{0xFF, 0x00}));
     EXPECT_EQ(bench.command({0xF8, 0, 0x01}), (Bytes{0xFF, 0}));
     EXPECT_EQ(bench.command({0xF8, 1, 0x01}), (Bytes{0xFE, 0x29}));
+}
+
+// A second one in the same session, to which no seed belongs, is as wrong as any, and ends it.
+TEST(Key, IsOfUseOnce) {
+    Bench bench;
+    bench.connect_and_unlock();
+    EXPECT_EQ(bench.command({0xF7, 16, 0, 0, 0, 0, 0, 0}), (Bytes{0xFF, 0x00}));
+    EXPECT_EQ(bench.command({0xF7, 10, 0, 0, 0, 0, 0, 0}), (Bytes{0xFF, 0x00}));
+    EXPECT_EQ(bench.command({0xF7, 4, 0, 0, 0, 0}), locked);
+    EXPECT_FALSE(bench.ecu().slave().is_connected());
 }
 
 TEST(Key, IsForgottenByAnotherSession) {

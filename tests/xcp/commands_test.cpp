@@ -55,6 +55,10 @@ TEST(Slave, TakesItsOwnFramesOnly) {
     other.length = 0U;
     EXPECT_FALSE(is_answered(other));
     EXPECT_TRUE(is_answered(frame));
+    // A frame without a byte is no command in a session either, and takes the place of none.
+    EXPECT_FALSE(is_answered(other));
+    bench.send(frame);
+    EXPECT_TRUE(is_answered(other));
 }
 
 TEST(Slave, LeavesTheEcusFramesAlone) {
@@ -181,10 +185,12 @@ TEST(Slave, TellsTheTimeInUnitsOf100Microseconds) {
     const auto ticks = [&] {
         const Bytes answer = bench.command({0xDC});
         EXPECT_EQ(answer.size(), 8U);
-        return answer[4] + 256U * answer[5];
+        return answer[4] + 256U * answer[5] + 65536U * answer[6];
     };
     const std::uint32_t before = ticks();
     EXPECT_EQ(ticks() - before, 100U);
+    bench.cycles(2000);
+    EXPECT_EQ(ticks() - before, 200200U);  // neither gains nor loses
 }
 
 TEST(Slave, ReadsEveryOutputAndNothingBesideIt) {

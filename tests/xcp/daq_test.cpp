@@ -1,156 +1,8 @@
-// Lists of measurements: allotted within bounds, sampled each cycle, complete or said not to be.
-#include <gtest/gtest.h>
-
-#include "tests/xcp/bench.hpp"
+// Lists of measurements: sampled each cycle, complete or said not to be.
+#include "tests/xcp/lists.hpp"
 
 namespace testing_xcp {
 namespace {
-
-const Bytes good{0xFF};
-constexpr std::uint8_t with_time = 0x10U;
-
-Bytes error(int code) {
-    return {0xFE, static_cast<std::uint8_t>(code)};
-}
-
-class Lists : public ::testing::Test {
- protected:
-    Lists() { bench.connect_and_unlock(); }
-
-    Bytes allot_lists(std::uint8_t count) { return bench.command({0xD5, 0, count, 0}); }
-    Bytes allot_parts(std::uint8_t list, std::uint8_t count) {
-        return bench.command({0xD4, 0, list, 0, count});
-    }
-    Bytes allot_entries(std::uint8_t list, std::uint8_t part, std::uint8_t count) {
-        return bench.command({0xD3, 0, list, 0, part, count});
-    }
-    Bytes point_to(std::uint8_t list, std::uint8_t part, std::uint8_t entry) {
-        return bench.command({0xE2, 0, list, 0, part, entry});
-    }
-    Bytes write(std::uint32_t address, std::uint8_t size) {
-        return bench.command(Bench::with_word({0xE1, 0xFF, size, 0}, address));
-    }
-    Bytes set_mode(std::uint8_t list, std::uint8_t mode, std::uint8_t event = 0U,
-                   std::uint8_t prescaler = 1U) {
-        return bench.command({0xE0, mode, list, 0, event, 0, prescaler, 0});
-    }
-    Bytes start(std::uint8_t list) { return bench.command({0xDE, 1, list, 0}); }
-    Bytes stop(std::uint8_t list) { return bench.command({0xDE, 0, list, 0}); }
-    Bytes select(std::uint8_t list) { return bench.command({0xDE, 2, list, 0}); }
-
-    // One list with one part of one entry each: the outputs' first word, and the one after it.
-    void two_lists() {
-        ASSERT_EQ(bench.command({0xD6}), good);
-        ASSERT_EQ(allot_lists(2U), good);
-        for (std::uint8_t list = 0U; list < 2U; ++list) {
-            ASSERT_EQ(allot_parts(list, 1U), good);
-        }
-        for (std::uint8_t list = 0U; list < 2U; ++list) {
-            ASSERT_EQ(allot_entries(list, 0U, 1U), good);
-            ASSERT_EQ(point_to(list, 0U, 0U), good);
-            ASSERT_EQ(write(map::outputs_at + 4U * list, 4U), good);
-        }
-    }
-
-    Bench bench;
-};
-
-TEST_F(Lists, AreAllottedInOrderAndWithinBounds) {
-    EXPECT_EQ(allot_parts(0U, 1U), error(0x22));
-    EXPECT_EQ(allot_lists(5U), error(0x30));
-    EXPECT_EQ(allot_lists(2U), good);
-    EXPECT_EQ(allot_lists(2U), error(0x29));
-    EXPECT_EQ(bench.command({0xDA}), (Bytes{0xFF, 0x93, 2, 0, 2, 0, 0, 0}));
-    EXPECT_EQ(allot_entries(0U, 0U, 1U), error(0x22));
-    EXPECT_EQ(allot_parts(0U, 21U), error(0x30));
-    EXPECT_EQ(allot_parts(0U, 15U), good);
-    EXPECT_EQ(allot_parts(0U, 1U), error(0x29));
-    EXPECT_EQ(allot_parts(1U, 6U), error(0x30));
-    EXPECT_EQ(allot_parts(2U, 1U), error(0x22));
-    EXPECT_EQ(allot_parts(1U, 5U), good);
-    EXPECT_EQ(allot_entries(2U, 0U, 1U), error(0x22));
-    EXPECT_EQ(allot_entries(1U, 5U, 1U), error(0x22));
-    EXPECT_EQ(allot_entries(0U, 0U, 8U), error(0x30));
-    for (std::uint8_t part = 0U; part < 9U; ++part) {
-        EXPECT_EQ(allot_entries(0U, part, 7U), good);
-    }
-    EXPECT_EQ(allot_entries(0U, 9U, 2U), error(0x30));
-    EXPECT_EQ(allot_entries(0U, 9U, 1U), good);
-    EXPECT_EQ(allot_entries(0U, 9U, 1U), error(0x29));
-    EXPECT_EQ(allot_parts(1U, 1U), error(0x29));
-    EXPECT_EQ(bench.command({0xD6}), good);
-    EXPECT_EQ(allot_lists(4U), good);
-    EXPECT_EQ(allot_parts(3U, 20U), good);
-}
-
-TEST_F(Lists, AreWrittenWithWhatMayBeRead) {
-    two_lists();
-    EXPECT_EQ(write(map::outputs_at, 4U), error(0x29));  // behind the last entry
-    EXPECT_EQ(point_to(2U, 0U, 0U), error(0x22));
-    EXPECT_EQ(point_to(0U, 1U, 0U), error(0x22));
-    EXPECT_EQ(point_to(0U, 0U, 1U), error(0x22));
-    EXPECT_EQ(point_to(0U, 0U, 0U), good);
-    EXPECT_EQ(write(map::outputs_at, 0U), error(0x24));
-    EXPECT_EQ(write(map::outputs_at, 8U), error(0x24));
-    EXPECT_EQ(write(map::outputs_at - 1U, 1U), error(0x24));
-    EXPECT_EQ(write(map::outputs_at | 0x01000000U, 4U), error(0x24));
-    EXPECT_EQ(bench.command(Bench::with_word({0xE1, 0x00, 4, 0}, map::outputs_at)), error(0x22));
-    EXPECT_EQ(bench.command(Bench::with_word({0xE1, 0xFF, 4, 1}, map::outputs_at)), error(0x22));
-    EXPECT_EQ(write(map::outputs_at, 7U), good);
-}
-
-TEST_F(Lists, HaveNoMoreBytesInAPartThanAFrame) {
-    ASSERT_EQ(allot_lists(1U), good);
-    ASSERT_EQ(allot_parts(0U, 1U), good);
-    ASSERT_EQ(allot_entries(0U, 0U, 2U), good);
-    ASSERT_EQ(point_to(0U, 0U, 0U), good);
-    EXPECT_EQ(write(map::outputs_at, 4U), good);
-    EXPECT_EQ(write(map::outputs_at, 4U), error(0x2A));
-    EXPECT_EQ(set_mode(0U, 0U), good);
-    EXPECT_EQ(start(0U), error(0x2A));  // an entry is still empty
-    EXPECT_EQ(write(map::outputs_at, 3U), good);
-    EXPECT_EQ(set_mode(0U, with_time), good);
-    EXPECT_EQ(start(0U), error(0x2A));  // no room for the time
-    EXPECT_EQ(set_mode(0U, 0U), good);
-    EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
-}
-
-// The first of two entries is empty, and so is a whole part.
-TEST_F(Lists, DoNotStartWithAnEmptyEntry) {
-    ASSERT_EQ(allot_lists(1U), good);
-    ASSERT_EQ(allot_parts(0U, 2U), good);
-    ASSERT_EQ(allot_entries(0U, 0U, 2U), good);
-    ASSERT_EQ(allot_entries(0U, 1U, 1U), good);
-    ASSERT_EQ(point_to(0U, 0U, 1U), good);
-    ASSERT_EQ(write(map::outputs_at, 1U), good);
-    EXPECT_EQ(start(0U), error(0x2A));
-    ASSERT_EQ(point_to(0U, 0U, 0U), good);
-    ASSERT_EQ(write(map::outputs_at, 1U), good);
-    EXPECT_EQ(start(0U), error(0x2A));
-    ASSERT_EQ(point_to(0U, 1U, 0U), good);
-    ASSERT_EQ(write(map::outputs_at, 1U), good);
-    EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
-    EXPECT_EQ(bench.samples.size(), 2U);
-}
-
-TEST_F(Lists, HaveAModeThatIsTold) {
-    two_lists();
-    EXPECT_EQ(set_mode(2U, 0U), error(0x22));
-    EXPECT_EQ(set_mode(0U, 0U, 2U), error(0x22));
-    EXPECT_EQ(set_mode(0U, 0U, 0U, 0U), error(0x22));
-    EXPECT_EQ(set_mode(0U, 0x02U), error(0x27));  // stimulation
-    EXPECT_EQ(set_mode(0U, 0x20U), error(0x27));  // without the part's number
-    EXPECT_EQ(set_mode(1U, with_time, 1U, 3U), good);
-    EXPECT_EQ(bench.command({0xDF, 0, 1, 0}), (Bytes{0xFF, 0x10, 0, 0, 1, 0, 3, 0}));
-    EXPECT_EQ(select(1U), (Bytes{0xFF, 1}));
-    EXPECT_EQ(bench.command({0xDF, 0, 1, 0}), (Bytes{0xFF, 0x11, 0, 0, 1, 0, 3, 0}));
-    EXPECT_EQ(bench.command({0xDD, 1}), good);
-    EXPECT_EQ(bench.command({0xDF, 0, 1, 0}), (Bytes{0xFF, 0x50, 0, 0, 1, 0, 3, 0}));
-    EXPECT_EQ(bench.command({0xDF, 0, 2, 0}), error(0x22));
-    EXPECT_EQ(set_mode(1U, 0U), error(0x11));
-    EXPECT_EQ(point_to(1U, 0U, 0U), error(0x11));
-    EXPECT_EQ(bench.command({0xFD}), (Bytes{0xFF, 0x40, 0, 0, 0, 0}));
-}
 
 TEST_F(Lists, AreSampledAfterEachStepWithTheTime) {
     two_lists();
@@ -221,73 +73,6 @@ TEST_F(Lists, StartAndStopTogether) {
     EXPECT_EQ(bench.command({0xDD, 1}), error(0x2A));  // and is selected no longer
 }
 
-TEST_F(Lists, AreClearedWhileTheyRun) {
-    two_lists();
-    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
-    EXPECT_EQ(bench.command({0xE3, 0, 2, 0}), error(0x22));
-    EXPECT_EQ(bench.command({0xE3, 0, 0, 0}), good);
-    EXPECT_TRUE(bench.samples.empty());
-    EXPECT_EQ(start(0U), error(0x2A));
-    ASSERT_EQ(point_to(0U, 0U, 0U), good);
-    ASSERT_EQ(write(map::epk_at, 3U), good);
-    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
-    EXPECT_EQ(bench.samples, std::vector<Bytes>{(Bytes{0, 'r', 's', 'i'})});
-    // Nothing is written into a list that runs, wherever the pointer stood.
-    EXPECT_EQ(write(map::outputs_at, 4U), error(0x29));
-    EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));  // once more: it goes on
-    EXPECT_EQ(bench.samples.size(), 1U);
-}
-
-// Nothing of what was allotted, written or set is left.
-TEST_F(Lists, AreReleasedWhole) {
-    two_lists();
-    ASSERT_EQ(set_mode(1U, with_time, 1U, 3U), good);
-    select(1U);
-    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
-    ASSERT_EQ(point_to(1U, 0U, 0U), good);
-    ASSERT_EQ(bench.command({0xD6}), good);
-    EXPECT_TRUE(bench.samples.empty());
-    EXPECT_EQ(bench.command({0xFD}), (Bytes{0xFF, 0x00, 0, 0, 0, 0}));
-    EXPECT_EQ(write(map::outputs_at, 4U), error(0x29));
-    ASSERT_EQ(allot_lists(2U), good);
-    EXPECT_EQ(bench.command({0xDF, 0, 1, 0}), (Bytes{0xFF, 0, 0, 0, 0, 0, 1, 0}));
-    ASSERT_EQ(allot_parts(0U, 1U), good);
-    ASSERT_EQ(allot_entries(0U, 0U, 1U), good);
-    EXPECT_EQ(start(0U), error(0x2A));            // the entry is empty
-    EXPECT_EQ(allot_parts(1U, 1U), error(0x29));  // behind entries
-}
-
-// Both parts with two entries each; the other list keeps its own.
-TEST_F(Lists, AreClearedWholeAndAlone) {
-    ASSERT_EQ(allot_lists(2U), good);
-    ASSERT_EQ(allot_parts(0U, 2U), good);
-    ASSERT_EQ(allot_parts(1U, 1U), good);
-    for (const auto& [list, part] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 0}}) {
-        ASSERT_EQ(allot_entries(static_cast<std::uint8_t>(list), static_cast<std::uint8_t>(part), 2U), good);
-    }
-    const auto fill = [&](std::uint8_t list, std::uint8_t part) {
-        ASSERT_EQ(point_to(list, part, 0U), good);
-        ASSERT_EQ(write(map::epk_at, 1U), good);
-        ASSERT_EQ(write(map::epk_at + 1U, 2U), good);
-    };
-    fill(0U, 0U);
-    fill(0U, 1U);
-    fill(1U, 0U);
-    select(0U);
-    ASSERT_EQ(bench.command({0xE3, 0, 0, 0}), good);
-    EXPECT_EQ(bench.command({0xDF, 0, 0, 0}).at(1U), 0U);  // selected no longer
-    ASSERT_EQ(start(1U), (Bytes{0xFF, 2}));
-    EXPECT_EQ(bench.samples, std::vector<Bytes>{(Bytes{2, 'r', 's', 'i'})});
-    stop(1U);
-    // Every entry is empty: filled one by one, the list starts with the last.
-    for (const auto& [part, entry] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 0}, std::pair{1, 1}}) {
-        EXPECT_EQ(start(0U), error(0x2A)) << part << entry;
-        ASSERT_EQ(point_to(0U, static_cast<std::uint8_t>(part), static_cast<std::uint8_t>(entry)), good);
-        ASSERT_EQ(write(map::epk_at, 1U), good);
-    }
-    EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
-}
-
 TEST_F(Lists, HaveTheTimeInTheirFirstPartAlone) {
     ASSERT_EQ(allot_lists(1U), good);
     ASSERT_EQ(allot_parts(0U, 2U), good);
@@ -298,7 +83,7 @@ TEST_F(Lists, HaveTheTimeInTheirFirstPartAlone) {
     ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
     ASSERT_EQ(bench.samples.size(), 2U);
     EXPECT_EQ(bench.samples[0].size(), 3U);
-    EXPECT_EQ(bench.samples[1].size(), 8U);
+    EXPECT_EQ(bench.samples[1], (Bytes{1, 'r', 's', 'i', ' ', '0', '.', '2'}));
 }
 
 TEST_F(Lists, AreSelectedUntilTheyAreStopped) {
@@ -339,9 +124,17 @@ TEST_F(Lists, LeaveNoEventToAnotherSession) {
     EXPECT_EQ(bench.answers.size(), 1U);
 }
 
-TEST_F(Lists, WithoutPartsDoNotStart) {
-    ASSERT_EQ(allot_lists(1U), good);
-    EXPECT_EQ(start(0U), error(0x2A));
+// At the slow event: its first sample within 100 ms of the start.
+TEST_F(Lists, OfTheSlowEventBeginWithin100Milliseconds) {
+    two_lists();
+    ASSERT_EQ(set_mode(0U, 0U, 1U), good);
+    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));  // the first cycle
+    std::size_t samples = bench.samples.size();
+    for (int cycle = 2; cycle <= 10; ++cycle) {
+        bench.cycle();
+        samples += bench.samples.size();
+    }
+    EXPECT_EQ(samples, 1U);
 }
 
 TEST_F(Lists, EndWithTheSession) {
@@ -397,67 +190,6 @@ TEST_F(Lists, SayThatTheBusTookNothing) {
     EXPECT_EQ(bench.samples.size(), 1U);
     bench.cycle();
     EXPECT_TRUE(bench.answers.empty());
-}
-
-// Bus with room for a number of frames in each cycle.
-class NarrowBus final : public hal::CanBus {
- public:
-    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
-    hal::SendResult send(const hal::CanFrame&) noexcept override {
-        if ((room == 0) || (refused > 0)) {
-            --refused;
-            return hal::SendResult::full;
-        }
-        --room;
-        return hal::SendResult::sent;
-    }
-    hal::BusState state() const noexcept override { return hal::BusState::error_passive; }
-    hal::BusStatistics statistics() const noexcept override { return {7U, 6U, 5U, 4U, 3U}; }
-    int room{0};
-    int refused{0};  // so many at first
-};
-
-// A bus that takes the first frames of a cycle and no more.
-TEST(DaqLists, SayThatAnyFrameWasNotTaken) {
-    Bench bench;
-    NarrowBus narrow;
-    application::RolloverEcu& ecu = bench.ecu().ecu();
-    application::CalibrationPages pages{ecu, nullptr, 0U, nullptr};
-    xcp::DaqLists lists{pages};
-    ASSERT_EQ(lists.allot_lists(1U), xcp::Error::none);
-    ASSERT_EQ(lists.allot_parts(0U, 2U), xcp::Error::none);
-    ASSERT_EQ(lists.start(0U), xcp::Error::none);
-    for (int room = 0; room <= 2; ++room) {
-        narrow.room = room;
-        EXPECT_EQ(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U), room == 2) << room;
-    }
-    narrow.room = 2;
-    narrow.refused = 1;
-    EXPECT_FALSE(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U));
-}
-
-TEST(Packet, EndsWithItsFrame) {
-    xcp::Packet packet{0xFFU};
-    packet.add_word(0x04030201U).add_word(0x08070605U);
-    EXPECT_EQ(packet.length(), 8U);
-    EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
-}
-
-TEST(BusTap, PassesOnWhatTheBusSays) {
-    Bench bench;
-    NarrowBus narrow;
-    hal::SoftwareKeys keys{hal::test_keys};
-    hal::MemoryStorage<64U> attempts;
-    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
-    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
-    xcp::Slave slave{pages, access, xcp::default_identifiers};
-    xcp::BusTap tap{narrow, slave};
-    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::full);
-    narrow.room = 1;
-    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::sent);
-    EXPECT_EQ(tap.statistics().send_failures, 3U);
-    EXPECT_EQ(tap.statistics().frames_received, 7U);
-    EXPECT_EQ(tap.state(), hal::BusState::error_passive);
 }
 
 // The ECU reports a fault of the bus when its own frames are not taken, and none when samples are not.

@@ -152,6 +152,9 @@ TEST(WorkingPage, ForgetsAPieceWhenItIsCopied) {
     EXPECT_EQ(bench.download(address, {0x00, 0x00}), good);
     EXPECT_EQ(bench.command({0xE4, 0, 1, 0, 0}), good);
     EXPECT_EQ(bench.download(address + 2U, {0x00, 0x00}), (Bytes{0xFE, 0x22}));
+    // Nor does it expect one anywhere else, such as at the start.
+    EXPECT_EQ(bench.command({0xE4, 0, 1, 0, 0}), good);
+    EXPECT_EQ(bench.download(map::parameters_at + 1U, {0x00, 0x00, 0x00}), (Bytes{0xFE, 0x22}));
 }
 
 TEST(Pages, AreSeenAnewByEachSession) {
@@ -338,6 +341,31 @@ TEST(Store, ThatIsDamagedGivesWayToTheReference) {
     ASSERT_EQ(bench.command({0xF9, 0x01}), good);
     bench.storage_.damage(100U);
     bench.restart();
+    EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
+}
+
+// A memory that could not be read, whatever it has left in the buffer.
+class UnreadableStorage final : public hal::Storage {
+ public:
+    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
+        rsi::Parameters parameters = image_parameters();
+        parameters.warning_on = 0.85F;
+        std::memcpy(bytes, rsi_parameter_section, length);
+        std::memcpy(
+            bytes + application::section::values_at + (Bench::address_of("warning_on") - map::parameters_at),
+            &parameters.warning_on, sizeof parameters.warning_on);
+        application::section::put_checksum(bytes);
+        return false;
+    }
+    bool write(const std::uint8_t*, std::size_t) noexcept override { return false; }
+};
+
+TEST(Store, ThatCannotBeReadGivesWayToTheReference) {
+    Bench bench;
+    UnreadableStorage storage;
+    application::CalibrationPages pages{bench.ecu().ecu(), rsi_parameter_section,
+                                        application::section::length, &storage};
+    EXPECT_EQ(pages.init().refusal, application::ParametersRefusal::none);
     EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
 }
 

@@ -1,0 +1,174 @@
+// On a bus that has no room: what is said to be missing, and to whom.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/xcp/bench.hpp"
+
+namespace testing_xcp {
+namespace {
+
+// Bus with room for a number of frames in each cycle.
+class NarrowBus final : public hal::CanBus {
+ public:
+    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
+    hal::SendResult send(const hal::CanFrame&) noexcept override {
+        if ((room == 0) || (refused > 0)) {
+            --refused;
+            ++statistics_.send_failures;
+            return hal::SendResult::full;
+        }
+        --room;
+        return hal::SendResult::sent;
+    }
+    hal::BusState state() const noexcept override { return hal::BusState::error_passive; }
+    hal::BusStatistics statistics() const noexcept override { return statistics_; }
+    int room{0};
+    int refused{0};  // so many at first
+
+ private:
+    hal::BusStatistics statistics_{7U, 6U, 5U, 4U, 3U};
+};
+
+hal::CanFrame command_frame(const Bytes& bytes) {
+    hal::CanFrame frame;
+    frame.identifier = xcp::default_identifiers.command;
+    frame.length = static_cast<std::uint8_t>(bytes.size());
+    std::copy(bytes.begin(), bytes.end(), frame.data.begin());
+    return frame;
+}
+
+// A bus that takes the first frames of a cycle and no more.
+TEST(DaqLists, SayThatAnyFrameWasNotTaken) {
+    Bench bench;
+    NarrowBus narrow;
+    application::RolloverEcu& ecu = bench.ecu().ecu();
+    application::CalibrationPages pages{ecu, nullptr, 0U, nullptr};
+    xcp::DaqLists lists{pages};
+    ASSERT_EQ(lists.allot_lists(1U), xcp::Error::none);
+    ASSERT_EQ(lists.allot_parts(0U, 2U), xcp::Error::none);
+    ASSERT_EQ(lists.start(0U), xcp::Error::none);
+    for (int room = 0; room <= 2; ++room) {
+        narrow.room = room;
+        EXPECT_EQ(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U), room == 2) << room;
+    }
+    narrow.room = 2;
+    narrow.refused = 1;
+    EXPECT_FALSE(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U));
+}
+
+// A control unit with memory at every address, which remembers what was read last.
+class EndlessTarget final : public xcp::Target {
+ public:
+    bool read(std::uint32_t address, xcp::Page, std::uint8_t* bytes,
+              std::size_t count) const noexcept override {
+        last_address = address;
+        std::fill_n(bytes, count, std::uint8_t{0x5AU});
+        return true;
+    }
+    bool checksum(std::uint32_t, xcp::Page, std::size_t, std::uint32_t&) const noexcept override {
+        return false;
+    }
+    xcp::Error write(std::uint32_t, const std::uint8_t*, std::size_t) noexcept override {
+        return xcp::Error::access_denied;
+    }
+    xcp::Error select(xcp::Page) noexcept override { return xcp::Error::page_not_valid; }
+    xcp::Page selected() const noexcept override { return xcp::Page::working; }
+    xcp::Error copy_reference() noexcept override { return xcp::Error::access_denied; }
+    xcp::Error store() noexcept override { return xcp::Error::none; }
+    Range calibration() const noexcept override { return {0U, 0U}; }
+    Range name() const noexcept override { return {0U, 0U}; }
+
+    mutable std::uint32_t last_address{0U};
+};
+
+// Lists that nobody has released yet have nothing to write into, and take the addresses that an entry can
+// hold, which are those below 16 MiB, and no other.
+TEST(DaqLists, MeasureBelow16MiB) {
+    const EndlessTarget target;
+    NarrowBus bus;
+    xcp::DaqLists lists{target};
+    EXPECT_FALSE(lists.is_running());
+    EXPECT_EQ(lists.write(0U, 1U), xcp::Error::sequence);
+    ASSERT_EQ(lists.allot_lists(1U), xcp::Error::none);
+    ASSERT_EQ(lists.allot_parts(0U, 1U), xcp::Error::none);
+    EXPECT_EQ(lists.first_part(0U), 0U);
+    ASSERT_EQ(lists.allot_entries(0U, 0U, 1U), xcp::Error::none);
+    ASSERT_EQ(lists.point_to(0U, 0U, 0U), xcp::Error::none);
+    EXPECT_EQ(lists.write(0x01000000U, 7U), xcp::Error::access_denied);
+    EXPECT_EQ(lists.write(0xFFFFFFFFU, 7U), xcp::Error::access_denied);
+    EXPECT_EQ(lists.write(0x00FFFFFFU, 7U), xcp::Error::none);
+    ASSERT_EQ(lists.start(0U), xcp::Error::none);
+    bus.room = 1;
+    EXPECT_TRUE(lists.sample(bus, 0x6F1U, hal::Time{}, 0U));
+    EXPECT_EQ(target.last_address, 0x00FFFFFFU);
+    EXPECT_EQ(bus.room, 0);
+}
+
+TEST(Packet, EndsWithItsFrame) {
+    xcp::Packet packet{0xFFU};
+    packet.add_word(0x04030201U).add_word(0x08070605U);
+    EXPECT_EQ(packet.length(), 8U);
+    EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
+}
+
+TEST(BusTap, PassesOnWhatTheBusSays) {
+    Bench bench;
+    NarrowBus narrow;
+    hal::SoftwareKeys keys{hal::test_keys};
+    hal::MemoryStorage<64U> attempts;
+    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
+    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
+    xcp::Slave slave{pages, access, xcp::default_identifiers};
+    xcp::BusTap tap{narrow, slave};
+    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::full);
+    narrow.room = 1;
+    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::sent);
+    EXPECT_EQ(tap.statistics().send_failures, 4U);
+    EXPECT_EQ(tap.statistics().frames_received, 7U);
+    EXPECT_EQ(tap.state(), hal::BusState::error_passive);
+    // An answer of XCP that finds no room is none of the ECU's failures; its own frame is one.
+    slave.look_at(command_frame({0xFF, 0x00}));
+    slave.end_cycle(narrow, hal::Time{}, 0U);
+    EXPECT_EQ(slave.send_failures(), 1U);
+    EXPECT_EQ(narrow.statistics().send_failures, 5U);
+    EXPECT_EQ(tap.statistics().send_failures, 4U);
+    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::full);
+    EXPECT_EQ(tap.statistics().send_failures, 5U);
+}
+
+// That a page was stored, and that samples are missing, is told within the session or never.
+TEST(Slave, LeavesNoEventToAnotherSession) {
+    EndlessTarget target;
+    NarrowBus narrow;
+    CountingRandom random;
+    hal::SoftwareKeys keys{hal::test_keys};
+    hal::MemoryStorage<64U> attempts;
+    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, random, attempts};
+    access.start();
+    xcp::Slave slave{target, access, xcp::default_identifiers};
+    const auto command = [&](const Bytes& bytes, int room) {
+        slave.look_at(command_frame(bytes));
+        narrow.room = room;
+        slave.end_cycle(narrow, hal::Time{}, 0U);
+        return room - narrow.room;  // frames sent
+    };
+    const auto unlock = [&] {
+        access_control::Block seed{};
+        access_control::Block key{};
+        return access.give_seed(seed) &&
+               keys.authenticate(hal::KeySlot::calibration, seed.data(), seed.size(), key) &&
+               access.take_key(key) == access_control::KeyAnswer::unlocked;
+    };
+    ASSERT_EQ(command({0xFF, 0x00}, 9), 1);
+    ASSERT_TRUE(unlock());
+    ASSERT_EQ(command({0xF9, 0x01}, 9), 2);  // the answer and the event
+    ASSERT_EQ(command({0xF9, 0x01}, 1), 1);  // the event waits
+    EXPECT_EQ(command({0xFD}, 9), 2);        // and comes
+    ASSERT_EQ(command({0xF9, 0x01}, 1), 1);
+    EXPECT_EQ(command({0xFF, 0x00}, 9), 1);
+    EXPECT_EQ(command({0xFD}, 9), 1);
+}
+
+}  // namespace
+}  // namespace testing_xcp
