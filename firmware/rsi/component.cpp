@@ -63,11 +63,10 @@ void Component::reset(const Parameters& parameters) {
     }
 }
 
+// What resume() resets, before the first sample as after any gap, is left to it.
 void Component::start(const Parameters& parameters) {
     tune(parameters);
     estimator_.reset();
-    lateral_response_.reset();
-    moment_arm_error_.reset();
     load_adaptation_.init(parameters);
     warning_.update_unavailable();
 }
@@ -237,7 +236,6 @@ void Component::step_unavailable(Outputs& outputs) {
 void Component::resume(const Measurement& measured) {
     if (overturned_) {
         estimator_.reset();
-        measurement_.assume_movement(0.0F);
         load_adaptation_.forget();
         overturned_ = false;
     }

@@ -509,8 +509,11 @@ TEST(Component, AResetForgetsThatItHasOverturned) {
     scenario.run(0.1, on_its_side);
     ASSERT_EQ(scenario.outputs.state, RSI_STATE_WARNING);
     scenario.component.reset(parameters);
+    // What is restored then is not taken for something learnt on the side.
+    ASSERT_TRUE(scenario.component.restore_load({0.2F, 0.1F, 0.0F}, false));
     scenario.run(0.01, in_steady_turn(0.0));
     EXPECT_EQ(scenario.outputs.state, RSI_STATE_UNAVAILABLE);
+    EXPECT_NEAR(scenario.component.learnt_load().excess, 0.2F, 0.01F);
 }
 
 TEST(Component, AResetDoesNotStartWhatWasRefused) {

@@ -174,6 +174,48 @@ TEST(ParameterChange, KeepsTheLearntLoadUnlessTheVehicleIsAnother) {
     EXPECT_EQ(pair.changed.learnt_load().excess, 0.0F);
 }
 
+// To another vehicle and back: what is other afterwards is what was forgotten of the first.
+class ToAnotherVehicleAndBack {
+ public:
+    explicit ToAnotherVehicleAndBack(int samples) {
+        rsi_parameters heavier = first_;
+        heavier.sprung_mass_kg = 1.01F * heavier.sprung_mass_kg;
+        pair.run(samples);
+        pair.changed.change(ready_change(first_, heavier));
+        pair.changed.change(ready_change(heavier, first_));
+        pair.step();
+    }
+
+ private:
+    // Whose body does not follow the learnt load.
+    static rsi_parameters calibrated_body() {
+        rsi_parameters parameters = rsi_test::large_suv();
+        parameters.estimator = RSI_ESTIMATOR_CONSIDER_KALMAN;
+        parameters.load_adaptation = 0.0F;
+        return parameters;
+    }
+    rsi_parameters first_{calibrated_body()};
+
+ public:
+    Pair pair{first_};
+};
+
+TEST(ParameterChange, OfTheVehicleForgetsTheRollCentreOfTheFirst) {
+    ToAnotherVehicleAndBack drive{6000};
+    ASSERT_GT(std::abs(drive.pair.other_outputs.roll_centre_vertical_m), 0.05F);
+    EXPECT_EQ(drive.pair.changed_outputs.roll_centre_vertical_m, 0.0F);
+    EXPECT_GT(drive.pair.changed_outputs.roll_centre_deviation_m,
+              drive.pair.other_outputs.roll_centre_deviation_m);
+}
+
+// By how much the first rolled otherwise than calibrated, from which the prediction starts.
+TEST(ParameterChange, OfTheVehicleForgetsHowTheFirstRolled) {
+    ToAnotherVehicleAndBack drive{2000};
+    EXPECT_EQ(drive.pair.changed_outputs.load_transfer_ratio, drive.pair.other_outputs.load_transfer_ratio);
+    EXPECT_NE(drive.pair.changed_outputs.predicted_load_transfer_ratio,
+              drive.pair.other_outputs.predicted_load_transfer_ratio);
+}
+
 TEST(ParameterChange, OfAnotherVehicleTakesCyclesToPrepareAndOthersNone) {
     rsi_parameters stiffer = rsi_test::large_suv();
     stiffer.roll_stiffness_nmprad = 1.1F * stiffer.roll_stiffness_nmprad;
@@ -250,11 +292,13 @@ TEST(ParameterChange, OfTheUnitsForgetsThePublishedEstimateAlone) {
     pair.run(2000);
     ASSERT_NE(pair.changed_outputs.roll_centre_vertical_m, 0.0F);
     const rsi_learnt_load learnt = pair.changed.learnt_load();
+    // To other units and back: what is other afterwards is what was forgotten.
     pair.changed.change(ready_change(published, scaled));
+    pair.changed.change(ready_change(scaled, published));
     EXPECT_EQ(pair.changed.learnt_load().excess, learnt.excess);
     pair.step();
     EXPECT_LT(std::abs(pair.changed_outputs.roll_centre_vertical_m),
-              std::abs(pair.other_outputs.roll_centre_vertical_m));
+              0.1F * std::abs(pair.other_outputs.roll_centre_vertical_m));
 }
 
 TEST(ParameterChange, ThatIsRefusedNamesTheFieldAndLeavesWhatWasPrepared) {
@@ -270,12 +314,29 @@ TEST(ParameterChange, ThatIsRefusedNamesTheFieldAndLeavesWhatWasPrepared) {
     EXPECT_EQ(change.parameters().warning_hold_s, 2.0F);
 }
 
+TEST(ParameterChange, ThatIsRefusedAsTheFirstAsksForNothing) {
+    rsi_parameters late = rsi_test::large_suv();
+    late.sprung_mass_kg = 1.01F * late.sprung_mass_kg;
+    late.speed_resolution_mps = 0.5F;
+    late.warning_on = 1.3F;
+    rsi::ParameterChange change;
+    ASSERT_EQ(change.begin(rsi_test::large_suv(), late).accepted, 0);
+    EXPECT_FALSE(change.is_another_vehicle());
+    EXPECT_FALSE(change.has_other_sensors());
+    EXPECT_FALSE(change.has_other_units());
+    EXPECT_FALSE(change.has_gains());
+}
+
 TEST(ParameterChange, DoesNothingToAComponentThatRefusedItsParameters) {
     rsi_parameters bad = rsi_test::large_suv();
     bad.warning_on = 1.3F;
     rsi::Component component;
     ASSERT_EQ(component.init(bad).accepted, 0);
-    component.change(ready_change(rsi_test::large_suv(), rsi_test::large_suv()));
+    const rsi_learnt_load before = component.learnt_load();
+    rsi_parameters heavier = rsi_test::large_suv();
+    heavier.sprung_mass_kg = 1.01F * heavier.sprung_mass_kg;
+    component.change(ready_change(rsi_test::large_suv(), heavier));
+    EXPECT_EQ(component.learnt_load().excess_deviation, before.excess_deviation);
     rsi_outputs outputs{};
     component.step(rsi_test::at_rest(), outputs);
     EXPECT_EQ(outputs.state, RSI_STATE_UNAVAILABLE);
