@@ -63,14 +63,21 @@ TEST_F(Lists, StartAndStopTogether) {
     EXPECT_EQ(bench.samples.size(), 1U);
     EXPECT_EQ(bench.command({0xDD, 0}), good);
     EXPECT_TRUE(bench.samples.empty());
-    // One that cannot start holds all back.
-    ASSERT_EQ(bench.command({0xE3, 0, 1, 0}), good);
-    select(0U);
-    select(1U);
-    EXPECT_EQ(bench.command({0xDD, 1}), error(0x2A));
-    EXPECT_TRUE(bench.samples.empty());
-    EXPECT_EQ(bench.command({0xDD, 0}), good);
-    EXPECT_EQ(bench.command({0xDD, 1}), error(0x2A));  // and is selected no longer
+}
+
+// Whether it comes before those that can, or behind them.
+TEST_F(Lists, ThatCannotStartHoldTheOthersBack) {
+    for (const std::uint8_t empty : {std::uint8_t{0U}, std::uint8_t{1U}}) {
+        two_lists();
+        ASSERT_EQ(bench.command({0xE3, 0, empty, 0}), good);
+        select(0U);
+        select(1U);
+        EXPECT_EQ(bench.command({0xDD, 1}), error(0x2A));
+        EXPECT_TRUE(bench.samples.empty());
+        EXPECT_EQ(bench.command({0xFD}), (Bytes{0xFF, 0x00, 0, 0, 0, 0}));
+        EXPECT_EQ(bench.command({0xDD, 0}), good);
+        EXPECT_EQ(bench.command({0xDD, 1}), error(0x2A));  // and are selected no longer
+    }
 }
 
 TEST_F(Lists, HaveTheTimeInTheirFirstPartAlone) {
