@@ -29,7 +29,6 @@ class TesterBus final : public hal::CanBus {
     hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
 
     void set_sending(bool is_sending) noexcept { is_sending_ = is_sending; }
-    bool is_sending() const noexcept { return is_sending_; }
 
  private:
     hal::CanBus& bus_;

@@ -116,8 +116,8 @@ void TroubleMemory::update(CodeSet failed, const monitoring::Snapshot& measured,
     if (!is_recording_) {
         return;
     }
-    const CodeSet changed = failed ^ failed_;
-    if (changed != 0U) {
+    if (failed != failed_) {
+        const CodeSet changed = failed ^ failed_;
         failed_ = failed;
         measured_ = frame_of(measured, cycles_);
         for (std::size_t row = 0U; row < trouble_code_count; ++row) {

@@ -73,7 +73,7 @@ class UdsServer {
     Nrc security_access(const Request& request) noexcept;
     Nrc take_key(const Request& request) noexcept;
     Nrc communication_control(const Request& request, const EcuState& ecu) noexcept;
-    Nrc code_setting(std::uint8_t sub_function) noexcept;
+    void code_setting(std::uint8_t sub_function) noexcept;
     Nrc routine_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc start_self_test(const EcuState& ecu) noexcept;
     Nrc check_section(const Request& request) noexcept;
@@ -82,7 +82,7 @@ class UdsServer {
     void drop_functional_request() noexcept;
     void wait_for_storage() noexcept;
     Nrc storage_answer() noexcept;
-    Nrc self_test_answer() noexcept;
+    void self_test_answer() noexcept;
     void count_session_time() noexcept;
     void enter(Session session) noexcept;
     bool is_unlocked() const noexcept { return (access_ != nullptr) && access_->is_unlocked(); }

@@ -186,8 +186,8 @@ class World {
     void recover() {
         set_bus_state(hal::BusState::error_active);
         payloads_ = calm_payloads;
-        // With a bank: where the roll angle is against the horizon, an accelerometer that was found wrong cannot
-        // be found right without.
+        // With a bank: where the roll angle is against the horizon, an accelerometer that was found wrong
+        // cannot be found right without.
         payloads_[1][4] = 0U;
         int ready_cycles = 0;
         for (int count = 0; count < longest_recovery && ready_cycles < lasting; ++count) {
