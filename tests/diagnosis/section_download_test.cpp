@@ -196,7 +196,9 @@ TEST_F(Download, AMemoryThatIsBusyIsWaitedFor) {
 TEST_F(Download, AMemoryThatNeverTakesItIsSaid) {
     transfer(good_section());
     memories_.section.refuse(true);
-    EXPECT_EQ(check(), no(0x31U, 0x72U));
+    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U)) << "within P2";
+    EXPECT_EQ(tester_.receive(500), no(0x31U, 0x72U)) << "within P2*";
 }
 
 // At whichever moment the memory takes it: what the tester hears is what has been done.
