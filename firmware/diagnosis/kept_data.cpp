@@ -1,12 +1,11 @@
 #include "diagnosis/kept_data.hpp"
 
-#include "hal/interface/saturating_count.hpp"
-
 namespace diagnosis {
 namespace {
 
 constexpr std::uint32_t least_cycles_between_records = 100U;
 constexpr std::uint32_t cycles_to_store_counts = 6000U;
+constexpr std::uint32_t cycles_to_wait_for_new = cycles_to_store_counts - least_cycles_between_records;
 
 }  // namespace
 
@@ -16,16 +15,12 @@ void KeptData::restore() noexcept {
         codes_.restore(payload.codes);
         written_ = payload.written;
     }
-    cycles_since_store_ = least_cycles_between_records;
+    cycles_to_wait_ = cycles_to_wait_for_new;
 }
 
-void KeptData::end_cycle() noexcept {
-    hal::count_up(cycles_since_store_);
-    const Storing storing = codes_.storing();
-    const bool is_due =
-        ((storing == Storing::now) && (cycles_since_store_ >= least_cycles_between_records)) ||
-        ((storing == Storing::later) && (cycles_since_store_ >= cycles_to_store_counts));
-    if (is_due) {
+void KeptData::store_when_due() noexcept {
+    const std::uint32_t most = (codes_.storing() == Storing::now) ? cycles_to_wait_for_new : 0U;
+    if (cycles_to_wait_ <= most) {
         store();
     }
 }
@@ -34,7 +29,7 @@ void KeptData::store() noexcept {
     const KeptPayload payload{static_cast<std::uint8_t>(trouble_code_count), codes_.stored_data(), written_};
     if (record_.write(payload)) {
         codes_.stored();
-        cycles_since_store_ = 0U;
+        cycles_to_wait_ = cycles_to_store_counts;
     }
 }
 

@@ -29,7 +29,14 @@ class KeptData {
 
     // Once a cycle: stores what is to be stored. New entries at once, though a second after the last record,
     // which may still be on its way in the background; what only counts further once a minute.
-    void end_cycle() noexcept;
+    void end_cycle() noexcept {
+        if (cycles_to_wait_ > 0U) {
+            --cycles_to_wait_;
+        }
+        if (codes_.storing() != Storing::not_needed) {
+            store_when_due();
+        }
+    }
 
     TroubleMemory& codes() noexcept { return codes_; }
     WrittenData& written() noexcept { return written_; }
@@ -39,12 +46,13 @@ class KeptData {
  private:
     using Record = AlternatingRecord<KeptPayload>;
 
+    void store_when_due() noexcept;
     void store() noexcept;
 
     Record record_;
     TroubleMemory codes_{};
     WrittenData written_{};
-    std::uint32_t cycles_since_store_{0U};
+    std::uint32_t cycles_to_wait_{0U};  // until what only counts is stored
 };
 
 }  // namespace diagnosis
