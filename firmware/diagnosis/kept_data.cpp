@@ -1,13 +1,6 @@
 #include "diagnosis/kept_data.hpp"
 
 namespace diagnosis {
-namespace {
-
-constexpr std::uint32_t least_cycles_between_records = 100U;
-constexpr std::uint32_t cycles_to_store_counts = 6000U;
-constexpr std::uint32_t cycles_to_wait_for_new = cycles_to_store_counts - least_cycles_between_records;
-
-}  // namespace
 
 void KeptData::restore() noexcept {
     KeptPayload payload{};
@@ -15,14 +8,7 @@ void KeptData::restore() noexcept {
         codes_.restore(payload.codes);
         written_ = payload.written;
     }
-    cycles_to_wait_ = cycles_to_wait_for_new;
-}
-
-void KeptData::store_when_due() noexcept {
-    const std::uint32_t most = (codes_.storing() == Storing::now) ? cycles_to_wait_for_new : 0U;
-    if (cycles_to_wait_ <= most) {
-        store();
-    }
+    cycles_to_wait_ = wait_of_new_entries;
 }
 
 void KeptData::store() noexcept {

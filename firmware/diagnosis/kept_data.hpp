@@ -33,8 +33,9 @@ class KeptData {
         if (cycles_to_wait_ > 0U) {
             --cycles_to_wait_;
         }
-        if (codes_.storing() != Storing::not_needed) {
-            store_when_due();
+        const Storing storing = codes_.storing();
+        if ((storing != Storing::not_needed) && (cycles_to_wait_ <= longest_wait(storing))) {
+            store();
         }
     }
 
@@ -46,13 +47,20 @@ class KeptData {
  private:
     using Record = AlternatingRecord<KeptPayload>;
 
-    void store_when_due() noexcept;
+    static constexpr std::uint32_t least_cycles_between_records = 100U;
+    static constexpr std::uint32_t cycles_to_store_counts = 6000U;
+    static constexpr std::uint32_t wait_of_new_entries =
+        cycles_to_store_counts - least_cycles_between_records;
+
+    static std::uint32_t longest_wait(Storing storing) noexcept {
+        return (storing == Storing::now) ? wait_of_new_entries : 0U;
+    }
     void store() noexcept;
 
     Record record_;
     TroubleMemory codes_{};
     WrittenData written_{};
-    std::uint32_t cycles_to_wait_{0U};  // until what only counts is stored
+    std::uint32_t cycles_to_wait_{wait_of_new_entries};  // until what only counts is stored
 };
 
 }  // namespace diagnosis
