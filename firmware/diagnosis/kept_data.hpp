@@ -29,7 +29,15 @@ class KeptData {
 
     // Once a cycle: stores what is to be stored. New entries at once, though a second after the last record,
     // which may still be on its way in the background; what only counts further once a minute.
-    void end_cycle() noexcept;
+    void end_cycle() noexcept {
+        if (cycles_to_wait_ > 0U) {
+            --cycles_to_wait_;
+        }
+        const Storing storing = codes_.storing();
+        if ((storing != Storing::not_needed) && (cycles_to_wait_ <= longest_wait(storing))) {
+            store();
+        }
+    }
 
     TroubleMemory& codes() noexcept { return codes_; }
     WrittenData& written() noexcept { return written_; }
@@ -39,12 +47,20 @@ class KeptData {
  private:
     using Record = AlternatingRecord<KeptPayload>;
 
+    static constexpr std::uint32_t least_cycles_between_records = 100U;
+    static constexpr std::uint32_t cycles_to_store_counts = 6000U;
+    static constexpr std::uint32_t wait_of_new_entries =
+        cycles_to_store_counts - least_cycles_between_records;
+
+    static std::uint32_t longest_wait(Storing storing) noexcept {
+        return (storing == Storing::now) ? wait_of_new_entries : 0U;
+    }
     void store() noexcept;
 
     Record record_;
     TroubleMemory codes_{};
     WrittenData written_{};
-    std::uint32_t cycles_since_store_{0U};
+    std::uint32_t cycles_to_wait_{wait_of_new_entries};  // until what only counts is stored
 };
 
 }  // namespace diagnosis

@@ -94,13 +94,9 @@ std::uint8_t self_test_of(monitoring::CodeSet failed) {
 
 }  // namespace
 
-void UdsServer::step(const EcuState& ecu) noexcept {
-    if (access_ != nullptr) {
-        access_->end_cycle();
-    }
-    if (!bus_.is_sending() && !is_standing(ecu)) {
-        bus_.set_sending(true);
-    }
+// A request that waits for the memory waits in the transport, too.
+void UdsServer::work(const EcuState& ecu) noexcept {
+    lets_ecu_send_ = lets_ecu_send_ || !is_standing(ecu);
     count_session_time();
     const Request request = transport_.request();
     if (waiting_ != Waiting::nothing) {
@@ -139,7 +135,7 @@ void UdsServer::enter(Session session) noexcept {
     }
     if (session == Session::standard) {
         kept_.codes().set_recording(true);
-        bus_.set_sending(true);
+        lets_ecu_send_ = true;
     }
 }
 
@@ -384,7 +380,7 @@ Nrc UdsServer::communication_control(const Request& request, const EcuState& ecu
         return Nrc::conditions_not_correct;
     }
     if (messages != network_management) {
-        bus_.set_sending(sends);
+        lets_ecu_send_ = sends;
     }
     response_.put(sub_function);
     return Nrc::none;

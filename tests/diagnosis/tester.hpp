@@ -76,7 +76,8 @@ class Tester {
 
     void cycle() {
         hal::CanFrame frame{};
-        while (diagnosis_.bus().receive(frame) == hal::ReceiveResult::frame) {
+        while (bus_.endpoint(0U).receive(frame) == hal::ReceiveResult::frame) {
+            diagnosis_.listener().take(frame);
         }
         monitoring_.begin_cycle(measured);
         for (std::size_t code = 1U; code < monitoring::diagnostic_code_count; ++code) {

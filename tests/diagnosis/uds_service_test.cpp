@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "rsi/output_table.hpp"
+#include "tests/application/bench.hpp"
 #include "tests/diagnosis/tester.hpp"
 
 namespace testing_diagnosis {
@@ -79,10 +80,7 @@ TEST_F(Uds, ASessionThatTimesOutLocksAndRestores) {
     EXPECT_EQ(ask({0x19U, 0x01U, 0x01U}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x01U}));
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'A')), no(0x2EU, 0x33U));
-    hal::CanFrame frame{};
-    frame.identifier = 0x0D0U;
-    tester_.diagnosis().bus().send(frame);
-    EXPECT_TRUE(tester_.frame().has_value());
+    EXPECT_TRUE(tester_.diagnosis().lets_ecu_send());
 }
 
 TEST_F(Uds, ALongRequestKeepsTheSessionWhileItComes) {
@@ -121,10 +119,11 @@ TEST_F(Uds, AResetIsAskedForOnceItIsAnswered) {
 
 TEST_F(Uds, AResetWaitsUntilTheAnswerIsOut) {
     ask({0x10U, 0x03U});
-    tester_.set_bus_state(hal::BusState::error_passive);
-    tester_.send_frame(Tester::physical, {0x02U, 0x11U, 0x01U});
     hal::CanFrame frame{};
-    tester_.diagnosis().bus().receive(frame);
+    frame.identifier = Tester::physical;
+    frame.length = 3U;
+    frame.data = {0x02U, 0x11U, 0x01U};
+    tester_.diagnosis().listener().take(frame);
     tester_.set_bus_state(hal::BusState::bus_off);
     tester_.cycle();
     EXPECT_FALSE(tester_.diagnosis().is_reset_requested());
@@ -419,7 +418,8 @@ TEST(UdsWithoutAccess, NobodyIsUnlockedAndNoSectionTaken) {
         frame.data[0] = static_cast<std::uint8_t>(request.size());
         std::copy(request.begin(), request.end(), frame.data.begin() + 1);
         bus.endpoint(1U).send(frame);
-        diagnosis.bus().receive(frame);
+        bus.endpoint(0U).receive(frame);
+        diagnosis.listener().take(frame);
         diagnosis.step(memory, {}, {});
         bus.endpoint(1U).receive(frame);
         return Bytes(frame.data.begin() + 1, frame.data.begin() + 1 + frame.data[0]);
@@ -432,12 +432,7 @@ TEST(UdsWithoutAccess, NobodyIsUnlockedAndNoSectionTaken) {
 // ---- communication
 
 TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
-    hal::CanFrame warning{};
-    warning.identifier = 0x0D0U;
-    const auto is_sent = [&] {
-        EXPECT_EQ(tester_.diagnosis().bus().send(warning), hal::SendResult::sent);
-        return tester_.frame().has_value();
-    };
+    const auto is_sent = [&] { return tester_.diagnosis().lets_ecu_send(); };
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x28U, 0x01U, 0x00U}), no(0x28U, 0x31U));
     EXPECT_EQ(ask({0x28U, 0x01U, 0x04U}), no(0x28U, 0x31U));
@@ -460,15 +455,48 @@ TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
     }
 }
 
-TEST_F(Uds, TheBusIsOtherwiseAsItIs) {
-    hal::CanBus& bus = tester_.diagnosis().bus();
-    EXPECT_EQ(bus.state(), hal::BusState::error_active);
-    tester_.send_frame(0x120U, {1U, 2U});
-    hal::CanFrame frame{};
-    EXPECT_EQ(bus.receive(frame), hal::ReceiveResult::frame);
-    EXPECT_EQ(frame.identifier, 0x120U);
-    EXPECT_EQ(bus.receive(frame), hal::ReceiveResult::empty);
-    EXPECT_EQ(bus.statistics().frames_received, 1U);
+// With the ECU itself: while it is silent it goes on, and finds no fault of the bus.
+TEST(UdsBesideTheEcu, TakesItsFramesFromTheBusAndGivesThemBack) {
+    Memories memories;
+    hal::VirtualClock clock;
+    hal::MemoryBus<2U> bus{clock};
+    testing_application::NoWatchdog watchdog;
+    const diagnosis::Identification identification{};
+    diagnosis::Diagnosis diagnosis{bus.endpoint(0U), {}, identification, memories.one, memories.other};
+    application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
+    ASSERT_TRUE(ecu.listen(diagnosis.listener()));
+    diagnosis.start(true);
+    ecu.init(testing_application::large_suv());
+    unsigned counter = 0U;
+    hal::Time now{};
+    const auto frames_after = [&](const Bytes& request) {
+        hal::CanFrame frame{};
+        frame.identifier = Tester::physical;
+        frame.length = static_cast<std::uint8_t>(request.size() + 1U);
+        frame.data[0] = static_cast<std::uint8_t>(request.size());
+        std::copy(request.begin(), request.end(), frame.data.begin() + 1);
+        bus.endpoint(1U).send(frame);
+        std::size_t sent = 0U;
+        for (int cycle = 0; cycle < 2; ++cycle) {  // the second is as the tester wants it
+            now = now + hal::Time::from_milliseconds(10);
+            clock.set(now);
+            can_dbc::VehicleMotion standing{};
+            standing.speed_kmh = 0.0F;
+            bus.endpoint(1U).send(testing_application::frame_of(standing, counter));
+            counter = (counter + 1U) % 15U;
+            ecu.step(0U);
+            diagnosis.step(ecu);
+            sent = 0U;
+            while (bus.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+                sent += (frame.identifier == Tester::response) ? 0U : 1U;
+            }
+        }
+        return sent;
+    };
+    EXPECT_EQ(frames_after({0x10U, 0x03U}), testing_application::frames_per_cycle);
+    EXPECT_EQ(frames_after({0x28U, 0x01U, 0x01U}), 0U);
+    EXPECT_EQ(frames_after({0x28U, 0x00U, 0x01U}), testing_application::frames_per_cycle);
+    EXPECT_FALSE(ecu.diagnostic_memory().active(DiagnosticCode::bus_error));
 }
 
 // ---- self test
