@@ -39,6 +39,8 @@ def parse(arguments):
     read.add_argument("names", nargs="*", metavar="NAME")
     write = commands.add_parser("write", add_help=False, parents=[common])
     write.add_argument("changes", nargs="+", metavar="NAME=VALUE")
+    use = commands.add_parser("use", add_help=False, parents=[common])
+    use.add_argument("page", choices=("working", "reference"))
     measure = commands.add_parser("measure", add_help=False, parents=[common])
     measure.add_argument("names", nargs="+", metavar="NAME")
     measure.add_argument("--seconds", required=True, type=positive, metavar="N")
@@ -131,6 +133,8 @@ def run(session, options):
         changes = dict(change.split("=", 1) for change in options.changes)
         for name, before in session.write(changes).items():
             print(f"{name} = {shown(session.read(name), objects[name])}, was {shown(before, objects[name])}")
+    elif options.command == "use":
+        session.use(options.page)
     elif options.command == "reset":
         session.reset()
     elif options.command == "store":
