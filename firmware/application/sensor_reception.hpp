@@ -7,6 +7,7 @@
 #include "application/frame_delay.hpp"
 #include "application/frame_monitor.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "hal/interface/frame_listener.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
@@ -56,6 +57,9 @@ class SensorReception {
         steering_fitted_ = (parameters.vehicle_motion_sensors == RSI_MOTION_WITH_STEERING);
     }
 
+    // Others than this control unit's own frames are passed on. False: there are most_listeners already.
+    bool listen(hal::FrameListener& listener) noexcept;
+
     // Reads what waits on the bus. `missed_cycles` were left out before this one.
     void receive(hal::CanBus& bus, std::uint32_t missed_cycles) noexcept;
 
@@ -65,7 +69,10 @@ class SensorReception {
     rsi::Inputs inputs(const ReceptionReport& report) const noexcept;
 
  private:
+    static constexpr std::size_t most_listeners = 2U;  // XCP and diagnosis
+
     void dispatch(const hal::CanFrame& frame) noexcept;
+    [[gnu::cold]] void take_foreign(const hal::CanFrame& frame) noexcept;
     bool is_roll_angle_fresh(hal::Time now) const noexcept {
         return roll_angle_.is_fresh(now) && !delay_.roll_angle_is_late();
     }
@@ -75,6 +82,7 @@ class SensorReception {
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
     FrameMonitor<can_dbc::VehicleMass> vehicle_mass_{};  // few vehicles send it, so its absence is no fault
     FrameDelay delay_{};
+    std::array<hal::FrameListener*, most_listeners> listeners_{};
     bool own_identifier_{false};              // in this cycle
     bool vertical_acceleration_sent_{false};  // since the start
     bool roll_angle_fitted_{true};

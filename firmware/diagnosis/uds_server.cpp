@@ -89,12 +89,10 @@ std::uint8_t self_test_of(monitoring::CodeSet failed) {
 
 }  // namespace
 
-void UdsServer::step(const EcuState& ecu) noexcept {
-    if (access_ != nullptr) {
-        access_->end_cycle();
-    }
+// A request that waits for the memory waits in the transport, too.
+void UdsServer::work(const EcuState& ecu) noexcept {
     if (!is_standing(ecu)) {
-        bus_.set_sending(true);
+        switch_all_on();
     }
     count_session_time();
     const Request request = transport_.request();
@@ -115,7 +113,7 @@ void UdsServer::count_session_time() noexcept {
     const bool is_busy =
         (waiting_ != Waiting::nothing) || transport_.is_sending() || transport_.is_receiving();
     idle_cycles_ = is_busy ? 0U : (idle_cycles_ + 1U);
-    if ((session_ != Session::standard) && (idle_cycles_ >= session_cycles)) {
+    if (idle_cycles_ >= session_cycles) {  // of the standard session nothing is left to end
         enter(Session::standard);
     }
 }
@@ -128,9 +126,14 @@ void UdsServer::enter(Session session) noexcept {
         access_->lock();
     }
     if (session == Session::standard) {
-        kept_.codes().set_recording(true);
-        bus_.set_sending(true);
+        switch_all_on();
     }
+}
+
+// Of what a tester may switch off at rest.
+void UdsServer::switch_all_on() noexcept {
+    kept_.codes().set_recording(true);
+    lets_ecu_send_ = true;
 }
 
 // Whoever speaks to everybody meanwhile meets a deaf ear; "tester present" has nothing to say then.
@@ -238,8 +241,7 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
         case service_id::transfer_exit:
             return download_.end(request);
         case service_id::code_setting:
-            code_setting(request.sub_function());
-            return Nrc::none;
+            return code_setting(request, ecu);
         default:  // tester present
             response_.put(0x00U);
             return Nrc::none;
@@ -262,9 +264,19 @@ Nrc UdsServer::reset(const Request& request, const EcuState& ecu) noexcept {
     if (is_moving(ecu)) {
         return Nrc::conditions_not_correct;
     }
+    if (kept_.codes().storing() == Storing::not_needed) {
+        promise_reset(request);
+        return Nrc::none;
+    }
+    kept_.codes().request_storing(Storing::now);
+    waiting_ = Waiting::codes_stored_before_reset;
+    return Nrc::response_pending;
+}
+
+void UdsServer::promise_reset(const Request& request) noexcept {
     is_reset_requested_ = true;
+    begin_answer(request, 0U);
     response_.put(request.sub_function());
-    return Nrc::none;
 }
 
 Nrc UdsServer::clear_codes(const Request& request) noexcept {
@@ -330,7 +342,7 @@ Nrc UdsServer::security_access(const Request& request) noexcept {
     }
     access_control::Block seed{};  // all zeros: it is unlocked already
     if (!access_->is_unlocked() && !access_->give_seed(seed)) {
-        return Nrc::time_delay_not_expired;
+        return access_->is_delayed() ? Nrc::time_delay_not_expired : Nrc::conditions_not_correct;
     }
     for (const std::uint8_t byte : seed) {
         response_.put(byte);
@@ -369,15 +381,22 @@ Nrc UdsServer::communication_control(const Request& request, const EcuState& ecu
         return Nrc::conditions_not_correct;
     }
     if (messages != network_management) {
-        bus_.set_sending(sends);
+        lets_ecu_send_ = sends;
     }
     response_.put(sub_function);
     return Nrc::none;
 }
 
-void UdsServer::code_setting(std::uint8_t sub_function) noexcept {
-    kept_.codes().set_recording(sub_function == 0x01U);
+// At rest only, as above: what happens on the road is recorded.
+Nrc UdsServer::code_setting(const Request& request, const EcuState& ecu) noexcept {
+    const std::uint8_t sub_function = request.sub_function();
+    const bool records = (sub_function == 0x01U);
+    if (!records && !is_standing(ecu)) {
+        return Nrc::conditions_not_correct;
+    }
+    kept_.codes().set_recording(records);
     response_.put(sub_function);
+    return Nrc::none;
 }
 
 Nrc UdsServer::routine_control(const Request& request, const EcuState& ecu) noexcept {
@@ -448,6 +467,10 @@ Nrc UdsServer::storage_answer() noexcept {
     }
     if (waiting_ == Waiting::self_test_stored) {
         self_test_answer();
+        return Nrc::none;
+    }
+    if (waiting_ == Waiting::codes_stored_before_reset) {  // a memory that takes nothing keeps nobody from it
+        promise_reset(waiting_for_);
         return Nrc::none;
     }
     begin_answer(waiting_for_, (waiting_for_.service() == service_id::write_data) ? 2U : 0U);

@@ -135,6 +135,43 @@ TEST_F(Transport, TakesNoSingleFrameWithoutLengthOrCutOff) {
     }
 }
 
+// Whoever turns its cycles only while it is active must not leave anything lying.
+TEST_F(Transport, IsActiveWhileAnythingWaitsOrIsOnItsWay) {
+    EXPECT_FALSE(transport_.is_active());
+    take({0x02U, 0x3EU, 0x00U}, 0x120U);
+    EXPECT_FALSE(transport_.is_active()) << "not its own";
+    for (const std::uint32_t identifier : {Tester::physical, Tester::functional}) {
+        take({0x02U, 0x3EU, 0x00U}, identifier);
+        EXPECT_TRUE(transport_.is_active());
+        cycles(1);
+        EXPECT_TRUE(transport_.is_active()) << "the request waits";
+        transport_.finish(transport_.request());
+        cycles(1);
+        EXPECT_FALSE(transport_.is_active());
+    }
+    take_first(counted(20U));
+    cycles(50);
+    EXPECT_TRUE(transport_.is_active()) << "the rest of the request is waited for";
+    cycles(50);
+    EXPECT_FALSE(transport_.is_active()) << "it is not any more";
+    bus_.room = 0;
+    take_first(counted(IsoTp::longest_request + 1U));
+    cycles(1);
+    EXPECT_TRUE(transport_.is_active()) << "nobody has been told that it is too long";
+    bus_.room = 1;
+    cycles(1);
+    EXPECT_FALSE(transport_.is_active());
+    bus_.room = 1;
+    send(counted(9U));
+    EXPECT_TRUE(transport_.is_active());
+    cycles(1);
+    EXPECT_TRUE(transport_.is_active()) << "flow control is waited for";
+    bus_.room = 1;
+    take({0x30U, 0U, 0U});
+    cycles(1);
+    EXPECT_FALSE(transport_.is_active());
+}
+
 TEST_F(Transport, LeavesOthersFramesAlone) {
     hal::CanFrame frame{};
     frame.length = 2U;

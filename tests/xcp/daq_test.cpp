@@ -443,34 +443,62 @@ TEST(Packet, EndsWithItsFrame) {
     EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
 }
 
-TEST(BusTap, PassesOnWhatTheBusSays) {
+// Takes no frames from a lowest identifier on.
+class RefusingBus final : public hal::CanBus {
+ public:
+    explicit RefusingBus(hal::CanBus& bus) : bus_{bus} {}
+    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override { return bus_.receive(frame); }
+    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+        if (frame.identifier >= refused_from) {
+            ++failures_;
+            return hal::SendResult::full;
+        }
+        return bus_.send(frame);
+    }
+    hal::BusState state() const noexcept override { return bus_.state(); }
+    hal::BusStatistics statistics() const noexcept override {
+        hal::BusStatistics statistics = bus_.statistics();
+        statistics.send_failures = failures_;
+        return statistics;
+    }
+    std::uint32_t refused_from{xcp::default_identifiers.answer};
+
+ private:
+    hal::CanBus& bus_;
+    std::uint32_t failures_{0U};
+};
+
+// The ECU reports a fault of the bus when its own frames are not taken, and none when those of XCP are not.
+TEST(CalibratedEcu, WhatTheBusDoesNotTakeOfXcpIsNoFaultOfTheBus) {
+    using monitoring::DiagnosticCode;
     Bench bench;
-    NarrowBus narrow;
+    hal::VirtualClock clock;
+    hal::MemoryBus<2U> bus{clock};
+    RefusingBus refusing{bus.endpoint(0U)};
+    testing_application::NoWatchdog watchdog;
     hal::SoftwareKeys keys{hal::test_keys};
     hal::MemoryStorage<64U> attempts;
     access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
-    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
-    xcp::Slave slave{pages, access, xcp::default_identifiers};
-    xcp::BusTap tap{narrow, slave};
-    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::full);
-    narrow.room = 1;
-    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::sent);
-    EXPECT_EQ(tap.statistics().send_failures, 3U);
-    EXPECT_EQ(tap.statistics().frames_received, 7U);
-    EXPECT_EQ(tap.state(), hal::BusState::error_passive);
-}
-
-// The ECU reports a fault of the bus when its own frames are not taken, and none when samples are not.
-TEST_F(Lists, ThatTheBusHasNoRoomForAreNoFaultOfTheBus) {
-    two_lists();
-    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
-    const std::uint32_t before = bench.ecu_bus().statistics().send_failures;
-    bench.ecu_bus().set_state(hal::BusState::bus_off);
-    bench.cycles(3);
-    const std::uint32_t failed = bench.ecu_bus().statistics().send_failures - before;
-    const std::uint32_t of_the_slave = bench.ecu().slave().send_failures();
-    EXPECT_GE(of_the_slave, 3U);
-    EXPECT_EQ(failed - of_the_slave, 3U * testing_application::frames_per_cycle);
+    application::CalibratedEcu ecu{
+        refusing, clock, watchdog, access, bench.reference.data(), bench.reference.size(), nullptr};
+    static_cast<void>(ecu.init());
+    hal::CanFrame connect{};
+    connect.identifier = xcp::default_identifiers.command;
+    connect.length = 2U;
+    connect.data[0] = 0xFFU;
+    const auto cycles = [&](int count) {
+        for (int cycle = 0; cycle < count; ++cycle) {
+            bus.endpoint(1U).send(connect);
+            ecu.step(0U);
+        }
+    };
+    cycles(5);
+    EXPECT_TRUE(ecu.slave().is_connected());
+    EXPECT_EQ(refusing.statistics().send_failures, 5U);
+    EXPECT_FALSE(ecu.ecu().diagnostic_memory().active(DiagnosticCode::bus_error));
+    refusing.refused_from = 0U;
+    cycles(2);
+    EXPECT_TRUE(ecu.ecu().diagnostic_memory().active(DiagnosticCode::bus_error));
 }
 
 }  // namespace
