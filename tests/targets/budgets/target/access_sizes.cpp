@@ -1,5 +1,6 @@
 // What XCP and diagnosis keep in RAM beside the ECU; what they store in belongs to the platform.
-//   access_sizes ANSWER    words: bytes of XCP with its calibration pages, of diagnosis with the place for a section, of
+//   access_sizes ANSWER    words: bytes of XCP with its calibration pages, of diagnosis with the place for a
+//   section, of
 //                          the seed and key that each of them has
 #include "access/seed_and_key.hpp"
 #include "application/calibrated_ecu.hpp"

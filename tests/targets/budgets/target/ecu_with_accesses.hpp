@@ -1,4 +1,5 @@
-// ECU with accesses: the ECU with XCP and diagnosis, as rsi-ecu --xcp --diagnosis has them, and nobody connected.
+// ECU with accesses: the ECU with XCP and diagnosis, as rsi-ecu --xcp --diagnosis has them, and nobody
+// connected.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +23,12 @@ class EcuWithAccesses {
     // All must outlive the ECU.
     EcuWithAccesses(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
         : diagnosis_{bus, diagnosis::Addresses{}, identification_, one_, other_},
-          ecu_{bus,          clock, watchdog, calibration_access_, rsi_parameter_section, sizeof rsi_parameter_section,
+          ecu_{bus,
+               clock,
+               watchdog,
+               calibration_access_,
+               rsi_parameter_section,
+               sizeof rsi_parameter_section,
                &section_} {}
 
     // With the section that is linked; false where it is refused.
