@@ -52,6 +52,9 @@ class Diagnosis {
         kept_.end_cycle();
     }
 
+    // Before the control unit is switched off in an orderly way.
+    void stop() noexcept { kept_.store_the_rest(); }
+
     // A tester has asked for it and has his answer.
     bool is_reset_requested() const noexcept { return server_.is_reset_requested(); }
 

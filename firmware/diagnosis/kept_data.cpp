@@ -4,7 +4,7 @@ namespace diagnosis {
 
 void KeptData::restore() noexcept {
     KeptPayload payload{};
-    if (record_.read(payload) && (payload.code_count == trouble_code_count)) {
+    if (record_.read(payload) && (payload.layout == KeptPayload::present_layout)) {
         codes_.restore(payload.codes);
         written_ = payload.written;
     }
@@ -12,7 +12,7 @@ void KeptData::restore() noexcept {
 }
 
 void KeptData::store() noexcept {
-    const KeptPayload payload{static_cast<std::uint8_t>(trouble_code_count), codes_.stored_data(), written_};
+    const KeptPayload payload{KeptPayload::present_layout, codes_.stored_data(), written_};
     if (record_.write(payload)) {
         codes_.stored();
         cycles_to_wait_ = cycles_to_store_counts;

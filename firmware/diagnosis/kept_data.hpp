@@ -9,9 +9,11 @@
 
 namespace diagnosis {
 
-// A record of other software, with other codes, has another length or another count and is not read.
+// Other software reads it as well, as long as the layout has this number and codes keep theirs.
 struct KeptPayload {
-    std::uint8_t code_count{0U};
+    static constexpr std::uint8_t present_layout = 1U;
+
+    std::uint8_t layout{present_layout};
     TroubleMemory::Stored codes{};
     WrittenData written{};
 };
@@ -41,6 +43,13 @@ class KeptData {
 
     TroubleMemory& codes() noexcept { return codes_; }
     WrittenData& written() noexcept { return written_; }
+    // Before the control unit is switched off in an orderly way: what is to be stored sooner or later.
+    void store_the_rest() noexcept {
+        if (codes_.storing() != Storing::not_needed) {
+            store();
+        }
+    }
+
     // All that was to be stored at once has been taken by the memory.
     bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
 

@@ -150,6 +150,8 @@ void TroubleMemory::clear(std::size_t row) noexcept {
     data_.states[row] = TroubleState{};
     forget_snapshots(row);
     failed_ &= ~bit_of(row);
+    good_cycles_ = 0U;  // it is judged anew
+    driven_cycles_ = 0U;
     request_storing(Storing::now);
 }
 

@@ -92,12 +92,15 @@ class TroubleMemory {
     void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
     void stored() noexcept { storing_ = Storing::not_needed; }
 
-    // What is stored: bytes without gaps, the same on every target.
+    // What is stored: bytes without gaps, the same on every target. With room for all codes that a CodeSet
+    // can hold, so that software with another one more reads what this one has stored.
+    static constexpr std::size_t most_codes = 63U;
+    static_assert(trouble_code_count <= most_codes);
     struct Stored {
-        std::array<TroubleState, trouble_code_count> states{};
+        std::array<TroubleState, most_codes> states{};
         std::array<TroubleSnapshots, snapshot_places> snapshots{};
     };
-    static_assert(sizeof(Stored) == 3U * trouble_code_count + 21U * snapshot_places);
+    static_assert(sizeof(Stored) == 3U * most_codes + 21U * snapshot_places);
 
     const Stored& stored_data() const noexcept { return data_; }
     // Whatever it holds: what nobody knows is left out.

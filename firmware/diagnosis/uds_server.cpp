@@ -96,7 +96,9 @@ std::uint8_t self_test_of(monitoring::CodeSet failed) {
 
 // A request that waits for the memory waits in the transport, too.
 void UdsServer::work(const EcuState& ecu) noexcept {
-    lets_ecu_send_ = lets_ecu_send_ || !is_standing(ecu);
+    if (!is_standing(ecu)) {
+        switch_all_on();
+    }
     count_session_time();
     const Request request = transport_.request();
     if (waiting_ != Waiting::nothing) {
@@ -134,9 +136,14 @@ void UdsServer::enter(Session session) noexcept {
         access_->lock();
     }
     if (session == Session::standard) {
-        kept_.codes().set_recording(true);
-        lets_ecu_send_ = true;
+        switch_all_on();
     }
+}
+
+// Of what a tester may switch off at rest.
+void UdsServer::switch_all_on() noexcept {
+    kept_.codes().set_recording(true);
+    lets_ecu_send_ = true;
 }
 
 // Whoever speaks to everybody meanwhile meets a deaf ear; "tester present" has nothing to say then.
@@ -250,7 +257,7 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
         case service_id::transfer_exit:
             return download_.end(request);
         case service_id::code_setting:
-            return code_setting(request.sub_function());
+            return code_setting(request, ecu);
         default:  // tester present
             response_.put(0x00U);
             return Nrc::none;
@@ -273,7 +280,17 @@ Nrc UdsServer::reset(const Request& request, const EcuState& ecu) noexcept {
     if (is_moving(ecu)) {
         return Nrc::conditions_not_correct;
     }
+    if (kept_.codes().storing() == Storing::not_needed) {
+        return promise_reset(request);
+    }
+    kept_.codes().request_storing(Storing::now);
+    waiting_ = Waiting::codes_stored_before_reset;
+    return Nrc::response_pending;
+}
+
+Nrc UdsServer::promise_reset(const Request& request) noexcept {
     is_reset_requested_ = true;
+    begin_answer(request, 0U);
     response_.put(request.sub_function());
     return Nrc::none;
 }
@@ -341,7 +358,7 @@ Nrc UdsServer::security_access(const Request& request) noexcept {
     }
     access_control::Block seed{};  // all zeros: it is unlocked already
     if (!access_->is_unlocked() && !access_->give_seed(seed)) {
-        return Nrc::time_delay_not_expired;
+        return access_->is_delayed() ? Nrc::time_delay_not_expired : Nrc::conditions_not_correct;
     }
     for (const std::uint8_t byte : seed) {
         response_.put(byte);
@@ -386,8 +403,14 @@ Nrc UdsServer::communication_control(const Request& request, const EcuState& ecu
     return Nrc::none;
 }
 
-Nrc UdsServer::code_setting(std::uint8_t sub_function) noexcept {
-    kept_.codes().set_recording(sub_function == 0x01U);
+// At rest only, as above: what happens on the road is recorded.
+Nrc UdsServer::code_setting(const Request& request, const EcuState& ecu) noexcept {
+    const std::uint8_t sub_function = request.sub_function();
+    const bool records = (sub_function == 0x01U);
+    if (!records && !is_standing(ecu)) {
+        return Nrc::conditions_not_correct;
+    }
+    kept_.codes().set_recording(records);
     response_.put(sub_function);
     return Nrc::none;
 }
@@ -460,6 +483,9 @@ Nrc UdsServer::storage_answer() noexcept {
     }
     if (waiting_ == Waiting::self_test_stored) {
         return self_test_answer();
+    }
+    if (waiting_ == Waiting::codes_stored_before_reset) {  // a memory that takes nothing keeps nobody from it
+        return promise_reset(waiting_for_);
     }
     begin_answer(waiting_for_, (waiting_for_.service() == service_id::write_data) ? 2U : 0U);
     return kept_.is_stored() ? Nrc::none : Nrc::programming_failure;

@@ -41,8 +41,12 @@ class UdsServer {
     UdsServer(IsoTp& transport, KeptData& kept, const Identification& identification) noexcept
         : transport_{transport}, kept_{kept}, identification_{identification} {}
 
-    // Without them nobody is unlocked, and no section is taken.
-    void use(access_control::SeedAndKey& access) noexcept { access_ = &access; }
+    // Without them nobody is unlocked, and no section is taken. Whoever was let in before a start is not
+    // after it.
+    void use(access_control::SeedAndKey& access) noexcept {
+        access_ = &access;
+        access.lock();
+    }
     void use(SectionTarget& target) noexcept { download_.use(target); }
 
     // Once a cycle of 10 ms: answers at most one request.
@@ -66,7 +70,13 @@ class UdsServer {
 
  private:
     // What a request waits for before it is answered.
-    enum class Waiting : std::uint8_t { nothing, codes_stored, self_test_stored, section_stored };
+    enum class Waiting : std::uint8_t {
+        nothing,
+        codes_stored,
+        codes_stored_before_reset,
+        self_test_stored,
+        section_stored
+    };
 
     void work(const EcuState& ecu) noexcept;
     void serve(const Request& request, const EcuState& ecu) noexcept;
@@ -78,13 +88,15 @@ class UdsServer {
     Nrc run(const Request& request, const EcuState& ecu) noexcept;
     Nrc session_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc reset(const Request& request, const EcuState& ecu) noexcept;
+    Nrc promise_reset(const Request& request) noexcept;
+    void switch_all_on() noexcept;
     Nrc clear_codes(const Request& request) noexcept;
     Nrc read_data(const Request& request, const EcuState& ecu) noexcept;
     Nrc write_data(const Request& request) noexcept;
     Nrc security_access(const Request& request) noexcept;
     Nrc take_key(const Request& request) noexcept;
     Nrc communication_control(const Request& request, const EcuState& ecu) noexcept;
-    Nrc code_setting(std::uint8_t sub_function) noexcept;
+    Nrc code_setting(const Request& request, const EcuState& ecu) noexcept;
     Nrc routine_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc start_self_test(const EcuState& ecu) noexcept;
     Nrc check_section(const Request& request) noexcept;

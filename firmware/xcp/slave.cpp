@@ -289,7 +289,11 @@ Error Slave::unlock() noexcept {
     }
     if (key_got_ == block_length) {
         key_got_ = 0U;
-        if (access_.take_key(exchanged_) != access_control::KeyAnswer::unlocked) {
+        const access_control::KeyAnswer answer = access_.take_key(exchanged_);
+        if (answer == access_control::KeyAnswer::no_seed) {
+            return Error::sequence;
+        }
+        if (answer != access_control::KeyAnswer::unlocked) {
             disconnect();  // as the standard has it
             return Error::access_locked;
         }

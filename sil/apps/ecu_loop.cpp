@@ -101,6 +101,12 @@ class Ecu {
             diagnosis_->step(ecu());
         }
     }
+    // An orderly end, unlike a loss of power.
+    void stop() {
+        if (diagnosis_) {
+            diagnosis_->stop();
+        }
+    }
     // A tester wants it to start anew.
     bool is_reset_requested() const { return diagnosis_ && diagnosis_->is_reset_requested(); }
 
@@ -194,6 +200,7 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
             throw std::runtime_error("the watchdog expired: a cycle took longer than 500 ms");
         }
     }
+    ecu->stop();
     print_punctuality(tick, bus);
 }
 
@@ -221,6 +228,7 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
             }
         }
     }
+    ecu->stop();
 }
 
 }  // namespace

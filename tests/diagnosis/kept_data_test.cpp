@@ -195,17 +195,22 @@ TEST(KeptData, EveryDamagedByteIsNoticedAndTheOtherRecordUsed) {
     }
 }
 
-TEST(KeptData, ARecordOfOtherCodesIsNotRead) {
+TEST(KeptData, ARecordOfAnotherLayoutIsNotRead) {
     Memories memories;
     diagnosis::AlternatingRecord<diagnosis::KeptPayload> record{memories.one, memories.other};
     diagnosis::KeptPayload payload{};
     payload.codes.states.fill({diagnosis::status::failure, 1U, 0U});
-    payload.code_count = diagnosis::trouble_code_count + 1U;
+    payload.layout = diagnosis::KeptPayload::present_layout + 1U;
     ASSERT_TRUE(record.write(payload));
     EXPECT_TRUE(Life{memories}.known().empty());
-    payload.code_count = diagnosis::trouble_code_count;
+    payload.layout = diagnosis::KeptPayload::present_layout;
     ASSERT_TRUE(record.write(payload));
     EXPECT_EQ(Life{memories}.known().size(), diagnosis::trouble_code_count);
+}
+
+// An update that adds codes must not take away the vehicle's number, nor the codes that there were.
+TEST(KeptData, ARecordDoesNotDependOnHowManyCodesThereAre) {
+    EXPECT_EQ(KeptData::record_length, 1U + 3U * 63U + 8U * 21U + 21U + 12U);
 }
 
 // The sequence number may begin again at zero.

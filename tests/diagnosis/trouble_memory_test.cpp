@@ -130,6 +130,23 @@ TEST_F(Troubles, ANewOperationCycleBeginsTheTestsAnew) {
     EXPECT_EQ(status_of(imu), 0x68U) << "a cycle tested and without failure: no longer pending";
 }
 
+// After a repair it is judged without another start.
+TEST_F(Troubles, WhatIsClearedIsJudgedAnewInTheSameCycle) {
+    run(7000, 0U, 20.0F);
+    memory_.clear(imu);
+    EXPECT_EQ(status_of(imu), status::cleared);
+    run(299);
+    EXPECT_EQ(status_of(imu), status::cleared);
+    run(1);
+    EXPECT_EQ(status_of(imu), 0U);
+    memory_.clear_all();
+    run(300);
+    EXPECT_EQ(status_of(imu), 0U);
+    EXPECT_EQ(status_of(gain), status::cleared);
+    run(6000, 0U, 20.0F);
+    EXPECT_EQ(status_of(gain), 0U);
+}
+
 // A reset within an operation cycle is no new one.
 TEST_F(Troubles, AResetIsNoNewCycle) {
     run(1, imu_failed);

@@ -97,6 +97,14 @@ TEST_F(Uds, EverySessionChangeLocks) {
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
 }
 
+TEST_F(Uds, WhoWasLetInBeforeAStartIsNotAfterIt) {
+    tester_.unlock();
+    tester_.start(false);
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'A')), no(0x2EU, 0x33U));
+}
+
 TEST_F(Uds, NoProgrammingWhileTheVehicleMoves) {
     tester_.inputs.speed_mps = 1.5F;
     EXPECT_EQ(ask({0x10U, 0x02U}), no(0x10U, 0x22U));
@@ -130,6 +138,56 @@ TEST_F(Uds, AResetWaitsUntilTheAnswerIsOut) {
     tester_.set_bus_state(hal::BusState::error_active);
     tester_.cycle();
     EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+}
+
+// Within a second of the record before; a loss of power would take it away.
+TEST_F(Uds, AResetWaitsForWhatIsToBeStored) {
+    ask({0x10U, 0x03U});
+    tester_.cycles(200);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(2);
+    tester_.fail(DiagnosticCode::roll_angle_lost);
+    tester_.cycles(2);
+    EXPECT_EQ(tester_.ask({0x11U, 0x81U}, 120), (Bytes{0x51U, 0x01U}))
+        << "no longer suppressed once it took time";
+    EXPECT_EQ(tester_.times_told_later, 1);
+    EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+    tester_.heal(DiagnosticCode::imu_lost);
+    tester_.heal(DiagnosticCode::roll_angle_lost);
+    tester_.start(false);
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x08U})[5], 2U);
+}
+
+TEST_F(Uds, AMemoryThatTakesNothingKeepsNobodyFromAReset) {
+    ask({0x10U, 0x03U});
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(2);
+    EXPECT_EQ(ask({0x11U, 0x01U}), (Bytes{0x51U, 0x01U}));
+    EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+}
+
+// What only counts further would be stored within a minute.
+TEST_F(Uds, AnOrderlyEndStoresTheRest) {
+    for (const bool is_orderly : {false, true}) {
+        tester_.cycles(350);
+        for (int time = 0; time < 3; ++time) {
+            tester_.fail(DiagnosticCode::imu_lost);
+            tester_.cycles(2);
+            tester_.heal(DiagnosticCode::imu_lost);
+            tester_.cycles(110);
+        }
+        const int writes = memories_.one.writes() + memories_.other.writes();
+        if (is_orderly) {
+            tester_.diagnosis().stop();
+        }
+        EXPECT_EQ(memories_.one.writes() + memories_.other.writes() - writes, is_orderly ? 1 : 0);
+        tester_.diagnosis().stop();
+        const int written = memories_.one.writes() + memories_.other.writes();
+        tester_.diagnosis().stop();
+        EXPECT_EQ(memories_.one.writes() + memories_.other.writes(), written) << "nothing is left";
+    }
 }
 
 // ---- trouble codes
@@ -295,6 +353,22 @@ TEST_F(Uds, RecordingIsOffUntilItIsOnOrTheSessionEnds) {
     tester_.cycles(10);
     EXPECT_EQ(ask({0x19U, 0x02U, 0x08U}), (Bytes{0x59U, 0x02U, 0x7FU}));
     EXPECT_EQ(ask({0x85U, 0x01U}), (Bytes{0xC5U, 0x01U}));
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x08U})[5], 1U);
+}
+
+TEST_F(Uds, RecordingIsOffAtRestOnly) {
+    ask({0x10U, 0x03U});
+    for (const float speed_mps : {1.5F, rsi::not_available}) {
+        tester_.inputs.speed_mps = speed_mps;
+        EXPECT_EQ(ask({0x85U, 0x02U}), no(0x85U, 0x22U));
+        EXPECT_EQ(ask({0x85U, 0x01U}), (Bytes{0xC5U, 0x01U}));
+    }
+    tester_.inputs.speed_mps = 0.0F;
+    EXPECT_EQ(ask({0x85U, 0x02U}), (Bytes{0xC5U, 0x02U}));
+    tester_.inputs.speed_mps = 1.5F;
+    tester_.cycles(1);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(3);
     EXPECT_EQ(ask({0x19U, 0x01U, 0x08U})[5], 1U);
 }
 

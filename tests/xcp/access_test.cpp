@@ -70,7 +70,8 @@ TEST(Key, CannotBeGivenOutOfOrder) {
     // Without a seed.
     EXPECT_EQ(bench.command({0xF7, 16, 0, 0, 0, 0, 0, 0}), (Bytes{0xFF, 0x05}));
     EXPECT_EQ(bench.command({0xF7, 10, 0, 0, 0, 0, 0, 0}), (Bytes{0xFF, 0x05}));
-    EXPECT_EQ(bench.command({0xF7, 4, 0, 0, 0, 0}), locked);
+    EXPECT_EQ(bench.command({0xF7, 4, 0, 0, 0, 0}), (Bytes{0xFE, 0x29}));
+    EXPECT_EQ(bench.unlock(), (Bytes{0xFF, 0x00})) << "and the connection is still there";
 }
 
 TEST(Key, BegunAndBrokenOffIsBegunAnew) {

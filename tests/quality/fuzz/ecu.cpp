@@ -204,12 +204,12 @@ class World {
         require(ready_cycles == lasting, "ready again once all is well");
     }
 
-    // Along a road that rolls the body to and fro, by half a degree in a second: frames that were late are
+    // Along a road that rolls the body to and fro, by a degree in a second: frames that were late are
     // believed again when angle and rate move together.
     void sway(int count) {
         const double turn = 2.0 * 3.14159265358979 * 0.01 * count;
-        const auto angle = static_cast<std::uint16_t>(static_cast<std::int16_t>(100.0 * std::sin(turn)));
-        const auto rate = static_cast<std::uint16_t>(static_cast<std::int16_t>(314.0 * std::cos(turn)));
+        const auto angle = static_cast<std::uint16_t>(static_cast<std::int16_t>(200.0 * std::sin(turn)));
+        const auto rate = static_cast<std::uint16_t>(static_cast<std::int16_t>(628.0 * std::cos(turn)));
         payloads_[1][2] = static_cast<std::uint8_t>(angle >> 8U);
         payloads_[1][3] = static_cast<std::uint8_t>(angle & 0xFFU);
         payloads_[0][6] = static_cast<std::uint8_t>(rate & 0xFFU);

@@ -212,6 +212,21 @@ class PyXcp(unittest.TestCase):
             self.assertEqual([len(column) for column in told], [len(told[0])] * 3)
 
 
+    def test_measures_into_a_picture(self):
+        names = ["state", "warning_level"]
+        with tempfile.TemporaryDirectory() as folder, self.session() as session:
+            session.unlock()
+            path = pathlib.Path(folder) / "it's measured.png"
+            options = calibration.parse(["measure", *names, "--seconds", "1", "--output", str(path)])
+            calibration.measure(session, options, lambda seconds: self.bus.run(round(100 * seconds)))
+            self.assertEqual([entry.name for entry in pathlib.Path(folder).iterdir()], [path.name])
+            width, height = struct.unpack(">II", path.read_bytes()[16:24])
+            self.assertEqual((width, height), (1000, 50 + 170 * len(names)))
+            options.output = pathlib.Path(folder) / "nosuch" / "a.png"
+            with self.assertRaisesRegex(LogError, "was not drawn"):
+                calibration.measure(session, options, lambda seconds: self.bus.run(round(100 * seconds)))
+
+
 class TheCommand(unittest.TestCase):
     def run_it(self, *arguments):
         return subprocess.run([PROJECT / "sil/tools/calibrate", *arguments], capture_output=True, text=True, check=False)
