@@ -54,11 +54,6 @@ bool is_said_to_everybody(Nrc code) {
            (code != Nrc::request_out_of_range) && (code != Nrc::service_not_in_session);
 }
 
-bool is_tester_present(const Request& request) {
-    return (request.length() == 2U) && (request.service() == service_id::tester_present) &&
-           (request.byte(1U) == suppress_positive);
-}
-
 // A speed that is not known is none: on a bench nobody sends one.
 bool is_moving(const EcuState& ecu) {
     return ecu.inputs.speed_mps > standing_mps;
@@ -118,19 +113,14 @@ void UdsServer::count_session_time() noexcept {
     const bool is_busy =
         (waiting_ != Waiting::nothing) || transport_.is_sending() || transport_.is_receiving();
     idle_cycles_ = is_busy ? 0U : (idle_cycles_ + 1U);
-    if (session_ == Session::standard) {
-        idle_cycles_ = 0U;
-    } else if (idle_cycles_ >= session_cycles) {
+    if ((session_ != Session::standard) && (idle_cycles_ >= session_cycles)) {
         enter(Session::standard);
-    } else {
-        // it goes on
     }
 }
 
 // Whatever the tester had been allowed ends; what he had switched off is on again when he leaves.
 void UdsServer::enter(Session session) noexcept {
     session_ = session;
-    idle_cycles_ = 0U;
     download_.abort();
     if (access_ != nullptr) {
         access_->lock();
@@ -157,12 +147,7 @@ void UdsServer::drop_functional_request() noexcept {
 
 void UdsServer::serve(const Request& request, const EcuState& ecu) noexcept {
     idle_cycles_ = 0U;
-    if (is_tester_present(request)) {
-        transport_.finish(request);
-        return;
-    }
     begin_answer(request, 0U);
-    is_later_said_ = false;
     const Nrc code = check_and_run(request, ecu);
     if (code == Nrc::response_pending) {
         waiting_for_ = request;
@@ -173,12 +158,11 @@ void UdsServer::serve(const Request& request, const EcuState& ecu) noexcept {
 }
 
 void UdsServer::answer(const Request& request, Nrc code) noexcept {
-    const Nrc said = ((code == Nrc::none) && response_.is_too_long()) ? Nrc::response_too_long : code;
-    bool is_said = true;
-    if (said == Nrc::none) {
-        is_said = is_later_said_ || !is_suppressed(request);
-    } else {
-        is_said = !request.is_functional() || is_said_to_everybody(said);
+    const Nrc said = response_.is_too_long() ? Nrc::response_too_long : code;
+    const bool is_good = (said == Nrc::none);
+    const bool is_said = is_good ? (is_later_said_ || !is_suppressed(request))
+                                 : (!request.is_functional() || is_said_to_everybody(said));
+    if (!is_good) {
         say_no(request, said);
     }
     is_later_said_ = false;
@@ -314,7 +298,7 @@ Nrc UdsServer::clear_codes(const Request& request) noexcept {
 
 // Identifiers that nobody knows are left out, unless all are.
 Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
-    if ((request.length() < 3U) || ((request.length() % 2U) == 0U)) {
+    if ((request.length() == 1U) || ((request.length() % 2U) == 0U)) {
         return Nrc::incorrect_length;
     }
     const DataSources sources{identification_, kept_.written(), ecu.inputs, ecu.outputs, session_};
@@ -482,7 +466,8 @@ Nrc UdsServer::storage_answer() noexcept {
         return Nrc::response_pending;
     }
     if (waiting_ == Waiting::self_test_stored) {
-        return self_test_answer();
+        self_test_answer();
+        return Nrc::none;
     }
     if (waiting_ == Waiting::codes_stored_before_reset) {  // a memory that takes nothing keeps nobody from it
         return promise_reset(waiting_for_);
@@ -491,13 +476,12 @@ Nrc UdsServer::storage_answer() noexcept {
     return kept_.is_stored() ? Nrc::none : Nrc::programming_failure;
 }
 
-Nrc UdsServer::self_test_answer() noexcept {
+void UdsServer::self_test_answer() noexcept {
     const std::uint32_t storing = kept_.is_stored() ? 0U : self_test::storing;
     self_test_result_ = static_cast<std::uint8_t>(self_test_result_ | storing);
     has_self_test_result_ = true;
     begin_routine_answer(waiting_for_);
     response_.put(self_test_result_);
-    return Nrc::none;
 }
 
 void UdsServer::wait_for_storage() noexcept {

@@ -105,7 +105,7 @@ class UdsServer {
     void drop_functional_request() noexcept;
     void wait_for_storage() noexcept;
     Nrc storage_answer() noexcept;
-    Nrc self_test_answer() noexcept;
+    void self_test_answer() noexcept;
     void count_session_time() noexcept;
     void enter(Session session) noexcept;
     bool is_unlocked() const noexcept { return (access_ != nullptr) && access_->is_unlocked(); }

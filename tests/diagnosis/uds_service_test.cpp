@@ -66,7 +66,39 @@ TEST_F(Uds, ASessionEndsFiveSecondsAfterTheLastRequest) {
     tester_.ask_everybody({0x3EU, 0x80U}, 0);
     tester_.cycles(480);
     EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
-    tester_.cycles(30);
+    ask({0x3EU, 0x00U});
+    tester_.cycles(499);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.cycles(1);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
+}
+
+// However long the answer is on its way: the five seconds begin behind it.
+TEST_F(Uds, ALongAnswerKeepsTheSessionWhileItGoes) {
+    ask({0x10U, 0x03U});
+    tester_.send({0x22U, 0xF1U, 0x90U});
+    for (int wait = 0; wait < 8; ++wait) {
+        tester_.cycles(90);
+        tester_.send_frame(Tester::physical, {0x31U, 0U, 0U});
+    }
+    tester_.cycle();
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.send_frame(Tester::physical, {0x30U, 0U, 0U});
+    tester_.cycle();
+    tester_.cycles(499);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.cycles(1);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
+}
+
+TEST_F(Uds, ARequestThatWaitsForTheMemoryKeepsTheSession) {
+    tester_.unlock();
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x72U));
+    tester_.cycles(490);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.cycles(10);
     EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
 }
 
@@ -311,17 +343,21 @@ TEST_F(Uds, WhileItWaitsNobodyElseIsServed) {
     memories_.other.refuse(true);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
     tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
-    EXPECT_EQ(tester_.ask_everybody({0x3EU, 0x80U}), no(0x14U, 0x78U));
-    EXPECT_EQ(tester_.ask_everybody({0x10U, 0x01U}), Bytes{});
+    EXPECT_EQ(tester_.ask_everybody({0x10U, 0x01U}), no(0x14U, 0x78U));
+    EXPECT_EQ(tester_.ask_everybody({0x3EU, 0x80U}), Bytes{});
+    tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
+    tester_.cycles(3);
     memories_.one.refuse(false);
     memories_.other.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
+    tester_.cycles(3);
     EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
 }
 
 // The bus takes no frame while "later" is to be said.
 TEST_F(Uds, AnAnswerWaitsUntilLaterHasBeenSaid) {
     tester_.unlock();
+    tester_.cycles(110);  // the last record is a second old: the next is taken as soon as the memory may
     memories_.one.refuse(true);
     memories_.other.refuse(true);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
@@ -344,6 +380,14 @@ TEST_F(Uds, EverybodyMayBeAskedToClear) {
     memories_.one.refuse(false);
     memories_.other.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
+
+    // And later everybody meets a deaf ear again while an answer goes out.
+    tester_.send({0x22U, 0xF1U, 0x90U});
+    tester_.send_frame(Tester::functional, {0x02U, 0x10U, 0x01U});
+    tester_.cycle();
+    EXPECT_EQ(tester_.receive(20).size(), 20U);
+    tester_.cycles(3);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
 }
 
 TEST_F(Uds, RecordingIsOffUntilItIsOnOrTheSessionEnds) {
@@ -384,10 +428,10 @@ TEST_F(Uds, TellsWhatItIs) {
 
 TEST_F(Uds, TellsEveryOutputAndInput) {
     for (std::size_t number = 0U; number < rsi::number_outputs.size(); ++number) {
-        tester_.outputs.*rsi::number_outputs[number].member = 0.5F + static_cast<float>(number);
+        tester_.outputs.*rsi::number_outputs[number].member = 0.1F + static_cast<float>(number);
         const Bytes answer = ask({0x22U, 0x10U, static_cast<std::uint8_t>(number)});
         ASSERT_EQ(answer.size(), 7U);
-        EXPECT_EQ(number_in(answer, 3U), 0.5F + static_cast<float>(number));
+        EXPECT_EQ(number_in(answer, 3U), 0.1F + static_cast<float>(number));
     }
     for (std::size_t code = 0U; code < rsi::code_outputs.size(); ++code) {
         tester_.outputs.*rsi::code_outputs[code].member = static_cast<std::int32_t>(code + 1U);
@@ -418,12 +462,14 @@ TEST(DataIdentifiers, TheMembersOfATableAreInItsOrder) {
 TEST_F(Uds, SeveralIdentifiersComeTogetherAndUnknownOnesAreLeftOut) {
     EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U, 0x00U, 0x01U, 0x11U, 0x00U}),
               (Bytes{0x62U, 0xF1U, 0x86U, 0x01U, 0x11U, 0x00U, 0x00U}));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U, 0x00U, 0x01U}), (Bytes{0x62U, 0xF1U, 0x86U, 0x01U}));
     EXPECT_EQ(ask({0x22U, 0x00U, 0x01U, 0x0FU, 0xFFU}), no(0x22U, 0x31U));
     Bytes much{0x22U};
     for (int time = 0; time < 6; ++time) {
         much = much + Bytes{0xF1U, 0x82U};
     }
     EXPECT_EQ(ask(much), no(0x22U, 0x14U));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U}), (Bytes{0x62U, 0xF1U, 0x86U, 0x01U}));
 }
 
 TEST_F(Uds, WritesIdentificationWithTheKeyOnlyAndStoresIt) {
@@ -513,7 +559,9 @@ TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
     EXPECT_EQ(ask({0x28U, 0x01U, 0x02U}), (Bytes{0x68U, 0x01U}))
         << "network management, which there is none of";
     EXPECT_TRUE(is_sent());
+    tester_.inputs.speed_mps = 1.4F;
     EXPECT_EQ(ask({0x28U, 0x01U, 0x01U}), (Bytes{0x68U, 0x01U}));
+    tester_.cycles(100);
     EXPECT_FALSE(is_sent());
     EXPECT_EQ(ask({0x28U, 0x00U, 0x01U}), (Bytes{0x68U, 0x00U}));
     EXPECT_TRUE(is_sent());
