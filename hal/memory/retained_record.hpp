@@ -1,5 +1,5 @@
-// Retained record: a storage in memory that no start clears. It outlives a reset, and no loss of power: a product
-// has EEPROM or flash.
+// Retained record: a storage in memory that no start clears. It outlives a reset, and no loss of power: a
+// product has EEPROM or flash.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // rsi-ecu-r5f-bench: the firmware with XCP and diagnosis on the emulated Cortex-R5F. For the emulator; never
-// flashed: its keys are known to everybody, its seeds can be guessed, and it keeps nothing over a loss of power.
+// flashed: its keys are known to everybody, its seeds can be guessed, and it keeps nothing over a loss of
+// power.
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
 #include "images/zynqmp_r5/warning_witness.hpp"
@@ -35,9 +36,8 @@ image::EcuImage<image::WarningWitness, Ecu> ecu;
 constexpr hal::zynqmp_r5::CanSettings can_settings() {
     constexpr diagnosis::Addresses addresses{};
     hal::zynqmp_r5::CanSettings settings = image::can_settings();
-    settings.accepted[settings.accepted_count] = hal::zynqmp_r5::accepting(
-        std::array<std::uint32_t, 3>{xcp::default_identifiers.command, addresses.physical_request,
-                                     addresses.functional_request});
+    settings.accepted[settings.accepted_count] = hal::zynqmp_r5::accepting(std::array<std::uint32_t, 3>{
+        xcp::default_identifiers.command, addresses.physical_request, addresses.functional_request});
     ++settings.accepted_count;
     return settings;
 }

@@ -17,7 +17,8 @@ class GuessableNumbers final : public hal::RandomSource {
     bool fill(std::uint8_t* bytes, std::size_t length) noexcept override {
         state_ ^= static_cast<std::uint32_t>(clock_.now().nanoseconds);
         for (std::size_t place = 0U; place < length; ++place) {
-            state_ = state_ * 1664525U + 1013904223U;  // of Numerical Recipes; its upper bits are the better ones
+            state_ =
+                state_ * 1664525U + 1013904223U;  // of Numerical Recipes; its upper bits are the better ones
             bytes[place] = static_cast<std::uint8_t>(state_ >> 24U);
         }
         return true;
