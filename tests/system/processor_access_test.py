@@ -83,13 +83,9 @@ class Access(unittest.TestCase):
     def test_a_tester_reads_codes_and_clears_them_with_the_key_only(self):
         tester = self.workshop()
         tester.codes_with(diagnosis_test.IMU_LOST, diagnosis_test.FAILS_NOW | diagnosis_test.CONFIRMED)
-        clear = (0x14, b"\xFF\xFF\xFF")
-        self.assertEqual(tester.ask(*clear), diagnosis_test.refused(0x14, 0x33))
+        self.assertEqual(tester.ask(*diagnosis_test.CLEAR), diagnosis_test.refused(0x14, 0x33))
         self.assertEqual(tester.unlock(), b"\x67\x02")
-        self.assertEqual(tester.ask(0x85, 0x02), b"\xC5\x02")  # the sensors are still missing
-        self.assertEqual(tester.ask(*clear), b"\x54")
-        self.assertEqual(tester.confirmed(), {})
-        tester.ask(0x10, 0x01)  # which ends all that it has switched off
+        diagnosis_test.check_cleared(self, tester)
 
     def test_what_a_tester_has_written_outlives_a_reset(self):
         tester = self.workshop()
