@@ -8,7 +8,6 @@ void KeptData::restore() noexcept {
         codes_.restore(payload.codes);
         written_ = payload.written;
     }
-    cycles_to_wait_ = wait_of_new_entries;
 }
 
 void KeptData::store() noexcept {

@@ -113,7 +113,7 @@ void UdsServer::count_session_time() noexcept {
     const bool is_busy =
         (waiting_ != Waiting::nothing) || transport_.is_sending() || transport_.is_receiving();
     idle_cycles_ = is_busy ? 0U : (idle_cycles_ + 1U);
-    if ((session_ != Session::standard) && (idle_cycles_ >= session_cycles)) {
+    if (idle_cycles_ >= session_cycles) {  // of the standard session nothing is left to end
         enter(Session::standard);
     }
 }
@@ -265,18 +265,18 @@ Nrc UdsServer::reset(const Request& request, const EcuState& ecu) noexcept {
         return Nrc::conditions_not_correct;
     }
     if (kept_.codes().storing() == Storing::not_needed) {
-        return promise_reset(request);
+        promise_reset(request);
+        return Nrc::none;
     }
     kept_.codes().request_storing(Storing::now);
     waiting_ = Waiting::codes_stored_before_reset;
     return Nrc::response_pending;
 }
 
-Nrc UdsServer::promise_reset(const Request& request) noexcept {
+void UdsServer::promise_reset(const Request& request) noexcept {
     is_reset_requested_ = true;
     begin_answer(request, 0U);
     response_.put(request.sub_function());
-    return Nrc::none;
 }
 
 Nrc UdsServer::clear_codes(const Request& request) noexcept {
@@ -470,7 +470,8 @@ Nrc UdsServer::storage_answer() noexcept {
         return Nrc::none;
     }
     if (waiting_ == Waiting::codes_stored_before_reset) {  // a memory that takes nothing keeps nobody from it
-        return promise_reset(waiting_for_);
+        promise_reset(waiting_for_);
+        return Nrc::none;
     }
     begin_answer(waiting_for_, (waiting_for_.service() == service_id::write_data) ? 2U : 0U);
     return kept_.is_stored() ? Nrc::none : Nrc::programming_failure;

@@ -88,7 +88,7 @@ class UdsServer {
     Nrc run(const Request& request, const EcuState& ecu) noexcept;
     Nrc session_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc reset(const Request& request, const EcuState& ecu) noexcept;
-    Nrc promise_reset(const Request& request) noexcept;
+    void promise_reset(const Request& request) noexcept;
     void switch_all_on() noexcept;
     Nrc clear_codes(const Request& request) noexcept;
     Nrc read_data(const Request& request, const EcuState& ecu) noexcept;

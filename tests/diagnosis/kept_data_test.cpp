@@ -116,6 +116,8 @@ TEST(KeptData, NothingIsStoredWhereNothingHasChanged) {
     const int writes = memories.one.writes() + memories.other.writes();
     life.run(20000);
     EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes);
+    life.run(1, bit_of(0U));
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes + 1) << "but what is new at once";
 }
 
 TEST(KeptData, ABusyPlaceIsAskedAgain) {

@@ -123,6 +123,7 @@ TEST_F(Troubles, AfterAMinuteOfGoodDrivingEveryCodeIsJudged) {
 
 TEST_F(Troubles, NoTestIsCompletedWhileACodeFails) {
     run(1000, imu_failed, 20.0F);
+    run(1000, imu_failed | gain_failed, 20.0F);
     EXPECT_EQ(status_of(last_row), 0x50U);
     run(299, 0U, 20.0F);
     EXPECT_EQ(status_of(last_row), 0x50U);
@@ -152,8 +153,9 @@ TEST_F(Troubles, WhatIsClearedIsJudgedAnewInTheSameCycle) {
     memory_.clear_all();
     run(300);
     EXPECT_EQ(status_of(imu), 0U);
+    run(5999, 0U, 20.0F);
     EXPECT_EQ(status_of(gain), status::cleared);
-    run(6000, 0U, 20.0F);
+    run(1, 0U, 20.0F);
     EXPECT_EQ(status_of(gain), 0U);
 }
 

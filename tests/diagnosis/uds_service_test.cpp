@@ -190,6 +190,20 @@ TEST_F(Uds, AResetWaitsForWhatIsToBeStored) {
     EXPECT_EQ(ask({0x19U, 0x01U, 0x08U})[5], 2U);
 }
 
+// A count that would be stored within a minute.
+TEST_F(Uds, AResetStoresWhatOnlyCountsFurther) {
+    ask({0x10U, 0x03U});
+    for (int time = 0; time < 2; ++time) {
+        tester_.fail(DiagnosticCode::imu_lost);
+        tester_.cycles(2);
+        tester_.heal(DiagnosticCode::imu_lost);
+        tester_.cycles(110);
+    }
+    EXPECT_EQ(tester_.ask({0x11U, 0x01U}, 120), (Bytes{0x51U, 0x01U}));
+    tester_.start(false);
+    EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0x01U}).back(), 2U);
+}
+
 TEST_F(Uds, AMemoryThatTakesNothingKeepsNobodyFromAReset) {
     ask({0x10U, 0x03U});
     memories_.one.refuse(true);
@@ -226,6 +240,8 @@ TEST_F(Uds, AnOrderlyEndStoresTheRest) {
 
 TEST_F(Uds, TellsHowManyAndWhichCodesByTheirStatus) {
     EXPECT_EQ(ask({0x19U, 0x01U, 0x0FU}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x00U}));
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x10U}),
+              (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, diagnosis::trouble_code_count}));
     EXPECT_EQ(ask({0x19U, 0x02U, 0x0FU}), (Bytes{0x59U, 0x02U, 0x7FU}));
     tester_.fail(DiagnosticCode::imu_lost);
     tester_.fail(DiagnosticCode::own_identifier_received);
