@@ -565,6 +565,14 @@ TEST(UdsWithoutAccess, NobodyIsUnlockedAndNoSectionTaken) {
     EXPECT_EQ(ask({0x34U, 0x00U, 0x11U, 0U, 1U}), no(0x34U, 0x33U));
 }
 
+TEST_F(Uds, ASeedWhoseAttemptCannotBeStoredIsNotGivenAndNoDelayIsToBlame) {
+    memories_.attempts.refuse(true);
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x27U, 0x01U}), no(0x27U, 0x22U));
+    memories_.attempts.refuse(false);
+    EXPECT_EQ(ask({0x27U, 0x01U}).size(), 18U);
+}
+
 // ---- communication
 
 TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {

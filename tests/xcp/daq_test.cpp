@@ -443,6 +443,37 @@ TEST(Packet, EndsWithItsFrame) {
     EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
 }
 
+// An extended or an FD frame of the same number is no command.
+TEST(Slave, TakesStandardClassicFramesOnly) {
+    Bench bench;
+    hal::VirtualClock clock;
+    hal::MemoryBus<1U> bus{clock};
+    hal::SoftwareKeys keys{hal::test_keys};
+    hal::MemoryStorage<64U> attempts;
+    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
+    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
+    xcp::Slave slave{pages, access, xcp::default_identifiers};
+    hal::CanFrame connect{};
+    connect.identifier = xcp::default_identifiers.command;
+    connect.length = 2U;
+    connect.data[0] = 0xFFU;
+    const auto is_connected_by = [&](const hal::CanFrame& frame) {
+        slave.take(frame);
+        static_cast<void>(slave.end_cycle(bus.endpoint(0U), clock, 0U));
+        return slave.is_connected();
+    };
+    hal::CanFrame extended = connect;
+    extended.extended = true;
+    EXPECT_FALSE(is_connected_by(extended));
+    hal::CanFrame flexible = connect;
+    flexible.flexible_data_rate = true;
+    EXPECT_FALSE(is_connected_by(flexible));
+    hal::CanFrame other = connect;
+    ++other.identifier;
+    EXPECT_FALSE(is_connected_by(other));
+    EXPECT_TRUE(is_connected_by(connect));
+}
+
 // Takes no frames from a lowest identifier on.
 class RefusingBus final : public hal::CanBus {
  public:
