@@ -77,12 +77,12 @@ class SensorReception {
         return roll_angle_.is_fresh(now) && !delay_.roll_angle_is_late();
     }
 
+    std::array<hal::FrameListener*, most_listeners> listeners_{};
     FrameMonitor<can_dbc::Imu> imu_{};
     FrameMonitor<can_dbc::RollAngle> roll_angle_{};
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};
     FrameMonitor<can_dbc::VehicleMass> vehicle_mass_{};  // few vehicles send it, so its absence is no fault
     FrameDelay delay_{};
-    std::array<hal::FrameListener*, most_listeners> listeners_{};
     bool own_identifier_{false};              // in this cycle
     bool vertical_acceleration_sent_{false};  // since the start
     bool roll_angle_fitted_{true};
