@@ -43,9 +43,12 @@ class SeedAndKey {
 
     bool is_unlocked() const noexcept { return is_unlocked_; }
 
+    // After wrong keys: no seed is given for a while.
+    bool is_delayed() const noexcept { return delay_cycles_ > 0U; }
+
     // Counts the delay down, once a cycle of 10 ms.
     void end_cycle() noexcept {
-        if (delay_cycles_ > 0U) {
+        if (is_delayed()) {
             --delay_cycles_;
         }
     }

@@ -3,7 +3,6 @@
 
 #include "application/calibration_pages.hpp"
 #include "application/rollover_ecu.hpp"
-#include "xcp/bus_tap.hpp"
 #include "xcp/slave.hpp"
 
 namespace application {
@@ -21,8 +20,9 @@ class CalibratedEcu {
           clock_{clock},
           pages_{ecu_, section, length, storage},
           slave_{pages_, access, identifiers},
-          tap_{bus, slave_},
-          ecu_{tap_, clock, watchdog} {}
+          ecu_{bus, clock, watchdog} {
+        static_cast<void>(ecu_.listen(slave_));
+    }
 
     // Before init, as the platform knows: reset reason, storage of the load.
     RolloverEcu& ecu() noexcept { return ecu_; }
@@ -35,7 +35,10 @@ class CalibratedEcu {
     void step(std::uint32_t missed_cycles) noexcept {
         pages_.begin_cycle();
         ecu_.step(missed_cycles);
-        slave_.end_cycle(bus_, clock_.now(), missed_cycles);
+        const std::uint32_t failures = slave_.end_cycle(bus_, clock_, missed_cycles);
+        if (failures > 0U) {
+            ecu_.forgive_send_failures(failures);
+        }
     }
 
     const xcp::Slave& slave() const noexcept { return slave_; }
@@ -45,7 +48,6 @@ class CalibratedEcu {
     const hal::Clock& clock_;
     CalibrationPages pages_;
     xcp::Slave slave_;
-    xcp::BusTap tap_;
     RolloverEcu ecu_;
 };
 

@@ -112,7 +112,9 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
 
     report.degradation = monitoring::degradation_of(inputs_, outputs_, internal_fault());
     report.diagnosis = memory_.next();
-    transmission_.send(bus_, outputs_, report);
+    if (is_sending_) {
+        transmission_.send(bus_, outputs_, report);
+    }
     if (healthy) {
         watchdog_.feed();
     }

@@ -60,6 +60,17 @@ class RolloverEcu {
     // ECU.
     void use_storage(hal::Storage& storage) noexcept { load_keeper_.use(storage); }
 
+    // For XCP and diagnosis on the same bus: hears all frames that are no sensor's. `listener` must outlive
+    // the ECU. False: two do so already.
+    bool listen(hal::FrameListener& listener) noexcept { return reception_.listen(listener); }
+
+    // False: the ECU goes on, and its frames stay away from the bus.
+    void set_sending(bool is_sending) noexcept { is_sending_ = is_sending; }
+
+    // So many frames of others, sent by the same bus since the last step, were not taken: no fault of the
+    // bus.
+    void forgive_send_failures(std::uint32_t count) noexcept { send_failure_count_ += count; }
+
     // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
     // when all is well; after more than two the component starts anew, because its models know no step but 10
     // ms. Feeds the watchdog at its end, unless the ECU has found itself damaged: then only a start from new
@@ -103,6 +114,7 @@ class RolloverEcu {
     rsi::Outputs outputs_{};
     ParametersRefusal refusal_{ParametersRefusal::missing};
     bool has_test_keys_{false};
+    bool is_sending_{true};
     Protection protection_{Protection::unsealed};
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     std::uint32_t cycles_{0U};  // since the start

@@ -82,10 +82,30 @@ void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
         case can_dbc::VehicleMass::identifier:
             vehicle_mass_.take(frame);
             break;
-        default:  // foreign traffic, or a stranger in this control unit's name
-            own_identifier_ = own_identifier_ || is_sent(frame.identifier);
+        default:
+            take_foreign(frame);
             break;
     }
+}
+
+// Foreign traffic, what listeners wait for, or a stranger in this control unit's name.
+void SensorReception::take_foreign(const hal::CanFrame& frame) noexcept {
+    own_identifier_ = own_identifier_ || is_sent(frame.identifier);
+    for (hal::FrameListener* const listener : listeners_) {
+        if (listener != nullptr) {
+            listener->take(frame);
+        }
+    }
+}
+
+bool SensorReception::listen(hal::FrameListener& listener) noexcept {
+    for (hal::FrameListener*& place : listeners_) {
+        if (place == nullptr) {
+            place = &listener;
+            return true;
+        }
+    }
+    return false;
 }
 
 // A signal that is not valid was decoded as NaN, which is what the component takes for "not available".

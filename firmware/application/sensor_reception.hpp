@@ -7,6 +7,7 @@
 #include "application/frame_delay.hpp"
 #include "application/frame_monitor.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "hal/interface/frame_listener.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/types.hpp"
 
@@ -56,6 +57,9 @@ class SensorReception {
         steering_fitted_ = (parameters.vehicle_motion_sensors == RSI_MOTION_WITH_STEERING);
     }
 
+    // Others than this control unit's own frames are passed on. False: there are most_listeners already.
+    bool listen(hal::FrameListener& listener) noexcept;
+
     // Reads what waits on the bus. `missed_cycles` were left out before this one.
     void receive(hal::CanBus& bus, std::uint32_t missed_cycles) noexcept;
 
@@ -65,11 +69,15 @@ class SensorReception {
     rsi::Inputs inputs(const ReceptionReport& report) const noexcept;
 
  private:
+    static constexpr std::size_t most_listeners = 2U;  // XCP and diagnosis
+
     void dispatch(const hal::CanFrame& frame) noexcept;
+    [[gnu::cold]] void take_foreign(const hal::CanFrame& frame) noexcept;
     bool is_roll_angle_fresh(hal::Time now) const noexcept {
         return roll_angle_.is_fresh(now) && !delay_.roll_angle_is_late();
     }
 
+    std::array<hal::FrameListener*, most_listeners> listeners_{};
     FrameMonitor<can_dbc::Imu> imu_{};
     FrameMonitor<can_dbc::RollAngle> roll_angle_{};
     FrameMonitor<can_dbc::VehicleMotion> vehicle_motion_{};

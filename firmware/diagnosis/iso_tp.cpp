@@ -54,8 +54,10 @@ void IsoTp::take(const hal::CanFrame& frame) noexcept {
         return;
     }
     if (frame.identifier == addresses_.physical_request) {
+        is_active_ = true;
         take_physical(frame);
     } else if (frame.identifier == addresses_.functional_request) {
+        is_active_ = true;
         take_functional(frame);
     } else {
         // foreign traffic
@@ -198,6 +200,7 @@ void IsoTp::send(const Response& response) noexcept {
     send_cycles_ = 0U;
     waits_ = 0U;
     sending_ = Sending::first_frame;
+    is_active_ = true;
 }
 
 void IsoTp::end_cycle() noexcept {
@@ -209,6 +212,8 @@ void IsoTp::end_cycle() noexcept {
     if (is_sending()) {
         send_response();
     }
+    is_active_ = is_sending() || is_receiving_ || (flow_control_due_ != FlowStatus::none) ||
+                 (request().length() != 0U);
 }
 
 bool IsoTp::send_frame(const Payload& payload) noexcept {

@@ -7,6 +7,7 @@
 
 #include "diagnosis/message.hpp"
 #include "hal/interface/can_bus.hpp"
+#include "hal/interface/frame_listener.hpp"
 
 namespace diagnosis {
 
@@ -21,7 +22,7 @@ struct Addresses {
 // One request at a time in each of the two ways of addressing, and one response. A functional request is one
 // frame, held apart: it does not disturb a segmented request that is on its way. What comes while a request
 // waits, or while a response goes out, is not taken: the tester speaks when he has been answered.
-class IsoTp {
+class IsoTp final : public hal::FrameListener {
  public:
     static constexpr std::size_t longest_request = 130U;
 
@@ -29,7 +30,7 @@ class IsoTp {
     IsoTp(hal::CanBus& bus, const Addresses& addresses) noexcept : bus_{bus}, addresses_{addresses} {}
 
     // Any frame of the bus; foreign ones are left alone.
-    void take(const hal::CanFrame& frame) noexcept;
+    void take(const hal::CanFrame& frame) noexcept override;
 
     // The request that waits, the functional one first; length 0: none does. It stays until it is finished.
     Request request() const noexcept;
@@ -42,7 +43,10 @@ class IsoTp {
     // A segmented request is on its way.
     bool is_receiving() const noexcept { return is_receiving_; }
 
-    // Once a cycle of 10 ms: sends what is due and counts the times.
+    // Something is on its way or waits, in either direction.
+    bool is_active() const noexcept { return is_active_; }
+
+    // Once a cycle of 10 ms while it is active: sends what is due and counts the times.
     void end_cycle() noexcept;
 
  private:
@@ -76,6 +80,7 @@ class IsoTp {
     std::uint32_t receive_cycles_{0U};  // since the last frame of it
     std::uint8_t next_received_{0U};    // sequence number
     bool is_receiving_{false};
+    bool is_active_{false};  // may be
     bool physical_waits_{false};
     FlowStatus flow_control_due_{FlowStatus::none};
 

@@ -9,9 +9,11 @@
 
 namespace diagnosis {
 
-// A record of other software, with other codes, has another length or another count and is not read.
+// Other software reads it as well, as long as the layout has this number and codes keep theirs.
 struct KeptPayload {
-    std::uint8_t code_count{0U};
+    static constexpr std::uint8_t present_layout = 1U;
+
+    std::uint8_t layout{present_layout};
     TroubleMemory::Stored codes{};
     WrittenData written{};
 };
@@ -29,22 +31,45 @@ class KeptData {
 
     // Once a cycle: stores what is to be stored. New entries at once, though a second after the last record,
     // which may still be on its way in the background; what only counts further once a minute.
-    void end_cycle() noexcept;
+    void end_cycle() noexcept {
+        if (cycles_to_wait_ > 0U) {
+            --cycles_to_wait_;
+        }
+        const Storing storing = codes_.storing();
+        if ((storing != Storing::not_needed) && (cycles_to_wait_ <= longest_wait(storing))) {
+            store();
+        }
+    }
 
     TroubleMemory& codes() noexcept { return codes_; }
     WrittenData& written() noexcept { return written_; }
+    // Before the control unit is switched off in an orderly way: what is to be stored sooner or later.
+    void store_the_rest() noexcept {
+        if (codes_.storing() != Storing::not_needed) {
+            store();
+        }
+    }
+
     // All that was to be stored at once has been taken by the memory.
     bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
 
  private:
     using Record = AlternatingRecord<KeptPayload>;
 
+    static constexpr std::uint32_t least_cycles_between_records = 100U;
+    static constexpr std::uint32_t cycles_to_store_counts = 6000U;
+    static constexpr std::uint32_t wait_of_new_entries =
+        cycles_to_store_counts - least_cycles_between_records;
+
+    static std::uint32_t longest_wait(Storing storing) noexcept {
+        return (storing == Storing::now) ? wait_of_new_entries : 0U;
+    }
     void store() noexcept;
 
     Record record_;
     TroubleMemory codes_{};
     WrittenData written_{};
-    std::uint32_t cycles_since_store_{0U};
+    std::uint32_t cycles_to_wait_{wait_of_new_entries};  // until what only counts is stored
 };
 
 }  // namespace diagnosis

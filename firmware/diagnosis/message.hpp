@@ -58,18 +58,18 @@ class Response {
             is_too_long_ = true;
         }
     }
-    // The most significant byte first.
+    // The most significant byte first; of larger values the last bytes, here and in the next two.
     void put_two(std::uint32_t value) noexcept {
         put(static_cast<std::uint8_t>((value >> 8U) & 0xFFU));
         put(static_cast<std::uint8_t>(value & 0xFFU));
     }
     void put_three(std::uint32_t value) noexcept {
         put(static_cast<std::uint8_t>((value >> 16U) & 0xFFU));
-        put_two(value & 0xFFFFU);
+        put_two(value);
     }
     void put_four(std::uint32_t value) noexcept {
         put_two(value >> 16U);
-        put_two(value & 0xFFFFU);
+        put_two(value);
     }
     template <std::size_t count>
     void put_all(const std::array<std::uint8_t, count>& bytes) noexcept {

@@ -1,24 +1,11 @@
 #include "diagnosis/trouble_memory.hpp"
 
-#include "hal/interface/saturating_count.hpp"
-
 namespace diagnosis {
 namespace {
 
 using monitoring::CodeSet;
 
 constexpr std::uint32_t cycles_per_second = 100U;
-// Longer than any code that is always judged takes to be confirmed, the time for the sensors to start
-// included.
-constexpr std::uint32_t cycles_to_judge = 300U;
-// The monitoring does not say which of its conditions has been met. After so long at such a speed all that
-// ordinary driving can meet have been.
-constexpr std::uint32_t driven_cycles_to_judge = 6000U;
-constexpr float driving_speed_mps = 10.0F;
-
-constexpr CodeSet judged_always = codes_judged(Judged::always);
-constexpr CodeSet judged_driving = codes_judged(Judged::driving);
-
 constexpr CodeSet bit_of(std::size_t row) {
     return CodeSet{2U} << row;  // the codes count from 1
 }
@@ -111,27 +98,22 @@ void TroubleMemory::count_cycle(TroubleState& state, std::size_t row) noexcept {
     set_bits(state.status, status::not_completed_this_cycle);
 }
 
-void TroubleMemory::update(CodeSet failed, const monitoring::Snapshot& measured, float speed_mps) noexcept {
-    hal::count_up(cycles_);
-    if (!is_recording_) {
-        return;
-    }
+void TroubleMemory::take_change(CodeSet failed, const monitoring::Snapshot& measured,
+                                float speed_mps) noexcept {
     const CodeSet changed = failed ^ failed_;
-    if (changed != 0U) {
-        failed_ = failed;
-        measured_ = frame_of(measured, cycles_);
-        for (std::size_t row = 0U; row < trouble_code_count; ++row) {
-            const CodeSet bit = bit_of(row);
-            if ((changed & failed & bit) != 0U) {
-                fail(row);
-            } else if ((changed & bit) != 0U) {
-                clear_bits(data_.states[row].status, status::test_failed);
-            } else {
-                // as it was
-            }
+    failed_ = failed;
+    measured_ = frame_of(measured, cycles_);
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        const CodeSet bit = bit_of(row);
+        if ((changed & failed & bit) != 0U) {
+            fail(row);
+        } else if ((changed & bit) != 0U) {
+            clear_bits(data_.states[row].status, status::test_failed);
+        } else {
+            // as it was
         }
     }
-    if (failed_ == 0U) {
+    if (failed == 0U) {
         count_good_cycle(speed_mps);
     }
 }
@@ -147,21 +129,8 @@ void TroubleMemory::fail(std::size_t row) noexcept {
     keep_snapshot(row);
 }
 
-// Not while a code fails: what a check needs may be what is missing.
-void TroubleMemory::count_good_cycle(float speed_mps) noexcept {
-    hal::count_up(good_cycles_);
-    if (good_cycles_ == cycles_to_judge) {
-        complete(judged_always);
-    }
-    if (speed_mps > driving_speed_mps) {
-        hal::count_up(driven_cycles_);
-        if (driven_cycles_ == driven_cycles_to_judge) {
-            complete(judged_driving);
-        }
-    }
-}
-
-void TroubleMemory::complete(CodeSet judged) noexcept {
+void TroubleMemory::complete(Judged how) noexcept {
+    const CodeSet judged = codes_judged(how);
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         if ((judged & bit_of(row)) != 0U) {
             clear_bits(data_.states[row].status, status::cleared);
@@ -181,6 +150,8 @@ void TroubleMemory::clear(std::size_t row) noexcept {
     data_.states[row] = TroubleState{};
     forget_snapshots(row);
     failed_ &= ~bit_of(row);
+    good_cycles_ = 0U;  // it is judged anew
+    driven_cycles_ = 0U;
     request_storing(Storing::now);
 }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "diagnosis/trouble_codes.hpp"
+#include "hal/interface/saturating_count.hpp"
 #include "monitoring/diagnostic_memory.hpp"
 
 namespace diagnosis {
@@ -63,7 +64,18 @@ class TroubleMemory {
     void start(bool is_new_cycle) noexcept;
 
     // One cycle. `failed`: the codes that the monitoring has confirmed. `speed_mps` NaN: not known.
-    void update(monitoring::CodeSet failed, const monitoring::Snapshot& measured, float speed_mps) noexcept;
+    void update(monitoring::CodeSet failed, const monitoring::Snapshot& measured, float speed_mps) noexcept {
+        hal::count_up(cycles_);
+        if (is_recording_) {
+            if ((failed | failed_) == 0U) {
+                count_good_cycle(speed_mps);
+            } else if (failed != failed_) {
+                take_change(failed, measured, speed_mps);
+            } else {
+                // as it was
+            }
+        }
+    }
 
     // Off: nothing is recorded (ControlDTCSetting). What still fails when it is on again is recorded then.
     void set_recording(bool is_on) noexcept { is_recording_ = is_on; }
@@ -80,22 +92,50 @@ class TroubleMemory {
     void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
     void stored() noexcept { storing_ = Storing::not_needed; }
 
-    // What is stored: bytes without gaps, the same on every target.
+    // What is stored: bytes without gaps, the same on every target. With room for all codes that a CodeSet
+    // can hold, so that software with another one more reads what this one has stored.
+    static constexpr std::size_t most_codes = 63U;
+    static_assert(trouble_code_count <= most_codes);
     struct Stored {
-        std::array<TroubleState, trouble_code_count> states{};
+        std::array<TroubleState, most_codes> states{};
         std::array<TroubleSnapshots, snapshot_places> snapshots{};
     };
-    static_assert(sizeof(Stored) == 3U * trouble_code_count + 21U * snapshot_places);
+    static_assert(sizeof(Stored) == 3U * most_codes + 21U * snapshot_places);
 
     const Stored& stored_data() const noexcept { return data_; }
     // Whatever it holds: what nobody knows is left out.
     [[gnu::cold]] void restore(const Stored& stored) noexcept;
 
  private:
+    // Longer than any code that is always judged takes to be confirmed, the time for the sensors to start
+    // included.
+    static constexpr std::uint32_t cycles_to_judge = 300U;
+    // The monitoring does not say which of its conditions has been met. After so long at such a speed all
+    // that ordinary driving can meet have been.
+    static constexpr std::uint32_t driven_cycles_to_judge = 6000U;
+    static constexpr float driving_speed_mps = 10.0F;
+
     void count_cycle(TroubleState& state, std::size_t row) noexcept;
+    void take_change(monitoring::CodeSet failed, const monitoring::Snapshot& measured,
+                     float speed_mps) noexcept;
     void fail(std::size_t row) noexcept;
-    void complete(monitoring::CodeSet judged) noexcept;
-    void count_good_cycle(float speed_mps) noexcept;
+    [[gnu::cold]] void complete(Judged how) noexcept;
+
+    // Not while a code fails: what a check needs may be what is missing.
+    void count_good_cycle(float speed_mps) noexcept {
+        if (good_cycles_ < cycles_to_judge) {
+            ++good_cycles_;
+            if (good_cycles_ == cycles_to_judge) {
+                complete(Judged::always);
+            }
+        }
+        if ((driven_cycles_ < driven_cycles_to_judge) && (speed_mps > driving_speed_mps)) {
+            ++driven_cycles_;
+            if (driven_cycles_ == driven_cycles_to_judge) {
+                complete(Judged::driving);
+            }
+        }
+    }
     void keep_snapshot(std::size_t row) noexcept;
     TroubleSnapshots* place_for(std::size_t row) noexcept;
     void forget_snapshots(std::size_t row) noexcept;
@@ -104,7 +144,7 @@ class TroubleMemory {
     FreezeFrame measured_{};           // in this cycle
     monitoring::CodeSet failed_{0U};   // in the cycle before
     std::uint32_t cycles_{0U};         // since the start
-    std::uint32_t good_cycles_{0U};    // in which nothing failed
+    std::uint32_t good_cycles_{0U};    // in which nothing failed, as far as they count
     std::uint32_t driven_cycles_{0U};  // of these
     bool is_recording_{true};
     Storing storing_{Storing::not_needed};

@@ -17,7 +17,7 @@ void put_frame(std::uint8_t record, const FreezeFrame& frame, Response& response
     response.put_all(frame);
 }
 
-Nrc count_by_mask(std::uint8_t mask, const TroubleMemory& memory, Response& response) {
+void count_by_mask(std::uint8_t mask, const TroubleMemory& memory, Response& response) {
     std::uint32_t count = 0U;
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         count += ((memory.state(row).status & mask) != 0U) ? 1U : 0U;
@@ -25,25 +25,22 @@ Nrc count_by_mask(std::uint8_t mask, const TroubleMemory& memory, Response& resp
     response.put(status::available);
     response.put(iso_14229_1_format);
     response.put_two(count);
-    return Nrc::none;
 }
 
-Nrc list_by_mask(std::uint8_t mask, const TroubleMemory& memory, Response& response) {
+void list_by_mask(std::uint8_t mask, const TroubleMemory& memory, Response& response) {
     response.put(status::available);
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         if ((memory.state(row).status & mask) != 0U) {
             put_code(row, memory, response);
         }
     }
-    return Nrc::none;
 }
 
-Nrc list_all(const TroubleMemory& memory, Response& response) {
+void list_all(const TroubleMemory& memory, Response& response) {
     response.put(status::available);
     for (std::size_t row = 0U; row < trouble_code_count; ++row) {
         put_code(row, memory, response);
     }
-    return Nrc::none;
 }
 
 bool is_wanted(std::uint8_t record, std::uint8_t which) {
@@ -97,15 +94,18 @@ Nrc report_codes(std::uint8_t sub_function, const Request& request, const Troubl
     response.put(sub_function);
     switch (sub_function) {
         case 0x01U:
-            return count_by_mask(request.byte(2U), memory, response);
+            count_by_mask(request.byte(2U), memory, response);
+            return Nrc::none;
         case 0x02U:
-            return list_by_mask(request.byte(2U), memory, response);
+            list_by_mask(request.byte(2U), memory, response);
+            return Nrc::none;
         case 0x04U:
             return report_snapshots(request, memory, response);
         case 0x06U:
             return report_extended_data(request, memory, response);
         default:  // 0A
-            return list_all(memory, response);
+            list_all(memory, response);
+            return Nrc::none;
     }
 }
 

@@ -54,11 +54,6 @@ bool is_said_to_everybody(Nrc code) {
            (code != Nrc::request_out_of_range) && (code != Nrc::service_not_in_session);
 }
 
-bool is_tester_present(const Request& request) {
-    return (request.length() == 2U) && (request.service() == service_id::tester_present) &&
-           (request.byte(1U) == suppress_positive);
-}
-
 // A speed that is not known is none: on a bench nobody sends one.
 bool is_moving(const EcuState& ecu) {
     return ecu.inputs.speed_mps > standing_mps;
@@ -94,12 +89,10 @@ std::uint8_t self_test_of(monitoring::CodeSet failed) {
 
 }  // namespace
 
-void UdsServer::step(const EcuState& ecu) noexcept {
-    if (access_ != nullptr) {
-        access_->end_cycle();
-    }
-    if (!bus_.is_sending() && !is_standing(ecu)) {
-        bus_.set_sending(true);
+// A request that waits for the memory waits in the transport, too.
+void UdsServer::work(const EcuState& ecu) noexcept {
+    if (!is_standing(ecu)) {
+        switch_all_on();
     }
     count_session_time();
     const Request request = transport_.request();
@@ -120,27 +113,27 @@ void UdsServer::count_session_time() noexcept {
     const bool is_busy =
         (waiting_ != Waiting::nothing) || transport_.is_sending() || transport_.is_receiving();
     idle_cycles_ = is_busy ? 0U : (idle_cycles_ + 1U);
-    if (session_ == Session::standard) {
-        idle_cycles_ = 0U;
-    } else if (idle_cycles_ >= session_cycles) {
+    if (idle_cycles_ >= session_cycles) {  // of the standard session nothing is left to end
         enter(Session::standard);
-    } else {
-        // it goes on
     }
 }
 
 // Whatever the tester had been allowed ends; what he had switched off is on again when he leaves.
 void UdsServer::enter(Session session) noexcept {
     session_ = session;
-    idle_cycles_ = 0U;
     download_.abort();
     if (access_ != nullptr) {
         access_->lock();
     }
     if (session == Session::standard) {
-        kept_.codes().set_recording(true);
-        bus_.set_sending(true);
+        switch_all_on();
     }
+}
+
+// Of what a tester may switch off at rest.
+void UdsServer::switch_all_on() noexcept {
+    kept_.codes().set_recording(true);
+    lets_ecu_send_ = true;
 }
 
 // Whoever speaks to everybody meanwhile meets a deaf ear; "tester present" has nothing to say then.
@@ -154,12 +147,7 @@ void UdsServer::drop_functional_request() noexcept {
 
 void UdsServer::serve(const Request& request, const EcuState& ecu) noexcept {
     idle_cycles_ = 0U;
-    if (is_tester_present(request)) {
-        transport_.finish(request);
-        return;
-    }
     begin_answer(request, 0U);
-    is_later_said_ = false;
     const Nrc code = check_and_run(request, ecu);
     if (code == Nrc::response_pending) {
         waiting_for_ = request;
@@ -170,12 +158,11 @@ void UdsServer::serve(const Request& request, const EcuState& ecu) noexcept {
 }
 
 void UdsServer::answer(const Request& request, Nrc code) noexcept {
-    const Nrc said = ((code == Nrc::none) && response_.is_too_long()) ? Nrc::response_too_long : code;
-    bool is_said = true;
-    if (said == Nrc::none) {
-        is_said = is_later_said_ || !is_suppressed(request);
-    } else {
-        is_said = !request.is_functional() || is_said_to_everybody(said);
+    const Nrc said = response_.is_too_long() ? Nrc::response_too_long : code;
+    const bool is_good = (said == Nrc::none);
+    const bool is_said = is_good ? (is_later_said_ || !is_suppressed(request))
+                                 : (!request.is_functional() || is_said_to_everybody(said));
+    if (!is_good) {
         say_no(request, said);
     }
     is_later_said_ = false;
@@ -254,7 +241,7 @@ Nrc UdsServer::run(const Request& request, const EcuState& ecu) noexcept {
         case service_id::transfer_exit:
             return download_.end(request);
         case service_id::code_setting:
-            return code_setting(request.sub_function());
+            return code_setting(request, ecu);
         default:  // tester present
             response_.put(0x00U);
             return Nrc::none;
@@ -277,9 +264,19 @@ Nrc UdsServer::reset(const Request& request, const EcuState& ecu) noexcept {
     if (is_moving(ecu)) {
         return Nrc::conditions_not_correct;
     }
+    if (kept_.codes().storing() == Storing::not_needed) {
+        promise_reset(request);
+        return Nrc::none;
+    }
+    kept_.codes().request_storing(Storing::now);
+    waiting_ = Waiting::codes_stored_before_reset;
+    return Nrc::response_pending;
+}
+
+void UdsServer::promise_reset(const Request& request) noexcept {
     is_reset_requested_ = true;
+    begin_answer(request, 0U);
     response_.put(request.sub_function());
-    return Nrc::none;
 }
 
 Nrc UdsServer::clear_codes(const Request& request) noexcept {
@@ -301,7 +298,7 @@ Nrc UdsServer::clear_codes(const Request& request) noexcept {
 
 // Identifiers that nobody knows are left out, unless all are.
 Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
-    if ((request.length() < 3U) || ((request.length() % 2U) == 0U)) {
+    if ((request.length() == 1U) || ((request.length() % 2U) == 0U)) {
         return Nrc::incorrect_length;
     }
     const DataSources sources{identification_, kept_.written(), ecu.inputs, ecu.outputs, session_};
@@ -345,7 +342,7 @@ Nrc UdsServer::security_access(const Request& request) noexcept {
     }
     access_control::Block seed{};  // all zeros: it is unlocked already
     if (!access_->is_unlocked() && !access_->give_seed(seed)) {
-        return Nrc::time_delay_not_expired;
+        return access_->is_delayed() ? Nrc::time_delay_not_expired : Nrc::conditions_not_correct;
     }
     for (const std::uint8_t byte : seed) {
         response_.put(byte);
@@ -384,14 +381,20 @@ Nrc UdsServer::communication_control(const Request& request, const EcuState& ecu
         return Nrc::conditions_not_correct;
     }
     if (messages != network_management) {
-        bus_.set_sending(sends);
+        lets_ecu_send_ = sends;
     }
     response_.put(sub_function);
     return Nrc::none;
 }
 
-Nrc UdsServer::code_setting(std::uint8_t sub_function) noexcept {
-    kept_.codes().set_recording(sub_function == 0x01U);
+// At rest only, as above: what happens on the road is recorded.
+Nrc UdsServer::code_setting(const Request& request, const EcuState& ecu) noexcept {
+    const std::uint8_t sub_function = request.sub_function();
+    const bool records = (sub_function == 0x01U);
+    if (!records && !is_standing(ecu)) {
+        return Nrc::conditions_not_correct;
+    }
+    kept_.codes().set_recording(records);
     response_.put(sub_function);
     return Nrc::none;
 }
@@ -463,19 +466,23 @@ Nrc UdsServer::storage_answer() noexcept {
         return Nrc::response_pending;
     }
     if (waiting_ == Waiting::self_test_stored) {
-        return self_test_answer();
+        self_test_answer();
+        return Nrc::none;
+    }
+    if (waiting_ == Waiting::codes_stored_before_reset) {  // a memory that takes nothing keeps nobody from it
+        promise_reset(waiting_for_);
+        return Nrc::none;
     }
     begin_answer(waiting_for_, (waiting_for_.service() == service_id::write_data) ? 2U : 0U);
     return kept_.is_stored() ? Nrc::none : Nrc::programming_failure;
 }
 
-Nrc UdsServer::self_test_answer() noexcept {
+void UdsServer::self_test_answer() noexcept {
     const std::uint32_t storing = kept_.is_stored() ? 0U : self_test::storing;
     self_test_result_ = static_cast<std::uint8_t>(self_test_result_ | storing);
     has_self_test_result_ = true;
     begin_routine_answer(waiting_for_);
     response_.put(self_test_result_);
-    return Nrc::none;
 }
 
 void UdsServer::wait_for_storage() noexcept {

@@ -9,7 +9,6 @@
 #include "diagnosis/kept_data.hpp"
 #include "diagnosis/section_download.hpp"
 #include "diagnosis/service_table.hpp"
-#include "diagnosis/tester_bus.hpp"
 #include "diagnosis/uds.hpp"
 #include "monitoring/diagnostic_code.hpp"
 #include "rsi/types.hpp"
@@ -39,25 +38,47 @@ struct EcuState {
 class UdsServer {
  public:
     // All must outlive the server.
-    UdsServer(IsoTp& transport, TesterBus& bus, KeptData& kept, const Identification& identification) noexcept
-        : transport_{transport}, bus_{bus}, kept_{kept}, identification_{identification} {}
+    UdsServer(IsoTp& transport, KeptData& kept, const Identification& identification) noexcept
+        : transport_{transport}, kept_{kept}, identification_{identification} {}
 
-    // Without them nobody is unlocked, and no section is taken.
-    void use(access_control::SeedAndKey& access) noexcept { access_ = &access; }
+    // Without them nobody is unlocked, and no section is taken. Whoever was let in before a start is not
+    // after it.
+    void use(access_control::SeedAndKey& access) noexcept {
+        access_ = &access;
+        access.lock();
+    }
     void use(SectionTarget& target) noexcept { download_.use(target); }
 
     // Once a cycle of 10 ms: answers at most one request.
-    void step(const EcuState& ecu) noexcept;
+    void step(monitoring::CodeSet failed, const rsi::Inputs& inputs, const rsi::Outputs& outputs) noexcept {
+        if (access_ != nullptr) {
+            access_->end_cycle();
+        }
+        if ((session_ != Session::standard) || transport_.is_active()) {
+            work(EcuState{failed, inputs, outputs});
+            transport_.end_cycle();
+        }
+    }
 
     // A tester has asked for a reset and has his answer. For the platform: it starts the ECU anew.
     bool is_reset_requested() const noexcept { return is_reset_requested_ && !transport_.is_sending(); }
 
     Session session() const noexcept { return session_; }
 
+    // False while CommunicationControl keeps the control unit's own frames from the bus.
+    bool lets_ecu_send() const noexcept { return lets_ecu_send_; }
+
  private:
     // What a request waits for before it is answered.
-    enum class Waiting : std::uint8_t { nothing, codes_stored, self_test_stored, section_stored };
+    enum class Waiting : std::uint8_t {
+        nothing,
+        codes_stored,
+        codes_stored_before_reset,
+        self_test_stored,
+        section_stored
+    };
 
+    void work(const EcuState& ecu) noexcept;
     void serve(const Request& request, const EcuState& ecu) noexcept;
     void answer(const Request& request, Nrc code) noexcept;
     void say_no(const Request& request, Nrc code) noexcept;
@@ -67,13 +88,15 @@ class UdsServer {
     Nrc run(const Request& request, const EcuState& ecu) noexcept;
     Nrc session_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc reset(const Request& request, const EcuState& ecu) noexcept;
+    void promise_reset(const Request& request) noexcept;
+    void switch_all_on() noexcept;
     Nrc clear_codes(const Request& request) noexcept;
     Nrc read_data(const Request& request, const EcuState& ecu) noexcept;
     Nrc write_data(const Request& request) noexcept;
     Nrc security_access(const Request& request) noexcept;
     Nrc take_key(const Request& request) noexcept;
     Nrc communication_control(const Request& request, const EcuState& ecu) noexcept;
-    Nrc code_setting(std::uint8_t sub_function) noexcept;
+    Nrc code_setting(const Request& request, const EcuState& ecu) noexcept;
     Nrc routine_control(const Request& request, const EcuState& ecu) noexcept;
     Nrc start_self_test(const EcuState& ecu) noexcept;
     Nrc check_section(const Request& request) noexcept;
@@ -82,13 +105,12 @@ class UdsServer {
     void drop_functional_request() noexcept;
     void wait_for_storage() noexcept;
     Nrc storage_answer() noexcept;
-    Nrc self_test_answer() noexcept;
+    void self_test_answer() noexcept;
     void count_session_time() noexcept;
     void enter(Session session) noexcept;
     bool is_unlocked() const noexcept { return (access_ != nullptr) && access_->is_unlocked(); }
 
     IsoTp& transport_;
-    TesterBus& bus_;
     KeptData& kept_;
     const Identification& identification_;
     access_control::SeedAndKey* access_{nullptr};
@@ -100,6 +122,7 @@ class UdsServer {
     std::uint8_t self_test_result_{0U};
     bool has_self_test_result_{false};
     bool is_reset_requested_{false};
+    bool lets_ecu_send_{true};
     bool is_later_said_{false};  // to the request that waits
     Waiting waiting_{Waiting::nothing};
     Session session_{Session::standard};

@@ -24,6 +24,10 @@ class RollLag {
         quick_radps_ = known ? rate : 0.0F;
         moved_ = known ? moved_ + rate * rate : 0.0F;
         lagged_ = known ? lagged_ - rate * apart : 0.0F;
+        if (moved_ > 2.0F) {  // what is long ago counts less: an angle may once have jumped
+            moved_ *= 0.5F;
+            lagged_ *= 0.5F;
+        }
     }
 
     // It has moved enough, and is not behind by as much as makes a value too old.

@@ -58,15 +58,18 @@ std::uint8_t form_of(std::uint8_t code) noexcept {
 
 }  // namespace
 
-void Slave::keep(const hal::CanFrame& frame) noexcept {
-    if (frame.length > 0U) {
-        command_ = Packet{};
-        command_.add_bytes(frame.data.data(), frame.length);
-        has_command_ = true;
+void Slave::take(const hal::CanFrame& frame) noexcept {
+    if ((frame.identifier != identifiers_.command) || frame.extended || frame.flexible_data_rate ||
+        (frame.length == 0U)) {
+        return;
     }
+    command_ = Packet{};
+    command_.add_bytes(frame.data.data(), frame.length);
+    has_command_ = true;
+    has_work_ = true;
 }
 
-void Slave::work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept {
+std::uint32_t Slave::work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept {
     const std::uint32_t failures_before = bus.statistics().send_failures;
     if (has_command_) {
         has_command_ = false;
@@ -85,7 +88,8 @@ void Slave::work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) n
     };
     tell(overload_, Event::daq_overload);
     tell(stored_, Event::store_cal);
-    send_failures_ += bus.statistics().send_failures - failures_before;
+    has_work_ = connected_;
+    return bus.statistics().send_failures - failures_before;
 }
 
 // False where a slave keeps silent: without a connection it hears nothing but CONNECT.
@@ -257,7 +261,11 @@ Error Slave::unlock() noexcept {
     key_got_ = static_cast<std::uint8_t>(key_got_ + piece);
     if (key_got_ == block_length) {
         key_got_ = 0U;
-        if (access_.take_key(exchanged_) != access_control::KeyAnswer::unlocked) {
+        const access_control::KeyAnswer answer = access_.take_key(exchanged_);
+        if (answer == access_control::KeyAnswer::no_seed) {
+            return Error::sequence;
+        }
+        if (answer != access_control::KeyAnswer::unlocked) {
             disconnect();  // as the standard has it
             return Error::access_locked;
         }

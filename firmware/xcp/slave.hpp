@@ -6,6 +6,7 @@
 #include "access/seed_and_key.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/clock.hpp"
+#include "hal/interface/frame_listener.hpp"
 #include "xcp/daq.hpp"
 #include "xcp/identifiers.hpp"
 #include "xcp/packet.hpp"
@@ -15,36 +16,27 @@ namespace xcp {
 
 // Whoever is connected may read. Calibration and measurement (which loads the bus) want the key: one seed and
 // key for both. Disconnecting, connecting anew and a wrong key lock again.
-class Slave {
+class Slave final : public hal::FrameListener {
  public:
     // Both must outlive the slave.
     Slave(Target& target, access_control::SeedAndKey& access, const Identifiers& identifiers) noexcept
         : target_{target}, access_{access}, identifiers_{identifiers}, daq_{target} {}
 
-    // Every frame that the control unit receives; others than commands are left alone. Of several commands
-    // within a cycle, which no master sends, the last is answered.
-    void look_at(const hal::CanFrame& frame) noexcept {
-        if ((frame.identifier == identifiers_.command) && !frame.extended && !frame.flexible_data_rate) {
-            keep(frame);
-        }
-    }
+    // Others than commands are left alone. Of several commands within a cycle, which no master sends, the
+    // last is answered.
+    void take(const hal::CanFrame& frame) noexcept override;
 
-    // After a step of 10 ms and its frames: answers, then samples. `missed_cycles` as the step was told.
-    void end_cycle(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept {
+    // After a step of 10 ms and its frames: answers, then samples. `missed_cycles` as the step was told. How
+    // many of its own frames the bus has not taken.
+    std::uint32_t end_cycle(hal::CanBus& bus, const hal::Clock& clock, std::uint32_t missed_cycles) noexcept {
         access_.end_cycle();
-        if (has_command_ || connected_) {
-            work(bus, now, missed_cycles);
-        }
+        return has_work_ ? work(bus, clock.now(), missed_cycles) : 0U;
     }
 
     bool is_connected() const noexcept { return connected_; }
 
-    // Of its own frames, among those that the bus has counted.
-    std::uint32_t send_failures() const noexcept { return send_failures_; }
-
  private:
-    void keep(const hal::CanFrame& frame) noexcept;
-    void work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept;
+    std::uint32_t work(hal::CanBus& bus, hal::Time now, std::uint32_t missed_cycles) noexcept;
     bool answer(hal::Time now) noexcept;
     Error answer_in_session(Command command, hal::Time now) noexcept;
     Error answer_standard(Command command) noexcept;
@@ -78,7 +70,7 @@ class Slave {
     Packet command_;
     Packet answer_;  // what it will be if nothing is wrong
     bool has_command_{false};
-    std::uint32_t send_failures_{0U};
+    bool has_work_{false};  // a command, or somebody is connected
     bool connected_{false};
     bool overload_{false};               // to be told
     bool stored_{false};                 // the same

@@ -38,6 +38,11 @@ SECTIONS
         KEEP(*(SORT_BY_INIT_PRIORITY(.init_array.*)))
         KEEP(*(.init_array))
         init_array_end = .;
+    } > CODE :code
+
+    /* Apart from the code, behind which the linker puts what leads from short instructions to long ones. */
+    .vectors_load :
+    {
         vectors_load = .;
         KEEP(*(.vectors))
         . = ALIGN(4);

@@ -74,19 +74,21 @@ class Ecu {
         if (accesses.diagnosis != nullptr) {
             start_diagnosis(bus, *accesses.diagnosis, is_switched_on);
         }
-        hal::CanBus& its_bus = diagnosis_ ? diagnosis_->bus() : bus;
         CalibrationAccess* const access = accesses.calibration;
         if (access != nullptr) {
-            calibrated_.emplace(its_bus, clock, watchdog, access->seed_and_key(), access->section().data(),
+            calibrated_.emplace(bus, clock, watchdog, access->seed_and_key(), access->section().data(),
                                 access->section().size(), &access->stored_section());
             calibrated_->ecu().use_keys(access->keys());
             start_calibrated(parameters);
         } else {
-            plain_.emplace(its_bus, clock, watchdog);
+            plain_.emplace(bus, clock, watchdog);
             if (accesses.diagnosis != nullptr) {
                 plain_->use_keys(accesses.diagnosis->keys());
             }
             start_plain(parameters, accesses.diagnosis);
+        }
+        if (diagnosis_) {
+            static_cast<void>(ecu().listen(diagnosis_->listener()));
         }
     }
     void step(std::uint32_t missed_cycles) {
@@ -96,8 +98,13 @@ class Ecu {
             plain_->step(missed_cycles);
         }
         if (diagnosis_) {
-            const application::RolloverEcu& ecu = calibrated_ ? calibrated_->ecu() : *plain_;
-            diagnosis_->step(ecu.diagnostic_memory(), ecu.inputs(), ecu.outputs());
+            diagnosis_->step(ecu());
+        }
+    }
+    // An orderly end, unlike a loss of power.
+    void stop() {
+        if (diagnosis_) {
+            diagnosis_->stop();
         }
     }
     // A tester wants it to start anew.
@@ -107,6 +114,7 @@ class Ecu {
     bool has_stored() const { return has_stored_; }
 
  private:
+    application::RolloverEcu& ecu() { return calibrated_ ? calibrated_->ecu() : *plain_; }
     void start_diagnosis(hal::CanBus& bus, DiagnosisAccess& access, bool is_switched_on) {
         diagnosis_.emplace(bus, diagnosis::Addresses{}, access.identification(), access.one(),
                            access.other());
@@ -192,6 +200,7 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
             throw std::runtime_error("the watchdog expired: a cycle took longer than 500 ms");
         }
     }
+    ecu->stop();
     print_punctuality(tick, bus);
 }
 
@@ -219,6 +228,7 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
             }
         }
     }
+    ecu->stop();
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 import argparse
 import pathlib
+import subprocess
 import sys
+import tempfile
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -12,6 +14,7 @@ import a2l_objects
 import whole_file
 from log_error import LogError
 
+PICTURES = HERE.parents[1] / "sil/results"
 A2L = HERE.parents[1] / "build/release/sil/rsi-ecu.a2l"
 CYCLE_S = 0.01
 
@@ -36,6 +39,8 @@ def parse(arguments):
     read.add_argument("names", nargs="*", metavar="NAME")
     write = commands.add_parser("write", add_help=False, parents=[common])
     write.add_argument("changes", nargs="+", metavar="NAME=VALUE")
+    use = commands.add_parser("use", add_help=False, parents=[common])
+    use.add_argument("page", choices=("working", "reference"))
     measure = commands.add_parser("measure", add_help=False, parents=[common])
     measure.add_argument("names", nargs="+", metavar="NAME")
     measure.add_argument("--seconds", required=True, type=positive, metavar="N")
@@ -45,8 +50,8 @@ def parse(arguments):
         parser.error("--key wants 16 bytes, which are 32 digits")
     if options.command == "write" and any("=" not in change for change in options.changes):
         parser.error("write wants NAME=VALUE")
-    if options.command == "measure" and options.output.suffix not in (".csv", ".mf4"):
-        parser.error("--output wants a name that ends in .csv or .mf4")
+    if options.command == "measure" and options.output.suffix not in WRITERS:
+        parser.error(f"--output wants a name that ends in {', '.join(WRITERS)}")
     return options
 
 
@@ -55,7 +60,7 @@ def shown(value, entry):
     return f"{text} {entry.unit}".rstrip()
 
 
-def write_csv(path, times, columns):
+def write_csv(path, times, columns, _objects):
     rows = [",".join(["time_s", *columns])]
     for place, at in enumerate(times):
         rows.append(",".join([f"{at:.4f}", *(f"{column[place]:.9g}" for column in columns.values())]))
@@ -74,6 +79,26 @@ def write_mf4(path, times, columns, objects):
     pathlib.Path(saved).replace(path)
 
 
+def write_png(path, times, columns, objects):
+    words = {}
+    for number, name in enumerate(columns, 1):
+        choices = " ".join(choice.replace(" ", "_") for choice in objects[name].choices)
+        words |= {f"name_{number}": name, f"unit_{number}": objects[name].unit, f"choices_{number}": choices}
+    with tempfile.TemporaryDirectory() as folder:
+        data = pathlib.Path(folder) / "measured.csv"
+        write_csv(data, times, columns, objects)
+        words |= {"scripts": str(PICTURES), "measured": str(data)}
+        assignments = "; ".join([f"{name} = '{text.replace(chr(39), 2 * chr(39))}'" for name, text in words.items()] +
+                                [f"panels = {len(columns)}"])
+        drawn = subprocess.run(["bash", "-c", 'source "$0/draw_picture"; draw_picture "$1" "$2" "$3"', PICTURES, path,
+                                HERE / "measurement.gp", assignments], stderr=subprocess.PIPE, text=True, check=False)
+    if drawn.returncode != 0:
+        raise LogError(f"{path} was not drawn; is gnuplot installed? {drawn.stderr.strip()}")
+
+
+WRITERS = {".csv": write_csv, ".mf4": write_mf4, ".png": write_png}
+
+
 def wait(seconds):
     end = time.monotonic() + seconds
     while (left := end - time.monotonic()) > 0.0:
@@ -86,10 +111,7 @@ def measure(session, options, wait_for=wait):
     times, columns = session.measure(options.names, lambda: wait_for(options.seconds))
     if not times:
         raise LogError("no sample has come; does the ECU run?")
-    if options.output.suffix == ".csv":
-        write_csv(options.output, times, columns)
-    else:
-        write_mf4(options.output, times, columns, session.a2l.objects)
+    WRITERS[options.output.suffix](options.output, times, columns, session.a2l.objects)
     missing = round(times[-1] / CYCLE_S) + 1 - len(times)
     print(f"{options.output}: {len(times)} samples, {missing} missing, overload told {session.samples.overloads} times")
 
@@ -111,6 +133,8 @@ def run(session, options):
         changes = dict(change.split("=", 1) for change in options.changes)
         for name, before in session.write(changes).items():
             print(f"{name} = {shown(session.read(name), objects[name])}, was {shown(before, objects[name])}")
+    elif options.command == "use":
+        session.use(options.page)
     elif options.command == "reset":
         session.reset()
     elif options.command == "store":

@@ -118,38 +118,59 @@ class Session:
         """Which page read() reads."""
         self.asked(self.xcp.setCalPage, MASTER, 0, page)
 
-    def download(self, name, text):
+    def encoded(self, name, text):
         entry = self.object(name)
         if not entry.is_parameter:
             raise LogError(f"{name} is an output; it cannot be written")
-        self.xcp.setMta(entry.address)
-        self.asked(self.xcp.download, entry.encoded(text))
+        return entry.encoded(text)
+
+    def download(self, words):
+        """Bytes by the names of parameters."""
+        for name, data in words.items():
+            self.xcp.setMta(self.object(name).address)
+            self.asked(self.xcp.download, data)
 
     def write(self, changes):
         """Several are taken over at once: in between the ECU works with the reference page. What they were."""
+        words = {name: self.encoded(name, text) for name, text in changes.items()}
         before = {name: self.read(name) for name in changes}
+        if self.asked(self.xcp.getCalPage, ECU, 0) != WORKING:
+            raise LogError("the ECU works with the reference page, where nothing is written; `calibrate use working` selects the other")
         single = len(changes) == 1
-        if not single:
-            self.asked(self.xcp.setCalPage, ECU, 0, REFERENCE)
-        for name, text in changes.items():
-            self.download(name, text)
         try:
             if not single:
-                self.xcp.setCalPage(ECU, 0, WORKING)
-            refused = self.read("refused_parameter")
-        except pyxcp.types.XcpResponseError:
-            refused = self.read("refused_parameter")
+                self.asked(self.xcp.setCalPage, ECU, 0, REFERENCE)
+            self.download(words)
+            refused = self.taken_over(single)
+        except BaseException:  # whatever it was, a key pressed too: not with half of the values, nor on the other page
+            self.put_back(before, single)
+            raise
         if refused != "none":
-            for name, value in before.items():
-                self.download(name, str(value))
-            if not single:
-                self.asked(self.xcp.setCalPage, ECU, 0, WORKING)
+            self.put_back(before, single)
             raise LogError(f"refused for {refused}; all values are as they were. What it must be: firmware/rsi/parameters.hpp")
         end = time.monotonic() + LONGEST_CHANGE_S
         while self.read("change_pending") == "yes":
             if time.monotonic() > end:
                 raise LogError("the change is not taken over; does the ECU run?")
         return before
+
+    def taken_over(self, single):
+        """The field that is refused, or none."""
+        try:
+            if not single:
+                self.xcp.setCalPage(ECU, 0, WORKING)
+        except pyxcp.types.XcpResponseError:
+            pass  # the page is refused: the field is told below
+        return self.read("refused_parameter")
+
+    def put_back(self, before, single):
+        self.download({name: self.encoded(name, str(value)) for name, value in before.items()})
+        if not single:
+            self.asked(self.xcp.setCalPage, ECU, 0, WORKING)
+
+    def use(self, page):
+        """`working` or `reference`: the ECU works with it."""
+        self.asked(self.xcp.setCalPage, ECU, 0, REFERENCE if page == "reference" else WORKING)
 
     def reset(self):
         self.asked(self.xcp.copyCalPage, 0, REFERENCE, 0, WORKING)

@@ -10,6 +10,8 @@
 namespace testing_application {
 namespace {
 
+using Diagnosis = can_dbc::RolloverDiagnosis;
+
 using State = can_dbc::RolloverWarning::State;
 
 constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
@@ -211,7 +213,6 @@ TEST(AFrame, IsFreshFrom10MillisecondsBeforeTo35MillisecondsAfterItsTime) {
 }
 
 TEST(ASensorThatNeverSpeaks, IsAFaultFromOneSecondAfterTheStart) {
-    using Diagnosis = can_dbc::RolloverDiagnosis;
     Bench bench;
     bench.stop(Sensor::vehicle_motion);
     bench.run_for(1.0);
@@ -224,7 +225,6 @@ TEST(ASensorThatNeverSpeaks, IsAFaultFromOneSecondAfterTheStart) {
 }
 
 TEST(ASensorThatHasSpoken, IsAFaultAsSoonAsItIsSilentAlsoRightAfterTheStart) {
-    using Diagnosis = can_dbc::RolloverDiagnosis;
     Bench bench;
     bench.run_for(0.3);
     bench.stop(Sensor::vehicle_motion);

@@ -46,7 +46,8 @@ class EcuOnAPipe {
         diagnosis_->use(access_.seed_and_key());
         diagnosis_->use(access_.store());
         diagnosis_->start(is_switched_on);
-        ecu_.emplace(diagnosis_->bus(), clock_, watchdog_);
+        ecu_.emplace(bus_.endpoint(0U), clock_, watchdog_);
+        ecu_->listen(diagnosis_->listener());
         if (access_.store().restore()) {
             ecu_->init(access_.store().section(), access_.store().length());
         } else {
@@ -74,7 +75,7 @@ class EcuOnAPipe {
                 counter_ = (counter_ + 1U) % 15U;
             }
             ecu_->step(0U);
-            diagnosis_->step(ecu_->diagnostic_memory(), ecu_->inputs(), ecu_->outputs());
+            diagnosis_->step(*ecu_);
             clock_.advance(hal::Time::from_milliseconds(10));
             print();
             if (diagnosis_->is_reset_requested()) {

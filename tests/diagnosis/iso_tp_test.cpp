@@ -129,7 +129,47 @@ TEST_F(Transport, TakesNoSingleFrameWithoutLengthOrCutOff) {
         take({0x08U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}, identifier);
         take({}, identifier);
         EXPECT_TRUE(waiting().empty());
+        take({0x02U, 0x3EU, 0x00U}, identifier);
+        EXPECT_EQ(waiting(), (Bytes{0x3EU, 0x00U})) << "a good one is not kept out by them";
+        transport_.finish(transport_.request());
     }
+}
+
+// Whoever turns its cycles only while it is active must not leave anything lying.
+TEST_F(Transport, IsActiveWhileAnythingWaitsOrIsOnItsWay) {
+    EXPECT_FALSE(transport_.is_active());
+    take({0x02U, 0x3EU, 0x00U}, 0x120U);
+    EXPECT_FALSE(transport_.is_active()) << "not its own";
+    for (const std::uint32_t identifier : {Tester::physical, Tester::functional}) {
+        take({0x02U, 0x3EU, 0x00U}, identifier);
+        EXPECT_TRUE(transport_.is_active());
+        cycles(1);
+        EXPECT_TRUE(transport_.is_active()) << "the request waits";
+        transport_.finish(transport_.request());
+        cycles(1);
+        EXPECT_FALSE(transport_.is_active());
+    }
+    take_first(counted(20U));
+    cycles(50);
+    EXPECT_TRUE(transport_.is_active()) << "the rest of the request is waited for";
+    cycles(50);
+    EXPECT_FALSE(transport_.is_active()) << "it is not any more";
+    bus_.room = 0;
+    take_first(counted(IsoTp::longest_request + 1U));
+    cycles(1);
+    EXPECT_TRUE(transport_.is_active()) << "nobody has been told that it is too long";
+    bus_.room = 1;
+    cycles(1);
+    EXPECT_FALSE(transport_.is_active());
+    bus_.room = 1;
+    send(counted(9U));
+    EXPECT_TRUE(transport_.is_active());
+    cycles(1);
+    EXPECT_TRUE(transport_.is_active()) << "flow control is waited for";
+    bus_.room = 1;
+    take({0x30U, 0U, 0U});
+    cycles(1);
+    EXPECT_FALSE(transport_.is_active());
 }
 
 TEST_F(Transport, LeavesOthersFramesAlone) {
@@ -147,9 +187,21 @@ TEST_F(Transport, LeavesOthersFramesAlone) {
     frame.flexible_data_rate = true;
     transport_.take(frame);
     frame.flexible_data_rate = false;
-    frame.length = 12U;
+    frame.length = 9U;
     transport_.take(frame);
     EXPECT_TRUE(waiting().empty());
+}
+
+// Of such a frame the bytes are whatever the driver had left there.
+TEST_F(Transport, AFrameWithoutAByteSaysNothing) {
+    const Bytes message = counted(20U);
+    take_first(message);
+    hal::CanFrame frame{};
+    frame.identifier = Tester::physical;
+    frame.data[0] = 0x22U;
+    transport_.take(frame);
+    take_consecutive(message);
+    EXPECT_EQ(waiting(), message);
 }
 
 TEST_F(Transport, PutsASegmentedRequestTogether) {
@@ -177,6 +229,14 @@ TEST_F(Transport, RefusesAMessageThatIsTooLong) {
     cycles(1);
     EXPECT_EQ(last(), overflow_);
     EXPECT_EQ(bus_.sent.size(), 2U);
+    take({0x11U, 0x00U, 1U, 2U, 3U, 4U, 5U, 6U});  // 256 bytes
+    cycles(1);
+    EXPECT_EQ(last(), overflow_);
+    EXPECT_EQ(bus_.sent.size(), 3U);
+    take({0x11U, 0x14U, 1U, 2U, 3U, 4U, 5U, 6U});  // 276 bytes
+    cycles(1);
+    EXPECT_EQ(last(), overflow_);
+    EXPECT_EQ(bus_.sent.size(), 4U);
     EXPECT_FALSE(transport_.is_receiving());
     take_consecutive(counted(20U));
     EXPECT_TRUE(waiting().empty());
@@ -247,16 +307,26 @@ TEST_F(Transport, GivesUpASenderThatIsSilentForASecond) {
     EXPECT_TRUE(waiting().empty());
 }
 
+TEST_F(Transport, ASenderThatBeginsAnewHasItsWholeSecond) {
+    take_first(counted(60U));
+    cycles(60);
+    take_first(counted(20U));
+    cycles(99);
+    EXPECT_TRUE(transport_.is_receiving());
+    cycles(1);
+    EXPECT_FALSE(transport_.is_receiving());
+}
+
 TEST_F(Transport, TheFlowControlWaitsForRoomOnTheBus) {
     bus_.room = 0;
     take_first(counted(20U));
     cycles(3);
     EXPECT_TRUE(bus_.sent.empty());
-    bus_.room = 1;
+    bus_.room = 5;
     cycles(1);
     EXPECT_EQ(last(), continue_to_send_);
     cycles(1);
-    EXPECT_EQ(bus_.sent.size(), 1U);
+    EXPECT_EQ(bus_.sent.size(), 1U) << "it is said once";
 }
 
 // A functional request is one frame, and does not disturb a segmented one.
@@ -318,6 +388,20 @@ TEST_F(Transport, ALongAnswerWaitsForFlowControlAndEveryFrameIsPadded) {
     EXPECT_FALSE(transport_.is_sending());
 }
 
+// Of the longest answer the length needs the lower half of the first byte.
+TEST_F(Transport, TheLongestAnswerTellsItsLength) {
+    const Bytes message = counted(diagnosis::Response::capacity);
+    send(message);
+    EXPECT_FALSE(response_.is_too_long());
+    cycles(1);
+    EXPECT_EQ(last(), Bytes({0x11U, 0x00U}) + Bytes(message.begin(), message.begin() + 6));
+    take({0x30U, 0U, 0U});
+    cycles(20);
+    EXPECT_EQ(bus_.sent.size(), 1U + 36U);
+    EXPECT_EQ(bus_.sent.back().data[5], message.back());
+    EXPECT_FALSE(transport_.is_sending());
+}
+
 TEST_F(Transport, SendsAFewFramesACycle) {
     const Bytes message = counted(100U);
     send(message);
@@ -339,6 +423,16 @@ TEST_F(Transport, HonoursBlockSizes) {
     EXPECT_FALSE(transport_.is_sending());
     take({0x30U, 0U, 0U});
     EXPECT_EQ(rhythm(1), (std::vector<std::size_t>{0U}));
+}
+
+// A separation is one of frames within a block: a new flow control may have another.
+TEST_F(Transport, ABlockBeginsAtOnce) {
+    send(counted(60U));
+    cycles(1);
+    take({0x30U, 1U, 0x7FU});
+    EXPECT_EQ(rhythm(2), (std::vector<std::size_t>{1U, 0U}));
+    take({0x30U, 0U, 0U});
+    EXPECT_EQ(rhythm(1), (std::vector<std::size_t>{4U}));
 }
 
 struct Separation {
@@ -373,9 +467,10 @@ INSTANTIATE_TEST_SUITE_P(All, SeparationTimes,
 TEST_F(Transport, GivesUpATesterThatIsSilentForASecond) {
     const Bytes message = counted(60U);
     send(message);
+    cycles(1);
     cycles(100);
     EXPECT_TRUE(transport_.is_sending());
-    cycles(2);
+    cycles(1);
     EXPECT_FALSE(transport_.is_sending());
     take({0x30U, 0U, 0U});
     EXPECT_EQ(rhythm(1), (std::vector<std::size_t>{0U}));
@@ -406,6 +501,36 @@ TEST_F(Transport, ATesterMayAskForTimeButNotForEver) {
     }
     take({0x31U, 0U, 0U});
     EXPECT_FALSE(transport_.is_sending());
+}
+
+TEST_F(Transport, EachWaitGivesTheTesterAnotherSecond) {
+    send(counted(60U));
+    cycles(1);
+    take({0x31U, 0U, 0U});
+    cycles(100);
+    EXPECT_TRUE(transport_.is_sending());
+    cycles(1);
+    EXPECT_FALSE(transport_.is_sending());
+}
+
+// As many in a row as may be: after a block, and with the next answer, they count anew.
+TEST_F(Transport, WaitsCountInARow) {
+    const auto wait_ten_times = [&] {
+        for (int wait = 0; wait < 10; ++wait) {
+            take({0x31U, 0U, 0U});
+            EXPECT_TRUE(transport_.is_sending()) << wait;
+        }
+    };
+    for (int answer = 0; answer < 2; ++answer) {
+        send(counted(60U));
+        cycles(1);
+        wait_ten_times();
+        take({0x30U, 1U, 0U});
+        cycles(1);
+        wait_ten_times();
+        take({0x31U, 0U, 0U});
+        EXPECT_FALSE(transport_.is_sending());
+    }
 }
 
 TEST_F(Transport, ATesterWithoutRoomOrSenseEndsIt) {
@@ -444,6 +569,30 @@ TEST_F(Transport, WaitsForRoomOnTheBusForASecond) {
     EXPECT_TRUE(transport_.is_sending());
     cycles(1);
     EXPECT_FALSE(transport_.is_sending());
+}
+
+// Its second begins with the flow control, however late that came.
+TEST_F(Transport, ABlockWaitsForRoomOnTheBusForASecond) {
+    send(counted(60U));
+    cycles(1);
+    cycles(90);
+    take({0x30U, 0U, 0U});
+    bus_.room = 0;
+    cycles(100);
+    EXPECT_TRUE(transport_.is_sending());
+    cycles(1);
+    EXPECT_FALSE(transport_.is_sending());
+}
+
+TEST_F(Transport, AnAnswerAfterOneThatWasGivenUpHasItsWholeSecond) {
+    bus_.room = 0;
+    for (int answer = 0; answer < 2; ++answer) {
+        send(counted(3U));
+        cycles(100);
+        EXPECT_TRUE(transport_.is_sending());
+        cycles(1);
+        EXPECT_FALSE(transport_.is_sending());
+    }
 }
 
 TEST_F(Transport, WhatComesWhileARequestWaitsOrAnAnswerGoesOutIsNotTaken) {

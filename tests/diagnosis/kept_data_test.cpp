@@ -83,9 +83,9 @@ TEST(KeptData, RecordsAreASecondApartAndTakeTurns) {
     Memories memories;
     Life life{memories};
     life.run(1);
-    life.run(98, bit_of(0U));
+    life.run(99, bit_of(0U));
     EXPECT_EQ(memories.one.writes() + memories.other.writes(), 1);
-    life.run(2, bit_of(0U));
+    life.run(1, bit_of(0U));
     EXPECT_EQ(memories.one.writes(), 1);
     EXPECT_EQ(memories.other.writes(), 1);
     EXPECT_TRUE(life.data.is_stored());
@@ -95,18 +95,29 @@ TEST(KeptData, WhatOnlyCountsFurtherIsStoredOnceAMinute) {
     Memories memories;
     Life life{memories};
     life.run(350);
-    life.run(200, bit_of(0U));
+    life.run(200);
+    life.run(1, bit_of(0U));  // for the first time: at once
     const int writes = memories.one.writes() + memories.other.writes();
-    for (int time = 0; time < 2850; ++time) {
+    for (int time = 0; time < 2999; ++time) {
         life.run(1);
         life.run(1, bit_of(0U));
     }
+    life.run(1);
     EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes);
-    for (int time = 0; time < 200; ++time) {
-        life.run(1);
-        life.run(1, bit_of(0U));
-    }
+    life.run(1, bit_of(0U));
     EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes + 1);
+}
+
+// It would wear the memory out.
+TEST(KeptData, NothingIsStoredWhereNothingHasChanged) {
+    Memories memories;
+    Life life{memories};
+    life.run(1000);
+    const int writes = memories.one.writes() + memories.other.writes();
+    life.run(20000);
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes);
+    life.run(1, bit_of(0U));
+    EXPECT_EQ(memories.one.writes() + memories.other.writes(), writes + 1) << "but what is new at once";
 }
 
 TEST(KeptData, ABusyPlaceIsAskedAgain) {
@@ -195,17 +206,22 @@ TEST(KeptData, EveryDamagedByteIsNoticedAndTheOtherRecordUsed) {
     }
 }
 
-TEST(KeptData, ARecordOfOtherCodesIsNotRead) {
+TEST(KeptData, ARecordOfAnotherLayoutIsNotRead) {
     Memories memories;
     diagnosis::AlternatingRecord<diagnosis::KeptPayload> record{memories.one, memories.other};
     diagnosis::KeptPayload payload{};
     payload.codes.states.fill({diagnosis::status::failure, 1U, 0U});
-    payload.code_count = diagnosis::trouble_code_count + 1U;
+    payload.layout = diagnosis::KeptPayload::present_layout + 1U;
     ASSERT_TRUE(record.write(payload));
     EXPECT_TRUE(Life{memories}.known().empty());
-    payload.code_count = diagnosis::trouble_code_count;
+    payload.layout = diagnosis::KeptPayload::present_layout;
     ASSERT_TRUE(record.write(payload));
     EXPECT_EQ(Life{memories}.known().size(), diagnosis::trouble_code_count);
+}
+
+// An update that adds codes must not take away the vehicle's number, nor the codes that there were.
+TEST(KeptData, ARecordDoesNotDependOnHowManyCodesThereAre) {
+    EXPECT_EQ(KeptData::record_length, 1U + 3U * 63U + 8U * 21U + 21U + 12U);
 }
 
 // The sequence number may begin again at zero.
@@ -230,6 +246,7 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
     };
     EXPECT_EQ(newest(7U, 8U), 2U);
     EXPECT_EQ(newest(8U, 7U), 1U);
+    EXPECT_EQ(newest(0xFFFFFFF0U, 0xFFFFFFF1U), 2U);
     EXPECT_EQ(newest(0xFFFFFFFFU, 0U), 2U);
     EXPECT_EQ(newest(0U, 0xFFFFFFFFU), 1U);
 
@@ -240,6 +257,51 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
     ASSERT_TRUE(record.write(3U));
     EXPECT_EQ(memories.one.record()[0], 1U);
     EXPECT_EQ(memories.other.record()[0], 3U);
+}
+
+TEST(AlternatingRecord, AnEmptyMemoryLeavesThePayloadAsItWas) {
+    Memories memories;
+    diagnosis::AlternatingRecord<std::uint8_t> record{memories.one, memories.other};
+    std::uint8_t payload = 7U;
+    EXPECT_FALSE(record.read(payload));
+    EXPECT_EQ(payload, 7U);
+}
+
+// What else is kept in such a memory may have a checksum of the same kind.
+TEST(AlternatingRecord, ARecordOfAnotherKindIsNotRead) {
+    using Record = diagnosis::AlternatingRecord<std::uint8_t>;
+    Memories memories;
+    Bytes foreign(Record::length, 1U);
+    application::put_word(foreign.data(), 9U, application::crc32(foreign.data(), 9U));
+    memories.one.record() = foreign;
+    Record record{memories.one, memories.other};
+    std::uint8_t payload = 7U;
+    EXPECT_FALSE(record.read(payload));
+}
+
+// A memory that has filled the bytes and then says that they are not to be trusted.
+class DoubtfulStorage final : public hal::Storage {
+ public:
+    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
+        std::copy_n(record.begin(), std::min(length, record.size()), bytes);
+        return false;
+    }
+    bool write(const std::uint8_t* bytes, std::size_t length) noexcept override {
+        record.assign(bytes, bytes + length);
+        return true;
+    }
+
+    Bytes record{};
+};
+
+TEST(AlternatingRecord, WhatTheMemoryCannotReadIsNotTaken) {
+    DoubtfulStorage one;
+    DoubtfulStorage other;
+    diagnosis::AlternatingRecord<std::uint8_t> record{one, other};
+    ASSERT_TRUE(record.write(3U));
+    std::uint8_t payload = 7U;
+    EXPECT_FALSE(record.read(payload));
+    EXPECT_EQ(payload, 7U);
 }
 
 }  // namespace

@@ -89,7 +89,11 @@ class Peer(unittest.TestCase):
     def test_clearing(self):
         self.refused(lambda: self.client.clear_dtc(0xFFFFFF), 0x33)
         self.unlock()
-        self.client.control_dtc_setting(services.ControlDTCSetting.SettingType.off)
+        off = lambda: self.client.control_dtc_setting(services.ControlDTCSetting.SettingType.off)
+        self.refused(off, 0x22)  # nobody knows that it rests
+        self.ecu.say("speed 0")
+        self.ecu.run(10)
+        off()
         self.client.clear_dtc(0xFFFFFF)
         self.assertEqual(self.codes(), {})
         self.client.control_dtc_setting(services.ControlDTCSetting.SettingType.on)

@@ -58,6 +58,7 @@ TEST_F(Download, AGoodSectionIsStoredForTheNextStart) {
     EXPECT_FALSE(tester_.store().restore());
     transfer(good_section());
     EXPECT_TRUE(stored().empty()) << "not before it has been checked";
+    EXPECT_FALSE(tester_.store().restore());
     EXPECT_EQ(check(), result(application::ParametersRefusal::none));
     EXPECT_EQ(stored(), good_section());
     diagnosis::SectionStore store{memories_.section};
@@ -147,6 +148,10 @@ TEST_F(Download, TheRequestIsChecked) {
     EXPECT_EQ(ask({0x34U, 0x00U, 0x01U, 1U}), no(0x34U, 0x31U)) << "no section_length";
     EXPECT_EQ(ask({0x34U, 0x00U, 0x15U, 0U, 0U, 0U, 0U, 0U, 1U}), no(0x34U, 0x31U));
     EXPECT_EQ(ask({0x34U, 0x00U, 0x51U, 0U, 0U, 0U, 0U, 0U, 1U}), no(0x34U, 0x31U));
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x00U}), no(0x34U, 0x31U)) << "neither";
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x20U, 0x01U, 0x54U}), no(0x34U, 0x31U)) << "no address, the right length";
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x25U, 0U, 0U, 0U, 0U, 0U, 0x01U, 0x54U}), no(0x34U, 0x31U));
+    EXPECT_EQ(ask({0x34U, 0x00U, 0x51U, 0U, 0U, 0U, 0U, 0x01U, 0x54U}), no(0x34U, 0x31U));
     EXPECT_EQ(ask({0x34U, 0x00U, 0x24U, 0U, 0U, 0U, 1U, 0x01U, 0x54U}), no(0x34U, 0x31U))
         << "another address";
     EXPECT_EQ(request_download(section_length - 1U), no(0x34U, 0x31U));
@@ -159,6 +164,7 @@ TEST_F(Download, TheRequestIsChecked) {
 
 TEST_F(Download, BlocksAreCounted) {
     EXPECT_EQ(block(1U, {1U}), no(0x36U, 0x24U)) << "nothing was requested";
+    EXPECT_EQ(block(1U, {}), no(0x36U, 0x24U)) << "whatever the block has";
     request_download();
     EXPECT_EQ(ask({0x36U}), no(0x36U, 0x13U));
     EXPECT_EQ(block(0U, {1U}), no(0x36U, 0x73U)) << "no block has been, so none is repeated";
@@ -190,7 +196,29 @@ TEST_F(Download, AMemoryThatIsBusyIsWaitedFor) {
 TEST_F(Download, AMemoryThatNeverTakesItIsSaid) {
     transfer(good_section());
     memories_.section.refuse(true);
-    EXPECT_EQ(check(), no(0x31U, 0x72U));
+    tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+    EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U)) << "within P2";
+    EXPECT_EQ(tester_.receive(500), no(0x31U, 0x72U)) << "within P2*";
+}
+
+// At whichever moment the memory takes it: what the tester hears is what has been done.
+TEST_F(Download, WhatIsSaidOfASlowMemoryIsTrue) {
+    int stored_in_time = 0;
+    constexpr int tries = 20;
+    for (int late = 0; late < tries; ++late) {
+        transfer(good_section());
+        memories_.section.record().clear();
+        memories_.section.refuse(true);
+        tester_.send({0x31U, 0x01U, 0xFFU, 0x01U});
+        EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U)) << "within P2";
+        tester_.cycles(436 + late);
+        memories_.section.refuse(false);
+        const bool is_good = (tester_.receive(20) == result(application::ParametersRefusal::none));
+        EXPECT_EQ(is_good, stored() == good_section()) << late;
+        stored_in_time += is_good ? 1 : 0;
+    }
+    EXPECT_GT(stored_in_time, 0);
+    EXPECT_LT(stored_in_time, tries);
 }
 
 TEST_F(Download, ATornRecordIsNoSection) {
@@ -206,6 +234,44 @@ TEST(SectionDownload, IsNotAcceptedWithoutATarget) {
     diagnosis::Response response;
     const Bytes request{0x34U, 0x00U, 0x11U, 0U, 1U};
     EXPECT_EQ(download.begin({request.data(), request.size(), false}, response), Nrc::download_not_accepted);
+}
+
+// A target that does what its interface says and no more.
+class CountingTarget final : public diagnosis::SectionTarget {
+ public:
+    std::size_t length() const noexcept override { return 10U; }
+    void put(std::size_t place, std::uint8_t byte) noexcept override {
+        puts.push_back(static_cast<std::uint8_t>(place));
+        puts.push_back(byte);
+    }
+    diagnosis::SectionAnswer store(std::uint8_t&) noexcept override {
+        return diagnosis::SectionAnswer::stored;
+    }
+
+    Bytes puts{};
+};
+
+TEST(SectionDownload, PutsEachByteOnceAndNoneBehindTheLast) {
+    CountingTarget target;
+    diagnosis::SectionDownload download;
+    download.use(target);
+    diagnosis::Response response;
+    const auto ask = [](const Bytes& request) {
+        return diagnosis::Request{request.data(), request.size(), false};
+    };
+    const Bytes request{0x34U, 0x00U, 0x11U, 0U, 10U};
+    const Bytes first{0x36U, 1U, 10U, 11U, 12U, 13U, 14U, 15U};
+    const Bytes second{0x36U, 2U, 16U, 17U, 18U, 19U};
+    const Bytes exit{0x37U};
+    ASSERT_EQ(download.begin(ask(request), response), Nrc::none);
+    EXPECT_EQ(download.transfer(ask(first), response), Nrc::none);
+    EXPECT_EQ(download.transfer(ask(second), response), Nrc::none);
+    EXPECT_EQ(download.end(ask(exit)), Nrc::none);
+    EXPECT_EQ(target.puts, (Bytes{0U, 10U, 1U, 11U, 2U, 12U, 3U, 13U, 4U, 14U,
+                                  5U, 15U, 6U, 16U, 7U, 17U, 8U, 18U, 9U, 19U}));
+    std::uint8_t refusal = 7U;
+    EXPECT_EQ(download.check_and_store(refusal), Nrc::none);
+    EXPECT_EQ(refusal, 0U) << "where nothing is refused the target says nothing";
 }
 
 // With an authority a section needs its seal.

@@ -57,13 +57,19 @@ class Tester {
     explicit Tester(Memories& memories, bool is_new_cycle = true)
         : memories_{memories},
           store_{memories.section},
-          access_{keys_, hal::KeySlot::diagnosis, random_, memories.attempts},
-          diagnosis_{bus_.endpoint(0U), {}, identification_, memories.one, memories.other} {
+          access_{keys_, hal::KeySlot::diagnosis, random_, memories.attempts} {
         inputs.speed_mps = 0.0F;
         access_.start();
-        diagnosis_.use(access_);
-        diagnosis_.use(store_);
-        diagnosis_.start(is_new_cycle);
+        start(is_new_cycle);
+    }
+
+    // The ECU starts anew; seed and key, which the platform has, do not.
+    void start(bool is_new_cycle) {
+        diagnosis_.emplace(bus_.endpoint(0U), diagnosis::Addresses{}, identification_, memories_.one,
+                           memories_.other);
+        diagnosis_->use(access_);
+        diagnosis_->use(store_);
+        diagnosis_->start(is_new_cycle);
     }
 
     // What the ECU has.
@@ -76,13 +82,14 @@ class Tester {
 
     void cycle() {
         hal::CanFrame frame{};
-        while (diagnosis_.bus().receive(frame) == hal::ReceiveResult::frame) {
+        while (bus_.endpoint(0U).receive(frame) == hal::ReceiveResult::frame) {
+            diagnosis_->listener().take(frame);
         }
         monitoring_.begin_cycle(measured);
         for (std::size_t code = 1U; code < monitoring::diagnostic_code_count; ++code) {
             monitoring_.report(static_cast<DiagnosticCode>(code), ((failing_ >> code) & 1U) != 0U);
         }
-        diagnosis_.step(monitoring_, inputs, outputs);
+        diagnosis_->step(monitoring_, inputs, outputs);
         clock_.set(clock_.now() + hal::Time::from_milliseconds(10));
     }
     void cycles(int count) {
@@ -203,7 +210,7 @@ class Tester {
         return {code.begin(), code.end()};
     }
 
-    diagnosis::Diagnosis& diagnosis() { return diagnosis_; }
+    diagnosis::Diagnosis& diagnosis() { return *diagnosis_; }
     diagnosis::SectionStore& store() { return store_; }
     Memories& memories() { return memories_; }
     void set_bus_state(hal::BusState state) { bus_.endpoint(0U).set_state(state); }
@@ -221,7 +228,7 @@ class Tester {
                                               diagnosis::text_of<diagnosis::LongText>("large_suv"),
                                               diagnosis::text_of<diagnosis::ShortText>("none"),
                                               diagnosis::text_of<diagnosis::ShortText>("4711")};
-    diagnosis::Diagnosis diagnosis_;
+    std::optional<diagnosis::Diagnosis> diagnosis_;
     monitoring::DiagnosticMemory monitoring_{};
     monitoring::CodeSet failing_{0U};
 };

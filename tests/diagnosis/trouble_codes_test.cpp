@@ -29,6 +29,12 @@ TEST(TroubleCodes, AreOneRowACode) {
     table = trouble_codes;
     table[7].number = table[3].number;
     EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "a number twice";
+    table = trouble_codes;
+    table[0].code = table[1].code;
+    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "another code in the first row";
+    table = trouble_codes;
+    table[7].number = table[0].number;
+    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "the number of the first row twice";
     EXPECT_EQ(diagnosis::numbers_of_all(), diagnosis::trouble_numbers);
     const auto judged = diagnosis::Judged::driving;
     EXPECT_EQ(diagnosis::row(monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U, judged).number, 0xD12087U);
@@ -47,6 +53,8 @@ TEST(TroubleCodes, EachIsJudgedInOneWay) {
     monitoring::CodeSet driving = diagnosis::codes_judged(diagnosis::Judged::driving);
     EXPECT_EQ(always & driving, 0U);
     EXPECT_EQ(always | driving, (monitoring::CodeSet{2U} << trouble_code_count) - 2U);
+    EXPECT_NE(always & monitoring::set_of(monitoring::DiagnosticCode::imu_lost), 0U);
+    EXPECT_NE(driving & monitoring::set_of(monitoring::DiagnosticCode::roll_rate_stuck), 0U);
 }
 
 }  // namespace

@@ -91,6 +91,9 @@ TEST_F(Troubles, EachFailureIsCountedOnceAndTheCountStands) {
         run(1, imu_failed);
     }
     EXPECT_EQ(memory_.state(imu).occurrences, 255U);
+    run(1);
+    run(1, imu_failed);
+    EXPECT_EQ(memory_.state(imu).occurrences, 255U);
 }
 
 // Without a failure for three seconds; what needs driving, after a minute of it.
@@ -111,8 +114,16 @@ TEST_F(Troubles, AGoodTestIsCompletedInTime) {
     EXPECT_EQ(status_of(gain), 0x00U);
 }
 
+TEST_F(Troubles, AfterAMinuteOfGoodDrivingEveryCodeIsJudged) {
+    run(6000, 0U, 20.0F);
+    for (std::size_t row = 0U; row < trouble_code_count; ++row) {
+        EXPECT_EQ(status_of(row), 0x00U) << row;
+    }
+}
+
 TEST_F(Troubles, NoTestIsCompletedWhileACodeFails) {
     run(1000, imu_failed, 20.0F);
+    run(1000, imu_failed | gain_failed, 20.0F);
     EXPECT_EQ(status_of(last_row), 0x50U);
     run(299, 0U, 20.0F);
     EXPECT_EQ(status_of(last_row), 0x50U);
@@ -128,6 +139,24 @@ TEST_F(Troubles, ANewOperationCycleBeginsTheTestsAnew) {
     drive();
     memory_.start(true);
     EXPECT_EQ(status_of(imu), 0x68U) << "a cycle tested and without failure: no longer pending";
+}
+
+// After a repair it is judged without another start.
+TEST_F(Troubles, WhatIsClearedIsJudgedAnewInTheSameCycle) {
+    run(7000, 0U, 20.0F);
+    memory_.clear(imu);
+    EXPECT_EQ(status_of(imu), status::cleared);
+    run(299);
+    EXPECT_EQ(status_of(imu), status::cleared);
+    run(1);
+    EXPECT_EQ(status_of(imu), 0U);
+    memory_.clear_all();
+    run(300);
+    EXPECT_EQ(status_of(imu), 0U);
+    run(5999, 0U, 20.0F);
+    EXPECT_EQ(status_of(gain), status::cleared);
+    run(1, 0U, 20.0F);
+    EXPECT_EQ(status_of(gain), 0U);
 }
 
 // A reset within an operation cycle is no new one.
@@ -191,7 +220,7 @@ TEST_F(Troubles, WhatNeverFailedDoesNotAge) {
 }
 
 TEST_F(Troubles, KeepsTheFirstAndTheLastSnapshot) {
-    run(250);
+    run(298);
     run(1, imu_failed, 0.0F, {1.234F, -0.5F, 0.0256F, 33.336F});
     run(1);
     run(150);
@@ -210,8 +239,40 @@ TEST_F(Troubles, KeepsTheFirstAndTheLastSnapshot) {
     EXPECT_EQ(seconds_in(kept->last), 4U);
 }
 
+// To the nearest step, on both sides of zero; zero is a number like others.
+TEST_F(Troubles, SnapshotsAreRounded) {
+    const auto kept = [&](const Snapshot& measured) {
+        run(1);
+        run(1, imu_failed, 0.0F, measured);
+        return memory_.snapshots(imu)->last;
+    };
+    const FreezeFrame large = kept({1.2352F, -0.50052F, -0.02547F, 33.3347F});
+    EXPECT_EQ(number_in(large, 0U), 124);
+    EXPECT_EQ(number_in(large, 2U), -501);
+    EXPECT_EQ(number_in(large, 4U), -25);
+    EXPECT_EQ(number_in(large, 6U), 3333);
+    const FreezeFrame small = kept({0.007F, -0.0007F, 0.0F, -0.003F});
+    EXPECT_EQ(number_in(small, 0U), 1);
+    EXPECT_EQ(number_in(small, 2U), -1);
+    EXPECT_EQ(number_in(small, 4U), 0);
+    EXPECT_EQ(number_in(small, 6U), 0);
+}
+
+TEST_F(Troubles, TheTimeOfASnapshotIsThatSinceTheStart) {
+    run(500);
+    memory_.start(true);
+    run(98);
+    run(1, imu_failed);
+    EXPECT_EQ(seconds_in(memory_.snapshots(imu)->last), 0U);
+    run(1);
+    run(1, imu_failed);
+    EXPECT_EQ(seconds_in(memory_.snapshots(imu)->last), 1U);
+}
+
 TEST_F(Troubles, TheTimeOfASnapshotStandsAtItsLargest) {
+    memory_.set_recording(false);  // as quick as it goes
     run(6553600);
+    memory_.set_recording(true);
     run(1, imu_failed);
     EXPECT_EQ(seconds_in(memory_.snapshots(imu)->first), 65535U);
 }
@@ -232,6 +293,15 @@ TEST_F(Troubles, SnapshotsOfWhatFailsAreNotDisplaced) {
     run(1, failed | gain_failed);
     EXPECT_EQ(memory_.snapshots(3U), nullptr);
     EXPECT_NE(memory_.snapshots(gain), nullptr);
+}
+
+TEST_F(Troubles, WhatHasHealedKeepsItsSnapshotsWhileThereIsRoom) {
+    for (std::size_t row = 0U; row < TroubleMemory::snapshot_places; ++row) {
+        run(1, CodeSet{2U} << row);
+    }
+    for (std::size_t row = 0U; row < TroubleMemory::snapshot_places; ++row) {
+        EXPECT_NE(memory_.snapshots(row), nullptr) << row;
+    }
 }
 
 TEST_F(Troubles, ClearingOneLeavesTheOthers) {
@@ -310,6 +380,11 @@ TEST_F(Troubles, ACodeThatNobodyKnowsHasNoSnapshot) {
         EXPECT_EQ(memory_.snapshots(row), nullptr);
         EXPECT_EQ(status_of(row), 0x7FU) << "bit 7 is not available";
     }
+    stored.snapshots.fill({65U, {}, {}});  // of a longer table
+    memory_.restore(stored);
+    run(1);
+    run(1, imu_failed);
+    EXPECT_NE(memory_.snapshots(imu), nullptr) << "its place is free";
     stored.snapshots[0].code = static_cast<std::uint8_t>(trouble_code_count);
     memory_.restore(stored);
     EXPECT_NE(memory_.snapshots(last_row), nullptr);

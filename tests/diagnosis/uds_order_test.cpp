@@ -61,6 +61,7 @@ TEST_F(UdsOrder, SessionThenAccessThenSubFunctionThenLength) {
     EXPECT_EQ(ask({0x27U, 0x02U, 0x00U}), no(0x27U, 0x13U));
     EXPECT_EQ(ask({0x85U, 0x02U, 0x00U}), no(0x85U, 0x13U));
     EXPECT_EQ(ask({0x2EU, 0xF1U, 0x90U}), no(0x2EU, 0x13U));
+    EXPECT_EQ(ask({0x2EU, 0x12U, 0x34U}), no(0x2EU, 0x13U)) << "no data, whatever they are of";
     EXPECT_EQ(ask({0x2EU, 0x12U, 0x34U, 0x00U}), no(0x2EU, 0x31U));
     EXPECT_EQ(ask({0x2EU, 0xF1U, 0x90U, 0x00U}), no(0x2EU, 0x13U)) << "the length before the key";
 
@@ -129,6 +130,7 @@ TEST_F(UdsOrder, AfterLaterThereIsAnAnswer) {
     memories_.one.refuse(true);
     memories_.other.refuse(true);
     EXPECT_EQ(ask({0x31U, 0x81U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x20U}));
+    EXPECT_EQ(ask({0x3EU, 0x80U}), Bytes{}) << "the next request has not been told it";
 }
 
 // "Tester present" to everybody in the middle of a segmented request and of a segmented answer.

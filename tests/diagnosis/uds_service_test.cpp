@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "rsi/output_table.hpp"
+#include "tests/application/bench.hpp"
 #include "tests/diagnosis/tester.hpp"
 
 namespace testing_diagnosis {
@@ -65,7 +66,39 @@ TEST_F(Uds, ASessionEndsFiveSecondsAfterTheLastRequest) {
     tester_.ask_everybody({0x3EU, 0x80U}, 0);
     tester_.cycles(480);
     EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
-    tester_.cycles(30);
+    ask({0x3EU, 0x00U});
+    tester_.cycles(499);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.cycles(1);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
+}
+
+// However long the answer is on its way: the five seconds begin behind it.
+TEST_F(Uds, ALongAnswerKeepsTheSessionWhileItGoes) {
+    ask({0x10U, 0x03U});
+    tester_.send({0x22U, 0xF1U, 0x90U});
+    for (int wait = 0; wait < 8; ++wait) {
+        tester_.cycles(90);
+        tester_.send_frame(Tester::physical, {0x31U, 0U, 0U});
+    }
+    tester_.cycle();
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.send_frame(Tester::physical, {0x30U, 0U, 0U});
+    tester_.cycle();
+    tester_.cycles(499);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.cycles(1);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
+}
+
+TEST_F(Uds, ARequestThatWaitsForTheMemoryKeepsTheSession) {
+    tester_.unlock();
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x72U));
+    tester_.cycles(490);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    tester_.cycles(10);
     EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
 }
 
@@ -79,10 +112,7 @@ TEST_F(Uds, ASessionThatTimesOutLocksAndRestores) {
     EXPECT_EQ(ask({0x19U, 0x01U, 0x01U}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x01U}));
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'A')), no(0x2EU, 0x33U));
-    hal::CanFrame frame{};
-    frame.identifier = 0x0D0U;
-    tester_.diagnosis().bus().send(frame);
-    EXPECT_TRUE(tester_.frame().has_value());
+    EXPECT_TRUE(tester_.diagnosis().lets_ecu_send());
 }
 
 TEST_F(Uds, ALongRequestKeepsTheSessionWhileItComes) {
@@ -97,6 +127,14 @@ TEST_F(Uds, EverySessionChangeLocks) {
     tester_.unlock();
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
+}
+
+TEST_F(Uds, WhoWasLetInBeforeAStartIsNotAfterIt) {
+    tester_.unlock();
+    tester_.start(false);
+    EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask(Bytes{0x2EU, 0xF1U, 0x90U} + Bytes(17U, 'A')), no(0x2EU, 0x33U));
 }
 
 TEST_F(Uds, NoProgrammingWhileTheVehicleMoves) {
@@ -121,10 +159,11 @@ TEST_F(Uds, AResetIsAskedForOnceItIsAnswered) {
 
 TEST_F(Uds, AResetWaitsUntilTheAnswerIsOut) {
     ask({0x10U, 0x03U});
-    tester_.set_bus_state(hal::BusState::error_passive);
-    tester_.send_frame(Tester::physical, {0x02U, 0x11U, 0x01U});
     hal::CanFrame frame{};
-    tester_.diagnosis().bus().receive(frame);
+    frame.identifier = Tester::physical;
+    frame.length = 3U;
+    frame.data = {0x02U, 0x11U, 0x01U};
+    tester_.diagnosis().listener().take(frame);
     tester_.set_bus_state(hal::BusState::bus_off);
     tester_.cycle();
     EXPECT_FALSE(tester_.diagnosis().is_reset_requested());
@@ -133,10 +172,76 @@ TEST_F(Uds, AResetWaitsUntilTheAnswerIsOut) {
     EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
 }
 
+// Within a second of the record before; a loss of power would take it away.
+TEST_F(Uds, AResetWaitsForWhatIsToBeStored) {
+    ask({0x10U, 0x03U});
+    tester_.cycles(200);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(2);
+    tester_.fail(DiagnosticCode::roll_angle_lost);
+    tester_.cycles(2);
+    EXPECT_EQ(tester_.ask({0x11U, 0x81U}, 120), (Bytes{0x51U, 0x01U}))
+        << "no longer suppressed once it took time";
+    EXPECT_EQ(tester_.times_told_later, 1);
+    EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+    tester_.heal(DiagnosticCode::imu_lost);
+    tester_.heal(DiagnosticCode::roll_angle_lost);
+    tester_.start(false);
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x08U})[5], 2U);
+}
+
+// A count that would be stored within a minute.
+TEST_F(Uds, AResetStoresWhatOnlyCountsFurther) {
+    ask({0x10U, 0x03U});
+    for (int time = 0; time < 2; ++time) {
+        tester_.fail(DiagnosticCode::imu_lost);
+        tester_.cycles(2);
+        tester_.heal(DiagnosticCode::imu_lost);
+        tester_.cycles(110);
+    }
+    EXPECT_EQ(tester_.ask({0x11U, 0x01U}, 120), (Bytes{0x51U, 0x01U}));
+    tester_.start(false);
+    EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0x01U}).back(), 2U);
+}
+
+TEST_F(Uds, AMemoryThatTakesNothingKeepsNobodyFromAReset) {
+    ask({0x10U, 0x03U});
+    memories_.one.refuse(true);
+    memories_.other.refuse(true);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(2);
+    EXPECT_EQ(ask({0x11U, 0x01U}), (Bytes{0x51U, 0x01U}));
+    EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
+}
+
+// What only counts further would be stored within a minute.
+TEST_F(Uds, AnOrderlyEndStoresTheRest) {
+    for (const bool is_orderly : {false, true}) {
+        tester_.cycles(350);
+        for (int time = 0; time < 3; ++time) {
+            tester_.fail(DiagnosticCode::imu_lost);
+            tester_.cycles(2);
+            tester_.heal(DiagnosticCode::imu_lost);
+            tester_.cycles(110);
+        }
+        const int writes = memories_.one.writes() + memories_.other.writes();
+        if (is_orderly) {
+            tester_.diagnosis().stop();
+        }
+        EXPECT_EQ(memories_.one.writes() + memories_.other.writes() - writes, is_orderly ? 1 : 0);
+        tester_.diagnosis().stop();
+        const int written = memories_.one.writes() + memories_.other.writes();
+        tester_.diagnosis().stop();
+        EXPECT_EQ(memories_.one.writes() + memories_.other.writes(), written) << "nothing is left";
+    }
+}
+
 // ---- trouble codes
 
 TEST_F(Uds, TellsHowManyAndWhichCodesByTheirStatus) {
     EXPECT_EQ(ask({0x19U, 0x01U, 0x0FU}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x00U}));
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x10U}),
+              (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, diagnosis::trouble_code_count}));
     EXPECT_EQ(ask({0x19U, 0x02U, 0x0FU}), (Bytes{0x59U, 0x02U, 0x7FU}));
     tester_.fail(DiagnosticCode::imu_lost);
     tester_.fail(DiagnosticCode::own_identifier_received);
@@ -254,17 +359,21 @@ TEST_F(Uds, WhileItWaitsNobodyElseIsServed) {
     memories_.other.refuse(true);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
     tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
-    EXPECT_EQ(tester_.ask_everybody({0x3EU, 0x80U}), no(0x14U, 0x78U));
-    EXPECT_EQ(tester_.ask_everybody({0x10U, 0x01U}), Bytes{});
+    EXPECT_EQ(tester_.ask_everybody({0x10U, 0x01U}), no(0x14U, 0x78U));
+    EXPECT_EQ(tester_.ask_everybody({0x3EU, 0x80U}), Bytes{});
+    tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
+    tester_.cycles(3);
     memories_.one.refuse(false);
     memories_.other.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
+    tester_.cycles(3);
     EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
 }
 
 // The bus takes no frame while "later" is to be said.
 TEST_F(Uds, AnAnswerWaitsUntilLaterHasBeenSaid) {
     tester_.unlock();
+    tester_.cycles(110);  // the last record is a second old: the next is taken as soon as the memory may
     memories_.one.refuse(true);
     memories_.other.refuse(true);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
@@ -287,6 +396,14 @@ TEST_F(Uds, EverybodyMayBeAskedToClear) {
     memories_.one.refuse(false);
     memories_.other.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
+
+    // And later everybody meets a deaf ear again while an answer goes out.
+    tester_.send({0x22U, 0xF1U, 0x90U});
+    tester_.send_frame(Tester::functional, {0x02U, 0x10U, 0x01U});
+    tester_.cycle();
+    EXPECT_EQ(tester_.receive(20).size(), 20U);
+    tester_.cycles(3);
+    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
 }
 
 TEST_F(Uds, RecordingIsOffUntilItIsOnOrTheSessionEnds) {
@@ -296,6 +413,22 @@ TEST_F(Uds, RecordingIsOffUntilItIsOnOrTheSessionEnds) {
     tester_.cycles(10);
     EXPECT_EQ(ask({0x19U, 0x02U, 0x08U}), (Bytes{0x59U, 0x02U, 0x7FU}));
     EXPECT_EQ(ask({0x85U, 0x01U}), (Bytes{0xC5U, 0x01U}));
+    EXPECT_EQ(ask({0x19U, 0x01U, 0x08U})[5], 1U);
+}
+
+TEST_F(Uds, RecordingIsOffAtRestOnly) {
+    ask({0x10U, 0x03U});
+    for (const float speed_mps : {1.5F, rsi::not_available}) {
+        tester_.inputs.speed_mps = speed_mps;
+        EXPECT_EQ(ask({0x85U, 0x02U}), no(0x85U, 0x22U));
+        EXPECT_EQ(ask({0x85U, 0x01U}), (Bytes{0xC5U, 0x01U}));
+    }
+    tester_.inputs.speed_mps = 0.0F;
+    EXPECT_EQ(ask({0x85U, 0x02U}), (Bytes{0xC5U, 0x02U}));
+    tester_.inputs.speed_mps = 1.5F;
+    tester_.cycles(1);
+    tester_.fail(DiagnosticCode::imu_lost);
+    tester_.cycles(3);
     EXPECT_EQ(ask({0x19U, 0x01U, 0x08U})[5], 1U);
 }
 
@@ -311,10 +444,10 @@ TEST_F(Uds, TellsWhatItIs) {
 
 TEST_F(Uds, TellsEveryOutputAndInput) {
     for (std::size_t number = 0U; number < rsi::number_outputs.size(); ++number) {
-        tester_.outputs.*rsi::number_outputs[number].member = 0.5F + static_cast<float>(number);
+        tester_.outputs.*rsi::number_outputs[number].member = 0.1F + static_cast<float>(number);
         const Bytes answer = ask({0x22U, 0x10U, static_cast<std::uint8_t>(number)});
         ASSERT_EQ(answer.size(), 7U);
-        EXPECT_EQ(number_in(answer, 3U), 0.5F + static_cast<float>(number));
+        EXPECT_EQ(number_in(answer, 3U), 0.1F + static_cast<float>(number));
     }
     for (std::size_t code = 0U; code < rsi::code_outputs.size(); ++code) {
         tester_.outputs.*rsi::code_outputs[code].member = static_cast<std::int32_t>(code + 1U);
@@ -345,12 +478,14 @@ TEST(DataIdentifiers, TheMembersOfATableAreInItsOrder) {
 TEST_F(Uds, SeveralIdentifiersComeTogetherAndUnknownOnesAreLeftOut) {
     EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U, 0x00U, 0x01U, 0x11U, 0x00U}),
               (Bytes{0x62U, 0xF1U, 0x86U, 0x01U, 0x11U, 0x00U, 0x00U}));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U, 0x00U, 0x01U}), (Bytes{0x62U, 0xF1U, 0x86U, 0x01U}));
     EXPECT_EQ(ask({0x22U, 0x00U, 0x01U, 0x0FU, 0xFFU}), no(0x22U, 0x31U));
     Bytes much{0x22U};
     for (int time = 0; time < 6; ++time) {
         much = much + Bytes{0xF1U, 0x82U};
     }
     EXPECT_EQ(ask(much), no(0x22U, 0x14U));
+    EXPECT_EQ(ask({0x22U, 0xF1U, 0x86U}), (Bytes{0x62U, 0xF1U, 0x86U, 0x01U}));
 }
 
 TEST_F(Uds, WritesIdentificationWithTheKeyOnlyAndStoresIt) {
@@ -419,7 +554,8 @@ TEST(UdsWithoutAccess, NobodyIsUnlockedAndNoSectionTaken) {
         frame.data[0] = static_cast<std::uint8_t>(request.size());
         std::copy(request.begin(), request.end(), frame.data.begin() + 1);
         bus.endpoint(1U).send(frame);
-        diagnosis.bus().receive(frame);
+        bus.endpoint(0U).receive(frame);
+        diagnosis.listener().take(frame);
         diagnosis.step(memory, {}, {});
         bus.endpoint(1U).receive(frame);
         return Bytes(frame.data.begin() + 1, frame.data.begin() + 1 + frame.data[0]);
@@ -429,22 +565,27 @@ TEST(UdsWithoutAccess, NobodyIsUnlockedAndNoSectionTaken) {
     EXPECT_EQ(ask({0x34U, 0x00U, 0x11U, 0U, 1U}), no(0x34U, 0x33U));
 }
 
+TEST_F(Uds, ASeedWhoseAttemptCannotBeStoredIsNotGivenAndNoDelayIsToBlame) {
+    memories_.attempts.refuse(true);
+    ask({0x10U, 0x03U});
+    EXPECT_EQ(ask({0x27U, 0x01U}), no(0x27U, 0x22U));
+    memories_.attempts.refuse(false);
+    EXPECT_EQ(ask({0x27U, 0x01U}).size(), 18U);
+}
+
 // ---- communication
 
 TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
-    hal::CanFrame warning{};
-    warning.identifier = 0x0D0U;
-    const auto is_sent = [&] {
-        EXPECT_EQ(tester_.diagnosis().bus().send(warning), hal::SendResult::sent);
-        return tester_.frame().has_value();
-    };
+    const auto is_sent = [&] { return tester_.diagnosis().lets_ecu_send(); };
     ask({0x10U, 0x03U});
     EXPECT_EQ(ask({0x28U, 0x01U, 0x00U}), no(0x28U, 0x31U));
     EXPECT_EQ(ask({0x28U, 0x01U, 0x04U}), no(0x28U, 0x31U));
     EXPECT_EQ(ask({0x28U, 0x01U, 0x02U}), (Bytes{0x68U, 0x01U}))
         << "network management, which there is none of";
     EXPECT_TRUE(is_sent());
+    tester_.inputs.speed_mps = 1.4F;
     EXPECT_EQ(ask({0x28U, 0x01U, 0x01U}), (Bytes{0x68U, 0x01U}));
+    tester_.cycles(100);
     EXPECT_FALSE(is_sent());
     EXPECT_EQ(ask({0x28U, 0x00U, 0x01U}), (Bytes{0x68U, 0x00U}));
     EXPECT_TRUE(is_sent());
@@ -460,15 +601,48 @@ TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
     }
 }
 
-TEST_F(Uds, TheBusIsOtherwiseAsItIs) {
-    hal::CanBus& bus = tester_.diagnosis().bus();
-    EXPECT_EQ(bus.state(), hal::BusState::error_active);
-    tester_.send_frame(0x120U, {1U, 2U});
-    hal::CanFrame frame{};
-    EXPECT_EQ(bus.receive(frame), hal::ReceiveResult::frame);
-    EXPECT_EQ(frame.identifier, 0x120U);
-    EXPECT_EQ(bus.receive(frame), hal::ReceiveResult::empty);
-    EXPECT_EQ(bus.statistics().frames_received, 1U);
+// With the ECU itself: while it is silent it goes on, and finds no fault of the bus.
+TEST(UdsBesideTheEcu, TakesItsFramesFromTheBusAndGivesThemBack) {
+    Memories memories;
+    hal::VirtualClock clock;
+    hal::MemoryBus<2U> bus{clock};
+    testing_application::NoWatchdog watchdog;
+    const diagnosis::Identification identification{};
+    diagnosis::Diagnosis diagnosis{bus.endpoint(0U), {}, identification, memories.one, memories.other};
+    application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
+    ASSERT_TRUE(ecu.listen(diagnosis.listener()));
+    diagnosis.start(true);
+    ecu.init(testing_application::large_suv());
+    unsigned counter = 0U;
+    hal::Time now{};
+    const auto frames_after = [&](const Bytes& request) {
+        hal::CanFrame frame{};
+        frame.identifier = Tester::physical;
+        frame.length = static_cast<std::uint8_t>(request.size() + 1U);
+        frame.data[0] = static_cast<std::uint8_t>(request.size());
+        std::copy(request.begin(), request.end(), frame.data.begin() + 1);
+        bus.endpoint(1U).send(frame);
+        std::size_t sent = 0U;
+        for (int cycle = 0; cycle < 2; ++cycle) {  // the second is as the tester wants it
+            now = now + hal::Time::from_milliseconds(10);
+            clock.set(now);
+            can_dbc::VehicleMotion standing{};
+            standing.speed_kmh = 0.0F;
+            bus.endpoint(1U).send(testing_application::frame_of(standing, counter));
+            counter = (counter + 1U) % 15U;
+            ecu.step(0U);
+            diagnosis.step(ecu);
+            sent = 0U;
+            while (bus.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+                sent += (frame.identifier == Tester::response) ? 0U : 1U;
+            }
+        }
+        return sent;
+    };
+    EXPECT_EQ(frames_after({0x10U, 0x03U}), testing_application::frames_per_cycle);
+    EXPECT_EQ(frames_after({0x28U, 0x01U, 0x01U}), 0U);
+    EXPECT_EQ(frames_after({0x28U, 0x00U, 0x01U}), testing_application::frames_per_cycle);
+    EXPECT_FALSE(ecu.diagnostic_memory().active(DiagnosticCode::bus_error));
 }
 
 // ---- self test

@@ -110,6 +110,21 @@ TEST_F(ALateRollAngle, IsJudgedWhateverItsOffsetAndTheRoadsBank) {
     }
 }
 
+// A jump while the body rolls looks as a lag of many times itself.
+TEST_F(ALateRollAngle, ForgetsAJumpOfTheAngle) {
+    for (const float jump_rad : {1.4F, -1.4F}) {
+        lag = {};
+        roll(300, 0.0F);
+        ASSERT_TRUE(lag.angle_is_in_time() && lag.rate_is_in_time());
+        offset_rad += jump_rad;
+        roll(20, 0.0F);
+        ASSERT_FALSE(lag.angle_is_in_time() && lag.rate_is_in_time());
+        roll(2000, 0.0F);
+        EXPECT_TRUE(lag.angle_is_in_time());
+        EXPECT_TRUE(lag.rate_is_in_time());
+    }
+}
+
 // What was found before a gap says nothing after it.
 TEST_F(ALateRollAngle, StartsAnewAfterASampleThatIsNotFinite) {
     for (const bool of_angle : {true, false}) {

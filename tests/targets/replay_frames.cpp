@@ -4,6 +4,9 @@
 // replay_frames PARAMETERS SENSORS ECU: reads the calibration (write_parameters.cpp makes it) and the candump
 // log SENSORS, steps the ECU every 10 ms of the log's time, as sil::replay does, and writes its frames to the
 // candump log ECU.
+//
+// With RSI_WITH_ACCESSES (replay_with_accesses, for the budgets) XCP and diagnosis are linked and nobody is
+// connected. The ECU then starts with the section that is linked, that of large_suv; PARAMETERS is only read.
 #include <cstring>
 
 #include "application/rollover_ecu.hpp"
@@ -14,6 +17,10 @@
 #include "tests/targets/candump_text.hpp"
 #include "tests/targets/support/program.hpp"
 #include "tests/targets/support/text_file.hpp"
+
+#ifdef RSI_WITH_ACCESSES
+#include "tests/targets/budgets/target/ecu_with_accesses.hpp"
+#endif
 
 namespace {
 
@@ -94,11 +101,28 @@ void print_digest(std::uint64_t digest) {
     target::print(text);
 }
 
+#ifdef RSI_WITH_ACCESSES
+using Ecu = budgets::EcuWithAccesses;
+#else
+// The ECU alone.
+class Ecu {
+ public:
+    Ecu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
+        : ecu_{bus, clock, watchdog} {}
+    bool init(const rsi::Parameters& parameters) noexcept { return ecu_.init(parameters).accepted != 0; }
+    void cycle() noexcept { ecu_.step(0U); }
+    const rsi::Outputs& outputs() const noexcept { return ecu_.outputs(); }
+
+ private:
+    application::RolloverEcu ecu_;
+};
+#endif
+
 std::uint64_t answer(const Recording& recording, const rsi::Parameters& parameters, target::TextWriter& out) {
     static hal::VirtualClock clock;
     static hal::MemoryBus<2U> bus{clock};
     static NoWatchdog watchdog;
-    static application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
+    static Ecu ecu{bus.endpoint(0U), clock, watchdog};
     ecu.init(parameters);
     hal::CanBus& world = bus.endpoint(1U);
     hal::FrameReplay player{recording.frames, recording.count, clock, world};
@@ -107,7 +131,7 @@ std::uint64_t answer(const Recording& recording, const rsi::Parameters& paramete
     char text[target::longest_line];
     for (hal::Time time = recording.frames[0].receive_time;; time = time + cycle_time) {
         player.run_until(time);
-        ecu.step(0U);
+        ecu.cycle();
         add_outputs(ecu.outputs(), digest);
         while (world.receive(line.frame) == hal::ReceiveResult::frame) {
             out.put(text, target::format_line(line, text));

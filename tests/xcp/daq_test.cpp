@@ -199,18 +199,5 @@ TEST_F(Lists, SayThatTheBusTookNothing) {
     EXPECT_TRUE(bench.answers.empty());
 }
 
-// The ECU reports a fault of the bus when its own frames are not taken, and none when samples are not.
-TEST_F(Lists, ThatTheBusHasNoRoomForAreNoFaultOfTheBus) {
-    two_lists();
-    ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
-    const std::uint32_t before = bench.ecu_bus().statistics().send_failures;
-    bench.ecu_bus().set_state(hal::BusState::bus_off);
-    bench.cycles(3);
-    const std::uint32_t failed = bench.ecu_bus().statistics().send_failures - before;
-    const std::uint32_t of_the_slave = bench.ecu().slave().send_failures();
-    EXPECT_GE(of_the_slave, 3U);
-    EXPECT_EQ(failed - of_the_slave, 3U * testing_application::frames_per_cycle);
-}
-
 }  // namespace
 }  // namespace testing_xcp

@@ -112,35 +112,11 @@ TEST(Packet, EndsWithItsFrame) {
     EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
 }
 
-TEST(BusTap, PassesOnWhatTheBusSays) {
-    Bench bench;
-    NarrowBus narrow;
-    hal::SoftwareKeys keys{hal::test_keys};
-    hal::MemoryStorage<64U> attempts;
-    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
-    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
-    xcp::Slave slave{pages, access, xcp::default_identifiers};
-    xcp::BusTap tap{narrow, slave};
-    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::full);
-    narrow.room = 1;
-    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::sent);
-    EXPECT_EQ(tap.statistics().send_failures, 4U);
-    EXPECT_EQ(tap.statistics().frames_received, 7U);
-    EXPECT_EQ(tap.state(), hal::BusState::error_passive);
-    // An answer of XCP that finds no room is none of the ECU's failures; its own frame is one.
-    slave.look_at(command_frame({0xFF, 0x00}));
-    slave.end_cycle(narrow, hal::Time{}, 0U);
-    EXPECT_EQ(slave.send_failures(), 1U);
-    EXPECT_EQ(narrow.statistics().send_failures, 5U);
-    EXPECT_EQ(tap.statistics().send_failures, 4U);
-    EXPECT_EQ(tap.send(hal::CanFrame{}), hal::SendResult::full);
-    EXPECT_EQ(tap.statistics().send_failures, 5U);
-}
-
 // That a page was stored, and that samples are missing, is told within the session or never.
 TEST(Slave, LeavesNoEventToAnotherSession) {
     EndlessTarget target;
     NarrowBus narrow;
+    hal::VirtualClock clock;
     CountingRandom random;
     hal::SoftwareKeys keys{hal::test_keys};
     hal::MemoryStorage<64U> attempts;
@@ -148,9 +124,9 @@ TEST(Slave, LeavesNoEventToAnotherSession) {
     access.start();
     xcp::Slave slave{target, access, xcp::default_identifiers};
     const auto command = [&](const Bytes& bytes, int room) {
-        slave.look_at(command_frame(bytes));
+        slave.take(command_frame(bytes));
         narrow.room = room;
-        slave.end_cycle(narrow, hal::Time{}, 0U);
+        static_cast<void>(slave.end_cycle(narrow, clock, 0U));
         return room - narrow.room;  // frames sent
     };
     const auto unlock = [&] {
@@ -168,6 +144,95 @@ TEST(Slave, LeavesNoEventToAnotherSession) {
     ASSERT_EQ(command({0xF9, 0x01}, 1), 1);
     EXPECT_EQ(command({0xFF, 0x00}, 9), 1);
     EXPECT_EQ(command({0xFD}, 9), 1);
+}
+
+// An extended or an FD frame of the same number is no command.
+TEST(Slave, TakesStandardClassicFramesOnly) {
+    Bench bench;
+    hal::VirtualClock clock;
+    hal::MemoryBus<1U> bus{clock};
+    hal::SoftwareKeys keys{hal::test_keys};
+    hal::MemoryStorage<64U> attempts;
+    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
+    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
+    xcp::Slave slave{pages, access, xcp::default_identifiers};
+    hal::CanFrame connect{};
+    connect.identifier = xcp::default_identifiers.command;
+    connect.length = 2U;
+    connect.data[0] = 0xFFU;
+    const auto is_connected_by = [&](const hal::CanFrame& frame) {
+        slave.take(frame);
+        static_cast<void>(slave.end_cycle(bus.endpoint(0U), clock, 0U));
+        return slave.is_connected();
+    };
+    hal::CanFrame extended = connect;
+    extended.extended = true;
+    EXPECT_FALSE(is_connected_by(extended));
+    hal::CanFrame flexible = connect;
+    flexible.flexible_data_rate = true;
+    EXPECT_FALSE(is_connected_by(flexible));
+    hal::CanFrame other = connect;
+    ++other.identifier;
+    EXPECT_FALSE(is_connected_by(other));
+    EXPECT_TRUE(is_connected_by(connect));
+}
+
+// Takes no frames from a lowest identifier on.
+class RefusingBus final : public hal::CanBus {
+ public:
+    explicit RefusingBus(hal::CanBus& bus) : bus_{bus} {}
+    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override { return bus_.receive(frame); }
+    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+        if (frame.identifier >= refused_from) {
+            ++failures_;
+            return hal::SendResult::full;
+        }
+        return bus_.send(frame);
+    }
+    hal::BusState state() const noexcept override { return bus_.state(); }
+    hal::BusStatistics statistics() const noexcept override {
+        hal::BusStatistics statistics = bus_.statistics();
+        statistics.send_failures = failures_;
+        return statistics;
+    }
+    std::uint32_t refused_from{xcp::default_identifiers.answer};
+
+ private:
+    hal::CanBus& bus_;
+    std::uint32_t failures_{0U};
+};
+
+// The ECU reports a fault of the bus when its own frames are not taken, and none when those of XCP are not.
+TEST(CalibratedEcu, WhatTheBusDoesNotTakeOfXcpIsNoFaultOfTheBus) {
+    using monitoring::DiagnosticCode;
+    Bench bench;
+    hal::VirtualClock clock;
+    hal::MemoryBus<2U> bus{clock};
+    RefusingBus refusing{bus.endpoint(0U)};
+    testing_application::NoWatchdog watchdog;
+    hal::SoftwareKeys keys{hal::test_keys};
+    hal::MemoryStorage<64U> attempts;
+    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
+    application::CalibratedEcu ecu{
+        refusing, clock, watchdog, access, bench.reference.data(), bench.reference.size(), nullptr};
+    static_cast<void>(ecu.init());
+    hal::CanFrame connect{};
+    connect.identifier = xcp::default_identifiers.command;
+    connect.length = 2U;
+    connect.data[0] = 0xFFU;
+    const auto cycles = [&](int count) {
+        for (int cycle = 0; cycle < count; ++cycle) {
+            bus.endpoint(1U).send(connect);
+            ecu.step(0U);
+        }
+    };
+    cycles(5);
+    EXPECT_TRUE(ecu.slave().is_connected());
+    EXPECT_EQ(refusing.statistics().send_failures, 5U);
+    EXPECT_FALSE(ecu.ecu().diagnostic_memory().active(DiagnosticCode::bus_error));
+    refusing.refused_from = 0U;
+    cycles(2);
+    EXPECT_TRUE(ecu.ecu().diagnostic_memory().active(DiagnosticCode::bus_error));
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ constexpr hal::zynqmp_r5::CanSettings unfiltered_can_settings() {
 }
 
 // `Bus` is what the application sees of the controller: a WarningWitness, or a hal::CanBus that is made like
-// one.
-template <typename Bus>
+// one. `Ecu` is started and stepped as a RolloverEcu is.
+template <typename Bus, typename Ecu = application::RolloverEcu>
 class EcuImage {
  public:
     [[noreturn]] void run(const hal::zynqmp_r5::CanSettings& settings) noexcept {
@@ -83,7 +83,7 @@ class EcuImage {
     Controller controller_{MemoryMappedRegisters{}, clock_};
     Bus bus_{controller_, last_warning()};
     Watchdog watchdog_{MemoryMappedRegisters{}};
-    application::RolloverEcu ecu_{bus_, clock_, watchdog_};
+    Ecu ecu_{bus_, clock_, watchdog_};
 };
 
 }  // namespace image

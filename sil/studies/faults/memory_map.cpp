@@ -48,7 +48,9 @@ constexpr std::array component_members{member<std::array<bool, 3>>("component: f
 constexpr Member platform{"platform", 3U * sizeof(void*), alignof(void*), true};
 constexpr std::array ecu_members{
     member<rsi::Parameters>("parameters"),
-    member<application::SensorReception>("reception"),
+    Member{"listeners", 2U * sizeof(void*), alignof(void*), true},
+    Member{"reception", sizeof(application::SensorReception) - 2U * sizeof(void*),
+           alignof(application::SensorReception)},
     member<application::WarningTransmission>("transmission"),
     member<monitoring::DiagnosticMemory>("diagnostic memory"),
     member<monitoring::InputMonitor>("input monitor"),
@@ -59,7 +61,7 @@ constexpr std::array ecu_members{
     Member{"load keeper", sizeof(application::LoadKeeper) - sizeof(void*), alignof(std::uint32_t)},
     member<rsi::Inputs>("inputs"),
     member<rsi::Outputs>("outputs"),
-    member<std::array<std::uint32_t, 5>>("health")};
+    member<std::array<std::uint32_t, 6>>("health")};
 
 constexpr std::size_t after(std::size_t end, const Member& next) {
     return (end + next.alignment - 1U) / next.alignment * next.alignment;

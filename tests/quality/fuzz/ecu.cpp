@@ -3,6 +3,7 @@
 // signals, and never anything but "unavailable" when no good Imu frame came within the last 50 ms.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
@@ -186,12 +187,13 @@ class World {
     void recover() {
         set_bus_state(hal::BusState::error_active);
         payloads_ = calm_payloads;
-        // With a bank: where the roll angle is against the horizon, an accelerometer that was found wrong cannot
-        // be found right without.
+        // With a bank: where the roll angle is against the horizon, an accelerometer that was found wrong
+        // cannot be found right without.
         payloads_[1][4] = 0U;
         int ready_cycles = 0;
         for (int count = 0; count < longest_recovery && ready_cycles < lasting; ++count) {
             stir();
+            sway(count);
             send_good(0U);
             send_good(1U);
             send_good(2U);
@@ -202,6 +204,18 @@ class World {
         require(ready_cycles == lasting, "ready again once all is well");
     }
 
+    // Along a road that rolls the body to and fro, by a degree in a second: frames that were late are
+    // believed again when angle and rate move together.
+    void sway(int count) {
+        const double turn = 2.0 * 3.14159265358979 * 0.01 * count;
+        const auto angle = static_cast<std::uint16_t>(static_cast<std::int16_t>(200.0 * std::sin(turn)));
+        const auto rate = static_cast<std::uint16_t>(static_cast<std::int16_t>(628.0 * std::cos(turn)));
+        payloads_[1][2] = static_cast<std::uint8_t>(angle >> 8U);
+        payloads_[1][3] = static_cast<std::uint8_t>(angle & 0xFFU);
+        payloads_[0][6] = static_cast<std::uint8_t>(rate & 0xFFU);
+        payloads_[0][7] = static_cast<std::uint8_t>(rate >> 8U);
+    }
+
     // The least that a living sensor does: the last bit of each signal goes up and down. One that repeats
     // itself for ever stays "stuck" once it has been found so, and rightly.
     void stir() {
@@ -209,8 +223,6 @@ class World {
             payloads_[0][at] = static_cast<std::uint8_t>(payloads_[0][at] ^ 1U);
             payloads_[2][at] = static_cast<std::uint8_t>(payloads_[2][at] ^ 1U);
         }
-        payloads_[1][3] =
-            static_cast<std::uint8_t>(payloads_[1][3] ^ 1U);  // the other order of bytes; no bank
     }
 
     void hold(unsigned count) {

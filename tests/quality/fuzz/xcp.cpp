@@ -24,7 +24,9 @@ using fuzz::ByteReader;
 using fuzz::require;
 namespace map = application::calibration_map;
 
-constexpr int most_cycles = 400;
+// Two changes of the vehicle and what is sent around them; more would find little and take long.
+constexpr int most_cycles = 500;
+constexpr int cycles_of_a_change = 210;
 constexpr unsigned frames_of_the_ecu = application::sent_identifiers.size();
 
 struct NoWatchdog final : hal::Watchdog {
@@ -60,7 +62,7 @@ class Session {
     }
 
     void play(ByteReader& bytes) {
-        for (int k = 0; k < most_cycles && !bytes.empty(); ++k) {
+        while (cycles_ < most_cycles && !bytes.empty()) {
             act(bytes);
         }
     }
@@ -80,7 +82,7 @@ class Session {
                 cycle(0U);
                 break;
             case 3U:
-                for (int k = 0; k < 210; ++k) {
+                for (int left = bytes.one_in(16U) ? cycles_of_a_change : 0; left > 0; --left) {
                     cycle(0U);
                 }
                 break;
@@ -152,6 +154,7 @@ class Session {
         now_ = now_ + hal::Time::from_milliseconds(10);
         clock_.set(now_);
         ecu_.step(missed);
+        ++cycles_;
         unsigned own = 0U;
         unsigned answers = 0U;
         unsigned samples = 0U;
@@ -187,6 +190,7 @@ class Session {
         &stored_};
     rsi::Parameters start_{};
     hal::Time now_{};
+    int cycles_{0};
     bool was_unlocked_{false};
 };
 

@@ -134,6 +134,42 @@ class PyXcp(unittest.TestCase):
             session.reset()
             self.assertEqual(session.differences(), {})
 
+    def test_a_change_that_is_broken_off_leaves_all_as_it_was(self):
+        good = dict(flat(CALIBRATION))
+        with self.session() as session:
+            session.unlock()
+            for second, problem in (("warning_off=abc", "not a number"), ("state=ready", "is an output"), ("paint=1", "no paint")):
+                name, text = second.split("=")
+                with self.assertRaisesRegex(LogError, problem):
+                    session.write({"warning_on": str(LOWER), name: text})
+            ask, asked = session.xcp.download, []
+
+            def download(data):
+                asked.append(data)
+                if len(asked) == 2:
+                    raise KeyboardInterrupt
+                return ask(data)
+
+            session.xcp.download = download
+            with self.assertRaises(KeyboardInterrupt):
+                session.write({"warning_off": "0.5", "warning_on": str(LOWER)})
+            session.xcp.download = ask
+            self.assertEqual(len(asked), 4)  # one of two, and both put back
+            self.assertEqual(session.read("page_in_use"), "working")
+            self.assertEqual(session.differences(), {})
+            self.assertEqual(session.read("warning_on"), as_float(good["warning_on"]))
+
+    def test_nothing_is_written_while_the_ecu_works_with_the_reference_page(self):
+        with self.session() as session:
+            session.unlock()
+            session.use("reference")
+            self.assertEqual(session.read("page_in_use"), "reference")
+            with self.assertRaisesRegex(LogError, "calibrate use working"):
+                session.write({"warning_on": str(LOWER)})
+            session.use("working")
+            session.write({"warning_on": str(LOWER)})
+            self.assertEqual(session.read("warning_on"), LOWER)
+
     def test_pages_checksum_and_store(self):
         good = as_float(dict(flat(CALIBRATION))["warning_on"])
         begin = min(self.a2l.objects[name].address for name in self.parameters)
@@ -210,6 +246,21 @@ class PyXcp(unittest.TestCase):
             self.assertGreaterEqual(len(told[0]), 250)
             self.assertIn(WARNING, told[0])
             self.assertEqual([len(column) for column in told], [len(told[0])] * 3)
+
+
+    def test_measures_into_a_picture(self):
+        names = ["state", "warning_level"]
+        with tempfile.TemporaryDirectory() as folder, self.session() as session:
+            session.unlock()
+            path = pathlib.Path(folder) / "it's measured.png"
+            options = calibration.parse(["measure", *names, "--seconds", "1", "--output", str(path)])
+            calibration.measure(session, options, lambda seconds: self.bus.run(round(100 * seconds)))
+            self.assertEqual([entry.name for entry in pathlib.Path(folder).iterdir()], [path.name])
+            width, height = struct.unpack(">II", path.read_bytes()[16:24])
+            self.assertEqual((width, height), (1000, 50 + 170 * len(names)))
+            options.output = pathlib.Path(folder) / "nosuch" / "a.png"
+            with self.assertRaisesRegex(LogError, "was not drawn"):
+                calibration.measure(session, options, lambda seconds: self.bus.run(round(100 * seconds)))
 
 
 class TheCommand(unittest.TestCase):

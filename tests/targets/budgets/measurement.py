@@ -31,6 +31,16 @@ LOGS = PROJECT / "tests/application/regression/logs"
 FAULTY_LOG = "bus-faults-noise"
 CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
 CYCLE = "application::RolloverEcu::step"
+# The same with XCP and diagnosis linked and nobody connected; what is executed only in a cycle in which a trouble code
+# changes or the trouble memory is stored.
+CYCLE_WITH_ACCESSES = "budgets::EcuWithAccesses::cycle"
+EVENTS = ["diagnosis::TroubleMemory::take_change", "diagnosis::KeptData::store"]
+ECU_LIBRARIES = ("librsi.a", "librsi_application.a")
+ACCESS_LIBRARIES = {
+    "XCP": ("librsi_xcp.a", "librsi_calibration_pages.a"),
+    "UDS, ISO-TP and trouble memory": ("librsi_diagnosis.a",),
+    "seed and key, for both": ("librsi_access.a",),
+}
 
 
 class BudgetError(Exception):
@@ -48,7 +58,7 @@ def functions_of(root):
 def build():
     script = PROJECT / "cmake/environment/build"
     subprocess.run([script, "release", "budgets_record", "budgets_floor_test", "write_parameters"], check=True)
-    programs = ["steps", "least_squares", "least_image", "replay_frames"]
+    programs = ["steps", "least_squares", "least_image", "replay_frames", "replay_with_accesses", "access_sizes"]
     subprocess.run([script, "cortex-m4f", *programs], check=True)
     subprocess.run([script, "cortex-r5f", *programs, "release-r5", "rsi-ecu-r5f"], check=True)
 
@@ -123,8 +133,11 @@ class Measurement:
         self.steps = self._drives("steps", traced=True)
         self.search = self._drives("search", traced=False)
         self._least_squares()
-        self.cycles = {log: self._cycle(log) for log in (*MANOEUVRES, FAULTY_LOG)}
+        logs = (*MANOEUVRES, FAULTY_LOG)
+        self.cycles = {log: self._cycle(log, "replay_frames", CYCLE, functions_of("cycle")) for log in logs}
+        self.access_cycles = {log: self._cycle(log, "replay_with_accesses", CYCLE_WITH_ACCESSES, EVENTS) for log in logs}
         self._memory()
+        self._access_memory()
         self._contents()
         self._exported()
         return self
@@ -190,14 +203,13 @@ class Measurement:
             for name in ("update_firmware", "update_textbook")
         )
 
-    def _cycle(self, log):
+    def _cycle(self, log, program, root_name, names):
         """Cycles of the whole ECU on recorded sensor frames."""
-        symbols = binary_tools.functions(self._folder / "targets/replay_frames.elf")
-        root = next(s for s, name in zip(symbols, binary_tools.demangled(symbols)) if name == CYCLE)
-        names = functions_of("cycle")
+        symbols = binary_tools.functions(self._folder / f"targets/{program}.elf")
+        root = next(s for s, name in zip(symbols, binary_tools.demangled(symbols)) if name == root_name)
         files = "../cycle.parameters", "sensors.log", "ecu.log"
         shutil.copyfile(LOGS / f"{log}.sensors.log", self._scratch / files[1])
-        calls = self._trace("replay_frames", [root], names, *files)
+        calls = self._trace(program, [root], names, *files)
         if (self._scratch / files[2]).read_bytes() != (LOGS / f"{log}.ecu.log").read_bytes():
             raise BudgetError(f"{self.target} answers {log} otherwise than recorded; see tests/run targets")
         return Steps([call.instructions for call in calls], calls)
@@ -227,6 +239,24 @@ class Measurement:
             self.application_indirect_callers = call_graph.CallGraph(
                 binary_tools.call_graphs(self._folder / "firmware/librsi_application.a", application)
             ).indirect_callers()
+
+    def _access_memory(self):
+        """Of XCP and of diagnosis: what the linker took of their libraries, and the bytes of their objects."""
+        self._run("access_sizes", "sizes.bin")
+        self.xcp_bytes, self.diagnosis_bytes, self.seed_and_key_bytes = self._words("sizes.bin")
+
+        def bytes_of(program, libraries, *kinds):
+            text = (self._folder / f"targets/{program}.map").read_text()
+            return sum(image_size.of_library(text, library)[kind] for library in libraries for kind in kinds)
+
+        linked = "replay_with_accesses"
+        self.access_code = {part: bytes_of(linked, ACCESS_LIBRARIES[part], "code") for part in ACCESS_LIBRARIES}
+        all_parts = [library for libraries in ACCESS_LIBRARIES.values() for library in libraries]
+        # Tables that the ECU has as well are one library's or the other's, as the linker met them.
+        self.access_constants = bytes_of(linked, [*all_parts, *ECU_LIBRARIES], "constants") - bytes_of(
+            "replay_frames", ECU_LIBRARIES, "constants"
+        )
+        self.access_static = bytes_of(linked, all_parts, "data", "zeroed data")
 
     def _contents(self):
         """What must not be in an image and is."""

@@ -2,7 +2,7 @@
 
 import binary_tools
 import limits
-from measurement import DEFAULT, FAULTY_LOG, MANOEUVRES, Figures, stages
+from measurement import ACCESS_LIBRARIES, DEFAULT, EVENTS, FAULTY_LOG, MANOEUVRES, Figures, stages
 
 HEAD_1 = ["", "R5F least", "mean", "most", "worst case", "M4F least", "mean", "most", "worst case"]
 HEAD_2 = ["goal", "limit", ""]
@@ -137,6 +137,32 @@ def _cycles(table, measurements):
 
     table.row("cycle: RolloverEcu::step()", figures_of(lambda s: s.counts), "cycle_most")
     _parts(table, "cycle", figures_of, "order")
+    table.row(
+        "more with XCP and diagnosis, nobody connected",
+        {m.target: _of_access_cycles(m, is_event=False) for m in measurements},
+        "access_cycle_most",
+    )
+    table.row(
+        "· the same in a cycle in which a trouble code changes or is stored",
+        {m.target: _of_access_cycles(m, is_event=True) for m in measurements},
+        "access_event_most",
+    )
+
+
+def _of_access_cycles(measured, is_event):
+    """Instructions more than without XCP and diagnosis, of the cycles with an event or of all others: least, mean and most
+    over the manoeuvres, and most with the faulty recording."""
+
+    def more(log):
+        pairs = zip(measured.cycles[log].calls, measured.access_cycles[log].calls, strict=True)
+        return [
+            with_them.instructions - without.instructions
+            for without, with_them in pairs
+            if any(with_them.within[name] for name in EVENTS) == is_event
+        ]
+
+    whole = Figures(value for log in MANOEUVRES for value in more(log))
+    return [whole.least, whole.mean, whole.most, max(whole.most, *more(FAULTY_LOG))]
 
 
 def _update(table, measurements, operations, published):
@@ -175,6 +201,21 @@ def _memory(table, measurements):
     row("· as painted on the target", lambda m: m.init_painted)
 
 
+def _access_memory(table, measurements):
+    table.heading("Bytes of XCP and diagnosis")
+
+    def row(name, value, key=None):
+        table.row(name, {m.target: [value(m)] for m in measurements}, key)
+
+    for part, key in zip(ACCESS_LIBRARIES, ("xcp_code_bytes", "diagnosis_code_bytes", "seed_and_key_code_bytes"), strict=True):
+        row(f"code of {part}", lambda m, part=part: m.access_code[part], key)
+    row("constants beyond those of the ECU", lambda m: m.access_constants)
+    row("static RAM", lambda m: m.access_static, "library_ram_bytes")
+    row("all state of XCP, its seed and key among it", lambda m: m.xcp_bytes + m.seed_and_key_bytes)
+    row("all state of diagnosis, the same", lambda m: m.diagnosis_bytes + m.seed_and_key_bytes)
+    row("all state of both", lambda m: m.xcp_bytes + m.diagnosis_bytes + 2 * m.seed_and_key_bytes, "access_state_bytes")
+
+
 def indirect_calls(measurements):
     """A sentence on who calls through pointers: nobody in the library (that is checked), the application its platform."""
     names = sorted({name for m in measurements for name in m.application_indirect_callers})
@@ -188,4 +229,5 @@ def make(measurements, operations, held_to):
     _instructions(table, measurements, operations)
     _cycles(table, measurements)
     _memory(table, measurements)
+    _access_memory(table, measurements)
     return table
