@@ -22,7 +22,11 @@ class NarrowBus final : public hal::CanBus {
         return hal::SendResult::sent;
     }
     hal::BusState state() const noexcept override { return hal::BusState::error_passive; }
-    hal::BusStatistics statistics() const noexcept override { return statistics_; }
+    hal::BusStatistics statistics() const noexcept override {
+        ++questions;
+        return statistics_;
+    }
+    mutable int questions{0};
     int room{0};
     int refused{0};  // so many at first
 
@@ -144,6 +148,30 @@ TEST(Slave, LeavesNoEventToAnotherSession) {
     ASSERT_EQ(command({0xF9, 0x01}, 1), 1);
     EXPECT_EQ(command({0xFF, 0x00}, 9), 1);
     EXPECT_EQ(command({0xFD}, 9), 1);
+}
+
+// Before and after a session it costs the cycle nothing, and has no failures to be forgiven.
+TEST(Slave, LeavesTheBusAloneWhileNobodyIsConnected) {
+    EndlessTarget target;
+    NarrowBus narrow;
+    hal::VirtualClock clock;
+    CountingRandom random;
+    hal::SoftwareKeys keys{hal::test_keys};
+    hal::MemoryStorage<64U> attempts;
+    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, random, attempts};
+    xcp::Slave slave{target, access, xcp::default_identifiers};
+    const auto failures_of_a_cycle = [&] { return slave.end_cycle(narrow, clock, 0U); };
+    EXPECT_EQ(failures_of_a_cycle(), 0U);
+    EXPECT_EQ(narrow.questions, 0);
+    slave.take(command_frame({0xFF, 0x00}));
+    EXPECT_EQ(failures_of_a_cycle(), 1U);  // the answer has no room
+    EXPECT_TRUE(slave.is_connected());
+    EXPECT_GT(narrow.questions, 0);
+    slave.take(command_frame({0xFE}));
+    EXPECT_EQ(failures_of_a_cycle(), 1U);
+    narrow.questions = 0;
+    EXPECT_EQ(failures_of_a_cycle(), 0U);
+    EXPECT_EQ(narrow.questions, 0);
 }
 
 // An extended or an FD frame of the same number is no command.
