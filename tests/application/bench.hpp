@@ -96,6 +96,8 @@ class Bench {
     }
     // The same with parameters.
     rsi::Validation start_with(const rsi::Parameters& parameters) { return ecu_.init(parameters); }
+    // Other parameters while it runs.
+    void change(const rsi::ParameterChange& change) { ecu_.change(change); }
 
     // Before the start: what XCP or UDS ask for.
     void use_keys(const hal::KeyStore& keys) { ecu_.use_keys(keys); }

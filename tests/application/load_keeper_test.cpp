@@ -207,6 +207,18 @@ TEST_F(Keeping, StoresAgainAfterARestartWithOtherParameters) {
     EXPECT_EQ(storage.writes(), 2U);
 }
 
+TEST_F(Keeping, StoresForTheParametersThatItFollows) {
+    rsi::Parameters other = large_suv();
+    other.warning_on = 0.95F;
+    keeper.follow(other);
+    keep(learnt, cycles_in_a_minute);
+    LoadRecord record{};
+    ASSERT_TRUE(storage.read(record.data(), record.size()));
+    rsi::LearntLoad read{};
+    EXPECT_TRUE(application::read_load_record(record, application::check_word_of(other), read));
+    EXPECT_FALSE(application::read_load_record(record, application::check_word_of(large_suv()), read));
+}
+
 TEST_F(Keeping, BringsItBackAfterARestartDoubtedOrNot) {
     keep(learnt, cycles_in_a_minute);
     for (const bool doubted : {true, false}) {
@@ -311,11 +323,21 @@ TEST(TheEcu, StartsWithThatLoadWhereItsParametersAreASectionToo) {
     EXPECT_NEAR(unit.load_excess_in_the_first_cycle(), learnt.excess, 0.001F);
 }
 
-// 130 kg more than a moment ago.
-TEST(TheEcu, StoresALoadThatHasBeenPutOnAfterAMinute) {
+// 130 kg more than a moment ago; also for parameters to which it was changed while it ran.
+class ALoadThatIsPutOn : public ::testing::TestWithParam<bool> {};
+
+TEST_P(ALoadThatIsPutOn, IsStoredAfterAMinute) {
     AnEcuWithAStorage unit{hal::ResetReason::outside};
     unit.had_learnt({0.4F, 0.02F, 0.0F}, large_suv());
     ASSERT_EQ(unit.ecu().init(large_suv()).accepted, 1);
+    rsi::Parameters used = large_suv();
+    if (GetParam()) {
+        used.warning_on = 0.95F;
+        rsi::ParameterChange change;
+        ASSERT_EQ(change.begin(large_suv(), used).accepted, 1);
+        ASSERT_TRUE(change.prepare());
+        unit.ecu().change(change);
+    }
     unit.hear_all_sensors();
     unit.hear_mass(2370.0F, 0U);
     unit.ecu().step(0U);
@@ -330,9 +352,10 @@ TEST(TheEcu, StoresALoadThatHasBeenPutOnAfterAMinute) {
     LoadRecord record{};
     rsi::LearntLoad stored{};
     ASSERT_TRUE(unit.storage.read(record.data(), record.size()));
-    ASSERT_TRUE(application::read_load_record(record, application::check_word_of(large_suv()), stored));
+    ASSERT_TRUE(application::read_load_record(record, application::check_word_of(used), stored));
     EXPECT_NEAR(stored.excess, 0.4F + 130.0F / 2060.0F, 0.001F);
 }
+INSTANTIATE_TEST_SUITE_P(Parameters, ALoadThatIsPutOn, ::testing::Bool());
 
 }  // namespace
 }  // namespace testing_application

@@ -337,6 +337,8 @@ TEST_F(ASectionAuthority, HasTheBusToldOfTestKeysAndOfSectionsThatNeedNoSeal) {
     EXPECT_EQ(bench.start_with(sealed_section(1U, hal::test_keys), authority).refusal,
               ParametersRefusal::none);
     EXPECT_EQ(told_by(bench), SentProtection::sealed_test_keys);
+    bench.start_with(large_suv());
+    EXPECT_EQ(told_by(bench), SentProtection::unsealed);
 }
 
 }  // namespace
