@@ -1,4 +1,5 @@
-"""rsi-ecu --diagnosis on the interface, with a tester of a few lines on a raw socket: session, key, codes, restart."""
+"""rsi-ecu --diagnosis on the interface, with a tester of a few lines on a raw socket, and by the kernel's ISO-TP: session, key,
+codes, restart."""
 
 import socket
 import struct
@@ -92,6 +93,21 @@ class Tester:
         return codes
 
 
+class KernelTester(Tester):
+    """The same requests by Linux' own ISO-TP, which does not fill its frames up."""
+
+    def __init__(self):
+        self.socket = socket.socket(socket.AF_CAN, socket.SOCK_DGRAM, socket.CAN_ISOTP)
+        self.socket.bind((programs.INTERFACE, ANSWER, PHYSICAL))
+        self.socket.settimeout(LONGEST_ANSWER_S)
+
+    def send(self, message):
+        self.socket.send(message)
+
+    def receive(self):
+        return self.socket.recv(4095)
+
+
 def refused(service, code):
     return bytes((REFUSED, service, code))
 
@@ -114,8 +130,8 @@ class Diagnosis(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.options = ("--diagnosis", "--diagnosis-storage", folder.name)
 
-    def workshop(self):
-        tester = Tester()
+    def workshop(self, kind=Tester):
+        tester = kind()
         self.addCleanup(tester.socket.close)
         return tester
 
@@ -137,12 +153,25 @@ class Diagnosis(unittest.TestCase):
         with programs.Ecu(*self.options):
             self.assertEqual(self.workshop().ask(0x22, b"\xF1\x90"), b"\x62\xF1\x90" + VEHICLE_NUMBER)
 
+    def test_understands_the_kernels_iso_tp(self):
+        many = b"\xF1\x82\xF1\x91\xF1\x95\xF1\x97"
+        with programs.Ecu(*self.options):
+            tester = self.workshop(KernelTester)
+            answer = tester.ask(0x22, many)
+            self.assertEqual((answer[:3], len(answer)), (b"\x62\xF1\x82", 1 + 4 * 2 + 48 + 3 * 16))
+            self.assertIn(b"large_suv", answer)
+            self.assertIn(IMU_LOST, tester.codes_with(IMU_LOST))
+            self.assertEqual(tester.unlock(), b"\x67\x02")
+            self.assertEqual(tester.ask(0x2E, b"\xF1\x90" + VEHICLE_NUMBER), b"\x6E\xF1\x90")
+            self.assertEqual(tester.ask(0x22, b"\xF1\x90"), b"\x62\xF1\x90" + VEHICLE_NUMBER)
+
     def test_a_reset_by_the_tester_ends_his_session(self):
         with programs.Ecu(*self.options) as ecu:
             tester = self.workshop()
             self.assertEqual(tester.unlock(), b"\x67\x02")
             self.assertEqual(tester.ask(0x11, 0x01), b"\x51\x01")
             self.assertEqual(tester.ask(0x22, b"\xF1\x86"), b"\x62\xF1\x86\x01")
+            self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x33))
             self.assertEqual(ecu.stop(), 0)
         self.assertIn("a tester resets it", ecu.output)
 
