@@ -172,6 +172,17 @@ TEST(ARollAngle, IsBelievedAgainWhenItMovesWithTheRollRate) {
     EXPECT_FALSE(drive.told_lost());
 }
 
+// As a filter makes it.
+TEST(ARollAngle, IsBelievedAgainWhenItIsLateByLessThanMakesItTooOld) {
+    Weave drive{4.0};
+    drive.late_s = 0.02;
+    drive.hold_back(0.1);
+    drive.bench.run_for(0.2);
+    EXPECT_TRUE(drive.told_lost());
+    drive.bench.run_for(20.0);
+    EXPECT_FALSE(drive.told_lost());
+}
+
 TEST(ARollAngle, IsNotBelievedAsLongAsItMovesLater) {
     Weave drive{4.0};
     drive.late_s = 0.1;
@@ -375,6 +386,20 @@ TEST(ASender, IsNotLateAfterMissedCycles) {
         counters.hold_back(imu, 5);
         counters.run(1);
         EXPECT_TRUE(imu ? counters.delay.imu_is_late() : counters.delay.roll_angle_is_late());
+    }
+}
+
+TEST(ARollAngle, IsNotLateAfterASilenceInWhichCyclesWereMissed) {
+    for (const std::uint32_t missed : {0U, 1U}) {
+        Weave drive{0.5};
+        drive.bench.stop(Sensor::roll_angle);
+        drive.bench.run_cycles(8);
+        drive.bench.miss_cycles(missed);
+        drive.bench.run_cycles(1);
+        drive.bench.miss_cycles(0U);
+        drive.bench.resume_all();
+        drive.bench.run_for(0.2);
+        EXPECT_EQ(drive.told_lost(), missed == 0U);
     }
 }
 

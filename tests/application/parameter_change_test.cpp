@@ -1,5 +1,5 @@
-// Other parameters for a control unit that is running: what it checks its sensors by follows, what it has seen
-// stays.
+// Other parameters for a control unit that is running: what it checks its sensors by follows, what it has
+// seen stays.
 #include "rsi/parameter_change.hpp"
 
 #include <gtest/gtest.h>
@@ -49,8 +49,8 @@ TEST(AChangedControlUnit, ExpectsTheNoiseOfItsNewSensors) {
     EXPECT_FALSE(finds_a_jump(noisy));
 }
 
-// A turn whose force the yaw rate and this vehicle's roll show, and half of which the accelerometer shows: what
-// half of the springs would make of that roll.
+// A turn whose force the yaw rate and this vehicle's roll show, and half of which the accelerometer shows:
+// what half of the springs would make of that roll.
 bool finds_the_accelerometer_alone(const rsi::Parameters& later) {
     const rsi::Parameters stiff = large_suv();
     const float force_mps2 = 8.0F;

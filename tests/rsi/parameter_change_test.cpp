@@ -92,17 +92,20 @@ std::vector<rsi_parameters> neighbours(const rsi_parameters& parameters) {
 }
 
 TEST(ParameterChange, ToTheSameParametersChangesNoBit) {
-    rsi_parameters adaptive = rsi_test::large_suv();
-    adaptive.load_adaptation = 1.0F;
-    Pair pair{adaptive};
-    for (int k = 0; k < 4000; ++k) {
-        pair.step();
-        ASSERT_TRUE(same_bits(pair.changed_outputs, pair.other_outputs)) << "sample " << k;
-        if (k % 97 == 0) {
-            pair.changed.change(ready_change(adaptive, adaptive));
+    for (const std::int32_t reference : {RSI_ROLL_AGAINST_ROAD, RSI_ROLL_AGAINST_HORIZON}) {
+        rsi_parameters adaptive = rsi_test::large_suv();
+        adaptive.load_adaptation = 1.0F;
+        adaptive.roll_angle_reference = reference;
+        Pair pair{adaptive};
+        for (int k = 0; k < 4000; ++k) {
+            pair.step();
+            ASSERT_TRUE(same_bits(pair.changed_outputs, pair.other_outputs)) << "sample " << k;
+            if (k % 97 == 0) {
+                pair.changed.change(ready_change(adaptive, adaptive));
+            }
         }
+        EXPECT_NE(pair.changed.learnt_load().excess, 0.0F);
     }
-    EXPECT_NE(pair.changed.learnt_load().excess, 0.0F);
 }
 
 TEST(ParameterChange, OfTheWarningsThresholdMovesTheWarningAlone) {
