@@ -172,15 +172,17 @@ TEST(ARollAngle, IsBelievedAgainWhenItMovesWithTheRollRate) {
     EXPECT_FALSE(drive.told_lost());
 }
 
-// As a filter makes it.
-TEST(ARollAngle, IsBelievedAgainWhenItIsLateByLessThanMakesItTooOld) {
-    Weave drive{4.0};
-    drive.late_s = 0.02;
-    drive.hold_back(0.1);
-    drive.bench.run_for(0.2);
-    EXPECT_TRUE(drive.told_lost());
-    drive.bench.run_for(20.0);
-    EXPECT_FALSE(drive.told_lost());
+// By less than makes it too old, as a filter makes it.
+TEST(ARollAngle, IsBelievedAgainAtOnceWhenItMovesWithTheRollRateOrALittleLater) {
+    for (const double late_s : {0.0, 0.01, 0.02}) {
+        Weave drive{4.0};
+        drive.late_s = late_s;
+        drive.hold_back(0.1);
+        drive.bench.run_for(0.2);
+        EXPECT_TRUE(drive.told_lost()) << late_s;
+        drive.bench.run_for(1.5);
+        EXPECT_FALSE(drive.told_lost()) << late_s;
+    }
 }
 
 TEST(ARollAngle, IsNotBelievedAsLongAsItMovesLater) {
