@@ -2,9 +2,9 @@
 
 #include <new>
 
+#include "rsi/estimation/roll_centre.hpp"
 #include "rsi/indicator/extended_indicator.hpp"
 #include "rsi/indicator/roll_stability_indicator.hpp"
-#include "rsi/model/roll_centre.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/output_table.hpp"
 

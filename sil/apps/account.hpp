@@ -1,7 +1,7 @@
 // Account: the readable live report of a run.
 #pragma once
 
-#include "sil/world/simulation/closed_loop.hpp"
+#include "sil/simulation/closed_loop.hpp"
 
 namespace sil {
 

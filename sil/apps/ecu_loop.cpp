@@ -20,9 +20,9 @@
 #include "sil/apps/bus_state_report.hpp"
 #include "sil/apps/calibration_access.hpp"
 #include "sil/apps/diagnosis_access.hpp"
-#include "sil/lock_step/lock_step_receiver.hpp"
-#include "sil/lock_step/simulation.hpp"
-#include "sil/world/simulation/pace.hpp"
+#include "sil/simulation/lock_step_receiver.hpp"
+#include "sil/simulation/pace.hpp"
+#include "sil/simulation/simulation.hpp"
 
 namespace sil {
 namespace {

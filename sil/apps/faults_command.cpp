@@ -15,9 +15,9 @@
 #include "sil/apps/vehicle_options.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/whole_file.hpp"
+#include "sil/simulation/pace.hpp"
 #include "sil/studies/faults/endurance.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
-#include "sil/world/simulation/pace.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {

@@ -16,6 +16,7 @@
 #include "sil/files/candump_log.hpp"
 #include "sil/files/whole_file.hpp"
 #include "sil/results/event_marks.hpp"
+#include "sil/simulation/replay.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/drives/drive_names.hpp"
 #include "sil/studies/drives/drive_replay.hpp"
@@ -24,7 +25,6 @@
 #include "sil/studies/drives/replay_summary.hpp"
 #include "sil/studies/drives/replay_table.hpp"
 #include "sil/studies/drives/whole_folder.hpp"
-#include "sil/world/simulation/replay.hpp"
 
 extern char** environ;
 

@@ -14,7 +14,7 @@
 #include "sil/apps/ecu_loop.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_log.hpp"
-#include "sil/world/simulation/replay.hpp"
+#include "sil/simulation/replay.hpp"
 
 namespace {
 

@@ -22,7 +22,7 @@
 #include "sil/apps/show_command.hpp"
 #include "sil/apps/validate_command.hpp"
 #include "sil/apps/watch_command.hpp"
-#include "sil/results/bus_timing.hpp"
+#include "sil/simulation/bus_timing.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sil/world/simulation/mounted_sensors.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 
 namespace sil {
 

@@ -12,7 +12,7 @@
 #include "sil/page/page_recording.hpp"
 #include "sil/results/signal_csv.hpp"
 #include "sil/results/summary.hpp"
-#include "sil/world/simulation/closed_loop.hpp"
+#include "sil/simulation/closed_loop.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {

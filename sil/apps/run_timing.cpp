@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "sil/apps/open_socket.hpp"
-#include "sil/lock_step/lock_step_pace.hpp"
-#include "sil/world/simulation/in_process_ecu.hpp"
-#include "sil/world/simulation/in_process_pace.hpp"
-#include "sil/world/simulation/real_time_pace.hpp"
-#include "sil/world/simulation/recorded_bus.hpp"
+#include "sil/simulation/in_process_ecu.hpp"
+#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/lock_step_pace.hpp"
+#include "sil/simulation/real_time_pace.hpp"
+#include "sil/simulation/recorded_bus.hpp"
 
 namespace sil {
 namespace {

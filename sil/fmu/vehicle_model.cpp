@@ -8,10 +8,10 @@
 #include "sil/fmu/start_values.hpp"
 #include "sil/results/indices.hpp"
 #include "sil/results/two_wheel_lift.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameter_table.hpp"
 
 namespace fmu {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "sil/live/live_ecu.hpp"
+#include "sil/simulation/closed_loop.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/studies/faults/signal_fault.hpp"
 #include "sil/world/manoeuvres/free_drive.hpp"
-#include "sil/world/simulation/closed_loop.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 
 namespace sil {
 

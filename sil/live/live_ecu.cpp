@@ -1,7 +1,7 @@
 #include "sil/live/live_ecu.hpp"
 
-#include "sil/world/simulation/in_process_ecu.hpp"
-#include "sil/world/simulation/in_process_pace.hpp"
+#include "sil/simulation/in_process_ecu.hpp"
+#include "sil/simulation/in_process_pace.hpp"
 
 namespace sil {
 namespace {

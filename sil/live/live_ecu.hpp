@@ -6,7 +6,7 @@
 #include <string>
 
 #include "rsi/types.hpp"
-#include "sil/world/simulation/pace.hpp"
+#include "sil/simulation/pace.hpp"
 
 namespace sil {
 

@@ -8,8 +8,8 @@
 
 #include "sil/results/diagnostic_codes.hpp"
 #include "sil/results/events.hpp"
+#include "sil/simulation/ecu_frames.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
-#include "sil/world/simulation/ecu_frames.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {

@@ -21,7 +21,7 @@
 #include "can_dbc/e2e/profile_05.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
-#include "sil/lock_step/simulation.hpp"
+#include "sil/simulation/simulation.hpp"
 #include "tests/can_dbc/byte_orders.hpp"
 #include "tests/can_dbc/can_fd.hpp"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "can_dbc/generated/rollover_warning.hpp"
-#include "sil/lock_step/simulation.hpp"
+#include "sil/simulation/simulation.hpp"
 
 namespace codec_test {
 namespace {

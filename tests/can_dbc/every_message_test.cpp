@@ -14,7 +14,7 @@
 #include <type_traits>
 
 #include "can_dbc/generated/rollover_warning.hpp"
-#include "sil/lock_step/simulation.hpp"
+#include "sil/simulation/simulation.hpp"
 #include "tests/can_dbc/byte_orders.hpp"
 
 namespace every_message_test {

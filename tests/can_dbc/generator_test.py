@@ -12,7 +12,7 @@ from libraries import give_up
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GENERATOR = ROOT / "can_dbc/generator/generate.py"
 DBC = ROOT / "can_dbc/rollover_warning.dbc"
-SIMULATION = ROOT / "sil/lock_step/simulation.dbc"
+SIMULATION = ROOT / "sil/simulation/simulation.dbc"
 CAN_FD = ROOT / "tests/can_dbc/can_fd.dbc"
 HEADER = ROOT / "can_dbc/generated/rollover_warning.hpp"
 GUIDE = ROOT / "docs/can.md"

@@ -1,5 +1,5 @@
 // The lateral roll-centre movement (6), the additional roll moment (7) and the model that it compensates.
-#include "rsi/model/roll_centre.hpp"
+#include "rsi/estimation/roll_centre.hpp"
 
 #include <gtest/gtest.h>
 

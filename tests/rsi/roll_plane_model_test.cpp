@@ -1,6 +1,6 @@
 // The fixed-roll-centre model and the compensated one against (1) solved in double: rest position, step
 // response, forces that change, stability.
-#include "rsi/model/roll_plane_model.hpp"
+#include "rsi/estimation/roll_plane_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // (5).
 #pragma once
 
+#include "rsi/estimation/roll_plane_model.hpp"
 #include "rsi/measurement/measurement.hpp"
-#include "rsi/model/roll_plane_model.hpp"
 #include "rsi/numeric/matrix.hpp"
 
 namespace rsi {

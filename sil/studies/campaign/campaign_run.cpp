@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "sil/files/calibration_file.hpp"
+#include "sil/simulation/run_batch.hpp"
 #include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/studies/campaign/learning_drive.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
-#include "sil/world/simulation/run_batch.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace sil {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "rsi/types.hpp"
+#include "sil/simulation/in_process_run.hpp"
 #include "sil/studies/campaign/drawn_run.hpp"
 #include "sil/studies/campaign/row.hpp"
 #include "sil/studies/campaign/settings.hpp"
 #include "sil/world/manoeuvres/manoeuvre.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {

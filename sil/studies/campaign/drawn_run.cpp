@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "sil/files/parameter_field.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/load.hpp"
 
 namespace sil {

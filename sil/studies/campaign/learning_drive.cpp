@@ -4,9 +4,9 @@
 
 #include "rsi/component.hpp"
 #include "sil/files/require_accepted.hpp"
+#include "sil/simulation/in_process_run.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
 
 namespace sil {
 namespace {

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "hal/memory/frame_replay.hpp"
+#include "sil/simulation/ecu_frames.hpp"
+#include "sil/simulation/in_process_ecu.hpp"
+#include "sil/simulation/pace.hpp"
+#include "sil/simulation/replay.hpp"
+#include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/drives/frame_samples.hpp"
 #include "sil/studies/drives/resample.hpp"
-#include "sil/world/simulation/ecu_frames.hpp"
-#include "sil/world/simulation/in_process_ecu.hpp"
-#include "sil/world/simulation/pace.hpp"
-#include "sil/world/simulation/replay.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
 
 namespace sil {
 namespace {

@@ -55,7 +55,7 @@ DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
                          const Interruption& interrupted = {});
 
 // The log's own frames at their own times, stepped every 10 ms from the first; times count from it. Throws
-// ReplayError (sil/world/simulation/replay.hpp) too.
+// ReplayError (sil/simulation/replay.hpp) too.
 DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters,
                          const Interruption& interrupted = {});
 

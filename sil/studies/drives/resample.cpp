@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sil/simulation/pace.hpp"
 #include "sil/studies/drives/drive_columns.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/simulation/mounted_sensors.hpp"
+#include "sil/simulation/pace.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

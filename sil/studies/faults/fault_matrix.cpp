@@ -3,8 +3,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "sil/simulation/pace.hpp"
 #include "sil/studies/faults/known_undetected.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

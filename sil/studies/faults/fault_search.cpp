@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "sil/random.hpp"
+#include "sil/simulation/pace.hpp"
 #include "sil/studies/faults/judgement.hpp"
 #include "sil/studies/faults/sensor_signal.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/simulation/pace.hpp"
 #include "sil/studies/faults/second_sender.hpp"
 #include "sil/studies/faults/sensor_signal.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

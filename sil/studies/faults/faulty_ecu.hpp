@@ -8,8 +8,8 @@
 #include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "sil/files/require_accepted.hpp"
+#include "sil/simulation/pace.hpp"
 #include "sil/studies/faults/fault.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 

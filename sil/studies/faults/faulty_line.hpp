@@ -6,12 +6,12 @@
 #include <memory>
 #include <optional>
 
+#include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/faults/ecu_answer.hpp"
 #include "sil/studies/faults/fault_schedule.hpp"
 #include "sil/studies/faults/faulty_bus.hpp"
 #include "sil/studies/faults/faulty_ecu.hpp"
 #include "sil/studies/faults/signal_fault.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
 
 namespace sil {
 

@@ -1,9 +1,9 @@
 #include "sil/studies/faults/faulty_run.hpp"
 
+#include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/faults/faulty_bus.hpp"
 #include "sil/studies/faults/faulty_ecu.hpp"
 #include "sil/studies/faults/signal_fault.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
 
 namespace sil {
 

@@ -13,13 +13,13 @@
 #include "hal/interface/clock.hpp"
 #include "sil/files/require_accepted.hpp"
 #include "sil/random.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
+#include "sil/simulation/pace.hpp"
+#include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/faults/ecu_answer.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
-#include "sil/world/simulation/pace.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
 
 namespace sil {
 namespace {

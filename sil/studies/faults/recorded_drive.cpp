@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "sil/results/two_wheel_lift.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
+#include "sil/simulation/pace.hpp"
 #include "sil/units.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

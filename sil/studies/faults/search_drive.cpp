@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "sil/random.hpp"
+#include "sil/simulation/pace.hpp"
 #include "sil/world/manoeuvres/everyday_turns.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

@@ -3,7 +3,7 @@
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
+#include "sil/simulation/sensor_frames.hpp"
 
 namespace sil {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sil/world/simulation/pace.hpp"
+#include "sil/simulation/pace.hpp"
 
 namespace sil {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/studies/drives/drive.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {

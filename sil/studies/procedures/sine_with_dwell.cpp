@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sil/simulation/pace.hpp"
 #include "sil/studies/procedures/catalogue.hpp"
 #include "sil/studies/procedures/handwheel_angle.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/sine_with_dwell.hpp"
-#include "sil/world/simulation/pace.hpp"
 
 namespace sil {
 namespace {

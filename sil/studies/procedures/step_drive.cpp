@@ -12,9 +12,9 @@
 #include "sil/files/whole_file.hpp"
 #include "sil/results/event_marks.hpp"
 #include "sil/results/signal_csv.hpp"
+#include "sil/simulation/in_process_run.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/units.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/mirror.hpp"
 
 namespace sil {

@@ -14,16 +14,16 @@
 #include <vector>
 
 #include "sil/files/calibration_file.hpp"
-#include "sil/files/candump_compare.hpp"
 #include "sil/files/candump_log.hpp"
-#include "sil/files/frame_description.hpp"
 #include "sil/files/sensor_frame.hpp"
+#include "sil/simulation/in_process_run.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
+#include "sil/simulation/replay.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
-#include "sil/world/simulation/replay.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 #include "tests/application/regression/bus_faults.hpp"
+#include "tests/application/regression/candump_compare.hpp"
+#include "tests/application/regression/frame_description.hpp"
 
 namespace {
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
+#include <set>
+#include <utility>
 
 namespace rsi_test {
 namespace {
@@ -157,18 +160,68 @@ std::string included_by(const std::string& line) {
     return (end == std::string::npos) ? std::string{} : line.substr(begin + 1, end - begin - 1);
 }
 
-void check_file(const fs::path& file, const std::string& path, std::vector<std::string>& found) {
-    std::ifstream lines(file);
-    std::string line;
-    for (int number = 1; std::getline(lines, line); ++number) {
-        const std::string header = is_cmake(file) ? std::string{} : included_by(line);
-        const std::string why = is_cmake(file)   ? cmake_objection(path, line)
-                                : header.empty() ? std::string{}
-                                                 : objection(path, header);
-        if (!why.empty()) {
-            found.push_back(path + ":" + std::to_string(number) + ": " + why);
+// Calls visit(path, line number, line) for each line of the sources and CMake files under `root`.
+template <typename Visitor>
+void visit_lines(const fs::path& root, const Visitor& visit) {
+    for (const std::string top : {"can_dbc", "firmware", "hal", "sil", "tests"}) {
+        if (!fs::exists(root / top)) {
+            continue;
+        }
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / top)) {
+            if (!entry.is_regular_file() || !(is_source(entry.path()) || is_cmake(entry.path()))) {
+                continue;
+            }
+            std::ifstream lines(entry.path());
+            std::string line;
+            for (int number = 1; std::getline(lines, line); ++number) {
+                visit(fs::relative(entry.path(), root), number, line);
+            }
         }
     }
+}
+
+// The project's file that an include in `path` names; empty for all others.
+fs::path included_file(const fs::path& root, const fs::path& path, const std::string& header) {
+    for (const fs::path& folder : {fs::path{}, fs::path{"firmware"}, path.parent_path()}) {
+        if (!header.empty() && fs::is_regular_file(root / folder / header)) {
+            return (folder / header).lexically_normal();
+        }
+    }
+    return {};
+}
+
+// The two folders beside each other that hold one file each; the first is empty when there are none.
+std::pair<std::string, std::string> folders_beside(const fs::path& one, const fs::path& other) {
+    const fs::path from = one.parent_path();
+    const fs::path to = other.parent_path();
+    const auto [a, b] = std::mismatch(from.begin(), from.end(), to.begin(), to.end());
+    if (a == from.end() || b == to.end()) {
+        return {};
+    }
+    fs::path common;
+    std::for_each(from.begin(), a, [&common](const fs::path& part) { common /= part; });
+    return {(common / *a).generic_string(), (common / *b).generic_string()};
+}
+
+using FolderUses =
+    std::map<std::pair<std::string, std::string>, std::string>;  // user and used: first include
+
+// The shortest way by which `from` uses `to`, as " -> from -> ... -> to"; empty when it does not.
+std::string way(const FolderUses& uses, const std::string& from, const std::string& to) {
+    std::vector<std::pair<std::string, std::string>> reached{{from, " -> " + from}};
+    std::set<std::string> seen{from};
+    for (std::size_t next = 0U; next < reached.size(); ++next) {
+        const auto [folder, text] = reached[next];
+        if (folder == to) {
+            return text;
+        }
+        for (const auto& [pair, include] : uses) {
+            if (pair.first == folder && seen.insert(pair.second).second) {
+                reached.emplace_back(pair.second, text + " -> " + pair.second);
+            }
+        }
+    }
+    return {};
 }
 
 }  // namespace
@@ -210,17 +263,36 @@ std::string cmake_objection(const std::string& path, const std::string& line) {
 
 std::vector<std::string> forbidden_includes(const std::string& root) {
     std::vector<std::string> found;
-    for (const std::string top : {"can_dbc", "firmware", "hal", "images", "sil", "tests"}) {
-        if (!fs::exists(fs::path(root) / top)) {
-            continue;
+    visit_lines(root, [&found](const fs::path& file, int number, const std::string& line) {
+        const std::string path = file.generic_string();
+        const std::string header = is_cmake(file) ? std::string{} : included_by(line);
+        const std::string why = is_cmake(file)   ? cmake_objection(path, line)
+                                : header.empty() ? std::string{}
+                                                 : objection(path, header);
+        if (!why.empty()) {
+            found.push_back(path + ":" + std::to_string(number) + ": " + why);
         }
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(root) / top)) {
-            if (entry.is_regular_file() && (is_source(entry.path()) || is_cmake(entry.path()))) {
-                check_file(entry.path(), fs::relative(entry.path(), root).generic_string(), found);
-            }
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::vector<std::string> folder_circles(const std::string& root) {
+    FolderUses uses;
+    visit_lines(root, [&](const fs::path& file, int number, const std::string& line) {
+        const fs::path used = included_file(root, file, included_by(line));
+        const auto folders = folders_beside(file, used);
+        if (!folders.first.empty()) {
+            uses.try_emplace(folders, file.generic_string() + ":" + std::to_string(number));
+        }
+    });
+    std::vector<std::string> found;
+    for (const auto& [folders, include] : uses) {
+        const std::string back = way(uses, folders.second, folders.first);
+        if (!back.empty()) {
+            found.push_back(include + ": folders use each other: " + folders.first + back);
         }
     }
-    std::sort(found.begin(), found.end());
     return found;
 }
 

@@ -16,4 +16,8 @@ std::string cmake_objection(const std::string& path, const std::string& line);
 // the CMake files.
 std::vector<std::string> forbidden_includes(const std::string& root);
 
+// "path:line: ..." for an include of each pair of folders that lies on a circle. A folder stands for all that
+// is in it, and is compared with those beside it, at every depth under `root`.
+std::vector<std::string> folder_circles(const std::string& root);
+
 }  // namespace rsi_test

@@ -20,6 +20,12 @@ TEST(IncludeRules, TheTreeKeepsThem) {
     }
 }
 
+TEST(IncludeRules, NoFoldersOfTheTreeUseEachOther) {
+    for (const std::string& found : rsi_test::folder_circles(RSI_PROJECT_ROOT)) {
+        ADD_FAILURE() << found;
+    }
+}
+
 struct Include {
     const char* path;
     const char* header;
@@ -112,15 +118,15 @@ TEST_P(ForbiddenInCMake, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(
     IncludeRules, ForbiddenInCMake,
-    ::testing::Values(
-        CMakeLine{"firmware/images/a/CMakeLists.txt", "set(sil ${PROJECT_SOURCE_DIR}/sil)"},
-        CMakeLine{"firmware/images/a/CMakeLists.txt", "    ../../sil/apps/rsi_ecu.cpp)"},
-        CMakeLine{"firmware/CMakeLists.txt", "add_subdirectory(../tests/rsi)"},
-        CMakeLine{"firmware/rules.cmake", "    COMMAND ${PROJECT_SOURCE_DIR}/tests/run"},
-        CMakeLine{"hal/CMakeLists.txt", "set(map \"${PROJECT_SOURCE_DIR}/tests/support/r5.ld\")"},
-        CMakeLine{"hal/CMakeLists.txt", "include(${CMAKE_SOURCE_DIR}/firmware/list.cmake)"},
-        CMakeLine{"can_dbc/CMakeLists.txt", "    DEPENDS sil/world/simulation/frames.cpp  # why"},
-        CMakeLine{"sil/CMakeLists.txt", "include_directories(${PROJECT_SOURCE_DIR}/tests)"}));
+    ::testing::Values(CMakeLine{"firmware/images/a/CMakeLists.txt", "set(sil ${PROJECT_SOURCE_DIR}/sil)"},
+                      CMakeLine{"firmware/images/a/CMakeLists.txt", "    ../../sil/apps/rsi_ecu.cpp)"},
+                      CMakeLine{"firmware/CMakeLists.txt", "add_subdirectory(../tests/rsi)"},
+                      CMakeLine{"firmware/rules.cmake", "    COMMAND ${PROJECT_SOURCE_DIR}/tests/run"},
+                      CMakeLine{"hal/CMakeLists.txt",
+                                "set(map \"${PROJECT_SOURCE_DIR}/tests/support/r5.ld\")"},
+                      CMakeLine{"hal/CMakeLists.txt", "include(${CMAKE_SOURCE_DIR}/firmware/list.cmake)"},
+                      CMakeLine{"can_dbc/CMakeLists.txt", "    DEPENDS sil/simulation/frames.cpp  # why"},
+                      CMakeLine{"sil/CMakeLists.txt", "include_directories(${PROJECT_SOURCE_DIR}/tests)"}));
 
 class AllowedInCMake : public ::testing::TestWithParam<CMakeLine> {};
 
@@ -130,7 +136,7 @@ TEST_P(AllowedInCMake, IsAccepted) {
 
 INSTANTIATE_TEST_SUITE_P(
     IncludeRules, AllowedInCMake,
-    ::testing::Values(CMakeLine{"CMakeLists.txt", "add_subdirectory(sil/lock_step)"},
+    ::testing::Values(CMakeLine{"CMakeLists.txt", "add_subdirectory(sil/images)"},
                       CMakeLine{"cmake/target_program.cmake", "tests/targets/support/linux.cpp"},
                       CMakeLine{"firmware/CMakeLists.txt", "# what tests/targets/freestanding checks"},
                       CMakeLine{"firmware/CMakeLists.txt", "if(RSI_BUILD_TESTS AND RSI_BUILD_SIL)"},
@@ -151,6 +157,38 @@ TEST(IncludeRules, APlantedPathInACMakeFileIsFoundByFileAndLine) {
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0], "firmware/parts.cmake:1: a CMake file of firmware/ may not name a path of sil/");
     EXPECT_EQ(found[1], "hal/board/CMakeLists.txt:2: a CMake file of hal/ may not name a path of tests/");
+}
+
+// Directly, by way of a third folder, and between folders of a folder; a folder and one within it are no
+// pair.
+TEST(IncludeRules, PlantedCirclesOfFoldersAreFoundByFileAndLine) {
+    const test_support::ScratchFolder folder;
+    const auto plant = [&folder](const std::string& path, const std::string& header) {
+        fs::create_directories((folder.path() / path).parent_path());
+        std::ofstream(folder.path() / path) << "#pragma once\n#include \"" << header << "\"\n";
+    };
+    plant("sil/world/vehicle/truth.hpp", "sil/world/units.hpp");
+    plant("sil/world/units.hpp", "sil/files/csv.hpp");
+    plant("sil/files/csv.hpp", "sil/results/events.hpp");
+    plant("sil/results/events.hpp", "cstdint");
+    plant("firmware/rsi/model/a.hpp", "rsi/rsi.hpp");
+    plant("firmware/rsi/rsi.hpp", "rsi/model/a.hpp");
+    EXPECT_EQ(rsi_test::folder_circles(folder.path().string()), std::vector<std::string>{});
+
+    plant("sil/results/events.hpp", "sil/world/vehicle/truth.hpp");
+    plant("firmware/rsi/model/a.hpp", "../numeric/b.hpp");
+    plant("firmware/rsi/numeric/b.hpp", "rsi/model/a.hpp");
+    const std::string circle = ": folders use each other: ";
+    EXPECT_EQ(
+        rsi_test::folder_circles(folder.path().string()),
+        (std::vector<std::string>{
+            "firmware/rsi/model/a.hpp:2" + circle +
+                "firmware/rsi/model -> firmware/rsi/numeric -> firmware/rsi/model",
+            "firmware/rsi/numeric/b.hpp:2" + circle +
+                "firmware/rsi/numeric -> firmware/rsi/model -> firmware/rsi/numeric",
+            "sil/files/csv.hpp:2" + circle + "sil/files -> sil/results -> sil/world -> sil/files",
+            "sil/results/events.hpp:2" + circle + "sil/results -> sil/world -> sil/files -> sil/results",
+            "sil/world/units.hpp:2" + circle + "sil/world -> sil/files -> sil/results -> sil/world"}));
 }
 
 // The search itself: one breach among good lines, found with file and line.

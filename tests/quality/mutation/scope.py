@@ -57,7 +57,8 @@ FIRMWARE = Scope(
     page="docs/reports/mutation.md", title="Mutation testing", goal=0.9, goal_of_able=0.93, longest_ms=900, every_survivor_explained=True, all_executed=True)
 
 JUDGES_PROGRAMS = {"results_test": "tests/sil/results", "hal_test": "tests/hal", "zynqmp_r5_test": "tests/hal/zynqmp_r5",
-                   "campaign_tests": "tests/sil/campaign", "faults_tests": "tests/sil/faults", "files_test": "tests/sil/files"}
+                   "campaign_tests": "tests/sil/campaign", "faults_tests": "tests/sil/faults", "files_test": "tests/sil/files",
+                   "simulation_test": "tests/sil/simulation", "candump_compare_test": "tests/application/regression"}
 BARE = "start-up or board code: no test program of the host compiles it"
 INTERFACE = "needs a CAN interface: tests/system drives it, in a process of its own"
 DRIVES = "decides what is driven, and judges none of it"
@@ -69,6 +70,8 @@ JUDGES_OF_FAULTS = [f"sil/studies/faults/{name}" for name in (
 JUDGES = Scope(
     name="judges", what="what judges the firmware", work="build/mutation_of_judges", programs=JUDGES_PROGRAMS,
     asked={"sil/results": {"results_test"}, "hal": {"hal_test", "zynqmp_r5_test"}, "sil/files": {"files_test"},
+           **{f"sil/simulation/bus_timing{suffix}": {"simulation_test"} for suffix in (".cpp", ".hpp")},
+           **{f"tests/application/regression/candump_compare{suffix}": {"candump_compare_test"} for suffix in (".cpp", ".hpp")},
            "sil/studies/campaign": {"campaign_tests"}, **{file: {"faults_tests"} for file in JUDGES_OF_FAULTS}},
     left_out={"sil/results/versions.cpp": "names versions, decides nothing",
               **{f"hal/{name}": BARE for name in ("mps2", "semihosting", "zynqmp_r5/startup")},
@@ -81,9 +84,8 @@ JUDGES = Scope(
                   (KEEPS, ("campaign", "campaign_folder", "campaign_part", "row_file", "row_workers")), (WRITES, ("run_trace",)))
                  for name in names for suffix in (".cpp", ".hpp")},
               "sil/studies/campaign/settings_file.cpp": DRIVES,
-              "sil/studies/campaign/false_codes.cpp": "a program of its own, which is itself a test",
               **{f"sil/studies/campaign/{name}.cpp": WRITES for name in ("report_files", "report_text")}},
-    headers=("can_dbc", "firmware", "hal", "sil"), options=("-DRSI_TESTS_COMPILE_OPTIONS=-O0",),
+    headers=("can_dbc", "firmware", "hal", "sil", "tests/application"), options=("-DRSI_TESTS_COMPILE_OPTIONS=-O0",),
     review="survivors_of_judges.toml", page="docs/reports/mutation_of_judges.md", title="Mutation testing of the judges",
     goal=0.85, goal_of_able=0.85, longest_ms=900, every_survivor_explained=False, all_executed=False)
 

@@ -120,7 +120,7 @@ def collect(project, build):
     tests = tests_of(output("/usr/bin/ctest", "--test-dir", str(build), "--show-only=json-v1"))
     groups = {folder.parent.name for folder in (project / "tests").rglob("CMakeLists.txt")} | ON_REQUEST | {"sanitize", "vcan"}
     signals, codes = signals_and_codes(
-        project / "can_dbc/rollover_warning.dbc", project / "sil/lock_step/simulation.dbc"
+        project / "can_dbc/rollover_warning.dbc", project / "sil/simulation/simulation.dbc"
     )
     signatures = output(build / "tests/quality/safety/signature_page")
     return Evidence(project, tests, groups, signals, codes, sources_of(project), signatures)

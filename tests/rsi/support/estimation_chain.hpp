@@ -3,8 +3,8 @@
 #pragma once
 
 #include "rsi/estimation/regression.hpp"
+#include "rsi/estimation/roll_plane_model.hpp"
 #include "rsi/measurement/measurement.hpp"
-#include "rsi/model/roll_plane_model.hpp"
 
 namespace rsi_test {
 

@@ -24,9 +24,9 @@
 #include "hal/software_keys/software_keys.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/parameter_section_file.hpp"
+#include "sil/simulation/closed_loop.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/world/simulation/closed_loop.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "sil/files/calibration_file.hpp"
+#include "sil/simulation/in_process_run.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace rsi_test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sil/results/events.hpp"
-#include "sil/world/simulation/closed_loop.hpp"
+#include "sil/simulation/closed_loop.hpp"
 #include "sil/world/vehicle/road.hpp"
 
 namespace rsi_test {

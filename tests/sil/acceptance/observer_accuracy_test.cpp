@@ -11,10 +11,10 @@
 
 #include "rsi/component.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace rsi_test {

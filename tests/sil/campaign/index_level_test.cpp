@@ -7,12 +7,12 @@
 #include "rsi/output_table.hpp"
 #include "rsi/warning/indicator_level.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/simulation/in_process_run.hpp"
 #include "sil/studies/campaign/drawn_run.hpp"
 #include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/sensors/sensor_options.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 #include "tests/sil/campaign/small_campaign.hpp"
 

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "sil/files/calibration_file.hpp"
+#include "sil/simulation/in_process_run.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/studies/campaign/campaign.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/load.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 #include "tests/sil/campaign/small_campaign.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sil/simulation/run_batch.hpp"
 #include "sil/studies/campaign/campaign_run.hpp"
-#include "sil/world/simulation/run_batch.hpp"
 #include "tests/sil/campaign/small_campaign.hpp"
 
 namespace {

@@ -5,11 +5,11 @@
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_log.hpp"
 #include "sil/results/signal_csv.hpp"
+#include "sil/simulation/closed_loop.hpp"
+#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
+#include "sil/simulation/recorded_bus.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/world/simulation/closed_loop.hpp"
-#include "sil/world/simulation/in_process_pace.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
-#include "sil/world/simulation/recorded_bus.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace testing_drives {

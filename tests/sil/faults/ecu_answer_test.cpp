@@ -10,7 +10,7 @@
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "monitoring/diagnostic_code.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
+#include "sil/simulation/sensor_frames.hpp"
 #include "tests/sil/faults/recorded_frames.hpp"
 
 namespace faults_test {

@@ -5,10 +5,10 @@
 
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
+#include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/faults/faulty_bus.hpp"
 #include "sil/studies/faults/sensor_signal.hpp"
 #include "sil/studies/faults/signal_fault.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
 #include "tests/sil/faults/recorded_frames.hpp"
 
 namespace faults_test {

@@ -6,8 +6,8 @@
 
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
-#include "sil/world/simulation/ecu_frames.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
+#include "sil/simulation/ecu_frames.hpp"
+#include "sil/simulation/sensor_frames.hpp"
 #include "tests/application/end_to_end.hpp"
 
 namespace testing_simulation {

@@ -1,4 +1,4 @@
-#include "sil/world/simulation/mounted_sensors.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 
 #include <gtest/gtest.h>
 

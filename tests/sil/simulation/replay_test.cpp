@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "sil/world/simulation/replay.hpp"
+#include "sil/simulation/replay.hpp"
 #include "tests/sil/simulation/recorded_run.hpp"
 
 namespace testing_simulation {

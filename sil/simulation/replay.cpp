@@ -1,12 +1,12 @@
-#include "sil/world/simulation/replay.hpp"
+#include "sil/simulation/replay.hpp"
 
 #include <fmt/format.h>
 
 #include "application/sensor_reception.hpp"
 #include "hal/memory/frame_replay.hpp"
 #include "sil/files/sensor_frame.hpp"
-#include "sil/world/simulation/in_process_ecu.hpp"
-#include "sil/world/simulation/pace.hpp"
+#include "sil/simulation/in_process_ecu.hpp"
+#include "sil/simulation/pace.hpp"
 
 namespace sil {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "sil/world/simulation/closed_loop.hpp"
-#include "sil/world/simulation/in_process_pace.hpp"
-#include "sil/world/simulation/recorded_bus.hpp"
+#include "sil/simulation/closed_loop.hpp"
+#include "sil/simulation/in_process_pace.hpp"
+#include "sil/simulation/recorded_bus.hpp"
 
 namespace sil {
 

@@ -1,4 +1,4 @@
-#include "sil/world/simulation/run_batch.hpp"
+#include "sil/simulation/run_batch.hpp"
 
 namespace sil {
 

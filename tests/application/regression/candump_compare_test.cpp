@@ -1,5 +1,5 @@
 // Comparison of logs: what counts as a difference, and what a person gets to read.
-#include "sil/files/candump_compare.hpp"
+#include "tests/application/regression/candump_compare.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

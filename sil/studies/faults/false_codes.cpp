@@ -17,12 +17,12 @@
 #include <vector>
 
 #include "sil/files/calibration_file.hpp"
+#include "sil/simulation/in_process_run.hpp"
+#include "sil/simulation/mounted_sensors.hpp"
 #include "sil/studies/campaign/campaign_run.hpp"
 #include "sil/studies/campaign/settings.hpp"
 #include "sil/studies/faults/good_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/world/simulation/in_process_run.hpp"
-#include "sil/world/simulation/mounted_sensors.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
 namespace {

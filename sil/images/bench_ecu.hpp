@@ -13,7 +13,7 @@
 #include "hal/memory/retained_record.hpp"
 #include "hal/software_keys/software_keys.hpp"
 #include "rsi/version.h"
-#include "sil/bench_image/guessable_numbers.hpp"
+#include "sil/images/guessable_numbers.hpp"
 
 namespace sil {
 

@@ -1,4 +1,4 @@
-#include "rsi/model/roll_plane_model.hpp"
+#include "rsi/estimation/roll_plane_model.hpp"
 
 #include "rsi/numeric/bounded_functions.hpp"
 

@@ -1,4 +1,4 @@
-#include "sil/world/simulation/ecu_frames.hpp"
+#include "sil/simulation/ecu_frames.hpp"
 
 #include "can_dbc/codec/message.hpp"
 

@@ -1,5 +1,5 @@
 // Bus timing on logs of which the answer is known.
-#include "sil/results/bus_timing.hpp"
+#include "sil/simulation/bus_timing.hpp"
 
 #include <gtest/gtest.h>
 

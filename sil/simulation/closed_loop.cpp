@@ -1,4 +1,4 @@
-#include "sil/world/simulation/closed_loop.hpp"
+#include "sil/simulation/closed_loop.hpp"
 
 #include <cmath>
 

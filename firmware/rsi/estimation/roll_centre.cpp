@@ -1,4 +1,4 @@
-#include "rsi/model/roll_centre.hpp"
+#include "rsi/estimation/roll_centre.hpp"
 
 namespace rsi {
 

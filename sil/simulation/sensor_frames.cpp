@@ -1,4 +1,4 @@
-#include "sil/world/simulation/sensor_frames.hpp"
+#include "sil/simulation/sensor_frames.hpp"
 #include "sil/units.hpp"
 
 #include <fmt/format.h>

@@ -8,8 +8,8 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
 #include "images/zynqmp_r5/warning_witness.hpp"
-#include "sil/lock_step/lock_step_receiver.hpp"
-#include "sil/lock_step/simulation.hpp"
+#include "sil/simulation/lock_step_receiver.hpp"
+#include "sil/simulation/simulation.hpp"
 
 namespace {
 

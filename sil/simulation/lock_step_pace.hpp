@@ -5,9 +5,9 @@
 
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
-#include "sil/lock_step/simulation.hpp"
-#include "sil/world/simulation/pace.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
+#include "sil/simulation/pace.hpp"
+#include "sil/simulation/sensor_frames.hpp"
+#include "sil/simulation/simulation.hpp"
 
 namespace sil {
 

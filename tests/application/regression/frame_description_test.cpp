@@ -1,5 +1,5 @@
 // Frames in words, and which of them are of the vehicle's sensors.
-#include "sil/files/frame_description.hpp"
+#include "tests/application/regression/frame_description.hpp"
 
 #include <gtest/gtest.h>
 

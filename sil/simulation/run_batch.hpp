@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "sil/world/simulation/in_process_run.hpp"
+#include "sil/simulation/in_process_run.hpp"
 #include "sil/world/vehicle/vehicle_batch.hpp"
 
 namespace sil {

@@ -5,11 +5,11 @@
 
 #include "hal/interface/can_bus.hpp"
 #include "sil/results/events.hpp"
+#include "sil/simulation/ecu_frames.hpp"
+#include "sil/simulation/pace.hpp"
+#include "sil/simulation/sensor_frames.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
-#include "sil/world/simulation/ecu_frames.hpp"
-#include "sil/world/simulation/pace.hpp"
-#include "sil/world/simulation/sensor_frames.hpp"
 
 namespace sil {
 

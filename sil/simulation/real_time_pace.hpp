@@ -3,7 +3,7 @@
 
 #include "hal/linux/periodic_tick.hpp"
 #include "hal/linux/steady_clock.hpp"
-#include "sil/world/simulation/pace.hpp"
+#include "sil/simulation/pace.hpp"
 
 namespace sil {
 

@@ -1,11 +1,11 @@
-#include "sil/files/frame_description.hpp"
+#include "tests/application/regression/frame_description.hpp"
 
 #include <fmt/format.h>
 
 #include <type_traits>
 
 #include "can_dbc/generated/rollover_warning.hpp"
-#include "sil/lock_step/simulation.hpp"
+#include "sil/simulation/simulation.hpp"
 
 namespace sil {
 namespace {

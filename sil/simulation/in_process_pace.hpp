@@ -1,8 +1,8 @@
 // In-process pace: simulated time, with the ECU stepped by a call.
 #pragma once
 
-#include "sil/world/simulation/in_process_ecu.hpp"
-#include "sil/world/simulation/pace.hpp"
+#include "sil/simulation/in_process_ecu.hpp"
+#include "sil/simulation/pace.hpp"
 
 namespace sil {
 

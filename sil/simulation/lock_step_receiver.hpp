@@ -7,8 +7,8 @@
 
 #include "hal/memory/frame_ring.hpp"
 #include "hal/memory/virtual_clock.hpp"
-#include "sil/lock_step/simulation.hpp"
-#include "sil/world/simulation/pace.hpp"
+#include "sil/simulation/pace.hpp"
+#include "sil/simulation/simulation.hpp"
 
 namespace sil {
 

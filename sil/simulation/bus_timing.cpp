@@ -1,4 +1,4 @@
-#include "sil/results/bus_timing.hpp"
+#include "sil/simulation/bus_timing.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "sil/files/sensor_frame.hpp"
-#include "sil/lock_step/simulation.hpp"
+#include "sil/simulation/simulation.hpp"
 
 namespace sil {
 namespace {

@@ -4,7 +4,7 @@
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
 #include "images/zynqmp_r5/warning_witness.hpp"
-#include "sil/bench_image/bench_ecu.hpp"
+#include "sil/images/bench_ecu.hpp"
 
 namespace {
 

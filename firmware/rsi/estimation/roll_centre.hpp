@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rsi/estimation/roll_centre_estimate.hpp"
-#include "rsi/model/roll_plane_model.hpp"
+#include "rsi/estimation/roll_plane_model.hpp"
 
 namespace rsi {
 

@@ -1,5 +1,5 @@
 // Comparison of two candump logs: walk both, find where they agree again, tell what differs.
-#include "sil/files/candump_compare.hpp"
+#include "tests/application/regression/candump_compare.hpp"
 
 #include <fmt/format.h>
 
