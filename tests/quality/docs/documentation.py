@@ -5,6 +5,7 @@ import re
 import sys
 
 import figures
+import folders
 import references
 from page import COMMENT, Page, all_pages, newest_changes, tracked, written_pages
 
@@ -61,7 +62,7 @@ def check(project):
     changes = newest_changes(project)
     if changes:
         problems += references.code_problems(changes, commands)  # its links are checked above, of all versions
-    return problems + references.pages_elsewhere(project, files) + keys_of_files(project), written
+    return problems + references.pages_elsewhere(project, files) + keys_of_files(project) + folders.problems(project, files), written
 
 
 def keys_of_files(project):

@@ -50,6 +50,16 @@ FILES = {
     "firmware/rsi/rsi.h": "#define RSI_SAMPLE_TIME_S 0.01F\n",
     "cars/a.toml": "[warning]\non = 0.92\n",
     "cars/b.toml": "",
+    "docs/architecture.md": "# Architecture\n## Folders\n```\n"
+                            "cars/            one file a car\n"
+                            "docs/            pages; reports/ is written\n"
+                            "firmware/        what is delivered\n"
+                            "  rsi/           the component\n"
+                            "sil/\n"
+                            "  run            the first command\n"
+                            "  apps/ vehicles/\n"
+                            "                 programs, and a file a vehicle\n"
+                            "tests/           unit/\n```\n",
     "docs/vehicle_file.md": "# Vehicle\n`name`.\n## `[mass]`\n| key | meaning |\n|---|---|\n"
                             "| `sprung_kg` `m_s` | `h` |\n",
     "sil/vehicles/large_suv.toml": 'name = "car"\n[mass]\nsprung_kg = 1.0\n',
@@ -260,6 +270,21 @@ class PlantedFaults(unittest.TestCase):
                 self.plant(before, after, "docs/vehicle_file.md")
                 self.expect("docs/vehicle_file.md", f"has no {key}")
                 self.plant(after, before, "docs/vehicle_file.md")
+
+    def test_a_folder_that_the_list_lacks(self):
+        (self.project / "firmware/images").mkdir()
+        (self.project / "firmware/images/main.cpp").write_text("")
+        self.expect("docs/architecture.md", "lacks firmware/images/")
+        self.plant("  rsi/           the component", "  rsi/ images/   the component, an image", "docs/architecture.md")
+        self.assertEqual(self.check(), [])
+
+    def test_a_folder_of_the_list_that_is_not_there(self):
+        for before, after, path in (("  rsi/  ", "  rsi/ hal/  ", "firmware/hal/"), ("unit/", "unit/, system/", "tests/system/"),
+                                    ("  run  ", "  walk  ", "sil/walk"), ("reports/ is", "report/ is", "docs/report/")):
+            with self.subTest(path):
+                self.plant(before, after, "docs/architecture.md")
+                self.expect("docs/architecture.md:", f"there is no {path}")
+                self.plant(after, before, "docs/architecture.md")
 
     def test_a_source_that_names_a_page_which_does_not_exist(self):
         self.plant("docs/page.md", "docs/pages.md", "sil/run")
