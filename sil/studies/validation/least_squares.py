@@ -1,6 +1,6 @@
 """The paper's least squares on the signals of a run, with and without what it adds: observed disturbance, normalising.
 
-Written from docs/paper.md, in double precision. It shares nothing with the firmware but the measured signals and the
+Written from docs/theory.md, in double precision. It shares nothing with the firmware but the measured signals and the
 roll of the fixed model.
 """
 

@@ -8,7 +8,7 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "docs"))
 
-from page import HEADING, ITEM, Page, blanked  # noqa: E402
+from page import HEADING, INLINE_CODE, ITEM, LINK, Page, blanked  # noqa: E402
 
 SLASHES = {".c", ".h", ".cpp", ".hpp", ".js", ".S", ".ld"}
 HASHES = {".sh", ".cmake", ".txt", ".toml", ".yml", ".yaml", ".gp", ""}
@@ -122,9 +122,11 @@ class Source:
 
 def page_sentences(project, name, text):
     """Paragraphs, items and cells of a page; headings name what a section answers and may be clauses."""
-    page = Page(project, name, text)
+    # Code stands for a noun: a blank would let the word behind it begin the sentence.
+    prose = INLINE_CODE.sub(lambda code: re.sub(r"\S", "x", code[0]), Page(project, name, text).without_fences())
+    prose = LINK.sub(lambda link: link[1], prose)
     lines = []
-    for number, line in enumerate(page.prose().splitlines(), 1):
+    for number, line in enumerate(prose.splitlines(), 1):
         if HEADING.match(line):
             lines.append((number, ""))
         elif line.lstrip().startswith("|"):
