@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
@@ -34,13 +35,10 @@ struct CampaignRequest {
     std::vector<std::string> changes;
     std::filesystem::path output{"output/campaign"};
     unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
-    bool report_only{false};
     bool with_traces{false};
-    std::optional<std::uint64_t> single_run;
-    std::optional<std::uint64_t> first;  // of a part
+    std::uint64_t number{0U};  // of a single run
+    std::uint64_t first{0U};   // of a part
     std::uint64_t count{0U};
-    bool begin_only{false};
-    bool columns{false};
 };
 
 CampaignSettings settings_of(const CampaignRequest& request) {
@@ -75,7 +73,7 @@ void report(const CampaignRequest& request) {
     const std::filesystem::path settings = request.output / "campaign.toml";
     if (!std::filesystem::exists(settings)) {
         throw std::runtime_error(
-            fmt::format("there is no campaign in {}; the same command without --report-only makes one",
+            fmt::format("there is no campaign in {0}; `rsi-sil campaign run --output {0}` makes one",
                         request.output.string()));
     }
     const std::uint64_t wanted = load_campaign(settings).runs;
@@ -107,13 +105,14 @@ void run(const CampaignRequest& request) {
         world, request.output, request.jobs, stop, [&line](const RowProgress& now) { line.show(now); },
         request.with_traces);
     require_finished(progress, "runs", request.output);
+    report(request);
 }
 
 void run_part(const CampaignRequest& request) {
     const CampaignWorld world{settings_of(request)};
     const std::atomic<bool>& stop = stop_on_signals();
     ProgressLine line = progress_line(request.jobs);
-    const RowProgress progress = make_part(world, *request.first, request.count, request.output, request.jobs,
+    const RowProgress progress = make_part(world, request.first, request.count, request.output, request.jobs,
                                            stop, [&line](const RowProgress& now) { line.show(now); });
     if (progress.finished < progress.total) {
         throw std::runtime_error(fmt::format(
@@ -121,81 +120,116 @@ void run_part(const CampaignRequest& request) {
             progress.finished, progress.total, request.output.string()));
     }
     fmt::print("{} {}: runs {} to {}\n", request.output.string(),
-               progress.begun_with == progress.total ? "was there already" : "is there", *request.first,
-               *request.first + request.count - 1U);
+               progress.begun_with == progress.total ? "was there already" : "is there", request.first,
+               request.first + request.count - 1U);
 }
 
-void run_one(const CampaignRequest& request, std::uint64_t number) {
-    const std::filesystem::path output = request.output / fmt::format("run-{}", number);
-    const CampaignRow row = drive_single_run(CampaignWorld{settings_of(request)}, number, output);
+void run_one(const CampaignRequest& request) {
+    const std::filesystem::path output = request.output / fmt::format("run-{}", request.number);
+    const CampaignRow row = drive_single_run(CampaignWorld{settings_of(request)}, request.number, output);
     write_file_atomically(output / "row.csv", row_header() + "\n" + row_line(row) + "\n");
     fmt::print("All of it is in {0}; sil/results/draw {0} makes the pictures.\n", output.string());
+}
+
+void begin(const CampaignRequest& request) {
+    const CampaignWorld world{settings_of(request)};
+    begin_campaign_folder(request.output, world.settings());
+}
+
+void add_settings(CLI::App& command, CampaignRequest& request) {
+    command.add_option("--settings", request.settings_file,
+                       "What to draw from (TOML; default: sil/studies/campaign/default.toml, built in)");
+    add_whole_number(command, "--runs", request.runs, "How many runs (default: the settings')");
+    add_whole_number(command, "--seed", request.seed, "Seed of everything drawn (default: the settings')");
+    command.add_option("--vehicle", request.vehicles,
+                       "VEHICLE_FILE:CALIBRATION_FILE, instead of the settings' vehicles; may be repeated");
+    command
+        .add_option("--set", request.changes,
+                    "KEY=VALUE in place of what every calibration says; may be repeated")
+        ->allow_extra_args(false);
+}
+
+CLI::Option* add_output(CLI::App& command, CampaignRequest& request, const std::string& description) {
+    return command.add_option("--output", request.output, description);
+}
+
+void add_jobs(CLI::App& command, CampaignRequest& request) {
+    command.add_option("--jobs", request.jobs, "Threads")
+        ->check(CLI::Range(1U, 1024U))
+        ->capture_default_str();
+}
+
+// Until version 0.2 the subcommands were options of `campaign` itself.
+std::string subcommand_instead_of(const std::vector<std::string>& arguments) {
+    const std::vector<std::pair<std::string, std::string>> options{{"--columns", "columns"},
+                                                                   {"--begin", "begin"},
+                                                                   {"--first", "part"},
+                                                                   {"--run", "one NUMBER"},
+                                                                   {"--report-only", "report"}};
+    const auto given = std::find_if(options.begin(), options.end(), [&arguments](const auto& option) {
+        return std::any_of(arguments.begin(), arguments.end(), [&option](const std::string& argument) {
+            return argument == option.first || argument.rfind(option.first + "=", 0U) == 0U;
+        });
+    });
+    return given == options.end() ? "run" : given->second;
+}
+
+// After its subcommands have been added, which would inherit that anything is allowed.
+void refuse_options_of_its_own(CLI::App& campaign) {
+    campaign.require_subcommand(0, 1)->allow_extras()->parse_complete_callback([&campaign] {
+        if (campaign.get_subcommands().empty() || !campaign.remaining().empty()) {
+            throw UsageError(
+                fmt::format("`campaign` is followed by run, report, one, part, begin or columns, and by its "
+                            "options then: here by `rsi-sil campaign {} ...`",
+                            subcommand_instead_of(campaign.remaining())));
+        }
+    });
 }
 
 }  // namespace
 
 void add_campaign(CLI::App& app) {
     const auto request = std::make_shared<CampaignRequest>();
-    CLI::App* command = app.add_subcommand(
+    CLI::App* const campaign = app.add_subcommand(
         "campaign",
         "Monte Carlo: many drawn runs in this process, one row each, and a report on all indices");
-    command->add_option("--settings", request->settings_file,
-                        "What to draw from (TOML; default: sil/studies/campaign/default.toml, built in)");
-    add_whole_number(*command, "--runs", request->runs, "How many runs (default: the settings')");
-    add_whole_number(*command, "--seed", request->seed, "Seed of everything drawn (default: the settings')");
-    command->add_option("--vehicle", request->vehicles,
-                        "VEHICLE_FILE:CALIBRATION_FILE, instead of the settings' vehicles; may be repeated");
-    command
-        ->add_option("--set", request->changes,
-                     "KEY=VALUE in place of what every calibration says; may be repeated")
-        ->allow_extra_args(false);
-    command->add_option("--output", request->output, "Folder of the rows; taken up where it was left")
-        ->capture_default_str();
-    command->add_option("--jobs", request->jobs, "Threads")
-        ->check(CLI::Range(1U, 1024U))
-        ->capture_default_str();
-    command->add_flag("--report-only", request->report_only, "No runs: report on the rows that are there");
-    command->add_flag("--traces", request->with_traces,
-                      "Every run also leaves its trace, OUTPUT/traces/NUMBER.csv, and its calibration");
-    add_whole_number(*command, "--run", request->single_run,
-                     "No campaign: drive the run of this number once more, into OUTPUT/run-NUMBER");
-    command->get_option("--run")->excludes("--report-only", "--traces");
-    CLI::Option* const first = add_whole_number(
-        *command, "--first", request->first,
-        "A part of the campaign, for many machines: COUNT runs from this number on, into the file OUTPUT");
-    CLI::Option* const count =
-        add_whole_number(*command, "--count", request->count, "How many runs the part has");
-    first->needs(count)->needs("--output")->excludes("--report-only", "--traces", "--run");
-    count->needs(first);
-    command
-        ->add_flag("--begin", request->begin_only,
-                   "No runs: the folder OUTPUT with its campaign.toml, from which parts are made")
-        ->excludes("--report-only", "--traces", "--run", "--first");
-    command->add_flag("--columns", request->columns,
-                      "No runs: what the columns of the rows are, with units, as JSON");
-    command->callback([request] {
-        if (request->columns) {
-            fmt::print("{}", row_columns_json());
-            return;
-        }
-        if (request->begin_only) {
-            const CampaignWorld world{settings_of(*request)};
-            begin_campaign_folder(request->output, world.settings());
-            return;
-        }
-        if (request->first) {
-            run_part(*request);
-            return;
-        }
-        if (request->single_run) {
-            run_one(*request, *request->single_run);
-            return;
-        }
-        if (!request->report_only) {
-            run(*request);
-        }
-        report(*request);
-    });
+    CLI::App* const all = campaign->add_subcommand("run", "Drive all runs, and report on them");
+    add_settings(*all, *request);
+    add_output(*all, *request, "Folder of the rows; taken up where it was left")->capture_default_str();
+    add_jobs(*all, *request);
+    all->add_flag("--traces", request->with_traces,
+                  "Every run also leaves its trace, OUTPUT/traces/NUMBER.csv, and its calibration");
+    all->callback([request] { run(*request); });
+
+    CLI::App* const again = campaign->add_subcommand("report", "Report on the rows that are there");
+    add_output(*again, *request, "Folder of the rows")->capture_default_str();
+    again->callback([request] { report(*request); });
+
+    CLI::App* const one =
+        campaign->add_subcommand("one", "Drive the run of one number once more, into OUTPUT/run-NUMBER");
+    add_whole_number(*one, "number", request->number, "Number of the run")->required();
+    add_settings(*one, *request);
+    add_output(*one, *request, "Folder of the campaign")->capture_default_str();
+    one->callback([request] { run_one(*request); });
+
+    CLI::App* const part = campaign->add_subcommand(
+        "part", "A part of a campaign, for many machines: COUNT runs from FIRST on, into the file OUTPUT");
+    add_whole_number(*part, "--first", request->first, "Number of the first run")->required();
+    add_whole_number(*part, "--count", request->count, "How many runs the part has")->required();
+    add_settings(*part, *request);
+    add_output(*part, *request, "File of the part's rows")->required();
+    add_jobs(*part, *request);
+    part->callback([request] { run_part(*request); });
+
+    CLI::App* const folder = campaign->add_subcommand(
+        "begin", "The folder OUTPUT with its campaign.toml, from which parts are made");
+    add_settings(*folder, *request);
+    add_output(*folder, *request, "Folder of the campaign")->capture_default_str();
+    folder->callback([request] { begin(*request); });
+
+    campaign->add_subcommand("columns", "What the columns of the rows are, with units, as JSON")
+        ->callback([] { fmt::print("{}", row_columns_json()); });
+    refuse_options_of_its_own(*campaign);
 }
 
 }  // namespace sil

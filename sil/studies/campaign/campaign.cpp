@@ -40,11 +40,10 @@ void refuse_rows_without_traces(const RowFile& file, const std::filesystem::path
 // Of a folder of parts the rows are not in one file.
 void refuse_parts(const std::filesystem::path& output) {
     if (!parts_of(output).empty()) {
-        throw InputError(
-            fmt::format("{} holds parts of a campaign; go on with parts (--first, --count), report on them "
-                        "(--report-only), or "
-                        "use another output folder",
-                        output.string()));
+        throw InputError(fmt::format(
+            "{} holds parts of a campaign; go on with `rsi-sil campaign part`, report on them with "
+            "`rsi-sil campaign report`, or use another output folder",
+            output.string()));
     }
 }
 

@@ -225,13 +225,13 @@ StudyTable table_of_runs(const std::string& name, const std::string& heading, co
         if (!is_listed(run) || ++found > most_listed_runs) {
             continue;
         }
-        table.rows.push_back({static_cast<double>(run.number), run.vehicle.text(), run.manoeuvre.text(),
-                              or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s),
-                              run.largest_ltr, static_cast<double>(run.warnings),
-                              fmt::format("(cd {} && {} campaign --settings {} --output {} --run {})",
-                                          quoted(call.working_folder.string()), quoted(call.program.string()),
-                                          quoted((call.output / "campaign.toml").string()),
-                                          quoted(call.output.string()), run.number)});
+        table.rows.push_back(
+            {static_cast<double>(run.number), run.vehicle.text(), run.manoeuvre.text(),
+             or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s), run.largest_ltr,
+             static_cast<double>(run.warnings),
+             fmt::format("(cd {} && {} campaign one {} --settings {} --output {})",
+                         quoted(call.working_folder.string()), quoted(call.program.string()), run.number,
+                         quoted((call.output / "campaign.toml").string()), quoted(call.output.string()))});
     }
     table.note = found > most_listed_runs
                      ? fmt::format("The first {} of {}; the rows have all.", most_listed_runs, found)

@@ -257,7 +257,7 @@ std::string describe_population(const std::filesystem::path& population) {
                               counts[3]);
     }
     return report + failures +
-           fmt::format("All of it is in {}. Try: rsi-sil campaign --settings {} --output FOLDER\n",
+           fmt::format("All of it is in {}. Try: rsi-sil campaign run --settings {} --output FOLDER\n",
                        (population / "vehicles.csv").string(),
                        (population / "settings_report_errors.toml").string());
 }

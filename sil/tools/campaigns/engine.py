@@ -39,7 +39,7 @@ def alone(folder):
 
 def begin(options):
     """The folder with its campaign.toml."""
-    command = [options.program, "campaign", "--begin", "--output", options.output]
+    command = [options.program, "campaign", "begin", "--output", options.output]
     for name in ("settings", "runs", "seed"):
         if getattr(options, name) is not None:
             command += [f"--{name}", getattr(options, name)]
@@ -93,7 +93,7 @@ def cluster_of(options):
 
 
 def command_for(part, options):
-    return [str(options.program), "campaign", "--settings", str(options.output / "campaign.toml"), "--first", str(part.first),
+    return [str(options.program), "campaign", "part", "--settings", str(options.output / "campaign.toml"), "--first", str(part.first),
             "--count", str(part.count), "--output", str(options.output / part.file_name()), "--jobs", "1"]
 
 
@@ -141,7 +141,7 @@ def run(options):
                 raise CampaignError(f"parts were made that are not in {options.output}; it must be the same folder on all "
                                     "machines")
         parquet.convert(options.output, options.program)
-    call([options.program, "campaign", "--report-only", "--output", options.output])
+    call([options.program, "campaign", "report", "--output", options.output])
     print(f"{runs} runs are in {options.output}: report.md, report.html to look into. Ask more: sil/tools/campaign query "
           f"{options.output} NAME; --list in place of both names the questions.")
 

@@ -18,9 +18,9 @@ ROWS = 65536  # of a group
 
 
 def columns_of(program):
-    """What `rsi-sil campaign --columns` says."""
+    """What `rsi-sil campaign columns` says."""
     try:
-        return json.loads(subprocess.run([program, "campaign", "--columns"], capture_output=True, check=True).stdout)
+        return json.loads(subprocess.run([program, "campaign", "columns"], capture_output=True, check=True).stdout)
     except (OSError, subprocess.CalledProcessError) as error:
         raise CampaignError(f"{program} does not tell the columns: {error}; make it with cmake/environment/build release "
                             "rsi-sil, or name another: --program FILE") from None

@@ -45,9 +45,9 @@ def open_rows(folder, program):
     connection.execute("CREATE TABLE entries (entry VARCHAR)")
     connection.execute("CREATE TABLE changes (entry VARCHAR, run BIGINT, time_s DOUBLE, side VARCHAR)")
     connection.execute((VIEWS / "statements.sql").read_text(encoding="utf-8"))
-    again = (f"(cd {shlex.quote(os.getcwd())} && {shlex.quote(str(program))} campaign "
-             f"--settings {shlex.quote(str(folder / 'campaign.toml'))} --output {shlex.quote(str(folder))} --run ")
-    connection.execute(f"CREATE MACRO drive_again(number) AS {quoted(again)} || number || ')'")
+    again = (f"(cd {shlex.quote(os.getcwd())} && {shlex.quote(str(program))} campaign one ",
+             f" --settings {shlex.quote(str(folder / 'campaign.toml'))} --output {shlex.quote(str(folder))})")
+    connection.execute(f"CREATE MACRO drive_again(number) AS {quoted(again[0])} || number || {quoted(again[1])}")
     return connection
 
 

@@ -5,7 +5,7 @@ A file is CSV or Parquet with the columns run and time_s, ascending in each run,
   level, side    a time series; a level of 1 says "warn", towards side (left or right)
   right, left    a time series of the levels towards either side
 A time series drives a copy of the firmware's warning states, as the campaign's own indices do (docs/drives.md, What counts),
-with the calibration of the run, which `rsi-sil campaign --traces` leaves.
+with the calibration of the run, which `rsi-sil campaign run --traces` leaves.
 """
 
 import pathlib

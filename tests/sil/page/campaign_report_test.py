@@ -36,7 +36,7 @@ class CampaignReport(unittest.TestCase):
         (home / "vehicles").mkdir(parents=True)
         shutil.copy(PROJECT / "sil/vehicles/large_suv.toml", home / vehicle)
         cls.folder = home / "it's a campaign"
-        subprocess.run([PROGRAM, "campaign", "--runs", str(RUNS), "--seed", "5", "--vehicle",
+        subprocess.run([PROGRAM, "campaign", "run", "--runs", str(RUNS), "--seed", "5", "--vehicle",
                         f"{vehicle}:{PROJECT}/firmware/calibrations/large_suv.toml", "--set", "warning_on=1.15",
                         "--output", cls.folder.name],
                        cwd=home, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -194,7 +194,7 @@ class CampaignReport(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             levels = ("warning_on=0.7", "warning_off=0.6", "advisory_on=0.65", "advisory_off=0.6")
             options = [word for level in levels for word in ("--set", level)]
-            subprocess.run([PROGRAM, "campaign", "--runs", "40", "--output", scratch, *options],
+            subprocess.run([PROGRAM, "campaign", "run", "--runs", "40", "--output", scratch, *options],
                            cwd=PROJECT, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             calm = [row for row in rows_of(pathlib.Path(scratch, "runs.csv"))
                     if not row["two_wheel_lift_time_s"] and float(row["largest_ltr"]) < 0.9 and int(row["warnings"]) > 0]
@@ -213,7 +213,7 @@ class CampaignReport(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             for runs, settings in (("1", []), ("1", ["--settings", PROJECT / "sil/studies/campaign/ordinary.toml"])):
                 folder = pathlib.Path(scratch, str(len(settings)))
-                subprocess.run([PROGRAM, "campaign", "--runs", runs, "--output", folder, *settings], cwd=PROJECT, check=True,
+                subprocess.run([PROGRAM, "campaign", "run", "--runs", runs, "--output", folder, *settings], cwd=PROJECT, check=True,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
                 page = StudyTab(self.tab, folder / "report.html")
                 self.assertEqual(page.table("missed"), [])

@@ -40,7 +40,7 @@ class AgreesWithTheCampaign(unittest.TestCase):
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
         folder = pathlib.Path(cls.scratch.name)
-        command = [PROGRAM, "campaign", "--runs", str(RUNS), "--seed", "5", "--traces", "--output", folder / "campaign"]
+        command = [PROGRAM, "campaign", "run", "--runs", str(RUNS), "--seed", "5", "--traces", "--output", folder / "campaign"]
         # As many vehicles as it takes for intervals that count vehicles.
         for number in range(judge.FEWEST_VEHICLES):
             name = ("large_suv", "ordinary_suv", "van")[number % 3]

@@ -81,7 +81,7 @@ class Engine(unittest.TestCase):
 
     def test_what_is_killed_loses_nothing_and_does_nothing_twice(self):
         single = self.scratch / "single"
-        subprocess.run([self.program, "campaign", "--runs", str(RUNS), "--output", single], cwd=PROJECT, check=True,
+        subprocess.run([self.program, "campaign", "run", "--runs", str(RUNS), "--output", single], cwd=PROJECT, check=True,
                        capture_output=True)
 
         status, said = self.run_until_end("driver", 20)

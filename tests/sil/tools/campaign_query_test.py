@@ -53,9 +53,9 @@ class Queries(unittest.TestCase):
                            for name in ("large_suv", "ordinary_suv"))
         settings.write_text(f'changes = ["warning_indicator=\\"published\\""]\n{vehicles}{manoeuvres}', encoding="utf-8")
         for first in range(0, RUNS, 30):
-            cls.run_program("--settings", settings, "--runs", RUNS, "--first", first, "--count", 30, "--output",
+            cls.run_program("part", "--settings", settings, "--runs", RUNS, "--first", first, "--count", 30, "--output",
                             cls.folder / f"part-{first}.csv")
-        cls.run_program("--report-only", "--output", cls.folder)
+        cls.run_program("report", "--output", cls.folder)
         cls.report = json.loads((cls.folder / "report.json").read_text(encoding="utf-8"))
 
     @classmethod

@@ -80,7 +80,7 @@ class Campaigns(unittest.TestCase):
 
     @classmethod
     def run_program(cls, *arguments):
-        subprocess.run([cls.program, "campaign", *map(str, arguments)], cwd=PROJECT, check=True, capture_output=True, timeout=300)
+        subprocess.run([cls.program, "campaign", "run", *map(str, arguments)], cwd=PROJECT, check=True, capture_output=True, timeout=300)
 
     def test_what_is_drawn_has_the_probability_that_the_settings_give_it(self):
         # With the one vehicle (a half), of the turn (a quarter), the upper tenth of the speed (factor 0.5), the lower twentieth

@@ -36,7 +36,7 @@ class Scores(unittest.TestCase):
         settings.write_text(changes + "".join(
             f'\n[[manoeuvre]]\nname = "{name}"\nspeed_factor = [0.8, 1.2]\nsteering_factor = [0.5, 1.2]\n'
             for name in ("j-turn-110", "fishhook-1a")), encoding="utf-8")
-        subprocess.run([cls.program, "campaign", "--settings", settings, "--runs", str(RUNS), "--traces", "--output", cls.folder],
+        subprocess.run([cls.program, "campaign", "run", "--settings", settings, "--runs", str(RUNS), "--traces", "--output", cls.folder],
                        cwd=PROJECT, check=True, capture_output=True, timeout=300)
         cls.report = json.loads((cls.folder / "report.json").read_text(encoding="utf-8"))["all"]["indices"]
         with (cls.folder / "runs.csv").open(encoding="utf-8", newline="") as file:
