@@ -123,7 +123,7 @@ def gcc(unit, file, origin):
 
 
 def findings(units, folder):
-    """What all tools find in all units; as many run at a time as there are processors."""
+    """Findings of all tools in all units; as many run at a time as there are processors."""
     jobs = []
     for unit in units:
         file, origin = unit.write(folder)

@@ -1,4 +1,4 @@
-"""What a check found, and the list of what is allowed in spite of a rule."""
+"""Findings of a check, and the list of what is allowed in spite of a rule."""
 
 import dataclasses
 import pathlib

@@ -62,13 +62,13 @@ FUNCTIONS = {
         "strcpy strcat strcmp strlen strncpy memcmp isdigit isalpha toupper qsort bsearch",
     ),
 }
-# Eigen's types of a size that is known at run time only, and where its class templates may be named: whoever needs
-# another fixed size gives it a name there.
+# Eigen's types of a size that is known at run time only, and where its class templates may be named: another
+# fixed size gets a name there.
 DYNAMIC_MATRIX = re.compile(r"(Matrix|Vector|RowVector|Array)[234]?X\w*|Dynamic|DynamicIndex")
 MATRIX_TEMPLATES = {"Matrix", "Array", "Map", "Ref", "Tensor", "SparseMatrix"}
 MATRIX_HEADER = "firmware/rsi/numeric/matrix.hpp"
 
-# What is written in comments. Joined from halves, so that a search for marks does not find this line.
+# Marks in comments. Joined from halves, so that a search for marks does not find this line.
 MARKS = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
 SUPPRESSIONS = re.compile(r"\b(NOLINT\w*|cppcheck-suppress|IWYU pragma)\b")
 
@@ -286,7 +286,7 @@ def _check_bit_field(source, index, token):
 
 
 def _check_static_locals(source):
-    """`static` within a function: state that outlives the call and belongs to nobody."""
+    """`static` within a function: state that outlives the call and has no owner."""
     functions = []  # of each open brace: is it a function's, or within one
     start = 0
     for index, token in enumerate(source.tokens):

@@ -21,7 +21,7 @@ struct Rule {
     std::vector<std::string> listed;  // further headers, or prefixes that end in a slash
 };
 
-// What exists without an operating system, and what the component uses of it.
+// Headers that exist without an operating system and that the component uses.
 const std::vector<std::string> freestanding{"array",    "cfloat",   "climits",     "cstddef",    "cstdint",
                                             "limits",   "new",      "type_traits", "float.h",    "limits.h",
                                             "stddef.h", "stdint.h", "stdbool.h",   "stdalign.h", "iso646.h"};

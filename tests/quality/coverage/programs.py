@@ -8,7 +8,7 @@ import subprocess
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 BUILD = PROJECT / "build/coverage"
-# What tests the firmware and the codec and needs nothing of sil/.
+# Test programs of firmware and codec that need nothing of sil/.
 PROGRAMS = {"rsi_tests": "tests/rsi", "monitoring_tests": "tests/monitoring", "application_test": "tests/application",
             "access_test": "tests/access", "xcp_test": "tests/xcp", "diagnosis_test": "tests/diagnosis", "codec_test": "tests/can_dbc"}
 TIME_LIMIT_S = 1500

@@ -23,7 +23,7 @@ class Review:
         return self._reasons.get(item.key())
 
     def problems(self, missing):
-        """What is missing and not named, and what is named and not missing."""
+        """Places that are missing and not named, or named and not missing."""
         problems = [f"{item} is not reached; write a test, or name it in tests/quality/coverage/unreached.toml"
                     for item in missing if not self.reason(item)]
         there = {item.key() for item in missing}

@@ -37,6 +37,6 @@ def named(entries):
 
 
 def missed_goals(files):
-    """Whatever is left out by name still counts: a list of excuses cannot make the figures good."""
+    """Places left out by name still count: a list of excuses cannot make the figures good."""
     return [f"{name} coverage is {reached} of {there}, {100 * reached / there:.2f} %; the goal is {100 * goal:.0f} %"
             for (name, goal), (reached, there) in zip(GOALS.items(), _total(files)) if reached < goal * there]

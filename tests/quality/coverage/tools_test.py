@@ -83,7 +83,7 @@ class Planted(unittest.TestCase):
     def test_a_decision_that_clang_does_not_count_is_a_problem_and_not_passed_over(self):
         self.assertTrue([problem for problem in self.file.unmeasured() if "within(a && b)" in problem])
 
-    def test_a_missed_goal_is_told(self):
+    def test_a_missed_goal_is_reported(self):
         self.assertEqual(len(table.missed_goals([self.file])), 3)
 
 
@@ -91,10 +91,10 @@ class Reviewed(unittest.TestCase):
     ITEM = reached.Item("a.cpp", "f", "true", "x < 0", 7)
     ENTRY = '[[unreached]]\nfile = "a.cpp"\nfunction = "f"\nkind = "true"\ntext = "x < 0"\nwhy = "cannot be"\n'
 
-    def test_what_is_named_with_a_reason_is_no_problem(self):
+    def test_a_place_named_with_a_reason_is_no_problem(self):
         self.assertEqual(review.Review(self.ENTRY).problems([self.ITEM]), [])
 
-    def test_what_is_not_named_is_a_problem(self):
+    def test_a_place_not_named_is_a_problem(self):
         self.assertEqual(len(review.Review("").problems([self.ITEM])), 1)
 
     def test_a_name_that_is_no_longer_needed_is_a_problem(self):

@@ -1,7 +1,7 @@
 """Figures of a written page: each is guarded by a source, or of a kind that cannot go stale.
 
 Guarded: NUMBER<!--=NAME--> with a source of that NAME (sources.py). Free without a source:
-- whatever stands in code, in a link's target or in a comment;
+- everything in code, in a link's target or in a comment;
 - numbers of equations, figures and list items, dates, hexadecimal numbers, and numbers within a name (Cortex-M7, profile 11);
 - 0, 1 and -1;
 - the figures of everyday.txt, which are compared with their own source;
@@ -23,7 +23,7 @@ KINDS = {
     "hardware": "a property of another product, which is named",
     "standard": "a definition of a standard, which is named, or of the paper",
     "definition": "words such as half in what a quantity is by definition",
-    "example": "an example that is nobody's measurement",
+    "example": "an example, not a measurement",
 }
 NAMED_KINDS = ("hardware", "standard")
 COUNTED = ("frames signals indices indicators manoeuvres vehicles targets processors codes requirements recordings "
@@ -46,7 +46,7 @@ FREE = re.compile(r"<!-- figures: (?P<kind>\w+)(?P<section>, whole section)?(?:,
 SOURCES = re.compile(r"<!-- sources\n(?P<lines>.*?)-->\s*\Z", re.DOTALL)
 BARE = re.compile(rf"(?<![\w.,])(?:{sources.NUMBER})(?![\w])|(?<![\w.,])\d[\d.,]*(?=[a-zA-Z°%])")
 COUNT = re.compile(rf"\b(?:{WORD})\s+(?:[\w-]+\s+)?(?:{'|'.join(COUNTED)})\b", re.IGNORECASE)
-# What a number belongs to that follows it: a name, not a figure.
+# Names that continue with a number, which is no figure.
 NAMES = (r"Debian|QEMU|GCC|gcc|g\+\+|clang|clang-tidy|clang-format|Eigen|ISO|ISO/PAS|IEEE|RFC|AUTOSAR|release|[Pp]rofile|"
          r"[Vv]ersion|Technology|[Bb]ytes?|[Bb]its?|[Ff]orm|[Pp]oint|[Ss]tep|[Cc]olumn|[Ll]ine|[Cc]ode|Python|C|C\+\+|Fig\.|"
          r"Figs\.|MISRA C\+\+:|SAE|UG|AES|Cortex")

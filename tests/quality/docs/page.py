@@ -110,7 +110,7 @@ def newest_changes(project):
 
 
 def written_pages(project):
-    """What people write; of CHANGELOG.md only the newest changes are held to what is (newest_changes)."""
+    """Pages written by hand; CHANGELOG.md is checked for its newest version only (newest_changes)."""
     pages = [str(page.relative_to(project)) for page in (project / "docs").glob("*.md")]
     return sorted(pages) + [name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md") if (project / name).is_file()]
 

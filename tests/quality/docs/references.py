@@ -1,4 +1,4 @@
-"""What a page refers to: links and anchors, paths in code, commands with their groups, targets and options."""
+"""References of a page: links and anchors, paths in code, commands with their groups, targets and options."""
 
 import fnmatch
 import re
@@ -33,7 +33,7 @@ def link_problems(page, pages):
 
 
 class Commands:
-    """What the project's programs and scripts understand."""
+    """Groups, commands, options and targets of the project's programs and scripts."""
 
     def __init__(self, project, files):
         self.project, self.files = project, files

@@ -1,4 +1,4 @@
-"""Where a guarded figure comes from: the value is read from its source again.
+"""Sources of guarded figures: the value is read from its source again.
 
 A source is a line of the page's last comment, which begins with `<!-- sources`, or of everyday.txt:
 

@@ -1,4 +1,4 @@
-// What the planted violations define, so that a missing declaration is no second violation.
+// Declarations of the planted violations, so that a missing declaration is no second violation.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ void use(std::uint32_t value);
 enum class Colour : std::uint8_t { red, green, blue };
 std::uint32_t colour_violation(Colour colour);
 
-// What single files define, or need from elsewhere.
+// Declarations for single files.
 std::uint32_t bits_of(const float& value);
 void clear(const std::uint32_t& value);
 bool is_null(const std::uint32_t* value);
