@@ -12,7 +12,7 @@
 
 namespace can_dbc {
 
-// Inertial measurement unit: body-fixed specific force and roll rate, axes of ISO 8855.
+// Inertial measurement unit: lateral and vertical specific force and roll rate, body-fixed, axes of ISO 8855.
 // From ImuSensor to RolloverEcu, every 10 ms.
 struct Imu {
     static constexpr const char* name{"Imu"};
@@ -85,7 +85,7 @@ constexpr Decoded<Imu> Imu::decode(const std::uint8_t* payload) {
     return decoded;
 }
 
-// Roll angle of the body and bank angle of the road.
+// Roll angle of the body, relative to the road or to the horizon, and bank angle of the road; big-endian.
 // From RollAngleSensor to RolloverEcu, every 10 ms.
 struct RollAngle {
     static constexpr const char* name{"RollAngle"};
@@ -148,7 +148,7 @@ constexpr Decoded<RollAngle> RollAngle::decode(const std::uint8_t* payload) {
     return decoded;
 }
 
-// Motion of the vehicle as other control units know it.
+// Motion of the vehicle as other control units know it: speed, yaw rate, steering-wheel angle.
 // From VehicleGateway to RolloverEcu, every 10 ms.
 struct VehicleMotion {
     static constexpr const char* name{"VehicleMotion"};
@@ -274,7 +274,7 @@ constexpr Decoded<VehicleMass> VehicleMass::decode(const std::uint8_t* payload) 
     return decoded;
 }
 
-// Rollover warning and the quantities it was decided by.
+// Rollover warning: state, side, reason of refused parameters, warning level, lateral acceleration and its threshold.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RolloverWarning {
     // Warning state.
@@ -508,7 +508,7 @@ constexpr Decoded<RolloverWarning> RolloverWarning::decode(const std::uint8_t* p
     return decoded;
 }
 
-// What the estimator has learnt about the suspension.
+// Suspension as the estimator has learnt it: movement of the roll centre, deviations of roll stiffness and damping.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollCentreEstimate {
     static constexpr const char* name{"RollCentreEstimate"};
@@ -609,7 +609,7 @@ constexpr Decoded<RollCentreEstimate> RollCentreEstimate::decode(const std::uint
     return decoded;
 }
 
-// Indices that look ahead, and the present ones that they come from.
+// Indices that look ahead, and the present ones that they come from: predicted and present load-transfer ratio, predicted and extended RSI.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollIndicesAhead {
     static constexpr const char* name{"RollIndicesAhead"};
@@ -710,7 +710,7 @@ constexpr Decoded<RollIndicesAhead> RollIndicesAhead::decode(const std::uint8_t*
     return decoded;
 }
 
-// The paper's indices.
+// Indices of the paper: RSI, bank-free RSI, DSI, energy margin, rollover index, time to rollover.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollIndicesClassic {
     static constexpr const char* name{"RollIndicesClassic"};
@@ -835,7 +835,7 @@ constexpr Decoded<RollIndicesClassic> RollIndicesClassic::decode(const std::uint
     return decoded;
 }
 
-// Observer of roll angle and bank, how good the estimate of the roll centre is, why the control unit last started, and how it is protected.
+// Observer of roll angle and bank, source of the roll angle in use, quality of the roll-centre estimate, reason of the last reset, protection.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RollObserver {
     // Where the roll angle in use comes from.
@@ -1093,7 +1093,7 @@ constexpr Decoded<RollObserver> RollObserver::decode(const std::uint8_t* payload
     return decoded;
 }
 
-// What the component can still do, and its diagnostic memory, one code a cycle.
+// Degradation, and the diagnostic memory, one code a cycle: status, occurrences, values at its first confirmation.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RolloverDiagnosis {
     // What the component can still do with the inputs that it has.
@@ -1510,7 +1510,7 @@ constexpr Decoded<RolloverDiagnosis> RolloverDiagnosis::decode(const std::uint8_
     return decoded;
 }
 
-// What driving has shown of the load.
+// Load as driving has shown it, and its standard deviation.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct LearntLoad {
     static constexpr const char* name{"LearntLoad"};
@@ -1587,7 +1587,7 @@ constexpr Decoded<LearntLoad> LearntLoad::decode(const std::uint8_t* payload) {
     return decoded;
 }
 
-// Health of the rollover-warning component.
+// Health of the rollover-warning component: diagnostic flags, counts, software version.
 // From RolloverEcu to VehicleGateway, every 10 ms.
 struct RolloverStatus {
     static constexpr const char* name{"RolloverStatus"};

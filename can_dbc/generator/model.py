@@ -129,9 +129,9 @@ def _message(message):
     protection = _protection(where, message)
     signals = [_signal(message, signal) for signal in message.signals if signal.name not in protection.fields]
     _refuse_duplicates(where, [signal.field_name for signal in signals])
-    return Message(message.name, _comment(where, message.comment), message.senders[0], sorted(message.receivers),
-                   message.frame_id, message.is_extended_frame, message.is_fd, message.length,
-                   message.cycle_time or 0, protection, signals)
+    return Message(message.name, _comment(where, message.comment, f"BO_ {_line_identifier(message)}"),
+                   message.senders[0], sorted(message.receivers), message.frame_id, message.is_extended_frame,
+                   message.is_fd, message.length, _cycle_time(where, message), protection, signals)
 
 
 def _check_length(where, message):
@@ -179,27 +179,44 @@ def _expect_field(where, message, profile, name, start, length):
     signal = next((signal for signal in message.signals if signal.name == name), None)
     if signal is None or (signal.start, signal.length, signal.byte_order, signal.is_signed) != (
             start, length, "little_endian", False):
-        raise DbcError(f"{where}: profile {profile} needs signal {name} as {start}|{length}@1+")
+        receiver = next(iter(sorted(message.receivers)), "Vector__XXX")
+        largest = 14 if (name, length) == ("E2eCounter", 4) else (1 << length) - 1
+        raise DbcError(f"{where}: profile {profile} needs signal {name} as {start}|{length}@1+; its line below BO_:\n"
+                       f' SG_ {name} : {start}|{length}@1+ (1,0) [0|{largest}] "-" {receiver}')
 
 
 def _data_id(where, message, profile, largest):
     attribute = message.dbc.attributes.get("E2EDataId")
     if attribute is None or not 0 < attribute.value <= largest:
-        raise DbcError(f"{where}: profile {profile} needs attribute E2EDataId from 1 to {largest}")
+        raise DbcError(f"{where}: profile {profile} needs attribute E2EDataId from 1 to {largest}, another than that of "
+                       f'every other message; its line:\nBA_ "E2EDataId" BO_ {_line_identifier(message)} NUMBER;')
     return attribute.value
 
 
+def _cycle_time(where, message):
+    if "GenMsgCycleTime" not in message.dbc.attributes:
+        raise DbcError(f"{where}: no cycle time in ms (0: not sent in cycles); its line:\n"
+                       f'BA_ "GenMsgCycleTime" BO_ {_line_identifier(message)} 10;')
+    return message.cycle_time or 0
+
+
+def _line_identifier(message):
+    """The identifier as a DBC file writes it."""
+    return message.frame_id | (1 << 31 if message.is_extended_frame else 0)
+
+
 def _choice(message, name):
-    """The text of an enumeration attribute, or None where the file does not define it."""
+    """The text of an enumeration attribute or of its default, or None where the file does not define it."""
     attribute = message.dbc.attributes.get(name)
     if attribute is None:
-        return None
+        definition = message.dbc.attribute_definitions.get(name)
+        return definition.default_value if definition else None
     value = attribute.value
     return attribute.definition.choices[value] if isinstance(value, int) else value
 
 
 def _signal(message, signal):
-    where = f"message {message.name}, signal {signal.name}"
+    where, line = f"message {message.name}, signal {signal.name}", f"SG_ {_line_identifier(message)} {signal.name}"
     if signal.is_multiplexer or signal.multiplexer_ids is not None:
         raise DbcError(f"{where}: multiplexed signals are not supported; give each layout a message of its own")
     if not 1 <= signal.length <= LONGEST_SIGNAL:
@@ -217,10 +234,10 @@ def _signal(message, signal):
     kind = _kind(where, signal, factor, offset, choices, not_available)
     result = Signal(
         name=signal.name, kind=kind, field_name=_field_name(where, signal, kind), cpp_type="",
-        comment=_comment(where, signal.comment), unit=signal.unit or "", byte_order=signal.byte_order,
+        comment=_comment(where, signal.comment, line), unit=signal.unit or "", byte_order=signal.byte_order,
         start_bit=signal.start, length=signal.length, is_signed=signal.is_signed,
         minimum_text=_decimal(signal.minimum), maximum_text=_decimal(signal.maximum),
-        raw_at_minimum=0, raw_at_maximum=0, start_value=_start_value(where, signal), default="",
+        raw_at_minimum=0, raw_at_maximum=0, start_value=_start_value(where, signal, line, not_available), default="",
         not_available=not_available)
     _add_range(where, signal, result, factor, offset)
     _add_type(where, result, factor, offset, choices)
@@ -330,9 +347,12 @@ def _is_exact(number):
         return False
 
 
-def _start_value(where, signal):
+def _start_value(where, signal, line, not_available):
     attribute = signal.dbc.attributes.get("GenSigStartValue") if signal.dbc else None
     if attribute is None:
+        if not_available:
+            raise DbcError(f"{where}: no start value, and 0 would mean a measured one; its line:\n"
+                           f'BA_ "GenSigStartValue" {line} {not_available};')
         return 0
     if attribute.value != int(attribute.value):
         raise DbcError(f"{where}: GenSigStartValue must be the integer on the bus, not a physical value")
@@ -364,9 +384,9 @@ def _refuse_duplicates(where, names):
             raise DbcError(f"{where}: '{name}' occurs twice")
 
 
-def _comment(where, comment):
+def _comment(where, comment, line):
     if not comment:
-        raise DbcError(f"{where}: no comment (CM_)")
+        raise DbcError(f'{where}: no comment; its line:\nCM_ {line} "TEXT";')
     return " ".join(str(comment).split())
 
 

@@ -16,6 +16,7 @@ SIMULATION = ROOT / "sil/simulation/simulation.dbc"
 CAN_FD = ROOT / "tests/can_dbc/can_fd.dbc"
 HEADER = ROOT / "can_dbc/generated/rollover_warning.hpp"
 GUIDE = ROOT / "docs/can.md"
+PROTECTION = ("E2eCrc", "E2eCounter", "E2eDataIdNibble")  # described once, in the comment of the file
 
 try:
     import cantools
@@ -70,11 +71,20 @@ class Refusals(Refusing):
     def test_a_start_value_out_of_range(self):
         self.refuse('SG_ 290 Speed 65535;', 'SG_ 290 Speed 50000;', "Speed", "GenSigStartValue")
 
+    def test_a_missing_start_value_of_a_signal_that_can_be_missing(self):
+        line = 'BA_ "GenSigStartValue" SG_ 290 Speed 65535;'
+        self.refuse(f"{line}\n", "", "VehicleMotion", "Speed", line)
+
+    def test_a_missing_cycle_time(self):
+        line = 'BA_ "GenMsgCycleTime" BO_ 290 10;'
+        self.refuse(f"{line}\n", "", "VehicleMotion", line)
+
     def test_a_missing_range(self):
         self.refuse("(0.01,0) [0|400]", "(0.01,0) [0|0]", "Speed", "no range")
 
     def test_a_missing_comment(self):
-        self.refuse("CM_ SG_ 290 Speed", "CM_ SG_ 290 SpeedOfOld", "Speed", "no comment")
+        self.refuse("CM_ SG_ 290 Speed", "CM_ SG_ 290 SpeedOfOld", "Speed", "no comment", "CM_ SG_ 290 Speed ")
+        self.refuse("CM_ BO_ 290", "CM_ BU_ VehicleGateway", "VehicleMotion", "no comment", "CM_ BO_ 290 ")
 
     def test_an_unknown_unit(self):
         self.refuse('[0|400] "km/h"', '[0|400] "furlong"', "Speed", "furlong", "UNIT_ENDINGS")
@@ -87,7 +97,12 @@ class Refusals(Refusing):
         self.refuse('Speed 65535 "not available"', 'Speed 65534 "error" 65535 "not available"', "Speed", "scaled")
 
     def test_a_protected_message_without_data_identifier(self):
-        self.refuse('BA_ "E2EDataId" BO_ 290 1457;\n', "", "VehicleMotion", "E2EDataId")
+        self.refuse('BA_ "E2EDataId" BO_ 290 1457;\n', "", "VehicleMotion", 'BA_ "E2EDataId" BO_ 290 ')
+
+    def test_a_message_of_the_default_profile_without_a_line_of_its_protection(self):
+        block = re.search(r"BO_ 290 .*?\n\n", DBC.read_text(), re.DOTALL).group()
+        for line in re.findall(r" SG_ E2e.*\n", block):
+            self.refuse(block, block.replace(line, ""), "VehicleMotion", line)
 
     def test_a_data_identifier_used_twice(self):
         self.refuse('BO_ 290 1457;', 'BO_ 290 935;', "935", "twice")
@@ -100,11 +115,11 @@ class Refusals(Refusing):
         self.refuse(block, moved, "VehicleMotion", "E2eCounter", "8|4")
 
     def test_profile_11_in_a_can_fd_frame(self):
-        self.refuse('BA_ "VFrameFormat" BO_ 290 0;', 'BA_ "VFrameFormat" BO_ 290 14;', "VehicleMotion", "profile 11",
-                    "classic", "P05")
+        before = 'BA_ "E2EDataId" BO_ 290 '
+        self.refuse(before, f'BA_ "VFrameFormat" BO_ 290 14;\n{before}', "VehicleMotion", "profile 11", "classic", "P05")
 
     def test_an_unknown_profile(self):
-        self.refuse('ENUM "none","P11"', 'ENUM "none","P01"', "Imu", "P01", "P05 and P11")
+        self.refuse('BA_DEF_DEF_ "E2EProfile" "P11"', 'BA_DEF_DEF_ "E2EProfile" "P01"', "Imu", "P01", "P05 and P11")
 
     def test_ieee_floating_point(self):
         self.refuse('VAL_ 208 State', 'SIG_VALTYPE_ 290 Speed : 1;\nVAL_ 208 State', "SIG_VALTYPE_")
@@ -222,6 +237,38 @@ class Drift(unittest.TestCase):
             self.assertEqual(generate("--check", "--output", pathlib.Path(folder, "none.hpp")).returncode, 1)
 
 
+class Page(unittest.TestCase):
+    def write(self, text, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            page, header = pathlib.Path(folder, "page.md"), pathlib.Path(folder, "header.hpp")
+            page.write_text(text)
+            result = generate("--output", header, "--page", page, *arguments)
+            return result, page.read_text(), header.exists()
+
+    def test_the_table_of_messages_is_written_and_the_rest_left_alone(self):
+        result, page, _ = self.write("Before.\n<!-- written by generate_codec -->\n| row before |\n\nAfter.\n")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(page.startswith("Before.\n<!-- written by generate_codec -->\n| frame | identifier |"), page)
+        self.assertTrue(page.endswith(" |\n\nAfter.\n"), page)
+        self.assertNotIn("row before", page)
+        self.assertIn("\n| RolloverWarning | 0x0D0 | 0x61E | RolloverEcu | Rollover warning", page)
+
+    def test_a_table_that_differs_is_shown_and_left_alone(self):
+        text = GUIDE.read_text().replace("| Imu | 0x120 |", "| Imu | 0x123 |")
+        result, page, header_written = self.write(text, "--check")
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stdout, r"(?m)^-\| Imu \| 0x123 \|")
+        self.assertIn("page.md does not match", result.stderr)
+        self.assertIn("generate_codec", result.stderr)
+        self.assertEqual((page, header_written), (text, False))
+
+    def test_a_page_without_the_place_is_refused(self):
+        result, page, header_written = self.write("Nothing.\n")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("page.md has 0 places", result.stderr)
+        self.assertEqual((page, header_written), ("Nothing.\n", False))
+
+
 class Completeness(unittest.TestCase):
     """What readers of the project's DBC file rely on."""
     dbc = DBC
@@ -244,30 +291,35 @@ class Completeness(unittest.TestCase):
                 self.assertTrue(message.comment)
                 self.assertEqual(len(message.senders), 1)
                 self.assertTrue(message.receivers)
-                for attribute in ("GenMsgCycleTime", "VFrameFormat", "E2EProfile"):
-                    self.assertIn(f'BA_ "{attribute}" BO_ {message.frame_id} ', self.text)
-
-    def test_the_guide_lists_every_message_with_its_identifiers(self):
-        guide = GUIDE.read_text()
-        for message in self.database.messages:
-            data_id = message.dbc.attributes.get("E2EDataId")
-            row = f"| {message.name} | 0x{message.frame_id:03X} | " + (f"0x{data_id.value:03X}" if data_id else "none")
-            self.assertIn(row, guide)
+                self.assertEqual(message.cycle_time, 10)
+                self.assertFalse(message.is_fd)
 
     def test_every_signal_is_described(self):
         for message in self.database.messages:
             for signal in message.signals:
                 with self.subTest(f"{message.name}.{signal.name}"):
-                    self.assertTrue(signal.comment)
+                    self.assertTrue(signal.comment or signal.name in PROTECTION)
                     self.assertTrue(signal.unit)
                     self.assertIsNotNone(signal.minimum)
                     self.assertIsNotNone(signal.maximum)
                     self.assertTrue(signal.receivers)
-                    self.assertIn(f'BA_ "GenSigStartValue" SG_ {message.frame_id} {signal.name} ', self.text)
+
+
+    def test_the_comment_of_the_file_describes_the_protection(self):
+        comment = re.search(r'^CM_ "(.*)";$', self.text, re.MULTILINE).group(1)
+        for name in PROTECTION:
+            self.assertIn(name, comment)
 
 
 class SimulationCompleteness(Completeness):
     dbc = SIMULATION
+
+    def test_the_comment_of_the_file_describes_the_protection(self):
+        self.assertFalse({signal.name for message in self.database.messages for signal in message.signals}.intersection(PROTECTION))
+
+    def test_the_guide_lists_every_message(self):
+        for message in self.database.messages:
+            self.assertIn(f"| {message.name} | 0x{message.frame_id:03X} | none", GUIDE.read_text())
 
 
 class Simulation(unittest.TestCase):
