@@ -107,7 +107,7 @@ void add_validate_command(CLI::App& app) {
     command
         ->add_option(
             "folder", request->folder,
-            "With vehicle.toml, ramp*.csv, dynamic*.csv and other drives (docs/validating_a_vehicle.md)")
+            "With vehicle.toml, ramp*.csv, dynamic*.csv and other drives (docs/calibration.md)")
         ->required();
     command->add_option("--parameters", request->calibration,
                         "Check this calibration (TOML), in place of one that is identified");
