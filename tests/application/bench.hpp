@@ -41,7 +41,7 @@ struct Motion {
 };
 
 // How many frames the ECU sends in one cycle.
-inline constexpr std::size_t frames_per_cycle = 8U;
+inline constexpr std::size_t frames_per_cycle = can_dbc::MessagesFromRolloverEcu::size;
 
 // They, as they came; those that matter here decoded.
 struct Cycle {

@@ -13,6 +13,7 @@
 #include "monitoring/output_check.hpp"
 #include "monitoring/parameter_guard.hpp"
 #include "rsi/model/critical_roll_angle.hpp"
+#include "rsi/output_table.hpp"
 #include "tests/application/bench.hpp"
 #include "tests/application/roll_plane_vehicle.hpp"
 
@@ -231,20 +232,12 @@ TEST(TheOutputCheck, NoticesEveryNumberThatIsNone) {
     good.roll_source = RSI_ROLL_SENSOR;
     ASSERT_TRUE(monitoring::outputs_are_sound(good));
     ASSERT_TRUE(monitoring::estimate_is_in_range(good));
-    float rsi::Outputs::* const numbers[] = {&rsi::Outputs::warning_level,
-                                             &rsi::Outputs::rsi,
-                                             &rsi::Outputs::rsi_bank_free,
-                                             &rsi::Outputs::rsi_extended,
-                                             &rsi::Outputs::lateral_acceleration_mps2,
-                                             &rsi::Outputs::lateral_acceleration_threshold_mps2,
-                                             &rsi::Outputs::roll_centre_lateral_m,
-                                             &rsi::Outputs::load_transfer_ratio,
-                                             &rsi::Outputs::predicted_load_transfer_ratio,
-                                             &rsi::Outputs::predicted_rsi,
-                                             &rsi::Outputs::dynamic_stability_index,
-                                             &rsi::Outputs::energy_margin,
-                                             &rsi::Outputs::rollover_index,
-                                             &rsi::Outputs::time_to_rollover_s};
+    std::vector<float rsi::Outputs::*> numbers{
+        &rsi::Outputs::warning_level, &rsi::Outputs::lateral_acceleration_mps2,
+        &rsi::Outputs::lateral_acceleration_threshold_mps2, &rsi::Outputs::roll_centre_lateral_m};
+    for (const rsi::IndexOutput& index : rsi::index_outputs) {
+        numbers.push_back(index.member);
+    }
     for (const auto number : numbers) {
         for (const float bad :
              {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {

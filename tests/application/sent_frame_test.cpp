@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "tests/application/bench.hpp"
@@ -31,22 +30,15 @@ std::vector<Cycle> eventful_run() {
     return bench.cycles();
 }
 
-struct Expected {
-    std::uint32_t identifier;
-    std::uint16_t data_id;
-};
-
-// From the DBC file: the warning first, because it matters most, the status last.
-constexpr Expected expected_frames[] = {{0x0D0U, 0x61EU}, {0x230U, 0x7D4U}, {0x232U, 0x9A6U},
-                                        {0x233U, 0xAC3U}, {0x234U, 0xBE8U}, {0x235U, 0xCD3U},
-                                        {0x236U, 0xDBDU}, {0x231U, 0x88BU}};
-
 TEST(EachCycle, SendsTheWarningFirstAndTheStatusLast) {
+    constexpr auto expected = can_dbc::MessagesFromRolloverEcu::identifiers;
+    ASSERT_EQ(expected.front(), can_dbc::RolloverWarning::identifier);
+    ASSERT_EQ(expected.back(), can_dbc::RolloverStatus::identifier);
     for (const Cycle& cycle : eventful_run()) {
-        ASSERT_EQ(cycle.frames.size(), std::size(expected_frames));
-        for (std::size_t index = 0U; index < std::size(expected_frames); ++index) {
+        ASSERT_EQ(cycle.frames.size(), expected.size());
+        for (std::size_t index = 0U; index < expected.size(); ++index) {
             const hal::CanFrame& frame = cycle.frames[index];
-            ASSERT_EQ(frame.identifier, expected_frames[index].identifier);
+            ASSERT_EQ(frame.identifier, expected[index]);
             ASSERT_EQ(frame.length, 8U);
             ASSERT_FALSE(frame.extended);
             ASSERT_FALSE(frame.flexible_data_rate);
@@ -57,10 +49,13 @@ TEST(EachCycle, SendsTheWarningFirstAndTheStatusLast) {
 TEST(EachSentFrame, PassesAnIndependentEndToEndCheckAndCountsFrom0To14) {
     unsigned counter = 0U;
     for (const Cycle& cycle : eventful_run()) {
-        for (std::size_t index = 0U; index < std::size(expected_frames); ++index) {
-            ASSERT_TRUE(is_profile_11(cycle.frames.at(index), expected_frames[index].data_id));
-            ASSERT_EQ(counter_of(cycle.frames[index]), counter);
-        }
+        std::size_t index = 0U;
+        can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+            using Message = typename decltype(type)::Type;
+            const hal::CanFrame& frame = cycle.frames.at(index++);
+            ASSERT_TRUE(is_profile_11(frame, Message::e2e_data_id)) << Message::name;
+            ASSERT_EQ(counter_of(frame), counter) << Message::name;
+        });
         counter = (counter + 1U) % 15U;
     }
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rsi/component.hpp"
+#include "rsi/output_table.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/output_fields.hpp"
 #include "tests/rsi/support/recorded_like_signals.hpp"
@@ -151,7 +152,7 @@ TEST(ComponentUnderRandomInput, EveryCalibrationThatIsAdmittedSurvives) {
                     field.minimum + static_cast<float>(noise.unit()) * (field.maximum - field.minimum);
             }
         }
-        parameters.warning_indicator = static_cast<std::int32_t>(noise.bits() % 12U);
+        parameters.warning_indicator = static_cast<std::int32_t>(noise.bits() % rsi::index_outputs.size());
         parameters.recovery_s = 0.0F;
         // The rules between fields would refuse most of them otherwise.
         parameters.advisory_off = parameters.warning_off = 0.5F;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rsi/measurement/observer_gains.hpp"
+#include "rsi/output_table.hpp"
 #include "tests/rsi/support/body_kinematics.hpp"
 #include "tests/rsi/support/damage.hpp"
 #include "tests/rsi/support/nominal.hpp"
@@ -387,9 +388,8 @@ TEST(Component, AMirroredManoeuvreGivesExactlyMirroredOutputs) {
     parameters.imu_z_m = -0.4F;
     rsi_parameters mirrored_parameters = parameters;
     mirrored_parameters.imu_y_m = -parameters.imu_y_m;
-    for (std::int32_t indicator = RSI_INDICATOR_PUBLISHED; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER;
-         ++indicator) {
-        parameters.warning_indicator = mirrored_parameters.warning_indicator = indicator;
+    for (const rsi::IndexOutput& index : rsi::index_outputs) {
+        parameters.warning_indicator = mirrored_parameters.warning_indicator = index.number;
         ASSERT_NO_FATAL_FAILURE(expect_mirrored(parameters, mirrored_parameters));
     }
     parameters.roll_angle_reference = mirrored_parameters.roll_angle_reference = RSI_ROLL_AGAINST_HORIZON;

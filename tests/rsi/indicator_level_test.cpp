@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "rsi/model/vehicle_lengths.hpp"
+#include "rsi/output_table.hpp"
 #include "tests/rsi/support/nominal.hpp"
 
 namespace indicator_level_test {
@@ -56,11 +58,10 @@ rsi::IndicatedRisk indicated(const rsi_outputs& outputs, const rsi_parameters& p
 TEST(IndicatorLevel, OnlyThePredictedLoadTransferKnowsBothSides) {
     rsi_outputs outputs = all_different();
     outputs.opposite_load_transfer_ratio = 0.41F;
-    for (int indicator = RSI_INDICATOR_PUBLISHED; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER; ++indicator) {
-        const rsi::IndicatedRisk risk =
-            indicated(outputs, driven_by(static_cast<rsi_indicator>(indicator)), 0.1F);
-        const bool knows = indicator == RSI_INDICATOR_PREDICTED_LOAD_TRANSFER;
-        EXPECT_EQ(risk.opposite, knows ? 0.41F : 0.0F) << indicator;
+    for (const rsi::IndexOutput& index : rsi::index_outputs) {
+        const rsi::IndicatedRisk risk = indicated(outputs, driven_by(index.number), 0.1F);
+        const bool knows = index.number == RSI_INDICATOR_PREDICTED_LOAD_TRANSFER;
+        EXPECT_EQ(risk.opposite, knows ? 0.41F : 0.0F) << index.number;
         if (knows) {
             EXPECT_LT(risk.direction, 0.0F);  // its own sign, not the roll angle's
         }
@@ -91,6 +92,32 @@ TEST(IndicatorLevel, EachIndicatorHasItsOwnLevelAndSide) {
         const rsi::IndicatedRisk risk = indicated(outputs, parameters, roll_angle);
         EXPECT_EQ(risk.level, rsi::indicator_level(outputs, parameters)) << expected.indicator;
         EXPECT_EQ(risk.direction < 0.0F, expected.side < 0.0F) << expected.indicator;
+    }
+}
+
+// `all_different` names the indices one by one; a new row of the table is driven here.
+TEST(IndicatorLevel, EveryRowOfTheTableHasTheLevelOfItsScaleAndFallsTowardsTheOutside) {
+    const float value = 0.4F;
+    for (const rsi::IndexOutput& index : rsi::index_outputs) {
+        const rsi_parameters parameters = driven_by(index.number);
+        float expected = value;
+        if (index.scale == rsi::LevelScale::per_ssf) {
+            expected = value / rsi::static_stability_factor(parameters);
+        } else if (index.scale == rsi::LevelScale::complement) {
+            expected = 1.0F - value;
+        } else if (index.scale == rsi::LevelScale::limit_over) {
+            expected = parameters.time_to_rollover_limit_s / value;
+        }
+        for (const float turn : {1.0F, -1.0F}) {
+            rsi_outputs outputs{};
+            outputs.road_parallel_force_mps2 = outputs.lateral_acceleration_mps2 = turn;
+            outputs.predicted_load_transfer_ratio = turn;
+            const bool turns = (index.side == rsi::RiskSide::own) || (index.side == rsi::RiskSide::both);
+            outputs.*index.member = turns ? turn * value : value;
+            const rsi::IndicatedRisk risk = indicated(outputs, parameters, turn);
+            EXPECT_FLOAT_EQ(risk.level, expected) << rsi::indicator_choices[index.number];
+            EXPECT_GT(risk.direction * turn, 0.0F) << rsi::indicator_choices[index.number];
+        }
     }
 }
 

@@ -153,7 +153,7 @@ class RsiEcu(Messages):
             )
             self.assertEqual(finished.returncode, 0, finished.stderr)
             frames = programs.read_log(output)
-        self.assertEqual(len(frames), 11 * 8)
+        self.assertEqual(len(frames), 11 * programs.ECU_FRAMES_A_CYCLE)
         self.assertEqual({programs.state_of(data) for _, identifier, data in frames if identifier == "0D0"}, {0})
 
     def replay(self, text):

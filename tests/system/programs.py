@@ -13,6 +13,7 @@ PROJECT = pathlib.Path(os.environ["RSI_PROJECT"])
 PROGRAMS = pathlib.Path(os.environ["RSI_PROGRAMS"])
 INTERFACE = os.environ.get("RSI_CAN_INTERFACE", "vcan0")
 VEHICLE = PROJECT / "sil/vehicles/large_suv.toml"
+DBC = PROJECT / "can_dbc/rollover_warning.dbc"
 CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
 
 SENSOR_IDENTIFIERS = ("120", "121", "122")
@@ -20,6 +21,7 @@ WARNING_IDENTIFIER = "0D0"
 STATUS_IDENTIFIER = "231"
 OBSERVER_IDENTIFIER = "234"
 SYNC_IDENTIFIER = "7F0"
+ECU_FRAMES_A_CYCLE = len(re.findall(r"^BO_ \d+ \w+: \d+ RolloverEcu$", DBC.read_text(encoding="utf-8"), re.MULTILINE))
 FRAME = struct.Struct("=IB3x8s")  # of a raw socket: identifier, length, data
 CYCLE_S = 0.01
 ALL_AND_ERRORS = ",0:0,#FFFFFFFF"  # filters for candump: every frame and every error frame

@@ -17,8 +17,9 @@ NOMINAL_HEIGHT_M = 0.281  # of the roll centre; as the calibration's fixed_roll_
 CG_HEIGHT_M = 0.988
 START_S = {"j-turn-45": 1.0, "j-turn-110": 1.0, "j-turn-banked": 12.0, "fishhook-1a": 2.0}
 
-# In the order of the document: the column, what it is called there, and whether it is one of the paper's own. Those come
+# In the order of the document: the column, its title there, and whether it is one of the paper's own. Those come
 # from the runs with the paper's estimator; the others, of which some use the estimate, from those with the default one.
+# An index of the component that is not here follows the predicted ones, under its own name.
 INDICES = [
     ("published", "RSI as published, (25)", True),
     ("bank_free", "RSI bank-free", True),
@@ -68,6 +69,17 @@ def table_rows(cells):
 def load(folder):
     names = ["j-turn-45", "j-turn-110", "j-turn-banked", "fishhook-1a", "roll-centre-moving", "roll-centre-fixed"]
     return {f"{name}-{kind}": Run(folder / f"{name}-{kind}") for name in names for kind in ("published", "default")}
+
+
+def levels_of(runs):
+    return [name.removeprefix("level_") for name in runs["fishhook-1a-default"].names("level_")]
+
+
+def indices(runs):
+    """Column and title of every index that the runs have; last the true load transfer."""
+    named = [index[:2] for index in INDICES]
+    known = dict(named)
+    return [*named[:-1], *((column, column.replace("_", " ")) for column in levels_of(runs) if column not in known), named[-1]]
 
 
 def signed(value_s):
@@ -226,13 +238,12 @@ def fishhook(runs, claims):
     moments = [(one, "one wheel", seconds(one)), (two, "two wheels", seconds(two))]
     rows = []
     second = {}
-    for column, name, _ in INDICES:
+    for column, name in indices(runs):
         source, levels = level(runs, "fishhook-1a", column)
         first = source.first(levels, end_s=turn)
         second[column] = source.first(levels, begin_s=turn)
         rows.append(f"| {name} | {cycle(first)} | {max(source.within(levels, end_s=turn)):.2f} | {cycle(second[column])} |")
-    claims.hold("each index that the runs have is in INDICES",
-                {f"level_{column}" for column, *_ in INDICES} == set(runs["fishhook-1a-default"].names("level_")))
+    claims.hold("the runs have each index of INDICES", {column for column, *_ in INDICES} <= set(levels_of(runs)))
     named = {"published": "RSI", "energy": "energy", "rollover_index": "RI", "dynamic_stability": "DSI with the physical sign",
              "dynamic_stability_late": "DSI with the printed one", "static_stability_factor": "SSF"}
     moments += [(second[column], name, cycle(second[column])) for column, name in named.items()]
@@ -279,7 +290,7 @@ def lead_table(runs, calibration):
     calm = ["j-turn-45", "roll-centre-moving"]
     warning_on = calibration["warning_on"]
     chosen = (calibration["warning_indicator"], f"**the default warning's: `{calibration['warning_indicator']}` at {warning_on:g}**")
-    for column, name in [*(index[:2] for index in INDICES), chosen]:
+    for column, name in [*indices(runs), chosen]:
         wanted = warning_on if name is chosen[1] else 1.0
         cells = []
         for case in names:

@@ -18,6 +18,8 @@
 
 namespace {
 
+constexpr auto index_count = static_cast<std::int32_t>(rsi::index_outputs.size());
+
 // Levels of a run, sample by sample.
 struct Levels {
     std::vector<float> driving{};  // of the indicator that drives the warning
@@ -57,7 +59,7 @@ Levels drive(std::int32_t driver, std::int32_t indicator) {
 
 // Whichever indicator drives the run's own firmware.
 TEST(CampaignIndex, IsThatOfTheFirmwareThatWarnsByIt) {
-    for (std::int32_t indicator = 0; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER; ++indicator) {
+    for (std::int32_t indicator = 0; indicator < index_count; ++indicator) {
         const std::vector<float> expected = drive(indicator, indicator).driving;
         ASSERT_GT(expected.size(), 100U);
         EXPECT_EQ(drive(RSI_INDICATOR_PUBLISHED, indicator).shown, expected) << indicator;
@@ -84,7 +86,7 @@ TEST(CampaignIndex, ReadsItsOwnOutput) {
         outputs.*rsi::index_outputs[i].member = 0.1F + 0.05F * static_cast<float>(i);
     }
     const sil::Truth truth;
-    for (std::int32_t indicator = 0; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER; ++indicator) {
+    for (std::int32_t indicator = 0; indicator < index_count; ++indicator) {
         calibration.warning_indicator = indicator;
         const float expected = rsi::indicator_level(outputs, calibration);
         calibration.warning_indicator = RSI_INDICATOR_PUBLISHED;
@@ -122,7 +124,7 @@ TEST(CampaignIndex, WarnsAsTheFirmwareThatWarnsByIt) {
     const sil::CampaignVehicle vehicle = testing_campaign::small_campaign(1U).vehicles.front();
     int warned = 0;
     for (const char* manoeuvre : {"j-turn-110", "fishhook-1a"}) {
-        for (std::int32_t indicator = 0; indicator <= RSI_INDICATOR_TIME_TO_ROLLOVER; ++indicator) {
+        for (std::int32_t indicator = 0; indicator < index_count; ++indicator) {
             rsi::Parameters calibration = sil::load_calibration(vehicle.calibration);
             calibration.warning_indicator = indicator;
             sil::InProcessRun run{sil::load_vehicle(vehicle.parameters), sil::find_manoeuvre(manoeuvre),

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cstdint>
 #include <set>
+#include <vector>
 
+#include "can_dbc/generated/rollover_warning.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "tests/sil/simulation/recorded_run.hpp"
 
@@ -14,10 +16,14 @@ namespace {
 using sil::WarningSide;
 using sil::WarningState;
 
-// The identifiers of a cycle's frames, in their order.
-constexpr std::uint32_t frames_of_a_cycle[] = {0x120U, 0x121U, 0x122U, 0x0D0U, 0x230U, 0x232U,
-                                               0x233U, 0x234U, 0x235U, 0x236U, 0x231U};
-constexpr std::size_t frame_count = std::size(frames_of_a_cycle);
+// The identifiers of a cycle's frames, in their order: the sensors', then the ECU's.
+std::vector<std::uint32_t> frames_of_a_cycle() {
+    std::vector<std::uint32_t> frames{can_dbc::Imu::identifier, can_dbc::RollAngle::identifier,
+                                      can_dbc::VehicleMotion::identifier};
+    constexpr auto answers = can_dbc::MessagesFromRolloverEcu::identifiers;
+    frames.insert(frames.end(), answers.begin(), answers.end());
+    return frames;
+}
 
 std::set<WarningState> states_of(const RecordedRun& run) {
     std::set<WarningState> states;
@@ -49,15 +55,16 @@ TEST(ARun, WithAnotherSeedGivesOtherFrames) {
     EXPECT_FALSE(first.log_text == second.log_text);
 }
 
-TEST(ARun, ExchangesTenFramesEach10Milliseconds) {
+TEST(ARun, ExchangesTheFramesOfTheDbcFileEach10Milliseconds) {
+    const std::vector<std::uint32_t> expected = frames_of_a_cycle();
     RunSettings settings;
     settings.duration_s = 2.0;
     const RecordedRun run = run_and_record(sil::find_manoeuvre("straight"), settings);
-    ASSERT_EQ(run.log.size(), frame_count * 201U);
+    ASSERT_EQ(run.log.size(), expected.size() * 201U);
     for (std::size_t index = 0U; index < run.log.size(); ++index) {
-        ASSERT_EQ(run.log[index].frame.identifier, frames_of_a_cycle[index % frame_count]) << index;
+        ASSERT_EQ(run.log[index].frame.identifier, expected[index % expected.size()]) << index;
         ASSERT_EQ(run.log[index].frame.receive_time.nanoseconds,
-                  static_cast<std::int64_t>(index / frame_count) * 10'000'000)
+                  static_cast<std::int64_t>(index / expected.size()) * 10'000'000)
             << index;
     }
     EXPECT_EQ(run.frames_refused, 0U);
@@ -102,6 +109,7 @@ TEST(ARunOnAStraightRoad, IsReadyAndNothingElseAfterTheRecoveryTime) {
 }
 
 TEST(EveryManoeuvreOfTheCatalogue, IsAnsweredInEachCycle) {
+    const std::size_t frame_count = frames_of_a_cycle().size();
     for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
         SCOPED_TRACE(manoeuvre.name);
         RunSettings settings;

@@ -12,7 +12,7 @@
 namespace {
 
 constexpr unsigned sensor_frames = 3U;
-constexpr unsigned ecu_frames = 8U;
+constexpr unsigned ecu_frames = can_dbc::MessagesFromRolloverEcu::size;
 
 // The frames of one cycle; the test refills and reads them between two cycles.
 class Bus final : public hal::CanBus {
@@ -96,6 +96,22 @@ class Ear {
     can_dbc::e2e::Profile11Receiver receiver_{Message::e2e_data_id, Message::length, 1U};
 };
 
+// An ear for each frame of the ECU, in the order in which they are sent.
+template <typename List>
+class Ears;
+template <typename... Messages>
+class Ears<can_dbc::MessageList<Messages...>> : private Ear<Messages>... {
+ public:
+    bool hear(const hal::CanFrame (&frames)[sizeof...(Messages)]) {
+        unsigned index = 0U;
+        return (Ear<Messages>::hear(frames[index++]) && ...);
+    }
+    template <typename Message>
+    const Message& latest() const {
+        return Ear<Message>::latest.value;
+    }
+};
+
 struct World {
     Bus bus{};
     Clock clock{};
@@ -104,14 +120,7 @@ struct World {
     SensorLine<can_dbc::Imu> imu{};
     SensorLine<can_dbc::RollAngle> roll_angle{};
     SensorLine<can_dbc::VehicleMotion> vehicle_motion{};
-    Ear<can_dbc::RolloverWarning> warning{};
-    Ear<can_dbc::RollCentreEstimate> estimate{};
-    Ear<can_dbc::RollIndicesAhead> indices_ahead{};
-    Ear<can_dbc::RollIndicesClassic> indices_classic{};
-    Ear<can_dbc::RollObserver> observer{};
-    Ear<can_dbc::RolloverDiagnosis> diagnosis{};
-    Ear<can_dbc::LearntLoad> load{};
-    Ear<can_dbc::RolloverStatus> status{};
+    Ears<can_dbc::MessagesFromRolloverEcu> ears{};
 
     // One cycle; whether the ECU sent its frames as it should.
     bool cycle(float lateral_acceleration_mps2, float roll_angle_deg) {
@@ -121,10 +130,7 @@ struct World {
         roll_angle.put({roll_angle_deg, can_dbc::not_available}, clock.time, bus.to_ecu[1]);
         vehicle_motion.put({80.0F, 0.0F, 0.0F}, clock.time, bus.to_ecu[2]);
         ecu.step(0U);
-        return (bus.sent() == ecu_frames) && warning.hear(bus.from_ecu[0]) &&
-               estimate.hear(bus.from_ecu[1]) && indices_ahead.hear(bus.from_ecu[2]) &&
-               indices_classic.hear(bus.from_ecu[3]) && observer.hear(bus.from_ecu[4]) &&
-               diagnosis.hear(bus.from_ecu[5]) && load.hear(bus.from_ecu[6]) && status.hear(bus.from_ecu[7]);
+        return (bus.sent() == ecu_frames) && ears.hear(bus.from_ecu);
     }
 
     bool drive(int cycles, float lateral_acceleration_mps2, float roll_angle_deg) {
@@ -147,17 +153,18 @@ extern "C" long run() {
     if (!world.drive(100, 2.0F, 1.1F)) {
         return 2;
     }
-    if (world.warning.latest.value.state != RolloverWarning::State::ready) {
+    const RolloverWarning& warning = world.ears.latest<RolloverWarning>();
+    if (warning.state != RolloverWarning::State::ready) {
         return 3;
     }
     if (!world.drive(100, 9.0F, 6.3F)) {
         return 4;
     }
-    if ((world.warning.latest.value.state != RolloverWarning::State::warning) ||
-        (world.warning.latest.value.side != RolloverWarning::Side::right)) {
+    if ((warning.state != RolloverWarning::State::warning) ||
+        (warning.side != RolloverWarning::Side::right)) {
         return 5;
     }
-    if (world.status.latest.value.imu_timeout || (world.watchdog.feeds != 200)) {
+    if (world.ears.latest<can_dbc::RolloverStatus>().imu_timeout || (world.watchdog.feeds != 200)) {
         return 6;
     }
     return 0;
