@@ -24,6 +24,8 @@ KEYS = {
     "docs/vehicle_file.md": ("sil/vehicles/large_suv.toml", "key"),
 }
 
+OUTPUTS, THEORY = "firmware/rsi/rsi_outputs.h", "docs/theory.md"
+
 
 def length_problems(page):
     problems = []
@@ -62,6 +64,7 @@ def check(project):
     changes = newest_changes(project)
     if changes:
         problems += references.code_problems(changes, commands)  # its links are checked above, of all versions
+    problems += indices_without_equation(project)
     return problems + references.pages_elsewhere(project, files) + keys_of_files(project) + folders.problems(project, files), written
 
 
@@ -77,6 +80,16 @@ def keys_of_files(project):
                      if not re.search(rf"`\[?{key}\]?`", text)]
         problems += [f"{page}: {file} has no {key}" for key in keys_of_page(text, header) if key not in keys]
     return problems
+
+
+def indices_without_equation(project):
+    """Every index in the table of outputs has its equation, and so its name, on the page of the theory."""
+    if not (project / OUTPUTS).is_file():
+        return []
+    text = (project / THEORY).read_text(encoding="utf-8")
+    names = re.findall(r"^ +INDEX\((\w+),", (project / OUTPUTS).read_text(encoding="utf-8"), re.MULTILINE)
+    return [f"{THEORY}: has no equation of `{name}`, an index of {OUTPUTS}: write it there, with this name"
+            for name in names if not re.search(rf"(?<![\w/]){name}(?![\w/])", text)]
 
 
 def keys_of_page(text, header):

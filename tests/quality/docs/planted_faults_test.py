@@ -47,6 +47,8 @@ FILES = {
     "docs/page.md": PAGE,
     "docs/reports/r.md": "# Report\n| in all | 99.718 |\n| **all files** | 7 | 1,234 (at most) |\n",
     "firmware/level.hpp": "hold_s = 0.02F;\nrow 1\nrow 2\n",
+    "firmware/rsi/rsi_outputs.h": " *   INDEX(name, unit)\n    INDEX(energy, \"-\")\n",
+    "docs/theory.md": "# Theory\n```\nenergy: E\n```\n",
     "firmware/rsi/rsi.h": "#define RSI_SAMPLE_TIME_S 0.01F\n",
     "cars/a.toml": "[warning]\non = 0.92\n",
     "cars/b.toml": "",
@@ -270,6 +272,10 @@ class PlantedFaults(unittest.TestCase):
                 self.plant(before, after, "docs/vehicle_file.md")
                 self.expect("docs/vehicle_file.md", f"has no {key}")
                 self.plant(after, before, "docs/vehicle_file.md")
+
+    def test_an_index_without_an_equation(self):
+        self.plant('INDEX(energy, "-")', 'INDEX(energy, "-")\n    INDEX(force, "-")', "firmware/rsi/rsi_outputs.h")
+        self.expect("docs/theory.md", "no equation of `force`", "firmware/rsi/rsi_outputs.h")
 
     def test_a_folder_that_the_list_lacks(self):
         (self.project / "firmware/images").mkdir()
