@@ -26,7 +26,7 @@ FILES = {
     "sil/CMakeLists.txt": "# The programs.\nadd_executable(a)\n",
     "sil/a.toml": "# The vehicle.\nname = \"large\"\n",
     "sil/a.js": "/* Draws the page. */\nconst a = `what`;\n",
-    "docs/page.md": "# Page\n## What a run shows\nA run shows two lines.\n`A` of them.\n\n- An item.\n\n| a | b |\n|---|---|\n| Why? | no |\n"
+    "docs/page.md": "# Page\n## What a run shows\nA run shows two lines.\n`A` of them.\n\n- An item.\n\n| a | b |\n|---|---|\n| Why? | What to do |\n"
                     "\n```\n# What the shell sees\n```\n",
     "CHANGELOG.md": "# Changes\n## [2]\n### Added\n- Added a level,\n  with a unit.\n## [1]\nWhat was. Nobody knows.\n- Levels.\n",
 }
@@ -81,7 +81,7 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_clause_as_a_noun_on_a_page(self):
         for before, after, place in (("A run shows two", "What a run shows are two", 3), ("- An item", "- Whose item", 6),
-                                     ("| no |", "| Where not |", 10), ("two lines.", "two lines.\nSo it ends.", 4)):
+                                     ("| What to do |", "| Where not |", 10), ("two lines.", "two lines.\nSo it ends.", 4)):
             with self.subTest(after):
                 self.expect("docs/page.md", before, after, place, "begins with '")
 
@@ -93,7 +93,7 @@ class PlantedFaults(unittest.TestCase):
         for name, before, after, place in (
                 ("firmware/a.cpp", "one sample", "one witness", 1), ("firmware/a.cpp", "it is no number", "nobody", 7),
                 ("firmware/a.cpp", "one sample", "a sensor that is accused", 1), ("sil/a.py", "levels", "levels, whoever asks", 1),
-                ("docs/page.md", "two lines", "a sensor that is\ntold to stop", 3), ("docs/page.md", "| no |", "| Nobody |", 10)):
+                ("docs/page.md", "two lines", "a sensor that is\ntold to stop", 3), ("docs/page.md", "| What to do |", "| Nobody |", 10)):
             with self.subTest(after):
                 if before in FILES[name]:
                     self.expect(name, before, after, place)

@@ -70,7 +70,8 @@ class Words:
         word = first[1].lower() if first else ""
         completes = sentence.trailing and sentence.first and word in COMPLETIONS and first[1].islower()
         small = sentence.kind == "message" and first and first[1].islower()  # a piece of a sentence
-        if word in CLAUSES and not (sentence.text.endswith("?") or completes or small):
+        instruction = re.match(r"\W*wh\w+ to\b", sentence.text, re.IGNORECASE)  # what to do
+        if word in CLAUSES and not (sentence.text.endswith("?") or instruction or completes or small):
             yield Fault(path, sentence.line, f"begins with '{first[1]}'", sentence.text, CLAUSES[word])
             return
         for pattern, better in self.persons:
