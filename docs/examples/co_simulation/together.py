@@ -49,7 +49,7 @@ def main(folder):
     ecu = Instance(f"{folder}/rsi_ecu_fmi3.fmu", advisory_on=0.7)
     said = None
     for number in range(300):
-        # What the ECU needs, the vehicle tells under the same names.
+        # The vehicle's sensor outputs have the names of the ECU's inputs.
         ecu.fmu.setFloat64([ecu.reference[name] for name in ecu.inputs], vehicle.numbers(ecu.inputs))
         ecu.step(number)
         vehicle.step(number)

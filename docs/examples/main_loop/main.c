@@ -1,6 +1,6 @@
-/* Somebody else's main loop, in C99, around the component: read the sensors, step, tell the driver.
+/* An integrator's main loop, in C99, around the component: read the sensors, step, tell the driver.
  *
- * What is simulated here comes from the platform in a real program: the tick, the sensors, the lamp. */
+ * Tick, sensors and lamp are simulated here; in a real program the platform provides them. */
 #include <math.h>
 #include <stdio.h>
 
