@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, for find_package(rsi) in somebody else's project; docs/integration.md.
+# Files that `cmake --install` puts in place for find_package(rsi) in another project; docs/integration.md.
 #   rsi::rsi            the component, with its C interface and its C++ one
 #   rsi::application    around it the frames: end-to-end check, freshness, encoding, diagnosis, parameter section
 #   rsi::access         seed and key for XCP and UDS, for the application too

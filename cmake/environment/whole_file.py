@@ -1,4 +1,4 @@
-"""Whole files for the tools: an ordinary one read, and one written so that nobody ever sees half of it under its name.
+"""Whole files for the tools: an ordinary one read, and one written so that no reader ever sees half of it under its name.
 
 sil/files/whole_file.hpp is the same for the programs, cmake/environment/whole_file for shell scripts."""
 
@@ -34,8 +34,8 @@ def write(path, content):
 
 @contextlib.contextmanager
 def growing(path):
-    """For a content that is not held as a whole: a binary file beside `path`, renamed when the block has ended well. Whoever
-    writes may close it. If that fails, as with write()."""
+    """For a content that is not held as a whole: a binary file beside `path`, renamed when the block has ended well. The
+    writer may close it. If that fails, as with write()."""
     path = pathlib.Path(os.path.realpath(path))
     partial = path.with_name(f"{path.name}.{os.getpid()}.tmp")
     try:

@@ -2,7 +2,7 @@
 
 Its files, and the Debian packages of which something is in them: libraries that a program loads, objects that the
 linker took into an image, headers that the compiler read; and Mbed TLS, of whose sources a program is made. It is found
-out from the programs, the linker's map and the compiler's lists of dependencies, not from a list that somebody keeps.
+out from the programs, the linker's map and the compiler's lists of dependencies, not from a list kept by hand.
 """
 
 import dataclasses
@@ -14,7 +14,7 @@ import re
 import subprocess
 
 MBEDTLS = pathlib.Path(__file__).resolve().parents[2] / "build/mbedtls"
-LICENSES = {"libeigen3-dev": "MPL-2.0"}  # what EIGEN_MPL2_ONLY lets in; the others': /usr/share/doc/PACKAGE/copyright
+LICENSES = {"libeigen3-dev": "MPL-2.0"}  # with EIGEN_MPL2_ONLY; of the others: /usr/share/doc/PACKAGE/copyright
 
 
 class SbomError(Exception):
@@ -78,7 +78,7 @@ def is_made_of_mbedtls(build):
 
 
 def mbedtls():
-    """What cmake/environment/fetch_mbedtls has fetched."""
+    """Sources from cmake/environment/fetch_mbedtls."""
     number = (MBEDTLS / "version").read_text().strip()
     return {
         "SPDXID": identifier("Package", "mbedtls"),
@@ -118,7 +118,7 @@ def packages_of(paths):
 
 
 def compilers(build):
-    """What compiled it, as CMake has found it."""
+    """The compiler that CMake has found."""
     found = "".join(path.read_text() for path in build.folder.glob("CMakeFiles/*/CMakeC*Compiler.cmake"))
     paths = re.findall(r'^set\(CMAKE_(?:C|CXX)_COMPILER "(/.*)"\)$', found, re.M)
     if not paths:

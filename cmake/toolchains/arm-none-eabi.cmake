@@ -1,4 +1,4 @@
-# What the bare-metal Arm targets share: Debian's gcc-arm-none-eabi with newlib-nano, no operating system.
+# Common to the bare-metal Arm targets: Debian's gcc-arm-none-eabi with newlib-nano, no operating system.
 # A target's own file sets `processor_flags` and includes this one.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)

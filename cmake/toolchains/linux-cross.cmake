@@ -1,4 +1,4 @@
-# What the Linux targets share: Debian's cross compiler for CMAKE_SYSTEM_PROCESSOR, programs linked statically, so that
+# Common to the Linux targets: Debian's cross compiler for CMAKE_SYSTEM_PROCESSOR, programs linked statically, so that
 # qemu-user runs them without a second root file system.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_C_COMPILER ${CMAKE_SYSTEM_PROCESSOR}-linux-gnu-gcc)
