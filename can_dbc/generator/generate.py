@@ -25,8 +25,8 @@ try:
     import whole_file
 except ModuleNotFoundError as missing:
     sys.exit(f"generate.py: Python package '{missing.name}' is missing for {sys.executable}.\n"
-             f"cmake/environment/set_up makes build/venv/bin/python3, which has it. To add it to the interpreter in use: "
-             f"{sys.executable} -m pip install -r {FOLDER / 'requirements.txt'}")
+             "Run cmake/environment/set_up once, then: build/venv/bin/python3 can_dbc/generator/generate.py\n"
+             f"(without Debian: {sys.executable} -m pip install -r {FOLDER / 'requirements.txt'})")
 
 
 def render(dbc, messages, namespace):

@@ -149,7 +149,8 @@ class Refusals(Refusing):
     def test_a_python_without_its_packages(self):
         result = generate("--check", options=("-S",))
         self.assertEqual(result.returncode, 1)
-        self.assertIn("pip install -r", result.stderr)
+        for command in ("cmake/environment/set_up", "build/venv/bin/python3 can_dbc/generator/generate.py", "pip install -r"):
+            self.assertIn(command, result.stderr)
 
 
     def test_a_source_that_is_no_name(self):

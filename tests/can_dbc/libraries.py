@@ -69,9 +69,9 @@ class Canmatrix:
 
 LIBRARIES = {"cantools": Cantools, "canmatrix": Canmatrix}
 REMEDIES = {
-    "cantools": "python3 -m venv build/venv && build/venv/bin/pip install -r can_dbc/generator/requirements.txt",
-    "canmatrix": "apt-get install python3-canmatrix",
-    "crccheck": "build/venv/bin/pip install -r can_dbc/generator/requirements.txt, or apt-get install python3-crccheck",
+    "cantools": "cmake/environment/set_up",
+    "canmatrix": "cmake/environment/set_up",
+    "crccheck": "cmake/environment/set_up",
 }
 
 

@@ -115,12 +115,13 @@ def collect(project, build):
             raise EvidenceError(f"{' '.join(map(str, command))} failed: {done.stderr.strip()}")
         return done.stdout
 
-    if not (build / "CTestTestfile.cmake").is_file():
+    signature_page = build / "tests/quality/safety/signature_page"
+    if not (build / "CTestTestfile.cmake").is_file() or not signature_page.is_file():
         raise EvidenceError(f"{build} is not built; build first: cmake/environment/build release")
     tests = tests_of(output("/usr/bin/ctest", "--test-dir", str(build), "--show-only=json-v1"))
     groups = {folder.parent.name for folder in (project / "tests").rglob("CMakeLists.txt")} | ON_REQUEST | {"sanitize", "vcan"}
     signals, codes = signals_and_codes(
         project / "can_dbc/rollover_warning.dbc", project / "sil/simulation/simulation.dbc"
     )
-    signatures = output(build / "tests/quality/safety/signature_page")
+    signatures = output(signature_page)
     return Evidence(project, tests, groups, signals, codes, sources_of(project), signatures)

@@ -6,6 +6,7 @@ import stat
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
@@ -284,6 +285,19 @@ class PlantedFaults(unittest.TestCase):
     def test_tests_that_are_not_built(self):
         listing = json.dumps({"tests": [{"name": "ear_test_NOT_BUILT"}]})
         self.assertRaisesRegex(evidence.EvidenceError, "ear_test", evidence.tests_of, listing)
+
+    def test_the_build_that_is_complete_is_taken(self):
+        def collect(project, build):
+            if build.name not in built:
+                raise evidence.EvidenceError(f"{build.name} is not built")
+            return build.name
+
+        with unittest.mock.patch.object(evidence, "collect", collect):
+            for built in (("release", "dev"), ("release",), ("dev",)):
+                self.assertEqual(tool.evidence_of(pathlib.Path("/project"), None), built[0])
+            self.assertEqual(tool.evidence_of(pathlib.Path("/project"), pathlib.Path("/project/build/dev")), "dev")
+            built = ()
+            self.assertRaisesRegex(evidence.EvidenceError, "release is not built", tool.evidence_of, pathlib.Path("/project"), None)
 
     def test_names_are_those_without_parameters(self):
         for name in ("Ear.Hears", "All/Ear.Hears/Loud  # GetParam() = 3", "Ear.Hears/0", "All/Ear.Hears/a_b"):

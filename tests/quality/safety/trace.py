@@ -2,8 +2,8 @@
 
 Use: tests/quality/safety/trace [--document] [--build FOLDER]
 
-Reads requirements.toml and failure_modes.toml; asks ctest which tests there are in FOLDER (default build/release), which
-must be built. --document: writes docs/reports/safety instead of comparing it.
+Reads requirements.toml and failure_modes.toml; asks ctest which tests there are in FOLDER, which must be built (default:
+build/release, or build/dev if that one alone is complete). --document: writes docs/reports/safety instead of comparing it.
 The exit status is 1 when something is wrong, 2 for a wrong use.
 """
 
@@ -43,12 +43,25 @@ def judge(docs, evidence, write):
     return problems + checks.pages_name_what_exists(argument, texts), argument
 
 
+def evidence_of(project, build):
+    """From `build`; without one, from the first build of an edit loop or a merge that is complete."""
+    if build:
+        return evidence_module.collect(project, build)
+    reasons = []
+    for preset in ("release", "dev"):
+        try:
+            return evidence_module.collect(project, project / "build" / preset)
+        except evidence_module.EvidenceError as error:
+            reasons.append(str(error))
+    raise evidence_module.EvidenceError(reasons[0])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--document", action="store_true")
-    parser.add_argument("--build", type=pathlib.Path, default=PROJECT / "build/release")
+    parser.add_argument("--build", type=pathlib.Path)
     options = parser.parse_args()
-    problems, argument = judge(DOCS, evidence_module.collect(PROJECT, options.build), options.document)
+    problems, argument = judge(DOCS, evidence_of(PROJECT, options.build), options.document)
     print(document.state(argument))
     for identifier, requirement in argument.open().items():
         print(f"  open: {identifier} {requirement['text']}")
