@@ -105,9 +105,8 @@ void add_validate_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "validate", "Calibrate a vehicle by some of its drives and compare the calibration with the others");
     command
-        ->add_option(
-            "folder", request->folder,
-            "With vehicle.toml, ramp*.csv, dynamic*.csv and other drives (docs/calibration.md)")
+        ->add_option("folder", request->folder,
+                     "With vehicle.toml, ramp*.csv, dynamic*.csv and other drives (docs/calibration.md)")
         ->required();
     command->add_option("--parameters", request->calibration,
                         "Check this calibration (TOML), in place of one that is identified");

@@ -6,8 +6,8 @@
 
 #include "sil/fmu/model.hpp"
 #include "sil/fmu/start_values.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 #include "sil/results/indices.hpp"
-#include "sil/results/two_wheel_lift.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"

@@ -5,20 +5,11 @@
 #include <tuple>
 
 #include "can_dbc/generated/rollover_warning.hpp"
+#include "sil/judge/warning.hpp"
 
 namespace sil {
 
-using WarningState = can_dbc::RolloverWarning::State;
-using WarningSide = can_dbc::RolloverWarning::Side;    // towards which the vehicle would fall
 using RollSource = can_dbc::RollObserver::RollSource;  // of the roll angle in use
-
-// "unavailable", "ready", ... ; "none", "left", "right".
-inline const char* to_string(WarningState state) {
-    return can_dbc::RolloverWarning::name_of(state);
-}
-inline const char* to_string(WarningSide side) {
-    return can_dbc::RolloverWarning::name_of(side);
-}
 
 template <typename List>
 class LatestOf;

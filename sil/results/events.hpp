@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "sil/judge/two_wheel_lift.hpp"
+#include "sil/judge/warning_judgement.hpp"
 #include "sil/results/ecu_output.hpp"
-#include "sil/results/two_wheel_lift.hpp"
-#include "sil/results/warning_judgement.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {

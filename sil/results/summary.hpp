@@ -42,7 +42,7 @@ struct Summary {
 //   side_at_lift_off, wrong_side_duration_s, load_transfer_band, warnings, advisories, warning_duration_s,
 //   advisory_duration_s, unavailable_duration_s.
 // warning_time_s and warning_side are those of the first warning, whatever came of it. lead_time_s and what
-// follows index_times_s are the judgement (sil/results/warning_judgement.hpp): lead_time_s is null unless a
+// follows index_times_s are the judgement (sil/judge/warning_judgement.hpp): lead_time_s is null unless a
 // warning of the falling side is in force at two-wheel lift-off; load_transfer_band is "below 0.7",
 // "0.7 to 0.8", "0.8 to 0.9", "0.9 to lift" or "lift"; the start-up is not unavailable.
 // index_times_s: when each index was first at the level at which it says "warn" (1, rsi::indicator_level), to

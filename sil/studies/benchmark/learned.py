@@ -1,9 +1,9 @@
 """Entries of the benchmark that learn: on one half of the vehicles, shown on the other.
 
-Use: learned.py CHOSEN REPORTED TARGET
+Use: learned.py PROGRAM CHOSEN REPORTED TARGET
 
-CHOSEN and REPORTED are folders of campaigns with traces. Writes, into the folder TARGET, a file for each learned predictor: a
-time series (run, time_s, right, left) as sil/tools/campaign score takes it. A level of 1 is the threshold at which, on runs of
+CHOSEN and REPORTED are folders of campaigns with traces, that PROGRAM drove. Writes, into the folder TARGET, a file for each
+learned predictor: a time series (run, time_s, right, left) as sil/tools/campaign score takes it. A level of 1 is the threshold at which, on runs of
 CHOSEN whose vehicles it has not seen, alarms at a largest |LTR| of 0.8 to 0.9 are as frequent as the firmware's. Called by
 sil/studies/benchmark/run.
 """
@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(PROJECT / "sil/studies/predictors"), str(PROJECT / "cmake/environment")]
+sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/studies/predictors", "sil/judge", "cmake/environment")]
 
 import comparison  # noqa: E402
 import judge  # noqa: E402
@@ -32,11 +32,12 @@ def lines(predictions, threshold):
 
 
 def main(arguments):
-    chosen, reported, target = map(pathlib.Path, arguments)
+    program, chosen, reported, target = map(pathlib.Path, arguments)
+    judge.use(program)
     study.say("reading the runs")
     chosen, reported = recorded_runs.load(chosen), recorded_runs.load(reported)
-    level_runs = [run for run in chosen if run.lift_s is None and judge.band(run) == comparison.LEVEL_BAND]
-    wanted = comparison.firmware_verdict(level_runs).alarms[comparison.LEVEL_BAND].value()
+    level_runs = comparison.level_runs(chosen)
+    wanted = comparison.alarm_share(level_runs)
     for name, file_name in ENTRIES.items():
         unseen = study.unseen_predictions(name, chosen, level_runs)
         threshold = comparison.matched_threshold(comparison.alarm_thresholds(level_runs, unseen), wanted)

@@ -16,42 +16,36 @@ import pyarrow.csv
 import pyarrow.parquet
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/tools/campaigns", "sil/studies/predictors", "cmake/environment")]
+sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/tools/campaigns", "sil/studies/predictors", "sil/judge",
+                                                     "cmake/environment")]
 
 import judge  # noqa: E402
 import query  # noqa: E402
 import rare  # noqa: E402
+import report  # noqa: E402
 import scoring  # noqa: E402
 import whole_file  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 FIRMWARE = "the firmware's warning"
-LEVEL_BAND = judge.BANDS[2]
-COLUMNS = ("warned", "warned_100ms", "warned_200ms", *judge.BANDS)
-# Of each vehicle and entry: what counts for each of COLUMNS, and of how many. {0}: warned at all, by 0.1 s, by 0.2 s; {1}: alarm.
-COUNTS = ("SELECT {entry}, vehicle, count(*) FILTER (lifted), " + ", ".join(
-    f"count(*) FILTER (lifted AND {{{k}}})" for k in range(3)) + ", " + ", ".join(
-    f"count(*) FILTER (NOT lifted AND band = '{band}'), count(*) FILTER (NOT lifted AND band = '{band}' AND {{3}})"
-    for band in judge.BANDS) + " FROM {table} GROUP BY ALL ORDER BY ALL")
+LEVEL = 3 + judge.LEVEL_BAND  # the place of its alarms among an entry's shares
 CURVE_POINTS = [0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.8]
 
 
-def shares(connection, table, entry, *conditions):
-    """Entry: (Share of each of COLUMNS)."""
+def shares(connection, table, entry, *warned, alarm):
+    """Entry: the shares of lift-offs warned of, at all, by 0.1 s, by 0.2 s, and of runs of each band with an alarm."""
+    kinds = [*(("lifted", condition) for condition in warned), *((f"band = '{band}'", alarm) for band in judge.bands())]
+    counts = ", ".join(f"count(*) FILTER ({runs} AND {what}), count(*) FILTER ({runs})" for runs, what in kinds)
     found = {}
-    for name, vehicle, lifted, *counts in connection.execute(COUNTS.format(*conditions, table=table, entry=entry)).fetchall():
-        cells = found.setdefault(name, [judge.Share() for _ in COLUMNS])
-        for cell, count in zip(cells, counts[:3]):
-            cell.add(vehicle, count, lifted)
-        for cell, total, count in zip(cells[3:], counts[3::2], counts[4::2]):
-            cell.add(vehicle, count, total)
-    return found
+    for name, _, *cells in connection.execute(f"SELECT {entry}, vehicle, {counts} FROM {table} GROUP BY ALL ORDER BY ALL"
+                                              ).fetchall():
+        found.setdefault(name, []).append(list(zip(cells[::2], cells[1::2])))
+    return {name: list(map(judge.share_by_vehicle, zip(*vehicles))) for name, vehicles in found.items()}
 
 
 def as_they_say(connection):
     """Every entry with its own threshold."""
-    return shares(connection, "statements", "entry", "lead_time_s IS NOT NULL", "lead_time_s >= 0.1 - 1e-6",
-                  "lead_time_s >= 0.2 - 1e-6", "alarm")
+    return shares(connection, "statements", "entry", "warned", "warned_100ms", "warned_200ms", alarm="alarm")
 
 
 def at_thresholds(connection, thresholds):
@@ -59,13 +53,13 @@ def at_thresholds(connection, thresholds):
     connection.execute("CREATE OR REPLACE TEMP TABLE chosen_thresholds (index_name VARCHAR, chosen DOUBLE)")
     connection.executemany("INSERT INTO chosen_thresholds VALUES (?, ?)", list(thresholds.items()))
     return shares(connection, "(scores JOIN chosen_thresholds USING (index_name))", "index_name", "threshold >= chosen",
-                  "threshold_100ms >= chosen", "threshold_200ms >= chosen", "threshold >= chosen")
+                  "threshold_100ms >= chosen", "threshold_200ms >= chosen", alarm="threshold >= chosen")
 
 
 def matched(connection, share):
     """Index: the largest threshold with at least this share of alarms in the band, as sil/studies/predictors/comparison.py."""
-    of_band = {}
-    for name, threshold in connection.execute(f"SELECT index_name, threshold FROM scores WHERE band = '{LEVEL_BAND}' "
+    of_band, level = {}, judge.bands()[judge.LEVEL_BAND]
+    for name, threshold in connection.execute(f"SELECT index_name, threshold FROM scores WHERE band = '{level}' "
                                               "ORDER BY index_name, threshold DESC").fetchall():
         of_band.setdefault(name, []).append(threshold)
     wanted = {name: math.ceil(share * len(values) - 1e-9) for name, values in of_band.items()}
@@ -73,25 +67,18 @@ def matched(connection, share):
     return {name: (values[wanted[name] - 1] if wanted[name] else math.inf) or 1e-9 for name, values in of_band.items()}
 
 
-def percent(share):
-    if not share.total:
-        return "-"
-    low, high = share.interval()
-    return f"{100 * share.value():.1f} ({100 * low:.1f} to {100 * high:.1f})"
-
-
 def table(rows, first_columns=()):
     """`rows`: (name, cells of the first columns, shares), the earliest first."""
-    head = ["", *first_columns, "warned, %", "0.1 s before, %", "0.2 s before, %", *(f"alarms {band}, %" for band in judge.BANDS)]
+    head = ["", *first_columns, *report.WARNED, *report.alarm_columns()]
     lines = [f"| {' | '.join(head)} |".replace("|  |", "| |"), "|---" + "|---:" * len(first_columns) + "|---" * 7 + "|"]
     for name, cells, of_entry in sorted(rows, key=lambda row: (-row[2][2].count, row[0])):
-        figures = [*map(percent, of_entry[:3]), *(f"{100 * s.value():.1f}" if s.total else "-" for s in of_entry[3:])]
+        figures = [*map(report.percent, of_entry[:3]), *map(report.alone, of_entry[3:])]
         lines.append(f"| {' | '.join([name, *cells, *figures])} |")
     return "\n".join(lines)
 
 
 def point(of_entry):
-    return f"{100 * of_entry[COLUMNS.index(LEVEL_BAND)].value():.2f} {100 * of_entry[2].value():.2f}\n"
+    return f"{100 * of_entry[LEVEL].value():.2f} {100 * of_entry[2].value():.2f}\n"
 
 
 def blocks(points):
@@ -150,7 +137,7 @@ def main(arguments):
     for folder in (chosen, reported):
         write_series(folder)
     own = as_they_say(of_reported)
-    wanted = as_they_say(of_chosen)[FIRMWARE][COLUMNS.index(LEVEL_BAND)].value()
+    wanted = as_they_say(of_chosen)[FIRMWARE][LEVEL].value()
     thresholds = matched(of_chosen, wanted)
     fair = at_thresholds(of_reported, thresholds)
     equal = [(name, [f"{thresholds[name]:.3f}"], of_index) for name, of_index in fair.items()]
@@ -167,7 +154,7 @@ def main(arguments):
             "runs": str(sum(share.total for share in (own[FIRMWARE][0], *own[FIRMWARE][3:]))),
             "vehicles": str(of_reported.execute("SELECT count(DISTINCT vehicle) FROM drawn").fetchone()[0]),
             "lifted": str(own[FIRMWARE][0].total),
-            "bands": ", ".join(f"{share.total} {band}" for band, share in zip(judge.BANDS, own[FIRMWARE][3:])),
+            "bands": ", ".join(f"{share.total} {band}" for band, share in zip(judge.bands(), own[FIRMWARE][3:])),
             "chosen_digest": digest(chosen), "reported_digest": digest(reported)}.items():
         text = text.replace(f"@{key}@", value)
     whole_file.write(page, text)

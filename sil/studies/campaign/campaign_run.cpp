@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "sil/files/calibration_file.hpp"
+#include "sil/judge/index_score.hpp"
 #include "sil/simulation/run_batch.hpp"
-#include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/studies/campaign/learning_drive.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"

@@ -3,14 +3,14 @@
 
 #include <optional>
 
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {
 
 struct Outcome {
     std::optional<double> one_wheel_lift_time_s;        // the first time that any wheel carries no load
-    std::optional<double> two_wheel_lift_time_s;        // the lasting one (sil/results/two_wheel_lift.hpp)
+    std::optional<double> two_wheel_lift_time_s;        // the lasting one (sil/judge/two_wheel_lift.hpp)
     std::optional<double> brief_two_wheel_lift_time_s;  // the first brief one before it
     double largest_ltr{0.0};                            // |LTR| over the whole run
     double largest_ltr_before_lift{0.0};                // |LTR| before any wheel has lifted

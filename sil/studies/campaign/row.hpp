@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "sil/results/warning_judgement.hpp"
+#include "sil/judge/index_score.hpp"
+#include "sil/judge/warning_judgement.hpp"
 #include "sil/studies/campaign/draw.hpp"
-#include "sil/studies/campaign/index_score.hpp"
 #include "sil/studies/campaign/outcome.hpp"
 
 namespace sil {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 
 namespace sil {
 namespace {

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/simulation/pace.hpp"
 #include "sil/units.hpp"

@@ -3,42 +3,57 @@
 import math
 
 import judge
-import warning
+from recorded_runs import CYCLE_S
 
-LEVEL_BAND = "0.8 to 0.9"  # in which alarms are to be as frequent; below it nothing should be warned of
+
+class Verdict:
+    """What one warning was worth over these runs: their leads, and whether the others have an alarm."""
+
+    def __init__(self, runs, leads_s, alarms):
+        self.runs = runs
+        lifts, ltrs = [run.lift_s for run in runs], [run.largest_ltr for run in runs]
+        self.detection = judge.detection([run.vehicle for run in runs], lifts, ltrs, leads_s, alarms)
+        self.very_early = judge.each(lifts, ltrs, leads_s)["warned_200ms"]
+
+
+def _index(run, prediction):
+    return judge.Index(run.calibration, [cycle * CYCLE_S for cycle in range(len(prediction[0]))], *prediction)
+
+
+def level_runs(runs):
+    """Those of the band in which alarms are to be as frequent; below it nothing should be warned of."""
+    bands = judge.each([run.lift_s for run in runs], [run.largest_ltr for run in runs], [None] * len(runs))["band"]
+    return [run for run, band in zip(runs, bands) if run.lift_s is None and band == judge.LEVEL_BAND]
 
 
 def alarm_thresholds(runs, predictions):
-    """(run, the largest threshold at which the prediction raises an alarm) for every run without lift-off."""
-    return [(run, warning.largest_threshold(run.calibration, [max(pair) for pair in zip(*predictions[run])]))
-            for run in runs if run.lift_s is None]
+    """The largest threshold at which the prediction raises an alarm, for every run without lift-off."""
+    return {run: _index(run, predictions[run]).alarm_threshold() for run in runs if run.lift_s is None}
 
 
 def matched_threshold(thresholds, firmware_share):
     """The largest threshold with at least this share of alarms in the band."""
-    of_band = sorted((at for run, at in thresholds if judge.band(run) == LEVEL_BAND), reverse=True)
+    of_band = sorted((thresholds[run] for run in level_runs(list(thresholds))), reverse=True)
     wanted = math.ceil(firmware_share * len(of_band) - 1e-9)
     return of_band[wanted - 1] if wanted else math.inf
 
 
 def firmware_verdict(runs):
     """Of the warning that was on the bus."""
-    verdict = judge.Verdict()
-    for run in runs:
-        if run.lift_s is None:
-            verdict.add_other(run, int(run.row["warnings"]) > 0)
-        else:
-            verdict.add_lift_off(run, judge.lead_s(judge.firmware_warnings(run), run.lift_s, run.falling_side))
-    return verdict
+    leads_s = [None if run.lift_s is None else judge.lead_s(
+        [cycle * CYCLE_S for cycle in range(len(run))],
+        [side if state == "warning" else "none" for state, side in zip(run.states, run.sides)], run.lift_s, run.falling_side)
+        for run in runs]
+    return Verdict(runs, leads_s, [int(run.row["warnings"]) > 0 for run in runs])
+
+
+def alarm_share(runs):
+    """Of runs of one band: in how many of them the firmware raised an alarm."""
+    return sum(int(run.row["warnings"]) > 0 for run in runs) / len(runs)
 
 
 def verdict_at(runs, predictions, thresholds, threshold):
     """Of a prediction that warns at this threshold."""
-    verdict = judge.Verdict()
-    for run, at in thresholds:
-        verdict.add_other(run, at >= threshold)
-    for run in runs:
-        if run.lift_s is not None:
-            named = judge.warnings_by(run, *predictions[run], threshold)
-            verdict.add_lift_off(run, judge.lead_s(named, run.lift_s, run.falling_side))
-    return verdict
+    leads_s = [None if run.lift_s is None else _index(run, predictions[run]).lead_s(threshold, run.lift_s, run.falling_side)
+               for run in runs]
+    return Verdict(runs, leads_s, [run in thresholds and thresholds[run] >= threshold for run in runs])

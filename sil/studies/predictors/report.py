@@ -1,7 +1,6 @@
 """The page of the study, and the numbers behind its picture."""
 
 import collections
-import statistics
 
 import judge
 
@@ -35,36 +34,44 @@ In brackets: 95 % confidence, counting vehicles.
 """
 
 
-def _percent(share):
-    low, high = share.interval()
+WARNED = ["warned, %", "0.1 s before, %", "0.2 s before, %"]
+
+
+def alarm_columns():
+    return [f"alarms {band}, %" for band in judge.bands()]
+
+
+def percent(share):
+    """With its interval."""
+    low, high = share.interval
     return "-" if not share.total else f"{100 * share.value():.1f} ({100 * low:.1f} to {100 * high:.1f})"
 
 
-def _alarms(share):
+def alone(share):
+    """Without it."""
     return "-" if not share.total else f"{100 * share.value():.1f}"
 
 
 def line(name, threshold, verdict):
     cells = [name, "-" if threshold is None else f"{threshold:.3f}"]
-    cells += [_percent(share) for share in (verdict.warned, verdict.warned_100ms, verdict.warned_200ms)]
-    cells += [f"{statistics.median(verdict.leads_s.values()):.2f}"]
-    return f"| {' | '.join(cells + [_alarms(verdict.alarms[band]) for band in judge.BANDS])} |"
+    found = verdict.detection
+    cells += [percent(share) for share in (found.warned, found.warned_100ms, found.warned_200ms)]
+    cells += [f"{found.median_lead_s:.2f}"]
+    return f"| {' | '.join(cells + [alone(share) for share in found.alarms.values()])} |"
 
 
 def _table(rows):
-    alarms = " | ".join(f"alarms {band}, %" for band in judge.BANDS)
-    return (f"| | threshold | warned, % | 0.1 s before, % | 0.2 s before, % | median lead, s | {alarms} |\n"
-            f"|---|---:|---|---|---|---:|{'---:|' * len(judge.BANDS)}\n" + "".join(line(*row) + "\n" for row in rows))
+    return (f"| | threshold | {' | '.join([*WARNED, 'median lead, s', *alarm_columns()])} |\n"
+            f"|---|---:|---|---|---|---:|{'---:|' * judge.BAND_COUNT}\n" + "".join(line(*row) + "\n" for row in rows))
 
 
 def _by(title, group_of, rows):
     """Lift-offs warned of 0.2 s before, by a property of the run."""
-    groups = collections.Counter(sorted(group_of(run) for run in rows[0][2].leads_s))
+    groups = collections.Counter(sorted(group_of(run) for run in rows[0][2].runs if run.lift_s is not None))
     text = f"\n## 0.2 s before, by {title}\nIn per cent of the lift-offs.\n\n| | {' | '.join(groups)} |\n"
     text += f"|---|{'---:|' * len(groups)}\n| lift-offs | {' | '.join(map(str, groups.values()))} |\n"
     for name, _, verdict in rows:
-        early = collections.Counter(group_of(run) for run, lead in verdict.leads_s.items()
-                                    if judge.is_warned(lead, judge.VERY_EARLY_S))
+        early = collections.Counter(group_of(run) for run, warned in zip(verdict.runs, verdict.very_early) if warned)
         text += f"| {name} | {' | '.join(f'{100 * early[group] / groups[group]:.1f}' for group in groups)} |\n"
     return text
 
@@ -94,4 +101,5 @@ def curve_data(firmware, curves):
 
 
 def _point(verdict):
-    return f"{100 * verdict.alarms['0.8 to 0.9'].value():.2f} {100 * verdict.warned_200ms.value():.2f}\n"
+    found = verdict.detection
+    return f"{100 * found.alarms[judge.bands()[judge.LEVEL_BAND]].value():.2f} {100 * found.warned_200ms.value():.2f}\n"

@@ -9,7 +9,7 @@ from collections import defaultdict
 
 import numpy as np
 
-from judge import ROUNDING_S
+import judge
 from recorded_runs import CYCLE_S
 
 G = 9.80665
@@ -120,4 +120,4 @@ def coming(run, horizon_s):
 
 def until_lift(run):
     """How many cycles of the run there are before two wheels have lifted."""
-    return len(run) if run.lift_s is None else min(len(run), int(run.lift_s / CYCLE_S + ROUNDING_S) + 1)
+    return len(run) if run.lift_s is None else min(len(run), int(run.lift_s / CYCLE_S + judge.rounding_s()) + 1)

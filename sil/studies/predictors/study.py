@@ -1,24 +1,24 @@
 """Learns the predictors on one half of the vehicles and judges them on the other, beside the firmware.
 
-Use: study.py CHOSEN REPORTED DOCUMENT PICTURE_DATA
+Use: study.py PROGRAM CHOSEN REPORTED DOCUMENT PICTURE_DATA
 
-CHOSEN and REPORTED are folders of campaigns with traces. Writes the page and what its picture is drawn from. Called by
+CHOSEN and REPORTED are folders of campaigns with traces, that PROGRAM drove. Writes the page and what its picture is drawn from. Called by
 sil/studies/predictors/run.
 """
 
 import pathlib
 import sys
 
-import comparison
-import importance
-import judge
-import learners
-import recorded_runs
-import report
-import samples
+PROJECT = pathlib.Path(__file__).resolve().parents[3]
+sys.path += [str(PROJECT / "sil/judge"), str(PROJECT / "cmake/environment")]
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "cmake/environment"))
-
+import comparison  # noqa: E402
+import importance  # noqa: E402
+import judge  # noqa: E402
+import learners  # noqa: E402
+import recorded_runs  # noqa: E402
+import report  # noqa: E402
+import samples  # noqa: E402
 import whole_file  # noqa: E402
 
 FOLDS = 2
@@ -81,11 +81,12 @@ def unseen_manoeuvre_predictions(name, runs, wanted):
 
 
 def main(arguments):
-    chosen, reported, page, data = map(pathlib.Path, arguments)
+    program, chosen, reported, page, data = map(pathlib.Path, arguments)
+    judge.use(program)
     say("reading the runs")
     chosen, reported = recorded_runs.load(chosen), recorded_runs.load(reported)
-    level_runs = [run for run in chosen if run.lift_s is None and judge.band(run) == comparison.LEVEL_BAND]
-    wanted = comparison.firmware_verdict(level_runs).alarms[comparison.LEVEL_BAND].value()
+    level_runs = comparison.level_runs(chosen)
+    wanted = comparison.alarm_share(level_runs)
     rows, curves = [(FIRMWARE, None, comparison.firmware_verdict(reported))], {}
 
     def add(name, of_level_runs, of_reported):

@@ -42,7 +42,7 @@ struct Criterion {
 
 // What the ECU said during a step.
 struct WarningBeside {
-    bool lifted{false};  // two wheels of a side, for 50 ms (sil/results/two_wheel_lift.hpp)
+    bool lifted{false};  // two wheels of a side, for 50 ms (sil/judge/two_wheel_lift.hpp)
     double lift_off_s{0.0};
     WarningSide falling_side{WarningSide::none};
     WarningState state_at_lift_off{WarningState::unavailable};

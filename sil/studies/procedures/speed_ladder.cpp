@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 #include "sil/studies/procedures/handwheel_angle.hpp"
 #include "sil/units.hpp"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 #include "sil/studies/procedures/catalogue.hpp"
 #include "sil/studies/procedures/step_drive.hpp"
 #include "sil/studies/procedures/tilt_table.hpp"

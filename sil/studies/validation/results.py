@@ -78,7 +78,7 @@ class Run:
         return self.lift("front_left", "front_right", "rear_left", "rear_right", begin_s=begin_s)
 
     def two_wheels(self, begin_s=-math.inf):
-        """Two-wheel lift-off, as everywhere the one that lasts (sil/results/two_wheel_lift.hpp)."""
+        """Two-wheel lift-off, as everywhere the one that lasts (sil/judge/two_wheel_lift.hpp)."""
         return min((begin for what, begin, end in self.lifts
                     if what in ("left_side", "right_side") and begin >= begin_s and end - begin >= LASTING_S - 1e-6), default=None)
 

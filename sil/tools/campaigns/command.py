@@ -6,9 +6,10 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parents[2]
-sys.path[:0] = [str(HERE), str(PROJECT / "cmake/environment")]
+sys.path[:0] = [str(HERE), *(str(PROJECT / folder) for folder in ("sil/judge", "cmake/environment"))]
 
 from campaign_error import CampaignError  # noqa: E402
+from judge import JudgeError  # noqa: E402
 
 
 def at_least_one(text):
@@ -86,7 +87,7 @@ def main(arguments):
                 print("\n".join(f"{name:<36} {what}" for name, what in query.names().items()))
             else:
                 print(query.answer(options.folder, options.program, options.name, options.sql, options.csv))
-    except CampaignError as error:
+    except (CampaignError, JudgeError) as error:
         sys.exit(f"sil/tools/campaign: {error}")
     except KeyboardInterrupt:
         print("sil/tools/campaign: interrupted; the parts that are there are kept, the same command goes on", file=sys.stderr)

@@ -8,6 +8,9 @@ import pathlib
 import shlex
 
 import duckdb
+import judge
+import numpy
+import pyarrow
 
 import parquet
 import scoring
@@ -17,6 +20,7 @@ from campaign_error import CampaignError
 QUERIES = pathlib.Path(__file__).resolve().parent / "queries"
 VIEWS = QUERIES / "views"
 MOST_LINES = 100
+LIFTED = "two wheels lift"  # in place of a band
 
 
 def names():
@@ -29,10 +33,25 @@ def quoted(text):
     return "'" + str(text).replace("'", "''") + "'"
 
 
+def judged(lift_off_times_s, leads_s, largest_ltrs):
+    """The judge's word on runs side by side, as a struct."""
+    each = judge.each(*(numpy.array(column.to_pylist(), dtype=float) for column in (lift_off_times_s, largest_ltrs, leads_s)))
+    names = [*judge.bands(), LIFTED]
+    bands = [LIFTED if lifted else names[band] for lifted, band in zip(each["lifted"], each["band"])]
+    return pyarrow.StructArray.from_arrays(
+        [pyarrow.array(each[name], pyarrow.uint8()).cast(pyarrow.bool_()) for name in judge.EACH[:-1]] + [pyarrow.array(bands)],
+        judge.EACH)
+
+
 def open_rows(folder, program):
     """A connection with the tables runs, drawn, index_scores and statements, and with the function drive_again."""
     files = parquet.convert(folder, program)
+    judge.use(program)
     connection = duckdb.connect()
+    connection.create_function(
+        "judged", judged, ["DOUBLE"] * 3,
+        duckdb.struct_type({**dict.fromkeys(judge.EACH[:-1], "BOOLEAN"), judge.EACH[-1]: "VARCHAR"}), type="arrow",
+        null_handling="special")
     connection.execute(f"CREATE VIEW runs AS SELECT * FROM read_parquet([{', '.join(map(quoted, files))}])")
     connection.execute((VIEWS / "drawn.sql").read_text(encoding="utf-8"))
     ending = "_threshold_100ms"
@@ -42,8 +61,7 @@ def open_rows(folder, program):
         f"{index}_threshold AS threshold, {index}_threshold_100ms AS threshold_100ms, "
         f"{index}_threshold_200ms AS threshold_200ms, "
         f"{index}_lead_time_s AS lead_time_s FROM drawn" for index in indices))
-    connection.execute("CREATE TABLE entries (entry VARCHAR)")
-    connection.execute("CREATE TABLE changes (entry VARCHAR, run BIGINT, time_s DOUBLE, side VARCHAR)")
+    connection.execute("CREATE TABLE given (entry VARCHAR, run BIGINT, lead_time_s DOUBLE, alarm BOOLEAN)")
     connection.execute((VIEWS / "statements.sql").read_text(encoding="utf-8"))
     again = (f"(cd {shlex.quote(os.getcwd())} && {shlex.quote(str(program))} campaign one ",
              f" --settings {shlex.quote(str(folder / 'campaign.toml'))} --output {shlex.quote(str(folder))})")

@@ -9,17 +9,13 @@ uniform between ends that the settings tell. As the plain campaign is a part of 
 import json
 import math
 import pathlib
-import sys
 import tomllib
 import typing
 
+import judge
 import query
 import whole_file
 from campaign_error import CampaignError
-
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "studies/predictors"))
-
-import judge  # noqa: E402
 
 INDEX = "predicted_load_transfer"
 # Name: what it is, and for runs that may become one how far from it they are, smaller is nearer.

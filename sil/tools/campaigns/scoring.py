@@ -4,21 +4,17 @@ A file is CSV or Parquet with the columns run and time_s, ascending in each run,
   side           changes of the warning in force: left, right or none from then on. A run without rows has no warning.
   level, side    a time series; a level of 1 says "warn", towards side (left or right)
   right, left    a time series of the levels towards either side
-A time series drives a copy of the firmware's warning states, as the campaign's own indices do (docs/drives.md, What counts),
+A time series drives the firmware's own warning states, as the campaign's own indices do (docs/drives.md, What counts),
 with the calibration of the run, which `rsi-sil campaign run --traces` leaves.
 """
 
 import pathlib
-import sys
 import tomllib
 
 import duckdb
+import judge
 
 from campaign_error import CampaignError
-
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "studies/predictors"))
-
-from warning import WarningStates  # noqa: E402
 
 READERS = {".csv": "read_csv(?, all_varchar = true)", ".parquet": "read_parquet(?)"}
 FORMS = ({"side"}, {"level", "side"}, {"right", "left"})
@@ -63,19 +59,6 @@ def checks(connection, path, levels):
         refuse("SELECT run, 0 AS time_s FROM drawn ANTI JOIN given_file USING (run)", "is missing: every run wants its series")
 
 
-def warnings_of(calibration, series):
-    """Changes (time_s, side) of the warning that the firmware's states make of (time_s, right, left), cycle by cycle."""
-    states, named, changes = WarningStates(calibration), "none", []
-    scale = calibration["warning_on"]
-    for time_s, right, left in series:
-        states.update(scale * right, scale * left)
-        side = states.side or "none" if states.state == "warning" else "none"
-        if side != named:
-            named = side
-            changes.append((time_s, side))
-    return changes
-
-
 def calibration_of(folder, run):
     path = folder / "traces" / f"{run}.toml"
     try:
@@ -85,15 +68,27 @@ def calibration_of(folder, run):
                             "--traces`; changes of a warning on any") from None
 
 
-def series_changes(connection, folder, levels):
-    both = "\"right\", \"left\"" if "right" in levels else ("CASE side WHEN 'right' THEN level ELSE 0 END, "
-                                                      "CASE side WHEN 'left' THEN level ELSE 0 END")
-    rows = connection.execute(f"SELECT run, time_s, {both} FROM given_file ORDER BY run, time_s").fetchall()
+def series_of(connection, levels):
+    """Run: its columns, those of the file in their order."""
+    columns = ["side"] if levels == {"side"} else ["right", "left"] if "right" in levels else [
+        "CASE side WHEN 'right' THEN level ELSE 0 END", "CASE side WHEN 'left' THEN level ELSE 0 END"]
+    columns = ", ".join(f'"{name}"' if name.isalpha() else name for name in columns)
     series = {}
-    for run, *sample in rows:
+    for run, *sample in connection.execute(f"SELECT run, time_s, {columns} FROM given_file ORDER BY run, time_s").fetchall():
         series.setdefault(run, []).append(sample)
-    return [(run, *change) for run, samples in series.items()
-            for change in warnings_of(calibration_of(folder, run), samples)]
+    return {run: list(zip(*samples)) for run, samples in series.items()}
+
+
+def statement_of_changes(times_s, sides, lift_s, falling_side):
+    """(lead, alarm) of the warning that is in force with these sides from these times on."""
+    lead_s = None if lift_s is None else judge.lead_s(times_s, sides, lift_s, falling_side)
+    return lead_s, any(side != "none" for side in sides)
+
+
+def statement_of_series(calibration, series, lift_s, falling_side):
+    """(lead, alarm) of an index behind the firmware's warning states."""
+    index = judge.Index(calibration, *series)
+    return None if lift_s is None else index.lead_s(1.0, lift_s, falling_side), index.alarms(1.0)
 
 
 def add_entry(connection, folder, text):
@@ -104,12 +99,10 @@ def add_entry(connection, folder, text):
     if name in [row[0] for row in connection.execute("SELECT DISTINCT entry FROM statements").fetchall()]:
         raise CampaignError(f"there is an entry {name} already; give another name")
     levels = read(connection, pathlib.Path(file))
-    connection.execute("INSERT INTO entries VALUES (?)", [name])
-    if levels == {"side"}:
-        connection.execute("INSERT INTO changes SELECT ?, run, time_s, side FROM given_file", [name])
-        return
-    changes = series_changes(connection, folder, levels)
-    if changes:
-        runs, times, sides = zip(*changes)
-        connection.execute("INSERT INTO changes SELECT ?, unnest(?), unnest(?), unnest(?)",
-                           [name, list(runs), list(times), list(sides)])
+    series = series_of(connection, levels)
+    statements = []
+    for run, *truth in connection.execute("SELECT run, two_wheel_lift_time_s, falling_side FROM drawn").fetchall():
+        statement = (statement_of_changes(*series.get(run, ([], [])), *truth) if levels == {"side"} else
+                     statement_of_series(calibration_of(folder, run), series[run], *truth))
+        statements.append((name, run, *statement))
+    connection.executemany("INSERT INTO given VALUES (?, ?, ?, ?)", statements)

@@ -1,4 +1,5 @@
-// Rules of dependency: the includes that each folder of the tree is allowed, and the paths in its CMake files.
+// Rules of dependency: the includes that each folder of the tree is allowed, and the paths in its CMake
+// files.
 #pragma once
 
 #include <string>

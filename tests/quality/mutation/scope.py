@@ -56,7 +56,8 @@ FIRMWARE = Scope(
     headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF",), review="survivors.toml",
     page="docs/reports/mutation.md", title="Mutation testing", goal=0.9, goal_of_able=0.93, longest_ms=900, every_survivor_explained=True, all_executed=True)
 
-JUDGES_PROGRAMS = {"results_test": "tests/sil/results", "hal_test": "tests/hal", "zynqmp_r5_test": "tests/hal/zynqmp_r5",
+JUDGES_PROGRAMS = {"judge_tests": "tests/sil/judge", "results_test": "tests/sil/results",
+                   "hal_test": "tests/hal", "zynqmp_r5_test": "tests/hal/zynqmp_r5",
                    "campaign_tests": "tests/sil/campaign", "faults_tests": "tests/sil/faults", "files_test": "tests/sil/files",
                    "simulation_test": "tests/sil/simulation", "candump_compare_test": "tests/application/regression"}
 BARE = "start-up or board code: no test program of the host compiles it"
@@ -69,11 +70,13 @@ JUDGES_OF_FAULTS = [f"sil/studies/faults/{name}" for name in (
     "known_findings.hpp", "recovery_watch.hpp", "silence_watch.cpp", "silence_watch.hpp")]
 JUDGES = Scope(
     name="judges", what="what judges the firmware", work="build/mutation_of_judges", programs=JUDGES_PROGRAMS,
-    asked={"sil/results": {"results_test"}, "hal": {"hal_test", "zynqmp_r5_test"}, "sil/files": {"files_test"},
+    asked={"sil/judge": {"judge_tests", "results_test", "campaign_tests"},
+           "sil/results": {"results_test"}, "hal": {"hal_test", "zynqmp_r5_test"}, "sil/files": {"files_test"},
            **{f"sil/simulation/bus_timing{suffix}": {"simulation_test"} for suffix in (".cpp", ".hpp")},
            **{f"tests/application/regression/candump_compare{suffix}": {"candump_compare_test"} for suffix in (".cpp", ".hpp")},
            "sil/studies/campaign": {"campaign_tests"}, **{file: {"faults_tests"} for file in JUDGES_OF_FAULTS}},
-    left_out={"sil/results/versions.cpp": "names versions, decides nothing",
+    left_out={"sil/judge/c_interface.cpp": "compiled for Python alone",
+              "sil/results/versions.cpp": "names versions, decides nothing",
               **{f"hal/{name}": BARE for name in ("mps2", "semihosting", "zynqmp_r5/startup")},
               **{f"hal/socketcan/{name}.cpp": INTERFACE
                  for name in ("can_socket", "controller_restart", "interface_lookup", "route_netlink", "socket_can_bus")},

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sil/files/calibration_file.hpp"
-#include "sil/results/warning_judgement.hpp"
+#include "sil/judge/warning_judgement.hpp"
 #include "sil/studies/campaign/campaign.hpp"
 #include "tests/sil/campaign/small_campaign.hpp"
 #include "tests/support/scratch_folder.hpp"

@@ -16,7 +16,7 @@ std::string project_file(const std::string& path);
 // Both vehicles; hard and soft J-turns of three seconds.
 sil::CampaignSettings small_campaign(std::uint64_t runs);
 
-// A run whose only index warns with these thresholds and below (sil/studies/campaign/index_score.hpp).
+// A run whose only index warns with these thresholds and below (sil/judge/index_score.hpp).
 struct HandMadeRun {
     std::optional<double> lift_time_s{};
     double largest_ltr{0.5};

@@ -1,4 +1,7 @@
-"""The page of the study of predictors and its picture, from verdicts made by hand."""
+"""The page of the study of predictors and its picture, from verdicts made by hand.
+
+Use: report_test.py RSI_SIL
+"""
 
 import os
 import pathlib
@@ -8,8 +11,9 @@ import tempfile
 import unittest
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(PROJECT / "sil/studies/predictors"))
+sys.path[:0] = [str(PROJECT / "sil/studies/predictors"), str(PROJECT / "sil/judge")]
 
+import comparison
 import judge
 import report
 
@@ -26,13 +30,7 @@ RUNS = [HandMadeRun("one", 2.0, 1.0), HandMadeRun("two", 2.0, 1.0), HandMadeRun(
 
 
 def verdict(lead, alarm):
-    result = judge.Verdict()
-    for run in RUNS:
-        if run.lift_s is None:
-            result.add_other(run, alarm)
-        else:
-            result.add_lift_off(run, lead if run.vehicle == "one" else None)
-    return result
+    return comparison.Verdict(RUNS, [lead if run.lift_s and run.vehicle == "one" else None for run in RUNS], [alarm] * len(RUNS))
 
 
 class Report(unittest.TestCase):
@@ -65,4 +63,5 @@ class Report(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    judge.use(sys.argv.pop(1))
     unittest.main()

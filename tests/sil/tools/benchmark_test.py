@@ -27,7 +27,7 @@ class Benchmark(unittest.TestCase):
         cls.addClassCleanup(scratch.cleanup)
         cls.scratch = pathlib.Path(scratch.name)
         cls.vehicles = []
-        for number in range(page.judge.FEWEST_VEHICLES + 2):  # as many as it takes for intervals that count vehicles
+        for number in range(page.judge.fewest_vehicles() + 2):  # as many as it takes for intervals that count vehicles
             name = ("large_suv", "ordinary_suv", "van")[number % 3]
             vehicle = cls.scratch / f"{name}_{number}.toml"
             shutil.copy(PROJECT / f"sil/vehicles/{name}.toml", vehicle)
@@ -89,4 +89,5 @@ class Benchmark(unittest.TestCase):
 
 if __name__ == "__main__":
     Benchmark.program = pathlib.Path(sys.argv.pop(1)).resolve()
+    page.judge.use(Benchmark.program)
     unittest.main()

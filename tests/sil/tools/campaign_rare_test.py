@@ -13,6 +13,7 @@ PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(PROJECT / "sil/tools/campaigns"), str(PROJECT / "cmake/environment")]
 
 import command  # noqa: E402
+import judge  # noqa: E402
 import rare  # noqa: E402
 from campaign_error import CampaignError  # noqa: E402
 
@@ -147,4 +148,5 @@ class Campaigns(unittest.TestCase):
 
 if __name__ == "__main__":
     Campaigns.program = pathlib.Path(sys.argv.pop(1)).resolve()
+    judge.use(Campaigns.program)
     unittest.main()

@@ -7,9 +7,9 @@ WITH totals AS (
            count(*) FILTER (band = '0.8 to 0.9') AS runs_from_0_8
     FROM drawn)
 SELECT entry AS index_name, lift_offs,
-       round(100.0 * count(lead_time_s) FILTER (lifted) / nullif(lift_offs, 0), 2) AS "warned, %",
-       round(100.0 * count(*) FILTER (lifted AND lead_time_s >= 0.1 - 1e-6) / nullif(lift_offs, 0), 2) AS "0.1 s before, %",
-       round(100.0 * count(*) FILTER (lifted AND lead_time_s >= 0.2 - 1e-6) / nullif(lift_offs, 0), 2) AS "0.2 s before, %",
+       round(100.0 * count(*) FILTER (warned) / nullif(lift_offs, 0), 2) AS "warned, %",
+       round(100.0 * count(*) FILTER (warned_100ms) / nullif(lift_offs, 0), 2) AS "0.1 s before, %",
+       round(100.0 * count(*) FILTER (warned_200ms) / nullif(lift_offs, 0), 2) AS "0.2 s before, %",
        round(median(coalesce(lead_time_s, 0)) FILTER (lifted), 3) AS "median lead, s",
        round(100.0 * count(*) FILTER (calm) / nullif(calm_runs, 0), 2) AS "alarms in calm runs, %",
        round(100.0 * count(*) FILTER (band = 'below 0.7') / nullif(runs_below, 0), 2) AS "below 0.7, %",

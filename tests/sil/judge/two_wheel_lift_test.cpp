@@ -1,5 +1,5 @@
 // Two-wheel lift-off: how long it must last, when it began, and towards which side the vehicle falls.
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "sil/results/ecu_output.hpp"
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
+#include "sil/judge/warning.hpp"
 
 namespace sil {
 

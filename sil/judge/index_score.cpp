@@ -1,10 +1,10 @@
-#include "sil/studies/campaign/index_score.hpp"
+#include "sil/judge/index_score.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "sil/results/warning_judgement.hpp"
+#include "sil/judge/warning_judgement.hpp"
 
 namespace sil {
 namespace {
@@ -37,14 +37,6 @@ class IndexWarning {
     float advisory_on_;  // at most warning_on, as validated
 };
 
-bool alarms(const IndexCourse& course, const rsi::Parameters& calibration, double threshold) {
-    IndexWarning warning{calibration, threshold};
-    return std::any_of(course.risks.begin(), course.risks.end(), [&warning](const rsi::RiskLevel& risk) {
-        warning.update(risk);
-        return warning.state() == WarningState::warning;
-    });
-}
-
 // The highest level until then. At a threshold above it nothing can have begun to warn.
 double peak_until(const IndexCourse& course, double time_s) {
     double peak = 0.0;
@@ -72,6 +64,29 @@ double largest_at_which(const std::function<bool(double)>& warns, double limit) 
 
 }  // namespace
 
+rsi::RiskLevel risk_of(float right, float left) {
+    return right >= left ? rsi::RiskLevel{right, 1.0F, left} : rsi::RiskLevel{left, -1.0F, right};
+}
+
+bool index_alarms(const IndexCourse& course, const rsi::Parameters& calibration, double threshold) {
+    IndexWarning warning{calibration, threshold};
+    return std::any_of(course.risks.begin(), course.risks.end(), [&warning](const rsi::RiskLevel& risk) {
+        warning.update(risk);
+        return warning.state() == WarningState::warning;
+    });
+}
+
+double alarm_threshold(const IndexCourse& course, const rsi::Parameters& calibration) {
+    const double peak = course.times_s.empty() ? 0.0 : peak_until(course, course.times_s.back());
+    double at = 0.0;
+    double beyond = peak;
+    for (int halving = 0; halving < 32 && peak > 0.0; ++halving) {
+        const double threshold = 0.5 * (at + beyond);
+        (index_alarms(course, calibration, threshold) ? at : beyond) = threshold;
+    }
+    return at;
+}
+
 std::optional<double> index_lead_s(const IndexCourse& course, const rsi::Parameters& calibration,
                                    double threshold, const TwoWheelLiftOff& lift_off) {
     IndexWarning warning{calibration, threshold};
@@ -91,8 +106,8 @@ IndexScore score_of(const IndexCourse& course, const rsi::Parameters& calibratio
     IndexScore score;
     if (!lift_off) {
         const double peak = course.times_s.empty() ? 0.0 : peak_until(course, course.times_s.back());
-        score.threshold =
-            largest_at_which([&](double threshold) { return alarms(course, calibration, threshold); }, peak);
+        score.threshold = largest_at_which(
+            [&](double threshold) { return index_alarms(course, calibration, threshold); }, peak);
         score.threshold_100ms = score.threshold;
         score.threshold_200ms = score.threshold;
         return score;

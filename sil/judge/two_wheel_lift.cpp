@@ -1,4 +1,4 @@
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 
 namespace sil {
 

@@ -1,5 +1,5 @@
 // Index score: at which threshold an index still warns, of the right side and in time.
-#include "sil/studies/campaign/index_score.hpp"
+#include "sil/judge/index_score.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "sil/files/calibration_file.hpp"
-#include "tests/sil/campaign/small_campaign.hpp"
 
 namespace index_score_test {
 namespace {
@@ -17,7 +16,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 // Warns after two cycles at the level, ready after one, holds nothing; advisory out of the way.
 rsi::Parameters plain_calibration() {
     rsi::Parameters calibration =
-        sil::load_calibration(testing_campaign::project_file("firmware/calibrations/large_suv.toml"));
+        sil::load_calibration(RSI_SOURCE_DIR "/firmware/calibrations/large_suv.toml");
     calibration.warning_on = 0.9F;
     calibration.warning_off = 0.9F;
     calibration.advisory_on = 0.8F;
@@ -41,6 +40,8 @@ class Course {
     }
     double now_s() const { return course_.times_s.back(); }
 
+    double alarm_threshold() const { return sil::alarm_threshold(course_, plain_calibration()); }
+    bool alarms(double threshold) const { return sil::index_alarms(course_, plain_calibration(), threshold); }
     sil::IndexScore score() const { return sil::score_of(course_, plain_calibration(), {}); }
     // The wheels lift at the latest cycle.
     sil::IndexScore lifted(sil::WarningSide side = sil::WarningSide::right,
@@ -170,6 +171,27 @@ TEST(IndexScore, WithoutALevelThereIsNoLead) {
     EXPECT_EQ(score.threshold_100ms, 0.0);
     EXPECT_EQ(score.threshold_200ms, 0.0);
     EXPECT_FALSE(score.lead_s);
+}
+
+TEST(IndexScore, FindsTheLargestThresholdWithAnAlarm) {
+    Course course = Course{}.add(5, 0.1F).add(1, 0.9F).add(1, 0.4F).add(1, 0.5F).add(1, 0.2F);
+    EXPECT_NEAR(course.alarm_threshold(), 0.4, 1e-6) << "two cycles confirm a warning";
+    EXPECT_TRUE(course.alarms(0.39));
+    EXPECT_FALSE(course.alarms(0.41));
+    EXPECT_EQ(Course{}.add(5, 0.0F).alarm_threshold(), 0.0);
+    EXPECT_EQ(Course{}.alarm_threshold(), 0.0);
+}
+
+TEST(IndexScore, TakesTheLargerRiskAndItsSide) {
+    const rsi::RiskLevel right = sil::risk_of(0.7F, 0.2F);
+    EXPECT_EQ(right.indicator, 0.7F);
+    EXPECT_EQ(right.side, 1.0F);
+    EXPECT_EQ(right.opposite, 0.2F);
+    const rsi::RiskLevel left = sil::risk_of(0.2F, 0.7F);
+    EXPECT_EQ(left.indicator, 0.7F);
+    EXPECT_EQ(left.side, -1.0F);
+    EXPECT_EQ(left.opposite, 0.2F);
+    EXPECT_TRUE(std::isnan(sil::risk_of(nan, nan).indicator));
 }
 
 }  // namespace

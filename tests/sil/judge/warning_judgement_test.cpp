@@ -1,5 +1,5 @@
 // The judge of warnings: every limit is tested on both sides, so that none can be moved by a step.
-#include "sil/results/warning_judgement.hpp"
+#include "sil/judge/warning_judgement.hpp"
 
 #include <gtest/gtest.h>
 

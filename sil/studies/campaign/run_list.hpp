@@ -1,4 +1,4 @@
-// Detection: how well a warning tells runs that lift two wheels from runs that do not.
+// Run list: some of a campaign's runs, and how well its warning and each index detect their lift-offs.
 #pragma once
 
 #include <array>
@@ -7,31 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "sil/results/warning_judgement.hpp"
+#include "sil/judge/detection.hpp"
 #include "sil/studies/campaign/row_table.hpp"
-#include "sil/studies/campaign/statistics.hpp"
 
 namespace sil {
 
-inline constexpr std::size_t band_count = sizeof(load_bands) / sizeof(load_bands[0]);
-
 bool is_lifted(const RecordedCampaignRun& run);
 
-// A run is calm when its largest |LTR| stays below 0.9: no wheel lifts.
 bool is_calm(const RecordedCampaignRun& run);
-
-// What came of one warning over many runs.
-struct Detection {
-    Share warned{};                          // of two-wheel lift-offs: is_warned(lead)
-    Share warned_100ms{};                    // with a lead of at least early_s
-    Share warned_200ms{};                    // very_early_s
-    Share false_alarms{};                    // of calm runs
-    std::array<Share, band_count> alarms{};  // of the runs of each LoadBand
-    // Of all two-wheel lift-offs, 0 for those that were not warned of.
-    std::vector<double> lead_times_s{};
-    std::optional<double> median_lead_s{};  // of these
-    std::optional<double> tenth_lead_s{};   // their 10th percentile
-};
 
 // Some of a table's runs, with what every judgement of them asks for side by side: a million runs are gone
 // through again and again. The table must live on.
@@ -39,9 +22,7 @@ class RunList {
  public:
     struct Entry {
         const RecordedCampaignRun* run{nullptr};
-        std::uint32_t vehicle{0U};  // numbered in the order of their names, from 0
-        bool lifted{false};
-        LoadBand band{LoadBand::below_0_7};
+        RunKind kind{};  // vehicles are numbered in the order of their names
     };
 
     explicit RunList(const std::vector<const RecordedCampaignRun*>& runs);

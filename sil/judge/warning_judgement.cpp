@@ -1,4 +1,4 @@
-#include "sil/results/warning_judgement.hpp"
+#include "sil/judge/warning_judgement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sil/studies/campaign/statistics.hpp"
+#include "sil/judge/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

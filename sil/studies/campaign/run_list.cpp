@@ -1,4 +1,4 @@
-#include "sil/studies/campaign/detection.hpp"
+#include "sil/studies/campaign/run_list.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -8,65 +8,6 @@
 
 namespace sil {
 namespace {
-
-// What one warning did in one run.
-struct Statement {
-    bool warned{false};
-    bool warned_100ms{false};
-    bool warned_200ms{false};
-    bool alarm{false};
-};
-
-Statement of_lead(const std::optional<double>& lead_s, bool alarm) {
-    return {is_warned(lead_s), is_warned(lead_s, early_s), is_warned(lead_s, very_early_s), alarm};
-}
-
-bool is_calm(LoadBand band) {
-    return band != LoadBand::from_0_9;
-}
-
-// `statement_of` the run in a place of the list.
-template <typename StatementOf>
-Detection detection_of(const RunList& runs, const StatementOf& statement_of) {
-    ShareByVehicle warned;
-    ShareByVehicle warned_100ms;
-    ShareByVehicle warned_200ms;
-    ShareByVehicle false_alarms;
-    std::array<ShareByVehicle, band_count> alarms;
-    for (std::size_t place = 0U; place < runs.entries().size(); ++place) {
-        const RunList::Entry& run = runs.entries()[place];
-        const Statement statement = statement_of(place);
-        if (run.lifted) {
-            warned.add(run.vehicle, statement.warned);
-            warned_100ms.add(run.vehicle, statement.warned_100ms);
-            warned_200ms.add(run.vehicle, statement.warned_200ms);
-            continue;
-        }
-        alarms[static_cast<std::size_t>(run.band)].add(run.vehicle, statement.alarm);
-        if (is_calm(run.band)) {
-            false_alarms.add(run.vehicle, statement.alarm);
-        }
-    }
-    Detection detection;
-    detection.warned = warned.share();
-    detection.warned_100ms = warned_100ms.share();
-    detection.warned_200ms = warned_200ms.share();
-    detection.false_alarms = false_alarms.share();
-    std::transform(alarms.begin(), alarms.end(), detection.alarms.begin(),
-                   [](const ShareByVehicle& share) { return share.share(); });
-    return detection;
-}
-
-template <typename LeadOf>
-void add_leads(Detection& detection, const RunList& runs, const LeadOf& lead_of) {
-    for (std::size_t place = 0U; place < runs.entries().size(); ++place) {
-        if (runs.entries()[place].lifted) {
-            detection.lead_times_s.push_back(lead_of(place).value_or(0.0));
-        }
-    }
-    detection.median_lead_s = quantile(detection.lead_times_s, 0.5);
-    detection.tenth_lead_s = quantile(detection.lead_times_s, 0.1);
-}
 
 // Runs of each kind by the threshold up to which they are warned of. Indices know some hundred thresholds,
 // however many runs there are.
@@ -110,7 +51,7 @@ bool is_lifted(const RecordedCampaignRun& run) {
 }
 
 bool is_calm(const RecordedCampaignRun& run) {
-    return !is_lifted(run) && is_calm(load_band(run.largest_ltr));
+    return is_calm(is_lifted(run), load_band(run.largest_ltr));
 }
 
 RunList::RunList(const std::vector<const RecordedCampaignRun*>& runs) {
@@ -129,19 +70,16 @@ RunList::RunList(const std::vector<const RecordedCampaignRun*>& runs) {
     entries_.reserve(runs.size());
     for (const RecordedCampaignRun* run : runs) {
         entries_.push_back(
-            {run, numbers[&run->vehicle.text()], is_lifted(*run), load_band(run->largest_ltr)});
+            {run, {numbers[&run->vehicle.text()], is_lifted(*run), load_band(run->largest_ltr)}});
     }
 }
 
 Detection detection_of_warning(const RunList& runs) {
-    const auto run_in = [&runs](std::size_t place) -> const RecordedCampaignRun& {
-        return *runs.entries()[place].run;
-    };
-    Detection detection = detection_of(runs, [&run_in](std::size_t place) {
-        return of_lead(run_in(place).lead_s, run_in(place).warnings > 0U);
-    });
-    add_leads(detection, runs, [&run_in](std::size_t place) { return run_in(place).lead_s; });
-    return detection;
+    DetectionCounts counts;
+    for (const RunList::Entry& entry : runs.entries()) {
+        counts.add(entry.kind, entry.run->lead_s, entry.run->warnings > 0U);
+    }
+    return counts.detection();
 }
 
 IndexOverRuns::IndexOverRuns(const RunList& runs, std::size_t index) : runs_{runs} {
@@ -152,19 +90,22 @@ IndexOverRuns::IndexOverRuns(const RunList& runs, std::size_t index) : runs_{run
 }
 
 Detection IndexOverRuns::at_one() const {
-    Detection detection = detection_of(runs_, [this](std::size_t place) {
-        return of_lead(recorded_[place].lead_s, recorded_[place].threshold >= 1.0);
-    });
-    add_leads(detection, runs_, [this](std::size_t place) { return recorded_[place].lead_s; });
-    return detection;
+    DetectionCounts counts;
+    for (std::size_t place = 0U; place < recorded_.size(); ++place) {
+        counts.add(runs_.entries()[place].kind, recorded_[place].lead_s, recorded_[place].threshold >= 1.0);
+    }
+    return counts.detection();
 }
 
 Detection IndexOverRuns::at(double threshold) const {
-    return detection_of(runs_, [this, threshold](std::size_t place) {
+    DetectionCounts counts;
+    for (std::size_t place = 0U; place < recorded_.size(); ++place) {
         const RecordedIndex& recorded = recorded_[place];
-        return Statement{recorded.threshold >= threshold, recorded.threshold_100ms >= threshold,
-                         recorded.threshold_200ms >= threshold, recorded.threshold >= threshold};
-    });
+        counts.add(runs_.entries()[place].kind,
+                   WarningInRun{recorded.threshold >= threshold, recorded.threshold_100ms >= threshold,
+                                recorded.threshold_200ms >= threshold, recorded.threshold >= threshold});
+    }
+    return counts.detection();
 }
 
 std::vector<CurvePoint> IndexOverRuns::curve() const {
@@ -175,7 +116,7 @@ std::vector<CurvePoint> IndexOverRuns::curve() const {
         ++totals[kind];
     };
     for (std::size_t place = 0U; place < recorded_.size(); ++place) {
-        const RunList::Entry& run = runs_.entries()[place];
+        const RunKind& run = runs_.entries()[place].kind;
         const RecordedIndex& recorded = recorded_[place];
         if (run.lifted) {
             add(recorded.threshold, ThresholdCounts::lifted);
@@ -184,7 +125,7 @@ std::vector<CurvePoint> IndexOverRuns::curve() const {
             continue;
         }
         add(recorded.threshold, ThresholdCounts::first_band + static_cast<std::size_t>(run.band));
-        if (is_calm(run.band)) {
+        if (is_calm(run.lifted, run.band)) {
             add(recorded.threshold, ThresholdCounts::calm);
         }
     }

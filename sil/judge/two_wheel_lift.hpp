@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "sil/results/ecu_output.hpp"
+#include "sil/judge/warning.hpp"
 
 namespace sil {
 

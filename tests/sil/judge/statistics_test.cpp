@@ -1,5 +1,5 @@
 // Statistics: Wilson's interval against published values, quantiles against values found by hand.
-#include "sil/studies/campaign/statistics.hpp"
+#include "sil/judge/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -42,11 +42,13 @@ inline constexpr std::size_t fewest_clusters = 10U;
 class ShareByVehicle {
  public:
     // Vehicles are numbered from 0, without great gaps.
-    void add(std::size_t vehicle, bool counts) {
+    void add(std::size_t vehicle, bool counts) { add(vehicle, counts ? 1U : 0U, 1U); }
+    void add(std::size_t vehicle, std::size_t count, std::size_t total) {
         if (vehicle >= vehicles_.size()) {
             vehicles_.resize(vehicle + 1U);
         }
-        vehicles_[vehicle].add(counts);
+        vehicles_[vehicle].count += count;
+        vehicles_[vehicle].total += total;
     }
     Share share() const;
 

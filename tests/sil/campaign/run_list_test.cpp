@@ -1,5 +1,5 @@
 // Detection: shares, leads and curves from rows made by hand.
-#include "sil/studies/campaign/detection.hpp"
+#include "sil/studies/campaign/run_list.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

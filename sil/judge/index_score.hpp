@@ -7,7 +7,7 @@
 
 #include "rsi/types.hpp"
 #include "rsi/warning/warning_state_machine.hpp"
-#include "sil/results/two_wheel_lift.hpp"
+#include "sil/judge/two_wheel_lift.hpp"
 
 namespace sil {
 
@@ -36,6 +36,15 @@ inline constexpr double largest_threshold = 5.0;
 // A smaller threshold is taken to warn of whatever a larger one warns of.
 IndexScore score_of(const IndexCourse& course, const rsi::Parameters& calibration,
                     const std::optional<TwoWheelLiftOff>& lift_off);
+
+// Whether that warning raises an alarm.
+bool index_alarms(const IndexCourse& course, const rsi::Parameters& calibration, double threshold);
+
+// The largest threshold at which it raises an alarm, to 1e-9 of the highest level; 0 when there is none.
+double alarm_threshold(const IndexCourse& course, const rsi::Parameters& calibration);
+
+// The risk of falling to either side.
+rsi::RiskLevel risk_of(float right, float left);
 
 // The lead of that warning over two-wheel lift-off; empty unless it is in force with the falling side.
 std::optional<double> index_lead_s(const IndexCourse& course, const rsi::Parameters& calibration,

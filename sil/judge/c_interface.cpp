@@ -1,0 +1,135 @@
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "sil/judge/detection.hpp"
+#include "sil/judge/index_score.hpp"
+#include "sil/judge/judge.h"
+
+namespace {
+
+std::optional<double> known(double value) {
+    return std::isnan(value) ? std::nullopt : std::optional{value};
+}
+
+double or_nan(const std::optional<double>& value) {
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+sil::RunKind kind_of(const judge_runs& runs, std::size_t place) {
+    return {runs.vehicles == nullptr ? 0U : runs.vehicles[place],
+            known(runs.lift_off_times_s[place]).has_value(),
+            sil::load_band(runs.largest_load_transfer_ratios[place])};
+}
+
+rsi::Parameters parameters_of(const judge_calibration& calibration) {
+    rsi::Parameters parameters{};
+    parameters.advisory_on = calibration.advisory_on;
+    parameters.advisory_off = calibration.advisory_off;
+    parameters.warning_on = calibration.warning_on;
+    parameters.warning_off = calibration.warning_off;
+    parameters.warning_confirmation_s = calibration.warning_confirmation_s;
+    parameters.advisory_hold_s = calibration.advisory_hold_s;
+    parameters.warning_hold_s = calibration.warning_hold_s;
+    parameters.recovery_s = calibration.recovery_s;
+    return parameters;
+}
+
+sil::IndexCourse course_of(const judge_course& given) {
+    sil::IndexCourse course;
+    for (std::size_t k = 0U; k < given.cycles; ++k) {
+        course.times_s.push_back(given.times_s[k]);
+        course.risks.push_back(
+            sil::risk_of(static_cast<float>(given.right[k]), static_cast<float>(given.left[k])));
+    }
+    return course;
+}
+
+judge_share share_of(const sil::Share& share) {
+    const sil::ConfidenceInterval confidence = share.confidence();
+    return {share.count, share.total, confidence.lowest, confidence.highest};
+}
+
+}  // namespace
+
+extern "C" {
+
+const double judge_early_s = sil::early_s;
+const double judge_very_early_s = sil::very_early_s;
+const double judge_time_rounding_s = sil::time_rounding_s;
+const size_t judge_fewest_clusters = sil::fewest_clusters;
+
+const char* judge_band_name(size_t band) {
+    static_assert(JUDGE_BANDS == sil::band_count);
+    return to_string(sil::load_bands[band]);
+}
+
+void judge_each(const judge_runs* runs, uint8_t* lifted, uint8_t* calm, uint8_t* warned,
+                uint8_t* warned_100ms, uint8_t* warned_200ms, uint8_t* band) {
+    for (std::size_t place = 0U; place < runs->count; ++place) {
+        const sil::RunKind run = kind_of(*runs, place);
+        const sil::WarningInRun warning = sil::warning_in_run(known(runs->leads_s[place]), false);
+        lifted[place] = run.lifted ? 1U : 0U;
+        calm[place] = sil::is_calm(run.lifted, run.band) ? 1U : 0U;
+        warned[place] = run.lifted && warning.warned ? 1U : 0U;
+        warned_100ms[place] = run.lifted && warning.warned_100ms ? 1U : 0U;
+        warned_200ms[place] = run.lifted && warning.warned_200ms ? 1U : 0U;
+        band[place] = static_cast<uint8_t>(run.band);
+    }
+}
+
+void judge_detect(const judge_runs* runs, judge_detection* detection) {
+    sil::DetectionCounts counts;
+    for (std::size_t place = 0U; place < runs->count; ++place) {
+        counts.add(kind_of(*runs, place), known(runs->leads_s[place]), runs->alarms[place] != 0U);
+    }
+    const sil::Detection found = counts.detection();
+    detection->warned = share_of(found.warned);
+    detection->warned_100ms = share_of(found.warned_100ms);
+    detection->warned_200ms = share_of(found.warned_200ms);
+    detection->false_alarms = share_of(found.false_alarms);
+    for (std::size_t band = 0U; band < sil::band_count; ++band) {
+        detection->alarms[band] = share_of(found.alarms[band]);
+    }
+    detection->median_lead_s = or_nan(found.median_lead_s);
+}
+
+double judge_lead_s(size_t count, const double* times_s, const uint8_t* sides, double lift_off_time_s,
+                    uint8_t falling_side) {
+    sil::WarningInForce in_force;
+    for (std::size_t k = 0U; k < count && times_s[k] <= lift_off_time_s + sil::time_rounding_s; ++k) {
+        in_force.observe(sil::WarningState::warning, static_cast<sil::WarningSide>(sides[k]), times_s[k]);
+    }
+    return or_nan(in_force.lead_s(lift_off_time_s, static_cast<sil::WarningSide>(falling_side)));
+}
+
+double judge_index_lead_s(const judge_calibration* calibration, const judge_course* course, double threshold,
+                          double lift_off_time_s, uint8_t falling_side) {
+    return or_nan(
+        sil::index_lead_s(course_of(*course), parameters_of(*calibration), threshold,
+                          {{lift_off_time_s, 0.0, 0.0}, static_cast<sil::WarningSide>(falling_side)}));
+}
+
+int judge_alarms(const judge_calibration* calibration, const judge_course* course, double threshold) {
+    return sil::index_alarms(course_of(*course), parameters_of(*calibration), threshold) ? 1 : 0;
+}
+
+double judge_alarm_threshold(const judge_calibration* calibration, const judge_course* course) {
+    return sil::alarm_threshold(course_of(*course), parameters_of(*calibration));
+}
+
+void judge_wilson_interval(double count, double total, double* lowest, double* highest) {
+    const sil::ConfidenceInterval interval = sil::wilson_interval(count, total);
+    *lowest = interval.lowest;
+    *highest = interval.highest;
+}
+
+void judge_share_by_vehicle(size_t vehicles, const size_t* counts, const size_t* totals, judge_share* share) {
+    sil::ShareByVehicle all;
+    for (std::size_t vehicle = 0U; vehicle < vehicles; ++vehicle) {
+        all.add(vehicle, counts[vehicle], totals[vehicle]);
+    }
+    *share = share_of(all.share());
+}
+
+}  // extern "C"
