@@ -44,9 +44,10 @@ class SortedTable {
   sortBy(column) {
     const descending = this.order.column === column ? !this.order.descending : this.columns[column].digits >= 0;
     this.order = { column, descending };
+    const key = (row) => (Array.isArray(row[column]) ? row[column][0] : row[column]);
     const compared = (a, b) => (typeof a === "number" ? a - b : a.localeCompare(b, "en", { numeric: true }));
     const known = this.rows.filter((row) => row[column] !== null);
-    known.sort((a, b) => (descending ? -1 : 1) * compared(a[column], b[column]));
+    known.sort((a, b) => (descending ? -1 : 1) * compared(key(a), key(b)));
     this.show(known.concat(this.rows.filter((row) => row[column] === null)));
     [...this.table.tHead.rows[0].cells].forEach((cell, place) => {
       if (place === column) {
@@ -64,10 +65,13 @@ class SortedTable {
         const { digits } = this.columns[place];
         const cell = line.insertCell();
         cell.className = digits < 0 ? "words" : "";
-        cell.textContent = value === null ? "\u2013" : digits < 0 ? value : numberText(value, digits);
-        if (value !== null && digits >= 0) {
-          cell.dataset.value = String(value);
+        if (value === null || digits < 0) {
+          cell.textContent = value === null ? "\u2013" : value;
+          return;
         }
+        const [number, ...interval] = [value].flat().map((each) => numberText(each, digits));
+        cell.textContent = number + (interval.length > 0 ? ` (${interval.join(" to ")})` : "");
+        cell.dataset.value = String([value].flat()[0]);
       });
       return line;
     }));

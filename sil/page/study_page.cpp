@@ -22,7 +22,12 @@ Json number(double value) {
     return std::fabs(value) < most_exact ? Json(rounded) : Json(value);
 }
 
-Json json_of(const StudyCell& cell) {
+Json json_of(const TableCell& cell) {
+    if (const auto* share = std::get_if<TableShare>(&cell)) {
+        return std::isfinite(share->value)
+                   ? Json{number(share->value), number(share->lowest), number(share->highest)}
+                   : Json(nullptr);
+    }
     return std::holds_alternative<double>(cell) ? number(std::get<double>(cell))
                                                 : Json(std::get<std::string>(cell));
 }
@@ -83,17 +88,16 @@ void StudyPage::list(const std::vector<std::string>& sentences) {
     sections_.back().blocks.push_back(json_text({{"kind", "list"}, {"items", sentences}}));
 }
 
-void StudyPage::table(const StudyTable& table) {
+void StudyPage::table(const Table& table) {
     Json json{{"kind", "table"}, {"name", table.name}, {"heading", table.heading}, {"note", table.note}};
     json["columns"] = Json::array();
-    for (const StudyColumn& column : table.columns) {
-        json["columns"].push_back(
-            {{"words", column.words}, {"digits", column.digits}, {"unit", column.unit}});
+    for (const TableColumn& column : table.columns) {
+        json["columns"].push_back({{"words", column.name}, {"digits", column.digits}, {"unit", column.unit}});
     }
     json["rows"] = Json::array();
-    for (const std::vector<StudyCell>& row : table.rows) {
+    for (const std::vector<TableCell>& row : table.rows) {
         Json cells = Json::array();
-        for (const StudyCell& cell : row) {
+        for (const TableCell& cell : row) {
             cells.push_back(json_of(cell));
         }
         json["rows"].push_back(cells);

@@ -6,30 +6,11 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "sil/page/table.hpp"
+
 namespace sil {
-
-// A column of a table. Numbers have so many decimals; fewer than none: the column holds words.
-struct StudyColumn {
-    static constexpr int of_words = -1;
-
-    std::string words{};
-    int digits{of_words};
-    std::string unit{};
-};
-
-// A number that is not finite is shown as not known.
-using StudyCell = std::variant<std::string, double>;
-
-struct StudyTable {
-    std::string name{};  // by which tests and links find it
-    std::string heading{};
-    std::vector<StudyColumn> columns{};
-    std::vector<std::vector<StudyCell>> rows{};
-    std::string note{};
-};
 
 struct StudyAxis {
     std::string words{};
@@ -84,7 +65,7 @@ class StudyPage {
     void section(const std::string& heading);
     void text(const std::string& text);
     void list(const std::vector<std::string>& sentences);
-    void table(const StudyTable& table);
+    void table(const Table& table);
     void chart(const StudyChart& chart);
 
     // The whole page. Texts may hold anything.

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 
 #include "sil/page/study_page.hpp"
 #include "sil/results/versions.hpp"
+#include "sil/studies/campaign/report_tables.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 
 namespace sil {
@@ -24,110 +26,6 @@ double percent(const Share& share) {
 
 double or_not_known(const std::optional<double>& value) {
     return value.value_or(not_known);
-}
-
-std::string interval(const Share& share) {
-    const ConfidenceInterval confidence = share.confidence();
-    return share.total == 0U
-               ? std::string{"-"}
-               : fmt::format("{:.2f} to {:.2f}", 100.0 * confidence.lowest, 100.0 * confidence.highest);
-}
-
-std::vector<StudyCell> row_of(const Judgement& judgement) {
-    const Detection& detection = judgement.detection;
-    std::vector<StudyCell> row{judgement.name,
-                               percent(detection.warned),
-                               interval(detection.warned),
-                               percent(detection.warned_100ms),
-                               percent(detection.warned_200ms),
-                               or_not_known(detection.median_lead_s),
-                               or_not_known(detection.tenth_lead_s),
-                               percent(detection.false_alarms),
-                               interval(detection.false_alarms)};
-    for (const Share& share : detection.alarms) {
-        row.emplace_back(percent(share));
-    }
-    return row;
-}
-
-StudyTable table_of_judgements(const RunGroup& group) {
-    StudyTable table{"judgements",
-                     "The firmware's warning, and every index with its threshold at 1",
-                     {{"index", StudyColumn::of_words, ""},
-                      {"warned", 2, "%"},
-                      {"interval", StudyColumn::of_words, "%"},
-                      {"0.1 s before", 2, "%"},
-                      {"0.2 s before", 2, "%"},
-                      {"median lead", 3, "s"},
-                      {"10th percentile", 3, "s"},
-                      {"alarms in calm runs", 2, "%"},
-                      {"its interval", StudyColumn::of_words, "%"}},
-                     {},
-                     {}};
-    for (const LoadBand band : load_bands) {
-        table.columns.push_back({fmt::format("alarms, |LTR| {}", to_string(band)), 2, "%"});
-    }
-    for (const Judgement& judgement : group.judgements) {
-        table.rows.push_back(row_of(judgement));
-    }
-    return table;
-}
-
-StudyTable table_of_best(const RunGroup& group) {
-    StudyTable table{"best",
-                     "Every index with the threshold that is best at a rate of alarms in calm runs",
-                     {{"index", StudyColumn::of_words, ""},
-                      {"alarms at most", 1, "%"},
-                      {"threshold", 3, ""},
-                      {"alarms in calm runs", 2, "%"},
-                      {"warned", 2, "%"},
-                      {"0.1 s before", 2, "%"},
-                      {"0.2 s before", 2, "%"}},
-                     {},
-                     {}};
-    for (const Judgement& judgement : group.judgements) {
-        for (std::size_t limit = 0U; limit < judgement.best.size(); ++limit) {
-            const std::optional<BestThreshold>& best = judgement.best[limit];
-            const Detection detection = best ? best->detection : Detection{};
-            table.rows.push_back({judgement.name, 100.0 * false_alarm_limits[limit],
-                                  best ? best->threshold : not_known, percent(detection.false_alarms),
-                                  percent(detection.warned), percent(detection.warned_100ms),
-                                  percent(detection.warned_200ms)});
-        }
-    }
-    return table;
-}
-
-StudyTable table_of_groups(const std::string& name, const std::string& what,
-                           const std::vector<RunGroup>& groups) {
-    StudyTable table{name,
-                     "",
-                     {{what, StudyColumn::of_words, ""},
-                      {"runs", 0, ""},
-                      {"two wheels lift", 0, ""},
-                      {"brief lifts", 0, ""},
-                      {"not warned of", 0, ""},
-                      {"warned", 2, "%"},
-                      {"0.1 s before", 2, "%"},
-                      {"0.2 s before", 2, "%"},
-                      {"median lead", 3, "s"},
-                      {"alarms in calm runs", 2, "%"},
-                      {"wrong side", 2, "s"},
-                      {"unavailable", 2, "s"},
-                      {"runs with a code", 0, ""}},
-                     {},
-                     {}};
-    for (const RunGroup& group : groups) {
-        const Detection& warning = group.judgements.front().detection;
-        table.rows.push_back({group.name, static_cast<double>(group.runs), static_cast<double>(group.lifted),
-                              static_cast<double>(group.brief_lifts),
-                              static_cast<double>(warning.warned.total - warning.warned.count),
-                              percent(warning.warned), percent(warning.warned_100ms),
-                              percent(warning.warned_200ms), or_not_known(warning.median_lead_s),
-                              percent(warning.false_alarms), group.time.wrong_side_s,
-                              group.time.unavailable_s, static_cast<double>(group.time.coded_runs)});
-    }
-    return table;
 }
 
 // The firmware's warning is no index with a threshold: it comes first, in a colour of its own.
@@ -205,21 +103,21 @@ std::string quoted(const std::string& text) {
 }
 
 // Which runs, each with the command that drives it again.
-StudyTable table_of_runs(const std::string& name, const std::string& heading, const RowTable& rows,
-                         const CampaignCall& call,
-                         const std::function<bool(const RecordedCampaignRun&)>& is_listed) {
-    StudyTable table{name,
-                     heading,
-                     {{"run", 0, ""},
-                      {"vehicle", StudyColumn::of_words, ""},
-                      {"manoeuvre", StudyColumn::of_words, ""},
-                      {"two wheels lift", 3, "s"},
-                      {"lead", 3, "s"},
-                      {"largest |LTR|", 3, ""},
-                      {"warnings", 0, ""},
-                      {"drives it again, and leaves its report.html", StudyColumn::of_words, ""}},
-                     {},
-                     {}};
+Table table_of_runs(const std::string& name, const std::string& heading, const RowTable& rows,
+                    const CampaignCall& call,
+                    const std::function<bool(const RecordedCampaignRun&)>& is_listed) {
+    Table table{name,
+                heading,
+                {{"run", 0, ""},
+                 {"vehicle", TableColumn::of_words, ""},
+                 {"manoeuvre", TableColumn::of_words, ""},
+                 {"two wheels lift", 3, "s"},
+                 {"lead", 3, "s"},
+                 {"largest |LTR|", 3, ""},
+                 {"warnings", 0, ""},
+                 {"drives it again, and leaves its report.html", TableColumn::of_words, ""}},
+                {},
+                {}};
     std::size_t found = 0U;
     for (const RecordedCampaignRun& run : rows.runs) {
         if (!is_listed(run) || ++found > most_listed_runs) {
@@ -245,9 +143,7 @@ void add_shares(StudyPage& page, const CampaignReport& report) {
     page.text(
         fmt::format("{} of {} runs lift two wheels of a side. The shares belong to this mixture of drives; "
                     "intervals are of 95 %, {}.",
-                    all.lifted, all.runs,
-                    all.vehicles < fewest_clusters ? "runs taken as independent, for there are few vehicles"
-                                                   : "counting vehicles, whose runs are not independent"));
+                    all.lifted, all.runs, words_of_confidence(all)));
     page.chart(chart_of_leads(report));
     page.chart(chart_of_detection(report, "detection", "In force with the right side as two wheels lift",
                                   &CurvePoint::warned, &Detection::warned));
@@ -256,7 +152,7 @@ void add_shares(StudyPage& page, const CampaignReport& report) {
     page.chart(chart_of_detection(report, "detection_200ms", "For 0.2 s or more", &CurvePoint::warned_200ms,
                                   &Detection::warned_200ms));
     page.table(table_of_judgements(all));
-    page.table(table_of_best(all));
+    page.table(table_of_best(all, 0U, std::size(false_alarm_limits) - 1U));
     page.section("By manoeuvre");
     page.table(table_of_groups("manoeuvres", "manoeuvre", report.manoeuvres));
     if (!report.classes.empty()) {
@@ -268,28 +164,9 @@ void add_shares(StudyPage& page, const CampaignReport& report) {
 }
 
 void add_ordinary(StudyPage& page, const CampaignReport& report) {
-    const TimeAccount& time = report.ordinary;
-    const double hours = time.duration_s / 3600.0;
-    const double thousand_km = time.distance_m / 1.0e6;
-    StudyTable table{"ordinary",
-                     "",
-                     {{"what", StudyColumn::of_words, ""},
-                      {"in all", 2, ""},
-                      {"per hour", 3, ""},
-                      {"per 1,000 km", 3, ""}},
-                     {},
-                     {}};
-    const auto add = [&](const char* name, double value) {
-        table.rows.push_back({std::string{name}, value, value / hours, value / thousand_km});
-    };
-    add("alarms", static_cast<double>(time.alarms));
-    add("advisories", static_cast<double>(time.advisories));
-    add("unavailable, s", time.unavailable_s);
-    add("drives with a diagnostic code", static_cast<double>(time.coded_runs));
     page.section("Ordinary driving");
-    page.text(fmt::format("{} drives, {:.1f} h, {:.0f} km; in no share above.", report.ordinary_runs, hours,
-                          time.distance_m / 1000.0));
-    page.table(table);
+    page.text(text_of_ordinary_driving(report));
+    page.table(table_of_ordinary_driving(report.ordinary));
 }
 
 }  // namespace

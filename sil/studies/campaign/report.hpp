@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sil/studies/campaign/detection.hpp"
+#include "sil/studies/campaign/run_list.hpp"
 
 namespace sil {
 
@@ -28,6 +28,9 @@ struct Judgement {
     Detection detection{};                             // the warning itself, or the index at threshold 1
     std::vector<std::optional<BestThreshold>> best{};  // at false_alarm_limits; empty for the warning
 };
+
+inline constexpr double hour_s = 3600.0;
+inline constexpr double thousand_km_m = 1.0e6;
 
 // What the firmware's warning did over the time of some runs.
 struct TimeAccount {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sil/studies/campaign/report.hpp"
+#include "sil/studies/campaign/report_tables.hpp"
 
 namespace sil {
 namespace {
@@ -64,9 +64,6 @@ Json per(double count, double base) {
     return base > 0.0 ? number(count / base) : Json(nullptr);
 }
 
-constexpr double hour_s = 3600.0;
-constexpr double thousand_km_m = 1.0e6;
-
 Json json_of(const TimeAccount& time) {
     const double hours = time.duration_s / hour_s;
     const double thousand_km = time.distance_m / thousand_km_m;
@@ -122,108 +119,9 @@ Json json_of(const std::vector<RunGroup>& groups) {
     return json;
 }
 
-std::string percent(const Share& share) {
-    return share.total == 0U ? "-" : fmt::format("{:.2f}", 100.0 * share.value());
-}
-
-std::string percent_with_confidence(const Share& share) {
-    const ConfidenceInterval confidence = share.confidence();
-    return share.total == 0U ? "-"
-                             : fmt::format("{:.2f} ({:.2f} to {:.2f})", 100.0 * share.value(),
-                                           100.0 * confidence.lowest, 100.0 * confidence.highest);
-}
-
-std::string seconds(const std::optional<double>& time_s) {
-    return time_s ? fmt::format("{:.3f}", *time_s) : "-";
-}
-
-std::string alarms_of(const Detection& detection, std::string (*text_of)(const Share&)) {
-    std::string cells;
-    for (const Share& share : detection.alarms) {
-        cells += " | " + text_of(share);
-    }
-    return cells;
-}
-
-// " | 0.7 to 0.8 | ..."
-std::string band_names() {
-    std::string cells;
-    for (const LoadBand band : load_bands) {
-        cells += fmt::format(" | {}", to_string(band));
-    }
-    return cells;
-}
-
-std::string rule(int columns) {
-    std::string text = "|";
-    for (int column = 0; column < columns; ++column) {
-        text += "---|";
-    }
-    return text + "\n";
-}
-
-std::string table_at_one(const RunGroup& group) {
-    std::string text = fmt::format(
-        "| | warned, % | 0.1 s before, % | 0.2 s before, % | median lead, s | 10th percentile, s | alarms in "
-        "calm runs, %{} |\n",
-        band_names());
-    text += rule(11);
-    for (const Judgement& judgement : group.judgements) {
-        const Detection& detection = judgement.detection;
-        text += fmt::format("| {} | {} | {} | {} | {} | {} | {}{} |\n", judgement.name,
-                            percent_with_confidence(detection.warned),
-                            percent_with_confidence(detection.warned_100ms),
-                            percent_with_confidence(detection.warned_200ms), seconds(detection.median_lead_s),
-                            seconds(detection.tenth_lead_s), percent_with_confidence(detection.false_alarms),
-                            alarms_of(detection, percent));
-    }
-    return text;
-}
-
 constexpr std::size_t one_percent = 2U;  // of false_alarm_limits
 
-std::string table_of_best(const RunGroup& group) {
-    std::string text = fmt::format(
-        "| | threshold | alarms in calm runs, %{} | warned, % | 0.1 s before, % | 0.2 s before, % |\n",
-        band_names());
-    text += rule(10);
-    for (const Judgement& judgement : group.judgements) {
-        if (judgement.best.empty()) {
-            continue;
-        }
-        const std::optional<BestThreshold>& best = judgement.best[one_percent];
-        if (best) {
-            const Detection& detection = best->detection;
-            text += fmt::format("| {} | {:.3f} | {}{} | {} | {} | {} |\n", judgement.name, best->threshold,
-                                percent(detection.false_alarms), alarms_of(detection, percent),
-                                percent_with_confidence(detection.warned),
-                                percent_with_confidence(detection.warned_100ms),
-                                percent_with_confidence(detection.warned_200ms));
-        } else {
-            text += fmt::format("| {} | none | - | - | - | - | - | - | - | - |\n", judgement.name);
-        }
-    }
-    return text;
-}
-
-std::string table_of_groups(const std::vector<RunGroup>& groups) {
-    std::string text = fmt::format(
-        "| | runs | two wheels lift | brief lifts | warned, % | 0.1 s before, % | 0.2 s before, % | median "
-        "lead, s{} | wrong side, s | unavailable, s |\n",
-        band_names());
-    text += rule(14);
-    for (const RunGroup& group : groups) {
-        const Detection& warning = group.judgements.front().detection;
-        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {}{} | {:.2f} | {:.2f} |\n", group.name,
-                            group.runs, group.lifted, group.brief_lifts, percent(warning.warned),
-                            percent(warning.warned_100ms), percent(warning.warned_200ms),
-                            seconds(warning.median_lead_s), alarms_of(warning, percent),
-                            group.time.wrong_side_s, group.time.unavailable_s);
-    }
-    return text;
-}
-
-// Of so many that nobody would read the table those with the fewest lift-offs warned of 0.1 s before.
+// If there are more groups, only those with the fewest lift-offs warned of 0.1 s before.
 constexpr std::size_t most_rows = 30U;
 
 std::vector<RunGroup> worst_of(std::vector<RunGroup> groups) {
@@ -238,39 +136,10 @@ std::vector<RunGroup> worst_of(std::vector<RunGroup> groups) {
 }
 
 std::string text_of_vehicles(const std::vector<RunGroup>& vehicles) {
-    if (vehicles.size() <= most_rows) {
-        return "\n## The firmware's warning by vehicle\n" + table_of_groups(vehicles);
-    }
-    return fmt::format("\n## The firmware's warning by vehicle: the worst {} of {}\n{}", most_rows,
-                       vehicles.size(), table_of_groups(worst_of(vehicles)));
-}
-
-std::string text_of_ordinary_driving(const CampaignReport& report) {
-    if (report.ordinary_runs == 0U) {
-        return {};
-    }
-    const TimeAccount& time = report.ordinary;
-    const double hours = time.duration_s / hour_s;
-    const double thousand_km = time.distance_m / thousand_km_m;
-    std::string text = fmt::format(
-        "\n## Ordinary driving\n{} drives, {:.1f} h, {:.0f} km.\n\n| | in all | per hour | per 1,000 km |\n",
-        report.ordinary_runs, hours, time.distance_m / 1000.0);
-    text += rule(4);
-    const auto row = [&](const char* name, double value, int decimals) {
-        text += fmt::format("| {} | {:.{}f} | {:.3f} | {:.3f} |\n", name, value, decimals, value / hours,
-                            value / thousand_km);
-    };
-    row("alarms", static_cast<double>(time.alarms), 0);
-    row("advisories", static_cast<double>(time.advisories), 0);
-    row("unavailable, s", time.unavailable_s, 2);
-    row("drives with a diagnostic code", static_cast<double>(time.coded_runs), 0);
-    return text;
-}
-
-// Of what the intervals are made.
-const char* words_of_confidence(const RunGroup& group) {
-    return group.vehicles < fewest_clusters ? "runs taken as independent, for there are few vehicles"
-                                            : "counting vehicles, whose runs are not independent";
+    const bool all = vehicles.size() <= most_rows;
+    return fmt::format("\n## The firmware's warning by vehicle{}\n{}",
+                       all ? "" : fmt::format(": the worst {} of {}", most_rows, vehicles.size()),
+                       markdown(table_of_groups("vehicles", "vehicle", all ? vehicles : worst_of(vehicles))));
 }
 
 std::string text_of_drawn_runs(const CampaignReport& report) {
@@ -293,13 +162,17 @@ std::string text_of_drawn_runs(const CampaignReport& report) {
         "diagnostic code: {}.\n\n",
         WarningJudge::swing_s, all.time.wrong_side_s, 1000.0 * all.time.wrong_side_s / runs,
         all.time.unavailable_s, 1000.0 * all.time.unavailable_s / runs, all.time.coded_runs);
-    text += "## The firmware's warning, and every index with its threshold at 1\n" + table_at_one(all);
-    text += "\n## Every index with its threshold where at most 1 % of calm runs alarm\n" + table_of_best(all);
+    text += "## The firmware's warning, and every index with its threshold at 1\n" +
+            markdown(table_of_judgements(all));
+    text += "\n## Every index with its threshold where at most 1 % of calm runs alarm\n" +
+            markdown(table_of_best(all, one_percent, one_percent));
     text += text_of_vehicles(report.vehicles);
     if (!report.classes.empty()) {
-        text += "\n## The firmware's warning by class of vehicle\n" + table_of_groups(report.classes);
+        text += "\n## The firmware's warning by class of vehicle\n" +
+                markdown(table_of_groups("classes", "class", report.classes));
     }
-    text += "\n## The firmware's warning by manoeuvre\n" + table_of_groups(report.manoeuvres);
+    text += "\n## The firmware's warning by manoeuvre\n" +
+            markdown(table_of_groups("manoeuvres", "manoeuvre", report.manoeuvres));
     return text;
 }
 
@@ -327,7 +200,11 @@ std::string report_markdown(const CampaignReport& report) {
     if (report.all.runs > 0U) {
         text += text_of_drawn_runs(report);
     }
-    return text + text_of_ordinary_driving(report);
+    if (report.ordinary_runs > 0U) {
+        text += "\n## Ordinary driving\n" + text_of_ordinary_driving(report) + "\n\n" +
+                markdown(table_of_ordinary_driving(report.ordinary));
+    }
+    return text;
 }
 
 }  // namespace sil

@@ -13,14 +13,14 @@
 namespace sil {
 namespace {
 
-StudyTable table_of_values(const Identification& result) {
-    StudyTable table{"values",
-                     "",
-                     {{"value", StudyColumn::of_words, ""},
-                      {"is", StudyColumn::of_words, ""},
-                      {"origin", StudyColumn::of_words, ""}},
-                     {},
-                     "All that depend on the vehicle; the rest of the calibration is as in the template."};
+Table table_of_values(const Identification& result) {
+    Table table{"values",
+                "",
+                {{"value", TableColumn::of_words, ""},
+                 {"is", TableColumn::of_words, ""},
+                 {"origin", TableColumn::of_words, ""}},
+                {},
+                "All that depend on the vehicle; the rest of the calibration is as in the template."};
     for (const IdentifiedValue& value : result.values) {
         table.rows.push_back({value.key, value_text(value), value.origin});
     }
@@ -47,15 +47,15 @@ const DriveResidual* residual_of(const std::vector<DriveResidual>& residuals, co
     return found == residuals.end() ? nullptr : &*found;
 }
 
-StudyTable table_of_drives(const Identification& result, const std::vector<FittedDrive>& drives) {
-    StudyTable table{
+Table table_of_drives(const Identification& result, const std::vector<FittedDrive>& drives) {
+    Table table{
         "drives",
         "",
-        {{"drive", StudyColumn::of_words, ""},
-         {"kind", StudyColumn::of_words, ""},
+        {{"drive", TableColumn::of_words, ""},
+         {"kind", TableColumn::of_words, ""},
          {"used from", 2, "s"},
          {"to", 2, "s"},
-         {"why no later", StudyColumn::of_words, ""},
+         {"why no later", TableColumn::of_words, ""},
          {"up to", 2, "g"},
          {"up to", 2, "deg"},
          {"moment, R2", 4, ""},

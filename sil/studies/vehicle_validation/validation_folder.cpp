@@ -12,8 +12,8 @@ namespace sil {
 ValidationFolder read_validation_folder(const std::filesystem::path& folder) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error)) {
-        throw InputError(fmt::format(
-            "{} is no folder; give the one with the drives (docs/calibration.md)", folder.string()));
+        throw InputError(fmt::format("{} is no folder; give the one with the drives (docs/calibration.md)",
+                                     folder.string()));
     }
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator{folder}) {

@@ -54,8 +54,8 @@ std::string conclusion(const Validation& validation) {
                                           : "No drive says anything of the calibration.";
 }
 
-StudyTable table_of_drives(const Validation& validation) {
-    StudyTable table;
+Table table_of_drives(const Validation& validation) {
+    Table table;
     table.name = "drives";
     table.columns = {{"drive"},
                      {"comparison"},

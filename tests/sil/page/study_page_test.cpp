@@ -38,7 +38,7 @@ TEST(StudyPage, HoldsTextsThatCannotEndTheirElement) {
 TEST(StudyPage, HasNoNumberThatIsNotFinite) {
     sil::StudyPage page{"a", "b"};
     page.section("c");
-    sil::StudyTable table;
+    sil::Table table;
     table.columns = {{"words"}, {"number", 2, "m"}};
     table.rows = {{std::string{"x"}, std::nan("")}, {std::string{"y"}, HUGE_VAL}, {std::string{"z"}, 1.5}};
     page.table(table);
@@ -56,6 +56,29 @@ TEST(StudyPage, HasNoNumberThatIsNotFinite) {
     EXPECT_EQ(blocks[1]["y"]["least"], json::parse(R"({"to":100})"));
     EXPECT_EQ(blocks[1]["marks"], json::parse(R"([{"x":0.5}])"));
     EXPECT_EQ(blocks[1]["series"][0]["dash"], json::parse("[6,3]"));
+}
+
+sil::Table table_of_cells() {
+    sil::Table table;
+    table.columns = {{"name"}, {"share", 1, "%"}, {"count", 0, "", true}, {"lead", 2, "s"}};
+    table.rows = {{std::string{"a"}, sil::TableShare{50.0, 41.26, 58.74}, 3.0, 0.125},
+                  {std::string{"b"}, sil::TableShare{std::nan(""), 0.0, 100.0}, 0.0, std::nan("")}};
+    return table;
+}
+
+TEST(Table, IsShownInMarkdownWithUnitsAndIntervals) {
+    EXPECT_EQ(sil::markdown(table_of_cells()),
+              "| name | share, % | lead, s |\n|---|---|---|\n"
+              "| a | 50.0 (41.3 to 58.7) | 0.12 |\n| b | - | - |\n");
+}
+
+TEST(Table, IsShownOnAPageWithAllColumns) {
+    sil::StudyPage page{"a", "b"};
+    page.section("c");
+    page.table(table_of_cells());
+    const json table = held_by(page.html())["sections"][0]["blocks"][0];
+    EXPECT_EQ(table["columns"][2], json::parse(R"({"words":"count","digits":0,"unit":""})"));
+    EXPECT_EQ(table["rows"], json::parse(R"([["a",[50,41.26,58.74],3,0.125],["b",null,0,null]])"));
 }
 
 TEST(StudyPage, ThinsOutOnlyWhatIsLong) {
