@@ -1,4 +1,4 @@
-"""What the A2L describes: parameters and outputs out of the firmware's tables, their meanings and groups out of rsi.h."""
+"""Content of the A2L: parameters and outputs out of the firmware's tables, their meanings and groups out of rsi.h."""
 
 import dataclasses
 import re
@@ -7,7 +7,7 @@ import subprocess
 import description
 import whole_file
 
-# Where a meaning names no range: what a display may end at. No value is cut there.
+# Display limits of a meaning without a range. No value is cut there.
 DISPLAYED = {"rad": (-3.2, 3.2), "m/s2": (-100.0, 100.0), "m": (-2.0, 2.0), "N.m": (-1e6, 1e6), "N.m/rad": (-1e7, 1e7),
              "N.m.s/rad": (-1e6, 1e6), "s": (0.0, 100.0), "g": (-20.0, 20.0), "": (-20.0, 20.0)}
 
@@ -33,7 +33,7 @@ class Model:
 
 @dataclasses.dataclass
 class Row:
-    """What description.explain wants."""
+    """Arguments of description.explain."""
     role: str
     name: str
     meaning: str
@@ -46,7 +46,7 @@ def meanings_of(rows, header):
 
 
 def unit_of(name, told):
-    """Of the table of outputs, or by the end of a parameter's name."""
+    """Unit by the table of outputs, or by the end of a parameter's name."""
     key = description.unit_of(name, told)
     return description.UNITS[key][0] if key else ""
 

@@ -16,7 +16,7 @@
 
 namespace sil {
 
-// The key is the test key, which everybody knows.
+// The key is the test key, which is public.
 class CalibrationAccess {
  public:
     // `folder`: where the stored section and the count of wrong keys are kept; empty: in memory only.

@@ -62,7 +62,7 @@ std::string duration(double seconds) {
     return whole < 120 ? fmt::format("{} s", whole) : fmt::format("{} min {:02} s", whole / 60, whole % 60);
 }
 
-// By its absolute path; where the system does not tell it, by its name alone.
+// By its absolute path; by its name alone if the system does not provide the path.
 std::filesystem::path this_program() {
     std::error_code not_told;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", not_told);
@@ -227,7 +227,7 @@ void add_campaign(CLI::App& app) {
     add_output(*folder, *request, "Folder of the campaign")->capture_default_str();
     folder->callback([request] { begin(*request); });
 
-    campaign->add_subcommand("columns", "What the columns of the rows are, with units, as JSON")
+    campaign->add_subcommand("columns", "Names, units and meanings of the rows' columns, as JSON")
         ->callback([] { fmt::print("{}", row_columns_json()); });
     refuse_options_of_its_own(*campaign);
 }

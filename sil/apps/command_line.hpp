@@ -20,8 +20,8 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// All that a program does, and its exit status. A request for help is answered on stdout. What is wrong is
-// said on stderr in one line "PROGRAM: cause", after a wrong command line (status 2) followed by the command
+// All that a program does, and its exit status. A request for help is answered on stdout. Errors go to stderr
+// in one line "PROGRAM: cause", after a wrong command line (status 2) followed by the command
 // that shows the help. Output that could not be written is a failure, too.
 int run_program(const CLI::App& app, const std::function<void()>& work);
 

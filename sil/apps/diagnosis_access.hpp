@@ -14,7 +14,7 @@
 
 namespace sil {
 
-// The key is the test key, which everybody knows.
+// The key is the test key, which is public.
 class DiagnosisAccess {
  public:
     // `folder`: where trouble codes, identification, the downloaded section and the count of wrong keys are

@@ -59,7 +59,7 @@ void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
     }
 }
 
-// What others may reach beside the warning; nullptr: nobody.
+// Access beside the warning; nullptr: none.
 struct Accesses {
     CalibrationAccess* calibration{nullptr};
     DiagnosisAccess* diagnosis{nullptr};

@@ -105,7 +105,7 @@ void add_fault_search_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "fault-search",
         "Random faults in random drives: is a due warning missed, or a false one given, silently?");
-    command->add_option("--settings", request->settings, "What drives are drawn from (TOML)")
+    command->add_option("--settings", request->settings, "Distributions that drives are drawn from (TOML)")
         ->capture_default_str();
     CLI::Option* scenarios = add_whole_numbers(*command, "--scenarios", request->scenarios,
                                                "How many; repeated: one search after the other");

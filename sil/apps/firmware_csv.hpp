@@ -17,7 +17,7 @@ namespace sil {
 
 // Columns: time_s; level_NAME of every index of a campaign (1 where it says "warn"); LTR (26) of the true
 // wheel loads of both axles, of the front and of the rear one; the kinematic roll centre's height; every
-// number of rsi_outputs, angles in degrees. What is not available is an empty cell.
+// number of rsi_outputs, angles in degrees. A value that is not available is an empty cell.
 class FirmwareCsvWriter {
  public:
     // `outputs` must outlive the writer. Throws std::runtime_error when the file cannot be written.

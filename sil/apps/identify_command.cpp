@@ -157,7 +157,7 @@ void add_identify_command(CLI::App& app) {
     CLI::App* identify =
         app.add_subcommand("identify", "Fit a vehicle's parameters to test drives and write its calibration");
     identify->add_option("--vehicle-data", request->vehicle_data,
-                         "What the data sheet says (TOML; docs/calibration.md names the keys)");
+                         "Data sheet of the vehicle (TOML; docs/calibration.md names the keys)");
     identify->add_option("--set", request->settings,
                          "KEY=VALUE in place of, or besides, the vehicle-data file");
     identify->add_option("--ramp", request->ramps,
@@ -170,7 +170,7 @@ void add_identify_command(CLI::App& app) {
         ->check(number_within(0.0, 1.0e9));
     identify->add_flag(
         "--fit-cg-height", request->fit_cg_height,
-        "Where the wheel loads contradict the CG height, fit it to them; otherwise it stays as given");
+        "Fit a CG height that contradicts the wheel loads to them; otherwise it stays as given");
     identify->add_option("--simulate", request->simulated_vehicle,
                          "Drive this simulated vehicle (TOML) in place of --ramp and --dynamic");
     identify->add_flag("--noise", request->sensors.noise, "Simulated sensors with noise");

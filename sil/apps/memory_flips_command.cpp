@@ -53,7 +53,7 @@ void add_memory_flips_command(CLI::App& app) {
         ->default_str(fmt::format("{}", request->seed));
     command
         ->add_option("--most-silent", request->most_silent,
-                     "Of 1,000 flips; more that are silently late, missing or false fail")
+                     "Largest number of silently late, missing or false warnings in 1,000 flips")
         ->check(number_within(0.0, 1000.0));
     command->callback([request] { run(*request); });
 }

@@ -40,7 +40,7 @@ bool hears_ecu(hal::SocketCanBus& socket, hal::Time longest) {
 void expect_ecu(hal::SocketCanBus& socket, const std::string& interface) {
     if (!hears_ecu(socket, hal::Time::from_milliseconds(5000))) {
         throw std::runtime_error(
-            fmt::format("no ECU is heard on {0}. Start one first: rsi-ecu --interface {0} --parameters "
+            fmt::format("no ECU responds on {0}. Start one first: rsi-ecu --interface {0} --parameters "
                         "FILE (without --lock-step)",
                         interface));
     }

@@ -51,8 +51,7 @@ hal::Key section_key(const ParametersRequest& request) {
     std::error_code ignored;
     const fs::perms others = fs::perms::group_read | fs::perms::others_read;
     if (request.key == test_key_name) {
-        fmt::print(stderr,
-                   "rsi-sil: everybody has the test key; no vehicle may have a control unit with it\n");
+        fmt::print(stderr, "rsi-sil: the test key is public; no vehicle may have a control unit with it\n");
     } else if ((fs::status(request.key, ignored).permissions() & others) != fs::perms::none) {
         fmt::print(stderr, "rsi-sil: others can read {0}; chmod 600 {0}\n", request.key.string());
     }
@@ -146,7 +145,7 @@ void add_parameters_command(CLI::App& app) {
             [request](const std::string& text) {
                 request->address = address(text).value_or(request->address);
             },
-            "Where the section lies in memory, for example 0x00180000")
+            "Address of the section in memory, for example 0x00180000")
         ->check([](const std::string& text) {
             return address(text)
                        ? std::string{}
@@ -161,7 +160,7 @@ void add_parameters_command(CLI::App& app) {
     CLI::Option* key = command->add_option("--key", request->key,
                                            "Key file (TOML: parameters = \"32 hexadecimal digits\") for the "
                                            "section's seal, or the word \"test\" for "
-                                           "the key that everybody knows");
+                                           "the public test key");
     CLI::Option* version =
         command
             ->add_option("--section-version", request->section_version,

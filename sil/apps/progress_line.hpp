@@ -11,7 +11,7 @@ namespace sil {
 
 class ProgressLine {
  public:
-    // What the line says: of this progress, at this rate in rows a second, with so much time left.
+    // Text of the line: progress, rate in rows a second, time left.
     using Text = std::function<std::string(const RowProgress& progress, double rate, double left_s)>;
 
     explicit ProgressLine(Text text);

@@ -35,7 +35,7 @@ void run_loop(sil::EcuRequest& request, const std::string& parameters) {
     request.calibration_name = std::filesystem::path{parameters}.stem().string();
     std::signal(SIGTERM, request_end);
     std::signal(SIGINT, request_end);
-    std::signal(SIGPIPE, SIG_IGN);  // it warns on, whoever has read its messages
+    std::signal(SIGPIPE, SIG_IGN);  // keep running if the log's reader goes away
     sil::run_ecu(request, sil::load_calibration(parameters), end_requested);
 }
 

@@ -17,7 +17,7 @@
 namespace sil {
 namespace {
 
-// In real time somebody else may write a log of this name.
+// In real time another process may write a log of this name.
 std::filesystem::path log_of(const RunRequest& request) {
     return request.output / "candump.log";
 }

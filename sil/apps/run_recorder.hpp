@@ -26,7 +26,7 @@ class RunRecorder final : public RunObserver {
     // Begins signals.csv. `duration_s` as the account shows it.
     RunRecorder(std::filesystem::path output, double duration_s);
 
-    // What only a firmware in this process tells: firmware.csv and lifts.csv. `outputs` must outlive the
+    // Files that need the firmware in this process: firmware.csv and lifts.csv. `outputs` must outlive the
     // recorder.
     void look_inside(const rsi::Outputs& outputs, const rsi::Parameters& calibration);
 

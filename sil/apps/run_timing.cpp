@@ -15,7 +15,7 @@
 namespace sil {
 namespace {
 
-// In real time the ECU sends by itself; without it a run would only show that nobody answers.
+// In real time the ECU sends by itself; without it a run would only show that no ECU responds.
 class RealTime final : public RunTiming {
  public:
     explicit RealTime(const std::string& interface) {
@@ -73,7 +73,7 @@ class NoBus final : public hal::CanBus {
     hal::BusStatistics statistics() const noexcept override { return {}; }
 };
 
-// Writes into the log the frame with which a cycle begins in lock-step; here nobody needs it.
+// Writes into the log the frame with which a cycle begins in lock-step; it is not needed here.
 class LoggedPace final : public Pace {
  public:
     LoggedPace(InProcessEcu& ecu, CandumpLogWriter& log, const std::string& interface)

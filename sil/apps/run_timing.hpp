@@ -21,7 +21,7 @@ class RunTiming {
     virtual Pace& pace() = 0;
     virtual std::uint64_t missed_cycles() const { return 0U; }
 
-    // What the firmware has computed in the latest cycle; null when it runs elsewhere.
+    // Outputs of the firmware in the latest cycle; null when it runs elsewhere.
     virtual const rsi::Outputs* outputs() const { return nullptr; }
 
     // Finishes the log, if there is one. Throws std::runtime_error when it cannot.

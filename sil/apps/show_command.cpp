@@ -46,7 +46,7 @@ std::string pages_below(const std::filesystem::path& folder) {
     return names + (found.size() > most_named ? fmt::format(" and {} more", found.size() - most_named) : "");
 }
 
-// Of the page nothing but its recording is used: it is shown by the page of this program.
+// Only the recording of the page is used: it is shown by the page of this program.
 std::string recording_of(const std::filesystem::path& folder) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error)) {

@@ -39,7 +39,7 @@ class WatchRecorder final : public LiveRecorder {
     WatchRecorder(const LiveDrive& drive, const WatchRequest& request, const rsi::Parameters& calibration)
         : drive_{drive}, request_{request} {
         prepare_run_folder(request.output);
-        remove_file(request.output / "candump.log");  // of an earlier run: nobody logs this one
+        remove_file(request.output / "candump.log");  // of an earlier run: this one has no log
         recorder_.emplace(request.output, drive.plant().duration_s());
         if (drive.outputs() != nullptr) {
             recorder_->look_inside(*drive.outputs(), calibration);
@@ -117,7 +117,7 @@ void add_watch_command(CLI::App& app) {
     add_vehicle_options(*command, request->files);
     command->add_option("--output", request->output, "Folder for what a run leaves, of the latest drive")
         ->required();
-    command->add_option("--speed", request->speed_kmh, "Of the first drive, in km/h (10 to 160)")
+    command->add_option("--speed", request->speed_kmh, "Speed of the first drive, in km/h (10 to 160)")
         ->check(number_within(10.0, 160.0))
         ->capture_default_str();
     command->add_option("--interface", request->interface,

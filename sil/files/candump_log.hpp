@@ -29,7 +29,7 @@ inline constexpr std::uint8_t canonical_fd_flags = 0x3U;
 // (identifier bits beyond 11 or 29, bytes beyond 8 or 64) is cut off.
 std::string format_candump_line(const LoggedFrame& logged);
 
-// What is wrong with a line, to be read by a person; `column` counts from 1.
+// An error in a line, to be read by a person; `column` counts from 1.
 struct CandumpLineError {
     std::size_t column{1U};
     std::string message;

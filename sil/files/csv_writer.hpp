@@ -20,7 +20,7 @@ struct CsvColumn {
     double (*value)(const Row& row);
 };
 
-// Cells one after the other. What is not finite, or not there, is an empty cell.
+// Cells one after the other. A value that is not finite, or missing, is an empty cell.
 class CsvRow {
  public:
     // In quotation marks where it holds a comma, a quotation mark or an end of line.

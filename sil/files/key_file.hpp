@@ -10,7 +10,7 @@
 
 namespace sil {
 
-// In place of a file: the key that everybody knows.
+// In place of a file: the public test key.
 inline constexpr const char* test_key_name = "test";
 
 // The file's key for `slot`. Throws InputError that names the file and what is wrong, and never what is in

@@ -27,7 +27,7 @@ bool is_sealed(const std::vector<std::uint8_t>& section);
 // The version in a section that is_sealed.
 std::uint32_t sealed_version(const std::vector<std::uint8_t>& section);
 
-// What a control unit with `key` that has used no section yet finds wrong with the seal.
+// Errors of the seal for a control unit with `key` that has used no section yet.
 application::SealFault seal_fault(const std::vector<std::uint8_t>& section, const hal::Key& key);
 
 // The name in a section that is not `missing` and not too short.
@@ -47,7 +47,7 @@ std::string calibration_toml(const rsi::Parameters& parameters);
 // `name` must be an identifier; throws InputError otherwise.
 std::string calibration_header(const rsi::Parameters& parameters, std::string_view name);
 
-// What a refusal means and what to do next, in one sentence without its end.
+// Meaning of a refusal and what to do next, in one sentence without its end.
 std::string explain(const application::ParameterSectionAnswer& answer);
 std::string explain(application::SealFault fault);
 

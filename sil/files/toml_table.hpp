@@ -17,9 +17,9 @@ struct Range {
     double highest;
 };
 
-// One table of a file; its keys are known once they have been named here. Copies are of the same table. What
-// throws, throws InputError: "FILE:LINE: "TABLE.KEY" what is wrong; what to do", or the change's own text in
-// place of FILE:LINE where change() gave the value.
+// One table of a file; its keys are known once they have been named here. Copies are of the same table.
+// Functions that throw, throw InputError: "FILE:LINE: "TABLE.KEY" what is wrong; what to do", or the change's
+// own text in place of FILE:LINE where change() gave the value.
 class TomlTable {
  public:
     // `example` ends the message for a file that cannot be read, such as "name a file like x.toml"; may be

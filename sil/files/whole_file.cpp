@@ -54,7 +54,7 @@ class Descriptor {
 class OrdinaryFile {
  public:
     explicit OrdinaryFile(const std::filesystem::path& path)
-        // Without O_NONBLOCK a pipe to which nobody writes would not even be opened.
+        // Without O_NONBLOCK opening a pipe without a writer would block.
         : file_{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)} {
         if (file_.number() < 0 || ::fstat(file_.number(), &status_) != 0) {
             refuse(path, std::strerror(errno));
@@ -85,7 +85,7 @@ ssize_t read_some(int descriptor, std::vector<char>& block) {
     return count;
 }
 
-// Where the file really is that is to be replaced: a link stays a link.
+// True place of the file to be replaced: a link stays a link.
 std::filesystem::path place_of(const std::filesystem::path& path) {
     if (path.empty()) {
         fail(path, "the name is empty", "give one");
@@ -109,7 +109,7 @@ std::filesystem::path place_of(const std::filesystem::path& path) {
 
 std::string read_whole_file(const std::filesystem::path& path, std::uint64_t longest) {
     const OrdinaryFile file{path};
-    // What a file says of its length is a hint: it may grow, and some of the system's say 0.
+    // The length that a file reports is a hint: it may grow, and some of the system's say 0.
     const std::uint64_t told = file.told_bytes();
     bool is_too_long = told > longest;
     std::string text;
@@ -147,7 +147,7 @@ std::string read_beginning(const std::filesystem::path& path, std::size_t most) 
 GrowingFile::GrowingFile(const std::filesystem::path& path, std::string_view ending)
     : path_{place_of(path)}, growing_{path_} {
     growing_ += ending;
-    // Without O_NONBLOCK it would wait for a reader, if somebody has put a pipe there.
+    // Without O_NONBLOCK it would wait for a reader, if a pipe is there.
     descriptor_ = ::open(growing_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
         fail(path, errno);

@@ -1,4 +1,4 @@
-// Whole files: reading one, and writing one so that nobody ever sees half of it under its name.
+// Whole files: reading one, and writing one so that its name never stands for half of it.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@ namespace sil {
 inline constexpr std::uint64_t longest_file_bytes = 1024U * 1024U * 1024U;
 
 // Every byte of `path`. Throws InputError that names the path and the reason: the system's; that it is no
-// ordinary file (a device or a pipe may have no end, or nobody who writes); or that it is longer than
+// ordinary file (a device or a pipe may have no end, or no writer); or that it is longer than
 // `longest`.
 std::string read_whole_file(const std::filesystem::path& path, std::uint64_t longest = longest_file_bytes);
 
 // Its first bytes, at most so many: what kind of file it is. Throws as read_whole_file does.
 std::string read_beginning(const std::filesystem::path& path, std::size_t most);
 
-// What is not whole yet has this behind its name.
+// Suffix of a file that is not whole yet.
 inline constexpr std::string_view partial_ending = ".partial";
 
 // A file that is written piece by piece. It grows beside `path`, with an ending behind its name, and bears
@@ -28,9 +28,9 @@ inline constexpr std::string_view partial_ending = ".partial";
 // names the path and the reason.
 class GrowingFile {
  public:
-    // A link is followed. What is there and no ordinary file (a device, a pipe, a folder) is refused.
+    // A link is followed. Anything there that is no ordinary file (a device, a pipe, a folder) is refused.
     explicit GrowingFile(const std::filesystem::path& path, std::string_view ending = partial_ending);
-    // What was not finished stays as far as it got, to be looked at.
+    // An unfinished file stays as far as it got, for inspection.
     ~GrowingFile();
     GrowingFile(const GrowingFile&) = delete;
     GrowingFile& operator=(const GrowingFile&) = delete;

@@ -43,7 +43,7 @@ class Variable:
 
 
 def table_of(binary):
-    """What rsi_fmu_variables of the binary tells."""
+    """Output of rsi_fmu_variables of the binary."""
     told = []
     take = ctypes.CFUNCTYPE(None, ctypes.c_char_p)
     ctypes.CDLL(str(binary)).rsi_fmu_variables(take(lambda text: told.append(text.decode())))

@@ -18,7 +18,7 @@ struct Component {
     double start_s{0.0};
 };
 
-// Whatever goes wrong within stays within: no exception may reach an importer.
+// Errors stay within: no exception may reach an importer.
 template <typename Action>
 fmi2Status guarded(fmi2Component component, Action action) {
     if (component == nullptr) {

@@ -1,6 +1,6 @@
-/* What FMI 2.0 asks of a co-simulation FMU, as far as fmi2.cpp needs it: the types of the standard, in words
- * of our own, so that a build needs nobody's headers. Where the standard's headers are on the include path
- * they are taken instead, and the compiler compares every function with them. */
+/* Requirements of FMI 2.0 on a co-simulation FMU, as far as fmi2.cpp needs it: the types of the standard, in
+ * words of our own, so that a build needs no foreign headers. If the standard's headers are on the include
+ * path they are taken instead, and the compiler compares every function with them. */
 #ifndef RSI_FMI2_TYPES_H
 #define RSI_FMI2_TYPES_H
 

@@ -12,7 +12,7 @@ using fmu::Kind;
 
 constexpr const char* error_category = "logStatusError";
 
-// Whatever goes wrong within stays within: no exception may reach an importer.
+// Errors stay within: no exception may reach an importer.
 template <typename Action>
 fmi3Status guarded(fmi3Instance instance, Action action) {
     if (instance == nullptr) {

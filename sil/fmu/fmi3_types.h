@@ -1,4 +1,4 @@
-/* What FMI 3.0 asks of a co-simulation FMU, as far as fmi3.cpp needs it; fmi2_types.h says why. */
+/* Requirements of FMI 3.0 on a co-simulation FMU, as far as fmi3.cpp needs it; fmi2_types.h says why. */
 #ifndef RSI_FMI3_TYPES_H
 #define RSI_FMI3_TYPES_H
 

@@ -278,7 +278,7 @@ bool Instance::serialised_size(const void* state, std::size_t& size) {
         return false;
     }
     size = to_bytes(*kept).size();
-    return size > 0U || refuse("its state cannot be told as bytes; save and restore it within the process");
+    return size > 0U || refuse("its state cannot be serialised; save and restore it within the process");
 }
 
 bool Instance::serialise(const void* state, unsigned char* bytes, std::size_t size) {

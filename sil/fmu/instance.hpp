@@ -24,7 +24,7 @@ struct SavedState {
     std::unique_ptr<Model> model;
 };
 
-// What returns bool says false when it was refused; the importer's log then has the reason, and nothing has
+// A bool result is false after a refusal; the importer's log then has the reason, and nothing has
 // changed.
 class Instance {
  public:

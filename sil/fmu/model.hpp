@@ -31,7 +31,7 @@ class Model {
     // All of it as it is now.
     virtual std::unique_ptr<Model> copy() const = 0;
 
-    // The same as bytes, for a process with the same FMU; empty where a model cannot tell it so.
+    // The same as bytes, for a process with the same FMU; empty if a model cannot be serialised.
     virtual std::string to_bytes() const { return {}; }
     // False, and nothing has changed, where these are no bytes of to_bytes().
     virtual bool from_bytes(const std::string& /*bytes*/) { return false; }

@@ -33,7 +33,7 @@ class Model:
     description: str
     serialises: bool
     archives: tuple  # within the build; the first one as a whole, the others as far as it needs them
-    headers: tuple  # whose comments say what the parameters mean
+    headers: tuple  # its comments are the descriptions of the parameters
     start_values: str = ""
     token: str = ""
     version: str = ""
@@ -48,7 +48,7 @@ VEHICLE = Model("rsi_vehicle", "Simulated vehicle", "14 degrees of freedom, with
 
 
 def run(*command):
-    """What it prints; ends the program with its own words where it fails."""
+    """Its output; after a failure ends the program with its message."""
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     if done.returncode:
         sys.exit(f"{done.stderr.strip()}\nsil/fmu/build: nothing was written")

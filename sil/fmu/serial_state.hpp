@@ -7,7 +7,7 @@
 
 namespace fmu {
 
-// Empty where the model cannot be told as bytes.
+// Empty if the model cannot be serialised.
 std::string to_bytes(const SavedState& state);
 
 // Into a state of the same FMU. False, and nothing has changed, where `bytes` are of another FMU or damaged.

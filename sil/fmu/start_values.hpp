@@ -6,7 +6,7 @@ namespace fmu {
 // As modelDescription.xml has it, as instantiationToken or guid.
 extern const char* const instantiation_token;
 
-// Of the parameters, in the order of their rows.
+// Values of the parameters, in the order of their rows.
 extern const double start_values[];
 
 }  // namespace fmu

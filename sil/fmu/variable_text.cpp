@@ -1,5 +1,5 @@
-// Variable text: the table of variables for whoever packs the FMU, so that modelDescription.xml is made of
-// the binary beside it.
+// Variable text: the table of variables for the script that packs the FMU, so that modelDescription.xml is
+// made of the binary beside it.
 #include <cstdio>
 #include <memory>
 #include <string>

@@ -22,7 +22,7 @@ constexpr int steps_per_cycle = 10;
 constexpr double longest_s = 1.0e6;  // the importer ends the run
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// What a sensor reports: the names are those of the ECU's inputs.
+// Sensor values: the names are those of the ECU's inputs.
 struct SensorOutput {
     const char* name;
     double sil::SensorSample::* member;
@@ -45,7 +45,7 @@ struct Plant {
     sil::TwoWheelLiftObserver lift{};
 };
 
-// What really happens, and no sensor tells.
+// True values without a sensor.
 struct TrueOutput {
     const char* name;
     const char* meaning;
@@ -90,7 +90,7 @@ constexpr Flag flags[] = {
      sil::right_side_has_lifted},
 };
 
-// Where the groups of rows begin.
+// First rows of the groups.
 struct Layout {
     std::size_t settings{0U};  // after the vehicle's own parameters
     std::size_t inputs{0U};
@@ -269,7 +269,7 @@ class VehicleModel final : public Model {
     }
 
     std::shared_ptr<const Table> table_{std::make_shared<Table>()};
-    // Shared with the driver and all copies: written before each cycle, so that nobody sees another's.
+    // Shared with the driver and all copies: written before each cycle, so that no copy sees another's.
     std::shared_ptr<sil::DriverCommand> asked_{std::make_shared<sil::DriverCommand>()};
     double initial_speed_mps_{1.0};
     std::optional<Plant> plant_{};

@@ -28,7 +28,7 @@ struct BenchMemory {
 // The image's; no start clears it.
 BenchMemory& bench_memory() noexcept;
 
-// Has what image::EcuImage asks of an ECU. The keys are those that everybody has, and it says so on the bus.
+// Has what image::EcuImage asks of an ECU. The keys are public, and it reports that on the bus.
 class BenchEcu {
  public:
     // All must outlive the ECU.

@@ -1,5 +1,5 @@
 // rsi-ecu-r5f-bench: the firmware with XCP and diagnosis on the emulated Cortex-R5F. For the emulator; never
-// flashed: its keys are known to everybody, its seeds can be guessed, and it keeps nothing over a loss of
+// flashed: its keys are public, its seeds can be guessed, and it keeps nothing over a loss of
 // power.
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"

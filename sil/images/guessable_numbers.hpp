@@ -8,7 +8,7 @@
 namespace sil {
 
 // They follow from the moments at which they were asked for, in counts of the free-running timer: other seeds
-// each time, which whoever hears the bus finds by trying.
+// each time, which a listener on the bus finds by trying.
 class GuessableNumbers final : public hal::RandomSource {
  public:
     // `clock` must outlive this object.

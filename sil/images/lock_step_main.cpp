@@ -27,7 +27,7 @@ class LockStepImage {
     [[noreturn]] void run() noexcept {
         static_cast<void>(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
         static_cast<void>(controller_.open(image::unfiltered_can_settings()));
-        // One cycle unasked, so that whoever starts the emulator knows that the firmware runs.
+        // One cycle unasked, so that the starter of the emulator knows that the firmware runs.
         begin();
         ecu_->step(0U);
         for (;;) {

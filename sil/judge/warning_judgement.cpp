@@ -66,7 +66,7 @@ void WarningJudge::observe(double time_s, double load_transfer_ratio) {
         std::fmax(judgement_.largest_load_transfer_ratio, std::fabs(load_transfer_ratio));
 }
 
-// Of the step that begins there: what was in force then was so until its end.
+// State of the step that begins there, until its end.
 void WarningJudge::count_time(double step_s, double begin_s) {
     switch (state_) {
         case WarningState::unavailable:

@@ -1,5 +1,5 @@
-// Warning judgement: whether a warning was right, on the right side and in time. Whoever judges a warning, in
-// a run, a replayed drive or a campaign, does it here.
+// Warning judgement: whether a warning was right, on the right side and in time. Every warning, in a run, a
+// replayed drive or a campaign, is judged here.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ class WarningInForce {
     WarningSide side() const { return side_; }  // none: no warning, or one that names no side
 
     // For how long it has been in force without a break when the wheels lift, if it names the side that
-    // falls; else empty. What came after that moment must not have been observed.
+    // falls; else empty. Nothing after that moment must have been observed.
     std::optional<double> lead_s(double lift_off_time_s, WarningSide falling_side) const;
 
  private:

@@ -1,5 +1,5 @@
-// Live drive: one drive of a vehicle with its sensors and the firmware, cycle by cycle, with whoever drives
-// it and whatever breaks in it.
+// Live drive: one drive of a vehicle with its sensors and the firmware, cycle by cycle, with its driver and
+// its faults.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@
 
 namespace sil {
 
-// Who drives what, and what of it.
+// Driver, vehicle and faults of a drive.
 struct LiveVehicle {
     VehicleParameters vehicle{};
-    MakeLiveEcu make_ecu{};  // with a calibration without a load: nobody tells the firmware of one
+    MakeLiveEcu make_ecu{};  // with a calibration without a load: the firmware receives none
     std::string ecu_text{};  // where it is, as the page says it
     SensorFlaws sensors{};
     std::optional<Manoeuvre> manoeuvre{};  // none: the page's user drives

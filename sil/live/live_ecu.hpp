@@ -19,7 +19,7 @@ class LiveEcu {
     virtual hal::CanBus& bus() = 0;
     // It must not wait: who serves the drive calls each cycle when it is due.
     virtual Pace& pace() = 0;
-    // What the firmware has computed in the latest cycle; null when it runs elsewhere.
+    // Outputs of the firmware in the latest cycle; null when it runs elsewhere.
     virtual const rsi::Outputs* outputs() const = 0;
 
  protected:

@@ -15,8 +15,8 @@ namespace sil {
 // machine could not keep up with for a quarter of a second is left out, and the drive is that much slower.
 //
 // Answered is who names this machine as its host; a drive is for a page that came from here. The last page
-// that came drives. Of requests the head may have 8 KiB, of messages each 1 KiB; whoever is silent for five
-// seconds is sent away, as are more than 32 at once.
+// that came drives. A request's head may have 8 KiB, a message 1 KiB; a client silent for five seconds is
+// disconnected, as are more than 32 at once.
 //
 // Throws InputError when the port cannot be had, and what the session throws.
 void serve_live(LiveSession& session, std::uint16_t port, const std::atomic<bool>& stop,

@@ -11,7 +11,7 @@
 
 namespace sil {
 
-// Hands everything on to the recorder, and keeps what the page is told.
+// Hands everything on to the recorder, and keeps the messages to the page.
 class LiveSession::Watch final : public RunObserver {
  public:
     Watch(LiveSession& session, RunObserver& recorder) : session_{session}, recorder_{recorder} {}

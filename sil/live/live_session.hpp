@@ -1,4 +1,4 @@
-// Live session: drives one after the other, what their page is told, and what it asks for.
+// Live session: drives one after the other, the messages to their page, and its requests.
 #pragma once
 
 #include <deque>
@@ -21,7 +21,8 @@ class LiveRecorder : public RunObserver {
 // Before its first cycle; the drive lives until the recorder is gone.
 using MakeLiveRecorder = std::function<std::unique_ptr<LiveRecorder>(const LiveDrive& drive)>;
 
-// Knows neither clock nor network: somebody calls cycle() a hundred times a second, and carries the messages.
+// Knows neither clock nor network: the caller calls cycle() a hundred times a second, and carries the
+// messages.
 class LiveSession {
  public:
     // Begins the first drive. Throws what LiveDrive and the recorder throw.
@@ -39,8 +40,8 @@ class LiveSession {
     // For a page that has just come: the drive and its latest row, without what has happened in it before.
     std::string begin();
 
-    // What is new since the last call, as JSON; empty when nothing is. Of rows that nobody fetches, the
-    // oldest are dropped.
+    // Changes since the last call, as JSON; empty when nothing is. Rows that are not fetched are dropped,
+    // the oldest first.
     std::string news();
 
     // Ends the drive, if it is not over; only another one can follow.

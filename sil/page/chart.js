@@ -1,7 +1,7 @@
 // Chart: lines and points over a quantity, with a cursor that reads them off, and a range that can be chosen.
 
-// The point that is read off at `x`: "nearest"; "last", until there; "next", from there on. Of several at one x it is the
-// last, and null where there is none. Points are in the order of x.
+// The point that is read off at `x`: "nearest"; "last", until there; "next", from there on. The last of several at one
+// x, and null where there is none. Points are in the order of x.
 function pointAt(points, x, reading) {
   let low = -1;
   let high = points.length - 1;
@@ -176,7 +176,7 @@ class Chart {
     this.draw();
   }
 
-  // What the series has at the cursor; of marks, what is near.
+  // The series' value at the cursor; the nearest mark.
   pointOf(series) {
     if (series.style === "cloud") {
       return null;

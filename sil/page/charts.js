@@ -6,7 +6,7 @@ const EVENTS = [
   { name: "ssf_crossing", words: "SSF crossed", colour: "--purple", dash: [3, 3], shape: "diamond" },
 ];
 
-// Whose value it is: only a simulated vehicle's is true.
+// Source of the value: only a simulated vehicle's is true.
 function sourceOf(column) {
   const words = { true: "vehicle", sensor: "sensor", observed: "observer" };
   return words[column.split("_", 1)[0]] ?? "component";
@@ -94,7 +94,7 @@ class Strip {
     this.box.hidden = this.shown.length === 0;
   }
 
-  // What does not change as time goes on is drawn once and kept.
+  // The static part is drawn once and kept.
   draw(recording, view) {
     const { pen, width, height } = prepare(this.canvas);
     if (width < 80 || recording.length === 0) {
@@ -175,7 +175,7 @@ class Strip {
     }
   }
 
-  // Of many rows in one pixel, the least and the largest value are drawn.
+  // The least and the largest value of many rows in one pixel are drawn.
   drawLine(recording, line, first, last) {
     const { frame } = this;
     const { pen } = frame;

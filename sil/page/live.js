@@ -31,7 +31,7 @@ class Driver {
       byId("notice").textContent = event.reason || "No connection: the program that simulates the vehicle has ended. " +
         "Start it again with sil/run --watch, then open the address that it prints.";
       for (const control of document.querySelectorAll(".live-only :is(button, input, select)")) {
-        control.disabled = true; // nobody listens
+        control.disabled = true; // no client is connected
       }
       this.page.lose();
       document.body.dataset.ready = "closed";
@@ -110,7 +110,7 @@ class Driver {
     byId("fault-kind").innerHTML = chosen.kinds.map((kind, index) => `<option value="${index}">${kind}</option>`).join("");
   }
 
-  // ---- what the driver does
+  // ---- actions of the driver
 
   // Left is positive, as everywhere; on the slider it is on the left.
   steer(degrees) {

@@ -239,7 +239,7 @@ class Page extends Sheet {
     this.chooseWindow(WINDOWS[(place + 1) % WINDOWS.length].seconds);
   }
 
-  // ---- what is shown
+  // ---- the visible range
 
   render() {
     const { recording, view } = this;

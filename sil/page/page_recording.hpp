@@ -44,7 +44,7 @@ struct PageHead {
     std::vector<std::string> remarks{};  // sentences: what is not known and therefore not shown
 };
 
-// Some columns of a CSV file, row by row as JSON arrays. What is not available is null.
+// Some columns of a CSV file, row by row as JSON arrays. A value that is not available is null.
 class PageCells {
  public:
     // Throws std::logic_error when the file has no such column.
@@ -65,7 +65,7 @@ class PageCells {
 // The cells of one row, in which there are neither commas nor quotation marks.
 std::vector<std::string> cells_of(const std::string& csv_row);
 
-// Of one line of signals.csv the cells of page_columns().
+// The cells of page_columns() in one line of signals.csv.
 std::string page_row(const std::string& signal_csv_row);
 
 // One change of what the ECU's frames say of its diagnosis.

@@ -6,7 +6,7 @@
 
 namespace sil {
 
-// What a browser may load and run of the page: what is in it, and a connection to where it came from. For the
+// Content that a browser may load and run: the page's own, and a connection to where it came from. For the
 // header of an answer, too.
 extern const std::string_view page_policy;
 
@@ -19,7 +19,7 @@ std::string page_with(const std::string& recording);
 // The page of a study with what StudyPage says of it.
 std::string study_with(const std::string& json);
 
-// What page_with() put into a page, of this program or an older one; empty where there is none.
+// Text that page_with() put into a page, of this program or an older one; empty where there is none.
 std::string recording_in(const std::string& page);
 
 }  // namespace sil

@@ -44,7 +44,7 @@ class Scene {
       (lifted.some((each) => each) ? WHEELS.filter((_, index) => lifted[index]).join(", ").replaceAll("_", " ") + " lifted" : "all wheels on the road"));
   }
 
-  // Where the axle's middle is and how it leans, by the gaps below its wheels.
+  // Place of the axle's middle and its lean, by the gaps below its wheels.
   axleOf(vehicle, gapLeft, gapRight) {
     const track = vehicle.track_width_m;
     const angle = Math.asin(Math.max(-1, Math.min(1, (gapRight - gapLeft) / track)));

@@ -39,7 +39,7 @@ class Sheet {
     byId("help").setAttribute("aria-expanded", String(!byId("keys").hidden));
   }
 
-  // Of this page, besides those of all: { key, shown, words, act }.
+  // Keys of this page, besides those of all: { key, shown, words, act }.
   ownKeys() { return []; }
 
   keys() {

@@ -40,7 +40,7 @@ class SortedTable {
     this.show(this.rows);
   }
 
-  // What is not known stands at the end in either order.
+  // Unknown values stand at the end in either order.
   sortBy(column) {
     const descending = this.order.column === column ? !this.order.descending : this.columns[column].digits >= 0;
     this.order = { column, descending };

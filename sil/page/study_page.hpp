@@ -16,7 +16,7 @@ struct StudyAxis {
     std::string words{};
     std::string unit{};
     int digits{2};
-    // Of x the range; of y what it holds at least. Otherwise that of the points.
+    // The range of x; values that y includes at least. Otherwise that of the points.
     std::optional<double> from{};
     std::optional<double> to{};
 };
@@ -46,7 +46,7 @@ struct StudyChart {
     StudyAxis x{};
     StudyAxis y{};
     std::vector<StudyLine> lines{};
-    std::string extra{};            // what the third value of a point is
+    std::string extra{};            // meaning of a point's third value
     std::vector<double> marks_x{};  // thin lines across
     std::vector<double> marks_y{};
     std::string note{};
@@ -61,7 +61,7 @@ class StudyPage {
     StudyPage(std::string title, std::string subtitle)
         : title_{std::move(title)}, subtitle_{std::move(subtitle)} {}
 
-    // What follows belongs to it; there must be one first.
+    // The following parts belong to it; there must be one first.
     void section(const std::string& heading);
     void text(const std::string& text);
     void list(const std::vector<std::string>& sentences);

@@ -12,7 +12,7 @@ namespace sil {
 // "in real time", ...
 const char* pace_name(bool in_process, bool lock_step);
 
-// Names and values, for a table. What did not happen is "did not happen".
+// Names and values, for a table. An event that is missing is "did not happen".
 std::vector<std::pair<std::string, std::string>> summary_facts(const Summary& summary);
 
 }  // namespace sil

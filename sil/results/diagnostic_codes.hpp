@@ -1,4 +1,4 @@
-// Diagnostic codes: which ones the ECU's frames have told of.
+// Diagnostic codes: those that the ECU's frames have reported.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ std::vector<std::string> list_of_codes(std::uint64_t codes);
 // "imu lost; speed stuck"; empty without codes.
 std::string code_names(std::uint64_t codes);
 
-// The frames tell of one code a cycle, round and round: one that is no longer told of is gone.
+// The frames report one code a cycle, in turn: one that is no longer reported is gone.
 class CodeListener {
  public:
     // Once a cycle.

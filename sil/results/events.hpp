@@ -18,7 +18,7 @@ struct RunEvents {
     std::optional<EventMoment> ssf_crossing;    // the first time that |a_y| >= SSF g, SSF = c_w/(2h)
     std::optional<EventMoment> warning;         // the first frame whose state is `warning`, for information
     WarningSide warning_side{WarningSide::none};  // that it named
-    WarningJudgement judgement;                   // what the warning was worth
+    WarningJudgement judgement;                   // judgement of the warning
 
     double largest_lateral_acceleration_mps2{0.0};  // largest |a_y|
     double final_roll_angle_rad{0.0};               // relative to the road, of the last truth

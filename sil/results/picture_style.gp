@@ -32,7 +32,7 @@ set datafile columnheaders
 set encoding utf8
 
 standard_gravity = 9.80665
-# Where the threshold changes sides (the ECU shows that of the present side) the line is broken.
+# When the threshold changes sides (the ECU shows that of the present side) the line is broken.
 threshold = NaN
 previous_threshold = NaN
 threshold_in_g(unused) = (previous_threshold = threshold, \

@@ -18,7 +18,8 @@ namespace sil {
 std::vector<std::string> signal_csv_columns();
 
 // One line without its end. Numbers have up to nine significant digits, more than any sensor: further ones
-// would only be the rounding of sums, as in 3.0299999999999773. What is not available is an empty field.
+// would only be the rounding of sums, as in 3.0299999999999773. A value that is not available is an empty
+// field.
 std::string signal_csv_row(const Truth& truth, const SensorSample& sample, const EcuOutput& output);
 
 class SignalCsvWriter {

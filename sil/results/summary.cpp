@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Floating-point sums leave 2.0520000000000005 where 2.052 is meant; nobody needs more than a nanounit.
+// Floating-point sums leave 2.0520000000000005 where 2.052 is meant; a nanounit is enough.
 Json number(double value) {
     if (!std::isfinite(value)) {
         return nullptr;

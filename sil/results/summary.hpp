@@ -48,7 +48,7 @@ struct Summary {
 // index_times_s: when each index was first at the level at which it says "warn" (1, rsi::indicator_level), to
 // the cycle; null as a whole unless the run was in process. front_axle_lift and rear_axle_lift are the first
 // lift-off of a wheel of that axle, of the true wheel loads, as is max_load_transfer_ratio, a magnitude.
-// What did not happen, or is not finite, is null. warning_ay_g and final_roll_deg have a sign (> 0 in a left
+// A value that is missing, or not finite, is null. warning_ay_g and final_roll_deg have a sign (> 0 in a left
 // turn), max_ay_g is a magnitude; 1 g = 9.80665 m/s^2. The times are on the simulation's clock.
 std::string summary_json(const Summary& summary);
 

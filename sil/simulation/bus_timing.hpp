@@ -11,7 +11,7 @@
 
 namespace sil {
 
-// Of at least one duration, in milliseconds.
+// Percentiles of at least one duration, in milliseconds.
 struct DurationStatistics {
     double median_ms{0.0};
     double percentile_99_ms{0.0};

@@ -44,7 +44,7 @@ class ClosedLoop {
     // std::runtime_error when the bus or the ECU fails.
     void run(RunObserver& observer);
 
-    // One cycle of it, for whoever sets the pace; false after the last one. Throws the same.
+    // One cycle of it, for the caller that sets the pace; false after the last one. Throws the same.
     bool cycle(RunObserver& observer);
 
     // The parts of a cycle, for who steps the vehicle himself: all but the first begin with `steps_per_cycle`

@@ -48,14 +48,14 @@ class InProcessRun {
     const VehicleParameters& vehicle() const { return plant_.vehicle().parameters(); }
     double duration_s() const { return plant_.duration_s(); }  // if nothing ends the run before
 
-    // What the firmware computed in the latest cycle, whether or not a frame carries it. The reference holds
+    // Outputs of the firmware in the latest cycle, whether or not a frame carries it. The reference holds
     // for the object's life.
     const rsi::Outputs& outputs() const { return firmware_.ecu().outputs(); }
 
-    // What it computed them from; the same holds.
+    // Its inputs; the same holds.
     const rsi::Inputs& inputs() const { return firmware_.ecu().inputs(); }
 
-    // What its frames said.
+    // Content of its frames.
     const EcuFrames& frames() const { return loop_->ecu(); }
     std::uint64_t frames_sent() const { return loop_->frames_sent(); }  // to it
 

@@ -9,7 +9,7 @@
 
 namespace sil {
 
-// What is wrong with a run's sensors. The default is nothing.
+// Faults of a run's sensors. The default is nothing.
 struct SensorFlaws {
     bool noise{false};           // the preset of ordinary automotive sensors
     std::uint64_t seed{1U};      // of the noise

@@ -14,7 +14,7 @@ namespace {
 // A longer silence is no drive, but two recordings on clocks of their own; stepping through it could take for
 // ever.
 constexpr hal::Time longest_gap = hal::Time::from_milliseconds(3'600'000);
-// Of more there is not room in the memory of every machine.
+// More do not fit into the memory of every machine.
 constexpr hal::Time longest_log = hal::Time::from_milliseconds(12 * 3'600'000);
 
 double seconds(hal::Time time) {

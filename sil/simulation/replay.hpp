@@ -25,10 +25,10 @@ class ReplayError : public std::runtime_error {
 // from one to the next, and at a gap of more than an hour.
 std::vector<hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log);
 
-// What the firmware with these parameters sends, stepped every 10 ms from the first frame's time until the
-// last frame. Frames that the firmware itself sends are left out of the input, so a log of a whole run can be
-// replayed. A frame that is due at the instant of a step is received by it. Throws what replayable_frames
-// throws, and std::invalid_argument when the parameters are refused.
+// Frames that the firmware with these parameters sends, stepped every 10 ms from the first frame's time until
+// the last frame. Frames that the firmware itself sends are left out of the input, so a log of a whole run
+// can be replayed. A frame that is due at the instant of a step is received by it. Throws what
+// replayable_frames throws, and std::invalid_argument when the parameters are refused.
 std::vector<LoggedFrame> replay(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters);
 
 }  // namespace sil

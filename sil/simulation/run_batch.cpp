@@ -13,7 +13,7 @@ bool RunBatch::begin(std::size_t lane, InProcessRun& run, RunObserver& observer)
 
 std::array<bool, RunBatch::lane_count> RunBatch::cycle() {
     for (int step = 0; step < ClosedLoop::steps_per_cycle; ++step) {
-        // What the sensors and the observers see at the end of a cycle is whole.
+        // Sensors and observers see whole values at the end of a cycle.
         step_vehicles(step + 1 < ClosedLoop::steps_per_cycle ? VehicleBatch::TruthWanted::motion
                                                              : VehicleBatch::TruthWanted::all);
     }

@@ -9,14 +9,14 @@
 
 namespace sil {
 
-// Each run has a lane of its own and goes on as InProcessRun::run() would drive it, to the bit, whoever is
-// beside it. All must step by Vehicle::nominal_step_s. Within a cycle, drivers and RunObserver::step() see of
-// the truth what VehicleBatch calls motion.
+// Each run has a lane of its own and goes on as InProcessRun::run() would drive it, to the bit, independent
+// of the other lanes. All must step by Vehicle::nominal_step_s. Within a cycle, drivers and
+// RunObserver::step() see of the truth what VehicleBatch calls motion.
 class RunBatch {
  public:
     static constexpr std::size_t lane_count = VehicleBatch::lane_count;
 
-    // The first cycle of a run that nobody has driven yet; it goes on in this lane, which must be empty. Both
+    // The first cycle of a new run; it goes on in this lane, which must be empty. Both
     // must stay where they are until the run has ended. False when it already has. Throws what run() throws.
     bool begin(std::size_t lane, InProcessRun& run, RunObserver& observer);
 

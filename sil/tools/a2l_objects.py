@@ -1,4 +1,4 @@
-"""What an A2L says of parameters and outputs, as pya2l reads it."""
+"""Parameters and outputs of an A2L, as pya2l reads it."""
 
 import dataclasses
 import json
@@ -31,7 +31,7 @@ class Object:
         return self.choices[value] if self.choices and value < len(self.choices) else value
 
     def encoded(self, text):
-        """Of a VALUE as it is written; LogError says what is wrong with it."""
+        """A VALUE as it is written; LogError for an error in it."""
         if self.choices:
             if text not in self.choices:
                 raise LogError(f"{self.name}: {text} is not one of its choices: {' '.join(self.choices)}")
@@ -52,7 +52,7 @@ class File:
 
 
 def module_of(path):
-    """Of its only module, pya2l's JSON."""
+    """pya2l's JSON of its only module."""
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / "a2l.json"
         finished = subprocess.run([pathlib.Path(sys.executable).parent / "pya2l", path, "to_json", "-o", output],

@@ -113,7 +113,7 @@ def measure(session, options, wait_for=wait):
         raise LogError("no sample has come; does the ECU run?")
     WRITERS[options.output.suffix](options.output, times, columns, session.a2l.objects)
     missing = round(times[-1] / CYCLE_S) + 1 - len(times)
-    print(f"{options.output}: {len(times)} samples, {missing} missing, overload told {session.samples.overloads} times")
+    print(f"{options.output}: {len(times)} samples, {missing} missing, overload reported {session.samples.overloads} times")
 
 
 def run(session, options):

@@ -1,4 +1,4 @@
-"""What the signals of a drive say of each other: a wrong sign or unit of one of them shows."""
+"""Comparison of the signals of a drive: a wrong sign or unit of one of them shows."""
 
 import collections
 
@@ -22,7 +22,7 @@ Link = collections.namedtuple("Link", "first second correlation slope slopes")
 
 
 def links(times_us, columns):
-    """What can be compared of a drive's columns (in their units, on the clock of its rows)."""
+    """Comparable pairs of a drive's columns (in their units, on the clock of its rows)."""
     known = collections.defaultdict(lambda: None, columns)
     lateral, yaw, speed = known["lateral_acceleration"], known["yaw_rate"], known["speed"]
     roll_rate, roll, steering = known["roll_rate"], known["roll_angle"], known["steering_wheel_angle"]
@@ -49,7 +49,7 @@ def links(times_us, columns):
 
 
 def is_regular(times_us):
-    """Where there is no gap within the window of rows that ends there; the rows before have none."""
+    """Whether there is no gap within the window of rows that ends there; the rows before have none."""
     return times_us[WINDOW_ROWS:] - times_us[:-WINDOW_ROWS] == WINDOW_ROWS * STEP_US
 
 
@@ -115,7 +115,7 @@ def verdict_on(link):
     return "agree"
 
 
-def told(times_us, columns):
+def reported(times_us, columns):
     """A line for each comparison, and whether something speaks against the mapping."""
     lines, is_doubtful = [], False
     rows = upright_rows(columns, len(times_us))

@@ -19,7 +19,7 @@ from recorded import OUTSIDE, TEXTS, Clock, Collected
 EXTENDED = 0x8000_0000
 OTHER_DATABASES = (".arxml", ".kcd", ".sym", ".cdd")  # that cantools knows by their endings
 
-logging.getLogger("cantools").setLevel(logging.ERROR)  # it warns of oddities of foreign files that nobody maps
+logging.getLogger("cantools").setLevel(logging.ERROR)  # it warns of oddities of foreign files outside the mapping
 
 
 def load(path):
@@ -30,7 +30,7 @@ def load(path):
         if not path.stat().st_size:
             raise LogError(f"{path}: the file is empty; was the copy finished?")
         is_dbc = path.suffix.lower() not in OTHER_DATABASES
-        # Foreign files have overlaps and lengths that contradict themselves, mostly in signals that nobody maps.
+        # Foreign files have overlaps and lengths that contradict themselves, mostly in signals outside the mapping.
         database = cantools.database.load_file(path, database_format="dbc" if is_dbc else None, strict=False,
                                                encoding=encoding_of(path) if is_dbc else None)
     except OSError as error:
@@ -48,7 +48,7 @@ def load(path):
 
 
 def encoding_of(path):
-    """Of old, DBC files are in the code page of Windows; newer tools write UTF-8."""
+    """Old DBC files are in the code page of Windows; newer tools write UTF-8."""
     try:
         path.read_bytes().decode("utf-8")
         return "utf-8"
@@ -61,7 +61,7 @@ def names_of(database):
 
 
 def key_of(message):
-    """What a frame must have in common with a message: its identifier; of J1939 only the number of the parameter group."""
+    """Key that links a frame to a message: its identifier; for J1939 only the number of the parameter group."""
     if message.protocol == "j1939":
         return "pgn", parameter_group(message.frame_id)
     return "id", message.frame_id | (EXTENDED if message.is_extended_frame else 0)
@@ -157,14 +157,14 @@ def is_enumeration(signal):
 
 
 def read(logs, dbc, mapping):
-    """What was recorded of each mapped quantity, and a sentence on each of which there is nothing. The logs are parts of one
+    """Recorded values of each mapped quantity, and a sentence on each without values. The logs are parts of one
     recording, in their order."""
     database = load(dbc)
     messages = wanted_messages(database, dbc, mapping)
     clock = Clock()
     for path in logs:
         log = BusLog(path)
-        for frame in progress.told(log):
+        for frame in progress.reported(log):
             clock.take(path, frame.time_s)
             take(frame, messages, path)
     missing = check(messages, logs, dbc, mapping)

@@ -31,7 +31,7 @@ def make(log_or_run, dbc, output):
     with contextlib.ExitStack() as files:
         writers = [kind(files.enter_context(whole_file.growing(folder / name)))
                    for kind, name in ((Mf4Writer, "signals.mf4"), (McapWriter, "run.mcap"))]
-        for frame in progress.told(log):
+        for frame in progress.reported(log):
             clock.take(path, frame.time_s)
             decoder = decoder_of(frame, messages)
             if decoder is None:

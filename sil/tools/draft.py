@@ -21,10 +21,10 @@ from mapping import Entry
 from recorded import LONGEST_DRIVE_S
 from signal_names import Candidate
 
-# Of a left turn all of these are positive.
+# All of these are positive in a left turn.
 SIGNED = ("lateral_acceleration", "roll_angle", "yaw_rate", "steering_wheel_angle")
 SMOOTHED_ROWS = 21
-# What tells a turn from a straight, the best sign of it first; in the units of the columns.
+# Signals that distinguish a turn from a straight, the best first; in the units of the columns.
 TURNS = {"yaw_rate": 3.0, "lateral_acceleration": 1.0, "steering_wheel_angle": 20.0}
 NEEDED = {"roll_angle": "this, or speed and yaw_rate", "speed": "with yaw_rate, where there is no roll_angle",
           "yaw_rate": "with speed, where there is no roll_angle"}
@@ -50,13 +50,13 @@ def make(dbc, log, output):
 
 
 def beginning(dbc, log):
-    told = " and ".join(" ".join(str(path).split()) for path in (dbc, log) if path is not None)
-    return (f"# A draft by `sil/tools/logs draft` of {told}.\n"
+    sources = " and ".join(" ".join(str(path).split()) for path in (dbc, log) if path is not None)
+    return (f"# A draft by `sil/tools/logs draft` of {sources}.\n"
             "# Put an answer in place of each \"?\", compare the rest, then `sil/tools/logs drive` takes it. docs/can.md says what\n"
             "# the keys mean.\n")
 
 
-# What was found for a quantity: the likeliest signal first.
+# Candidates for a quantity: the likeliest signal first.
 Choice = collections.namedtuple("Choice", "quantity found is_clear")
 
 
@@ -72,7 +72,7 @@ class DbcSource:
                         if not dbc_signals.is_enumeration(signal) and signal.length > 1]
         self.buses = collections.defaultdict(set)
         if log:
-            for frame in progress.told(BusLog(log)):
+            for frame in progress.reported(BusLog(log)):
                 identifier = frame.identifier | (dbc_signals.EXTENDED if frame.extended else 0)
                 self.buses["id", identifier].add(frame.bus)
                 if frame.extended:
@@ -141,7 +141,7 @@ class AsDrafted:
 
 
 class Evidence:
-    """What the log shows of the signs."""
+    """Signs as the log shows them."""
 
     def __init__(self, source, choices, log):
         self.columns, self.turn_s, self.present = {}, None, None
@@ -169,7 +169,7 @@ class Evidence:
         self.look(times_us, columns, without_unit)
 
     def look(self, times_us, columns, without_unit=()):
-        """At the columns of a drive, as far as the vehicle stays upright. Of some only the signs have a meaning."""
+        """At the columns of a drive, as far as the vehicle stays upright. Only the signs of some have a meaning."""
         self.without_unit = without_unit
         rows = consistency.upright_rows({name: values for name, values in columns.items() if name not in without_unit},
                                         len(times_us))

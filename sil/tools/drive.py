@@ -27,13 +27,13 @@ def make(logs, dbc, mapping_file, output):
     for path in [*logs, mapping_file, *([dbc] if dbc else [])]:
         if output.exists() and path.exists() and output.samefile(path):
             raise LogError(f"{path}: the result would take its place; choose another file with --output")
-    told = ", ".join(str(path) for path in logs)
+    log_names = ", ".join(str(path) for path in logs)
     recorded, missing = dbc_signals.read(logs, dbc, mapping) if dbc else table_signals.read(logs, mapping)
-    check_recorded(mapping, recorded, missing, told)
+    check_recorded(mapping, recorded, missing, log_names)
     recorded, start = from_zero(recorded)
-    drive = Drive(mapping, recorded, missing, told)
-    write(output, drive, [f"of {told}, by {mapping_file}"] + start)
-    lines, is_doubtful = consistency.told(drive.times_us, drive.columns)
+    drive = Drive(mapping, recorded, missing, log_names)
+    write(output, drive, [f"of {log_names}, by {mapping_file}"] + start)
+    lines, is_doubtful = consistency.reported(drive.times_us, drive.columns)
     print("\n".join([drive.account()] + start + lines))
     if is_doubtful:
         print("sil/tools/logs: the drive was written, but its signals contradict each other (LOOK above): check signs and units "
@@ -56,14 +56,14 @@ def check_quantities(mapping):
         raise LogError(f"{mapping.path}: only {len(loads)} of the four wheel loads are mapped; add [{absent}], or leave all out")
 
 
-def check_recorded(mapping, recorded, missing, told):
-    """That what every drive needs was in the log. Anything else may be missing, and is told."""
+def check_recorded(mapping, recorded, missing, log_names):
+    """That what every drive needs was in the log. Anything else may be missing, and is reported."""
     for name in [quantity.name for quantity in QUANTITIES.values() if quantity.need == REQUIRED]:
         if name in missing:
-            raise LogError(f"{told}: {missing[name]}, and {mapping.place(name, 'signal')} maps it to {name}, which every drive "
+            raise LogError(f"{log_names}: {missing[name]}, and {mapping.place(name, 'signal')} maps it to {name}, which every drive "
                            "needs; is it the right log, DBC file and bus?")
     if not any(set(names) <= set(recorded) for names in ALTERNATIVES):
-        raise LogError(f"{told}: there is neither roll_angle nor both speed and yaw_rate: "
+        raise LogError(f"{log_names}: there is neither roll_angle nor both speed and yaw_rate: "
                        + "; ".join(missing[name] for names in ALTERNATIVES for name in names if name in missing))
     if any(name in missing for name in WHEEL_LOADS):
         for name in WHEEL_LOADS:
@@ -83,7 +83,7 @@ def from_zero(recorded):
 class Drive:
     """The rows of a drive and what was found on the way."""
 
-    def __init__(self, mapping, recorded, missing, told):
+    def __init__(self, mapping, recorded, missing, log_names):
         self.entries = {entry.quantity: entry for entry in mapping.entries if entry.quantity in recorded}
         self.missing = missing
         self.recorded = {}
@@ -92,29 +92,29 @@ class Drive:
             if name in self.entries:
                 self.recorded[name] = applied(self.entries[name], recorded[name], mapping)
                 self.found[name] = drive_rows.examine(self.recorded[name].times_us)
-        self._check_rates(mapping, told)
-        self.times_us = self._clock(told)
+        self._check_rates(mapping, log_names)
+        self.times_us = self._clock(log_names)
         self.columns = {name: drive_rows.sampled(one.times_us, one.values, self.times_us) for name, one in self.recorded.items()}
         is_whole = numpy.all([~numpy.isnan(self.columns[name]) for name in self._required()], axis=0)
         self.silent = len(self.times_us) - int(numpy.sum(is_whole))
         self.times_us = self.times_us[is_whole]
         self.columns = {name: values[is_whole] for name, values in self.columns.items()}
         if len(self.times_us) < 2:
-            raise LogError(f"{told}: there are no two instants at which {' and '.join(self._required())} are both known")
+            raise LogError(f"{log_names}: there are no two instants at which {' and '.join(self._required())} are both known")
 
     @staticmethod
     def _required():
         return [quantity.name for quantity in QUANTITIES.values() if quantity.need == REQUIRED]
 
-    def _check_rates(self, mapping, told):
+    def _check_rates(self, mapping, log_names):
         for name in self._required():
             period_us = self.found[name].period_us
             if period_us > LONGEST_PERIOD_US or period_us == 0:
                 often = f"comes every {period_us / 1000:g} ms" if period_us else "comes once"
-                mapping.fail(name, "signal", f"is {self.entries[name].signal}, which {often} in {told}; the component needs it "
+                mapping.fail(name, "signal", f"is {self.entries[name].signal}, which {often} in {log_names}; the component needs it "
                                              "every 20 ms at least: record at 50 Hz or more")
 
-    def _clock(self, told):
+    def _clock(self, log_names):
         """Every 10 ms from the first lateral acceleration on, as far as all that every row needs goes."""
         spans = {name: (int(one.times_us[0]), int(one.times_us[-1])) for name, one in self.recorded.items()
                  if name in self._required()}
@@ -124,11 +124,11 @@ class Drive:
         times_us = times_us[times_us >= first]
         if not len(times_us) or last <= times_us[0]:
             spoken = ", ".join(f"{name} from {start / 1e6:.3f} s to {end / 1e6:.3f} s" for name, (start, end) in spans.items())
-            raise LogError(f"{told}: never has all that every row needs at a time: {spoken}")
+            raise LogError(f"{log_names}: never has all that every row needs at a time: {spoken}")
         return numpy.arange(times_us[0], last + 1, drive_rows.STEP_US, dtype="i8")
 
     def account(self):
-        """What was found of each signal, and what the rows are."""
+        """Statistics of each signal and of the rows."""
         rows = [("column", "signal", "Hz", "from s", "to s", "missing", "gaps", "longest s", "empty", "least", "largest")]
         for name, found in self.found.items():
             times_us = self.recorded[name].times_us

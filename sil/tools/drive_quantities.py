@@ -66,7 +66,7 @@ def plain(unit):
 
 
 def factor_of(unit, dimension):
-    """What one of this unit is in the unit of the drive's column; None where it is no unit of that dimension."""
+    """Factor from this unit to that of the drive's column; None for a unit of another dimension."""
     text = plain(unit)
     for known, factor in UNITS[dimension].items():
         if plain(known) == text or (text in SPELLINGS and plain(SPELLINGS[text]) == plain(known)):

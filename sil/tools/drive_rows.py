@@ -41,8 +41,8 @@ def sampled(times_us, values, grid_us):
 
 
 def interpolated(times_us, values, grid_us, longest_us, period_us):
-    """Linear between neighbours. Before the first value and after the last one it is held for a period, as whoever receives it
-    does until the next one is due."""
+    """Linear between neighbours. Before the first value and after the last one it is held for a period, as a receiver does until
+    the next one is due."""
     after = numpy.clip(numpy.searchsorted(times_us, grid_us, side="left"), 1, len(times_us) - 1)
     before = after - 1
     share = (grid_us - times_us[before]) / (times_us[after] - times_us[before])

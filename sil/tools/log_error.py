@@ -1,4 +1,4 @@
-"""What is wrong with what a user gave, as a sentence with the place."""
+"""An error in a user's input, as a sentence with the place."""
 
 
 class LogError(Exception):

@@ -1,4 +1,4 @@
-"""A mapping: which signal of somebody's log is which quantity of a drive. TOML, one table a quantity."""
+"""A mapping: the signal of a foreign log for each quantity of a drive. TOML, one table a quantity."""
 
 import collections
 import difflib
@@ -11,12 +11,12 @@ import whole_file
 from drive_quantities import QUANTITIES, admitted, factor_of
 from log_error import LogError
 
-# The quantity in the unit of its column is sign * unit_factor * (factor * number + offset), lag_s earlier than recorded.
-# `unit` is None where the log's own is meant. `bus` is None where any will do.
+# The quantity in the unit of its column is sign * unit_factor * (factor * number + offset), lag_s earlier than
+# recorded. `unit` is None where the log's own is meant. `bus` is None where any will do.
 Entry = collections.namedtuple("Entry", "quantity signal unit factor offset sign lag_s bus")
 
 KEYS = ("signal", "unit", "factor", "offset", "sign", "lag_ms", "bus")
-OPEN = "?"  # what a draft writes for what it could not know
+OPEN = "?"  # a draft's entry for an unknown value
 LARGEST_LAG_MS = 1000.0
 
 

@@ -1,5 +1,5 @@
-# What was measured, one panel a value. Expects: scripts (folder of picture_style.gp), measured, panels, and for each number from
-# 1 to panels name_N, unit_N, and choices_N: texts of its numbers from 0 on, separated by spaces, or "".
+# Measured values, one panel each. Expects: scripts (folder of picture_style.gp), measured, panels, and for each number
+# from 1 to panels name_N, unit_N, and choices_N: texts of its numbers from 0 on, separated by spaces, or "".
 width = 1000
 height = 50 + 170 * panels
 load scripts."/picture_style.gp"

@@ -56,7 +56,7 @@ def coded(bits, kind=DataType.A_UINT32):
 
 
 class Layer:
-    """What is put together for one ECU."""
+    """Description of one ECU."""
 
     def __init__(self, tables):
         self.tables = tables
@@ -66,7 +66,7 @@ class Layer:
         self.word = self.number("word", 16)
         self.three_bytes = self.number("three_bytes", 24)
         self.codes = self.code_property()
-        # What a snapshot has, in the order of the bytes.
+        # Content of a snapshot, in the order of the bytes.
         self.frame = [("lateral_acceleration", self.scaled("lateral_acceleration", 0.01, "m/s^2")),
                       ("roll_rate", self.scaled("roll_rate", 0.001, "rad/s")),
                       ("roll_angle", self.scaled("roll_angle", 0.001, "rad")),

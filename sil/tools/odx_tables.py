@@ -1,4 +1,4 @@
-"""The firmware's tables of diagnosis, as the program odx-table tells them, with the names of the codes out of the DBC
+"""The firmware's tables of diagnosis, as the program odx-table prints them, with the names of the codes out of the DBC
 file."""
 
 import dataclasses
@@ -30,10 +30,10 @@ def names_of_diagnostic_codes(dbc):
 
 
 def read(program, dbc):
-    told = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
+    printed = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
     names = names_of_diagnostic_codes(dbc)
     tables = Tables({}, {}, [], [], [], [], [])
-    for line in told.splitlines():
+    for line in printed.splitlines():
         kind, *fields = line.split("\t")
         if kind == "constant":
             tables.constants[fields[0]] = int(fields[1])
@@ -50,5 +50,5 @@ def read(program, dbc):
         elif kind == "sub":
             tables.sub_functions.append((int(fields[0]), int(fields[1])))
         else:
-            raise ValueError(f"{program} tells a line that nobody knows: {line}")
+            raise ValueError(f"{program} prints an unknown line: {line}")
     return tables

@@ -18,7 +18,7 @@ def sensor_identifiers():
 
 
 def output_files(logs, folder, ending):
-    """Where each log's result goes."""
+    """Path of each log's result."""
     files = {}
     for path in logs:
         file = folder / (path.stem + ending)
@@ -40,16 +40,16 @@ def convert(logs, folder, bus):
         log = BusLog(path)
         counts = {}
         bus_log_writers.write_candump(file, checked(log, known, bus, counts))
-        told = ", ".join(f"{count} {known[identifier]}" for identifier, count in sorted(counts.items()))
+        converted = ", ".join(f"{count} {known[identifier]}" for identifier, count in sorted(counts.items()))
         others = "".join(f"; {count} {kind} frames were left out" for kind, count in sorted(log.others.items()) if count)
-        print(f"{path} ({log.kind}): {told}{others}\n  {file}")
+        print(f"{path} ({log.kind}): {converted}{others}\n  {file}")
 
 
 def checked(log, known, bus, counts):
     """The frames of the log, if they are the project's, and of one bus only."""
     buses = []
     seen = set()
-    for frame in progress.told(log):
+    for frame in progress.reported(log):
         if bus is not None and str(frame.bus) != bus:
             seen.add(str(frame.bus))
             continue

@@ -7,7 +7,7 @@ EVERY_S = 5.0
 FRAMES = 10_000  # after so many the clock is looked at
 
 
-def told(log):
+def reported(log):
     """The frames of a log."""
     said_s = time.monotonic()
     for number, frame in enumerate(log.frames()):

@@ -1,4 +1,4 @@
-"""What was recorded of a signal, whatever kind of log it was in."""
+"""Recorded values of a signal, from any kind of log."""
 
 import array
 import collections
@@ -8,8 +8,8 @@ import numpy
 
 from log_error import LogError
 
-# A signal as it was recorded: ascending microseconds, numbers, its unit there, and how many values were not to be had, by
-# their reason.
+# A signal as it was recorded: ascending microseconds, numbers, its unit there, and how many values were not to be had,
+# by their reason.
 Recorded = collections.namedtuple("Recorded", "times_us values unit left_out")
 
 OUTSIDE = "outside the DBC file's range"

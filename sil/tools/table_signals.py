@@ -60,7 +60,7 @@ def beginning_of(path):
 
 
 def into(collected, entry, name, unit, mapping):
-    """Where the values of this entry go."""
+    """Key of this entry's values."""
     if entry.bus is not None:
         mapping.fail(entry.quantity, "bus", "is for logs of frames; leave it out here")
     if entry.quantity not in collected:
@@ -169,7 +169,7 @@ def read_rows(table, lines, names, mapping, clock, collected):
     header_line, targets = table.number, None
     units = [unit_in(name) for name in names]
     table.rows = lines
-    for line in progress.told(table):
+    for line in progress.reported(table):
         if not line.strip():
             continue
         fields = table.fields(line)

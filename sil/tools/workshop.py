@@ -1,4 +1,4 @@
-"""What a workshop does with the ECU over UDS: reads and clears trouble codes, identifies it, downloads parameters."""
+"""UDS client of a workshop: reads and clears trouble codes, identifies it, downloads parameters."""
 
 import contextlib
 import logging
@@ -69,7 +69,7 @@ def client(connection, tables, key=TEST_KEY):
         code.update(bytes(seed))
         return code.finalize()
 
-    logging.getLogger("UdsClient").setLevel(logging.CRITICAL)  # what goes wrong is said once, by told()
+    logging.getLogger("UdsClient").setLevel(logging.CRITICAL)  # errors are reported once, by reported()
     config = dict(udsoncan.configs.default_client_config)
     config.update(security_algo=answer, request_timeout=8, extended_data_size=1, dtc_snapshot_did_size=2,
                   data_identifiers={**{each: codec for each, (_, codec) in IDENTIFIERS.items()}, 0xF186: "B",
@@ -79,7 +79,7 @@ def client(connection, tables, key=TEST_KEY):
 
 @contextlib.contextmanager
 def on_can(interface, tables, key):
-    """A client on a CAN interface. What goes wrong is said as a LogError."""
+    """A client on a CAN interface. Errors are LogErrors."""
     response, request = tables.constants["response"], tables.constants["physical_request"]
     try:
         bus = can.Bus(interface="socketcan", channel=interface,
@@ -89,14 +89,14 @@ def on_can(interface, tables, key):
     address = isotp.Address(isotp.AddressingMode.Normal_11bits, rxid=response, txid=request)
     try:
         stack = isotp.CanStack(bus, address=address, params={"tx_padding": 0xCC})
-        with client(PythonIsoTpConnection(stack), tables, key) as tester, told():
+        with client(PythonIsoTpConnection(stack), tables, key) as tester, reported():
             yield tester
     finally:
         bus.shutdown()
 
 
 @contextlib.contextmanager
-def told():
+def reported():
     try:
         yield
     except udsoncan.exceptions.TimeoutException as error:

@@ -131,7 +131,7 @@ class Session:
             self.asked(self.xcp.download, data)
 
     def write(self, changes):
-        """Several are taken over at once: in between the ECU works with the reference page. What they were."""
+        """Several are taken over at once: in between the ECU works with the reference page. The previous values."""
         words = {name: self.encoded(name, text) for name, text in changes.items()}
         before = {name: self.read(name) for name in changes}
         if self.asked(self.xcp.getCalPage, ECU, 0) != WORKING:
@@ -142,12 +142,12 @@ class Session:
                 self.asked(self.xcp.setCalPage, ECU, 0, REFERENCE)
             self.download(words)
             refused = self.taken_over(single)
-        except BaseException:  # whatever it was, a key pressed too: not with half of the values, nor on the other page
+        except BaseException:  # after any exception, an interrupt too: not with half of the values, nor on the other page
             self.put_back(before, single)
             raise
         if refused != "none":
             self.put_back(before, single)
-            raise LogError(f"refused for {refused}; all values are as they were. What it must be: firmware/rsi/parameters.hpp")
+            raise LogError(f"refused for {refused}; all values are as they were. Its range: firmware/rsi/parameters.hpp")
         end = time.monotonic() + LONGEST_CHANGE_S
         while self.read("change_pending") == "yes":
             if time.monotonic() > end:
@@ -160,7 +160,7 @@ class Session:
             if not single:
                 self.xcp.setCalPage(ECU, 0, WORKING)
         except pyxcp.types.XcpResponseError:
-            pass  # the page is refused: the field is told below
+            pass  # the page is refused: the field is named below
         return self.read("refused_parameter")
 
     def put_back(self, before, single):
@@ -179,7 +179,7 @@ class Session:
         self.asked(self.xcp.setRequest, 0x01, 0)
 
     def differences(self):
-        """Of the working page from the reference page: name to both values."""
+        """Differences of the working page from the reference page: name to both values."""
         parameters = [name for name, entry in self.a2l.objects.items() if entry.is_parameter]
         working = {name: self.read(name) for name in parameters}
         self.show(REFERENCE)

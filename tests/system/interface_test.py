@@ -49,7 +49,7 @@ class Interface(unittest.TestCase):
             left = [path.name for path in programs.pathlib.Path(folder).iterdir()]
         self.assertEqual(left, ["notes.txt"])
         self.assertEqual(finished.returncode, 1)
-        self.assertIn(f"no ECU is heard on {programs.INTERFACE}", finished.stderr)
+        self.assertIn(f"no ECU responds on {programs.INTERFACE}", finished.stderr)
         self.assertIn(f"rsi-ecu --interface {programs.INTERFACE}", finished.stderr)
 
     def test_a_lock_step_run_notices_an_ecu_that_runs_in_real_time(self):

@@ -75,7 +75,7 @@ class LiveDrive(unittest.TestCase):
     def test_without_an_ecu_it_says_how_to_start_one(self):
         finished = programs.run("rsi-sil", "watch", *WATCH, "--output", self.folder)
         self.assertEqual(finished.returncode, 1)
-        self.assertIn(f"no ECU is heard on {programs.INTERFACE}. Start one first", finished.stderr)
+        self.assertIn(f"no ECU responds on {programs.INTERFACE}. Start one first", finished.stderr)
 
 
 if __name__ == "__main__":

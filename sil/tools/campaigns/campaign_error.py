@@ -1,4 +1,4 @@
-"""What is wrong with what a user gave or with what was found, as a sentence with the place."""
+"""An error in a user's input or in a result, as a sentence with the place."""
 
 
 class CampaignError(Exception):

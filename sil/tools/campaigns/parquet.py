@@ -13,12 +13,12 @@ import whole_file
 from campaign_error import CampaignError
 
 TYPES = {"text": pyarrow.string(), "count": pyarrow.int64(), "yes_or_no": pyarrow.bool_(), "number": pyarrow.float64()}
-SOURCE = b"rsi_sil.source"  # what the file was made from
+SOURCE = b"rsi_sil.source"  # sources of the file
 ROWS = 65536  # of a group
 
 
 def columns_of(program):
-    """What `rsi-sil campaign columns` says."""
+    """Output of `rsi-sil campaign columns`."""
     try:
         return json.loads(subprocess.run([program, "campaign", "columns"], capture_output=True, check=True).stdout)
     except (OSError, subprocess.CalledProcessError) as error:

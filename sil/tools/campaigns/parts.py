@@ -26,7 +26,7 @@ def head_of(path):
 
 
 def described(folder):
-    """What campaign.toml says."""
+    """Content of campaign.toml."""
     with (folder / "campaign.toml").open("rb") as file:
         return tomllib.load(file)
 
@@ -48,7 +48,7 @@ def there(folder):
 
 
 def missing(parts, runs, part_runs):
-    """What is not in any of `parts`, in pieces of at most `part_runs`. Cuts are at multiples of it, so that a later call with the
+    """Runs that are in none of `parts`, in pieces of at most `part_runs`. Cuts are at multiples of it, so that a later call with the
     same number names the same files."""
     pieces, begin = [], 0
     for part in [*parts, Part(runs, 0)]:

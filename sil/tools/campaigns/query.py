@@ -95,7 +95,7 @@ def csv_of(head, rows):
 
 
 def answer(folder, program, name, sql, target, given=()):
-    """What is printed. `given`: NAME=FILE of indicators to score beside."""
+    """The printed text. `given`: NAME=FILE of indicators to score beside."""
     if sql is None and name not in names():
         raise CampaignError(f"there is no question {name}; there are: {' '.join(names())}")
     connection = open_rows(folder.resolve(), program.resolve())

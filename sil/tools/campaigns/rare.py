@@ -54,7 +54,7 @@ def within(value, interval):
 
 
 class Distribution:
-    """What a campaign draws a run from."""
+    """Distributions that a campaign draws a run from."""
 
     def __init__(self, settings):
         self._spread = {key: settings["spread"][key] for key in PAIRS}
@@ -69,7 +69,7 @@ class Distribution:
         self._count = len(settings["vehicle"])
 
     def density(self, row):
-        """Of a row, a dict of columns."""
+        """Weight of a row, a dict of columns."""
         spread = math.prod(within(row[name], interval) for name, interval in self._spread.items())
         driven = 0.0
         for vehicle in self._vehicles.get(row["vehicle"], ()) if spread else ():
@@ -81,12 +81,12 @@ class Distribution:
         return spread * driven
 
     def fixed(self):
-        """Of which quantities one value only is drawn: they must be the same in all campaigns."""
+        """Quantities with a single value: they must be the same in all campaigns."""
         return {name: tuple(ends) for name, ends in self._spread.items() if ends[0] == ends[1]}
 
 
 def rest_of(settings):
-    """What must be alike in campaigns that are weighed together."""
+    """Settings that must agree in campaigns that are weighed together."""
     spread = {key: value for key, value in settings["spread"].items() if key not in (*PAIRS, *EITHER_WAY)}
     vehicles = {pathlib.Path(vehicle["parameters"]).stem: vehicle for vehicle in settings["vehicle"]}
     program = settings.get("made_with", {}).get("program")
@@ -136,7 +136,7 @@ def estimate(samples, runs_plain):
 
 
 def plainly(sample):
-    """What a plain campaign's runs say without the others'."""
+    """Estimate from a plain campaign's runs alone."""
     return estimate([[float(weight > 0) for weight in sample]], len(sample))
 
 
@@ -213,7 +213,7 @@ def per_million(value):
 
 
 def answer(options):
-    """What is printed."""
+    """The printed text."""
     if options.propose:
         if len(options.folders) != 1:
             raise CampaignError("--propose wants one folder, of a plain campaign")

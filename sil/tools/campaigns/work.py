@@ -1,4 +1,4 @@
-"""What a worker does: one call of rsi-sil. Imports nothing of ours, because this file alone travels to the workers."""
+"""Task of a worker: one call of rsi-sil. Imports nothing of ours, because this file alone travels to the workers."""
 
 import os
 import shutil

@@ -46,7 +46,7 @@ Manoeuvre free_drive(const DriverWish& wish, double start_speed_mps) {
         std::clamp(start_speed_mps, DriverWish::lowest_speed_mps, DriverWish::highest_speed_mps);
     Manoeuvre manoeuvre;
     manoeuvre.name = "free-drive";
-    manoeuvre.description = "somebody drives, on a level road";
+    manoeuvre.description = "driven by a person, on a level road";
     manoeuvre.duration_s = longest_free_drive_s;
     manoeuvre.initial_speed_mps = start_mps;
     manoeuvre.make_road = flat_road();

@@ -1,11 +1,11 @@
-// Free drive: somebody at a screen steers and chooses the speed, while the vehicle drives.
+// Free drive: a person at a screen steers and chooses the speed while the vehicle drives.
 #pragma once
 
 #include "sil/world/manoeuvres/manoeuvre.hpp"
 
 namespace sil {
 
-// What the driver wants now. Whatever it says, hands turn and feet press no faster than people's do.
+// The driver's present demand. Hands and feet never move faster than a person's.
 struct DriverWish {
     double steering_wheel_angle_rad{0.0};  // > 0 turns left
     double speed_mps{0.0};

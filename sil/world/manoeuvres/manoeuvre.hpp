@@ -36,7 +36,7 @@ class Driver {
     Driver(const Driver&) = default;
 };
 
-// What `Kind` says of itself: that its copy constructor copies all of it.
+// Declared by `Kind`: its copy constructor copies all of it.
 template <typename Kind>
 class CopiedDriver : public Driver {
  public:
@@ -56,7 +56,7 @@ struct Manoeuvre {
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
     // Whether make_driver asks for handwheel_angle_at_0_3_g_rad(), so that who drives many may find it ahead.
     bool asks_for_handwheel_angle{false};
-    // What the manoeuvre changes in the vehicle, such as a roof load; empty: nothing.
+    // The manoeuvre's changes to the vehicle, such as a roof load; empty: nothing.
     std::function<VehicleParameters(VehicleParameters)> adapt_vehicle{};
 };
 

@@ -24,7 +24,7 @@ struct Temper {
     double handwheel_radps;    // how fast the hands are
 };
 constexpr Temper mixed{0.4, 0.5, 0.0, 1.0e3, 1.0e6};
-// About 1 m/s^2: whoever accelerates or brakes harder than that in a turn takes the grip from an axle.
+// About 1 m/s^2: accelerating or braking harder than that in a turn takes the grip from an axle.
 constexpr Temper ordinary{0.0, 0.4, 1.5, 0.03, from_degrees(500.0)};
 
 enum class Segment : std::uint8_t { straight, turn, lane_change, weave };

@@ -5,7 +5,7 @@
 
 namespace sil {
 
-// What the linear single-track model takes for it in a steady turn: delta = a (l / v^2 + K).
+// Its value in the linear single-track model in a steady turn: delta = a (l / v^2 + K).
 class SteadySteering {
  public:
     SteadySteering(const VehicleParameters& vehicle, double understeer_gradient_s2pm)

@@ -30,7 +30,7 @@ struct ImuOptions {
     ChannelOptions roll_rate_radps;
 };
 
-// What a roll angle is measured against.
+// Reference of a roll angle.
 enum class RollReference : std::uint8_t {
     road,     // by the suspension's travel, as few vehicles do
     horizon,  // by an attitude sensor; the road's bank is in it
@@ -68,7 +68,7 @@ struct SensorOptions {
     MassSensorOptions mass;
 };
 
-// What remains of the accelerometers' bias, on the lateral and the vertical axis alike.
+// Remaining bias of the accelerometers, on the lateral and the vertical axis alike.
 enum class AccelerometerBias : std::uint8_t {
     none,
     after_zeroing,  // 0.005 g: the ECU has learnt the offset at standstill

@@ -11,7 +11,7 @@
 
 namespace sil {
 
-// What is left of the drive of an axle both of whose wheels spin: all of it while the slower one is up to 2
+// Remaining share of the drive of an axle with two spinning wheels: all of it while the slower one is up to 2
 // m/s and a fifth faster than the vehicle, nothing at twice that. No driver, engine or traction control lets
 // it run away; and wheels that did would tilt the turning vehicle as gyroscopes.
 template <typename Real>

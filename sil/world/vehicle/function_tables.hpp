@@ -20,7 +20,7 @@ struct FunctionTables {
     static constexpr std::size_t atan_count = 16U * atan_parts;
     DoublePair atan[atan_count + 1U];
 
-    // Of multiples of 1 / angle_parts.
+    // Values at multiples of 1 / angle_parts.
     static constexpr double angle_parts = 32.0;
     static constexpr std::size_t angle_count = 128U;
     DoublePair sin[angle_count];

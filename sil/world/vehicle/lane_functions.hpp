@@ -70,7 +70,7 @@ template <double function(double)>
     constexpr double sure_share = 0.47;  // of a unit in the last place
     const Reals nearest = sum.high + sum.low;
     const Reals remainder = (sum.high - nearest) + sum.low;
-    // Of the next smaller double, for the unit below a power of two is half of that above.
+    // Spacing of the next smaller double, for the unit below a power of two is half of that above.
     const Reals unit = Reals((bits_of(nearest) - 1) & exponent) * 0x1p-52;
     const Bits sure =
         valid & (magnitude(remainder) <= unit * sure_share ? LaneMask::everywhere : LaneMask::nowhere);
@@ -140,7 +140,7 @@ struct ReducedAngle {
     return {sum.high, sum.low + (product.low + (a.low + (a.high * angle.cosine +
                                                          (b.high * angle.sine + b.low * angle.rest))))};
 }
-// Where the tables reach and, beside zeros but 0 itself, nothing has cancelled.
+// Within the range of the tables and if, beside zeros but 0 itself, nothing has cancelled.
 [[gnu::always_inline]] inline Bits valid_turn(const Reals& angle, const ReducedAngle& reduced,
                                               const Sum& sum) {
     const Bits in_tables = angle < 3.9 ? LaneMask::everywhere : LaneMask::nowhere;

@@ -13,8 +13,8 @@
 
 namespace sil {
 
-// All that steps: nothing but numbers, in the same order for one vehicle as for several. So a number of one
-// lane lies where it does for one vehicle, times lane_count, plus the lane.
+// All that steps: nothing but numbers, in the same order for one vehicle as for several. A number of one lane
+// thus lies where it does for one vehicle, times lane_count, plus the lane.
 template <typename Real>
 struct SteppedNumbers {
     VehicleModel<Real> model{BasicVehicleParameters<Real>{}};

@@ -1,5 +1,5 @@
 // Lane step for the processor that RSI_PROCESSOR names, with whose options the source is compiled that
-// includes this. What is here must leave no function to the linker that others could take for theirs;
+// includes this. This file must leave no function to the linker that others could take for theirs;
 // tests/sil/vehicle checks that.
 #define EIGEN_DONT_VECTORIZE  // lanes are in vectors already, and its code for doubles would be the
                               // processor's

@@ -7,7 +7,7 @@
 
 namespace sil::number {
 
-// Where the equations would branch they choose, for in Lanes one vehicle goes one way and another the other.
+// The equations select instead of branching, because in Lanes one vehicle goes one way and another the other.
 inline double choose(bool condition, double if_true, double if_false) {
     return condition ? if_true : if_false;
 }

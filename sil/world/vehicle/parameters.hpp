@@ -136,7 +136,7 @@ struct BasicHullParameters {
 };
 using HullParameters = BasicHullParameters<double>;
 
-// Where the IMU is fixed to the body, from the sprung CG in body axes.
+// Position of the IMU on the body, from the sprung CG in body axes.
 template <typename Real>
 struct BasicImuMountParameters {
     Real x_m{};

@@ -46,7 +46,7 @@ class BasicSpringDamper {
     Real preload_n_;
 };
 
-// Where the wheel stands sideways at a given jounce, and how it moves there. Outwards is positive. The
+// Lateral position and motion of the wheel at a given jounce. Outwards is positive. The
 // lateral tyre force times the slope is the jacking force (virtual work), so the slope is all there is to a
 // roll centre.
 template <typename Real>

@@ -68,7 +68,7 @@ inline bool right_side_has_lifted(const Truth& truth) {
     return has_lifted(truth, front_right) && has_lifted(truth, rear_right);
 }
 
-// What a rollover begins with.
+// The beginning of a rollover.
 inline bool two_wheels_have_lifted(const Truth& truth) {
     return left_side_has_lifted(truth) || right_side_has_lifted(truth);
 }

@@ -14,7 +14,7 @@
 
 namespace sil {
 
-// Where and how a run begins. Offsets are from static equilibrium on the road below.
+// Place and motion at the beginning of a run. Offsets are from static equilibrium on the road below.
 struct InitialState {
     double speed_mps{0.0};
     double position_x_m{0.0};

@@ -11,7 +11,7 @@ namespace {
 
 using OfOne = SteppedNumbers<double>;
 
-// Where a part of what steps lies among the numbers of one vehicle.
+// Offset of a part of the state among the numbers of one vehicle.
 struct Part {
     std::size_t first;
     std::size_t count;

@@ -33,7 +33,7 @@ class VehicleBatch {
     // Gives the vehicle in this lane its state, so that it may go on alone.
     void leave(std::size_t lane);
 
-    // As Vehicle::step(), for every vehicle that is in; inputs of empty lanes do not matter. Of the truth,
+    // As Vehicle::step(), for every vehicle that is in; inputs of empty lanes do not matter. The truth's
     // attitude but for roll and yaw, suspension, wheel gaps, lateral tyre force and roll centres cost a tenth
     // of a step: NaN unless they are `wanted`.
     enum class TruthWanted { motion, all };

@@ -20,7 +20,7 @@ namespace sil {
 constexpr bool is_front(int wheel) {
     return wheel == front_left || wheel == front_right;
 }
-// Of the vehicle on which a wheel is: left is positive.
+// Side of the vehicle that a wheel is on: left is positive.
 constexpr double side_of(int wheel) {
     return wheel == front_left || wheel == rear_left ? 1.0 : -1.0;
 }

@@ -15,7 +15,7 @@ struct BasicWheelContact {
     Real camber{};        // sine of the angle by which the wheel's top leans to the right
     Real cosine{};        // of that angle
 
-    // Where it does not hold, the disc lies nearly flat on the road and has no tread under it.
+    // If it does not hold, the disc lies nearly flat on the road and has no tread under it.
     auto upright() const { return cosine > flattest_upright; }
 
     static constexpr double flattest_upright = 0.2;

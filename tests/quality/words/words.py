@@ -29,8 +29,8 @@ CLAUSES = {
     "wherever": "'If', 'Everywhere that'",
     "so": "'Therefore', 'Thus', or join it to the sentence before",
 }
-# Behind code these two complete the name before them, as in `counter;  // of the newest frame`.
-COMPLETIONS = ("of", "where")
+# Behind code these complete the name before them, as in `counter;  // of the newest frame`.
+COMPLETIONS = ("of", "where", "so")
 FIRST_WORD = re.compile(r"[\"'(\[`*_]*(\w+)")
 TEST_NAME = re.compile(r"\b(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)|\bdef test_(\w+)")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")

@@ -73,7 +73,7 @@ class State(support.WithFmus):
             vehicle = self.started("vehicle", version)
             self.assertIn("canSerializeFMU" + ("state" if version == 2 else "State") + '="false"',
                           (vehicle.of.folder / "modelDescription.xml").read_text(encoding="utf-8"))
-            with self.assertRaisesRegex(support.Refused, "cannot be told as bytes; save and restore it within the process"):
+            with self.assertRaisesRegex(support.Refused, "cannot be serialised; save and restore it within the process"):
                 vehicle.asked(vehicle.fmu.serializeFMUState, vehicle.saved())
 
     @support.for_each("ecu", "vehicle")

@@ -41,7 +41,7 @@ class Consistency(support.WithRun):
         for manoeuvre, (times_us, columns) in self.runs.items():
             for absent in (None, "roll_angle", "yaw_rate", "speed"):
                 known = {name: values for name, values in columns.items() if name != absent}
-                lines, is_doubtful = consistency.told(times_us, known)
+                lines, is_doubtful = consistency.reported(times_us, known)
                 self.assertFalse(is_doubtful, (manoeuvre, absent, lines))
 
     def test_no_sign_is_answered_wrongly(self):
@@ -64,7 +64,7 @@ class Consistency(support.WithRun):
             times_us, columns = self.runs[manoeuvre]
             for name in (*draft.SIGNED, "roll_rate"):
                 wrong = {**columns, name: -columns[name]}
-                lines, is_doubtful = consistency.told(times_us, wrong)
+                lines, is_doubtful = consistency.reported(times_us, wrong)
                 self.assertTrue(is_doubtful, (manoeuvre, name, lines))
                 evidence = self.evidence(times_us, wrong)
                 other = "lateral_acceleration" if name != "lateral_acceleration" else "roll_angle"
@@ -75,18 +75,18 @@ class Consistency(support.WithRun):
         radians, gravities = numpy.radians(1.0), 1 / consistency.G_MPS2
         for name, factor in (("lateral_acceleration", gravities), ("roll_rate", radians), ("speed", 1 / 3.6),
                              ("roll_angle", radians), ("yaw_rate", radians), ("yaw_rate", 1 / radians), ("vertical_acceleration", gravities)):
-            lines, is_doubtful = consistency.told(times_us, {**columns, name: factor * columns[name]})
+            lines, is_doubtful = consistency.reported(times_us, {**columns, name: factor * columns[name]})
             self.assertTrue(is_doubtful, (name, lines))
 
     def test_a_unit_that_may_be_wrong_is_questioned(self):
         times_us, columns = self.runs["slalom"]
         for name, factor in (("speed", 1 / 1.609), ("speed", 1.609), ("speed", 1.852), ("roll_rate", 1 / 6.0), ("roll_rate", 6.0)):
-            lines, _ = consistency.told(times_us, {**columns, name: factor * columns[name]})
+            lines, _ = consistency.reported(times_us, {**columns, name: factor * columns[name]})
             self.assertTrue(any("check the units" in line or "units is wrong" in line for line in lines), (name, factor, lines))
 
     def test_right_units_are_not_questioned_in_turns_without_a_slide(self):
         for manoeuvre in ("slalom", "slow-ramp"):
-            lines, is_doubtful = consistency.told(*self.runs[manoeuvre])
+            lines, is_doubtful = consistency.reported(*self.runs[manoeuvre])
             self.assertFalse(is_doubtful)
             self.assertFalse([line for line in lines if "units" in line], lines)
 

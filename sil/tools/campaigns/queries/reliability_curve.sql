@@ -1,4 +1,4 @@
--- of runs in which an index reaches a threshold, how many lift two wheels: for the index that is the firmware's default, by steps of 0.05
+-- share of two-wheel lift-offs in runs whose default index reaches a threshold, by steps of 0.05
 SELECT round(floor(threshold / 0.05) * 0.05, 2) AS "reaches",
        count(*) AS runs,
        count(*) FILTER (lifted) AS lift_offs,

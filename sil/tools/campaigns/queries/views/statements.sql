@@ -1,5 +1,5 @@
--- What each entry says of each drawn run: the firmware's warning, every index with its threshold at 1, and the indicators that
--- were given (entry, run, lead_time_s, alarm).
+-- Statement of each entry on each drawn run: the firmware's warning, every index with its threshold at 1, and the
+-- given indicators (entry, run, lead_time_s, alarm).
 CREATE VIEW statements AS
 WITH said AS (
     SELECT index_name AS entry, run, lead_time_s, threshold >= 1 AS alarm FROM index_scores
