@@ -110,7 +110,7 @@ def write_series(folder):
 
 
 def rare_table(folder, program):
-    """Of each event that has a campaign drawn nearer to it, in a million runs: plain runs alone, and all weighed."""
+    """Rate in a million runs of each event that has a campaign drawn nearer to it: plain runs alone, and all weighed."""
     lines = ["| in 1,000,000 runs | plain runs alone | events | all runs, weighed | events | worth so many plain runs |",
              "|---|---|---:|---|---:|---:|"]
     for event, (what, _) in rare.EVENTS.items():

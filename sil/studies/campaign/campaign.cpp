@@ -37,7 +37,7 @@ void refuse_rows_without_traces(const RowFile& file, const std::filesystem::path
     }
 }
 
-// Of a folder of parts the rows are not in one file.
+// The rows of a folder of parts are not in one file.
 void refuse_parts(const std::filesystem::path& output) {
     if (!parts_of(output).empty()) {
         throw InputError(fmt::format(

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* made_with = "[made_with]";
 
-// FNV-1a: tells whether a text has changed, not whether somebody meant to deceive.
+// FNV-1a: finds a changed text, but no deliberate forgery.
 std::string fingerprint_of(const std::string& text) {
     std::uint64_t hash = 0xCBF29CE484222325U;
     for (const char letter : text) {
@@ -85,7 +85,7 @@ void compare_or_store(const std::filesystem::path& folder, const CampaignSetting
     if (!std::filesystem::exists(file)) {
         if (std::filesystem::exists(folder / "runs.csv")) {
             throw InputError(
-                fmt::format("{} has rows but no campaign.toml, so nobody knows what they are of; use another "
+                fmt::format("{} has rows but no campaign.toml to describe them; use another "
                             "output folder",
                             folder.string()));
         }

@@ -8,7 +8,7 @@
 
 namespace sil {
 
-// What the commands that drive a run again name: they work from any folder of this machine.
+// Paths in the commands that drive a run again: they work from any folder of this machine.
 struct CampaignCall {
     std::filesystem::path program;         // absolute, or one that the shell finds
     std::filesystem::path working_folder;  // absolute: relative paths in the settings start from it

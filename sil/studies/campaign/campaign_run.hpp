@@ -42,7 +42,7 @@ class CampaignWorld {
     using TakeRow = std::function<bool(const CampaignRow& row)>;
     void run_together(const NextRun& next, const TakeRow& take) const;
 
-    // What run() drives.
+    // The simulation that run() drives.
     DrawnRun prepare(std::uint64_t number) const;
 
     const CampaignSettings& settings() const { return settings_; }
@@ -52,8 +52,8 @@ class CampaignWorld {
     class Drive;
     class Lanes;
 
-    // Of the vehicle as a manoeuvre has it. Driven when the first run needs it, by whichever thread comes
-    // first.
+    // Index of the vehicle as a manoeuvre has it. Driven when the first run needs it, by whichever thread
+    // comes first.
     struct LearningDrive {
         std::once_flag driven{};
         std::vector<rsi::Inputs> inputs{};
@@ -67,7 +67,7 @@ class CampaignWorld {
     };
 
     LearningDrive& learning_drive_before(const RunDraw& draw) const;
-    // What the firmware of this run has learnt of the load before it; nothing without a learning drive.
+    // The load that the firmware of this run has learnt before it; nothing without a learning drive.
     std::optional<rsi::LearntLoad> learnt_before(const DrawnRun& drawn) const;
 
     CampaignSettings settings_;

@@ -8,7 +8,7 @@
 
 namespace sil {
 
-// The errors are shares of the true value of that run: the firmware is told true * (1 + error).
+// The errors are shares of the true value of that run: the firmware gets true * (1 + error).
 struct RunDraw {
     std::uint64_t number{0U};
     std::size_t vehicle{0U};    // index into the settings

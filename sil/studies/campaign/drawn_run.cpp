@@ -24,8 +24,7 @@ float admitted(float rsi::Parameters::* member, float value) {
 }
 
 // Mass and CG height are wrong by the drawn shares of what they are in this run, load included: whatever the
-// load changes is a part of the error and not on top of it. Unless the settings say that nobody told the
-// load.
+// load changes is a part of the error and not on top of it. Unless the settings say that the load is unknown.
 rsi::Parameters mistaken(rsi::Parameters calibration, const VehicleParameters& truth,
                          const CampaignSpread& spread, const RunDraw& draw) {
     const double mass_kg =
@@ -77,13 +76,13 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
     run.draw = draw;
     run.manoeuvre = manoeuvre;
     run.options.steering_factor = draw.steering_factor;
-    // Who drives by chance drives otherwise in every run, and means an acceleration, not an angle.
+    // Random drivers are redrawn each run and target an acceleration, not an angle.
     if (manoeuvre.name == ordinary_driving_name) {
         run.manoeuvre = ordinary_driving(draw.sensor_seed, ordinary_driving_s, draw.steering_factor);
         run.options.steering_factor = 1.0;
     }
     run.vehicle = vehicle;
-    // What the manoeuvre changes in the vehicle belongs to the truth that load and errors are counted from.
+    // The manoeuvre's changes to the vehicle belong to the truth that load and errors are counted from.
     if (manoeuvre.adapt_vehicle) {
         run.vehicle = manoeuvre.adapt_vehicle(run.vehicle);
         run.manoeuvre.adapt_vehicle = {};

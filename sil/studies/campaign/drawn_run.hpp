@@ -1,4 +1,4 @@
-// Drawn run: the true vehicle of one run, what the firmware believes of it, and how it is driven.
+// Drawn run: the true vehicle of one run, the firmware's calibration, and the drive.
 #pragma once
 
 #include "rsi/types.hpp"

@@ -1,4 +1,4 @@
-"""What is aimed at with the warning, beside what came out: of a group in the report.json of a campaign."""
+"""Goals of the warning beside the results: for a group in the report.json of a campaign."""
 
 import typing
 
@@ -12,7 +12,7 @@ def percent(share):
 
 
 class Figure(typing.NamedTuple):
-    """What a goal is set for."""
+    """The quantity of a goal."""
 
     name: str
     bound: str
@@ -38,7 +38,7 @@ def _of_share(name, bound, share):
 
 
 def figures(group, index="warning"):
-    """Of the firmware's warning, or of an index at 1."""
+    """Entry of the firmware's warning, or of an index at 1."""
     warning, wrong_s = group["indices"][index], group["wrong_side_s_per_1000_runs"]
     median, alarms = warning["lead_time_median_s"], warning["alarms"]
     return (

@@ -12,7 +12,7 @@
 
 namespace sil {
 
-// What an index may look at in one cycle. A vehicle has no truth: an index that reads it is a reference.
+// Inputs of an index in one cycle. A vehicle has no truth: an index that reads it is a reference.
 struct IndexSample {
     const rsi::Outputs& outputs;
     const Truth& truth;
@@ -23,8 +23,8 @@ struct Index {
     std::string name;  // of its columns
 };
 
-// In the order of their columns: every indicator that the firmware can be told to warn by, under the name
-// that a calibration knows it by, and then what only the true wheel loads tell.
+// In the order of their columns: every indicator that the firmware can warn by, under its name in a
+// calibration, and then the one of the true wheel loads.
 const std::vector<Index>& campaign_indices();
 
 // All of them with the calibration of one run, wrong as it may be. Made once a run, for they are read in
@@ -33,8 +33,7 @@ class IndexReaders {
  public:
     explicit IndexReaders(const rsi::Parameters& calibration);
 
-    // Of the index at this place of campaign_indices(): the level, 0 and above, NaN where there is none, and
-    // the side.
+    // Level, 0 and above, NaN if there is none, and side of the index at this place of campaign_indices().
     rsi::RiskLevel risk(std::size_t index, const IndexSample& sample) const;
 
     double level(std::size_t index, const IndexSample& sample) const {

@@ -32,7 +32,7 @@ struct Judgement {
 inline constexpr double hour_s = 3600.0;
 inline constexpr double thousand_km_m = 1.0e6;
 
-// What the firmware's warning did over the time of some runs.
+// Warnings of the firmware over the time of some runs.
 struct TimeAccount {
     double duration_s{0.0};
     double distance_m{0.0};

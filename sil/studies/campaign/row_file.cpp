@@ -127,7 +127,7 @@ void RowFile::append(std::uint64_t run, const std::string& line) {
             const std::string reason = std::strerror(errno);
             static_cast<void>(::ftruncate(descriptor_, end));  // half a line is no row
             throw InputError(
-                fmt::format("{}: cannot be written: {}. What is finished is kept; run the "
+                fmt::format("{}: cannot be written: {}. Finished runs are kept; run the "
                             "same command again when there is room.",
                             path_.string(), reason));
         }

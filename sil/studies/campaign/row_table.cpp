@@ -159,7 +159,7 @@ void read_rows(CsvLines& lines, const std::filesystem::path& path, RowTable& tab
     }
 }
 
-// What campaign.toml says that the parts are of.
+// Campaign of the parts by campaign.toml.
 std::string wanted_fingerprint(const std::filesystem::path& folder) {
     TomlTable top = TomlTable::load(folder / "campaign.toml");
     return top.table("made_with").text("parts");

@@ -48,7 +48,7 @@ struct RecordedCampaignRun {
     std::optional<double> brief_two_wheel_lift_time_s{};
     double end_time_s{0.0};
     double distance_m{0.0};
-    // Of the firmware's warning; see WarningJudgement.
+    // The firmware's warning; see WarningJudgement.
     std::optional<double> lead_s{};
     double wrong_side_s{0.0};
     unsigned warnings{0U};
@@ -63,7 +63,7 @@ struct RowTable {
     std::vector<RecordedCampaignRun> runs{};  // by number
 };
 
-// Reads the columns by their names; the indices are those that the file has. What follows the last end of a
+// Reads the columns by their names; the indices are those that the file has. Text behind the last end of a
 // line is not read. Throws InputError with file, line and column for a missing column or a cell that is
 // not a number.
 RowTable load_rows(const std::filesystem::path& path);

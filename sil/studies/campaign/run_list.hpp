@@ -35,7 +35,7 @@ class RunList {
     std::size_t vehicles_{0U};
 };
 
-// Of the firmware's warning state.
+// Times of the firmware's warning state.
 Detection detection_of_warning(const RunList& runs);
 
 struct CurvePoint {

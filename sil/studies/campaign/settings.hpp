@@ -45,7 +45,7 @@ struct CampaignSpread {
     Interval friction_factor{1.0, 1.0};     // of the tyres
     Interval load_share{};                  // of the sprung mass, added as a point load
     Interval load_height_factor{1.0, 1.0};  // height of the load over the height of the sprung CG
-    // What the errors of mass and CG height are counted from: true values, load included, or those of the
+    // Base of the errors of mass and CG height: true values, load included, or those of the
     // calibration, so that what the load changes comes on top.
     bool load_is_known{true};
     double cg_height_error{0.0};  // share by which the calibration's value may be wrong, either way

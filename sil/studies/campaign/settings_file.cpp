@@ -11,7 +11,7 @@
 namespace sil {
 namespace {
 
-// What the file does not give stays as it is.
+// Values that the file does not give stay as they are.
 void read(TomlTable& table, std::string_view key, double& value) {
     value = table.has(key) ? table.number(key) : value;
 }

@@ -12,10 +12,10 @@
 
 namespace sil {
 
-// So long at the beginning of a drive the vehicle stands, or all its wheels are on the road.
+// Time at the beginning of a drive in which the vehicle stands, or all its wheels are on the road.
 inline constexpr double upright_time_s = 1.0;
 
-// What the sensors said at one instant, and the wheel loads where they are known. Signs are ISO 8855,
+// Sensor values at one instant, and the wheel loads if they are known. Signs are ISO 8855,
 // meanings those of SensorSample. A value that is not available is NaN.
 struct DriveSample {
     static constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
@@ -37,7 +37,7 @@ struct DriveSample {
 struct Drive {
     std::string name;                  // of the file, without folder and ending
     std::vector<DriveSample> samples;  // in the order of time, at least two
-    // Given by whoever recorded the drive, on its clock; empty also means "did not happen" when
+    // Given with the recorded drive, on its clock; empty also means "did not happen" when
     // lift_off_given.
     std::optional<double> one_wheel_lift_s;
     std::optional<double> two_wheel_lift_s;

@@ -39,7 +39,7 @@ std::string in_lower_case(std::string_view text) {
     return result;
 }
 
-// What follows the quantity's name: nothing or a single word after '_' is meant as a unit, several words make
+// Text behind the quantity's name: nothing or a single word after '_' is meant as a unit, several words make
 // another quantity ("roll_angle_to_horizon_deg"), and so does a letter ("timer").
 DriveColumn::Kind kind_of_rest(std::string_view rest, const DriveQuantity& quantity, double& factor) {
     if (rest.empty()) {

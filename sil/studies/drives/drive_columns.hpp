@@ -34,7 +34,7 @@ struct DriveQuantity {
 // In the order of docs/drives.md.
 const std::vector<DriveQuantity>& drive_quantities();
 
-// What a column's name means.
+// Meaning of a column's name.
 struct DriveColumn {
     enum class Kind : unsigned char { unknown, wrong_unit, known } kind{Kind::unknown};
     const DriveQuantity* quantity{nullptr};  // unless unknown

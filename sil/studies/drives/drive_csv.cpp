@@ -21,7 +21,7 @@ constexpr double largest_value = 1.0e9;
 constexpr double largest_time = 1.0e15;
 // A longer silence is no drive, but two recordings on clocks of their own.
 constexpr double longest_gap_s = 3600.0;
-// Of more there is not room in the memory of every machine.
+// More do not fit into the memory of every machine.
 constexpr double longest_drive_s = 12.0 * 3600.0;
 
 class DriveCsvParser {

@@ -38,8 +38,8 @@ struct DriveHeader {
     const Column* find(const char* quantity) const;
 };
 
-// Reads the names of the columns and checks that those are there which a drive needs. Columns that nobody
-// knows go to drive.ignored_columns, unless they are those of a run's signals.csv. Throws InputError.
+// Reads the names of the columns and checks that those are there which a drive needs. Unknown columns go
+// to drive.ignored_columns, unless they are those of a run's signals.csv. Throws InputError.
 void read_column_names(const CsvLine& line, DriveHeader& header, Drive& drive, const CsvPlace& place);
 
 // A line that begins with '#'. "# one_wheel_lift_time_s: 2.34", "# two_wheel_lift_time_s: none" say when the

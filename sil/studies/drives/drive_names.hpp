@@ -7,8 +7,8 @@
 
 namespace sil {
 
-// A file's name without its ending. Where several have the same (every run leaves a signals.csv), the
-// folder's name stands in front of it, and where that is not enough a number behind it.
+// A file's name without its ending. If several have the same (every run leaves a signals.csv), the folder's
+// name precedes it, and if that is not enough a number follows.
 std::vector<std::string> drive_names(const std::vector<std::filesystem::path>& files);
 
 }  // namespace sil

@@ -15,7 +15,7 @@
 namespace sil {
 namespace {
 
-// What EventObserver wants to know; the wheels stay on the road, because lift-off is found elsewhere, and the
+// Input of EventObserver; the wheels stay on the road, because lift-off is found elsewhere, and the
 // warning is judged by it.
 Truth known_truth(const ReplayCycle& cycle) {
     Truth truth;

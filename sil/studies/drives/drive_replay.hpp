@@ -20,9 +20,9 @@ namespace sil {
 
 // One cycle of 10 ms.
 struct ReplayCycle {
-    DriveSample sample;      // what was sent, before it became frames; of a log: what its frames say
-    rsi::Outputs outputs{};  // what the component computed
-    EcuOutput ecu;           // what the ECU's frames said
+    DriveSample sample;      // sensor values before they became frames; of a log: those in its frames
+    rsi::Outputs outputs{};  // outputs of the component
+    EcuOutput ecu;           // content of the ECU's frames
     CodeSets codes;          // as far as its frames have told, one code a frame
     double load_transfer_ratio{EcuOutput::not_available};  // of the wheel loads
     double warning_level{EcuOutput::not_available};  // of the indicator that drives the warning; 1: warn

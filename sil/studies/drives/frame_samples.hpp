@@ -7,7 +7,7 @@
 
 namespace sil {
 
-// What SensorFrames sends.
+// Content of SensorFrames.
 SensorSample sensor_sample(const DriveSample& sample);
 
 // Takes over what a sensor frame says; other frames change nothing. Its end-to-end protection is not checked:

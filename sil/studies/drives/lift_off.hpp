@@ -14,7 +14,7 @@ struct LiftOff {
     LiftOffSource source{LiftOffSource::unknown};
     std::optional<double> one_wheel_s;  // any wheel; empty also when it did not happen
     std::optional<double> two_wheel_s;  // both wheels of one side (sil/judge/two_wheel_lift.hpp)
-    // Towards which the vehicle then falls; none where the wheel loads do not tell it.
+    // Side to which the vehicle then falls; none if the wheel loads do not show it.
     WarningSide falling_side{WarningSide::none};
     double up_below_n{0.0};  // a wheel that carries less is up
 };

@@ -6,7 +6,7 @@ load "events.gp"
 data = "indices.csv"
 
 # gnuplot refuses a column without any value, and a drive may lack every signal but a few: such a column is drawn
-# where nobody sees it.
+# out of sight.
 far_away = -1.0e6
 has(name) = int(system("awk -F, -v name=".name." 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next } c && $c != \"\" { found = 1; exit } END { print found + 0 }' indices.csv"))
 shown(has_values, name) = has_values ? column(name) : far_away

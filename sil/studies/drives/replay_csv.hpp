@@ -15,7 +15,7 @@ namespace sil {
 // own names.
 std::vector<std::string> indices_csv_columns();
 
-// Header and one row a cycle. What is not available is an empty field.
+// Header and one row a cycle. A value that is not available is an empty field.
 std::string indices_csv(const DriveReplay& replay);
 
 // time_s,state,side: the first cycle and every one at which state or side is another than before.

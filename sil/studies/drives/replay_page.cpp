@@ -51,7 +51,7 @@ bool is_against_horizon(const rsi::Parameters& parameters) {
     return parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON;
 }
 
-// Of a file's rows, which follow its header, every so manyth.
+// Every n-th of a file's rows, which follow its header.
 std::vector<std::string> some_lines(const std::string& text, std::size_t every) {
     std::vector<std::string> lines;
     std::size_t number = 0U;
@@ -88,7 +88,7 @@ std::vector<std::string> known_columns(const std::vector<std::string>& lines,
     return columns;
 }
 
-// Of the vehicle's shape a calibration has track width and heights; the rest is that of a usual one.
+// A calibration has the vehicle's track width and heights; the rest of the shape is that of a usual one.
 PageVehicle page_vehicle(const rsi::Parameters& parameters, const LiftOff& lift_off) {
     PageVehicle vehicle;
     vehicle.track_width_m = static_cast<double>(parameters.track_width_m);

@@ -30,7 +30,7 @@ ReplayRow failed_row(const std::string& file, const std::string& drive);
 
 // file, drive, warning_time_s, one_wheel_lift_time_s, two_wheel_lift_time_s, lead_time_s,
 // wrong_side_duration_s, unavailable_duration_s, largest_load_transfer_ratio, largest_warning_level, verdict,
-// confirmed_codes. What is not known or did not happen is empty.
+// confirmed_codes. A value that is unknown, or of a missing event, is empty.
 std::string table_csv(const std::vector<ReplayRow>& rows);
 
 // The same in columns of even width, a line that counts the verdicts, and what the calibration has wrong.

@@ -7,7 +7,7 @@
 
 namespace sil {
 
-// What the sensors put on the bus in one cycle.
+// Sensor values on the bus in one cycle.
 struct DriveCycle {
     bool has_frames{true};  // false within a gap: nothing is sent
     DriveSample sample;     // at the cycle's time; all but the time NaN without frames

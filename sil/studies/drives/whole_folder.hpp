@@ -8,8 +8,8 @@
 namespace sil {
 
 // Results are written into a folder NAME.partial beside the one that is meant; commit() gives it its name.
-// Without commit the destructor removes it. What an earlier replay left under the name is removed at the
-// start, so that it cannot be taken for this one's.
+// Without commit the destructor removes it. Results of an earlier replay of the name are removed at the
+// start, so that they cannot pass for this one's.
 class WholeFolder {
  public:
     // `contents`: the files that a result may have. Throws std::runtime_error when the folder exists with

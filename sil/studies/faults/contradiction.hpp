@@ -22,7 +22,7 @@ struct Contradiction {
     FaultPlace place{};
     // One for each kind of scene but `over`, from the least visible error to the reaction.
     std::array<int, scene_count - 1U> limits_ms{};
-    std::string why{};  // what the time is made of, or why nothing shows
+    std::string why{};  // parts of the time, or the reason that nothing shows
     int lapse_ms{0};    // after the first code and while the fault is there, no longer without one
     int wrong_ms{100};  // where it is hidden, the longest time of a wrong statement
     int late_ms{100};   // where it is hidden, how much later a due warning may come

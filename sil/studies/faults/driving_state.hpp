@@ -22,7 +22,7 @@ struct DrivingState : FaultedDrive {
 std::vector<std::vector<DrivingState>> record_states(const VehicleParameters& vehicle,
                                                      const std::vector<SensorOptions>& sensors);
 
-// Further drives in which good sensors must not be accused.
+// Further drives in which good sensors must set no code.
 std::vector<std::vector<DrivingState>> record_drives_of_good_sensors(
     const VehicleParameters& vehicle, const std::vector<SensorOptions>& sensors);
 

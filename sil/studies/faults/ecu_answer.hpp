@@ -12,7 +12,7 @@
 
 namespace sil {
 
-// What the component can still do.
+// Remaining abilities of the component.
 using Degradation = can_dbc::RolloverDiagnosis::Degradation;
 
 // A set, one bit each: the flags of RolloverStatus, the observer's contradiction of the roll sensor, and the

@@ -42,7 +42,7 @@ std::string faults_at(std::uint64_t cycle, const FaultSchedule& schedule) {
     return fmt::format("{}at {:.2f} s", text, static_cast<double>(cycle) * cycle_time_s);
 }
 
-// Of errors that no check detects in time those of a turn to this side.
+// Errors of a turn to this side that no check detects in time.
 bool is_any_known_undetected(const FaultSchedule& schedule, WarningSide side) {
     return std::any_of(
         schedule.faults().begin(), schedule.faults().end(), [side](const ScheduledFault& each) {
@@ -70,7 +70,7 @@ SensorSample equipped_for(const SensorSample& sample, const FaultSchedule& sched
     return as_equipped(sample, second.fault.place == FaultPlace::bank_angle ? second.fault : first.fault);
 }
 
-// What the ECU still says otherwise.
+// Differences that remain in the ECU's answer.
 std::string difference(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right) {
     if (!faulty) {
         return "nothing is heard";

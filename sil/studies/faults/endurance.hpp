@@ -54,7 +54,7 @@ EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Param
                               const EnduranceSettings& settings,
                               const std::function<void(double share)>& progress);
 
-// What was not as it must be, each in a few words; empty when all is well.
+// Faults of the result, each in a few words; empty when all is well.
 std::vector<std::string> shortfalls(const EnduranceResult& result);
 
 // One row of the table in docs/reports/safety/endurance.md, and the page with these rows.

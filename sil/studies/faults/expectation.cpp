@@ -26,12 +26,12 @@ constexpr Return of_saturation{1000, 1050};  // the jump back, the observer's se
 constexpr Expectation nothing{Demand::unaffected,   0,        of_frames.recovery_ms,
                               of_frames.healing_ms, wrong_ms, longest_lead_loss_ms};
 
-// What can be seen at once, and is gone with the fault.
+// Effects that are visible at once, and gone with the fault.
 constexpr Expectation at_once(Demand demand, int lapse_ms = 0, Return back = of_frames) {
     return {demand, at_once_ms, back.recovery_ms, back.healing_ms, wrong_ms, longest_lead_loss_ms, lapse_ms};
 }
 
-// What must follow when nothing usable comes from there.
+// Reactions required when nothing usable comes from there.
 Demand demand_of_loss(FaultPlace place) {
     switch (place) {
         case FaultPlace::lateral_acceleration:
@@ -70,8 +70,8 @@ Return return_from(FaultKind kind, SceneKind scene) {
     }
 }
 
-// Where it shows, what is lost is taken out; the warning suffers no longer than the debounce takes. Where it
-// does not, nothing may come of it.
+// If it shows, the lost signal is invalidated; the warning suffers no longer than the debounce takes.
+// Otherwise it must have no effect.
 Expectation contradiction(const Fault& fault, SceneKind scene) {
     const Contradiction& stated = contradiction_of(fault);
     const int limit_ms = limit_of(stated, scene);
@@ -87,13 +87,13 @@ Expectation contradiction(const Fault& fault, SceneKind scene) {
     return expected;
 }
 
-// Where it shows, and how soon, is not stated yet: what counts is what the ECU says.
+// Its place and time are not stated yet: the ECU's answer counts.
 Expectation right_or_reported(FaultKind kind, SceneKind scene) {
     const Return back = return_from(kind, scene);
     return {Demand::right, 0, back.recovery_ms, back.healing_ms, wrong_ms, longest_lead_loss_ms, any_time_ms};
 }
 
-// Of the other two frames only the silence at its beginning shows; then the statement comes late.
+// For the other two frames only the silence at its beginning shows; then the statement comes late.
 Expectation delay(FaultPlace place) {
     Expectation expected =
         at_once(demand_of_loss(place), place == FaultPlace::roll_angle_frame ? 0 : any_time_ms);

@@ -41,7 +41,7 @@ Expectation expectation_of(const Fault& fault, SceneKind scene);
 // For every cell, whatever the fault:
 // a warning that is due is never "ready" without a code, not for one cycle,
 inline constexpr int longest_silence_ms = 0;
-// where the state can tell it, and the fault shows at once or need not show, it comes no later than this,
+// in states that can show it, and if the fault shows at once or need not show, it comes no later than this,
 inline constexpr int longest_lead_loss_ms = 100;
 // and always so long before two wheels lift: a driver who has less cannot act,
 inline constexpr int least_lead_ms = 100;

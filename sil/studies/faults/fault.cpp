@@ -44,7 +44,7 @@ constexpr std::array other_faults{Fault{FaultKind::lost, FaultPlace::all_sensor_
 
 constexpr std::array gains{0.0, 0.2, 0.5, 0.8, 1.25, 2.0, 3.0};
 
-// Of the matrix' offset: the largest is about the end of the sensor's range.
+// Factor on the matrix' offset: the largest is about the end of the sensor's range.
 constexpr std::array offset_shares{2.0, 4.0, 8.0};
 
 constexpr std::array second_senders{FaultKind::sender_before, FaultKind::sender_after,

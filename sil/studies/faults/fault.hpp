@@ -10,7 +10,7 @@ namespace sil {
 enum class FaultKind : std::uint8_t {
     none,
 
-    // Of a signal: the frame that carries it is protected as ever.
+    // Faults of a signal: the frame that carries it is protected as ever.
     frozen,         // the value of the fault's first cycle stays
     offset,         // by `magnitude`, which has a sign
     drift,          // by `magnitude` a second, likewise
@@ -21,7 +21,7 @@ enum class FaultKind : std::uint8_t {
     out_of_range,   // a code beyond the signal's range
     gain,           // times `magnitude`
     noise_alone,    // a dead sensor: noise around zero, `magnitude` rms
-    // Of a frame, after its protection.
+    // Faults of a frame, after its protection.
     lost,            //
     delayed,         // by `magnitude` milliseconds: a gap at first, then each frame late
     bad_crc,         //

@@ -36,7 +36,7 @@ struct FaultMatrix {
 // Runs them all in process. Throws std::invalid_argument when the calibration is refused.
 FaultMatrix run_fault_matrix(const VehicleParameters& vehicle, const rsi::Parameters& calibration);
 
-// Of injections.
+// Counts of injections.
 struct InjectionCount {
     std::size_t all{0U};
     std::size_t as_expected{0U};

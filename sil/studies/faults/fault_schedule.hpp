@@ -33,7 +33,7 @@ class FaultSchedule {
     bool has_two() const { return faults_[1].fault.kind != FaultKind::none; }
 
     std::uint64_t begin() const { return faults_[0].begin; }
-    // Of the faults and their consequences: a stopped process goes on later than the fault's end.
+    // Times of the faults and their consequences: a stopped process goes on later than the fault's end.
     std::uint64_t over() const { return over_; }
     // At the latest two seconds ago.
     bool is_near(std::uint64_t cycle) const { return cycle >= begin() && cycle < over_ + near_cycles; }

@@ -24,7 +24,7 @@ constexpr double share_that_stays = 0.5;
 constexpr double shortest_s = 0.05;
 constexpr double longest_s = 5.0;
 
-// Of the sizes of the matrix.
+// Factors on the sizes of the matrix.
 constexpr double smallest_size = 0.25;
 constexpr double largest_size = 8.0;
 

@@ -81,7 +81,7 @@ void write_code(hal::CanFrame& frame, const SensorSignal& signal) {
 }  // namespace
 
 void FaultyBus::begin_cycle(bool active) {
-    if (active_ && !active) {  // what was held back arrives now
+    if (active_ && !active) {  // frames that were held back arrive now
         for (const hal::CanFrame& frame : held_) {
             bus_.send(frame);
         }

@@ -23,7 +23,7 @@ class FaultyLine {
     void inject(const std::array<ScheduledFault, 2U>& faults);
 
     // One cycle; nothing is sent without a sample. None while the ECU's processor stands or its
-    // frames reach nobody.
+    // frames reach no receiver.
     std::optional<EcuAnswer> cycle(std::uint64_t number, const std::optional<SensorSample>& sample);
 
     // In the latest cycle: once after a step, not at all while the processor stands.

@@ -30,7 +30,7 @@ bool tells(const std::optional<EcuAnswer>& faulty, const EcuAnswer& right) {
            (faulty->state == WarningState::unavailable && right.state != WarningState::unavailable);
 }
 
-// What happens once two wheels have lifted does not count.
+// Events after two wheels have lifted do not count.
 std::size_t end_of(const FaultedDrive& drive) {
     return drive.two_wheel_lift.value_or(drive.samples.size());
 }

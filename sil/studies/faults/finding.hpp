@@ -24,12 +24,13 @@ const char* to_string(FindingKind kind);
 // that is later. A false one may last so long,
 inline constexpr int longest_false_warning_without_code_ms = 500;
 // and is not false at all so long before or after a due one for the same side, or after or before the wheels
-// of that side truly carry so much more: nobody is annoyed by a warning there.
+// of that side truly carry so much more: a warning there is no nuisance.
 inline constexpr int warning_nearby_ms = 2000;
 inline constexpr double large_load_transfer = 0.7;
 // A second sender must show in the ECU's state after so long.
 inline constexpr int second_sender_shows_ms = 200;
-// For so long after the start "unavailable" accuses nobody: without a roll sensor the observer settles first.
+// For so long after the start "unavailable" indicates no fault: without a roll sensor the observer settles
+// first.
 inline constexpr int start_ms = 300;
 
 // Judged against the run of the same drive without the fault, until two wheels lift: a missed and a false
@@ -42,7 +43,7 @@ std::vector<FindingKind> silent_findings(const FaultedDrive& drive, const Faulty
 std::vector<FindingKind> findings_of(const FaultedDrive& drive, const Fault& fault, const FaultyRun& right,
                                      const FaultyRun& faulty, std::size_t ordinary_end);
 
-// Of sensors without a fault; `right` is the run with the usual ones.
+// Finding for sensors without a fault; `right` is the run with the usual ones.
 std::vector<FindingKind> findings_of_good_sensors(const FaultedDrive& drive, const FaultyRun& right,
                                                   const FaultyRun& other);
 

@@ -9,7 +9,7 @@
 
 namespace sil {
 
-// What of a cycle's answer is compared.
+// Compared part of a cycle's answer.
 struct Statement {
     WarningState state{};
     WarningSide side{};  // of a warning, else none
@@ -20,8 +20,9 @@ struct Statement {
     bool operator==(const Statement& other) const;
 };
 
-// What the ECU says from the flip to the end of the drive, compared with the same drive without it. A warning
-// is one towards a side; it is in time when the undisturbed one is there within 50 ms before or after.
+// Answers of the ECU from the flip to the end of the drive, compared with the same drive without it. A
+// warning is one towards a side; it is in time when the undisturbed one is there within 50 ms before or
+// after.
 enum class FlipEffect : std::uint8_t {
     none,           // every cycle says the same
     in_time,        // another statement in some cycle, but no other warning by more than 50 ms

@@ -15,7 +15,7 @@ struct GoodSensors {
     rsi::Parameters calibration{};  // as it says which sensors the vehicle has
 };
 
-// What becomes of these usual ones: slow, coarse and late ones, accelerometers without a filter, and vehicles
+// Variants of these usual ones: slow, coarse and late ones, accelerometers without a filter, and vehicles
 // that lack some.
 std::vector<GoodSensors> good_sensors(const SensorOptions& usual, const rsi::Parameters& calibration);
 

@@ -31,7 +31,7 @@ std::optional<std::size_t> first_warning(const FaultyRun& run) {
     return std::nullopt;
 }
 
-// While the controller is off the bus the ECU's frames reach nobody.
+// While the controller is off the bus the ECU's frames reach no receiver.
 bool is_heard(const Fault& fault, const FaultyRun& run, const FaultedDrive& drive, std::size_t cycle) {
     const bool off = fault.kind == FaultKind::bus_off && cycle >= drive.fault_begin && cycle < run.over;
     return run.answers[cycle].has_value() && !off;

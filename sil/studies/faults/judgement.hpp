@@ -41,10 +41,10 @@ struct Reaction {
 Reaction measure(const FaultedDrive& drive, const Fault& fault, const FaultyRun& right,
                  const FaultyRun& faulty);
 
-// What the issue is about: a single fault that turns a due warning into "ready", and nothing says so.
+// The worst case: a single fault that turns a due warning into "ready", unreported.
 bool silences_a_warning(const Reaction& reaction);
 
-// What was expected and did not happen, each in a few words.
+// Expected reactions that are missing, each in a few words.
 struct Verdict {
     std::vector<std::string> shortfalls{};        // empty: as expected, but for what is
     std::vector<std::string> known_undetected{};  // owed to a known undetected error

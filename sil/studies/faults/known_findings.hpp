@@ -10,7 +10,7 @@
 
 namespace sil {
 
-// What was found about which fault, whatever its size; about good sensors where the fault's kind is `none`.
+// A finding and its fault, of any size; for good sensors the fault's kind is `none`.
 struct FindingClass {
     FindingKind kind{};
     FaultKind fault{};
@@ -34,7 +34,7 @@ const std::vector<KnownFinding>& known_findings();
 
 bool is_known(const FindingClass& found);
 
-// What is found and not known, or known and not found, each in a few words; empty when the list is exact.
+// Findings that are not known, or known and not found, each in a few words; empty when the list is exact.
 std::vector<std::string> differences(const std::vector<CellFinding>& found,
                                      const std::vector<KnownFinding>& known = known_findings());
 

@@ -10,7 +10,7 @@ const std::vector<KnownUndetected>& known_undetected_errors() {
          "found after 0.21 s of equal values at the earliest: a warning that is due sooner has to wait"},
         {FaultKind::offset, FaultPlace::lateral_acceleration, -1,
          "to every other sensor 2 m/s^2 less is a road's bank of 12 deg; and once a turn has begun, yaw rate "
-         "and roll angle do not agree well enough to accuse a larger one in time"},
+         "and roll angle do not agree well enough to isolate a larger one in time"},
         {FaultKind::offset, FaultPlace::vertical_acceleration, 1,
          "found after 0.6 s: until then a body that its road pushes up"},
         {FaultKind::drift, FaultPlace::lateral_acceleration, -1, "as its offset, and smaller"},

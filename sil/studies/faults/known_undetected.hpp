@@ -20,7 +20,7 @@ const std::vector<KnownUndetected>& known_undetected_errors();
 // `fault` of a left turn.
 bool is_known_undetected(const Fault& fault);
 
-// What the fault would be in the mirrored drive.
+// The fault in the mirrored drive.
 Fault in_turn_to_the_other_side(const Fault& fault);
 
 }  // namespace sil

@@ -36,7 +36,7 @@ MemoryFlips run_memory_flips(const VehicleParameters& vehicle, const rsi::Parame
 
 using FlipCount = std::array<std::size_t, flip_effect_count>;
 
-// Of one part, of the component within the ECU, and of all.
+// Counts of one part, of the component within the ECU, and of all.
 FlipCount count_flips(const MemoryFlips& result, const MemoryPart& part);
 FlipCount count_component_flips(const MemoryFlips& result);
 FlipCount count_flips(const MemoryFlips& result);

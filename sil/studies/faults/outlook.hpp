@@ -23,7 +23,7 @@ class Outlook {
 
     Cycle next();
 
-    // Of the cycle that was seen last.
+    // Values of the cycle that was seen last.
     bool warning_begins() const { return warning_begins_; }
     const DrivenWorld& world() const { return world_; }
 

@@ -13,7 +13,7 @@ bool is_within(float value, double low, double high) {
     return number >= low && number <= high;
 }
 
-// What could not be computed is NaN.
+// A value that could not be computed is NaN.
 bool is_within_if_known(float value, double low, double high) {
     return std::isnan(value) || is_within(value, low, high);
 }

@@ -34,11 +34,11 @@ struct Scene : FaultedDrive {
 // At rest, straight ahead, in a turn, before a turn that leads to a warning. The sensors have noise.
 std::vector<Scene> record_scenes(const VehicleParameters& vehicle);
 
-// Of the drive of the scene `before_turn`, in which a warning is due in the cycle `due`: faults that begin at
+// Scenes on the drive of `before_turn`, in which a warning is due in the cycle `due`: faults that begin at
 // several times before it and stay, and one that is over just before it.
 std::vector<Scene> scenes_at_warning(const Scene& before_turn, std::size_t due);
 
-// So long before the due warning the fault of the scene `over` ends.
+// Time before the due warning at which the fault of the scene `over` ends.
 inline constexpr int over_before_warning_ms = 200;
 
 }  // namespace sil

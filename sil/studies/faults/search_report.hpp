@@ -29,8 +29,7 @@ SearchReport report_on(const std::vector<SearchOutcome>& outcomes, std::uint64_t
 // Classes that are not known, each with a scenario; empty when all are.
 std::vector<std::string> unknown_findings(const SearchReport& report);
 
-// Of those known by searches alone, the ones that are not in these reports: they are to be taken off the
-// list.
+// Findings known by searches alone that are not in these reports: remove them from the list.
 std::vector<std::string> vanished_findings(const std::vector<SearchReport>& reports);
 
 // The part of the page on one search, and docs/reports/safety/fault_search.md with these parts.

@@ -9,7 +9,7 @@
 
 namespace sil {
 
-// What a drive lacks to be of use; ready to be shown.
+// Reasons that a drive is of no use; ready to be shown.
 class IdentificationError : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;

@@ -27,11 +27,11 @@ std::vector<PreparedDrive> prepare_all(const std::vector<Drive>& drives, const V
     return prepared;
 }
 
-// Where nothing tells it. The ratios to H = h - h_rc are fitted, so a lower roll centre makes the computed
+// If it is not known. The ratios to H = h - h_rc are fitted, so a lower roll centre makes the computed
 // load transfer larger: taken on the road, no lift-off is missed for any roll centre on or above it.
 constexpr double assumed_roll_centre_m = 0.0;
 
-// Where most lie, between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to 0.5 m): for the
+// Usual value, between independent suspensions (0 to 0.15 m) and a rigid rear axle (0.3 to 0.5 m): for the
 // rules of thumb in the roll fit, which are of absolute size, as long as nothing better is known.
 double usual_arm_m(const VehicleData& vehicle) {
     const double usual_roll_centre_m = std::min(0.2, 0.5 * vehicle.sprung_cg_height_m);
@@ -89,7 +89,7 @@ void choose_roll_centre(Identification& result, bool fit_cg_height) {
         use_loads(result);
     } else {
         result.roll_centre_height_m = assumed_roll_centre_m;
-        result.roll_centre_origin = "ASSUMED, on the road: neither data sheet nor wheel loads tell it";
+        result.roll_centre_origin = "ASSUMED, on the road: neither data sheet nor wheel loads give it";
     }
 }
 
@@ -197,7 +197,7 @@ void add_response(Identification& result) {
     }
 }
 
-// Where the printed threshold is reached in a slow turn: A/N = T on the fitted curve.
+// Angle at which the printed threshold is reached in a slow turn: A/N = T on the fitted curve.
 void add_rollover_index(Identification& result) {
     const VehicleData& vehicle = result.vehicle;
     const RollFit& roll = result.roll;
@@ -210,7 +210,7 @@ void add_rollover_index(Identification& result) {
                              "lateral acceleration at the threshold in a slow turn"});
 }
 
-// What is not written stays as the template has it: fine, quiet sensors.
+// Values that are not written stay as in the template: fine, quiet sensors.
 void add_sensors(Identification& result) {
     const auto add_within_range = [&result](float rsi::Parameters::* setting, double value) {
         if (value > 0.0) {

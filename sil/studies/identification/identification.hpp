@@ -38,12 +38,12 @@ struct Identification {
     double roll_centre_height_m{};
     std::string roll_centre_origin;
     std::vector<IdentifiedValue> values;  // all that depend on the vehicle
-    std::vector<std::string> warnings;    // what the user should know, in plain words
+    std::vector<std::string> warnings;    // notes to the user, in plain words
 
-    // What the steering asks for: from the ramps, or because the vehicle data say ratio and gradient.
+    // Demand of the steering: from the ramps, or because the vehicle data say ratio and gradient.
     bool steering_is_known() const;
 
-    // Of `values` the one of this key, which must be there.
+    // The one of `values` with this key, which must be there.
     double value(std::string_view key) const;
 };
 

@@ -40,7 +40,7 @@ double rms(const FittedDrive& drive, const Difference& difference) {
     return count > 0U ? std::sqrt(squares / static_cast<double>(count)) : DriveSample::not_available;
 }
 
-// Of a drive with this name in a list of residuals, at its place among those.
+// Residuals of the drive with this name, at its place in a list.
 const DriveResidual* residual_of(const std::vector<DriveResidual>& residuals, const std::string& name) {
     const auto found = std::find_if(residuals.begin(), residuals.end(),
                                     [&name](const DriveResidual& each) { return each.name == name; });

@@ -7,7 +7,7 @@
 
 namespace sil {
 
-// What is known of an unknown before the fit.
+// Prior of an unknown.
 struct Prior {
     double mean;
     double deviation;  // > 0

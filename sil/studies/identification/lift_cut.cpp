@@ -38,7 +38,7 @@ void cut_by_acceleration(const Cycles& cycles, const VehicleData& vehicle, const
         if (std::abs(parallel) > limit * normal) {
             earlier(cycles[k].sample.time_s,
                     fmt::format("{:.2f} g is reached, {:.0f} % of the track's half over the CG's height; "
-                                "without wheel loads nobody knows whether a first wheel has lifted before: "
+                                "without wheel loads a first wheel may have lifted before: "
                                 "if so, cut with --until",
                                 limit, 100.0 * options.lift_share),
                     true);

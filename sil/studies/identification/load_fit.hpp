@@ -14,7 +14,7 @@ namespace sil {
 // with the body's CG moving sideways by H tan phi. This H is the effective one, tyres included: with it the
 // component's load transfer alpha A + M(phi) + c phi', alpha = m_s h_rc + m_u h_u, is that of the wheels.
 //
-// Where that asks for a roll centre below the road or higher than any suspension has it, something else moves
+// If that asks for a roll centre below the road or higher than any suspension has it, something else moves
 // the CG sideways with the force: tyres that give way do. Then the nearest roll centre is taken. The CG
 // height that the loads speak for with it is the user's to decide on: it is fitted only on request, and never
 // where it would have to change so much that rather a datum is wrong.
@@ -22,9 +22,9 @@ struct LoadFit {
     double roll_centre_at_given_height_m{};  // h_rc with the CG height of the vehicle data
     double deviation_m{};                    // of it, for a CG height known to 1 %
     double suspension_roll_centre_m{};       // the same without the tyres' roll: about h_rc of equation (24)
-    double roll_centre_height_m{};           // what the component is given
-    double agreeing_cg_height_m{};           // what the loads speak for with that roll centre
-    double cg_height_m{};                    // what the component is given
+    double roll_centre_height_m{};           // given to the component
+    double agreeing_cg_height_m{};           // by the loads with that roll centre
+    double cg_height_m{};                    // given to the component
     bool contradicts_data{false};            // the CG height would have to change by more than 6 %
 };
 

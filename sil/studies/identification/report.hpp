@@ -11,7 +11,7 @@ namespace sil {
 // Values with standard errors, residuals of every drive, warnings.
 std::string identification_report(const Identification& result);
 
-// What was fitted to one sample; NaN where it is not known.
+// Fit at one sample; NaN if it is not known.
 struct FittedSample {
     double moment_nm{};         // m_s H f, measured
     double fitted_moment_nm{};  // M + c phi' + Ixx phi'', with the offset of the drive

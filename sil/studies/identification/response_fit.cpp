@@ -10,7 +10,7 @@
 namespace sil {
 namespace {
 
-// What is known before the fit: factors by which w and zeta of vehicles scatter about these.
+// Priors: factors by which w and zeta of vehicles scatter about these.
 constexpr double usual_frequency_radps = 8.0;
 constexpr double usual_damping = 0.8;
 constexpr double frequency_scatter = 0.5;  // of the logarithms

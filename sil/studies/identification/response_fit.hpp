@@ -12,8 +12,8 @@ namespace sil {
 // A'' = w^2 (a_d - A) - 2 zeta w A', a_d = V^2 delta / (L + K_us V^2) within what the tyres give.
 //
 // Fitted is what the component needs: the forecast of A over `response_horizon_s` that starts from A and A'
-// as the component filters them, with the steering held. So w and zeta bear these lags, and what the driver
-// does next; they are no eigenvalues of the vehicle.
+// as the component filters them, with the steering held. Therefore w and zeta contain these lags, and the
+// driver's next action; they are no eigenvalues of the vehicle.
 struct ResponseFit {
     double frequency_radps{};   // w
     double damping{};           // zeta
@@ -33,7 +33,7 @@ inline constexpr double fastest_response_radps = 40.0;
 inline constexpr double least_response_damping = 0.3;
 inline constexpr double largest_response_damping = 2.0;
 
-// What a_d is made of, and the lag of the component's filter of A.
+// Parts of a_d, and the lag of the component's filter of A.
 struct SteeringModel {
     double wheelbase_m{};
     double ratio{};

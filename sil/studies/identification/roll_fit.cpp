@@ -15,7 +15,7 @@ constexpr double usual_gyration_share = 0.42;  // of the track width
 // Stops and bump rubbers stiffen a suspension; none grows soft.
 constexpr double least_slope_share = 0.5;
 constexpr double beyond_rollover = 1.5;
-// Where no drive shows the curve, its slope stays within these shares of the one where the data end, up to
+// If no drive shows the curve, its slope stays within these shares of the one at the end of the data, up to
 // the largest angle at which the component still needs it: a little beyond the lift of the inner wheels, so
 // far as a prediction looks. Further on every answer is "warn".
 constexpr double beyond_lift = 1.2;

@@ -12,7 +12,7 @@ namespace sil {
 struct Estimate {
     double value{};
     double deviation{};        // standard error
-    double prior_deviation{};  // what the rule of thumb alone would have left open; 0: none was used
+    double prior_deviation{};  // deviation by the rule of thumb alone; 0: none was used
 };
 
 // One drive's share in a fit.

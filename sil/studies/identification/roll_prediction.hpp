@@ -24,8 +24,8 @@ struct RollModel {
 RollModel roll_model(const VehicleData& vehicle, const RollFit& fit);
 RollModel roll_model(const rsi::Parameters& parameters);
 
-// The roll angle at each sample. Of the drive the measured forces A and N are used, and of the roll motion
-// nothing but its beginning. NaN from where the model tips over, beyond one radian.
+// The roll angle at each sample. Only the measured forces A and N of the drive are used, and the beginning
+// of the roll motion. NaN from where the model tips over, beyond one radian.
 std::vector<double> predicted_roll_angles_rad(const RollModel& model, const std::vector<RollSample>& samples);
 
 // c_w/2 (F_zR - F_zL) as the component has it: alpha A + M(phi) + c phi'.

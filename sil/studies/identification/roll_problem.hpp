@@ -9,7 +9,7 @@
 
 namespace sil {
 
-// What the stiffness curve may be.
+// Constraints of the stiffness curve.
 struct CurveShape {
     double freedom{1.0};  // scales how far it may bend; 0 is a line
     bool quintic{true};   // otherwise K_4 is zero

@@ -39,7 +39,7 @@ double suspension_angle_rad(const RollFit& roll, double moment_nm) {
     return std::copysign(angle, moment_nm);
 }
 
-// What tells of a road's bank, sample by sample.
+// Signs of a road's bank, sample by sample.
 struct BankSigns {
     std::vector<double> bank_rad;  // by the roll rate: the body's inclination less the suspension's angle
     std::vector<double>

@@ -11,7 +11,7 @@ namespace sil {
 
 struct SeenRollReference {
     RollReference reference;
-    std::string by;  // what speaks for it, in words
+    std::string by;  // the evidence, in words
 };
 
 // Nothing on a level road, where both angles are the same. `roll` is that of level drives, as far as there

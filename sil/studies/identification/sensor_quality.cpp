@@ -9,7 +9,7 @@
 namespace sil {
 namespace {
 
-// What a filtered accelerometer shows on a rough road stays below.
+// A filtered accelerometer stays below it on a rough road.
 constexpr double quiet_mps2 = 0.3;
 // As `largest_fine_step_mps` of the monitoring (firmware/monitoring/input_monitor.cpp).
 constexpr double fine_step_mps = 0.05;

@@ -21,7 +21,7 @@ constexpr double least_gradient_deg =
     0.4;  // deg/g; half of the stiffest vehicle's, a wrong unit makes 0.2 at most
 constexpr double largest_gradient_deg = 40.0;
 constexpr double clear_correlation = 0.5;
-constexpr double tipping_roll_rad = 0.35;  // what comes later are blows
+constexpr double tipping_roll_rad = 0.35;  // later samples are blows
 
 struct Agreement {
     double slope{};  // of y over x
@@ -29,7 +29,7 @@ struct Agreement {
     std::size_t count{};
 };
 
-// Of the pairs that `use` takes; nothing is taken off, because a turn is large beside any offset.
+// Slope of the pairs that `use` takes; nothing is taken off, because a turn is large beside any offset.
 template <typename Use>
 Agreement agreement(const Signal& x, const Signal& y, const Use& use) {
     double xx = 0.0, xy = 0.0, yy = 0.0;

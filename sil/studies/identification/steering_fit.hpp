@@ -29,7 +29,7 @@ std::optional<SteeringFit> fit_steering(const VehicleData& vehicle, const std::v
 inline constexpr double slowest_ramp_mps = 5.0;
 inline constexpr double fastest_ramp_steering_radps = 0.4;  // at the steering wheel: faster is no ramp
 
-// Of ramps from which nothing was fitted.
+// Result of ramps from which nothing was fitted.
 enum class NoSteering : std::uint8_t { not_recorded, too_fast, hardly_any_turn };
 NoSteering why_no_steering(const std::vector<PreparedDrive>& ramps);
 

@@ -9,7 +9,7 @@ namespace sil {
 namespace {
 
 constexpr double dry_road_mps2 = 1.1 * g_mps2;
-// Of the largest of the ramp: a vehicle that lifts a wheel in a slow turn has not used all that its tyres
+// Share of the ramp's largest: a vehicle that lifts a wheel in a slow turn has not used all that its tyres
 // give.
 constexpr double reserve_after_lift = 1.4;
 constexpr double reserve = 1.05;

@@ -30,7 +30,7 @@ struct VehicleData {
     std::optional<double> roll_centre_height_m{};
     std::optional<double> roll_inertia_kgm2{};            // of the sprung mass about its centre of gravity
     std::optional<RollReference> roll_angle_reference{};  // of the roll sensor; the road where not given
-    std::vector<std::string> assumptions{};  // what was not given and what was taken for it, in words
+    std::vector<std::string> assumptions{};               // missing values and their substitutes, in words
 };
 
 // c_w / (2 h) of the sprung mass.

@@ -13,7 +13,8 @@ namespace sil {
 namespace {
 
 constexpr double weak_share = 0.5;  // of what the rule of thumb leaves open
-// Of the rule of thumb; the fitted inertia of a body on its tyres is rather smaller than that of a rigid one.
+// Shares of the rule of thumb; the fitted inertia of a body on its tyres is rather smaller than that of a
+// rigid one.
 constexpr double least_inertia_share = 0.4;
 constexpr double largest_inertia_share = 1.3;
 // Radius of gyration over track width, of bodies that are given: beyond the largest scatter of vehicles.

@@ -29,7 +29,7 @@ struct Calibrated {
 };
 
 // Writes `calibration`, or, where the component refuses what was fitted, the same with the ending
-// .refused.toml. Whatever is wrong becomes the failure's text.
+// .refused.toml. Any error becomes the failure's text.
 Calibrated calibrate(const std::filesystem::path& vehicle_data, const IdentificationDrives& drives,
                      const std::filesystem::path& calibration);
 

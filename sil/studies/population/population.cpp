@@ -144,7 +144,7 @@ FinishedVehicle make_vehicle(const PopulationRequest& request, std::uint64_t num
     return made;
 }
 
-// What the files in the folder are of, so that those of different seeds or programs do not get mixed.
+// Origin of the files in the folder, so that those of different seeds or programs do not get mixed.
 void prepare_folder(const PopulationRequest& request) {
     make_folder(request.output);
     for (const char* name : {"vehicles", "vehicles_loaded", "data", "data_loaded", "calibrations",

@@ -25,7 +25,7 @@ struct PopulationRequest {
 RowProgress make_population(const PopulationRequest& request, const std::atomic<bool>& stop,
                             const RowListener& listener = {});
 
-// Who is in the folder and whose identification failed, class by class, in words.
+// Vehicles in the folder and failed identifications, class by class, in words.
 std::string describe_population(const std::filesystem::path& population);
 
 }  // namespace sil

@@ -18,18 +18,19 @@ constexpr double reference_threshold_g = 0.75;
 // The firmware takes an angle beyond 15 rad for a fault of the sensor.
 constexpr double largest_handwheel_rad = 13.0;
 
-// What a manoeuvre's steering is counted in, and so what it needs to be as severe for any vehicle.
+// Unit of a manoeuvre's steering, and thus what it needs to be as severe for any vehicle.
 enum class Steering {
     angle,         // degrees at the handwheel, the same for every vehicle
     acceleration,  // the vehicle's own angle for 0.3 g
-    path,          // whatever the path needs: only speed makes it severe
+    path,          // as the path needs: only speed makes it severe
     straight,      // never severe
 };
 
 struct ScaledManoeuvre {
     CampaignManoeuvre drawn;
     Steering steering;
-    // Where a factor of 1 gives the acceleration that lifts the inner wheels: at this factor of the speed.
+    // Reference at which a factor of 1 gives the acceleration that lifts the inner wheels: at this factor of
+    // the speed.
     double limit_speed_factor;
     double angle_rad;       // `angle` only: at the handwheel, with a factor of 1
     double acceleration_g;  // `acceleration` only: at 50 mph with a factor of 1
@@ -98,12 +99,12 @@ std::vector<CampaignManoeuvre> ordinary_manoeuvres() {
     return {manoeuvre};
 }
 
-// Wherever the folder of the population will lie.
+// Relative, because the folder of the population may move.
 std::string beside_settings(const std::filesystem::path& population, const std::filesystem::path& file) {
     return "./" + file.lexically_relative(population).generic_string();
 }
 
-// Who drives a truck turns less hard than who drives a car, and slower.
+// Truck drivers turn less hard than car drivers, and slower.
 CampaignVehicle calmed_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven) {
     const VehicleClass& from = vehicle_classes()[vehicle.in_class];
     const double nominal_mps = campaign_manoeuvre(ordinary_driving_name).initial_speed_mps;

@@ -10,7 +10,7 @@
 
 namespace sil {
 
-// What a campaign gives the firmware to know.
+// Knowledge of the firmware in a campaign.
 enum class CampaignVariant {
     clean,                // calibrated with wheel loads, no errors
     errors,               // the same with noise, CG height and roll stiffness wrong

@@ -1,5 +1,4 @@
-// Properties: what follows from a vehicle's parameters by the formulas of textbooks, before anybody drives
-// it.
+// Properties: what follows from a vehicle's parameters by the formulas of textbooks, before a drive.
 #pragma once
 
 #include "sil/world/vehicle/parameters.hpp"

@@ -52,7 +52,7 @@ void draw_springs(VehicleDraft& draft) {
     rear.damper_half_base_m =
         rear.spring_half_base_m *
         (draft.rigid_rear ? draft.random.within(Quantity::damper_base, {0.9, 1.1}) : 1.0);
-    // What the springs lack of the wanted stiffness, the anti-roll bars give.
+    // The anti-roll bars provide the stiffness that the springs lack.
     const double tipping_nm = v.mass.sprung_kg * g_mps2 * properties(v).roll_arm_m;
     const double gradient_radpg =
         draft.within(Quantity::roll_gradient, &VehicleClass::roll_gradient_degpg) / degrees_per_radian;

@@ -10,7 +10,7 @@
 
 namespace sil {
 
-// What such a vehicle carries at times and does not tell the firmware.
+// Load that such a vehicle carries at times, unknown to the firmware.
 struct ClassLoad {
     double mass_kg{0.0};  // either this at a height above the road
     double height_m{0.0};
@@ -63,7 +63,7 @@ struct VehicleClass {
     Interval camber_thrust_prad{};
     Interval
         grip_over_threshold{};  // friction over the lateral acceleration in g that lifts the inner wheels
-    Interval friction{};        // what the class's tyres have; it bounds the former
+    Interval friction{};        // of the class's tyres; it bounds the former
     Interval friction_loss{};
     Interval front_friction_factor{};
     Interval rear_friction_factor{};

@@ -25,7 +25,7 @@ struct VehicleDraft {
         return random.sized(quantity, from.*range);
     }
 
-    // Of one wheel.
+    // Values of one wheel.
     double front_sprung_kg() const { return 0.5 * front_share * vehicle.mass.sprung_kg; }
     double rear_sprung_kg() const { return 0.5 * (1.0 - front_share) * vehicle.mass.sprung_kg; }
     double front_wheel_n() const { return g_mps2 * (front_sprung_kg() + vehicle.mass.front_unsprung_kg); }

@@ -8,10 +8,10 @@
 
 namespace sil {
 
-// What load_vehicle reads back, the same to the last bit. `remark` heads it, a comment without its sign.
+// Text that load_vehicle reads back, the same to the last bit. `remark` heads it, a comment without its sign.
 std::string vehicle_toml(const VehicleParameters& vehicle, std::string_view remark);
 
-// What a data sheet and a workshop say of it, for load_vehicle_data: masses, heights and lengths as they are.
+// Data sheet and workshop values, for load_vehicle_data: masses, heights and lengths as they are.
 std::string vehicle_data_toml(const VehicleParameters& vehicle);
 
 }  // namespace sil

@@ -7,7 +7,7 @@ from recorded_runs import CYCLE_S
 
 
 class Verdict:
-    """What one warning was worth over these runs: their leads, and whether the others have an alarm."""
+    """Value of one warning over these runs: the leads, and whether the others have an alarm."""
 
     def __init__(self, runs, leads_s, alarms):
         self.runs = runs
@@ -39,7 +39,7 @@ def matched_threshold(thresholds, firmware_share):
 
 
 def firmware_verdict(runs):
-    """Of the warning that was on the bus."""
+    """Value of the warning that was on the bus."""
     leads_s = [None if run.lift_s is None else judge.lead_s(
         [cycle * CYCLE_S for cycle in range(len(run))],
         [side if state == "warning" else "none" for state, side in zip(run.states, run.sides)], run.lift_s, run.falling_side)
@@ -48,12 +48,12 @@ def firmware_verdict(runs):
 
 
 def alarm_share(runs):
-    """Of runs of one band: in how many of them the firmware raised an alarm."""
+    """For runs of one band: in how many of them the firmware raised an alarm."""
     return sum(int(run.row["warnings"]) > 0 for run in runs) / len(runs)
 
 
 def verdict_at(runs, predictions, thresholds, threshold):
-    """Of a prediction that warns at this threshold."""
+    """Value of a prediction that warns at this threshold."""
     leads_s = [None if run.lift_s is None else _index(run, predictions[run]).lead_s(threshold, run.lift_s, run.falling_side)
                for run in runs]
     return Verdict(runs, leads_s, [run in thresholds and thresholds[run] >= threshold for run in runs])

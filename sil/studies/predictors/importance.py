@@ -1,11 +1,11 @@
-"""What a learned predictor lives on: how much worse it gets when a group of its numbers is that of other moments."""
+"""Importance of a learned predictor's inputs: how much worse it gets when a group of its numbers is that of other moments."""
 
 import numpy as np
 
 import learners
 import samples
 
-NEAR = 0.6  # of the coming load transfer: below it nobody needs a forecast
+NEAR = 0.6  # of the coming load transfer: below it no forecast is needed
 
 
 def by_group(predictor, runs):

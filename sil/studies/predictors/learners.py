@@ -1,4 +1,4 @@
-"""The learned predictors: what each is told, what it is to predict, and how it learns."""
+"""The learned predictors: inputs, target and training of each."""
 
 import warnings
 
@@ -20,7 +20,7 @@ LARGEST = 120_000  # rows that are learned from
 
 
 class LoadAhead:
-    """Predicts the largest load transfer within the horizon; `without` says what it is not told."""
+    """Predicts the largest load transfer within the horizon; `without` names the omitted inputs."""
 
     def __init__(self, model, horizon_s, without=()):
         self.horizon_s = horizon_s

@@ -1,6 +1,6 @@
-"""What a learned predictor is told of a moment, and what it is to predict: rows of numbers.
+"""Inputs and target of a learned predictor at a moment: rows of numbers.
 
-All is told as seen from the side in question: for the left side signs are exchanged. So one model serves both sides,
+All inputs are seen from the side in question: for the left side signs are exchanged. One model thus serves both sides,
 and left and right are treated alike.
 """
 
@@ -87,7 +87,7 @@ def _means(signal):
 
 
 def groups():
-    """What each number of a row belongs to."""
+    """Group of each number of a row."""
     calibration = ["calibration"] * len(_calibrated(defaultdict(lambda: 1.0)))
     return [name for name in LATERAL + OF_FIRMWARE for _ in WINDOWS] + ["speed"] + calibration
 

@@ -45,7 +45,7 @@ def firmware_predictions(runs):
 
 
 def perfect_predictions(runs):
-    """What nobody has: the true load transfer of the time to come."""
+    """Not available in a vehicle: the true load transfer of the time to come."""
     return {run: tuple(side[:samples.until_lift(run)].tolist() for side in samples.coming(run, PERFECT_S))
             for run in runs}
 
@@ -59,7 +59,7 @@ def fold_of(vehicles, run):
 
 
 def unseen_predictions(name, runs, wanted):
-    """Of the `wanted` runs of the half that is learned from, each by a predictor that has not seen its vehicle."""
+    """Predictions of the `wanted` runs of the half that is learned from, each by a predictor that has not seen its vehicle."""
     vehicles = sorted({run.vehicle for run in runs})
     result = {}
     for fold in range(FOLDS):
@@ -71,7 +71,7 @@ def unseen_predictions(name, runs, wanted):
 
 
 def unseen_manoeuvre_predictions(name, runs, wanted):
-    """Of the `wanted` runs, each by a predictor that has not seen a manoeuvre of its kind."""
+    """Predictions of the `wanted` runs, each by a predictor that has not seen a manoeuvre of its kind."""
     result = {}
     for kind in sorted({kind_of(run) for run in wanted}):
         say(f"{name}: learning, without {kind}")

@@ -28,7 +28,7 @@ enum class Bound : std::uint8_t { at_most, below, at_least };
 // "at most", "below", "at least".
 const char* to_string(Bound bound);
 
-// What a rule asks of a step.
+// Requirement of a rule on a step.
 struct Criterion {
     Figure measured{};
     Bound bound{Bound::at_most};
@@ -36,11 +36,11 @@ struct Criterion {
     std::string source{};
     bool asked{true};  // false: measured, but the rule does not ask for it in this step
 
-    // What could not be measured, as after a rollover, is not met.
+    // A limit that could not be measured, as after a rollover, is not met.
     bool met() const;
 };
 
-// What the ECU said during a step.
+// Answer of the ECU during a step.
 struct WarningBeside {
     bool lifted{false};  // two wheels of a side, for 50 ms (sil/judge/two_wheel_lift.hpp)
     double lift_off_s{0.0};
@@ -75,7 +75,7 @@ enum class Outcome : std::uint8_t {
 const char* to_string(Outcome outcome);
 
 struct ProcedureResult {
-    std::vector<Figure> before{};  // what the steps need, such as the handwheel angle of 0.3 g
+    std::vector<Figure> before{};  // values that the steps need, such as the handwheel angle of 0.3 g
     std::vector<ProcedureStep> steps{};
     std::vector<Figure> results{};
     Outcome outcome{Outcome::measured};
@@ -86,7 +86,7 @@ struct ProcedureResult {
 // The outcome of a procedure with limits: every step must meet what is asked of it.
 Outcome outcome_of(const std::vector<ProcedureStep>& steps);
 
-// What is driven, and what hears of it.
+// The driven step and its listeners.
 struct ProcedureWorld {
     VehicleParameters vehicle{};
     rsi::Parameters calibration{};

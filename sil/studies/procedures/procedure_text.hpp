@@ -10,7 +10,7 @@ namespace sil {
 // "12.3 deg", without the unit where there is none; "-" where there is no value.
 std::string figure_text(const Figure& figure);
 
-// What the ECU said, in a few words: "warning right, 0.42 s before lift-off".
+// Answer of the ECU, in a few words: "warning right, 0.42 s before lift-off".
 std::string warning_text(const WarningBeside& warning);
 
 // Each ends with an end of line.

@@ -13,7 +13,7 @@ namespace sil {
 // positive.
 std::vector<double> sine_with_dwell_amplitudes_deg(double a_deg);
 
-// What the rule asks to measure in a run, from the truth of each step with the first turn to the left.
+// Quantities that the rule measures in a run, from the truth of each step with the first turn to the left.
 class SineWithDwellMeasurement final : public StepMeasurement {
  public:
     void step(const Truth& truth) override;

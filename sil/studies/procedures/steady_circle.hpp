@@ -25,7 +25,7 @@ class SteadyTurnMeasurement final : public StepMeasurement {
     explicit SteadyTurnMeasurement(double end_s) : from_s_{end_s - averaged_s} {}
 
     void step(const Truth& truth) override;
-    bool finished() const override { return lifted_; }  // two wheels: nobody would go on
+    bool finished() const override { return lifted_; }  // two wheels: the drive ends
 
     // Empty: the step ended before.
     std::optional<SteadyTurn> mean() const;

@@ -9,7 +9,7 @@
 
 namespace sil {
 
-// What a procedure measures during a step. It sees a world in which the first turn is to the left, mirrored
+// Measurements of a procedure during a step. It sees a world in which the first turn is to the left, mirrored
 // or not.
 class StepMeasurement {
  public:
@@ -39,7 +39,7 @@ double two_wheel_height_m(const Truth& truth);
 StepDrive drive_step(const ProcedureWorld& world, const std::string& name, const Manoeuvre& manoeuvre,
                      bool mirrored, StepMeasurement& measurement);
 
-// What every step says of the vehicle.
+// Results of the vehicle in every step.
 std::vector<Figure> motion_figures(const StepDrive& drive);
 
 }  // namespace sil

@@ -114,7 +114,7 @@ ProcedureResult run_tilt_table(const ProcedureWorld& world) {
         "A high friction stands for the step that keeps the tyres from sliding; the brakes are on. The "
         "vehicle "
         "still creeps and turns by some degrees, and the angle is that across it.",
-        "The ECU is told of no bank and reckons with a level road, on which the vehicle would be turning: "
+        "The ECU receives no bank and assumes a level road, on which the vehicle would be turning: "
         "its "
         "answer is shown, and is not what it is made for."};
     return result;
@@ -123,7 +123,7 @@ ProcedureResult run_tilt_table(const ProcedureWorld& world) {
 }  // namespace
 
 void TiltMeasurement::step(const Truth& truth) {
-    // Of the road under the vehicle, the left side up.
+    // Bank of the road under the vehicle, the left side up.
     angle_rad_ = truth.bank_angle_rad;
     time_s_ = truth.time_s;
     const bool any = std::any_of(truth.wheel_load_n.begin(), truth.wheel_load_n.end(),

@@ -10,7 +10,7 @@ from figures import PAPERS
 
 def goal_table(report):
     lines = ["| the default warning | | goal | reached | |", "|---|---|---|---|---|"]
-    van = [group for group in report["vehicles"] if group["name"] == "van"]  # which nobody tuned for
+    van = [group for group in report["vehicles"] if group["name"] == "van"]  # without hand tuning
     for group in [dict(report["all"], name="all vehicles"), *van]:
         for figure, limit in zip(goals.figures(group), goals.WITH_ERRORS):
             cells = [group["name"], figure.name, figure.goal(limit), figure.text, figure.verdict(limit)]
@@ -39,7 +39,7 @@ def curves(report, chosen):
 
 
 def _ceiling(report):
-    """What a perfect measure of the present could do."""
+    """Limit of a perfect measure of the present."""
     best = report["all"]["indices"]["true_load_transfer"]["best"]
     point = next(p for p in best if abs(p["false_alarms_at_most"] - 0.01) < 1e-9)
     if point["threshold"] is None:

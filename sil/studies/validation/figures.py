@@ -39,7 +39,7 @@ PAPERS = tuple(column for column, _, of_the_paper in INDICES if of_the_paper)
 
 
 class Claims:
-    """What the text says in words. A claim that no longer holds must stop the renewal, not stand in the document."""
+    """Words in the text. A claim that no longer holds must stop the renewal, not stand in the document."""
 
     def __init__(self):
         self.broken = []

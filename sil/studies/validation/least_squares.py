@@ -6,7 +6,7 @@ roll of the fixed model.
 
 import math
 
-# What is added, whether that observes the disturbance, and whether it normalises. With both it is the paper's.
+# Additions: observing the disturbance, normalising. With both it is the paper's.
 VARIANTS = [
     ("none", False, False),
     ("normalisation", False, True),

@@ -1,6 +1,6 @@
-# What the vehicle does: handwheel, lateral acceleration, roll angle and roll rate over time, as Figs 5, 9, 11 and 13.
-# Expects: run (folder), title_text, time_begin, time_end, one_s and two_s (NaN: never), banked (0 or 1), key_left and key_top
-# (0 or 1: where the roll rate leaves room), output_file.
+# Motion of the vehicle: handwheel, lateral acceleration, roll angle and roll rate over time, as Figs 5, 9, 11 and 13.
+# Expects: run (folder), title_text, time_begin, time_end, one_s and two_s (NaN: never), banked (0 or 1), key_left and
+# key_top (0 or 1: where the roll rate leaves room), output_file.
 format = "png"
 width = 1000
 height = 620

@@ -21,7 +21,7 @@ struct Corridor {
 // `measured` has a value every `step_s`, all of them finite.
 Corridor corridor_about(const std::vector<double>& measured, double step_s, const Tolerance& tolerance);
 
-// Of the values that count the share that lies within; one that is not finite does not. NaN when none counts.
+// Share of the values that count that lies within; one that is not finite does not. NaN when none counts.
 // All are as long as the corridor.
 double share_within(const Corridor& corridor, const std::vector<double>& predicted,
                     const std::vector<bool>& counts);

@@ -18,7 +18,7 @@ namespace sil {
 inline constexpr Tolerance roll_angle_tolerance_deg{0.3, 0.10, 0.03};
 inline constexpr Tolerance load_transfer_tolerance{0.03, 0.05, 0.03};
 
-// So many of the samples that count must lie within.
+// Least share of the samples that count that must lie within.
 inline constexpr double least_share_within = 0.95;
 
 // A sample counts in turns of at least so much |A|: elsewhere a body that does not roll at all lies within,
