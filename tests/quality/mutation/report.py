@@ -2,9 +2,10 @@
 
 import collections
 import hashlib
-import re
 
-UNEXPLAINED = "## Survivors that nobody has explained"
+import ledger
+
+WEAKEST = 12
 
 
 def draw(mutants, count, seed):
@@ -22,96 +23,94 @@ def only_compiled(mutant, record, all_executed):
 
 
 def _killed(answers):
-    return sum(answer != "survived" for answer in answers)
+    return sum(answer != ledger.SURVIVED for answer in answers)
 
 
-def _share(answers):
-    return f"{100 * _killed(answers) / len(answers):.1f} %" if answers else ""
+def _share(killed, mutants):
+    return f"{100 * killed / mutants:.1f} %"
 
 
-def summary(results, wanted, record):
+def summary(results, wanted):
     answers = list(results.values())
-    idle = sum(number not in record.executed for number in results)
-    how = collections.Counter(answers)
     part = f"Of {wanted} mutants, {len(answers)} were tried, most of them drawn at random. " if len(answers) < wanted else ""
-    return (f"{part}{_killed(answers)} of {len(answers)} mutants are killed, {_share(answers)}: {how['killed by a test']} by a failing "
-            f"test, {how['killed by a crash']} by a crash, {how['killed by the time limit']} by the time limit; "
-            f"{how['survived']} survive" + (f", {idle} of them executed by no test that is asked" if idle else "") + ".\n")
+    if not answers:
+        return part + "No mutant was tried.\n"
+    return f"{part}{_killed(answers)} of {len(answers)} mutants are killed, {_share(_killed(answers), len(answers))}.\n"
 
 
-def without_equivalents(mutants, results, reviewed):
-    """The results of those mutants that a test could kill."""
-    same = {mutant.id for mutant in mutants if reviewed.is_equivalent(mutant)}
-    return {number: answer for number, answer in results.items() if number not in same or answer != "survived"}
-
-
-def summary_without_equivalents(results, able):
-    """`able`: what without_equivalents() leaves of the results."""
-    if len(able) == len(results):
-        return ""
-    return (f"{len(results) - len(able)} of the survivors are equivalent: no input shows a difference. Without them "
-            f"{_killed(able.values())} of {len(able)} are killed, {_share(able.values())}.\n")
-
-
-def missed_goal(results, goal, of="mutants"):
-    killed, tried = _killed(results.values()), len(results)
+def missed_goal(killed, tried, goal, of="mutants"):
     if tried and killed < goal * tried:
-        return [f"{killed} of {tried} {of} are killed, {100 * killed / tried:.1f} %; the goal is {100 * goal:.0f} %"]
+        return [f"{killed} of {tried} {of} are killed, {_share(killed, tried)}; the goal is {100 * goal:.0f} %"]
     return []
 
 
-def _table(heading, mutants, results, of):
-    answers = collections.defaultdict(list)
-    for mutant in mutants:
-        if mutant.id in results:
+def rows(asked, mutants, wanted, results, record, known):
+    """What the ledger keeps of a whole run: floors, survivors, totals."""
+    def counted(of):
+        answers = collections.defaultdict(list)
+        for mutant in wanted:
             answers[of(mutant)].append(results[mutant.id])
-    rows = [f"| {heading} | mutants | killed | survive | score |", "|---|---:|---:|---:|---:|"]
-    for name in sorted(answers):
-        killed, tried = _killed(answers[name]), len(answers[name])
-        rows.append(f"| {name} | {tried} | {killed} | {tried - killed} | {_share(answers[name])} |")
-    return rows + [""]
+        return [(name, len(answers[name]), _killed(answers[name])) for name in sorted(answers)]
+    floors = [ledger.Floor(asked.name, *row) for row in counted(lambda mutant: mutant.file)]
+    totals = [ledger.Total(asked.name, "operator", *row) for row in counted(lambda mutant: mutant.operator)]
+    how = collections.Counter(results[mutant.id] for mutant in wanted)
+    totals += [ledger.Total(asked.name, "killed", name, how[name], how[name])
+               for name in ("killed by a test", "killed by a crash", "killed by the time limit")]
+    idle = sum(mutant.id not in record.executed for mutant in wanted)
+    totals.append(ledger.Total(asked.name, "not executed", "executed by no test that is asked", idle, 0))
+    skipped = [("constant that only the compiler evaluates", len(mutants) - len(wanted)), *mutants.skipped.most_common()]
+    totals += [ledger.Total(asked.name, "not tried", name, count, 0) for name, count in skipped]
+    return floors, ledger.reviewed(asked.name, wanted, results, known), totals
 
 
-def _survivors_by_file(mutants):
-    rows, file = [], None
-    for mutant in mutants:
-        if mutant.file != file:
-            file = mutant.file
-            rows += [""] * bool(rows) + [f"**`{file}`**", ""]
-        rows.append(f"- `{mutant.name()}`")
-    return rows + [""]
+def _table(heading, counts):
+    """`counts`: name, mutants, killed, equivalent."""
+    lines = [f"| {heading} | mutants | killed | survive | equivalent | score | without equivalent |",
+             "|---|---:|---:|---:|---:|---:|---:|"]
+    for name, mutants, killed, equivalent in counts:
+        able = mutants - equivalent
+        lines.append(f"| {name} | {mutants} | {killed} | {mutants - killed} | {equivalent} | {_share(killed, mutants)} | "
+                     f"{_share(killed, able) if able else ''} |")
+    return lines + [""]
 
 
-def listed(page):
-    """The keys of the survivors that a page lists as unexplained."""
-    keys, file = set(), None
-    for line in page.partition(UNEXPLAINED)[2].splitlines():
-        if found := re.fullmatch(r"\*\*`(.*)`\*\*", line):
-            file = found.group(1)
-        elif found := re.fullmatch(r"- `(.*)`", line):
-            keys.add((file, found.group(1)))
-    return keys
+def _section(asked, floors, survivors, totals):
+    def equivalents(of):
+        return collections.Counter(of(survivor) for survivor in survivors if survivor.equivalent)
+    def folder(row):
+        return row.file.rpartition("/")[0]
+    of_file, of_folder, of_operator = (equivalents(of) for of in (
+        lambda survivor: survivor.file, folder, lambda survivor: survivor.operator))
+    mutants, killed = sum(floor.mutants for floor in floors), sum(floor.killed for floor in floors)
+    equivalent = sum(of_file.values())
+    how = ", ".join(f"{total.mutants} {total.name.removeprefix('killed ')}" for total in totals if total.kind == "killed" and total.mutants)
+    idle = sum(total.mutants for total in totals if total.kind == "not executed")
+    lines = [f"## {asked.title}", "", f"{killed} of {mutants} mutants are killed, {_share(killed, mutants)}: {how}. "
+             f"{mutants - killed} survive" + (f", {idle} of them executed by no test that is asked." if idle else "."), ""]
+    if equivalent:
+        lines[-1:] = [f"{equivalent} of the survivors are equivalent: no input shows a difference. Without them {killed} of "
+                      f"{mutants - equivalent} are killed, {_share(killed, mutants - equivalent)}.", ""]
+    folders = collections.defaultdict(lambda: [0, 0])
+    for floor in floors:
+        folders[folder(floor)][0] += floor.mutants
+        folders[folder(floor)][1] += floor.killed
+    lines += _table("folder", [(f"`{name}`", *folders[name], of_folder[name]) for name in sorted(folders)])
+    open_in = {floor: floor.mutants - floor.killed - of_file[floor.file] for floor in floors}
+    worst = sorted((floor for floor in floors if open_in[floor]), key=lambda floor: (-open_in[floor], floor.file))[:WEAKEST]
+    lines += [f"Files with the most survivors that are not known to be equivalent (the first {len(worst)}):", ""]
+    lines += _table("file", [(f"`{floor.file}`", floor.mutants, floor.killed, of_file[floor.file]) for floor in worst])
+    lines += _table("operator", [(total.name, total.mutants, total.killed, of_operator[total.name])
+                                 for total in totals if total.kind == "operator"])
+    not_tried = "; ".join(f"{total.name}: {total.mutants}" for total in totals if total.kind == "not tried")
+    lines += [f"Not mutated, or not tried: {not_tried}. Tests that take more than {asked.longest_ms} ms are not asked.", ""]
+    if asked.left_out:
+        by_reason = collections.defaultdict(list)
+        for name, why in sorted(asked.left_out.items()):
+            by_reason[why].append(f"`{name}`")
+        lines += ["Left out:", "", *(f"- {', '.join(names)}: {why}" for why, names in sorted(by_reason.items())), ""]
+    return lines
 
 
-def page(scope, mutants, wanted, results, reviewed, record):
-    """What the documentation shows of a run."""
-    compiled = len(mutants) - len(wanted)
-    rows = [summary(results, len(wanted), record)
-            + summary_without_equivalents(results, without_equivalents(mutants, results, reviewed))]
-    rows += _table("folder", mutants, results, lambda mutant: f"`{mutant.file.rpartition('/')[0]}`")
-    rows += _table("file", mutants, results, lambda mutant: f"`{mutant.file}`")
-    rows += _table("operator", mutants, results, lambda mutant: mutant.operator)
-    rows += [f"Not mutated, or not tried: {compiled} mutants of constants that only the compiler evaluates; "
-             + "; ".join(f"{why}: {count}" for why, count in mutants.skipped.most_common()) + ".", ""]
-    if scope.left_out:
-        rows += ["Left out:", ""] + [f"- `{name}`: {why}" for name, why in sorted(scope.left_out.items())] + [""]
-    rows += [f"Not asked are tests that take more than {scope.longest_ms} ms.", ""]
-    rows += ["## The survivors", ""] if reviewed.groups else []
-    for group in sorted(reviewed.groups, key=lambda group: group["file"]):
-        names = [f"`{name}`" for name in group["mutants"]]
-        kind = "Equivalent. " if "equivalent" in group else ""
-        rows += [f"**`{group['file']}`** {kind}{group['why']}", ""] + [f"- {name}" for name in names] + [""]
-    unexplained = [mutant for mutant in wanted if results.get(mutant.id) == "survived" and not reviewed.reason(mutant)]
-    if unexplained:
-        rows += [UNEXPLAINED, ""] + _survivors_by_file(unexplained)
-    return "\n".join(rows)
+def page(scopes, kept):
+    """What the documentation shows of the last whole run of each scope."""
+    return "\n".join(line for asked in scopes for line in _section(asked, *kept.of(asked.name)))

@@ -13,20 +13,17 @@ def _is_within(file, place):
 @dataclasses.dataclass(frozen=True)
 class Scope:
     name: str
-    what: str                 # as the page's introduction calls it
     work: str                 # folder of the mutated copy, within the project
     programs: dict            # test program: its folder in the build
     asked: dict               # mutated folder or file: the programs that are asked about it
     left_out: dict            # file or folder in there that is not mutated: why
     headers: tuple            # folders whose headers the mutated sources read
     options: tuple            # of cmake
-    review: str               # the list of explained survivors
-    page: str
-    title: str
+    title: str                # of its section of the page
     goal: float               # least share of killed mutants
     goal_of_able: float       # the same of those that are not equivalent
     longest_ms: int           # tests that take more CPU time are not asked
-    every_survivor_explained: bool  # otherwise those that the page lists are known
+    every_survivor_explained: bool  # each has a reason in the list
     all_executed: bool              # every line, by the goals of the coverage: what is not, only the compiler uses
 
     def asked_about(self, file):
@@ -44,7 +41,7 @@ FIRMWARE_PROGRAMS = {"codec_test": "tests/can_dbc", "rsi_tests": "tests/rsi", "m
                      "access_test": "tests/access", "xcp_test": "tests/xcp", "application_test": "tests/application",
                      "diagnosis_test": "tests/diagnosis", "replay_test": "tests/quality/mutation"}
 FIRMWARE = Scope(
-    name="firmware", what="the firmware", work="build/mutation", programs=FIRMWARE_PROGRAMS,
+    name="firmware", work="build/mutation", programs=FIRMWARE_PROGRAMS,
     # A test of the frames seldom sees in the algorithm what its own tests and a drive do not.
     asked={"firmware/rsi": {"rsi_tests", "monitoring_tests", "replay_test"},
            "firmware/monitoring": {"rsi_tests", "monitoring_tests", "application_test", "replay_test"},
@@ -53,8 +50,8 @@ FIRMWARE = Scope(
            "firmware/xcp": {"xcp_test"},
            "firmware/application": set(FIRMWARE_PROGRAMS), "can_dbc/e2e": set(FIRMWARE_PROGRAMS)},
     left_out={},
-    headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF",), review="survivors.toml",
-    page="docs/reports/mutation.md", title="Mutation testing", goal=0.9, goal_of_able=0.93, longest_ms=900, every_survivor_explained=True, all_executed=True)
+    headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF",), title="The firmware",
+    goal=0.9, goal_of_able=0.93, longest_ms=900, every_survivor_explained=True, all_executed=True)
 
 JUDGES_PROGRAMS = {"judge_tests": "tests/sil/judge", "results_test": "tests/sil/results",
                    "hal_test": "tests/hal", "zynqmp_r5_test": "tests/hal/zynqmp_r5",
@@ -69,11 +66,12 @@ JUDGES_OF_FAULTS = [f"sil/studies/faults/{name}" for name in (
     "finding.cpp", "finding.hpp", "flip_effect.cpp", "flip_effect.hpp", "judgement.cpp", "judgement.hpp", "known_findings.cpp",
     "known_findings.hpp", "recovery_watch.hpp", "silence_watch.cpp", "silence_watch.hpp")]
 JUDGES = Scope(
-    name="judges", what="what judges the firmware", work="build/mutation_of_judges", programs=JUDGES_PROGRAMS,
+    name="judges", work="build/mutation_of_judges", programs=JUDGES_PROGRAMS,
     asked={"sil/judge": {"judge_tests", "results_test", "campaign_tests"},
            "sil/results": {"results_test"}, "hal": {"hal_test", "zynqmp_r5_test"}, "sil/files": {"files_test"},
            **{f"sil/simulation/bus_timing{suffix}": {"simulation_test"} for suffix in (".cpp", ".hpp")},
-           **{f"tests/application/regression/candump_compare{suffix}": {"candump_compare_test"} for suffix in (".cpp", ".hpp")},
+           **{f"tests/application/regression/{name}{suffix}": {"candump_compare_test"}
+              for name in ("candump_compare", "frame_description") for suffix in (".cpp", ".hpp")},
            "sil/studies/campaign": {"campaign_tests"}, **{file: {"faults_tests"} for file in JUDGES_OF_FAULTS}},
     left_out={"sil/judge/c_interface.cpp": "compiled for Python alone",
               "sil/results/versions.cpp": "names versions, decides nothing",
@@ -89,7 +87,6 @@ JUDGES = Scope(
               "sil/studies/campaign/settings_file.cpp": DRIVES,
               **{f"sil/studies/campaign/{name}.cpp": WRITES for name in ("report_files", "report_text")}},
     headers=("can_dbc", "firmware", "hal", "sil", "tests/application"), options=("-DRSI_TESTS_COMPILE_OPTIONS=-O0",),
-    review="survivors_of_judges.toml", page="docs/reports/mutation_of_judges.md", title="Mutation testing of the judges",
-    goal=0.85, goal_of_able=0.85, longest_ms=900, every_survivor_explained=False, all_executed=False)
+    title="The judges", goal=0.85, goal_of_able=0.85, longest_ms=900, every_survivor_explained=False, all_executed=False)
 
 SCOPES = {scope.name: scope for scope in (FIRMWARE, JUDGES)}

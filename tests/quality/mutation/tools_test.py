@@ -13,11 +13,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 
+import ledger
 import mutated_copy
 import mutants as mutant_list
 import program as test_program
 import report
-import review
 import scope
 import trial
 
@@ -177,57 +177,128 @@ class Planted(unittest.TestCase):
         self.assertEqual(self.record.tests_of[mutant.id], [("planted_test", "Planted.Doubles")])
 
 
-class Reviewed(unittest.TestCase):
-    MUTANT = mutant_list.Mutant(7, "a.cpp", 3, "f", "relation", "a < b", "a <= b")
-    GROUP = '[[survivors]]\nfile = "a.cpp"\nwhy = "equivalent"\nmutants = ["f: relation: a < b -> a <= b"]\n'
+class Floors(unittest.TestCase):
+    MUTANTS = [mutant_list.Mutant(number, "a.cpp", number, "f", "constant", str(number), "0") for number in range(1, 11)]
+    FLOORS = [ledger.Floor("firmware", "a.cpp", 10, 9)]
 
-    def test_an_explained_survivor_is_no_problem(self):
-        reviewed = review.Review("survivors.toml", self.GROUP)
-        self.assertEqual(reviewed.unexplained([self.MUTANT], {7: "survived"}), [])
-        self.assertEqual(reviewed.outdated([self.MUTANT], {7: "survived"}), [])
+    def below(self, survivors, mutants=MUTANTS, floors=FLOORS):
+        results = {mutant.id: "survived" if mutant.id in survivors else "killed by a test" for mutant in mutants}
+        return list(ledger.below_floor(mutants, results, floors, 0.9))
 
-    def test_a_survivor_without_explanation_is_one(self):
-        self.assertEqual(len(review.Review("survivors.toml", "").unexplained([self.MUTANT], {7: "survived"})), 1)
+    def test_one_more_survivor_is_below_the_floor(self):
+        self.assertEqual(self.below({1, 2}), ["a.cpp"])
 
-    def test_an_explanation_of_what_is_killed_or_gone_is_one(self):
-        reviewed = review.Review("survivors.toml", self.GROUP)
-        self.assertEqual(len(reviewed.outdated([self.MUTANT], {7: "killed by a test"})), 1)
-        self.assertEqual(len(reviewed.outdated([], {7: "survived"})), 1)
-        self.assertEqual(reviewed.outdated([self.MUTANT], {}), [])
+    def test_another_survivor_instead_is_not(self):
+        self.assertEqual(self.below({7}), [])
 
-    def test_a_group_without_a_reason_or_twice_the_same_is_refused(self):
-        for text in (self.GROUP.replace("equivalent", " "), self.GROUP + self.GROUP):
-            with self.assertRaises(SystemExit):
-                review.Review("survivors.toml", text)
+    def test_mutants_that_are_gone_lower_the_share_but_not_the_floor(self):
+        self.assertEqual(self.below({1}, self.MUTANTS[:5]), [])
+        self.assertEqual(self.below({1, 2}, self.MUTANTS[:5]), ["a.cpp"])
+
+    def test_a_file_without_a_floor_needs_the_goal(self):
+        self.assertEqual(self.below({1}, floors=[]), [])
+        self.assertEqual(self.below({1, 2}, floors=[]), ["a.cpp"])
+
+    def test_a_file_of_which_not_all_was_tried_is_not_judged(self):
+        self.assertEqual(list(ledger.below_floor(self.MUTANTS, {1: "survived", 2: "survived"}, self.FLOORS, 0.9)), [])
 
 
-    def test_a_group_is_equivalent_or_does_not_say_so(self):
-        self.assertFalse(review.Review("survivors.toml", self.GROUP).is_equivalent(self.MUTANT))
-        reviewed = review.Review("survivors.toml", self.GROUP + "equivalent = true\n")
-        self.assertTrue(reviewed.is_equivalent(self.MUTANT))
-        self.assertFalse(reviewed.is_equivalent(dataclasses.replace(self.MUTANT, file="b.cpp")))
-        for wrong in ("equivalent = false\n", "equivalent = 1\n", "other = true\n"):
-            with self.assertRaises(SystemExit):
-                review.Review("survivors.toml", self.GROUP + wrong)
+class Reasons(unittest.TestCase):
+    MUTANTS = [mutant_list.Mutant(1, "a.cpp", 3, "f", "relation", "a < b", "a <= b"),
+               mutant_list.Mutant(2, "a.cpp", 4, "f", "relation", "a < c", "a <= c")]
+    KNOWN = [ledger.Survivor("firmware", "a.cpp", "f", "relation", "a < b -> a <= b", "yes", "they differ")]
+
+    def reviewed(self, mutants, known=KNOWN):
+        results = {mutant.id: "survived" for mutant in mutants}
+        return [(row.change, row.equivalent, row.reason) for row in ledger.reviewed("firmware", mutants, results, known)]
+
+    def test_a_reason_stays_with_its_mutant(self):
+        self.assertEqual(self.reviewed(self.MUTANTS), [("a < b -> a <= b", "yes", "they differ"), ("a < c -> a <= c", "", "")])
+
+    def test_a_reason_stays_when_the_text_changes(self):
+        self.assertEqual(self.reviewed(self.MUTANTS[1:]), [("a < c -> a <= c", "yes", "they differ")])
+
+    def test_a_further_survivor_beside_a_changed_text_has_none(self):
+        changed = dataclasses.replace(self.MUTANTS[0], id=3, original="x < y", mutated="x <= y")
+        self.assertEqual(sum(bool(reason) for *_, reason in self.reviewed([changed, self.MUTANTS[1]])), 1)
+
+    def test_of_two_reasons_none_is_guessed(self):
+        other = dataclasses.replace(self.KNOWN[0], change="b < a -> b <= a", reason="another")
+        self.assertEqual(self.reviewed(self.MUTANTS[1:], [*self.KNOWN, other]), [("a < c -> a <= c", "", "")])
+
+
+class Kept(unittest.TestCase):
+    """The data that is committed."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.ledger = ledger.Ledger(scope.PROJECT)
+
+    def test_the_page_shows_the_data(self):
+        text = report.page(scope.SCOPES.values(), self.ledger)
+        self.assertTrue((scope.PROJECT / "docs/reports/mutation.md").read_text().endswith("\n\n" + text),
+                        "run tests/quality/mutation/run --page")
+
+    def test_each_file_is_there_once_and_is_mutated(self):
+        for asked in scope.SCOPES.values():
+            floors, survivors, _ = self.ledger.of(asked.name)
+            files = [floor.file for floor in floors]
+            self.assertEqual(len(files), len(set(files)))
+            for file in sorted({*files, *(survivor.file for survivor in survivors)} - set(asked.sources())):
+                self.fail(f"{file} is gone or no longer mutated: give its rows in {ledger.FOLDER} the new name")
+
+    def test_floors_and_survivors_agree(self):
+        for asked in scope.SCOPES.values():
+            floors, survivors, totals = self.ledger.of(asked.name)
+            count = collections.Counter(survivor.file for survivor in survivors)
+            self.assertEqual({floor.file: floor.mutants - floor.killed for floor in floors},
+                             {floor.file: count[floor.file] for floor in floors})
+            of_operators = [total for total in totals if total.kind == "operator"]
+            self.assertEqual(sum(total.mutants for total in of_operators), sum(floor.mutants for floor in floors))
+            self.assertEqual(sum(total.killed for total in of_operators), sum(floor.killed for floor in floors))
+
+    def test_every_survivor_that_needs_a_reason_has_one(self):
+        for asked in scope.SCOPES.values():
+            for survivor in self.ledger.of(asked.name)[1]:
+                self.assertIn(survivor.equivalent, ("", "yes"))
+                self.assertTrue(survivor.reason.strip() or not (asked.every_survivor_explained or survivor.equivalent), survivor)
+
+    def test_what_is_written_is_read_again(self):
+        with tempfile.TemporaryDirectory() as name:
+            project = pathlib.Path(name)
+            (project / "docs/reports").mkdir(parents=True)
+            other = ledger.Ledger(project)
+            for asked in scope.SCOPES.values():
+                other.replace(asked.name, *self.ledger.of(asked.name))
+            other.write()
+            for file in (project / ledger.FOLDER).iterdir():
+                self.assertEqual(file.read_bytes(), (scope.PROJECT / ledger.FOLDER / file.name).read_bytes(), file.name)
 
 
 class Reported(unittest.TestCase):
     MUTANTS = [mutant_list.Mutant(number, "a.cpp", number, "f", "constant", str(number), "0") for number in range(1, 100)]
 
     def test_a_score_below_the_goal_is_told(self):
-        self.assertEqual(len(report.missed_goal({1: "survived", 2: "killed by a test"}, 0.9)), 1)
-        self.assertEqual(report.missed_goal({1: "killed by a crash"}, 0.9), [])
+        self.assertEqual(len(report.missed_goal(1, 2, 0.9)), 1)
+        self.assertEqual(report.missed_goal(9, 10, 0.9), [])
 
-    def test_without_equivalents_only_their_survivors_are_left_out(self):
-        names = ", ".join(f'"{mutant.name()}"' for mutant in self.MUTANTS[:2])
-        reviewed = review.Review("survivors.toml", f'[[survivors]]\nfile = "a.cpp"\nwhy = "why"\nequivalent = true\n'
-                                 f"mutants = [{names}]\n")
+    def test_the_page_counts_with_and_without_equivalents_and_names_what_is_left_out(self):
+        asked = dataclasses.replace(scope.JUDGES, left_out={"b.cpp": "says nothing"})
+        mutants = mutant_list.Mutants()
+        mutants.extend(self.MUTANTS[:5])
         results = {1: "survived", 2: "killed by a test", 3: "survived", 4: "killed by a crash"}
-        able = report.without_equivalents(self.MUTANTS, results, reviewed)
-        self.assertEqual(able, {2: "killed by a test", 3: "survived", 4: "killed by a crash"})
-        self.assertEqual(report.summary_without_equivalents(results, able), "1 of the survivors are equivalent: no input "
-                         "shows a difference. Without them 2 of 3 are killed, 66.7 %.\n")
-        self.assertEqual(report.summary_without_equivalents(results, results), "")
+        record = test_program.Record([("a_test", "A.B", 1, [1, 2, 4], [])])
+        known = [ledger.Survivor("judges", "a.cpp", "f", "constant", "1 -> 0", "yes", "why")]
+        with tempfile.TemporaryDirectory() as name:
+            kept = ledger.Ledger(pathlib.Path(name))
+        kept.replace("judges", *report.rows(asked, mutants, mutants[:4], results, record, known))
+        page = report.page([asked], kept)
+        self.assertIn("2 of 4 mutants are killed, 50.0 %: 1 by a test, 1 by a crash. 2 survive, 1 of them "
+                      "executed by no test", page)
+        self.assertIn("Without them 2 of 3 are killed, 66.7 %.", page)
+        self.assertIn("| constant | 4 | 2 | 2 | 1 | 50.0 % | 66.7 % |", page)
+        self.assertIn("constant that only the compiler evaluates: 1.", page)
+        self.assertIn("- `b.cpp`: says nothing", page)
 
     def test_a_mutants_place_in_the_sample_does_not_depend_on_the_others(self):
         sample = report.draw(self.MUTANTS, 20, 1)
@@ -236,20 +307,6 @@ class Reported(unittest.TestCase):
         self.assertNotEqual(sample, report.draw(self.MUTANTS, 20, 2))
         left_out = next(m for m in self.MUTANTS if m not in sample)
         self.assertEqual(report.draw([m for m in self.MUTANTS if m != left_out], 20, 1), sample)
-
-    def test_what_a_page_lists_is_known_again(self):
-        asked = dataclasses.replace(scope.JUDGES, left_out={"b.cpp": "says nothing"})
-        mutants = mutant_list.Mutants()
-        mutants.extend([*self.MUTANTS[:3], mutant_list.Mutant(100, "b.cpp", 1, "g", "relation", "a | b < c", "a | b <= c")])
-        results = {1: "survived", 2: "killed by a test", 3: "survived", 100: "survived"}
-        reviewed = review.Review("survivors.toml", '[[survivors]]\nfile = "a.cpp"\nwhy = "equivalent"\n'
-                                 f'mutants = ["{self.MUTANTS[0].name()}"]\n')
-        record = test_program.Record([("a_test", "A.B", 1, [1, 2, 3], [])])
-        page = report.page(asked, mutants, list(mutants), results, reviewed, record)
-        self.assertIn("3 survive, 1 of them executed by no test", page)
-        self.assertEqual(report.listed(page), {mutants[2].key(), mutants[3].key()})
-        self.assertEqual(reviewed.unexplained(mutants, results, report.listed(page)), [])
-        self.assertIn("- `b.cpp`: says nothing", page)
 
     def test_what_no_test_executes_survives_unless_all_is_executed_or_it_is_a_named_constant(self):
         record = test_program.Record([("a_test", "A.B", 1, [1], [])])
