@@ -19,7 +19,7 @@ FILES = {
                       "int counter{0};  // of the newest frame\n"
                       "const char* url{\"http://x\"};  // soft\n"
                       "void f() { refuse(\"the level {} is no number: correct it\"); }\n"
-                      "TEST(Level, RisesWithTheForce) {}\n",
+                      "TEST(Level, RisesWithTheForce) {}\nTEST(ALevel, OfNothingIsTold) {}\n",
     "sil/a.py": '"""Reads levels.\n\nUse: a.py\n"""\n# One level a line.\nLEVEL = "#1 what it is"\n',
     "sil/run": "#!/bin/bash\n# Runs the system.\necho ${#list[@]} '# What a list has'\n",
     "sil/a.sql": "-- One row a run.\nSELECT 1;\n",

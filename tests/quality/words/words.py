@@ -31,6 +31,8 @@ CLAUSES = {
 }
 # Behind code these complete the name before them, as in `counter;  // of the newest frame`.
 COMPLETIONS = ("of", "where", "so")
+# The name of a C++ test continues that of its suite: ALead, OfALiftOffIsThatOfTheWarningInForce.
+CONTINUATIONS = ("of", "whose")
 FIRST_WORD = re.compile(r"[\"'(\[`*_]*(\w+)")
 TEST_NAME = re.compile(r"\b(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)|\bdef test_(\w+)")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
@@ -62,8 +64,10 @@ class Words:
         tables = tomllib.loads(path.read_text(encoding="utf-8"))
         self.persons = [(re.compile(rf"\b(?:{word})\b", re.IGNORECASE), better) for word, better in tables["persons"].items()]
         self.names = [(re.compile(rf"\b(?:{word})\b", re.IGNORECASE), better) for word, better in tables["names"].items()]
+        self.identifiers = [(re.compile(word, re.IGNORECASE), better) for word, better in tables["identifiers"].items()]
         self.files = [(re.compile(rf"(?:.*/)?(?:{word})"), better) for word, better in tables["files"].items()]
-        self.any_name = re.compile("|".join(word.replace(" ", "_?") for word in tables["names"]), re.IGNORECASE)
+        words = [word.replace(" ", "_?") for word in tables["names"]] + list(tables["identifiers"])
+        self.any_name = re.compile("|".join(words), re.IGNORECASE)
 
     def of_sentence(self, path, sentence):
         first = FIRST_WORD.match(sentence.text)
@@ -85,7 +89,7 @@ class Words:
             for found in TEST_NAME.finditer(line):
                 name = found[2] or found[3]
                 first = apart(name).split(" ")[0].lower()
-                if first in CLAUSES:
+                if first in CLAUSES and not (found[2] and first in CONTINUATIONS):
                     yield Fault(path, number, f"test begins with '{first}'", name, CLAUSES[first])
             if not self.any_name.search(line):
                 continue
@@ -93,9 +97,9 @@ class Words:
                 if name in seen:
                     continue
                 seen.add(name)
-                for pattern, better in self.names:
-                    if pattern.search(apart(name)):
-                        yield Fault(path, number, "name", name, better)
+                found = [better for pattern, better in self.names if pattern.search(apart(name))]
+                found += [better for pattern, better in self.identifiers if pattern.fullmatch(name)]
+                yield from (Fault(path, number, "name", name, better) for better in found)
 
     def of_name(self, path):
         for pattern, better in self.files:
