@@ -97,7 +97,7 @@ TEST(ComponentDataFlow, TheIndicatorIsTheShareOfTheThreshold) {
     });
 }
 
-// Where the compensated model would come to rest under what acts on it in a step.
+// Angle at which the compensated model would come to rest under what acts on it in a step.
 double compensated_goal_rad(const rsi_outputs& outputs) {
     const double force =
         wide(outputs.road_parallel_force_mps2) +

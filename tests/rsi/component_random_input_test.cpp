@@ -1,4 +1,4 @@
-// Whatever bits arrive, the component never gives a number that is not one, and never leaves its ranges.
+// With any input bits, the component never gives a number that is not one, and never leaves its ranges.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -194,7 +194,7 @@ TEST(Component, WarnsEarlierByTheMarginWhileTheObserverStandsIn) {
     lost.roll_angle_rad = nan;
     const float level = Scenario{}.run(3.0, inputs).warning_level;
     const float observed_level = Scenario{}.run(3.0, lost).warning_level;
-    ASSERT_NEAR(observed_level, level, 0.02F);  // the level that is told is without the margin
+    ASSERT_NEAR(observed_level, level, 0.02F);  // the published level is without the margin
     for (const float margin : {0.0F, 0.1F}) {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.observer_margin = margin;
@@ -449,7 +449,7 @@ TEST(Component, WhatTheFilterSeemedToLearnOfAnOverturnedVehicleIsForgottenToo) {
     EXPECT_EQ(scenario.outputs.roll_centre_vertical_m, 0.0F);
 }
 
-// Whatever it has been through, and with either estimator.
+// After any history, and with either estimator.
 TEST(Component, AResetLeavesNothingOfBefore) {
     for (const rsi_estimator estimator : {RSI_ESTIMATOR_PUBLISHED, RSI_ESTIMATOR_CONSIDER_KALMAN}) {
         rsi_parameters parameters = rsi_test::large_suv();
@@ -475,7 +475,7 @@ TEST(Component, AResetLeavesNothingOfBefore) {
     }
 }
 
-// Each byte in turn. What init computes by iteration is kept, so damage to it stays: the observer's gains and
+// Each byte in turn. Results of init's iteration are kept, so damage to it stays: the observer's gains and
 // one angle.
 TEST(Component, AResetRepairsAllOfTheComponentButWhatItKeeps) {
     const rsi_parameters parameters = rsi_test::large_suv();
@@ -509,7 +509,7 @@ TEST(Component, AResetForgetsThatItHasOverturned) {
     scenario.run(0.1, on_its_side);
     ASSERT_EQ(scenario.outputs.state, RSI_STATE_WARNING);
     scenario.component.reset(parameters);
-    // What is restored then is not taken for something learnt on the side.
+    // A restored load does not count as learnt on the side.
     ASSERT_TRUE(scenario.component.restore_load({0.2F, 0.1F, 0.0F}, false));
     scenario.run(0.01, in_steady_turn(0.0));
     EXPECT_EQ(scenario.outputs.state, RSI_STATE_UNAVAILABLE);

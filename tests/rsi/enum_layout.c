@@ -22,7 +22,7 @@ SAME(offsetof(rsi_parameters, vehicle_motion_sensors) == offsetof(rsi_parameters
 SAME(offsetof(rsi_validation, field) == sizeof(void*), the_answer_is_padded_to_a_pointer);
 SAME(sizeof(rsi_validation) == 3U * sizeof(void*), the_answer_has_no_tail);
 
-/* What makes this file worth compiling twice: in one of the two, an enumeration is smaller. */
+/* The reason for compiling this file twice: in one of the two, an enumeration is smaller. */
 unsigned PROBE(unsigned* numbers) {
     unsigned count = 0U;
 #define OFFSET(name, ...) numbers[count++] = (unsigned)offsetof(rsi_outputs, name);

@@ -1,4 +1,4 @@
-/* What a C compiler says of rsi.h, once with and once without -fshort-enums. */
+/* Layout of rsi.h by a C compiler, once with and once without -fshort-enums. */
 #ifndef TESTS_UNIT_ENUM_LAYOUT_H
 #define TESTS_UNIT_ENUM_LAYOUT_H
 

@@ -25,7 +25,7 @@ std::vector<rsi_inputs> manoeuvre() {
     return inputs;
 }
 
-// Where the compiler cannot see, so that it keeps every allocation.
+// Out of the compiler's sight, so that it keeps every allocation.
 void* volatile kept = nullptr;
 
 template <typename Use>

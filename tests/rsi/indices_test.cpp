@@ -56,7 +56,7 @@ class ReferenceMotion {
     rsi_test::ReferenceLag roll_;
 };
 
-// What the steering asks for along the road; empty where it is not known.
+// Demand of the steering along the road; empty if it is not known.
 rsi_test::ReferenceForce force_ahead(const rsi_parameters& p, const rsi_inputs& inputs,
                                      const rsi_outputs& outputs, const ReferenceMotion& motion) {
     rsi_test::ReferenceForce force{motion.A.value(), motion.force_rate, wide(p.acceleration_trend_s)};
@@ -416,7 +416,7 @@ TEST(CriticalRollAngle, IsFoundUpToOneRadianAndNotBeyond) {
     }
 }
 
-// Where nothing rights the vehicle, T_dyn is 0.001 + 0.05 |A/N|.
+// If nothing rights the vehicle, T_dyn is 0.001 + 0.05 |A/N|.
 TEST(ExtendedIndicator, EndsShortOfTwenty) {
     rsi::LoadTransfer load_transfer;
     load_transfer.init(rsi_test::large_suv());

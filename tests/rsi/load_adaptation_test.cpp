@@ -236,7 +236,7 @@ TEST(LoadAdaptation, BeforeAnyDrivingTheMassAloneIsALoadAtTheHeightOfTheBody) {
     stand(adaptation, 1, mass_with(1.5F));
     EXPECT_NEAR(adaptation.body().mass_kg / empty.mass_kg, 1.5F, 1.0e-5F);
     EXPECT_NEAR(adaptation.body().roll_arm_m / empty.roll_arm_m, 1.0F, 1.0e-5F);
-    // What driving has shown is not moved by it, and a long stop goes half the way to it.
+    // A load shown by driving is not moved by it, and a long stop goes half the way to it.
     rsi::LoadAdaptation driven = started();
     drive(driven, loaded_by(0.2), samples_in_two_minutes);
     const float known = driven.learnt().excess;
@@ -342,7 +342,7 @@ TEST(LoadAdaptation, AssumesNoLoadThatTheSpringsDoNotHold) {
     ASSERT_TRUE(adaptation.restore({1.0F, 0.05F, 0.0F}, true));  // halved
     EXPECT_GT(adaptation.learnt().excess, 0.4F);
     EXPECT_NEAR(adaptation.body().moment_arm_kgm() / empty.moment_arm_kgm(), 1.3F / 1.1F, 1.0e-5F);
-    // Nor one whose mass would ask for more: then it is the mass that is not believed.
+    // Nor one whose mass would ask for more: then the mass is not used.
     stand(adaptation, 1, mass_with(3.0F));
     EXPECT_NEAR(adaptation.body().moment_arm_kgm() / empty.moment_arm_kgm(), 1.3F / 1.1F, 1.0e-5F);
     EXPECT_NEAR(adaptation.body().roll_arm_m / empty.roll_arm_m, 0.6F, 1.0e-5F);

@@ -1,4 +1,4 @@
-// What a load makes of m_s H, learnt from ordinary driving.
+// The effect of a load on m_s H, learnt from ordinary driving.
 #include "rsi/adaptation/load_regression.hpp"
 
 #include <gtest/gtest.h>

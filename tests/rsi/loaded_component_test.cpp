@@ -1,4 +1,4 @@
-// A component with a learnt load: all that reckons with the sprung body computes what it would, had it been
+// A component with a learnt load: all that uses the sprung body computes what it would, had it been
 // calibrated for the loaded one.
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ float difference(float rsi_outputs::* output) {
     return result.share();
 }
 
-// Whoever of them went on with the empty body would be off by 9 to 37 %.
+// Any of them with the empty body would be off by 9 to 37 %.
 TEST(ALoadedComponent, ComputesWhatOneThatIsCalibratedForTheLoadDoes) {
     EXPECT_LT(difference(&rsi_outputs::fixed_model_roll_angle_rad), 0.001F);
     EXPECT_LT(difference(&rsi_outputs::roll_centre_vertical_m), 0.001F);

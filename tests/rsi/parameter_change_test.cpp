@@ -130,8 +130,8 @@ TEST(ParameterChange, OfTheWarningsThresholdMovesTheWarningAlone) {
     EXPECT_GT(first_difference, 0);
 }
 
-// Whoever is changed before he has seen anything is the same as who was started so: no constant was
-// forgotten.
+// A component changed before its first sample equals one started with the new parameters: no constant
+// was forgotten.
 TEST(ParameterChange, TakesOverEveryField) {
     const std::vector<rsi_parameters> all = neighbours(rsi_test::large_suv());
     ASSERT_GE(all.size(), rsi::parameter_fields.size());
@@ -190,7 +190,7 @@ class ToAnotherVehicleAndBack {
     }
 
  private:
-    // Whose body does not follow the learnt load.
+    // Parts whose body does not follow the learnt load.
     static rsi_parameters calibrated_body() {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.estimator = RSI_ESTIMATOR_CONSIDER_KALMAN;

@@ -248,7 +248,8 @@ TEST(Parameters, LevelsThatTheTimeToRolloverNeverOrAlwaysReachesAreRefused) {
 }
 
 // The least stiffness is at the parabola's vertex, phi^2 = -K_2 / (2 K_4), if the wheels lift beyond it; else
-// at the angle at which they lift. So a vertex just beyond that angle counts as little as it is reached.
+// at the angle at which they lift. Therefore a vertex just beyond that angle counts as little as it is
+// reached.
 TEST(Parameters, AStiffnessThatFallsTooFarOnlyBeyondTheLiftOfTheWheelsIsAccepted) {
     rsi_parameters parameters = rsi_test::large_suv();
     const float critical_rad = rsi::critical_roll_angle_rad(parameters);
@@ -257,7 +258,7 @@ TEST(Parameters, AStiffnessThatFallsTooFarOnlyBeyondTheLiftOfTheWheelsIsAccepted
                         parameters.sprung_mass_kg * 9.80665F *
                             (parameters.sprung_cg_height_m - parameters.fixed_roll_centre_height_m);
     for (const float beyond : {0.95F, 1.05F}) {  // the vertex over `furthest`
-        // What the curve loses up to the vertex and up to the lift of the wheels, in units of K_4 furthest^2.
+        // Loss of the curve up to the vertex and up to the lift of the wheels, in units of K_4 furthest^2.
         const float at_vertex = beyond * beyond;
         const float at_lift = 2.0F * beyond - 1.0F;
         const float K_4 = 2.0F * spare / ((at_vertex + at_lift) * furthest * furthest);

@@ -253,8 +253,8 @@ TEST(ResponsePrediction, TheHorizonIsRoundedToSteps) {
     EXPECT_EQ(level(0.0595), level(0.04));
 }
 
-// What lies further ahead than a tenth of a second counts less by the margin, what is nearer and the present
-// in full.
+// Anything further ahead than a tenth of a second counts less by the margin; nearer values and the present
+// count in full.
 TEST(ResponsePrediction, TheMarginGrowsWithTheTimeAhead) {
     const rsi::RollMotion motion = motion_with(2.0, 0.03, 0.0);
     const auto level = [&](double ahead_s, double margin_per_s) {

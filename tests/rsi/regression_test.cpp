@@ -19,7 +19,7 @@ double wide(float value) {
     return static_cast<double>(value);
 }
 
-// What (4) drops from (3) by writing phi_f - phi_m for the difference of the tangents.
+// The term that (4) drops from (3) by writing phi_f - phi_m for the difference of the tangents.
 double small_angle_remainder_nm(const rsi::RollPlaneModel& model, double normal_force_n, double phi_f,
                                 double phi_m) {
     return normal_force_n * wide(model.moment_arm_m()) *

@@ -185,7 +185,7 @@ TEST(AngleAgainstTheHorizon, WithABankSensorIsKnownFromTheFirstSample) {
     EXPECT_FLOAT_EQ(measured.roll_angle_rad, 0.12F - 0.1F);
 }
 
-// What the bank of the observer is taken out of is, in the end, the observer's: no load can be learnt from
+// An angle without the observer's bank is, in the end, the observer's: no load can be learnt from
 // it.
 TEST(AngleAgainstTheHorizon, IsAMeasuredOneOnlyWithABankSensor) {
     rsi_inputs inputs = rsi_test::at_rest();

@@ -214,7 +214,7 @@ TEST(RobustLeastSquares, ASampleThatCannotBeRepresentedResetsTheEstimator) {
     EXPECT_EQ(estimator.covariance()(0, 0), 1.0F);
 }
 
-// What is not excited forgets nothing once the trace is above its limit, whichever element it is.
+// An element without excitation forgets nothing once the trace is above its limit, whichever element it is.
 TEST(RobustLeastSquares, AResetForgetsParametersCovarianceAndDisturbance) {
     rsi::RobustLeastSquares estimator = estimator_of(rsi_test::large_suv());
     rsi::Regression regression;

@@ -22,7 +22,7 @@ double lively_mps2(double time_s) {
     return 4.0 * std::sin(1.3 * time_s) + 1.5 * std::sin(4.1 * time_s) + 0.5 * std::sin(9.4 * time_s);
 }
 
-// What is left is the force times the movement, whatever the manoeuvre.
+// The rest is the force times the movement, whatever the manoeuvre.
 TEST(RollEquation, LeavesTheForceTimesTheMovement) {
     for (const double movement_m : {0.0, -0.05, 0.08}) {
         rsi::FilteredRollEquation filtered;

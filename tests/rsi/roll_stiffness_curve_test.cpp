@@ -47,7 +47,7 @@ TEST(RollStiffnessCurve, IsThatOfThePowersWhereTheyRise) {
     }
 }
 
-// Where the slope is a quarter of K_f: 3 K_2 z + 5 K_4 z^2 = -0.75 K_f.
+// Angle at which the slope is a quarter of K_f: 3 K_2 z + 5 K_4 z^2 = -0.75 K_f.
 TEST(RollStiffnessCurve, GoesStraightOnWhereThePowersHaveFallenToAQuarterOfTheFirstSlope) {
     struct Case {
         float cubic;

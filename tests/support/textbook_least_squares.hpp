@@ -1,5 +1,5 @@
 // Textbook least squares: (9) and (10) as a book writes them, with matrices of dynamic size and general
-// products. What the firmware's own form is compared with; it needs the heap.
+// products. Reference for the firmware's own form; it needs the heap.
 #pragma once
 
 #include <Eigen/Core>

@@ -43,7 +43,7 @@ class RollingVehicle {
         }
     }
 
-    // Of sensors at the CG, the roll angle against the road; neither heave nor a bank sensor.
+    // Inputs of sensors at the CG, the roll angle against the road; neither heave nor a bank sensor.
     rsi_inputs inputs() const {
         rsi_inputs inputs{};
         inputs.lateral_specific_force_mps2 = static_cast<float>(force());

@@ -1,4 +1,4 @@
-// What an accelerometer in a rolled body on a banked road feels: plane geometry in double, by projection on
+// Specific force in a rolled body on a banked road: plane geometry in double, by projection on
 // the body's axes.
 #pragma once
 
@@ -32,7 +32,7 @@ inline PlaneVector specific_force_along(const GroundMotion& motion, double angle
                        -left * std::sin(angle_rad) + up * std::cos(angle_rad)};
 }
 
-// What the IMU at the CG reads.
+// Readings of the IMU at the CG.
 inline rsi_inputs sensed(const GroundMotion& motion) {
     const PlaneVector force = specific_force_along(motion, motion.bank_angle_rad + motion.roll_angle_rad);
     rsi_inputs inputs{};

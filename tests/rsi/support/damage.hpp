@@ -15,7 +15,7 @@ std::size_t bytes_whose_damage_shows(const Object& sound, const StillAnswersRigh
     for (std::size_t byte = 0U; byte < sizeof(Object); ++byte) {
         std::array<unsigned char, sizeof(Object)> memory{};
         std::memcpy(memory.data(), &sound, memory.size());
-        const unsigned damage = (memory[byte] > 1U) ? 0x15U : 1U;  // what may be a bool stays one
+        const unsigned damage = (memory[byte] > 1U) ? 0x15U : 1U;  // a possible bool stays one
         memory[byte] = static_cast<unsigned char>(memory[byte] ^ damage);
         Object damaged;
         std::memcpy(static_cast<void*>(&damaged), memory.data(), memory.size());

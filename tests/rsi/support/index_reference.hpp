@@ -145,8 +145,8 @@ inline double predicted_load_transfer(const ReferenceVehicle& v, const Reference
 }
 
 // How near the component's one step of 0.11 s must come. Far from a warning it misses
-// most, by 0.07: there the transfer may have its peak within the horizon. Where a warning is decided it is
-// nearer; beyond 1 the body runs into stiff stops.
+// most, by 0.07: there the transfer may have its peak within the horizon. It is nearer at the level of a
+// warning; beyond 1 the body runs into stiff stops.
 inline double prediction_tolerance(double load_transfer) {
     if (std::fabs(load_transfer) < 0.7) {
         return 0.075;

@@ -18,8 +18,8 @@ namespace rsi_test {
 struct LoadedVehicle {
     double excess{0.0};             // m_s H over the calibrated one, less 1; Ixx grows with it
     double stiffness_share{1.0};    // the vehicle's K over the calibrated one
-    double force_offset_mps2{0.0};  // what the accelerometer reads too much
-    double angle_offset_rad{0.0};   // what the roll sensor reads too much
+    double force_offset_mps2{0.0};  // offset of the accelerometer
+    double angle_offset_rad{0.0};   // offset of the roll sensor
     double noise_share{1.0};        // of the noise of a production sensor
     int direction{0};               // of all turns: 1 left, -1 right, 0 both
     double side{1.0};               // -1 mirrors the drive
@@ -58,7 +58,7 @@ class LoadedDrive {
         return motion;
     }
 
-    // What the calibration makes of a motion.
+    // Inputs of a motion by the calibration.
     rsi::TransferredLoad load(const rsi::RollMotion& motion) const { return calibrated_.evaluate(motion); }
 
     // The sensors of the same sample, at `speed_mps`.

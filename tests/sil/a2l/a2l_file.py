@@ -24,7 +24,7 @@ def value(element):
 
 
 def objects(module):
-    """Of both kinds, by name."""
+    """Objects of both kinds, by name."""
     found = {}
     for entry in module["CHARACTERISTIC"]:
         found[entry["Name"]["Value"]] = Object(

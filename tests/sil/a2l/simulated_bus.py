@@ -75,7 +75,7 @@ class SimulatedBus:
 
 
 class Interface:
-    """Of one master, as far as pyxcp uses one of python-can."""
+    """The bus of one master, as far as pyxcp uses one of python-can."""
 
     filters = None
     state = can.BusState.ACTIVE

@@ -1,5 +1,6 @@
 // xcp-drive: the simulated vehicle and the ECU with XCP in one process, for a master of XCP on the other end
-// of two pipes, who says when time goes on. So nothing depends on how fast a master is. One command a line:
+// of two pipes, who says when time goes on. Therefore nothing depends on the speed of a master. One command a
+// line:
 //   drive MANOEUVRE SECONDS   a new drive, the ECU off and on again before it; what was stored stays
 //   send HEX                  a frame of the master, for the next cycle
 //   step CYCLES               at most so many cycles; fewer where the drive ends
@@ -38,7 +39,7 @@ class NoWatchdog final : public hal::Watchdog {
     void feed() noexcept override {}
 };
 
-// What outlives the ECU.
+// State that outlives the ECU.
 struct Permanent {
     hal::SoftwareKeys keys{hal::test_keys};
     hal::SystemRandom random;

@@ -1,5 +1,4 @@
-// Good sensors on roads that try them: nobody is accused. Beyond what the calibration says of them, somebody
-// is.
+// Good sensors on difficult roads: no code is set. Beyond the calibration's limits, one is.
 #include <gtest/gtest.h>
 
 #include "sil/units.hpp"
@@ -57,7 +56,7 @@ void take_off_the_filters(sil::SensorOptions& sensors) {
 struct Kind {
     const char* name;
     std::function<void(sil::SensorOptions&)> sensors;
-    std::vector<std::string> calibration;  // what it says of them
+    std::vector<std::string> calibration;  // the calibration's limits
 };
 
 const std::vector<Kind>& kinds() {

@@ -1,4 +1,4 @@
-// What the README shows of a run is what that run prints (sil/apps/account.cpp).
+// The README's output of a run equals that of the run (sil/apps/account.cpp).
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

@@ -25,7 +25,7 @@ constexpr std::array<const char*, 2> vehicles{"large_suv", "ordinary_suv"};
 constexpr double after_zeroing_g = 0.005;
 constexpr double raw_g = 0.03;
 
-// Where the nominal height is right to a centimetre already, no estimate from these sensors can be better:
+// If the nominal height is right to a centimetre already, no estimate from these sensors can be better:
 // 0.2 deg of roll noise alone are 0.3 kN m of a side force's moment of 14 kN times one metre.
 constexpr double sensor_floor_m = 0.01;
 
@@ -111,7 +111,7 @@ TEST_P(EveryVehicle, FollowsTheTrueRollInTheJTurnWithTheEstimatesAlone) {
 }
 
 // The estimator states what it does not know: a stiffness off by 10 % is 1.4 of the deviations that it
-// assumes. Whatever the distribution, at most 1/9 of the errors may lie beyond three standard deviations
+// assumes. For any distribution, at most 1/9 of the errors may lie beyond three standard deviations
 // (Chebyshev), and of a distribution with one mode at most 4/81 (Vysochanskij and Petunin). The manoeuvres
 // are those in which the roll equation holds: no lifted wheel, no rough road.
 TEST_P(EveryVehicle, KnowsItsErrorForAStiffnessThatIsOffByTenPerCent) {

@@ -27,7 +27,7 @@ sil::RowProgress make(const sil::CampaignSettings& settings, std::uint64_t first
     return sil::make_part(sil::CampaignWorld{settings}, first, count, part, 2U, never, listener);
 }
 
-// Of one file, without parts; driven once for all tests.
+// Rows of one file, without parts; driven once for all tests.
 const std::string& expected_rows() {
     static const std::string text = [] {
         const ScratchFolder folder;
@@ -37,7 +37,7 @@ const std::string& expected_rows() {
     return text;
 }
 
-// What follows the head and, but for the first part, the names of the columns.
+// Text behind the head and, but for the first part, the names of the columns.
 std::string rows_of(const std::filesystem::path& part, bool with_names) {
     std::string text = text_of(part);
     for (int line = 0; line < (with_names ? 1 : 2); ++line) {

@@ -34,7 +34,7 @@ std::string rows(const ScratchFolder& folder) {
     return text_of(folder.path() / "runs.csv");
 }
 
-// Of one thread, without interruption; driven once for all tests.
+// Rows of one thread, without interruption; driven once for all tests.
 const std::string& expected_rows() {
     static const std::string text = [] {
         const ScratchFolder folder;
@@ -168,7 +168,7 @@ TEST(Campaign, RefusesAFolderThatAnotherIsWritingInto) {
     EXPECT_THAT(answer, HasSubstr("another campaign is writing"));
 }
 
-// What the calibration lets drive the warning must reach its level exactly when the firmware warns.
+// The index that drives the warning must reach its level exactly when the firmware warns.
 TEST(Campaign, TheDrivingIndexReachesItsLevelWhenTheFirmwareWarns) {
     const ScratchFolder folder;
     write_text(folder.path() / "runs.csv", expected_rows());

@@ -43,7 +43,7 @@ class Recorder final : public sil::RunObserver {
     const rsi::Parameters& watched_;
 };
 
-// Of a hard turn with noise: `driver` drives the warning, and `indicator` is watched.
+// Levels of a hard turn with noise: `driver` drives the warning, and `indicator` is watched.
 Levels drive(std::int32_t driver, std::int32_t indicator) {
     const sil::CampaignVehicle vehicle = testing_campaign::small_campaign(1U).vehicles.front();
     rsi::Parameters calibration = sil::load_calibration(vehicle.calibration);
@@ -57,7 +57,7 @@ Levels drive(std::int32_t driver, std::int32_t indicator) {
     return recorder.levels;
 }
 
-// Whichever indicator drives the run's own firmware.
+// For any indicator of the run's own firmware.
 TEST(CampaignIndex, IsThatOfTheFirmwareThatWarnsByIt) {
     for (std::int32_t indicator = 0; indicator < index_count; ++indicator) {
         const std::vector<float> expected = drive(indicator, indicator).driving;
@@ -77,7 +77,7 @@ TEST(CampaignIndex, IsNewInEverySample) {
     EXPECT_LT(repeated, shown.size() / 5U);
 }
 
-// Of outputs in which each index has another value, whatever the calibration warns by.
+// Outputs with another value for each index, for any calibration.
 TEST(CampaignIndex, ReadsItsOwnOutput) {
     const sil::CampaignVehicle vehicle = testing_campaign::small_campaign(1U).vehicles.front();
     rsi::Parameters calibration = sil::load_calibration(vehicle.calibration);

@@ -14,7 +14,7 @@ struct Loads {
 
 class Outcome : public ::testing::Test {
  protected:
-    // So many steps of 1 ms with these wheel loads.
+    // Advances by this number of steps of 1 ms with these wheel loads.
     void steps(int count, const Loads& loads, double roll_rad = 0.0) {
         for (int step = 0; step < count; ++step) {
             ++time_ms_;

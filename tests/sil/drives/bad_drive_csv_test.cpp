@@ -1,4 +1,4 @@
-// Bad drives: every fault is told with file, line and column, and with what to do.
+// Bad drives: every fault is reported with file, line and column, and with what to do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

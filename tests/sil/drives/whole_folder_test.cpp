@@ -1,4 +1,4 @@
-// Whole folder: results appear complete or not at all, and nobody else's files disappear.
+// Whole folder: results appear complete or not at all, and no other files disappear.
 #include "sil/studies/drives/whole_folder.hpp"
 
 #include <gmock/gmock.h>

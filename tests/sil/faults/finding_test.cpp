@@ -1,4 +1,4 @@
-// What counts as a finding, by answers that are written by hand; and the list of those that are known.
+// Findings, by answers that are written by hand; and the list of those that are known.
 #include "sil/studies/faults/finding.hpp"
 
 #include <gmock/gmock.h>
@@ -67,7 +67,7 @@ class Drive {
         drive_.load_transfer[cycle] = load_transfer;
         return *this;
     }
-    // Of both ECUs.
+    // Answers of both ECUs.
     Drive& always_codes(sil::DiagnosticCodes codes) {
         for (std::size_t cycle = 0U; cycle < drive_cycles; ++cycle) {
             right_.answers[cycle]->codes = codes;

@@ -1,4 +1,4 @@
-// What a changed bit does to the warning: every class, at its limits.
+// The effect of a changed bit on the warning: every class, at its limits.
 #include "sil/studies/faults/flip_effect.hpp"
 
 #include <gtest/gtest.h>

@@ -52,7 +52,7 @@ unsigned counter_of(const hal::CanFrame& frame) {
     return frame.data[1] & 0x0FU;
 }
 
-// What a fault makes of some cycles of frames; it begins with the third cycle and ends before the ninth.
+// The effect of a fault on some cycles of frames; it begins with the third cycle and ends before the ninth.
 class Injection {
  public:
     explicit Injection(const Fault& fault) : bus_{recorded_, fault} {

@@ -222,7 +222,7 @@ TEST(JudgementLimits, OfTheWarning) {
     }
 }
 
-// Where the ECU had the time to come back before the warning was due.
+// If the ECU had the time to come back before the warning was due.
 TEST(JudgementLimits, OfTheWarningAfterAFaultThatIsOver) {
     const auto late = [](int due_ms) {
         return shortfalls(Demand::recovery, [=](Reaction& is) {

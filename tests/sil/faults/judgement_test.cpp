@@ -1,4 +1,4 @@
-// What counts as a shortfall: answers written by hand, so that each rule is seen to fail.
+// Shortfalls: answers written by hand, so that each rule is seen to fail.
 #include "sil/studies/faults/judgement.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What is measured of an ECU's reaction to a fault: answers written by hand, each measure at its limits.
+// Measures of an ECU's reaction to a fault: answers written by hand, each measure at its limits.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -58,7 +58,7 @@ struct Runs {
             answers[cycle] = one;
         }
     }
-    // Of the ECU with the fault, of the other one, of both.
+    // Answers of the ECU with the fault, of the other one, of both.
     Runs& say(std::size_t from, std::size_t until, const std::optional<EcuAnswer>& one) {
         write(faulty.answers, from, until, one);
         return *this;
@@ -270,7 +270,8 @@ TEST(Reaction, RecoveryIsTheBeginningOfTheLastingAgreement) {
     EXPECT_FALSE(Runs{}.say(length - 1U, length, advisory).of().recovery);
     EXPECT_EQ(Runs{}.say(length - 2U, length - 1U, advisory).of().recovery,
               10 * static_cast<int>(length - 1U - is_over));
-    EXPECT_EQ(Runs{}.say(is_over + 5U, is_over + 8U, std::nullopt).of().recovery, 80) << "it was not heard";
+    EXPECT_EQ(Runs{}.say(is_over + 5U, is_over + 8U, std::nullopt).of().recovery, 80)
+        << "it was not received";
     EXPECT_FALSE(Runs{}.say(400U, length, advisory).lifts(450U).of().recovery);
     EXPECT_EQ(Runs{}.say(450U, length, advisory).lifts(450U).of().recovery, 0) << "after lift-off";
 }

@@ -1,4 +1,4 @@
-// The random search: every scenario by its number alone, whoever runs it and in whatever order.
+// The random search: every scenario by its number alone, in any process and order.
 #include "sil/studies/faults/fault_search.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What became of a warning that was due, counted from answers that are written by hand.
+// Outcomes of a warning that was due, counted from answers that are written by hand.
 #include "sil/studies/faults/silence_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ const EcuAnswer advisory = saying(WarningState::advisory);
 // Two ECUs, of which the second one says what is right.
 class Watched {
  public:
-    // So many cycles in which a warning is due. Counts the silences that begin.
+    // Adds this number of cycles in which a warning is due. Counts the silences that begin.
     Watched& due(int cycles, const std::optional<EcuAnswer>& faulty, bool fault = near,
                  float level = warning_off) {
         return cycles_of(cycles, faulty, warning, level, fault);

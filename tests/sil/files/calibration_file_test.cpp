@@ -34,7 +34,7 @@ class CalibrationFile : public ::testing::Test {
         text_.replace(begin, end - begin, line);
     }
 
-    // What loading says; empty when it succeeds.
+    // Message of loading; empty when it succeeds.
     std::string message() {
         test_support::write_text(path_, text_);
         return message_of(path_.string());

@@ -34,7 +34,7 @@ int mode_of(int stream) {
 }
 
 // A file that the program opens later must not get the number of a stream, or its messages would go there.
-// What stands in place of a closed stream can neither be read nor take what is written.
+// The substitute of a closed stream can neither be read nor take what is written.
 TEST(StandardStreams, ThatAreClosedAreOccupied) {
     for (int closed = 0; closed < 8; ++closed) {
         const int failed = status_of([closed] {
@@ -65,7 +65,7 @@ TEST(StandardStreams, ThatAreClosedAreOccupied) {
 
 class FinishedOutput : public testing::Test {
  protected:
-    // Of a program that prints something to `out`.
+    // Status of a program that prints something to `out`.
     int finish(const std::string& out) {
         return status_of([this, &out] {
             static_cast<void>(std::freopen(error_file().c_str(), "w", stderr));

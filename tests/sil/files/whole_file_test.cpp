@@ -84,7 +84,7 @@ TEST_F(WholeFile, AHugeFileIsRefusedAtOnce) {
     }
 }
 
-// Of a call that was interrupted before.
+// Rest of a call that was interrupted before.
 TEST_F(WholeFile, AnOldInterruptionIsNoneOfTheReading) {
     write_text(path("a"), std::string(100'000U, 'x'));
     errno = EINTR;

@@ -68,7 +68,7 @@ class Description(support.WithFmus):
 
     @support.for_each("ecu", "vehicle")
     def test_functions_of_the_standard_only_are_exported(self, model, version):
-        # What else was exported could be taken for another FMU's in the same process.
+        # Any other exported symbol could be taken for another FMU's in the same process.
         exported = support.call("nm", "-D", "--defined-only", self.fmu(model, version).binary())
         names = {line.split()[-1] for line in exported.splitlines()}
         self.assertIn("fmi3DoStep", names)

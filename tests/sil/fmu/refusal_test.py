@@ -1,4 +1,4 @@
-"""What an FMU refuses: a sentence with the place and what to do, through the importer's logger; and nothing has changed."""
+"""Refusals of an FMU: a sentence with the place and what to do, through the importer's logger; and nothing has changed."""
 
 import math
 

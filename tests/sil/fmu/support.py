@@ -1,4 +1,4 @@
-"""What the tests of the FMUs share: an instance in FMPy whose variables have names, for FMI 2.0 and 3.0 alike."""
+"""Shared by the tests of the FMUs: an instance in FMPy whose variables have names, for FMI 2.0 and 3.0 alike."""
 
 import functools
 import json
@@ -36,7 +36,7 @@ def for_each(*models):
 
 
 class Refused(Exception):
-    """What the FMU said through its logger."""
+    """Messages of the FMU through its logger."""
 
 
 class Unpacked:

@@ -38,7 +38,7 @@ struct Recording {
     double lateral_offset_mps2{0.0};
     double roll_offset_rad{0.0};
     double roll_rate_offset_radps{0.0};
-    std::function<double(double)> demand_mps2{};    // what the steering asks for; empty: what comes
+    std::function<double(double)> demand_mps2{};    // demand of the steering; empty: the motion itself
     std::function<double(double)> bank_rad{};       // left side up is positive, slow; empty: level
     std::function<double(double)> sideslip_mps2{};  // the part of the lateral acceleration that turns nothing
     bool roll_against_gravity{false};               // as an attitude sensor gives the roll angle

@@ -62,7 +62,7 @@ TEST(KnownBodyTest, GivesThemBackInSpiteOfSensorOffsets) {
     EXPECT_THAT(result.warnings, Contains(HasSubstr("zero the sensors")));
 }
 
-// What turns can be told by the lateral acceleration alone.
+// Turns can be recognised by the lateral acceleration alone.
 TEST(KnownBodyTest, FindsTheSensorOffsetsWithoutSteeringSpeedAndYawRate) {
     const KnownBody body;
     Recording recording;

@@ -84,7 +84,7 @@ TEST_P(SimulatedVehicle, InertiaAndDampingAreOfTheBodysSize) {
     EXPECT_LT(damping_ratio, 0.8);
 }
 
-// What the component computes from the roll state against the wheels, in manoeuvres that the fit has not
+// Outputs of the component from the roll state against the wheels, in manoeuvres that the fit has not
 // seen.
 TEST_P(SimulatedVehicle, LoadTransferOfUnseenDrivesIsThatOfTheWheels) {
     const sil::Identification result = identified(GetParam());
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Vehicles, SimulatedVehicle,
                              return std::string{test.param.vehicle} + (test.param.noise ? "_with_noise" : "");
                          });
 
-// The van is the vehicle that nobody tuned for: its committed calibration is what the command writes.
+// The van is the vehicle without hand tuning: its committed calibration is what the command writes.
 TEST(VanCalibration, ComesFromIdentificationAlone) {
     const sil::Identification result = identified({"van", true});
     const test_support::ScratchFolder folder;

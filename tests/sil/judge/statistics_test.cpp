@@ -55,7 +55,7 @@ TEST(Wilson, SaysNothingAboutNoRuns) {
     EXPECT_TRUE(std::isnan(sil::Share{}.value()));
 }
 
-// So many vehicles, of whose ten runs each so many count.
+// This number of vehicles with ten runs each, of which this number count.
 sil::Share of_vehicles(int vehicles, int counting, int offset = 0) {
     sil::ShareByVehicle shares;
     for (int vehicle = 0; vehicle < vehicles; ++vehicle) {

@@ -12,7 +12,7 @@ using sil::WarningSide;
 
 class TwoWheelLift : public ::testing::Test {
  protected:
-    // So many steps of 1 ms.
+    // Advances by this number of steps of 1 ms.
     void steps(int count, bool left_up, bool right_up, double acceleration_mps2 = 0.0) {
         for (int step = 0; step < count; ++step) {
             ++time_ms_;

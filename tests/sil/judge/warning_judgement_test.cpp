@@ -17,7 +17,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // A run in cycles of 10 ms: the load transfer of each, and warning frames between.
 class JudgedRun {
  public:
-    // So many cycles with this load transfer.
+    // Adds this number of cycles with this load transfer.
     JudgedRun& drive(int cycles, double load_transfer_ratio) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
             ++number_;
@@ -30,7 +30,7 @@ class JudgedRun {
         judge_.observe(state, side, time_s());
         return *this;
     }
-    // So many cycles with this load transfer, and the same frame in each of them.
+    // Adds this number of cycles with this load transfer, and the same frame in each of them.
     JudgedRun& drive_saying(int cycles, double load_transfer_ratio, WarningState state, WarningSide side) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
             drive(1, load_transfer_ratio).say(state, side);

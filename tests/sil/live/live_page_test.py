@@ -127,7 +127,7 @@ class LivePage(unittest.TestCase):
         self.open()
         self.assertLessEqual(self.tab.run("document.documentElement.scrollWidth"), 390)
         self.assertNotEqual(self.tab.run("getComputedStyle(document.getElementById('steering')).display"), "none")
-        # What looks back is folded away while one drives, and only then.
+        # Panels of the past are folded away while driving, and only then.
         folded = "getComputedStyle(document.getElementById('transport')).display === 'none'"
         self.tab.wait_for(folded, LONG_S)
         self.tab.run("document.getElementById('follow').click()")

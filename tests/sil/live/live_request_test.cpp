@@ -1,4 +1,4 @@
-// Live request: what the page may ask for, and what it is told when it asks for something else.
+// Live request: requests of the page, and the answers to others.
 #include "sil/live/live_request.hpp"
 
 #include <gmock/gmock.h>

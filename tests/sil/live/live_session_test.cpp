@@ -1,4 +1,4 @@
-// Live session: what the page is told is what the drive does.
+// Live session: the messages to the page match the drive.
 #include "sil/live/live_session.hpp"
 
 #include <gmock/gmock.h>
@@ -179,7 +179,7 @@ TEST_F(LiveSession, BreaksASensorAndMendsIt) {
                 testing::StartsWith("lateral acceleration: not available"));
     EXPECT_TRUE(std::isnan(kept.last_lateral_mps2));
     EXPECT_THAT(broken["diagnosis"]["confirmed"].dump(), testing::HasSubstr("lateral acceleration"));
-    // A page that comes now is told, too.
+    // A page that connects now receives them, too.
     const Json joined = Json::parse(session.begin());
     EXPECT_EQ(joined["fault"], broken["fault"]);
     EXPECT_EQ(joined["diagnosis"], broken["diagnosis"]);

@@ -23,7 +23,7 @@ class PageError(Exception):
 
 
 class Browser:
-    """One tab. What the page's scripts throw, and what it writes as an error, is kept in `complaints`."""
+    """One tab. Exceptions and errors of the page's scripts are kept in `complaints`."""
 
     def __init__(self, socket, loop):
         self._socket = socket
@@ -103,7 +103,7 @@ class Browser:
 
 
 def _endpoint(folder, process):
-    """Where the browser listens: it writes that into its folder."""
+    """Port of the browser: it writes that into its folder."""
     file = pathlib.Path(folder, "DevToolsActivePort")
     deadline = time.monotonic() + START_LIMIT_S
     while time.monotonic() < deadline and process.poll() is None:

@@ -17,7 +17,7 @@ from study_tab import StudyTab, expect_plain_page
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAM = sys.argv.pop(1)
 HOSTILE = "<img src=x onerror=document.body.dataset.intruder=1>"
-# Of a chart the lines, by what they are called, with the column of fit.csv and the factor.
+# The lines of a chart by name, with the column of fit.csv and the factor.
 CHARTS = {
     "roll": {"measured": ("roll_angle_deg", 1), "predicted": ("predicted_roll_angle_deg", 1)},
     "load": {"of the wheels": ("load_moment_nm", 0.001), "as the component has it": ("fitted_load_moment_nm", 0.001)},
@@ -75,7 +75,7 @@ class IdentificationReport(unittest.TestCase):
         return StudyTab(self.tab, folder / "report.html")
 
     def expect_lines(self, page, rows, chart, lines):
-        """What is read off at a few times is what the file says at the time that is read off."""
+        """Values read off at a few times are those of the file at these times."""
         by_time = {round(float(row["time_s"]), 4): row for row in rows}
         first, last = float(rows[0]["time_s"]), float(rows[-1]["time_s"])
         for share in (0.0, 0.13, 0.41, 0.77, 1.0):

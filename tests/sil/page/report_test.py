@@ -17,7 +17,7 @@ PROGRAM = sys.argv.pop(1)
 LARGEST_REPORT_BYTES = 1_500_000  # of ten seconds
 STANDARD_GRAVITY = 9.80665
 
-# What the page shows of a quantity: the column, the factor, the digits, and the unit.
+# Display of a quantity: the column, the factor, the digits, and the unit.
 SHOWN = {
     "speed": ("true_speed_mps", 3.6, 1, " km/h"),
     "steering": ("true_steering_wheel_angle_deg", 1, 1, " deg"),
@@ -84,7 +84,7 @@ class Report(unittest.TestCase):
         })"""))
 
     def expect_row(self, rows, number):
-        """What is seen is this row, as it was written and as it is read."""
+        """The visible row, as it was written and as it is read."""
         row = rows[number]
         seen = self.seen()
         self.assertEqual(seen["time"], f"{float(row['time_s']):.2f} s")

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-// What is between the marks of its element, as the browser parses it.
+// Text between the marks of its element, as the browser parses it.
 json held_by(const std::string& html) {
     const std::string mark = "<script id=\"study\" type=\"application/json\">";
     const std::size_t begin = html.find(mark) + mark.size();

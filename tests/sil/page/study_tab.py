@@ -13,7 +13,7 @@ class StudyTab:
         return self.tab.run(script)
 
     def read_off(self, chart, x):
-        """Of every line of the chart, by its words, the point nearest to `x` as it is shown: x, value, text."""
+        """The point of every line of the chart, by its words, that is nearest to `x`, as it is shown: x, value, text."""
         self.run(f"study.charts[{json.dumps(chart)}].moveTo({x})")
         shown = json.loads(self.run(
             f"JSON.stringify(study.charts[{json.dumps(chart)}].series.map((each) => {{"

@@ -136,7 +136,7 @@ TEST(VehicleDraw, TheWholeCoversWhatWasAskedFor) {
     for (const sil::DrawnVehicle& vehicle : population()) {
         lightest = std::min(lightest, mass_kg(vehicle));
         heaviest = std::max(heaviest, mass_kg(vehicle));
-        // Of the axles: that of the whole vehicle lies between them.
+        // Values of the axles: that of the whole vehicle lies between them.
         const sil::VehicleParameters& v = vehicle.parameters;
         const double front = v.front_suspension.path_slope_0 * 0.5 * v.geometry.track_width_m;
         const double rear = v.geometry.wheel_radius_m + v.rear_suspension.panhard_pivot_m;

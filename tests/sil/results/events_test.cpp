@@ -196,7 +196,7 @@ TEST(EventObserver, TheFirstWarningCountsWithTheTruthOfItsMoment) {
     EXPECT_EQ(observer.events().warning_side, sil::WarningSide::right);
 }
 
-// What counts as a lead is told by warning_judgement_test.cpp.
+// warning_judgement_test.cpp covers the lead.
 TEST(EventObserver, JudgesTheWarningByTheTrueWheelLoads) {
     sil::EventObserver observer(ssf);
     observer.observe(truth_with_loads(1.0, {1.0, 9.0, 1.0, 9.0}));

@@ -92,7 +92,7 @@ TEST(ARun, MirroredHasTheSameStatesOnTheOtherSide) {
                                                                            : WarningSide::right;
         differing += output.state() != mirrored.state() || mirrored.side() != expected ? 1U : 0U;
     }
-    // What the simulated vehicle's own rounding makes of left and right may move a change of state by a few
+    // The simulated vehicle's own rounding of left and right may move a change of state by a few
     // cycles: 2 % of them.
     EXPECT_LE(differing, cycles / 50U);
 }

@@ -12,8 +12,8 @@ import unittest
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 COMMAND = PROJECT / "sil/tools/campaigns/command.py"
 RUNS, PART_RUNS = 40, 5
-# Stands before rsi-sil: notes each part that is begun, and once kills what it is told to in the middle of one. What is killed
-# is waited for: a part goes on for ever unless it ends with its worker.
+# Stands before rsi-sil: notes each part that is begun, and once kills a given process in the middle of one. The test
+# waits for a killed process: a part goes on for ever unless it ends with its worker.
 WRAPPER = """\
 #!/bin/bash
 case " $* " in

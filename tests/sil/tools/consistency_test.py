@@ -1,4 +1,4 @@
-"""What signals say of each other, over every manoeuvre of the catalogue: no good drive is doubted, no sign is answered
+"""Comparison of signals, over every manoeuvre of the catalogue: no good drive is doubted, no sign is answered
 wrongly, and wrong signs and units show."""
 
 import numpy

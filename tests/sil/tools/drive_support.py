@@ -1,4 +1,4 @@
-"""What the tests of drives share."""
+"""Shared by the tests of drives."""
 
 import csv
 

@@ -1,4 +1,4 @@
-"""Drives of foreign logs: every container and a foreign DBC file give the warnings of the run; what is missing is told."""
+"""Drives of foreign logs: every container and a foreign DBC file give the warnings of the run; missing values are reported."""
 
 import itertools
 import json

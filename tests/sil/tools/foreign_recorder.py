@@ -1,4 +1,4 @@
-"""Somebody else's recorder: the run's sensor values under other names, units, signs and rates, by foreign.dbc."""
+"""A foreign recorder: the run's sensor values under other names, units, signs and rates, by foreign.dbc."""
 
 import csv
 import pathlib
@@ -44,7 +44,7 @@ bus = 2
 
 
 def rows(run_folder):
-    """What the sensors said every 10 ms: a dictionary of column and number."""
+    """Sensor values every 10 ms: a dictionary of column and number."""
     with (run_folder / "signals.csv").open(encoding="utf-8") as file:
         for row in csv.DictReader(file):
             yield {name[len("sensor_"):] if name.startswith("sensor_") else name: float(row[name])

@@ -1,4 +1,4 @@
-"""The project's own frames by a mapping, as if they were somebody else's."""
+"""The project's own frames by a mapping, as if they were foreign."""
 
 import support
 

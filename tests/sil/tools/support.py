@@ -1,4 +1,4 @@
-"""What the tests of sil/tools share: a run to start from, the command, and replays of what it writes."""
+"""Shared by the tests of sil/tools: a run to start from, the command, and replays of what it writes."""
 
 import contextlib
 import io
@@ -38,7 +38,7 @@ class WithRun(unittest.TestCase):
         self.folder = pathlib.Path(scratch.name)
 
     def replay(self, file):
-        """What `rsi-sil replay` says of a drive: the lines of warnings.csv."""
+        """Answers of `rsi-sil replay` to a drive: the lines of warnings.csv."""
         output = self.folder / "replayed" / file.parent.name
         call(self.program, "replay", file, "--parameters", CALIBRATION, "--no-pictures", "--output", output)
         return (output / file.stem / "warnings.csv").read_text(encoding="utf-8")

@@ -18,7 +18,7 @@ struct Extremes {
     double fastest_mps{0.0};
 };
 
-// Braking and accelerating is told from the speed, so that what a turn takes of it counts too.
+// Braking and accelerating is derived from the speed, so that what a turn takes of it counts too.
 Extremes driven(const sil::VehicleParameters& vehicle, const sil::Manoeuvre& manoeuvre) {
     constexpr double moment_s = 0.5;
     sil::RunOptions options;
@@ -80,7 +80,7 @@ TEST(OrdinaryDriving, NeverTurnsTheWheelFasterThanHandsDo) {
     double then_rad = 0.0;
     double to_the_left_radps = 0.0;
     double to_the_right_radps = 0.0;
-    // What is felt jumps to and fro once a second, so that a driver of endless hands would jump too.
+    // The felt acceleration jumps to and fro once a second, so that a driver of endless hands would jump too.
     for (int step = 1; step < 6000; ++step) {
         constexpr double step_s = 0.01;
         truth.time_s = step * step_s;

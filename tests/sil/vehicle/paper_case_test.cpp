@@ -103,7 +103,7 @@ TEST(RollCentreComparison, TheFixedOneRollsOverWhereTheMovingOneStaysUp) {
     }
 }
 
-// What the paper does not say: the stops decide it, not the roll centre.
+// Not in the paper: the stops decide it, not the roll centre.
 TEST(RollCentreComparison, IsDecidedByTheStopsAndNotByTheRollCentre) {
     const sil::Manoeuvre turn = sil::find_manoeuvre("roll-centre-moving");
     const auto largest_roll_deg = [&](const sil::VehicleParameters& parameters) {

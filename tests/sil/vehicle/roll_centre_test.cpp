@@ -31,7 +31,7 @@ TEST(ForceBasedRollCentre, IsTheForceWeightedMeanOfTheAxlesRollCentres) {
     const double front_force = scenario::front_axle_weight_n(parameters) / sil::gravity_mps2 * a_y;
     const double rear_force = scenario::rear_axle_weight_n(parameters) / sil::gravity_mps2 * a_y;
     const double wheel_height = parameters.geometry.wheel_radius_m - 0.02;  // loaded
-    // What the links carry is the axle's force less what its own unsprung mass takes up; that mass's share of
+    // The links carry the axle's force less that of its own unsprung mass; that mass's share of
     // (24) is its moment about the road (front: its slope, like the tyre's force).
     const double front_moment = (front_force - 2.0 * parameters.mass.front_unsprung_kg * a_y) *
                                 parameters.front_suspension.path_slope_0 * 0.5 *

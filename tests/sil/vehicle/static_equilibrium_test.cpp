@@ -67,7 +67,7 @@ TEST_P(StaticEquilibrium, RollingStraightAtConstantSpeedNeedsTheForceOfDragAndRo
     for (int step = 0; step < 5000; ++step) {
         vehicle.step(input);
     }
-    // The drive torque is reckoned with the unloaded radius, which is some 5 % larger than the loaded one.
+    // The drive torque is computed with the unloaded radius, which is some 5 % larger than the loaded one.
     const double largest_speed_gain = 0.07 * input.drive_force_n / sil::total_mass_kg(parameters) * 5.0;
     EXPECT_NEAR(vehicle.truth().speed_mps, 25.0, largest_speed_gain);
 }

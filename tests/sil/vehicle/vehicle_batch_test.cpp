@@ -138,7 +138,7 @@ std::uint64_t bits_of(double value) {
     return bits;
 }
 
-// Of what no random number hits, and small and large ones of either sign.
+// Values that no random number hits, and small and large ones of either sign.
 std::vector<double> arguments() {
     std::vector<double> all{
         0.0, -0.0,   5.0e-324, -5.0e-324, 0x1p-6,       -0x1p-6, 0.5,    1.0,

@@ -35,7 +35,7 @@ def validate(folder, output, *options):
 
 
 class Validate(unittest.TestCase):
-    """A simulated van with noisy sensors, as if somebody had driven it."""
+    """A simulated van with noisy sensors, as if driven by hand."""
 
     @classmethod
     def setUpClass(cls):
