@@ -12,7 +12,7 @@ namespace rsi_test {
 
 class CutStorage final : public hal::Storage {
  public:
-    // What the write at which power goes leaves: that many of its bytes, and behind them those of before.
+    // Content left by the write at which power goes: that many of its bytes, and behind them those of before.
     struct Cut {
         int at_write;  // counted from 1; 0: never
         std::size_t bytes_written;

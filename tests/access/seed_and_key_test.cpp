@@ -261,7 +261,7 @@ TEST_F(Access, CountsAnAttemptThatAResetCutOff) {
     EXPECT_EQ(wait_for_seed(), delays[3]);
 }
 
-// Seeds cost the memory nothing, so that nobody wears it out by asking for them.
+// Seeds cost the memory nothing, so that requests for them do not wear it out.
 TEST_F(Access, WritesOncePerAttempt) {
     for (int ask = 0; ask < 1000; ++ask) {
         seed();
@@ -301,8 +301,8 @@ TEST_F(Access, TakesADamagedOrImpossibleCountForTheLargest) {
     EXPECT_EQ(wait_for_seed(), 0);
 }
 
-// Whoever guesses and cuts the power at any write, however much of it is done by then, finds after the start
-// at least as many wrong keys counted as he has seen answered.
+// An attacker that guesses and cuts the power at any write, however much of it is done by then, finds after
+// the start at least as many wrong keys counted as he has seen answered.
 TEST_F(Access, GivesNoAttemptBackWhenThePowerGoesAtAnyWrite) {
     std::set<int> cut_at;
     for (int wrong_before = 0; wrong_before < 4; ++wrong_before) {

@@ -5,7 +5,7 @@
 
 namespace testing_application {
 
-// Of malloc, calloc, realloc and the aligned kinds; operator new comes down to them.
+// Counts of malloc, calloc, realloc and the aligned kinds; operator new comes down to them.
 std::uint64_t allocation_count();
 
 }  // namespace testing_application

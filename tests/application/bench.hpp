@@ -1,5 +1,5 @@
-// Test bench: the ECU on a memory bus with three sensors that can be told to misbehave, and an ear on the
-// bus.
+// Test bench: the ECU on a memory bus with three sensors that can be made to misbehave, and a listener on
+// the bus.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ inline void PrintTo(Sensor sensor, std::ostream* out) {
     *out << name_of(sensor);
 }
 
-// What the sensors see. The default: straight on at 80 km/h on level ground, bank not measured.
+// Inputs of the sensors. The default: straight on at 80 km/h on level ground, bank not measured.
 struct Motion {
     can_dbc::Imu imu{0.0F, 9.80665F, 0.0F};
     can_dbc::RollAngle roll_angle{0.0F, can_dbc::not_available};
@@ -105,7 +105,7 @@ class Bench {
     // Why the ECU's controller started.
     void start_after(hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
 
-    // What the sensors see from now on.
+    // Inputs of the sensors from now on.
     void drive(const Motion& motion);
     // The same as a function of the time in seconds.
     void drive(std::function<Motion(double time_s)> motion) { motion_ = std::move(motion); }
@@ -127,7 +127,7 @@ class Bench {
     // Sends the sensor's next frames with the counter of the one before.
     void repeat_counter(Sensor sensor, bool repeat) { line(sensor).counter_stands = repeat; }
 
-    // A frame of somebody else, at once.
+    // A frame of another node, at once.
     void send_foreign(const hal::CanFrame& frame) { bus_.endpoint(world).send(frame); }
     // The last frame that a sensor has sent.
     const hal::CanFrame& last_frame(Sensor sensor) { return line(sensor).last; }
@@ -149,7 +149,7 @@ class Bench {
     const Cycle& last() const { return cycles_.back(); }
     can_dbc::RolloverWarning::State state() const { return last().state(); }
     const can_dbc::RolloverStatus& status() const { return last().status.value; }
-    // What the ECU made of the sensors' frames in its last cycle.
+    // Inputs that the ECU took from the sensors' frames in its last cycle.
     const rsi::Inputs& inputs() const { return ecu_.inputs(); }
     const monitoring::DiagnosticMemory& diagnostic_memory() const { return ecu_.diagnostic_memory(); }
     const rsi::Outputs& outputs() const { return ecu_.outputs(); }

@@ -156,7 +156,7 @@ TEST_F(Monitor, UsesTheFirstFrameInSequenceAfterASilence) {
         run_cycle(false);
     }
     ASSERT_EQ(monitor.channel_state(), ChannelState::invalid);
-    counter = (counter + 7U) % 15U;  // what the sender has counted meanwhile
+    counter = (counter + 7U) % 15U;  // counted by the sender meanwhile
     run_cycle(true);
     EXPECT_FALSE(monitor.is_fresh(now));
     run_cycle(true);

@@ -1,4 +1,4 @@
-// Frames that are not what they should be: wrong length, damaged, of another kind, of somebody else.
+// Frames that are not what they should be: wrong length, damaged, of another kind, of another node.
 #include <gtest/gtest.h>
 
 #include <algorithm>

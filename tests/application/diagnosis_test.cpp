@@ -1,4 +1,4 @@
-// What the ECU tells of its own health: refused parameters, missed cycles, bus state, overflow, watchdog.
+// Reports of the ECU's own health: refused parameters, missed cycles, bus state, overflow, watchdog.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -141,7 +141,7 @@ TEST(RejectedAndLostFrames, StayAt255) {
     EXPECT_EQ(bench.status().frames_lost, 255U);
 }
 
-// The reason of the last start as the observer's frame of the last cycle tells it.
+// The reason of the last start as in the observer's frame of the last cycle.
 can_dbc::RollObserver::ResetReason sent_reset_reason(const Bench& bench) {
     for (const hal::CanFrame& frame : bench.last().frames) {
         if (frame.identifier == can_dbc::RollObserver::identifier) {

@@ -18,7 +18,7 @@ namespace {
 using Degradation = can_dbc::RolloverDiagnosis::Degradation;
 using State = can_dbc::RolloverWarning::State;
 
-// Codes are told in turn.
+// Codes are reported in turn.
 bool tells_imu_held_back(Bench& bench) {
     bool tells = false;
     for (int cycle = 0; cycle < 10; ++cycle) {
@@ -30,7 +30,7 @@ bool tells_imu_held_back(Bench& bench) {
     return tells;
 }
 
-// A weave; the roll angle's frames can be told to be as old as `late_s` says.
+// A weave; the roll angle's frames can be made as old as `late_s` says.
 struct Weave {
     explicit Weave(double amplitude_mps2) {
         bench.drive([this, amplitude_mps2](double time_s) {
@@ -244,7 +244,7 @@ TEST(ARollAngle, IsNotLateBecauseTheImuIsNotKnown) {
     }
 }
 
-// What a pause makes of it is judged once: later the IMU may lose frames without one.
+// The effect of a pause is judged once: later the IMU may lose frames without one.
 TEST(ARollAngle, IsNotLateByAPauseThatIsLongOver) {
     Counters counters;
     counters.run(20);
@@ -290,7 +290,7 @@ TEST(ARollAngle, IsJudgedWhileTheImuHasLostUpToThreeFrames) {
     }
 }
 
-// The warning goes on, and is late: whoever reads the codes knows it.
+// The warning goes on, and is late: a reader of the codes sees it.
 TEST(AnImu, ThatIsHeldBackIsReportedAndUsed) {
     for (const double held_back_s : {0.05, 0.07, 0.11}) {
         Weave drive{0.5};
@@ -374,7 +374,7 @@ TEST(ASender, ThatSendsAtOnceWhatItHasHeldBackIsInTime) {
     }
 }
 
-// How long it was silent while no cycle ran, nobody knows.
+// The length of its silence while no cycle ran is not known.
 TEST(ASender, IsNotLateAfterMissedCycles) {
     for (const bool imu : {true, false}) {
         Counters counters;
@@ -418,7 +418,7 @@ TEST(AnImu, IsNotLateWithARollAngleThatIsHeldBackLongAfterItWasSilentItself) {
     EXPECT_FALSE(counters.delay.imu_is_late());
 }
 
-// What showed that the first one was over says nothing of the second.
+// Evidence that the first one was over says nothing of the second.
 TEST(ASender, ThatIsHeldBackTwiceIsLateTwice) {
     for (const Sensor sensor : {Sensor::imu, Sensor::roll_angle}) {
         Weave drive{4.0};

@@ -164,7 +164,7 @@ class RandomPayloads : public ::testing::TestWithParam<rsi_indicator> {
 
 TEST_P(RandomPayloads, GiveAMillionDefinedAnswersAndDoNotPoisonTheEcu) {
     FuzzBench bench{parameters()};
-    // What is wholly random jumps more than any vehicle, so nearly all of it is taken out; in between the
+    // Wholly random values jump more than any vehicle, so nearly all of them are invalidated; in between the
     // values wander for long enough that it is used again.
     for (int cycle = 0; cycle < 1'000'000; ++cycle) {
         if (cycle % 1000 < 200) {

@@ -1,4 +1,4 @@
-// Others on the same bus: what they hear of it; and an ECU that is told to keep silent.
+// Others on the same bus: the frames that they receive; and an ECU in silent mode.
 #include <gtest/gtest.h>
 
 #include <vector>

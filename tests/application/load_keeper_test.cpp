@@ -1,4 +1,4 @@
-// What has been learnt of the load outlives a restart, in a record that cannot be mistaken.
+// The learnt load outlives a restart, in a record that cannot be mistaken.
 #include "application/load_keeper.hpp"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(TheLoadsRecord, IsRefusedWithoutItsMagicThoughItsChecksumIsGood) {
     EXPECT_FALSE(application::read_load_record(record, 77U, read));
 }
 
-// So that it can be found again by whoever reads a record elsewhere.
+// Found again by a reader of the record elsewhere.
 TEST(TheParametersCheckWord, IsTheCrc32OfTheirBytesInTheOrderOfTheirTables) {
     const rsi::Parameters parameters = large_suv();
     std::vector<std::uint8_t> bytes;
@@ -183,7 +183,7 @@ TEST_F(Keeping, TriesAgainWhileTheStorageIsBusy) {
     EXPECT_EQ(storage.writes(), 1U);
 }
 
-// A component that refuses what was kept does not have it, so that it is news to the storage.
+// A component that refuses what was kept does not have it, so that it is new to the storage.
 TEST_F(Keeping, StoresAgainWhatAComponentHasNotTakenBack) {
     keep(learnt, cycles_in_a_minute);
     ASSERT_EQ(storage.writes(), 1U);
@@ -194,7 +194,7 @@ TEST_F(Keeping, StoresAgainWhatAComponentHasNotTakenBack) {
     EXPECT_EQ(storage.writes(), 2U);
 }
 
-// What was learnt with other parameters is not there: the same number is news then.
+// A load learnt with other parameters is not used: the same number is then new.
 TEST_F(Keeping, StoresAgainAfterARestartWithOtherParameters) {
     keep(learnt, cycles_in_a_minute);
     ASSERT_EQ(storage.writes(), 1U);
@@ -267,7 +267,7 @@ class AnEcuWithAStorage {
         ecu_.use_storage(storage);
         ecu_.set_reset_reason(reason);
     }
-    // What was learnt before the start, with these parameters.
+    // The load learnt before the start, with these parameters.
     void had_learnt(const rsi::LearntLoad& load, const rsi::Parameters& parameters) {
         const LoadRecord record =
             application::write_load_record(load, application::check_word_of(parameters));

@@ -82,7 +82,7 @@ TEST(AChangedControlUnit, HoldsTheForceAgainstTheRollOfItsNewVehicle) {
     EXPECT_FALSE(finds_the_accelerometer_alone(soft));
 }
 
-// The first value of a check that begins anew is believed.
+// The first value of a check that begins anew is accepted.
 TEST(AChangedControlUnit, GoesOnWithWhatItHasSeenOfTheSameSensorsInTheSameVehicle) {
     rsi::Parameters earlier = large_suv();
     earlier.warning_on = 0.95F;

@@ -172,7 +172,7 @@ TEST(ParameterSection, AnyWrongByteOfTheHeaderIsRefusedForWhatItBelongsTo) {
     }
 }
 
-// The committed sections and every flashed one are of this layout. Whoever changes rsi_parameters makes them
+// The committed sections and every flashed one are of this layout. A change of rsi_parameters makes them
 // useless, which must be meant: then this number changes, too, and generate_parameter_sections has to run.
 TEST(ParameterSection, TheLayoutIsTheOneThatWasFlashed) {
     EXPECT_EQ(section::layout, 0xB975'3708U);

@@ -1,4 +1,4 @@
-// What the ECU does with sensors that lie: by itself each frame is good, but the values cannot be.
+// Reactions of the ECU to implausible sensors: by itself each frame is good, but the values cannot be.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Somebody else who sends a sensor's frames, protected as the sensor's own are.
+// Another node that sends a sensor's frames, protected as the sensor's own are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using State = can_dbc::RolloverWarning::State;
 constexpr int longest_use_cycles = 14;  // of a second sender of the same rate
 constexpr unsigned counters = 15U;
 
-// How the stranger's frames lie to the genuine one's.
+// Time of the foreign frames relative to the genuine one's.
 enum class Manner : std::uint8_t { same_counter_before, next_counter_after, own_counter, tenfold };
 constexpr const char* name_of(Manner manner) {
     constexpr std::array<const char*, 4> names{"SameCounterBefore", "NextCounterAfter", "OwnCounter",
@@ -107,7 +107,7 @@ class ASecondSender : public ::testing::TestWithParam<std::tuple<Sensor, Manner>
         bench.tamper(sensor, [this](hal::CanFrame& genuine) { send_beside(genuine); });
     }
 
-    // What `genuine` becomes is sent last.
+    // The result of `genuine` is sent last.
     void send_beside(hal::CanFrame& genuine) {
         const unsigned counter = genuine.data[1] & 0x0FU;
         switch (manner) {
@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(OfEachFrameInEachManner, ASecondSender,
                                     name_of(std::get<1>(tested.param));
                          });
 
-// Somebody repeats what the sensor has said: whichever is used, it is the same.
+// Another node repeats the sensor's frames: whichever is used, it is the same.
 TEST(ASensor, WhoseFramesAreSentTwiceOverIsUsed) {
     for (const Sensor sensor : all_sensors) {
         Bench bench;
@@ -220,7 +220,7 @@ TEST(ASecondSenderOfTheMass, IsNotUsedEither) {
     EXPECT_TRUE(std::isfinite(bench.inputs().vehicle_mass_kg));
 }
 
-// Whatever it says, and however it is protected.
+// With any content and any protection.
 TEST(AStranger, WhoSendsWhatOnlyThisControlUnitSendsIsToldOfAtOnceAndForASecond) {
     constexpr auto code = Diagnosis::Code::own_identifier_received;
     for (const std::uint32_t identifier : application::sent_identifiers) {
@@ -233,7 +233,7 @@ TEST(AStranger, WhoSendsWhatOnlyThisControlUnitSendsIsToldOfAtOnceAndForASecond)
         EXPECT_FALSE(tells(bench, 0U, code, Diagnosis::CodeStatus::confirmed));
         bench.send_foreign(frame);
         frame.identifier = can_dbc::RolloverWarning::identifier + 1U;
-        bench.send_foreign(frame);  // somebody else's, behind it in the same cycle
+        bench.send_foreign(frame);  // another node's, behind it in the same cycle
         bench.run_cycles(1);
         EXPECT_TRUE(tells(bench, from, code, Diagnosis::CodeStatus::confirmed)) << identifier;
         EXPECT_EQ(bench.state(), State::ready) << "what the component says is as true as before";
@@ -316,7 +316,7 @@ TEST(AnEcuThatMissesEverySecondCycle, AccusesNobody) {
     EXPECT_TRUE(std::isfinite(bench.inputs().vehicle_mass_kg));
 }
 
-// A damaged frame is nobody's.
+// A damaged frame has no sender.
 
 }  // namespace
 }  // namespace testing_application

@@ -1,4 +1,4 @@
-// A parameter section is taken from whoever has the key, and never an older one than before.
+// A parameter section is taken from any holder of the key, and never an older one than before.
 #include "application/section_authority.hpp"
 
 #include <gtest/gtest.h>
@@ -182,7 +182,7 @@ TEST_F(ASectionAuthority, RefusesAllWhenTheKeyStoreDoesNotAnswer) {
     SectionAuthority authority{silent, storage_};
     authority.start();
     Bytes bytes = sealed_section(7U);
-    std::fill(bytes.begin() + seal::code_at, bytes.end(), std::uint8_t{0U});  // what a silent store leaves
+    std::fill(bytes.begin() + seal::code_at, bytes.end(), std::uint8_t{0U});  // the result of a silent store
     EXPECT_EQ(authority.check(bytes.data(), bytes.size()), SealFault::forged);
     EXPECT_FALSE(application::seal_section(silent, 7U, bytes.data()));
     EXPECT_EQ(check(bytes), SealFault::missing);
@@ -230,7 +230,7 @@ TEST_F(ASectionAuthority, StaysWhereItWasWhenTheStorageDoesNotTakeTheVersion) {
     EXPECT_EQ(check(sealed_section(8U)), SealFault::none);
 }
 
-// Whatever is left of the write, a version that was stored before stays the least.
+// After any part of the write, a version that was stored before stays the least.
 TEST_F(ASectionAuthority, NeverGoesBackWhenThePowerGoesAtAnyByteOfTheWrite) {
     for (std::size_t bytes = 0U; bytes <= access_control::stored_count_length; ++bytes) {
         storage_.cut_power_at({0, 0U});

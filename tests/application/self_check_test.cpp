@@ -1,4 +1,4 @@
-// What the ECU does when it finds itself damaged: parameters, estimate, numbers, clock; and when it feeds the
+// Reactions of the ECU to its own damage: parameters, estimate, numbers, clock; and when it feeds the
 // watchdog.
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ bool told(const Bench& bench, std::size_t from, Code code, CodeStatus status) {
     return false;
 }
 
-// Where in the ECU's memory these bytes are.
+// Place of these bytes in the ECU's memory.
 std::vector<std::size_t> places_of(Bench& bench, const void* bytes, std::size_t length) {
     std::vector<std::size_t> places;
     for (std::size_t at = 0U; at + length <= Bench::memory_size; ++at) {
@@ -213,7 +213,7 @@ TEST_F(AComponentOfWhichABitChanges, StarvesTheWatchdogWhereItDoesNotStayRestore
     EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::internal_fault);
 }
 
-// A reset keeps what init finds by iterating. Where that is damaged, only a start from new helps.
+// A reset keeps what init finds by iterating. If that is damaged, only a start from new helps.
 TEST_F(ADamagedComponent, WhichAResetCannotHealStarvesTheWatchdog) {
     constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
     damage(rsi::critical_roll_angle_rad(parameters()), no_number);

@@ -169,7 +169,7 @@ TEST_F(ASenderRate, IsNotDoubledByFramesThatNewOnesOvertake) {
     run_alone(100);
 }
 
-// What the bus has held up for 320 ms comes afterwards, faster than it was sent.
+// Frames held up by the bus for 320 ms come afterwards, faster than it was sent.
 TEST_F(ASenderRate, IsNotDoubledByFramesThatComeLaterAtAnySpeed) {
     for (const int first : {1, 2, 3}) {
         for (const int frames : {3, 4, 8, 32}) {
@@ -233,7 +233,7 @@ TEST_F(ASenderRate, RemembersMissedCyclesUntilTheSecondFrameAfterThem) {
     EXPECT_EQ(cycles_until_doubled(4), 4);
 }
 
-// Nobody knows since when they have waited.
+// The time of their waiting is not known.
 TEST_F(ASenderRate, IsNotDoubledByFramesThatWaitAtTheStart) {
     for (int cycle = 0; cycle < 12; ++cycle) {
         read(21);

@@ -1,4 +1,4 @@
-// What the ECU puts on the bus: order, kind, protection, counters.
+// Frames of the ECU: order, kind, protection, counters.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -25,7 +25,7 @@ struct SignalCase {
     std::vector<std::uint16_t> limits;    // the outermost codes that are still good
     bool necessary;
     bool may_be_missing;  // "not available" raises no flag
-    // What the outermost codes mean, [minimum|maximum] of the DBC file in its unit, and which of the two the
+    // Meaning of the outermost codes, [minimum|maximum] of the DBC file in its unit, and which of the two the
     // ECU may use: no vehicle gets to the others.
     std::vector<float> limit_values;
     std::vector<bool> limits_used;
@@ -251,7 +251,7 @@ TEST_P(Signal, WithoutAUsableValueIsNoLongerReportedOnceItsFrameIsStale) {
 INSTANTIATE_TEST_SUITE_P(OfEachSensorFrame, Signal, ::testing::ValuesIn(signal_cases()),
                          [](const auto& tested) { return std::string{tested.param.name}; });
 
-// What is necessary for a statement must not be replaced by an old value either.
+// A signal that is necessary for a statement must not be replaced by an old value either.
 TEST(ANecessarySignal, ThatIsNotAvailableHidesEveryComputedNumber) {
     Bench bench;
     bench.run_until_ready();

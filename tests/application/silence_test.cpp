@@ -174,7 +174,7 @@ TEST_P(Silence, FromTheStartIsUnavailable) {
     bench.run_for(1.0);
     expect_unavailable_in_time_and_for_ever(0U);
     const can_dbc::RolloverStatus& first = bench.cycles().front().status.value;
-    EXPECT_TRUE(first.imu_timeout);  // what never came is not fresh, however young the clock is
+    EXPECT_TRUE(first.imu_timeout);  // a frame that never came is not fresh, however young the clock is
     EXPECT_TRUE(first.roll_angle_timeout);
     EXPECT_TRUE(first.vehicle_motion_timeout);
 }
@@ -191,7 +191,7 @@ TEST_P(Silence, IsNotBrokenByASensorThatRepeatsItsLastFrame) {
     EXPECT_TRUE(bench.status().imu_counter_error);
 }
 
-// A frame from the future has no age: nobody knows how old it is.
+// A frame from the future has no known age.
 TEST(AFrame, IsFreshFrom10MillisecondsBeforeTo35MillisecondsAfterItsTime) {
     Bench bench;
     bench.run_cycles(1);

@@ -50,7 +50,7 @@ TEST(AStalledCycle, OfTwoPeriodsIsBridged) {
     EXPECT_EQ(bench.state(), State::ready);
 }
 
-// Takes every frame but those that it is told to refuse.
+// Takes every frame but those that it has to refuse.
 class RefusingBus final : public hal::CanBus {
  public:
     hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }

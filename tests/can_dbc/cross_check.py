@@ -15,7 +15,7 @@ SHOWN_FAULTS = 20
 
 
 def integer_type_limits(signal):
-    """What the C++ integer of an unscaled signal can hold."""
+    """Range of the C++ integer of an unscaled signal."""
     if signal.length == 1 and not signal.is_signed and not signal.is_enumeration:
         return 0, 1
     bits = next(bits for bits in (8, 16, 32) if signal.length <= bits)

@@ -1,4 +1,4 @@
-// What holds for every message and every signal of both CAN databases, whatever the generator writes.
+// Properties of every message and signal of both CAN databases, for anything that the generator writes.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -91,7 +91,7 @@ TEST(EveryMessage, DecodedAndEncodedAgainSaysTheSame) {
     });
 }
 
-// What a receiver cannot use gives it no number: NaN, or what the signal starts with. (An enumeration may
+// An unusable value gives no number: NaN, or the start value. (An enumeration may
 // have an enumerator for "not available".)
 TEST(EveryMessage, GivesNoNumberForASignalThatIsNotValid) {
     std::mt19937 random{2U};
@@ -114,7 +114,7 @@ TEST(EveryMessage, GivesNoNumberForASignalThatIsNotValid) {
     });
 }
 
-// The extremes of each type: sent saturated or as "not available", never as a code that nobody may use.
+// The extremes of each type: sent saturated or as "not available", never as a reserved code.
 TEST(EveryMessage, NeverSendsACodeOutOfRange) {
     const auto expect_in_range = [](const auto& message) {
         using Message = std::decay_t<decltype(message)>;

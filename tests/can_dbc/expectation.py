@@ -1,4 +1,4 @@
-"""What the codec must do with a signal, worked out in exact decimal arithmetic from the DBC file's figures."""
+"""The codec's result for a signal, worked out in exact decimal arithmetic from the DBC file's figures."""
 import math
 import struct
 from dataclasses import dataclass, field

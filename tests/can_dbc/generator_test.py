@@ -271,7 +271,7 @@ class Page(unittest.TestCase):
 
 
 class Completeness(unittest.TestCase):
-    """What readers of the project's DBC file rely on."""
+    """Properties of the project's DBC file that readers rely on."""
     dbc = DBC
 
     @classmethod

@@ -135,7 +135,7 @@ TEST_F(Transport, TakesNoSingleFrameWithoutLengthOrCutOff) {
     }
 }
 
-// Whoever turns its cycles only while it is active must not leave anything lying.
+// A caller that runs its cycles only while it is active must not lose anything.
 TEST_F(Transport, IsActiveWhileAnythingWaitsOrIsOnItsWay) {
     EXPECT_FALSE(transport_.is_active());
     take({0x02U, 0x3EU, 0x00U}, 0x120U);
@@ -157,7 +157,7 @@ TEST_F(Transport, IsActiveWhileAnythingWaitsOrIsOnItsWay) {
     bus_.room = 0;
     take_first(counted(IsoTp::longest_request + 1U));
     cycles(1);
-    EXPECT_TRUE(transport_.is_active()) << "nobody has been told that it is too long";
+    EXPECT_TRUE(transport_.is_active()) << "the sender has no answer that it is too long";
     bus_.room = 1;
     cycles(1);
     EXPECT_FALSE(transport_.is_active());
@@ -192,7 +192,7 @@ TEST_F(Transport, LeavesOthersFramesAlone) {
     EXPECT_TRUE(waiting().empty());
 }
 
-// Of such a frame the bytes are whatever the driver had left there.
+// The bytes of such a frame are those that the driver had left there.
 TEST_F(Transport, AFrameWithoutAByteSaysNothing) {
     const Bytes message = counted(20U);
     take_first(message);
@@ -283,7 +283,7 @@ TEST_F(Transport, ANewFirstOrSingleFrameBeginsAnew) {
     EXPECT_EQ(waiting(), (Bytes{0x3EU, 0x00U}));
     EXPECT_FALSE(transport_.is_receiving());
     cycles(1);
-    EXPECT_TRUE(bus_.sent.empty()) << "nobody waits for the flow control any more";
+    EXPECT_TRUE(bus_.sent.empty()) << "the flow control is no longer awaited";
 }
 
 TEST_F(Transport, AConsecutiveFrameAloneIsNothing) {
@@ -388,7 +388,7 @@ TEST_F(Transport, ALongAnswerWaitsForFlowControlAndEveryFrameIsPadded) {
     EXPECT_FALSE(transport_.is_sending());
 }
 
-// Of the longest answer the length needs the lower half of the first byte.
+// The length of the longest answer needs the lower half of the first byte.
 TEST_F(Transport, TheLongestAnswerTellsItsLength) {
     const Bytes message = counted(diagnosis::Response::capacity);
     send(message);

@@ -1,4 +1,4 @@
-// What outlives a loss of power: at whichever write it comes, at most the newest entry is lost.
+// Data that outlive a loss of power: at any write, at most the newest entry is lost.
 #include "diagnosis/kept_data.hpp"
 
 #include <gtest/gtest.h>
@@ -267,7 +267,7 @@ TEST(AlternatingRecord, AnEmptyMemoryLeavesThePayloadAsItWas) {
     EXPECT_EQ(payload, 7U);
 }
 
-// What else is kept in such a memory may have a checksum of the same kind.
+// Other data in such a memory may have a checksum of the same kind.
 TEST(AlternatingRecord, ARecordOfAnotherKindIsNotRead) {
     using Record = diagnosis::AlternatingRecord<std::uint8_t>;
     Memories memories;

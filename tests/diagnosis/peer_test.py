@@ -90,7 +90,7 @@ class Peer(unittest.TestCase):
         self.refused(lambda: self.client.clear_dtc(0xFFFFFF), 0x33)
         self.unlock()
         off = lambda: self.client.control_dtc_setting(services.ControlDTCSetting.SettingType.off)
-        self.refused(off, 0x22)  # nobody knows that it rests
+        self.refused(off, 0x22)  # it is not known to rest
         self.ecu.say("speed 0")
         self.ecu.run(10)
         off()
@@ -207,7 +207,7 @@ class WithShortGaps(Peer):
 
 
 class Odx(unittest.TestCase):
-    """What is in the file is what the ECU does: its requests are sent, its answers decoded."""
+    """The file describes the ECU: its requests are sent, its answers decoded."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,4 +1,4 @@
-"""A tester of other authors, udsoncan over can-isotp, against ecu_on_a_pipe. Time is the ECU's: it stands while nobody
+"""A tester of other authors, udsoncan over can-isotp, against ecu_on_a_pipe. Time is the ECU's: it stands while no reader
 waits."""
 
 import subprocess

@@ -72,7 +72,7 @@ class Tester {
         diagnosis_->start(is_new_cycle);
     }
 
-    // What the ECU has.
+    // Parts of the ECU.
     rsi::Inputs inputs{};
     rsi::Outputs outputs{};
     monitoring::Snapshot measured{};

@@ -20,7 +20,7 @@ TEST(TroubleCodes, AreOfTheManufacturersRanges) {
     }
 }
 
-// What the compiler makes of the table, made again where the tests' coverage is counted.
+// The compiler's evaluation of the table, repeated at run time for the tests' coverage.
 TEST(TroubleCodes, AreOneRowACode) {
     auto table = trouble_codes;
     EXPECT_TRUE(diagnosis::is_table_of_all(table));

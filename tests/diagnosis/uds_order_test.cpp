@@ -83,7 +83,7 @@ TEST_F(UdsOrder, Routines) {
     EXPECT_EQ(ask({0x31U, 0x77U, 0x12U, 0x34U}), no(0x31U, 0x31U));
     EXPECT_EQ(ask({0x31U, 0x01U, 0xFFU, 0x01U}), no(0x31U, 0x31U)) << "of another session";
     EXPECT_EQ(ask({0x31U, 0x77U, 0x02U, 0x03U}), no(0x31U, 0x12U));
-    EXPECT_EQ(ask({0x31U, 0x02U, 0x02U, 0x03U}), no(0x31U, 0x12U)) << "nobody can stop it";
+    EXPECT_EQ(ask({0x31U, 0x02U, 0x02U, 0x03U}), no(0x31U, 0x12U)) << "it cannot be stopped";
     EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U, 0x00U}), no(0x31U, 0x13U));
     ask({0x10U, 0x02U});
     EXPECT_EQ(ask({0x31U, 0x01U, 0x02U, 0x03U}), no(0x31U, 0x31U));
@@ -124,16 +124,17 @@ TEST_F(UdsOrder, APositiveAnswerMayBeSuppressedANegativeOneNot) {
     EXPECT_EQ(ask({0x11U, 0x81U}), no(0x11U, 0x22U));
 }
 
-// Who was told "later" hears the end.
+// A tester that was answered "later" gets the final answer.
 TEST_F(UdsOrder, AfterLaterThereIsAnAnswer) {
     tester_.unlock();
     memories_.one.refuse(true);
     memories_.other.refuse(true);
     EXPECT_EQ(ask({0x31U, 0x81U, 0x02U, 0x03U}), (Bytes{0x71U, 0x01U, 0x02U, 0x03U, 0x20U}));
-    EXPECT_EQ(ask({0x3EU, 0x80U}), Bytes{}) << "the next request has not been told it";
+    EXPECT_EQ(ask({0x3EU, 0x80U}), Bytes{}) << "the next request does not carry it";
 }
 
-// "Tester present" to everybody in the middle of a segmented request and of a segmented answer.
+// "Tester present" under functional addressing in the middle of a segmented request and of a segmented
+// answer.
 TEST_F(UdsOrder, TesterPresentDisturbsNothing) {
     tester_.unlock();
     const Bytes present{0x02U, 0x3EU, 0x80U};

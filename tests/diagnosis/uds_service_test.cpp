@@ -39,7 +39,7 @@ float number_in(const Bytes& answer, std::size_t at) {
     return value;
 }
 
-// Of the lost IMU.
+// Code of the lost IMU.
 const Bytes imu_lost{0xD1U, 0x20U, 0x87U};
 
 // ---- sessions
@@ -214,7 +214,7 @@ TEST_F(Uds, AMemoryThatTakesNothingKeepsNobodyFromAReset) {
     EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
 }
 
-// What only counts further would be stored within a minute.
+// Counts alone would be stored within a minute.
 TEST_F(Uds, AnOrderlyEndStoresTheRest) {
     for (const bool is_orderly : {false, true}) {
         tester_.cycles(350);
@@ -397,7 +397,7 @@ TEST_F(Uds, EverybodyMayBeAskedToClear) {
     memories_.other.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
 
-    // And later everybody meets a deaf ear again while an answer goes out.
+    // Functional requests are dropped again while an answer goes out.
     tester_.send({0x22U, 0xF1U, 0x90U});
     tester_.send_frame(Tester::functional, {0x02U, 0x10U, 0x01U});
     tester_.cycle();
@@ -595,7 +595,7 @@ TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
         EXPECT_FALSE(is_sent());
         tester_.inputs.speed_mps = speed;
         tester_.cycle();
-        EXPECT_TRUE(is_sent()) << "it moves, or nobody knows";
+        EXPECT_TRUE(is_sent()) << "it moves, or this is not known";
         EXPECT_EQ(ask({0x28U, 0x01U, 0x03U}), no(0x28U, 0x22U));
         EXPECT_EQ(ask({0x28U, 0x00U, 0x03U}), (Bytes{0x68U, 0x00U}));
     }

@@ -1,4 +1,4 @@
-// BusOffSchedule: later each time, never later than the longest, and soon again once a frame was heard.
+// BusOffSchedule: later each time, never later than the longest, and soon again once a frame was received.
 #include "hal/interface/bus_off_schedule.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a user is told when a CAN interface cannot be opened.
+// Message for a CAN interface that cannot be opened.
 #include "hal/socketcan/open_result.hpp"
 
 #include <gmock/gmock.h>

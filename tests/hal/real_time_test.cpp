@@ -1,4 +1,4 @@
-// What a program is told when Linux does not grant real-time settings.
+// Message when Linux does not grant real-time settings.
 #include "hal/linux/real_time.hpp"
 
 #include <gtest/gtest.h>

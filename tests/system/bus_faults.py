@@ -135,7 +135,7 @@ class LiveFault:
     flags: tuple  # one of these tells of it
     happening: object
     seconds: float
-    silences_ecu: bool = True  # it cannot be heard meanwhile: all times count from its first frame thereafter
+    silences_ecu: bool = True  # it is not received meanwhile: all times count from its first frame thereafter
     ends_ecu: bool = False  # by its watchdog
 
 
@@ -166,7 +166,7 @@ LIVE_FAULTS = (
 
 @dataclasses.dataclass
 class Answer:
-    """What the ECU said: times in milliseconds, None for what it did not say."""
+    """Answers of the ECU: times in milliseconds, None for missing ones."""
 
     flag: str
     flag_ms: float
@@ -338,7 +338,7 @@ REACTION_MS, RECOVERY_MS = 50, 250
 
 
 def shortfalls_of_frames(fault, got):
-    """What is not as demanded, in words."""
+    """Differences from the demands, in words."""
     found = []
     if fault.demand != "no change" and (got.flag is None or got.flag_ms > REACTION_MS):
         found.append("no code in time")

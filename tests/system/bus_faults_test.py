@@ -35,8 +35,8 @@ when the delay ends and frames overtake each other.
 
 ## Bus and process, in real time
 Times are the kernel's stamps in candump's log, in the small virtual machine. This is one run; others differ slightly. The
-test judges in the ECU's own cycles, because the machine may delay them, and only requires that the ECU returns. Where the
-ECU cannot be heard, "silent" says for how long, and the other figures count from its first frame after that.
+test judges in the ECU's own cycles, because the machine may delay them, and only requires that the ECU returns. If no frame
+of the ECU is received, "silent" says for how long, and the other figures count from its first frame after that.
 
 | fault | of | expected | measured |
 |---|---|---|---|

@@ -129,7 +129,7 @@ def flooded_run(*ecu_options, good=lambda run: True, most=10):
 
 
 class Flooded:
-    """What holds with filters and without them; the run is made once."""
+    """Properties with filters and without them; the run is made once."""
 
     def test_everybody_ended_well(self):
         self.assertEqual(self.run_.exit_statuses, (0, 0), self.run_.output)

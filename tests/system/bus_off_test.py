@@ -15,7 +15,7 @@ READY = 1
 # Error frames (linux/can/error.h).
 CONTROLLER_PROBLEM = "20000204"  # with the error counters
 BUS_OFF = "20000040"
-# What the ECU has sent may still come out of driver and line so long after the kernel's report.
+# Frames that the ECU has sent may still come out of driver and line so long after the kernel's report.
 ON_ITS_WAY_S = 0.05
 
 
@@ -78,7 +78,7 @@ class BusOff(unittest.TestCase):
         programs.INTERFACE = self.adapter.interface
 
     def wait_for(self, what, seconds, condition):
-        """Every frame heard from now on is offered to `condition`; the first that it takes is returned."""
+        """Every frame received from now on is offered to `condition`; the first that it takes is returned."""
         seen = len(self.adapter.heard)
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
@@ -88,7 +88,7 @@ class BusOff(unittest.TestCase):
                 if condition(frame):
                     return frame
             time.sleep(0.001)
-        self.fail(f"within {seconds} s there was no {what}; last heard: {self.adapter.heard[-3:]}")
+        self.fail(f"within {seconds} s there was no {what}; last received: {self.adapter.heard[-3:]}")
 
     def wait_for_ready(self):
         return self.wait_for(
@@ -109,7 +109,7 @@ class BusOff(unittest.TestCase):
         self.wait_for_status(bus_error=True)
 
     def drive(self):
-        """Error-passive and back; twice bus-off while nothing else is heard; once again in the midst of frames."""
+        """Error-passive and back; twice bus-off while nothing else is received; once again in the midst of frames."""
         sensors = Sensors(self.adapter)
         self.addCleanup(sensors.end)
         self.wait_for_ready()
@@ -138,7 +138,7 @@ class BusOff(unittest.TestCase):
 
         self.assertEqual(exit_status, 0)
         self.assertEqual(self.adapter.times_bus_off(), 3)
-        # The schedule of hal::BusOffSchedule: 100 ms; 200 ms, because nothing was heard in between; 100 ms.
+        # The schedule of hal::BusOffSchedule: 100 ms; 200 ms, because nothing was received in between; 100 ms.
         self.assertEqual([silence >= least for silence, least in zip(silences, (0.1, 0.2, 0.1))], 3 * [True])
         self.assertIn(f"{self.adapter.interface} is error-passive", ecu.output)
         self.assertIn(f"{self.adapter.interface} is bus-off", ecu.output)

@@ -147,7 +147,7 @@ class Diagnosis(unittest.TestCase):
             self.assertEqual(tester.ask(0x27, 0x02, bytes(16)), refused(0x27, 0x35))
             self.assertEqual(tester.ask(*CLEAR), refused(0x14, 0x33))
             self.assertEqual(tester.unlock(), b"\x67\x02")
-            self.assertEqual(tester.ask(0x85, 0x02), refused(0x85, 0x22))  # nobody knows that the vehicle rests
+            self.assertEqual(tester.ask(0x85, 0x02), refused(0x85, 0x22))  # the vehicle is not known to rest
             check_cleared(self, tester)
             self.assertEqual(tester.ask(0x2E, b"\xF1\x90" + VEHICLE_NUMBER), b"\x6E\xF1\x90")
         with programs.Ecu(*self.options):

@@ -16,7 +16,7 @@ WATCH = ("--vehicle", programs.VEHICLE, "--parameters", programs.CALIBRATION, "-
 
 
 class Page:
-    """What the page of a live drive is told, the latest of each kind, and what it asks for."""
+    """Messages to the page of a live drive, the latest of each kind, and its requests."""
 
     def __init__(self, socket):
         self._socket = socket
@@ -35,7 +35,7 @@ class LiveDrive(unittest.TestCase):
         self.folder = self.enterContext(tempfile.TemporaryDirectory())
 
     def watch(self, conversation, *options):
-        """What the page was told when conversation(page), a coroutine, had ended."""
+        """Messages to the page when conversation(page), a coroutine, had ended."""
         async def whole(port):
             own = f"127.0.0.1:{port}"
             async with websockets.connect(f"ws://{own}/drive", origin=f"http://{own}", max_size=None) as socket:

@@ -1,4 +1,4 @@
-"""What the programs say to a wrong command line or file. No CAN interface is needed."""
+"""Messages of the programs on a wrong command line or file. No CAN interface is needed."""
 
 import pathlib
 import tempfile

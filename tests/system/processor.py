@@ -50,7 +50,7 @@ def cycles_of(frames):
 
 
 def answers(bus, sensor_frames):
-    """What the ECU answers, in lock-step, to the sensor frames of a log that begins at time 0."""
+    """Answers of the ECU, in lock-step, to the sensor frames of a log that begins at time 0."""
     cycles = cycles_of(sensor_frames)
     answered = []
     for number in range(max(cycles) + 1):

@@ -14,7 +14,7 @@ EXTENDED_SESSION = (0x10, diagnosis_test.EXTENDED)
 
 
 class Access(unittest.TestCase):
-    """One emulator for all, and no sensors. What is stored is stored until its end, so each test begins with what it needs."""
+    """One emulator for all, and no sensors. Stored data stay until its end, so each test begins with what it needs."""
 
     @classmethod
     def setUpClass(cls):

@@ -31,7 +31,7 @@ def changed(section, at, new):
 
 
 class Image(unittest.TestCase):
-    """What the tests of the image have in common."""
+    """Shared by the tests of the image."""
 
     @classmethod
     def setUpClass(cls):

@@ -26,7 +26,7 @@ FRAME = struct.Struct("=IB3x8s")  # of a raw socket: identifier, length, data
 CYCLE_S = 0.01
 ALL_AND_ERRORS = ",0:0,#FFFFFFFF"  # filters for candump: every frame and every error frame
 MOST_OVERRUNS = 255  # where CycleOverruns ends
-LONGEST_S = 300  # what takes so long hangs, however busy the machine is
+LONGEST_S = 300  # a process that takes so long hangs, however busy the machine is
 
 
 def run(program, *arguments, timeout=LONGEST_S):
@@ -78,7 +78,7 @@ class Ecu:
 
 
 def test_key(slot, seed):
-    """The key for a seed of XCP (calibration) or UDS (diagnosis), by the key that everybody has."""
+    """The key for a seed of XCP (calibration) or UDS (diagnosis), by the public test key."""
     command = [os.environ["RSI_TEST_KEY"], slot, seed.hex()]
     return bytes.fromhex(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
 
@@ -171,8 +171,8 @@ def cycle_overruns_of(data):
 def drift(observed):
     """By how many cycles an ECU's account and the clock go apart. `observed`: (seconds, cycles kept, cycles counted as missed).
 
-    A busy machine holds up the ECU; but each cycle is kept or counted, so that both together go with the clock. What is
-    observed may be late, by what the machine held up anybody, but never early: so of either half the earliest counts.
+    A busy machine holds up the ECU; but each cycle is kept or counted, so that both together go with the clock. Observations
+    may be late, by delays of the machine, but never early: the earliest of either half counts.
     """
     lateness = [seconds / CYCLE_S - kept - missed for seconds, kept, missed in observed]
     half = len(lateness) // 2

@@ -1,6 +1,6 @@
-"""Real time over a CAN interface, as it is on every machine, however busy: what is not in time is told, and nothing is lost.
+"""Real time over a CAN interface, as it is on every machine, however busy: late frames are reported, and nothing is lost.
 
-What a machine that does nothing else reaches, real_time/real_time_pace_test.py shows."""
+real_time/real_time_pace_test.py shows the pace of an idle machine."""
 
 import tempfile
 import time
@@ -11,8 +11,8 @@ import programs
 UNAVAILABLE, READY = 0, 1
 # A machine that stands still for longer than the ECU's watchdog waits ends the ECU; then there is no run to look at.
 MOST_RUNS = 10
-# Frames older than 35 ms do not count, so at most four cycles of 10 ms can still use the last one; on a busy machine also
-# the cycle that was due before it, and one that had read it and was held up before it answered.
+# Frames older than 35 ms do not count, so at most four cycles of 10 ms can still use the last one; on a busy machine
+# also the cycle that was due before it, and one that had read it and was held up before it answered.
 MOST_CYCLES_BEHIND = 6
 WATCHDOG_EXPIRED = "the watchdog expired"
 

@@ -15,7 +15,7 @@ SIOCGIFNAME = 0x8910
 
 
 class Adapter:
-    """The interface that the kernel makes for the adapter, up; `heard` is what came out of it onto the bus."""
+    """The interface that the kernel makes for the adapter, up; `heard` are its frames on the bus."""
 
     def __init__(self):
         self.heard = []  # (seconds, identifier, data), as in candump's log

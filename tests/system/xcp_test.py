@@ -74,13 +74,13 @@ class Master:
         self.demand(0xF0, 4, *struct.pack("<f", value))
 
     def change(self):
-        """What became of the last change: whether one is on its way, the number of the field that was refused, how many
+        """Result of the last change: whether one is on its way, the number of the field that was refused, how many
         have been taken over."""
         answer = self.demand(0xF4, 4, 0, 0, word=CHANGE_AT)
         return answer[2], answer[3], struct.unpack("<I", self.demand(0xF4, 4, 0, 0, word=CHANGE_AT + 4)[1:])[0]
 
     def measure(self, parts):
-        """So many parts of one float each, in every cycle, with the time in a part of its own."""
+        """This number of parts of one float each, in every cycle, with the time in a part of its own."""
         for command in ((0xD6,), (0xD5, 0, 1, 0), (0xD4, 0, 0, 0, parts + 1)):
             self.demand(*command)
         for part in range(1, parts + 1):
@@ -95,14 +95,14 @@ class Master:
 
 
 def check_samples(test, master, least):
-    """Of Master.measure(19): so many, each whole, and none lost without a word."""
+    """Samples of Master.measure(19): that many, each whole, and none lost unreported."""
     stamps = [struct.unpack("<H", sample[1:3])[0] for sample in master.samples if sample[0] == 0]
     test.assertGreater(len(stamps), least)
     numbers = [sample[0] for sample in master.samples]
     test.assertEqual(numbers, list(range(20)) * len(stamps))
     # A cycle is late by less than a period, or others are counted as missed.
     gaps = sum((after - before) % 65536 > 200 for before, after in zip(stamps, stamps[1:]))
-    test.assertTrue(gaps == 0 or OVERLOAD in master.events, f"{gaps} gaps, and nobody told")
+    test.assertTrue(gaps == 0 or OVERLOAD in master.events, f"{gaps} gaps, unreported")
 
 
 class Xcp(unittest.TestCase):

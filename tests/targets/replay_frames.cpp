@@ -5,7 +5,7 @@
 // log SENSORS, steps the ECU every 10 ms of the log's time, as sil::replay does, and writes its frames to the
 // candump log ECU.
 //
-// With RSI_WITH_ACCESSES (replay_with_accesses, for the budgets) XCP and diagnosis are linked and nobody is
+// With RSI_WITH_ACCESSES (replay_with_accesses, for the budgets) XCP and diagnosis are linked and not
 // connected. The ECU then starts with the section that is linked, that of large_suv; PARAMETERS is only read.
 #include <cstring>
 

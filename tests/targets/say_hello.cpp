@@ -1,4 +1,4 @@
-// What a target program can do: text, arguments, files, an exit status, a fault, a stack that overflows. The
+// Abilities of a target program: text, arguments, files, an exit status, a fault, a stack that overflows. The
 // test of run_on_target.
 #include <cstddef>
 #include <cstring>

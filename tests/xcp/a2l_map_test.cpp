@@ -1,4 +1,4 @@
-// What an A2L relies on: where values lie, how they are called, and that no frame has XCP's identifiers.
+// Facts that an A2L relies on: addresses and names of values, and that no frame has XCP's identifiers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ TEST(Epk, HasVersionAndBothLayoutsAndIsFilledUp) {
     EXPECT_TRUE(
         std::all_of(words.begin() + 9, words.end(), [](unsigned char c) { return std::isxdigit(c); }));
     EXPECT_EQ(text.substr(begin.size() + 17U), std::string(32U - begin.size() - 17U, '\0'));
-    // What the compiler has evaluated, evaluated here.
+    // The compiler's evaluation, repeated here.
     std::array<std::uint8_t, 32> again{};
     again = application::make_calibration_epk();
     EXPECT_EQ(std::string(again.begin(), again.end()), text);

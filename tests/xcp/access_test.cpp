@@ -38,7 +38,7 @@ TEST(Key, ThatIsWrongEndsTheSession) {
     EXPECT_EQ(bench.unlock(), (Bytes{0xFF, 0x00}));
 }
 
-// Who guesses waits; the cycles count the delay down without a connection, too.
+// After wrong keys a delay; the cycles count the delay down without a connection, too.
 TEST(Key, IsNotAskedForWhileTheDelayRuns) {
     Bench bench;
     for (int attempt = 0; attempt < 3; ++attempt) {
@@ -95,7 +95,7 @@ TEST(Key, BegunAndBrokenOffIsBegunAnew) {
     EXPECT_EQ(bench.unlock(), (Bytes{0xFF, 0x00}));
 }
 
-// Where none can be given, the rest of the one before is not given out either.
+// If none can be given, the rest of the one before is not given out either.
 TEST(Key, HasNoSeedLeftWhenAnotherCannotBeHad) {
     Bench bench;
     bench.connect();

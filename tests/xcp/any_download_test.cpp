@@ -1,5 +1,5 @@
-// Whatever is written, in whatever order, whole or in pieces, and wherever it is broken off: the component
-// runs on parameters that validate accepts, and on none that nobody has written.
+// For any write, in any order, whole or in pieces, and broken off anywhere: the component runs on parameters
+// that validate accepts, and on written ones only.
 #include <gtest/gtest.h>
 
 #include <algorithm>

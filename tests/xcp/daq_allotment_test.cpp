@@ -32,7 +32,7 @@ TEST_F(Lists, AreAllottedInOrderAndWithinBounds) {
     EXPECT_EQ(allot_parts(3U, 20U), good);
 }
 
-// Of one list, part or entry alone a second allotment is as wrong as of many.
+// A second allotment of one list, part or entry alone is as wrong as of many.
 TEST_F(Lists, AreAllottedOnceEach) {
     ASSERT_EQ(allot_lists(1U), good);
     EXPECT_EQ(allot_lists(1U), error(0x29));
@@ -42,7 +42,7 @@ TEST_F(Lists, AreAllottedOnceEach) {
     EXPECT_EQ(allot_entries(0U, 0U, 1U), error(0x29));
 }
 
-// Whatever number a master may say: one too many, the first that no memory is kept for, the largest.
+// Any number of a master: one too many, the first that no memory is kept for, the largest.
 TEST_F(Lists, ThatThereAreNotAreRefusedByEveryCommand) {
     two_lists();
     for (const auto& [low, high] : {std::pair{2, 0}, std::pair{4, 0}, std::pair{0xFF, 0xFF}}) {
@@ -97,7 +97,7 @@ TEST_F(Lists, HaveNoMoreBytesInAPartThanAFrame) {
     EXPECT_EQ(start(0U), (Bytes{0xFF, 0}));
 }
 
-// In a later part, whose bytes nothing counts at the start. What does not fit is not kept.
+// In a later part, whose bytes nothing counts at the start. Data that does not fit is not kept.
 TEST_F(Lists, KeepNoEntryThatDoesNotFit) {
     ASSERT_EQ(allot_lists(1U), good);
     ASSERT_EQ(allot_parts(0U, 2U), good);

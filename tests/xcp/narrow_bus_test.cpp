@@ -86,7 +86,7 @@ class EndlessTarget final : public xcp::Target {
     mutable std::uint32_t last_address{0U};
 };
 
-// Lists that nobody has released yet have nothing to write into, and take the addresses that an entry can
+// Lists that were never released have nothing to write into, and take the addresses that an entry can
 // hold, which are those below 16 MiB, and no other.
 TEST(DaqLists, MeasureBelow16MiB) {
     const EndlessTarget target;
@@ -116,7 +116,7 @@ TEST(Packet, EndsWithItsFrame) {
     EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
 }
 
-// That a page was stored, and that samples are missing, is told within the session or never.
+// That a page was stored, and that samples are missing, is reported within the session or never.
 TEST(Slave, LeavesNoEventToAnotherSession) {
     EndlessTarget target;
     NarrowBus narrow;

@@ -108,13 +108,13 @@ TEST(WorkingPage, TakesABlockPieceByPiece) {
     EXPECT_EQ(bench.read_float("advisory_on"), 0.5F);
     EXPECT_EQ(bench.read_float("advisory_off"), 0.25F);
     EXPECT_EQ(bench.read_float("warning_on"), 0.75F);
-    // What is refused leaves the address where it was.
+    // A refusal leaves the address where it was.
     ASSERT_TRUE(bench.set_address(map::epk_at));
     EXPECT_EQ(bench.command({0xF0, 4, 0, 0, 0, 0}), (Bytes{0xFE, 0x24}));
     EXPECT_EQ(bench.command({0xF5, 4}), (Bytes{0xFF, 'r', 's', 'i', ' '}));
 }
 
-// The component reckons with it, and no check takes the change for damage.
+// The component uses it, and no check takes the change for damage.
 TEST(WorkingPage, IsWhatTheComponentReckonsWithFromThenOn) {
     Bench bench;
     bench.connect_and_unlock();

@@ -20,7 +20,7 @@ struct CompareOptions {
     std::size_t context_frames{3U};
     // Differences shown; all are counted.
     std::size_t differences_shown{10U};
-    // What a frame means ("RolloverWarning state=warning ..."), appended to its line; may be empty.
+    // Meaning of a frame ("RolloverWarning state=warning ..."), appended to its line; may be empty.
     std::function<std::string(const hal::CanFrame&)> describe;
 };
 

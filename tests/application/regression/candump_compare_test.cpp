@@ -48,7 +48,7 @@ Log of_kinds(const std::vector<std::uint8_t>& bytes) {
     return log;
 }
 
-// What is wrong, a line for each difference.
+// Differences, one a line.
 std::vector<std::string> differences(const Log& expected, const Log& actual,
                                      const sil::CompareOptions& options = {}) {
     const sil::LogComparison comparison = sil::compare_logs(expected, actual, options);

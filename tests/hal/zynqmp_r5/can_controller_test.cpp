@@ -185,7 +185,7 @@ TEST_F(CanControllerTest, ReceivesWhatTheFiltersLetThroughInItsOrderWithTheTimeO
     EXPECT_EQ(controller.receive(frame), ReceiveResult::empty);
     EXPECT_EQ(frame.identifier, 0x122U);  // untouched
     EXPECT_EQ(controller.statistics().frames_received, 2U);
-    // Each frame taken is told to the controller, and nothing else is.
+    // Each frame taken is acknowledged to the controller, and nothing else is.
     EXPECT_EQ(device.writes, (std::vector<Write>{{0xFF06'0024U, 1U << 7U}, {0xFF06'0024U, 1U << 7U}}));
 }
 
@@ -356,7 +356,7 @@ std::string name_of(const ::testing::TestParamInfo<EmptyEvent>& info) {
     return names[static_cast<std::size_t>(info.param)];
 }
 
-// Whatever "transmit FIFO empty" means.
+// For each meaning of "transmit FIFO empty".
 class SendingTest : public CanControllerTest, public ::testing::WithParamInterface<EmptyEvent> {
  protected:
     void SetUp() override {
@@ -432,7 +432,8 @@ TEST_P(SendingOneAfterAnotherTest, OfTwoFramesTheFirstSaysNothingOfTheSecond) {
     }
 }
 
-// If the event says that the last frame begins, it cannot be told from one that has left; the next frame can.
+// If the event says that the last frame begins, it cannot be distinguished from one that has left; the next
+// frame can.
 TEST_P(SendingTest, AStuckSecondFrameIsThrownAwayWithTheNextOne) {
     device.bus_dies_after = 1U;
     send(1U);

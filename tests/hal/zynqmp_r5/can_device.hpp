@@ -16,7 +16,7 @@
 
 namespace hal::zynqmp_r5::testing {
 
-// What the event "transmit FIFO empty" means. The manual can be read in all these ways.
+// Meaning of the event "transmit FIFO empty". The manual can be read in all these ways.
 enum class EmptyEvent {
     standing,          // set for as long as the FIFO is empty, and stays set until it is cleared
     level,             // the same, but gone as soon as the FIFO is not empty
@@ -31,7 +31,7 @@ class CanDevice final : public Device {
 
     bool responds_to_reset{true};
     bool filters_stay_busy{false};
-    bool has_bus{true};           // false: nobody acknowledges, so that frames are tried for ever
+    bool has_bus{true};           // false: no node acknowledges, so that frames are tried for ever
     unsigned bus_dies_after{0U};  // so many frames more are acknowledged; 0: all
     EmptyEvent empty_event{EmptyEvent::standing};
     std::int64_t frame_ns{222'000};  // eight bytes at 500 kbit/s

@@ -1,4 +1,4 @@
-// Where the bits of a frame lie in the controller's FIFO.
+// Place of the bits of a frame in the controller's FIFO.
 #include "hal/zynqmp_r5/can_frame_layout.hpp"
 
 #include <gtest/gtest.h>

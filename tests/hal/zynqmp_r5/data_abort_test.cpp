@@ -1,4 +1,4 @@
-// What the record says of a data abort: the address only where the processor gives it.
+// Content of the record on a data abort: the address only where the processor gives it.
 #include "hal/zynqmp_r5/data_abort.hpp"
 
 #include <gtest/gtest.h>

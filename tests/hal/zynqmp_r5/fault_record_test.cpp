@@ -1,4 +1,4 @@
-// What is known after a reset.
+// Knowledge after a reset.
 #include "hal/zynqmp_r5/fault_record.hpp"
 
 #include <gtest/gtest.h>

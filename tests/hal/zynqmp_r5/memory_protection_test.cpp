@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t nothing = 0U;
 
-// What the unit does: the highest region that holds the address decides; none means no access.
+// Rule of the unit: the highest region that holds the address decides; none means no access.
 std::uint32_t access_at(std::uint32_t address) {
     std::uint32_t access = nothing;
     for (const Region& region : regions) {

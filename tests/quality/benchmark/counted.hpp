@@ -115,7 +115,7 @@ struct LevelRoad {
     sil::Vector3Of<Counted> mean_normal(const Counted&, const Counted&) const { return {0.0, 0.0, 1.0}; }
 };
 
-// Of a vehicle that rolls on a level road, with what drivers and judges see of it.
+// Operations of a vehicle that rolls on a level road, with the outputs for drivers and judges.
 inline double operations_of_a_step(const sil::VehicleParameters& parameters) {
     constexpr std::size_t count = sizeof(sil::BasicVehicleParameters<double>) / sizeof(double);
     static_assert(sizeof(sil::BasicVehicleParameters<Counted>) == count * sizeof(Counted));

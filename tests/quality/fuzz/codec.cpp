@@ -119,8 +119,8 @@ void check_encoded(Value value, const DbcSignal& signal, std::int64_t raw) {
     }
 }
 
-// A message is sent as the DBC file says, all bits but the signals' are zero, and whoever decodes what was
-// sent and sends it on sends the same.
+// A message is sent as the DBC file says, all bits but the signals' are zero, and a receiver that decodes
+// it and sends it on sends the same.
 template <typename Message>
 void check_encoding(const Message& message) {
     const auto payload = can_dbc::encode(message);

@@ -25,8 +25,8 @@ using fuzz::input_fields;
 using fuzz::InputField;
 using fuzz::require;
 
-// So many that an input is soon done; holds and recovery of a second are drawn to zero in half of them. What
-// takes minutes is the matter of long_drive.cpp.
+// Few enough that an input is soon done; holds and recovery of a second are drawn to zero in half of them.
+// long_drive.cpp covers minutes.
 constexpr int most_steps = 128;
 
 // A value of the scale of its range, a little beyond it at both ends.
@@ -101,7 +101,7 @@ class MirrorTwin {
         }
         rsi_outputs outputs{};
         component_.step(mirrored, outputs);
-        // Where nothing pulls to either side the threshold must take one all the same, and what follows
+        // If nothing pulls to either side the threshold must take one all the same, and what follows
         // differs.
         undecided_ = undecided_ || expected.road_parallel_force_mps2 == 0.0F;
         if (undecided_) {

@@ -82,7 +82,7 @@ class Reference {
     std::optional<unsigned> latest_{};
 };
 
-// What arrives: any bytes; a good frame, with any counter; a good one with one change.
+// Received frames: any bytes; a good frame, with any counter; a good one with one change.
 class Channel {
  public:
     Channel(const Setting& setting, ByteReader& bytes) : setting_{setting}, bytes_{bytes} {}

@@ -1,5 +1,5 @@
 // The whole ECU on an in-memory bus: any frames, lengths, counters and times, good and damaged ones, floods,
-// missed cycles, states of the bus. Whatever comes, each cycle sends every frame, protected and with defined
+// missed cycles, states of the bus. For any input, each cycle sends every frame, protected and with defined
 // signals, and never anything but "unavailable" when no good Imu frame came within the last 50 ms.
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@
 #include "tests/quality/fuzz/support/require.hpp"
 #include "tests/support/large_suv.h"
 
-// Of firmware/calibrations/generated/large_suv.c.
+// Length of firmware/calibrations/generated/large_suv.c.
 extern "C" const unsigned char rsi_parameter_section[];
 
 namespace {
@@ -34,8 +34,8 @@ using fuzz::require;
 using testing_application::protect;
 
 constexpr int most_cycles = 64;
-// Of a recovery: holds of at most 1 s, faults that heal after 1 s, a filter with a lag of 4 s; then for so
-// long.
+// Cycles of a recovery: holds of at most 1 s, faults that heal after 1 s, a filter with a lag of 4 s; then
+// for so long.
 constexpr int longest_recovery = 3000;
 constexpr int lasting = 100;
 constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
@@ -45,7 +45,7 @@ struct NoWatchdog final : hal::Watchdog {
     void feed() noexcept override {}
 };
 
-// What a sensor's frame looks like, by its number; the signals begin behind the two bytes of the protection.
+// Layout of a sensor's frame, by its number; the signals begin behind the two bytes of the protection.
 struct SensorFrame {
     std::uint32_t identifier;
     std::uint16_t data_id;
@@ -147,7 +147,7 @@ class World {
                 bytes_.take_into(payloads_[sensor].data() + 2U, 6U);
                 send_good(sensor);
                 break;
-            case 4U:  // lost, repeated, out of order, or the counter that nobody may use
+            case 4U:  // lost, repeated, out of order, or the reserved counter
                 counters_[sensor] = bytes_.below(16U);
                 send_good(sensor);
                 break;
@@ -205,7 +205,7 @@ class World {
     }
 
     // Along a road that rolls the body to and fro, by a degree in a second: frames that were late are
-    // believed again when angle and rate move together.
+    // accepted again when angle and rate move together.
     void sway(int count) {
         const double turn = 2.0 * 3.14159265358979 * 0.01 * count;
         const auto angle = static_cast<std::uint16_t>(static_cast<std::int16_t>(200.0 * std::sin(turn)));

@@ -36,7 +36,7 @@ class Bus final : public hal::CanBus {
     unsigned sent{0U};
 };
 
-// What a segmented request would be if no time had run out: the last first frame and those that followed.
+// A segmented request if no time had run out: the last first frame and those that followed.
 class Reassembly {
  public:
     // Nothing new is taken while a request waits or an answer goes out.

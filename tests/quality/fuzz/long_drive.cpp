@@ -1,6 +1,6 @@
 // The component over minutes: what it learns, counts and accumulates reaches its ends, with any calibration.
 // The body leans as the force asks for, so that there is something to learn; some sensors say something else.
-// What must hold is what holds for single steps.
+// The properties are those of single steps.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,7 +23,7 @@ constexpr double cycle_time_s = 0.01;
 constexpr double gravity_mps2 = 9.80665;
 constexpr double two_pi = 6.283185307179586;
 
-// What a sensor makes of its value.
+// Distortion of a sensor's value.
 struct Deviation {
     double gain{1.0};
     double offset{0.0};

@@ -1,7 +1,7 @@
 // Parameter sections from any bytes, against a second reader: the first thing that is wrong is refused by its
 // own code, nothing beyond the memory is read, and only what is good is taken over. An accepted section,
-// written again by the tool that makes them, is the same. Whoever wants a seal takes what was sealed with his
-// key and is not older than what he had, and nothing else.
+// written again by the tool that makes them, is the same. With required seals only a section sealed with the
+// key, and not older than the last, is taken.
 #include <cstdint>
 #include <cstring>
 #include <string>

@@ -1,5 +1,5 @@
 // XCP around the whole ECU: any frames of a master, with the key and without, broken off, repeated, while
-// cycles are missed and the bus takes nothing. Whatever comes, each cycle sends the ECU's frames, answers at
+// cycles are missed and the bus takes nothing. For any input, each cycle sends the ECU's frames, answers at
 // most one command, sends no more samples than there are parts, and runs on parameters that validate accepts;
 // without the key they stay as they were.
 #include <algorithm>
@@ -15,7 +15,7 @@
 #include "tests/quality/fuzz/support/byte_reader.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
 
-// Of firmware/calibrations/generated/large_suv.c.
+// Length of firmware/calibrations/generated/large_suv.c.
 extern "C" const unsigned char rsi_parameter_section[application::section::length];
 
 namespace {

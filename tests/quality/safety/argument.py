@@ -3,7 +3,7 @@
 import re
 import tomllib
 
-# Of each kind of entry: how its identifiers begin, which keys it must have, which it may have.
+# Each kind of entry: beginning of its identifiers, mandatory keys, optional keys.
 KINDS = {
     "hazard": ("HZ", {"malfunction", "situation", "severity", "exposure", "controllability", "reasons"}, {"assumptions"}),
     "goal": ("SG", {"text", "hazards", "safe_state", "time"}, {"assumptions"}),

@@ -56,7 +56,7 @@ def signals(argument, evidence):
                 problems.append(f"{identifier} awaits {pattern}, which is there now; take `awaited` away")
             if not found and not mode.get("awaited"):
                 problems.append(f"{identifier} is about {pattern}, of which nothing is {mode['direction']} by the ECU")
-            # What is said of a whole frame is not yet said of each of its signals.
+            # A statement on a whole frame does not yet cover each of its signals.
             if "*" not in pattern.split(".")[-1]:
                 covered.update(found)
     for signal, direction in evidence.signals.items():

@@ -1,4 +1,4 @@
-"""What the project really has: tests that ctest knows, commands, files, signals of the .dbc."""
+"""Content of the project: tests that ctest knows, commands, files, signals of the .dbc."""
 
 import fnmatch
 import json

@@ -75,7 +75,8 @@ class Words:
         completes = sentence.trailing and sentence.first and word in COMPLETIONS and first[1].islower()
         small = sentence.kind == "message" and first and first[1].islower()  # a piece of a sentence
         instruction = re.match(r"\W*wh\w+ to\b", sentence.text, re.IGNORECASE)  # what to do
-        if word in CLAUSES and not (sentence.text.endswith("?") or instruction or completes or small):
+        capitals = first and first[1].isupper() and len(first[1]) > 1  # WHAT, the name of an argument
+        if word in CLAUSES and not (capitals or sentence.text.endswith("?") or instruction or completes or small):
             yield Fault(path, sentence.line, f"begins with '{first[1]}'", sentence.text, CLAUSES[word])
             return
         for pattern, better in self.persons:

@@ -1,6 +1,6 @@
 """10,000 foreign frames a second beside rsi-ecu, on a machine that does nothing else: the cycle holds.
 
-What holds on every machine: bus_load_test.py."""
+Requirements on every machine: bus_load_test.py."""
 
 import unittest
 

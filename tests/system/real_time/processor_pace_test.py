@@ -1,6 +1,6 @@
 """The Cortex-R5F's image under QEMU by itself, on a machine that does nothing else: a hundred cycles a second.
 
-What holds on every machine: processor_off_line_test.py."""
+Requirements on every machine: processor_off_line_test.py."""
 
 import time
 import unittest
@@ -28,7 +28,7 @@ class Pace(processor_off_line_test.Image):
                 least_missed = min(least_missed, missed / cycles)
                 if least_missed <= 0.02:
                     break
-        # What a busy machine takes is its own; an image that is too slow loses a cycle in two, whatever the machine does.
+        # The time of a busy machine varies; an image that is too slow loses a cycle in two, whatever the machine does.
         self.assertLess(least_missed, 0.3, "no window of 150 cycles kept the pace")
 
 

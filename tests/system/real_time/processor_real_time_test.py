@@ -9,8 +9,8 @@ import processor
 import programs
 
 READY, ADVISORY, WARNING = 1, 2, 3
-# Code that an emulator within an emulator runs for the first time costs it milliseconds, and a busy machine holds it up.
-# So the drive is repeated until the machine keeps pace; the firmware is the same all the time.
+# Code that an emulator within an emulator runs for the first time costs it milliseconds, and a busy machine holds it
+# up. Therefore the drive is repeated until the machine keeps pace; the firmware is the same all the time.
 MOST_DRIVES = 10
 KEPT_PACE = 0.02  # share of cycles missed
 LONGEST_PAUSE_S = 0.04  # of the simulated sensors; after 50 ms without them the ECU says "unavailable", and rightly

@@ -1,6 +1,6 @@
 """Real time over a CAN interface on a machine that does nothing else: 100 cycles a second, ready, and how soon.
 
-What holds on every machine: real_time_test.py."""
+Requirements on every machine: real_time_test.py."""
 
 import pathlib
 import statistics

@@ -76,7 +76,7 @@ TEST_F(BusStateTest, AFloodOfErrorFramesDoesNotHoldUpTheCaller) {
     }
     send_raw(0x77U);
     send_raw(0x78U);
-    // Until the second bus has heard the last one: then all are there, however busy the machine is.
+    // Until the second bus has received the last one: then all are there, however busy the machine is.
     while (frame.identifier != 0x78U) {
         ASSERT_TRUE(second.wait_for_frame(longest_wait));
         second.receive(frame);

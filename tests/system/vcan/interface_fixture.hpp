@@ -30,7 +30,7 @@ class InterfaceTest : public ::testing::Test {
     // Opens with the test's interface, or ends in a failure that shows the message.
     static void open_or_fail(SocketCanBus& bus, SocketCanSettings settings = {});
 
-    // What takes so long hangs, however busy the machine is.
+    // A process that takes so long hangs, however busy the machine is.
     static constexpr Time longest_wait = Time::from_milliseconds(60'000);
 
     // Waits for the next frame; the kernel may hand it over a moment after it was sent.

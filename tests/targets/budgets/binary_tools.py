@@ -1,4 +1,4 @@
-"""What binutils say of an image."""
+"""Content of an image by binutils."""
 
 import bisect
 import re

@@ -39,7 +39,7 @@ class CallGraph:
             self.calls.setdefault(edge[1], set()).add(edge[2])
 
     def indirect_callers(self):
-        """Who calls through a pointer or a table of virtual functions."""
+        """Callers through a pointer or a table of virtual functions."""
         return sorted(_symbol(name) for name, called in self.calls.items() if INDIRECT in called)
 
     def worst(self, root, library):

@@ -55,7 +55,7 @@ void add_alternatives(const rsi_inputs& inputs, std::vector<Record>& records) {
     add(braking);
 }
 
-// What happens to the sensors, and the vehicle, while time passes.
+// Events of the sensors and the vehicle while time passes.
 rsi_inputs with_faults(rsi_inputs inputs, int sample) {
     const int phase = sample % 500;
     if (phase < 3) {

@@ -1,4 +1,4 @@
-"""What an image must not contain: a heap, an end without warning, output, exceptions, arithmetic in double precision or
+"""Forbidden in an image: a heap, an end without warning, output, exceptions, arithmetic in double precision or
 in software."""
 
 import re

@@ -1,7 +1,7 @@
 """Counts, in a trace of QEMU, the instructions of every call of a function and of the functions within it.
 
 The trace is that of `-d exec,nochain,in_asm` without -icount: each executed block by its first address, and, the first
-time, the addresses in it. What a compiler has inlined is found by the debug information, so that a function counts
+time, the addresses in it. Inlined code is found by the debug information, so that a function counts
 whether or not it is one in the image. A conditional instruction counts whether or not its condition holds.
 """
 
@@ -37,7 +37,7 @@ def operations_of(mnemonic):
 
 
 class Program:
-    """What is known of an image: its instructions, its functions, and in which of `names` each instruction is."""
+    """Description of an image: its instructions, its functions, and in which of `names` each instruction is."""
 
     def __init__(self, path, names):
         self.names = list(names)
@@ -110,7 +110,7 @@ def _executed_blocks(lines, program, processor):
         elif line.startswith("0x"):
             translating.append(int(line[:10], 16))
         elif line == "\n" and translating:
-            # Of any processor: the log does not say which. Another one's code is not in the image.
+            # Blocks of any processor: the log does not say which. Another one's code is not in the image.
             if all(address in program.mnemonics for address in translating):
                 blocks[f"{translating[0]:08x}"] = _Block(program, translating)
             translating = []

@@ -6,7 +6,7 @@
 
 namespace budgets {
 
-// What does not change from sample to sample is prepared: the scales are divided before, forgetting holds.
+// Constants from sample to sample are prepared: the scales are divided before, forgetting holds.
 template <typename Scalar>
 struct LeastSquaresState {
     std::array<Scalar, 3> theta;  // scaled

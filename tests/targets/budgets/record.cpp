@@ -85,7 +85,7 @@ std::vector<budgets::Record> manoeuvre(const std::string& name, const rsi::Param
     return records;
 }
 
-// What the target must give too.
+// Expected answers of the target.
 std::uint32_t digest(const Drive& drive) {
     rsi::Component component;
     component.init(drive.parameters);

@@ -1,7 +1,7 @@
 // The whole ECU without any library: sensor frames in, warning frames out, on a platform of a few lines.
 //
-// What component_run.cpp proves of the component, this proves of the application, the generated codec and the
-// end-to-end protection. The platform below is also the least that a port has to write.
+// The same proof as component_run.cpp, for the application, the generated codec and the end-to-end
+// protection. The platform below is also the least that a port has to write.
 #include "application/rollover_ecu.hpp"
 #include "can_dbc/codec/message.hpp"
 #include "can_dbc/e2e/profile_11.hpp"

@@ -1,4 +1,4 @@
-// What the component must not do, one each: the checks of this folder are shown to notice it.
+// Violations in the component, one each: the checks of this folder are shown to notice it.
 #include <stddef.h>
 
 extern "C" void* malloc(size_t size);

@@ -9,7 +9,7 @@
 
 namespace fuzz {
 
-// What a calibration chooses among; true if the warning is to be held and to recover for no time at all.
+// Choices of a calibration; true if the warning is to be held and to recover for no time at all.
 inline bool choose_any(rsi_parameters& parameters, ByteReader& bytes) {
     const unsigned choices = bytes.below(4U);  // one byte for both, as the committed inputs have it
     parameters.estimator = static_cast<std::int32_t>(choices % 2U);

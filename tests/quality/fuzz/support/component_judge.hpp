@@ -9,7 +9,7 @@
 
 namespace fuzz {
 
-// What the outputs must be at each step, given the inputs so far.
+// Requirements on the outputs at each step, given the inputs so far.
 class ComponentJudge {
  public:
     ComponentJudge(const rsi_parameters& parameters, bool accepted)

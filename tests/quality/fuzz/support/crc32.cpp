@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint32_t generator = 0x04C11DB7U;
 
-// What eight bits leave, most significant first.
+// Remainder of eight bits, most significant first.
 std::array<std::uint32_t, 256> remainders() {
     std::array<std::uint32_t, 256> table{};
     for (std::uint32_t byte = 0U; byte < table.size(); ++byte) {

@@ -1,4 +1,4 @@
-// What a user is told of a wrong file: at least which file, and something about it.
+// Message on a wrong file: at least the file, and something about it.
 #pragma once
 
 #include <cctype>

@@ -1,4 +1,4 @@
-// What a fuzz target holds true. An input that breaks it ends the program, which libFuzzer reports and keeps.
+// Assertions of a fuzz target. An input that breaks it ends the program, which libFuzzer reports and keeps.
 #pragma once
 
 #include <cstdio>

@@ -10,7 +10,7 @@ namespace fuzz {
 // The path of the file that this stands for; there is none.
 const std::string& toml_path();
 
-// What is read from that file from now on; `text` must stay.
+// Content of that file from now on; `text` must stay.
 void set_toml_text(std::string_view text);
 
 }  // namespace fuzz

@@ -1,4 +1,4 @@
-// What XCP and diagnosis keep in RAM beside the ECU; what they store in belongs to the platform.
+// RAM of XCP and diagnosis beside the ECU; their storage belongs to the platform.
 //   access_sizes ANSWER    words: bytes of XCP with its calibration pages, of diagnosis with the place for a
 //   section, of
 //                          the seed and key that each of them has

@@ -10,7 +10,7 @@ namespace budgets {
 
 class AnswerWriter {
  public:
-    // What does not fit is dropped, and save() says so.
+    // Text that does not fit is dropped, and save() reports it.
     void add(uint32_t word) {
         if (count_ < most_words) {
             words_[count_] = word;

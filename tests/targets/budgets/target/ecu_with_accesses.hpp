@@ -1,5 +1,5 @@
-// ECU with accesses: the ECU with XCP and diagnosis, as rsi-ecu --xcp --diagnosis has them, and nobody
-// connected.
+// ECU with accesses: the ECU with XCP and diagnosis, as rsi-ecu --xcp --diagnosis has them, without a
+// connection.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@ rsi_parameters parameters;
 rsi_inputs inputs;
 rsi_outputs outputs;
 
-// What a compiler must take for changed by somebody else.
+// Values that a compiler must take as changed elsewhere.
 template <typename Value>
 Value* opaque(Value& value) {
     Value* pointer = &value;

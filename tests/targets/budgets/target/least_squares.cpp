@@ -14,7 +14,7 @@ budgets::RecordingReader recording;
 
 }  // namespace
 
-// What the trace looks for.
+// Marks that the trace looks for.
 extern "C" {
 
 [[gnu::noipa]] void update_firmware(rsi::RobustLeastSquares& estimator, const rsi::Regression& regression) {
