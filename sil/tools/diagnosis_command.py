@@ -36,7 +36,7 @@ def write_pdx(output, tables):
 def main(arguments):
     options = parse(arguments)
     try:
-        tables = odx_tables.read(PROJECT / "build/release/sil/odx/odx-table", PROJECT / "can_dbc/rollover_warning.dbc")
+        tables = odx_tables.read(PROJECT / "build/release/sil/exchange/odx/odx-table", PROJECT / "can_dbc/rollover_warning.dbc")
         if options.command == "pdx":
             write_pdx(options.output, tables)
             return

@@ -1,4 +1,4 @@
-"""ECU and vehicle in one co-simulation: together.py DIR, DIR being what `sil/fmu/build --output DIR` wrote.
+"""ECU and vehicle in one co-simulation: together.py DIR, DIR being what `sil/exchange/fmu/build --output DIR` wrote.
 
 The libraries are those of sil/tools/requirements.txt; with `cmake/environment/set_up --tools` they are in build/tools/venv."""
 
@@ -65,5 +65,5 @@ def main(folder):
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1], "rsi_ecu_fmi3.fmu").is_file():
-        sys.exit("Use: together.py DIR, the folder into which sil/fmu/build has written the FMUs")
+        sys.exit("Use: together.py DIR, the folder into which sil/exchange/fmu/build has written the FMUs")
     main(sys.argv[1])

@@ -1,0 +1,172 @@
+// ECU model: the component between physical signals, without CAN.
+#include <cstring>
+#include <iterator>
+#include <limits>
+
+#include "rsi/parameters.hpp"
+#include "rsi/rsi.h"
+#include "sil/exchange/fmu/model.hpp"
+#include "sil/exchange/fmu/sentence.hpp"
+#include "sil/exchange/fmu/start_values.hpp"
+
+namespace fmu {
+namespace {
+
+struct Input {
+    const char* name;
+    float rsi_inputs::* member;
+    const char* meaning;
+};
+
+// Every field of rsi_inputs.
+constexpr Input inputs[] = {
+    {"lateral_specific_force_mps2", &rsi_inputs::lateral_specific_force_mps2,
+     "what an accelerometer fixed to the body shows to the left; needed"},
+    {"vertical_specific_force_mps2", &rsi_inputs::vertical_specific_force_mps2,
+     "what it shows upwards, about +9.81 at rest"},
+    {"roll_rate_radps", &rsi_inputs::roll_rate_radps, "about the body's x axis; needed"},
+    {"roll_angle_rad", &rsi_inputs::roll_angle_rad, "of the body, against roll_angle_reference"},
+    {"yaw_rate_radps", &rsi_inputs::yaw_rate_radps, "about the body's z axis"},
+    {"bank_angle_rad", &rsi_inputs::bank_angle_rad, "of the road, left side up is positive"},
+    {"speed_mps", &rsi_inputs::speed_mps, "forward"},
+    {"steering_wheel_angle_rad", &rsi_inputs::steering_wheel_angle_rad,
+     "at the handwheel, positive to the left"},
+    {"vehicle_mass_kg", &rsi_inputs::vehicle_mass_kg, "of the whole vehicle with its load"},
+};
+static_assert(sizeof(rsi_inputs) == sizeof(float) * std::size(inputs), "an input has no row in the table");
+
+Variable row(const char* name, Role role, Kind kind, const std::string& meaning) {
+    Variable variable;
+    variable.name = name;
+    variable.role = role;
+    variable.kind = kind;
+    variable.meaning = meaning;
+    return variable;
+}
+
+void add_parameters(Variables& table) {
+    const double* start = start_values;
+    for (const rsi::ParameterField& field : rsi::parameter_fields) {
+        Variable variable = row(field.name, Role::parameter, Kind::number, "");
+        variable.start = *start++;
+        variable.least = as_written(field.minimum);
+        variable.largest = as_written(field.maximum);
+        table.push_back(variable);
+    }
+    for (const rsi::SelectionField& field : rsi::selection_fields) {
+        Variable variable = row(field.name, Role::parameter, Kind::choice, "");
+        variable.start = *start++;
+        variable.choices.assign(field.choices, field.choices + field.choice_count);
+        variable.largest = static_cast<double>(field.choice_count - 1);
+        table.push_back(variable);
+    }
+}
+
+void add_inputs(Variables& table) {
+    for (const Input& input : inputs) {
+        Variable variable = row(input.name, Role::input, Kind::number,
+                                std::string{input.meaning} + "; no number: not available");
+        variable.start = std::numeric_limits<double>::quiet_NaN();
+        variable.may_be_missing = true;
+        table.push_back(variable);
+    }
+}
+
+// In the order of rsi_outputs.h.
+void add_outputs(Variables& table) {
+    const auto code = [&table](const char* name, double reset, double largest, const char* meaning) {
+        Variable variable = row(name, Role::output, Kind::integer, meaning);
+        variable.start = reset;
+        variable.largest = largest;
+        table.push_back(variable);
+    };
+    const auto number = [&table](const char* name, const char* unit, const char* meaning) {
+        Variable variable = row(name, Role::output, Kind::number, meaning);
+        variable.start = std::numeric_limits<double>::quiet_NaN();
+        variable.may_be_missing = true;
+        variable.unit = unit;
+        table.push_back(variable);
+    };
+#define RSI_CODE(name, reset, largest, risk, meaning) code(#name, reset, largest, meaning);
+#define RSI_NUMBER(name, unit, mirror, presence, risk, meaning) number(#name, unit, meaning);
+#define RSI_INDEX(name, unit, mirror, CHOICE, number_, choice, scale, side, meaning) \
+    number(#name, unit, meaning);
+    RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_INDEX)
+#undef RSI_INDEX
+#undef RSI_NUMBER
+#undef RSI_CODE
+}
+
+Variables make_table() {
+    Variables table{row("time", Role::time, Kind::number, "")};
+    add_parameters(table);
+    add_inputs(table);
+    add_outputs(table);
+    return table;
+}
+
+class EcuModel final : public Model {
+ public:
+    EcuModel() {
+        const rsi_parameters refused{};
+        rsi_init(&component_, &refused);
+    }
+
+    const Variables& variables() const override { return *table_; }
+
+    Complaint start(Values& values) override {
+        std::size_t place = 1U;
+        rsi_parameters parameters{};
+        for (const rsi::ParameterField& field : rsi::parameter_fields) {
+            parameters.*field.member = static_cast<float>(values.numbers[place++]);
+        }
+        for (const rsi::SelectionField& field : rsi::selection_fields) {
+            parameters.*field.member = static_cast<std::int32_t>(values.numbers[place++]);
+        }
+        const rsi_validation answer = rsi_init(&component_, &parameters);
+        if (answer.accepted == 0) {
+            return std::string{"parameter "} + answer.field + " " + answer.reason + "; change one of them";
+        }
+        return {};
+    }
+
+    Complaint cycle(Values& values) override {
+        std::size_t place = 1U + rsi::parameter_fields.size() + rsi::selection_fields.size();
+        rsi_inputs sample{};
+        for (const Input& input : inputs) {
+            sample.*input.member = static_cast<float>(values.numbers[place++]);
+        }
+        rsi_outputs answer{};
+        rsi_step(&component_, &sample, &answer);
+#define RSI_VALUE(name, ...) values.numbers[place++] = static_cast<double>(answer.name);
+        RSI_OUTPUTS(RSI_VALUE, RSI_VALUE, RSI_VALUE)
+#undef RSI_VALUE
+        return {};
+    }
+
+    std::unique_ptr<Model> copy() const override { return std::make_unique<EcuModel>(*this); }
+
+    std::string to_bytes() const override {
+        return {component_.bytes, component_.bytes + sizeof component_.bytes};
+    }
+
+    bool from_bytes(const std::string& bytes) override {
+        if (bytes.size() != sizeof component_.bytes) {
+            return false;
+        }
+        std::memcpy(component_.bytes, bytes.data(), bytes.size());
+        return true;
+    }
+
+ private:
+    std::shared_ptr<const Variables> table_{std::make_shared<Variables>(make_table())};
+    rsi_component component_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Model> make_model() {
+    return std::make_unique<EcuModel>();
+}
+
+}  // namespace fmu
