@@ -80,7 +80,4 @@ struct Crc {
 // Profiles 1 and 11. "123456789" gives 0x4B.
 using Crc8SaeJ1850 = Crc<std::uint8_t, 0x1DU, 0xFFU, 0xFFU>;
 
-// Profile 5. Catalogues call it CRC-16/CCITT-FALSE or CRC-16/IBM-3740. "123456789" gives 0x29B1.
-using Crc16CcittFalse = Crc<std::uint16_t, 0x1021U, 0xFFFFU, 0x0000U>;
-
 }  // namespace can_dbc::e2e

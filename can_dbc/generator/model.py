@@ -20,7 +20,7 @@ LONGEST_SIGNAL = 32
 LONGEST_IN_INT32 = 24  # bits that a float holds without rounding; longer fields are scaled in 64 bits
 CLASSIC_LENGTH = 8  # bytes at most
 FD_LENGTHS = (*range(9), 12, 16, 20, 24, 32, 48, 64)  # bytes that a CAN FD frame can have
-PROTECTION_FIELDS = {"P05": ("E2eCrc", "E2eCounter"), "P11": ("E2eCrc", "E2eCounter", "E2eDataIdNibble")}
+PROTECTION_FIELDS = ("E2eCrc", "E2eCounter", "E2eDataIdNibble")
 
 
 class DbcError(Exception):
@@ -64,11 +64,10 @@ class Signal:
 class Protection:
     profile: int
     data_id: int
-    offset: int  # bytes before the CRC
     fields: tuple
 
 
-UNPROTECTED = Protection(0, 0, 0, ())
+UNPROTECTED = Protection(0, 0, ())
 
 
 @dataclass
@@ -148,31 +147,19 @@ def _protection(where, message):
     profile = _choice(message, "E2EProfile")
     if profile in (None, "none"):
         return UNPROTECTED
-    if profile not in PROTECTION_FIELDS:
-        raise DbcError(f"{where}: attribute E2EProfile is '{profile}'; only none, {' and '.join(PROTECTION_FIELDS)} "
-                       "are supported")
-    return (_profile_05 if profile == "P05" else _profile_11)(where, message)
-
-
-def _profile_05(where, message):
-    if not message.is_fd:
-        raise DbcError(f"{where}: profile 5 is for CAN FD; set attribute VFrameFormat to StandardCAN_FD or "
-                       "ExtendedCAN_FD, or E2EProfile to P11")
-    crc = next((signal for signal in message.signals if signal.name == "E2eCrc"), None)
-    start = crc.start if crc is not None and crc.start % 8 == 0 else 0
-    _expect_field(where, message, 5, "E2eCrc", start, 16)
-    _expect_field(where, message, 5, "E2eCounter", start + 16, 8)
-    return Protection(5, _data_id(where, message, 5, 0xFFFF), start // 8, PROTECTION_FIELDS["P05"])
+    if profile != "P11":
+        raise DbcError(f"{where}: attribute E2EProfile is '{profile}'; only none and P11 are supported")
+    return _profile_11(where, message)
 
 
 def _profile_11(where, message):
     if message.is_fd:
         raise DbcError(f"{where}: profile 11 is for classic frames, its CRC of 8 bits too short for CAN FD; set "
-                       "attribute E2EProfile to P05")
+                       "attribute E2EProfile to none")
     _expect_field(where, message, 11, "E2eCrc", 0, 8)
     _expect_field(where, message, 11, "E2eCounter", 8, 4)
     _expect_field(where, message, 11, "E2eDataIdNibble", 12, 4)
-    return Protection(11, _data_id(where, message, 11, 0xFFF), 0, PROTECTION_FIELDS["P11"])
+    return Protection(11, _data_id(where, message, 11, 0xFFF), PROTECTION_FIELDS)
 
 
 def _expect_field(where, message, profile, name, start, length):

@@ -45,7 +45,7 @@ typeid typename union unsigned using virtual void volatile wchar_t while xor xor
 
 # Names that every generated message struct uses itself.
 TAKEN = {"identifier", "extended", "flexible_data_rate", "length", "cycle_time_ms", "e2e_protected", "e2e_profile",
-         "e2e_offset", "e2e_data_id", "name", "encode", "decode", "is_known", "name_of", "all_valid", "visit_signals", "take",
+         "e2e_data_id", "name", "encode", "decode", "is_known", "name_of", "all_valid", "visit_signals", "take",
          "visit_sources", "has_sources", "source", "visitor", "not_available"}
 TAKEN_TYPES = {"Status", "Signals"}
 

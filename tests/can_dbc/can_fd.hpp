@@ -23,11 +23,10 @@ struct CornerForces {
     static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{64U};
     static constexpr std::uint16_t cycle_time_ms{10U};
-    static constexpr bool e2e_protected{true};
-    static constexpr std::uint8_t e2e_profile{5U};
-    static constexpr std::uint8_t e2e_offset{0U};  // bytes before the CRC
+    static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr bool has_sources{false};
-    static constexpr std::uint16_t e2e_data_id{0x1234U};
+    static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // Test signal of 16 bits. N, 0 to 131000.
     float front_left_n{not_available};
@@ -116,11 +115,10 @@ struct BodyMotion {
     static constexpr bool flexible_data_rate{true};
     static constexpr std::uint8_t length{24U};
     static constexpr std::uint16_t cycle_time_ms{10U};
-    static constexpr bool e2e_protected{true};
-    static constexpr std::uint8_t e2e_profile{5U};
-    static constexpr std::uint8_t e2e_offset{8U};  // bytes before the CRC
+    static constexpr bool e2e_protected{false};
+    static constexpr std::uint8_t e2e_profile{0U};  // none
     static constexpr bool has_sources{false};
-    static constexpr std::uint16_t e2e_data_id{0xFFFFU};
+    static constexpr std::uint16_t e2e_data_id{0x000U};
 
     // Test signal of 16 bits. deg/s, -300 to 300.
     float yaw_rate_deg_per_s{not_available};

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 
-#include "can_dbc/e2e/profile_05.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/e2e/state_machine.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
@@ -11,15 +10,6 @@
 namespace {
 
 constexpr can_dbc::e2e::StateMachineSettings channel_settings{4U, {1U, 1U}, {1U, 2U}, {2U, 0U}, false};
-
-// The same protection as of a CAN FD frame, and the state machine behind it.
-void profile_05_footprint(std::array<std::uint8_t, 8>& payload, std::uint8_t length) {
-    can_dbc::e2e::Profile05Receiver<> receiver{0x1234U, payload.size(), 2U};
-    can_dbc::e2e::StateMachine<channel_settings> channel;
-    channel.update(receiver.check(payload, length).status);
-    can_dbc::e2e::Profile05Sender<> sender{channel.is_valid() ? std::uint16_t{1U} : std::uint16_t{2U}};
-    sender.protect(payload);
-}
 
 }  // namespace
 
@@ -30,8 +20,10 @@ extern "C" void codec_footprint(std::array<std::uint8_t, 8>& payload, std::uint8
     can_dbc::visit_messages([&payload, length](auto type) {
         using Message = typename decltype(type)::Type;
         can_dbc::e2e::Profile11Receiver receiver{Message::e2e_data_id, Message::length, 2U};
+        can_dbc::e2e::StateMachine<channel_settings> channel;
         can_dbc::e2e::Profile11Sender sender{Message::e2e_data_id};
-        if (is_usable(receiver.check(payload, length).status)) {
+        channel.update(receiver.check(payload, length).status);
+        if (channel.is_valid()) {
             auto encoded = can_dbc::encode(can_dbc::decode<Message>(payload).value);
             sender.protect(encoded);
             for (std::size_t index = 0U; index < encoded.size(); ++index) {
@@ -39,5 +31,4 @@ extern "C" void codec_footprint(std::array<std::uint8_t, 8>& payload, std::uint8
             }
         }
     });
-    profile_05_footprint(payload, length);
 }

@@ -3,10 +3,7 @@
 // - `encode FRAME SIGNAL=VALUE ...`: the payload in hexadecimal; signals not named keep their start values
 // - `decode FRAME HEX`: SIGNAL=VALUE:STATUS ..., status 0 valid, 1 not available, 2 out of range
 // - `protect11 DATA_ID COUNTER HEX`: eight bytes with end-to-end protection, profile 11
-// - `protect05 OFFSET DATA_ID COUNTER HEX`: the same with profile 5; offset and length as in
-//   `profile_05_answer`
 // - `crc8 HEX`: plain CRC-8 SAE J1850 as a decimal number
-// - `crc16 HEX`: CRC-16/CCITT-FALSE as a decimal number
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -18,7 +15,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "can_dbc/e2e/profile_05.hpp"
 #include "can_dbc/e2e/profile_11.hpp"
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "sil/simulation/simulation.hpp"
@@ -134,36 +130,6 @@ std::string answer_for_frame(const std::string& request, std::istream& arguments
     return answer.empty() ? (fail("unknown frame " + frame), answer) : answer;
 }
 
-template <std::size_t offset, std::size_t size>
-std::string protected_by_profile_05(unsigned data_id, unsigned counter, const std::string& hexadecimal) {
-    auto payload = array_of<size>(hexadecimal);
-    can_dbc::e2e::protect_profile_05<offset>(payload, static_cast<std::uint16_t>(data_id),
-                                             static_cast<std::uint8_t>(counter));
-    return hexadecimal_of(payload);
-}
-
-std::string profile_05_answer(std::istream& arguments) {
-    std::size_t offset = 0U;
-    unsigned data_id = 0U;
-    unsigned counter = 0U;
-    std::string hexadecimal;
-    arguments >> offset >> data_id >> counter >> hexadecimal;
-    const std::size_t length = hexadecimal.size() / 2U;
-    if (offset == 0U && length == 8U) {
-        return protected_by_profile_05<0U, 8U>(data_id, counter, hexadecimal);
-    }
-    if (offset == 0U && length == 64U) {
-        return protected_by_profile_05<0U, 64U>(data_id, counter, hexadecimal);
-    }
-    if (offset == 8U && length == 24U) {
-        return protected_by_profile_05<8U, 24U>(data_id, counter, hexadecimal);
-    }
-    if (offset == 61U && length == 64U) {
-        return protected_by_profile_05<61U, 64U>(data_id, counter, hexadecimal);
-    }
-    fail("profile 5 with offset " + std::to_string(offset) + " and length " + std::to_string(length));
-}
-
 std::string answer_to(const std::string& line) {
     std::istringstream arguments{line};
     std::string request;
@@ -180,14 +146,6 @@ std::string answer_to(const std::string& line) {
         can_dbc::e2e::protect_profile_11(payload, static_cast<std::uint16_t>(data_id),
                                          static_cast<std::uint8_t>(counter));
         return hexadecimal_of(payload);
-    }
-    if (request == "protect05") {
-        return profile_05_answer(arguments);
-    }
-    if (request == "crc16") {
-        arguments >> hexadecimal;
-        const auto bytes = bytes_of(hexadecimal);
-        return std::to_string(can_dbc::e2e::Crc16CcittFalse::checksum(bytes.data(), bytes.size()));
     }
     if (request == "crc8") {
         arguments >> hexadecimal;

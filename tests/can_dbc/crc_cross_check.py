@@ -1,4 +1,4 @@
-"""Compares the C++ checksums and the profiles 5 and 11 with crccheck, on random data."""
+"""Compares the C++ checksum and profile 11 with crccheck, on random data."""
 import argparse
 import random
 import sys
@@ -8,10 +8,9 @@ from probe import ask
 
 SEED = 849
 ROUNDS = 2000
-PROFILE_05_LAYOUTS = ((0, 8), (0, 64), (8, 24), (61, 64))  # bytes before the CRC, bytes in all
 
 try:
-    from crccheck.crc import Crc8Base, Crc8SaeJ1850, Crc16Base
+    from crccheck.crc import Crc8Base, Crc8SaeJ1850
 except ModuleNotFoundError:
     give_up("crccheck")
 
@@ -19,17 +18,6 @@ except ModuleNotFoundError:
 class EffectiveCrc(Crc8Base):
     """The CRC of profile 11 as it works out: polynomial 0x1D, start value 0, no final xor."""
     _poly, _initvalue, _xor_output = 0x1D, 0x00, 0x00
-
-
-class Ccitt(Crc16Base):
-    """The CRC of profile 5."""
-    _poly, _initvalue = 0x1021, 0xFFFF
-
-
-def protected_05(offset, data_id, counter, payload):
-    payload = payload[:offset + 2] + bytes([counter]) + payload[offset + 3:]
-    crc = Ccitt.calc(payload[:offset] + payload[offset + 2:] + data_id.to_bytes(2, "little"))
-    return payload[:offset] + crc.to_bytes(2, "little") + payload[offset + 2:]
 
 
 def protected_11(data_id, counter, payload):
@@ -45,17 +33,9 @@ def main():
     generator = random.Random(SEED)
     texts = [generator.randbytes(generator.randint(1, 64)) for _ in range(ROUNDS)]
     frames = [(generator.randint(0, 0xFFF), generator.randint(0, 14), generator.randbytes(8)) for _ in range(ROUNDS)]
-    fd_frames = []
-    for _ in range(ROUNDS):
-        offset, length = generator.choice(PROFILE_05_LAYOUTS)
-        fd_frames.append((offset, generator.randint(0, 0xFFFF), generator.randint(0, 255), generator.randbytes(length)))
     questions = [(f"crc8 {text.hex()}", str(Crc8SaeJ1850.calc(text))) for text in texts]
-    questions += [(f"crc16 {text.hex()}", str(Ccitt.calc(text))) for text in texts]
     questions += [(f"protect11 {data_id} {counter} {payload.hex()}",
                    protected_11(data_id, counter, payload).hex().upper()) for data_id, counter, payload in frames]
-    questions += [(f"protect05 {offset} {data_id} {counter} {payload.hex()}",
-                   protected_05(offset, data_id, counter, payload).hex().upper())
-                  for offset, data_id, counter, payload in fd_frames]
     requests, expected = zip(*questions)
     faults = [(request, answer, right) for request, answer, right in zip(requests, ask(program, requests), expected)
               if answer != right]

@@ -121,7 +121,7 @@ after_reset:
     bl fill_words
     ldr r0, =fault_stack_bottom
     ldr r1, =fault_stack_top
-    ldr r2, =0x5A5A5A5A                 @ unused stack keeps this pattern: stack_use.hpp
+    ldr r2, =0x5A5A5A5A                 @ unused stack keeps this pattern, for a debugger
     bl fill_words
     ldr r0, =main_stack_bottom
     ldr r1, =main_stack_top

@@ -1,11 +1,9 @@
-// Which access the memory protection unit allows where, and the pattern of unused stack.
+// Which access the memory protection unit allows where.
 #include "hal/zynqmp_r5/memory_protection.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
-
-#include "hal/zynqmp_r5/stack_use.hpp"
 
 namespace hal::zynqmp_r5 {
 namespace {
@@ -111,19 +109,6 @@ TEST(MemoryProtection, OneImpossibleRegionIsEnough) {
         with_one[place] = {0x1000U, 0x10U, Access::data};
         EXPECT_FALSE(are_possible(with_one)) << place;
     }
-}
-
-TEST(StackUse, IsWhatLiesAboveTheLowestWordThatLostItsPattern) {
-    std::vector<std::uint32_t> stack(64U, stack_pattern);
-    const std::uint32_t* const bottom = stack.data();
-    const std::uint32_t* const top = bottom + stack.size();
-    EXPECT_EQ(stack_use(bottom, top), 0U);
-    stack[63] = 0U;
-    EXPECT_EQ(stack_use(bottom, top), 4U);
-    stack[10] = 0U;
-    EXPECT_EQ(stack_use(bottom, top), 54U * 4U);
-    stack[0] = 0U;
-    EXPECT_EQ(stack_use(bottom, top), 256U);
 }
 
 }  // namespace
