@@ -1,4 +1,4 @@
-// Where a signal lies in a payload, and how its bits are read and written on any host.
+// Place of a signal in a payload; reads and writes its bits on any host.
 #pragma once
 
 #include <cstddef>

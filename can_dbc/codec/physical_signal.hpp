@@ -10,7 +10,7 @@ namespace can_dbc {
 
 // value = (raw * numerator + shift) / denominator, which is the DBC file's raw * factor + offset. With these
 // three exact in float, a raw value of up to 24 bits decodes to the float nearest to the decimal value, and a
-// compiler that fuses multiplication and addition gives the same bits. Where the DBC file's factor is no such
+// compiler that fuses multiplication and addition gives the same bits. If the DBC file's factor is no such
 // fraction, the denominator is 1 and the others are rounded.
 //
 // `Raw` is std::int32_t for fields of up to 24 bits, else std::int64_t, so that no conversion can overflow.

@@ -1,4 +1,4 @@
-// What a receiver may think of a decoded signal.
+// Validity of a decoded signal.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,7 @@ inline constexpr std::uint16_t profile_11_largest_data_id = 0x0FFFU;
 
 namespace detail {
 
-// Of the identifier's low byte and the zero byte, which go before the payload.
+// CRC of the identifier's low byte and the zero byte, which precede the payload.
 constexpr std::uint8_t profile_11_start(std::uint16_t data_id) {
     const auto after_identifier = Crc8SaeJ1850::update(0U, static_cast<std::uint8_t>(data_id & 0xFFU));
     return Crc8SaeJ1850::update(after_identifier, std::uint8_t{0U});
@@ -50,7 +50,7 @@ constexpr std::uint8_t profile_11_counter(const std::uint8_t* payload) {
     return static_cast<std::uint8_t>(payload[1] & 0x0FU);
 }
 
-// What is wrong with a received payload of `length` bytes, taken by itself: everything but the sequence.
+// Errors of a received payload of `length` bytes by itself: everything but the sequence.
 constexpr CheckError verify_profile_11(const std::uint8_t* payload, std::size_t length,
                                        std::size_t expected_length, std::uint16_t data_id) {
     if (length != expected_length || length < profile_11_header_length) {

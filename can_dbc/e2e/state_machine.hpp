@@ -21,7 +21,7 @@ enum class ChannelState : std::uint8_t {
     invalid,  // they may not: too many frames damaged, or too few in sequence
 };
 
-// What the last checks, as many as the window holds, must show.
+// Requirements on the last checks, as many as the window holds.
 struct StateLimits {
     std::uint8_t minimum_ok{1U};      // at least so many were ok or ok_some_lost
     std::uint8_t maximum_errors{0U};  // at most so many were error
@@ -77,7 +77,7 @@ class StateMachine {
     constexpr ChannelState state() const { return state_; }
     constexpr bool is_valid() const { return state_ == ChannelState::valid; }
 
-    // Of the checks in the window, since leaving no_data.
+    // Counts of the checks in the window, since leaving no_data.
     constexpr std::uint8_t ok_count() const { return ok_count_; }
     constexpr std::uint8_t error_count() const { return error_count_; }
 

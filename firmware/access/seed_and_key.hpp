@@ -24,7 +24,8 @@ enum class KeyAnswer : std::uint8_t {
 class SeedAndKey {
  public:
     // All three must outlive this object. `attempts` takes a record of stored_count_length bytes and is
-    // nobody else's. What it has taken must be safe from a loss of power before the next frame is answered.
+    // used by this object only. A record that it has taken must be safe from a loss of power before the next
+    // frame is answered.
     SeedAndKey(hal::KeyStore& keys, hal::KeySlot slot, hal::RandomSource& random,
                hal::Storage& attempts) noexcept
         : keys_{keys}, slot_{slot}, random_{random}, attempts_{attempts} {}

@@ -7,7 +7,7 @@
 
 namespace application {
 
-// An ECU that answers XCP. Whoever wants none has a RolloverEcu, and nothing of this is linked. As
+// An ECU that answers XCP. Without XCP use a RolloverEcu; nothing of this is then linked. As
 // RolloverEcu, but for the section: it is kept as the reference page, so it must live as long, as all others
 // must.
 class CalibratedEcu {

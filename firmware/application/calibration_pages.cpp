@@ -44,7 +44,7 @@ std::uint8_t byte_of(std::uint32_t word, std::uint32_t place) {
     return static_cast<std::uint8_t>(word >> (8U * (place % 4U)));
 }
 
-// Whatever a master asks for: an address below the range is, seen from it, further away than any is long.
+// For any address of a master: an address below the range is, seen from it, further away than any is long.
 bool is_within(std::uint32_t address, std::size_t count, xcp::Target::Range range) {
     return (count <= range.length) && (address - range.address <= range.length - count);
 }
@@ -101,7 +101,7 @@ bool CalibrationPages::read(std::uint32_t address, xcp::Page page, std::uint8_t*
     return is_declared;
 }
 
-// Of an address that is declared.
+// Memory at a declared address.
 std::uint8_t CalibrationPages::byte_at(std::uint32_t address, xcp::Page page) const noexcept {
     if (address >= map::name_at) {
         return program_name[address - map::name_at];

@@ -14,7 +14,7 @@ namespace application {
 // instead of the clock, because when all senders pause together nothing is late. While the other one is
 // silent itself, or its frames are damaged, there is nothing to compare with: the judgement waits, unless it
 // takes so long that a sender may have started anew. A sender that itself has paused looks as a delay does:
-// it is believed again when roll angle and roll rate move together.
+// it is accepted again when roll angle and roll rate move together.
 class FrameDelay {
  public:
     // One cycle: counters and values of the newest good frames, new or not.
@@ -72,7 +72,7 @@ class FrameDelay {
         bool late{false};
     };
 
-    // Of one counter over another, both from 0 to 14.
+    // Lead of one counter over another, both from 0 to 14.
     static constexpr std::uint32_t lead(std::uint32_t first, std::uint32_t second) noexcept {
         return first - second + ((first < second) ? counters : 0U);
     }

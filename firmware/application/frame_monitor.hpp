@@ -29,7 +29,7 @@ inline constexpr std::uint8_t largest_counter_step = 3U;
 // always sooner than a window without a good frame.
 inline constexpr can_dbc::e2e::StateMachineSettings channel_settings{8U, {1U, 4U}, {1U, 4U}, {1U, 2U}, true};
 
-// What went wrong with a frame in one cycle.
+// Faults of a frame in one cycle.
 struct FrameFaults {
     bool received{false};        // a usable frame has come since the start
     bool timeout{false};         // no usable frame within the time limit
@@ -58,7 +58,7 @@ class FrameMonitor {
         counter_error_ = false;
     }
 
-    // So many cycles were left out before this one.
+    // Number of cycles left out before this one.
     void miss_cycles(std::uint32_t cycles) noexcept { sender_rate_.miss(cycles); }
 
     // Judges one frame with this message's identifier; keeps its values only when the end-to-end check
@@ -92,13 +92,13 @@ class FrameMonitor {
     can_dbc::e2e::ChannelState channel_state() const noexcept { return channel_.state(); }
     bool checksum_error() const noexcept { return checksum_error_; }
     bool counter_error() const noexcept { return counter_error_; }
-    // Which of them says what is measured, nobody knows.
+    // It is not known which of them carries the measurement.
     bool has_two_senders() const noexcept { return sender_rate_.is_doubled(); }
     std::uint32_t frames_rejected() const noexcept { return frames_rejected_; }
     std::uint32_t frames_lost() const noexcept { return frames_lost_; }
 
  private:
-    // What an invalid channel has said before is not used either, nor when it is valid again.
+    // Earlier values of an invalid channel are not used either, nor when it is valid again.
     void follow(const can_dbc::e2e::CheckResult& check) noexcept {
         channel_.update(check.status);
         withdrawn_ = withdrawn_ || !channel_.is_valid();

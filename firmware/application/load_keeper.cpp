@@ -30,7 +30,7 @@ void LoadKeeper::follow(const rsi::Parameters& parameters) noexcept {
     parameters_check_word_ = check_word_of(parameters);
 }
 
-// What is known less well than it was stored is no news.
+// A load known less well than the stored one is not new.
 void LoadKeeper::keep(const rsi::LearntLoad& learnt) noexcept {
     hal::count_up(cycles_since_store_);
     const bool is_other = rsi::absolute(learnt.excess - stored_.excess) > worth_storing;

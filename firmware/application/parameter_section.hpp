@@ -25,7 +25,7 @@
 
 namespace application {
 
-// What is wrong with the parameters that the ECU was started with, the first that is found; sent as
+// First error of the parameters that the ECU was started with; sent as
 // ParametersRefusal.
 enum class ParametersRefusal : std::uint8_t {
     none = 0,
@@ -83,7 +83,7 @@ constexpr std::uint32_t layout_of_values() {
 
 inline constexpr std::uint32_t layout = layout_of_values();
 
-// The parameters in a section whose form is good; accepted by nobody yet.
+// The parameters in a section whose form is good; not accepted yet.
 rsi::Parameters values_of(const std::uint8_t* bytes) noexcept;
 
 // Into a section whose values have been changed.

@@ -85,7 +85,7 @@ void RolloverEcu::change(const rsi::ParameterChange& change) noexcept {
     load_keeper_.follow(parameters_);
 }
 
-// Who was reset while running carries what he did; who was without power may have been loaded or emptied.
+// After a warm reset the load is unchanged; after power-on it may have changed.
 void RolloverEcu::restore_load() noexcept {
     load_keeper_.restore(parameters_, component_, reset_reason_ == hal::ResetReason::power_on);
 }

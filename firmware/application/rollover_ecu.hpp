@@ -44,12 +44,12 @@ class RolloverEcu {
     // Those in use, as far as they were accepted.
     const rsi::Parameters& parameters() const noexcept { return parameters_; }
 
-    // The same for a platform that takes sealed sections only. What it starts with raises the authority's
+    // The same for a platform that takes sealed sections only. The section in use raises the authority's
     // version.
     ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length,
                                 SectionAuthority& authority) noexcept;
 
-    // For a platform whose XCP or UDS asks for a key, before init: the bus is told when everybody knows it.
+    // For a platform whose XCP or UDS asks for a key, before init: a public key is reported on the bus.
     void use_keys(const hal::KeyStore& keys) noexcept { has_test_keys_ = keys.has_test_keys(); }
 
     // For a platform that knows why it started; sent in every cycle. Before init: after a loss of power the
@@ -67,8 +67,8 @@ class RolloverEcu {
     // False: the ECU goes on, and its frames stay away from the bus.
     void set_sending(bool is_sending) noexcept { is_sending_ = is_sending; }
 
-    // So many frames of others, sent by the same bus since the last step, were not taken: no fault of the
-    // bus.
+    // Number of frames of others, sent by the same bus since the last step, that were not taken: no fault of
+    // the bus.
     void forgive_send_failures(std::uint32_t count) noexcept { send_failure_count_ += count; }
 
     // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
@@ -77,10 +77,10 @@ class RolloverEcu {
     // helps, and until it comes the ECU says "unavailable".
     void step(std::uint32_t missed_cycles) noexcept;
 
-    // What the last cycle computed and what from, for a platform that shows or records it.
+    // Outputs and inputs of the last cycle, for a platform that shows or records it.
     const rsi::Outputs& outputs() const noexcept { return outputs_; }
     const rsi::Inputs& inputs() const noexcept { return inputs_; }
-    // What the monitoring has found, for diagnosis.
+    // Findings of the monitoring, for diagnosis.
     const monitoring::DiagnosticMemory& diagnostic_memory() const noexcept { return memory_; }
 
  private:

@@ -31,7 +31,7 @@ inline constexpr std::size_t sealed_length = code_at + std::tuple_size<hal::Auth
 
 }  // namespace seal
 
-// What is wrong with a seal, the first that is found.
+// First error of a seal.
 enum class SealFault : std::uint8_t {
     none,
     missing,       // the section has none
@@ -40,28 +40,28 @@ enum class SealFault : std::uint8_t {
     version_lost,  // which one has been in use cannot be read any more
 };
 
-// What a receiver of the bus may think of the parameters and of who may change them; sent as Protection.
+// Protection of the parameters as receivers may assume it; sent as Protection.
 enum class Protection : std::uint8_t {
-    unsealed = 0,            // whoever writes the memory writes the parameters
-    unsealed_test_keys = 1,  // the same, and the keys of XCP or UDS are known to everybody
-    sealed_test_keys = 2,    // a section must have a seal, which everybody can make
+    unsealed = 0,            // any writer of the memory can write the parameters
+    unsealed_test_keys = 1,  // the same, and the keys of XCP or UDS are public
+    sealed_test_keys = 2,    // a section must have a seal, by a public key
     sealed = 3,
 };
 
 class SectionAuthority {
  public:
     // Both must outlive this object. `newest` takes a record of access_control::stored_count_length bytes,
-    // and is nobody else's.
+    // and is used by this object only.
     SectionAuthority(hal::KeyStore& keys, hal::Storage& newest) noexcept : keys_{keys}, newest_{newest} {}
 
     // Before the first cycle and before the other calls: reads the newest version that has been in use.
     [[gnu::cold]] void start() noexcept;
 
-    // Of the section at `bytes`, of whose memory `length` bytes may be read. What the section says is not
-    // looked at.
+    // Check of the section at `bytes`, of whose memory `length` bytes may be read. Its content is not
+    // examined.
     [[gnu::cold]] SealFault check(const std::uint8_t* bytes, std::size_t length) noexcept;
 
-    // Of a section whose seal is good and which is in use from now on: none with a lower version will be.
+    // Version of a section with a good seal, in use from now on: none with a lower version will be.
     // False where the storage does not take it; then it stays as it was.
     [[gnu::cold]] bool raise(const std::uint8_t* bytes) noexcept;
 

@@ -5,11 +5,11 @@
 
 namespace application {
 
-// Whoever sends a second time what a sensor sends, with good checksums and whatever counter, cannot hide that
-// more frames come. The surplus is the time that the frames of all cycles would take if each took a little
-// less than its 10 ms, less the time of the cycles. One sender keeps it at its lower end; a second one of the
-// same rate fills it within 0.12 s; one that sends every 80 ms takes some seconds, and a rarer one is not
-// seen. By cycles, because some drivers know no times of reception, and a clock may jump.
+// A second sender of the same identifier raises the frame rate, whatever its counter and checksums. The
+// surplus is the time that the frames of all cycles would take if each took a little less than its 10 ms,
+// less the time of the cycles. One sender keeps it at its lower end; a second one of the same rate fills it
+// within 0.12 s; one that sends every 80 ms takes some seconds, and a rarer one is not seen. By cycles,
+// because some drivers know no times of reception, and a clock may jump.
 //
 // Frames that were held up, on the bus or before a cycle that came late, are no second sender's:
 // - they come in bursts, so a cycle counts a few at most, however many it reads;
@@ -19,7 +19,7 @@ class SenderRate {
     // One frame. A cycle has no more than 254.
     void count() noexcept { ++frames_; }
 
-    // So many cycles were left out before this one.
+    // Number of cycles left out before this one.
     void miss(std::uint32_t cycles) noexcept;
 
     // Before the first frame of the next cycle. False when nothing has changed, as in nearly every cycle;
@@ -41,7 +41,7 @@ class SenderRate {
 
     [[gnu::cold]] void update() noexcept;
 
-    std::int16_t surplus_ms_{least_ms};  // what waits at the start, nobody knows
+    std::int16_t surplus_ms_{least_ms};  // frames may wait at the start
     std::uint8_t frames_{0U};            // of this cycle
     std::uint8_t settled_frames_{none};  // another cycle with so many changes nothing
     bool paused_{true};                  // the cycle before this one had no frame, or was missed

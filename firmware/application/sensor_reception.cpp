@@ -88,7 +88,7 @@ void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
     }
 }
 
-// Foreign traffic, what listeners wait for, or a stranger in this control unit's name.
+// Unknown identifiers: pass them to listeners, and detect frames sent with our own.
 void SensorReception::take_foreign(const hal::CanFrame& frame) noexcept {
     own_identifier_ = own_identifier_ || is_sent(frame.identifier);
     for (hal::FrameListener* const listener : listeners_) {

@@ -14,7 +14,7 @@
 namespace application {
 
 // A platform lets these identifiers through its acceptance filters, and those that this control unit sends,
-// sent_identifiers, when somebody else sends them.
+// sent_identifiers, when another node sends them.
 inline constexpr std::array<std::uint32_t, 4> received_identifiers{
     can_dbc::Imu::identifier, can_dbc::RollAngle::identifier, can_dbc::VehicleMotion::identifier,
     can_dbc::VehicleMass::identifier};
@@ -36,7 +36,7 @@ struct ReceptionReport {
     // The newest roll angle while it is held back, and for that not among the inputs; else NaN.
     float late_roll_angle_rad{rsi::not_available};
 
-    // One whose absence is no news.
+    // One whose absence is no fault.
     bool has_rare_fault() const noexcept {
         return own_identifier || imu_held_back || imu.two_senders || roll_angle.two_senders ||
                vehicle_motion.two_senders;

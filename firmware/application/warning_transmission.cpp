@@ -17,7 +17,7 @@ std::uint8_t saturate(std::uint32_t count) {
 constexpr float degrees_per_radian = 57.295780F;
 constexpr float kmh_per_mps = 3.6F;
 
-// What a message carries besides the outputs; most carry nothing. The numbers of an enumeration are those of
+// Content of a message besides the outputs; most carry nothing. The numbers of an enumeration are those of
 // the DBC, which tests/can_dbc/enumerators_test.py compares.
 template <typename Message>
 void fill(Message&, const Health&) {}

@@ -14,7 +14,7 @@
 
 namespace application {
 
-// What the platform and the application know of their own health.
+// Health of platform and application.
 struct Health {
     ParametersRefusal parameters_refusal{ParametersRefusal::missing};
     bool receive_overflow{false};

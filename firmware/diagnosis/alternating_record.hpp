@@ -30,7 +30,7 @@ class AlternatingRecord {
  public:
     static constexpr std::size_t length = sizeof(Payload) + 12U;
 
-    // Both must outlive this object, and are nobody else's.
+    // Both must outlive this object, which owns them exclusively.
     AlternatingRecord(hal::Storage& one, hal::Storage& other) noexcept : places_{&one, &other} {}
 
     // The newest good record; false where there is none, and `payload` is then left as it was.
@@ -50,7 +50,7 @@ class AlternatingRecord {
         return found;
     }
 
-    // False where the place cannot take it now: again later. Whoever calls leaves the place the time that it
+    // False where the place cannot take it now: again later. The caller leaves the place the time that it
     // needs in the background before the next record goes to the other one.
     bool write(const Payload& payload) noexcept {
         Record record{};

@@ -24,7 +24,7 @@ namespace diagnosis {
 using ShortText = std::array<char, 16>;
 using LongText = std::array<char, 48>;
 
-// What it says in its first letters, and zeros.
+// Its first letters, and zeros.
 template <typename Text, std::size_t size>
 constexpr Text text_of(const char (&letters)[size]) noexcept {
     Text text{};
@@ -35,7 +35,7 @@ constexpr Text text_of(const char (&letters)[size]) noexcept {
     return text;
 }
 
-// Of the integration.
+// Texts of the integration.
 struct Identification {
     ShortText system_name{text_of<ShortText>("Rollover warning")};
     ShortText software_version{};
@@ -53,7 +53,7 @@ inline constexpr std::uint32_t active_session_identifier = 0xF186U;
 inline constexpr std::uint32_t vehicle_number_identifier = 0xF190U;
 inline constexpr std::uint32_t programming_date_identifier = 0xF199U;
 
-// What a workshop has written.
+// Data written by a workshop.
 struct WrittenData {
     std::array<std::uint8_t, 17> vehicle_number{};
     std::array<std::uint8_t, 4> programming_date{};
@@ -92,7 +92,7 @@ constexpr std::array<Member, std::tuple_size<Table>::value> members_of(const Tab
     return members;
 }
 
-// What identifiers are read from.
+// Sources of the identifiers' data.
 struct DataSources {
     const Identification& identification;
     const WrittenData& written;
@@ -101,7 +101,7 @@ struct DataSources {
     Session session;
 };
 
-// Adds the identifier and its data to the response; false where nobody knows it.
+// Adds the identifier and its data to the response; false for an unknown one.
 bool read_identifier(std::uint32_t identifier, const DataSources& sources, Response& response) noexcept;
 
 // 0 where it cannot be written.

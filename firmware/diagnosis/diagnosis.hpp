@@ -27,12 +27,12 @@ class Diagnosis {
     // Hears a tester's frames.
     hal::FrameListener& listener() noexcept { return transport_; }
 
-    // Without them nobody is unlocked, and no parameter section is taken.
+    // Without them nothing is unlocked, and no parameter section is taken.
     void use(access_control::SeedAndKey& access) noexcept { server_.use(access); }
     void use(SectionTarget& target) noexcept { server_.use(target); }
 
     // Before the first cycle. `is_new_operation_cycle`: the ignition was switched on; false after a reset
-    // that nobody noticed but the controller.
+    // that only the controller noticed.
     [[gnu::cold]] void start(bool is_new_operation_cycle) noexcept {
         kept_.restore();
         kept_.codes().start(is_new_operation_cycle);
@@ -44,7 +44,7 @@ class Diagnosis {
         ecu.set_sending(lets_ecu_send());
     }
 
-    // The same with what an ECU has found, which is told by lets_ecu_send() whether to send.
+    // The same with the findings of an ECU, which asks lets_ecu_send() whether to send.
     void step(const monitoring::DiagnosticMemory& memory, const rsi::Inputs& inputs,
               const rsi::Outputs& outputs) noexcept {
         kept_.codes().update(memory.confirmed_codes(), memory.snapshot(), inputs.speed_mps);

@@ -8,7 +8,7 @@ constexpr std::array<std::uint8_t, 8> padded{padding, padding, padding, padding,
                                              padding, padding, padding, padding};
 constexpr std::uint32_t time_out_cycles = 100U;  // N_As, N_Bs, N_Cr: 1 s
 constexpr std::uint8_t most_waits = 10U;
-// What a response may take of the bus in a cycle, in which the control unit sends eight frames of its own.
+// Share of the bus for a response in a cycle, in which the control unit sends eight frames of its own.
 constexpr std::uint32_t most_frames_per_cycle = 4U;
 
 // The upper half of the first byte.
@@ -84,7 +84,7 @@ void IsoTp::take_physical(const hal::CanFrame& frame) noexcept {
         return;
     }
     if (kind == consecutive_frame) {
-        take_consecutive(frame);  // also of a request that had begun before the answer to everybody's
+        take_consecutive(frame);  // also of a request that had begun before the answer to the functional one
     } else if (!is_sending()) {   // the tester speaks when he has been answered
         take_new(frame);
     } else {
@@ -175,7 +175,7 @@ void IsoTp::take_flow_control(const hal::CanFrame& frame) noexcept {
         ++waits_;
         send_cycles_ = 0U;
     } else {
-        sending_ = Sending::nothing;  // the tester has no room, waits for ever, or says what nobody knows
+        sending_ = Sending::nothing;  // the tester has no room, waits for ever, or sends an unknown status
     }
 }
 

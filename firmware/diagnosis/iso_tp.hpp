@@ -20,8 +20,8 @@ struct Addresses {
 };
 
 // One request at a time in each of the two ways of addressing, and one response. A functional request is one
-// frame, held apart: it does not disturb a segmented request that is on its way. What comes while a request
-// waits, or while a response goes out, is not taken: the tester speaks when he has been answered.
+// frame, held apart: it does not disturb a segmented request that is on its way. Requests are not taken while
+// one waits or a response goes out: the tester sends after the answer.
 class IsoTp final : public hal::FrameListener {
  public:
     static constexpr std::size_t longest_request = 130U;

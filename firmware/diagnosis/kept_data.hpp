@@ -23,7 +23,7 @@ class KeptData {
     // Bytes of each of the two places.
     static constexpr std::size_t record_length = AlternatingRecord<KeptPayload>::length;
 
-    // The places are nobody else's, take record_length bytes each, and outlive this object.
+    // The places are used by this object only, take record_length bytes each, and outlive this object.
     KeptData(hal::Storage& one, hal::Storage& other) noexcept : record_{one, other} {}
 
     // Before the first cycle.

@@ -16,7 +16,7 @@ class Request {
 
     // 0: there is none.
     std::size_t length() const noexcept { return length_; }
-    // Asked of everybody, not of this control unit alone.
+    // Functionally addressed, not to this control unit alone.
     bool is_functional() const noexcept { return is_functional_; }
 
     // `place` is below length(), here and in the next two.
@@ -30,7 +30,7 @@ class Request {
     }
 
     std::uint8_t service() const noexcept { return byte(0U); }
-    // Without the bit that suppresses a positive answer. Of a request with two bytes or more.
+    // Without the bit that suppresses a positive answer. Sub-function of a request with two bytes or more.
     std::uint8_t sub_function() const noexcept { return static_cast<std::uint8_t>(byte(1U) & 0x7FU); }
 
  private:
@@ -39,7 +39,7 @@ class Request {
     bool is_functional_{false};
 };
 
-// What does not fit is left out and remembered.
+// Bytes that do not fit are left out and remembered.
 class Response {
  public:
     static constexpr std::size_t capacity = 256U;

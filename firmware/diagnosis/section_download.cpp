@@ -7,7 +7,7 @@ constexpr std::uint8_t neither_compressed_nor_encrypted = 0x00U;
 constexpr std::size_t formats_length = 3U;  // service, format of the data, format of address and length
 constexpr std::size_t block_header = 2U;
 
-// Of up to four bytes.
+// Number of up to four bytes.
 std::uint32_t number_at(const Request& request, std::size_t place, std::size_t count) {
     std::uint32_t number = 0U;
     for (std::size_t index = 0U; index < count; ++index) {

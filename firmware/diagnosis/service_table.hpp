@@ -47,7 +47,7 @@ struct Service {
     std::uint8_t id;
     std::uint8_t sessions;
     bool is_secured;     // as a whole
-    bool is_functional;  // answered when everybody is asked
+    bool is_functional;  // answered under functional addressing
     SubFunction sub_function;
 };
 

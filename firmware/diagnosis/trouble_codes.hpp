@@ -124,7 +124,7 @@ constexpr bool is_table_of_all(const std::array<TroubleCode, trouble_code_count>
 static_assert(is_table_of_all(trouble_codes),
               "every code has its row, in the order of the codes, and a number of its own");
 
-// What is left of the table in an image: the numbers.
+// Rest of the table in an image: the numbers.
 constexpr std::array<std::uint32_t, trouble_code_count> numbers_of_all() {
     std::array<std::uint32_t, trouble_code_count> numbers{};
     for (std::size_t index = 0U; index < trouble_code_count; ++index) {

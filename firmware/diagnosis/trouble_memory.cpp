@@ -78,7 +78,7 @@ void TroubleMemory::start(bool is_new_cycle) noexcept {
     request_storing(is_new_cycle ? Storing::now : Storing::not_needed);
 }
 
-// The end of one operation cycle, of which nobody knows when it ends, at the beginning of the next.
+// Closes the previous operation cycle at start-up; its end cannot be observed.
 void TroubleMemory::count_cycle(TroubleState& state, std::size_t row) noexcept {
     constexpr std::uint8_t not_good = 0x42U;  // not completed in it, or failed
     const bool was_good = !has(state.status, not_good);
@@ -120,7 +120,7 @@ void TroubleMemory::take_change(CodeSet failed, const monitoring::Snapshot& meas
 
 void TroubleMemory::fail(std::size_t row) noexcept {
     TroubleState& state = data_.states[row];
-    // What fails over and over in one operation cycle does not wear the memory out.
+    // Repeated failures in one operation cycle do not wear the memory out.
     request_storing(has(state.status, status::failed_this_cycle) ? Storing::later : Storing::now);
     set_bits(state.status, status::failure);
     clear_bits(state.status, status::cleared);
@@ -145,7 +145,7 @@ void TroubleMemory::clear_all() noexcept {
     }
 }
 
-// What still fails, fails anew in the next cycle.
+// A code that still fails, fails anew in the next cycle.
 void TroubleMemory::clear(std::size_t row) noexcept {
     data_.states[row] = TroubleState{};
     forget_snapshots(row);

@@ -27,11 +27,11 @@ inline constexpr std::uint8_t failed_since_clear = 0x20U;
 inline constexpr std::uint8_t not_completed_this_cycle = 0x40U;
 // Bit 7, warningIndicatorRequested, is not available: this control unit requests no indicator for a code.
 inline constexpr std::uint8_t available = 0x7FU;
-inline constexpr std::uint8_t failure = 0x2FU;  // what a failed test sets
+inline constexpr std::uint8_t failure = 0x2FU;  // bits set by a failed test
 inline constexpr std::uint8_t cleared = 0x50U;  // not completed, neither way
 }  // namespace status
 
-// What was measured when a code failed, as it is stored and sent: numbers of two bytes, the most significant
+// Measurements at a code's failure, as stored and sent: numbers of two bytes, the most significant
 // first.
 //   0  lateral acceleration, 0.01 m/s2        4  roll angle, 0.001 rad
 //   2  roll rate, 0.001 rad/s                 6  speed, 0.01 m/s
@@ -77,7 +77,8 @@ class TroubleMemory {
         }
     }
 
-    // Off: nothing is recorded (ControlDTCSetting). What still fails when it is on again is recorded then.
+    // Off: nothing is recorded (ControlDTCSetting). A code that still fails when it is on again is recorded
+    // then.
     void set_recording(bool is_on) noexcept { is_recording_ = is_on; }
 
     void clear_all() noexcept;
@@ -92,7 +93,7 @@ class TroubleMemory {
     void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
     void stored() noexcept { storing_ = Storing::not_needed; }
 
-    // What is stored: bytes without gaps, the same on every target. With room for all codes that a CodeSet
+    // Stored form: bytes without gaps, the same on every target. With room for all codes that a CodeSet
     // can hold, so that software with another one more reads what this one has stored.
     static constexpr std::size_t most_codes = 63U;
     static_assert(trouble_code_count <= most_codes);
@@ -103,7 +104,7 @@ class TroubleMemory {
     static_assert(sizeof(Stored) == 3U * most_codes + 21U * snapshot_places);
 
     const Stored& stored_data() const noexcept { return data_; }
-    // Whatever it holds: what nobody knows is left out.
+    // Accepts any content: unknown codes are left out.
     [[gnu::cold]] void restore(const Stored& stored) noexcept;
 
  private:

@@ -38,7 +38,7 @@ Nrc check_sub_function(const Request& request) {
     return Nrc::sub_function_not_supported;
 }
 
-// Of a request that has passed its checks.
+// Precondition: the request has been validated.
 bool is_suppressed(const Request& request) {
     bool has_sub_function = false;
     for (const Service& each : services) {
@@ -48,13 +48,13 @@ bool is_suppressed(const Request& request) {
     return has_sub_function && ((request.byte(1U) & suppress_positive) != 0U);
 }
 
-// Who asks everybody does not want to hear from all to whom it means nothing.
+// Functionally addressed requests get no such negative response (ISO 14229-1).
 bool is_said_to_everybody(Nrc code) {
     return (code != Nrc::service_not_supported) && (code != Nrc::sub_function_not_supported) &&
            (code != Nrc::request_out_of_range) && (code != Nrc::service_not_in_session);
 }
 
-// A speed that is not known is none: on a bench nobody sends one.
+// An unknown speed counts as zero, so that the ECU can be serviced on a bench.
 bool is_moving(const EcuState& ecu) {
     return ecu.inputs.speed_mps > standing_mps;
 }
@@ -118,7 +118,7 @@ void UdsServer::count_session_time() noexcept {
     }
 }
 
-// Whatever the tester had been allowed ends; what he had switched off is on again when he leaves.
+// All permissions of the tester end; services that it had switched off are on again when it leaves.
 void UdsServer::enter(Session session) noexcept {
     session_ = session;
     download_.abort();
@@ -130,13 +130,13 @@ void UdsServer::enter(Session session) noexcept {
     }
 }
 
-// Of what a tester may switch off at rest.
+// Services that a tester may switch off at rest.
 void UdsServer::switch_all_on() noexcept {
     kept_.codes().set_recording(true);
     lets_ecu_send_ = true;
 }
 
-// Whoever speaks to everybody meanwhile meets a deaf ear; "tester present" has nothing to say then.
+// Functional requests are dropped while another request is in progress, "tester present" too.
 void UdsServer::drop_functional_request() noexcept {
     const Request request = transport_.request();
     const bool is_waited_for = (waiting_ != Waiting::nothing) && waiting_for_.is_functional();
@@ -296,7 +296,7 @@ Nrc UdsServer::clear_codes(const Request& request) noexcept {
     return Nrc::response_pending;
 }
 
-// Identifiers that nobody knows are left out, unless all are.
+// Unknown identifiers are left out, unless all are.
 Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
     if ((request.length() == 1U) || ((request.length() % 2U) == 0U)) {
         return Nrc::incorrect_length;
@@ -367,7 +367,7 @@ Nrc UdsServer::take_key(const Request& request) noexcept {
     }
 }
 
-// Of the application's own frames; there is no network management. Only at rest, and only until it moves.
+// Only the application's own frames; there is no network management. Only at rest, and only until it moves.
 // Reception is never switched off: by it the control unit knows that the vehicle rests.
 Nrc UdsServer::communication_control(const Request& request, const EcuState& ecu) noexcept {
     constexpr std::uint8_t network_management = 0x02U;
@@ -431,7 +431,7 @@ Nrc UdsServer::routine_control(const Request& request, const EcuState& ecu) noex
     return has_self_test_result_ ? Nrc::none : Nrc::request_sequence_error;
 }
 
-// What the monitoring finds now, and whether the memory takes a record.
+// Present findings of the monitoring, and whether the memory takes a record.
 Nrc UdsServer::start_self_test(const EcuState& ecu) noexcept {
     self_test_result_ = self_test_of(ecu.failed);
     kept_.codes().request_storing(Storing::now);
@@ -469,7 +469,7 @@ Nrc UdsServer::storage_answer() noexcept {
         self_test_answer();
         return Nrc::none;
     }
-    if (waiting_ == Waiting::codes_stored_before_reset) {  // a memory that takes nothing keeps nobody from it
+    if (waiting_ == Waiting::codes_stored_before_reset) {  // a memory that takes nothing does not prevent it
         promise_reset(waiting_for_);
         return Nrc::none;
     }

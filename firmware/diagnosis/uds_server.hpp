@@ -18,7 +18,7 @@ namespace diagnosis {
 inline constexpr std::uint32_t self_test_routine = 0x0203U;
 inline constexpr std::uint32_t check_section_routine = 0xFF01U;
 
-// What the self test found wrong, a bit each.
+// Faults found by the self test, a bit each.
 namespace self_test {
 inline constexpr std::uint8_t parameters = 0x01U;  // refused or damaged
 inline constexpr std::uint8_t memory = 0x02U;      // a bit of the component had changed
@@ -28,7 +28,7 @@ inline constexpr std::uint8_t bus = 0x10U;
 inline constexpr std::uint8_t storing = 0x20U;  // the memory has not taken a record
 }  // namespace self_test
 
-// What the ECU has found and computed in its last cycle.
+// Findings and outputs of the ECU in its last cycle.
 struct EcuState {
     monitoring::CodeSet failed;
     const rsi::Inputs& inputs;
@@ -41,8 +41,8 @@ class UdsServer {
     UdsServer(IsoTp& transport, KeptData& kept, const Identification& identification) noexcept
         : transport_{transport}, kept_{kept}, identification_{identification} {}
 
-    // Without them nobody is unlocked, and no section is taken. Whoever was let in before a start is not
-    // after it.
+    // Without them nothing is unlocked, and no section is taken. An unlocked session does not outlive a
+    // start.
     void use(access_control::SeedAndKey& access) noexcept {
         access_ = &access;
         access.lock();
@@ -69,7 +69,7 @@ class UdsServer {
     bool lets_ecu_send() const noexcept { return lets_ecu_send_; }
 
  private:
-    // What a request waits for before it is answered.
+    // Reason that the answer to a request is pending.
     enum class Waiting : std::uint8_t {
         nothing,
         codes_stored,

@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/* What rsi_selftest returns: the first thing that it found wrong. */
+/* Results of rsi_selftest: the first fault found. */
 typedef enum {
     RSI_SELFTEST_PASSED = 0,
     /* isnan() or a comparison with NaN is wrong: compile this file, and whatever calls rsi_step, without

@@ -45,7 +45,7 @@ class DaqLists {
     // Stops the list and empties its entries.
     Error clear(std::uint32_t list) noexcept;
 
-    // Where the next write goes; it moves on by one entry.
+    // Place of the next write; it moves on by one entry.
     Error point_to(std::uint32_t list, std::uint32_t part, std::uint32_t entry) noexcept;
     Error write(std::uint32_t address, std::uint32_t size) noexcept;
 

@@ -4,7 +4,7 @@
 namespace xcp {
 namespace {
 
-// Dynamic lists, prescaler, timestamps; an overload is told by an event.
+// Dynamic lists, prescaler, timestamps; an event reports an overload.
 constexpr std::uint8_t daq_properties = 0x01U | 0x02U | 0x10U | 0x80U;
 // Two bytes in units of 100 us, where a list's mode asks for them.
 constexpr std::uint8_t timestamp_format = (0x05U << 4U) | timestamp_length;

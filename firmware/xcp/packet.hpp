@@ -94,7 +94,7 @@ class Packet {
         return half_word(place) | (half_word(place + 2U) << 16U);
     }
 
-    // What exceeds the packet is left out.
+    // Bytes beyond the packet are left out.
     Packet& add_byte(std::uint32_t value) noexcept {
         if (length_ < packet_length) {
             bytes_[length_] = static_cast<std::uint8_t>(value);

@@ -12,7 +12,7 @@ constexpr std::uint8_t driver_version = 0x01U;
 constexpr std::size_t block_length = access_control::Block{}.size();
 constexpr std::size_t piece_length = packet_length - 2U;  // of a seed or key in one packet
 
-// What a command has: at least so many bytes, with its code; and whether the key must have been given.
+// A command's least number of bytes, with its code, and whether it needs the key.
 constexpr std::uint8_t key = 0x80U;
 constexpr std::uint8_t first_in_form = 0xD3U;
 constexpr std::array<std::uint8_t, 45> form{{
@@ -51,7 +51,7 @@ constexpr std::array<std::uint8_t, 45> form{{
     1U,       1U, 1U, 1U, 1U,
 }};
 
-// Of a command that there is not, its code alone.
+// The code alone of an unknown command.
 std::uint8_t form_of(std::uint8_t code) noexcept {
     return (code >= first_in_form) ? form[static_cast<std::size_t>(code) - first_in_form] : std::uint8_t{1U};
 }

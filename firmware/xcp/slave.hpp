@@ -14,7 +14,7 @@
 
 namespace xcp {
 
-// Whoever is connected may read. Calibration and measurement (which loads the bus) want the key: one seed and
+// A connected master may read. Calibration and measurement (which loads the bus) want the key: one seed and
 // key for both. Disconnecting, connecting anew and a wrong key lock again.
 class Slave final : public hal::FrameListener {
  public:
@@ -22,11 +22,11 @@ class Slave final : public hal::FrameListener {
     Slave(Target& target, access_control::SeedAndKey& access, const Identifiers& identifiers) noexcept
         : target_{target}, access_{access}, identifiers_{identifiers}, daq_{target} {}
 
-    // Others than commands are left alone. Of several commands within a cycle, which no master sends, the
-    // last is answered.
+    // Others than commands are left alone. The last of several commands within a cycle, which no master
+    // sends, is answered.
     void take(const hal::CanFrame& frame) noexcept override;
 
-    // After a step of 10 ms and its frames: answers, then samples. `missed_cycles` as the step was told. How
+    // After a step of 10 ms and its frames: answers, then samples. `missed_cycles` as for the step. How
     // many of its own frames the bus has not taken.
     std::uint32_t end_cycle(hal::CanBus& bus, const hal::Clock& clock, std::uint32_t missed_cycles) noexcept {
         access_.end_cycle();
@@ -68,11 +68,11 @@ class Slave final : public hal::FrameListener {
     access_control::SeedAndKey& access_;
     Identifiers identifiers_;
     Packet command_;
-    Packet answer_;  // what it will be if nothing is wrong
+    Packet answer_;  // the answer if nothing is wrong
     bool has_command_{false};
-    bool has_work_{false};  // a command, or somebody is connected
+    bool has_work_{false};  // a command, or a master is connected
     bool connected_{false};
-    bool overload_{false};               // to be told
+    bool overload_{false};               // to be reported
     bool stored_{false};                 // the same
     bool freezes_{false};                // the segment's mode; the one segment is stored in either
     Page visible_{Page::working};        // the page that the master reads

@@ -8,7 +8,7 @@
 
 namespace xcp {
 
-// Of the one segment of calibration memory.
+// The one segment of calibration memory.
 enum class Page : std::uint8_t { working = 0, reference = 1 };
 inline constexpr std::uint8_t page_count = 2U;
 

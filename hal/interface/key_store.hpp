@@ -26,7 +26,7 @@ class KeyStore {
     virtual bool authenticate(KeySlot slot, const std::uint8_t* bytes, std::size_t length,
                               AuthenticationCode& code) noexcept = 0;
 
-    // True when the keys are those that everybody knows, for tests.
+    // True for the public keys, for tests.
     virtual bool has_test_keys() const noexcept = 0;
 
  protected:

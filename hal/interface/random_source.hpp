@@ -1,4 +1,4 @@
-// Random source: numbers that nobody outside can foretell, for seeds.
+// Random source: numbers that cannot be predicted from outside, for seeds.
 #pragma once
 
 #include <cstddef>

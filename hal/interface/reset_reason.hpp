@@ -8,13 +8,13 @@ namespace hal {
 // Sent with these numbers (RollObserver.ResetReason).
 enum class ResetReason : std::uint8_t {
     power_on = 0,  // or nothing is known
-    outside = 1,   // the firmware was running and recorded nothing: watchdog, or a reset by somebody else
+    outside = 1,   // the firmware was running and recorded nothing: watchdog, or an external reset
     undefined_instruction = 2,
     supervisor_call = 3,
     prefetch_abort = 4,
     data_abort = 5,
     stack_overflow = 6,
-    interrupt = 7,            // one that nobody expects
+    interrupt = 7,            // an unexpected one
     start_without_reset = 8,  // the firmware was entered at its start while it ran: a call of a null pointer
 };
 

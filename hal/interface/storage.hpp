@@ -6,8 +6,8 @@
 
 namespace hal {
 
-// One record of a fixed length: EEPROM, a page of flash memory, a file. Who stores a record protects it by a
-// check word of his own: power may go while it is written.
+// One record of a fixed length: EEPROM, a page of flash memory, a file. The caller protects a record by a
+// check word: power may go while it is written.
 class Storage {
  public:
     Storage(const Storage&) = delete;

@@ -47,7 +47,7 @@ class PeriodicTick {
     // Cycles whose work was not done when their next deadline passed.
     std::uint32_t overruns() const noexcept { return overruns_; }
 
-    // Sum of what wait() returned: deadlines at which nobody woke.
+    // Sum of what wait() returned: missed deadlines.
     std::uint32_t missed_periods() const noexcept { return missed_periods_; }
 
     // How long after its deadline each wake-up came.

@@ -8,7 +8,7 @@ namespace hal {
 
 // Expires when more than `limit` passes between two feedings, or between construction and the first one. Like
 // a controller that has been reset, it stays expired; feeding comes too late then. The main loop asks
-// expired() once a cycle and ends the program, so that whoever started it can start it anew. It lives in the
+// expired() once a cycle and ends the program, so that its supervisor can restart it. It lives in the
 // loop that it watches: it notices a step that was unhealthy or late, but a loop that never returns needs a
 // supervisor outside the process.
 class SoftwareWatchdog final : public Watchdog {

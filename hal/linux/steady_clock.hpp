@@ -1,4 +1,4 @@
-// Steady clock: CLOCK_MONOTONIC, which no one can set and which never goes back.
+// Steady clock: CLOCK_MONOTONIC, which cannot be set and never goes back.
 #pragma once
 
 #include "hal/interface/clock.hpp"

@@ -10,7 +10,7 @@ namespace hal {
 
 // Plays `frames` (count of them, in order of `receive_time`, which says when each is due) onto one endpoint
 // of a MemoryBus. The clock stands at a frame's own time when the frame is sent, so that receivers see the
-// recorded time stamp. What the others send is read from the same endpoint. The sequence, clock and bus must
+// recorded time stamp. Frames of the others are read from the same endpoint. The sequence, clock and bus must
 // outlive the replay.
 class FrameReplay {
  public:

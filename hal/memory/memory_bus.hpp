@@ -12,10 +12,10 @@
 
 namespace hal {
 
-// Connects `endpoint_count` endpoints, each of which is a CanBus. What one sends, every other one receives,
-// in the order of sending and stamped with `clock.now()`; nobody receives its own frames. An endpoint holds
-// up to `capacity` frames; when it is full, further frames are lost to it and counted, and the sender does
-// not notice. No heap: all frames live inside the object (about 90 bytes a frame).
+// Connects `endpoint_count` endpoints, each of which is a CanBus. Every other endpoint receives what one
+// sends, in the order of sending and stamped with `clock.now()`; none receives its own frames. An endpoint
+// holds up to `capacity` frames; when it is full, further frames are lost to it and counted, and the sender
+// does not notice. No heap: all frames live inside the object (about 90 bytes a frame).
 template <std::size_t endpoint_count, std::size_t capacity = 256U>
 class MemoryBus {
  public:

@@ -22,7 +22,7 @@ struct RetainedMemory {
 template <std::size_t capacity>
 class RetainedRecord final : public Storage {
  public:
-    // `memory` must outlive this object and is nobody else's.
+    // `memory` must outlive this object, which owns it exclusively.
     explicit RetainedRecord(RetainedMemory<capacity>& memory) noexcept : memory_{memory} {}
 
     bool read(std::uint8_t* bytes, std::size_t length) noexcept override {

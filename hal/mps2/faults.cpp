@@ -1,4 +1,4 @@
-// What must not happen ends the run: faults, unexpected exceptions, failed assertions.
+// Errors that end the run: faults, unexpected exceptions, failed assertions.
 #include <cstdint>
 
 #include "hal/mps2/handlers.hpp"

@@ -19,7 +19,7 @@ volatile std::uint32_t& system_register(std::uintptr_t address) {
     return *reinterpret_cast<volatile std::uint32_t*>(address);
 }
 
-// Coprocessors 10 and 11, the FPU, for everybody (Armv7-M, coprocessor access control register).
+// Coprocessors 10 and 11, the FPU, full access (Armv7-M, coprocessor access control register).
 void enable_fpu() {
     volatile std::uint32_t& coprocessor_access = system_register(0xE000'ED88U);
     coprocessor_access = coprocessor_access | (0xFU << 20U);

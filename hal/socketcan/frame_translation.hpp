@@ -11,7 +11,7 @@ namespace hal {
 
 enum class KernelFrameKind : std::uint8_t { data, error, other };
 
-// What a frame of `bytes` bytes, as read from a raw CAN socket, is. `other` is a remote frame or nothing we
+// Kind of a frame of `bytes` bytes, as read from a raw CAN socket. `other` is a remote frame or nothing we
 // know.
 KernelFrameKind kind_of(const canfd_frame& kernel_frame, std::size_t bytes) noexcept;
 

@@ -6,7 +6,7 @@
 
 namespace hal {
 
-// What follows the header of an answer, of which only the beginning is of interest.
+// Body of an answer, of which only the beginning is of interest.
 union RouteAnswer {
     nlmsgerr error;
     ifinfomsg link;

@@ -192,8 +192,8 @@ void SocketCanBus::take_error_frame(const canfd_frame& error_frame) noexcept {
     }
 }
 
-// A node that is bus-off hears nothing, so somebody else has restarted it; but where this bus does that, the
-// frame may as well be a late one, and to believe it would mean to stay bus-off.
+// A bus-off node receives nothing, so another process has restarted it; but if this bus does that, the frame
+// may be a late one, and accepting it would mean to stay bus-off.
 void SocketCanBus::take_sign_of_life() noexcept {
     if (state_ != BusState::bus_off) {
         bus_off_schedule_.reset();

@@ -12,7 +12,7 @@ namespace hal {
 
 using Key = std::array<std::uint8_t, 16>;
 
-// Of `length` bytes. False where the library refuses; `code` is then left as it was.
+// CMAC of `length` bytes. False where the library refuses; `code` is then left as it was.
 bool cmac(const Key& key, const std::uint8_t* bytes, std::size_t length, AuthenticationCode& code) noexcept;
 
 }  // namespace hal

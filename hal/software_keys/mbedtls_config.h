@@ -1,4 +1,4 @@
-/* What the project takes of Mbed TLS: the block cipher, with its tables in read-only memory. */
+/* Used part of Mbed TLS: the block cipher, with its tables in read-only memory. */
 #ifndef HAL_SOFTWARE_KEYS_MBEDTLS_CONFIG_H
 #define HAL_SOFTWARE_KEYS_MBEDTLS_CONFIG_H
 

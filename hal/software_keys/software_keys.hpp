@@ -1,5 +1,5 @@
-// Software keys: a key store without hardware. Its keys lie in the program or in a file, where whoever reads
-// those reads them; a product has a hardware security module behind hal::KeyStore instead.
+// Software keys: a key store without hardware. Its keys lie in the program or in a file, where any reader of
+// those finds them; a product has a hardware security module behind hal::KeyStore instead.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace hal {
 inline constexpr std::size_t key_slots = 3U;
 using Keys = std::array<Key, key_slots>;  // in the order of KeySlot
 
-// Known to everybody who reads this. They are for tests; an ECU that has them says so on the bus.
+// A public key. They are for tests; an ECU that has them says so on the bus.
 inline constexpr Keys test_keys{{
     {'t', 'e', 's', 't', ' ', 'k', 'e', 'y', ' ', 'f', 'o', 'r', ' ', 'X', 'C', 'P'},
     {'t', 'e', 's', 't', ' ', 'k', 'e', 'y', ' ', 'f', 'o', 'r', ' ', 'U', 'D', 'S'},

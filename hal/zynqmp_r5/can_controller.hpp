@@ -28,11 +28,11 @@ struct CanSettings {
 // Accesses to a register for which the controller is given to follow a request.
 inline constexpr std::uint32_t most_can_polls{1000U};
 
-// A controller that does not respond disturbs nobody on the bus, so waiting longer each time would help
-// nobody: it is tried again at an even pace. A try costs at most two waits of most_can_polls, some 0.2 ms.
+// A controller that does not respond does not disturb the bus, so longer waits would not help: it is tried
+// again at an even pace. A try costs at most two waits of most_can_polls, some 0.2 ms.
 inline constexpr Time interval_of_tries = Time::from_milliseconds(100);
 
-// What has not left the FIFO after this time is thrown away: a warning of yesterday must not go out when the
+// Frames still in the FIFO after this time are discarded: a warning of yesterday must not go out when the
 // bus comes back.
 inline constexpr Time oldest_unsent_frame = Time::from_milliseconds(50);
 
@@ -192,7 +192,7 @@ class CanController final : public CanBus {
         return (events & both) == both;
     }
 
-    // Of a single frame "transmit OK" says enough, whatever the other event means.
+    // For a single frame "transmit OK" is enough, whatever the other event means.
     void follow_transmission(std::uint32_t events) noexcept {
         const bool one_left = pending_ == 1U && (events & can::event_bits::transmit_ok) != 0U;
         if (one_left || have_all_left(events)) {

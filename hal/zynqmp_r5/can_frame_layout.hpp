@@ -27,7 +27,7 @@ constexpr CanAcceptance accepting(const std::array<std::uint32_t, count>& identi
     return CanAcceptance{identifiers[0], 0x7FFU & ~differing};
 }
 
-// What two registers of the controller hold.
+// Content of two registers of the controller.
 struct CanFilter {
     std::uint32_t mask{0U};
     std::uint32_t identifier{0U};

@@ -47,7 +47,7 @@ inline constexpr std::uint32_t filters_busy{1U << 11U};
 // An event stays set until it is cleared. The manual leaves open whether one that stands (a FIFO that is
 // empty, or holds frames) is set again as soon as it is cleared, or only when it begins anew.
 namespace event_bits {
-inline constexpr std::uint32_t transmit_ok{1U << 1U};  // one frame has left, and somebody acknowledged it
+inline constexpr std::uint32_t transmit_ok{1U << 1U};  // one frame has left and was acknowledged
 inline constexpr std::uint32_t receive_overflow{1U << 6U};
 inline constexpr std::uint32_t receive_fifo_not_empty{1U << 7U};
 inline constexpr std::uint32_t error{1U << 8U};

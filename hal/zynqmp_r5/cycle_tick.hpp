@@ -41,7 +41,7 @@ class CycleTick {
         return true;
     }
 
-    // What was left at the last look until the next cycle is due; none if it was due.
+    // Time from the last look until the next cycle is due; none if it was due.
     Time spare() const noexcept { return spare_; }
 
  private:

@@ -1,5 +1,5 @@
-// What a data abort was, from the registers that describe it (Arm Cortex-R5 TRM, DDI 0460, data fault status
-// and address register).
+// Description of a data abort, from the registers that describe it (Arm Cortex-R5 TRM, DDI 0460, data fault
+// status and address register).
 #pragma once
 
 #include <cstdint>

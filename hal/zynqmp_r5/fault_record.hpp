@@ -9,7 +9,7 @@ namespace hal::zynqmp_r5 {
 
 struct Fault {
     ResetReason reason{ResetReason::power_on};
-    // Address of the instruction. Of a data abort that came late (data_abort.hpp) one after it, of a start
+    // Address of the instruction. For a data abort that came late (data_abort.hpp) one after it, for a start
     // without reset the one before the return address, which is the call unless that was the last one of its
     // function.
     std::uint32_t instruction{0U};

@@ -12,7 +12,7 @@ MEMORY
     RETAINED   (rw) : ORIGIN = RSI_RETAINED_START, LENGTH = RSI_RETAINED_SIZE
 }
 
-/* What is cleared at every start, or must survive it, belongs to no segment: nothing of it is loaded. */
+/* Data cleared at every start, or kept over it, belong to no segment: nothing of it is loaded. */
 PHDRS
 {
     vectors PT_LOAD FLAGS(5);

@@ -12,8 +12,7 @@
 
 namespace hal::zynqmp_r5 {
 
-// What may be done in a region; a higher region wins where two overlap. Where there is none, every access
-// aborts.
+// Rights in a region; a higher region wins where two overlap. Without a region every access aborts.
 enum class Access : std::uint32_t {  // region access control register
     // Normal memory, write-back, write-allocate, not shared: TEX 1, C, B.
     execute = (5U << 8U) | (1U << 3U) | (1U << 1U) | 1U,                  // privileged read only

@@ -1,4 +1,4 @@
-// What differs between the silicon and its emulator (QEMU 7.2, machine xlnx-zcu102), in one type each. An
+// Differences between the silicon and its emulator (QEMU 7.2, machine xlnx-zcu102), in one type each. An
 // image chooses one when it is built (RSI_ZYNQMP_POLICY_SILICON or RSI_ZYNQMP_POLICY_EMULATOR) and includes
 // nothing of the other; everything else is the same.
 #pragma once

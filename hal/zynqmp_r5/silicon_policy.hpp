@@ -1,4 +1,4 @@
-// What the silicon has: clocks, layout of frames, watchdog and reset.
+// The silicon: clocks, layout of frames, watchdog and reset.
 #pragma once
 
 #include <cstdint>

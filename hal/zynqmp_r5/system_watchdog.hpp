@@ -31,8 +31,8 @@ inline constexpr std::uint32_t lower_bits{12U};
 inline constexpr std::uint32_t largest_upper{0xFFFU};
 }  // namespace watchdog
 
-// Expires `limit_ms` after the last feeding, up to one part in a hundred later. What expiry resets is decided
-// by the platform management unit: docs/targets.md.
+// Expires `limit_ms` after the last feeding, up to one part in a hundred later. The platform management unit
+// decides what expiry resets: docs/targets.md.
 template <typename Registers, std::uint32_t clock_hz, std::uint32_t limit_ms>
 class SystemWatchdog final : public Watchdog {
  public:

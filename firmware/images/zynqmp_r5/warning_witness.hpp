@@ -10,15 +10,15 @@
 
 namespace image {
 
-// What a fault may find half done: it can come between any two instructions. Hence one volatile byte, which
-// the compiler writes when it is told to, and not after the registers of the controller.
+// State that a fault may find half done: it can come between any two instructions. Hence one volatile byte,
+// which the compiler writes in program order, and not after the registers of the controller.
 class LastWarning {
  public:
-    // Of the warning frame that receivers may have seen last.
+    // Counter of the warning frame that receivers may have seen last.
     std::uint8_t counter() const noexcept { return counter_; }
     void set_counter(std::uint8_t counter) noexcept { counter_ = counter; }
 
-    // Of a warning frame that goes out instead of the next one.
+    // Counter of a warning frame that goes out instead of the next one.
     std::uint8_t next_counter() const noexcept {
         return static_cast<std::uint8_t>((counter_ + 1U) % (can_dbc::e2e::profile_11_largest_counter + 1U));
     }

@@ -1,4 +1,4 @@
-// What the emulator has in place of the silicon's (QEMU 7.2, machine xlnx-zcu102).
+// Substitutes of the emulator for the silicon's (QEMU 7.2, machine xlnx-zcu102).
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ struct EmulatorPolicy {
     using Watchdog = emulator::SupervisorWatchdog<Registers, 5000U>;
     template <typename Registers>
     using Reset = emulator::SupervisorReset<Registers>;
-    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too. So the looks
-    // come rarely at first and then more often: the loop takes hundredths of the spare time, a third of it
-    // where the emulator is itself emulated.
+    // Each look at the timer wakes the emulator's main loop, which the CAN interface needs too. Therefore the
+    // looks come rarely at first and then more often: the loop takes hundredths of the spare time, a third of
+    // it where the emulator is itself emulated.
     static void wait(Time spare) noexcept {
         for (auto pause = static_cast<std::uint32_t>(spare.nanoseconds / 64); pause > 0U; --pause) {
             asm volatile("nop");

@@ -73,7 +73,7 @@ void reset_now() noexcept {
     asm volatile("dsb" : : : "memory");
     Policy::Reset<MemoryMappedRegisters>::request(MemoryMappedRegisters{});
     for (;;) {
-        // The reset ends this, or else the watchdog, which nobody feeds any more.
+        // The reset ends this, or else the watchdog, which is not fed any more.
     }
 }
 

@@ -1,4 +1,4 @@
-// What an image does when an exception has ended its run.
+// Reaction of an image to an exception that has ended its run.
 #pragma once
 
 #include "hal/zynqmp_r5/fault_record.hpp"

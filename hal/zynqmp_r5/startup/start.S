@@ -47,14 +47,14 @@ vectors:
     .section .boot_vectors, "ax"
     vector_table
 
-/* The first instruction of the image, at its lowest address: the entry of whoever releases the core. */
+/* The first instruction of the image, at its lowest address: the entry for the loader that releases the core. */
     .section .start, "ax"
     .weak zynqmp_r5_protect_memory
     .global start
     .type start, %function
 start:
-    /* A call of a null pointer comes here too, by the vector at 0, while the firmware runs. Two things together tell it
-     * from a start after a reset: the MPU is on, which a reset switches off (a boot loader may have switched it on), and
+    /* A call of a null pointer comes here too, by the vector at 0, while the firmware runs. Two things together distinguish
+     * it from a start after a reset: the MPU is on, which a reset switches off (a boot loader may have switched it on), and
      * the thread register holds the mark of a running firmware (which a reset need not clear). */
     mrs r2, cpsr
     cpsid aif

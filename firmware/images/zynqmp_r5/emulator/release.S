@@ -15,7 +15,7 @@
     .global _start
 _start:
     ldr x20, =RSI_SUPERVISOR_COUNTDOWN
-    str wzr, [x20]                      // what an earlier run left there does not count
+    str wzr, [x20]                      // content of an earlier run does not count
 
     ldr x0, =psci_cpu_on
     mov x1, #4                          // the first R5 core, after four A53
