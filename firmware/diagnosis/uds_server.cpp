@@ -49,7 +49,7 @@ bool is_suppressed(const Request& request) {
 }
 
 // Functionally addressed requests get no such negative response (ISO 14229-1).
-bool is_said_to_everybody(Nrc code) {
+bool is_sent_to_functional(Nrc code) {
     return (code != Nrc::service_not_supported) && (code != Nrc::sub_function_not_supported) &&
            (code != Nrc::request_out_of_range) && (code != Nrc::service_not_in_session);
 }
@@ -104,7 +104,7 @@ void UdsServer::work(const EcuState& ecu) noexcept {
     } else if (request.length() != 0U) {
         serve(request, ecu);
     } else {
-        // nobody asks
+        // no request
     }
 }
 
@@ -161,7 +161,7 @@ void UdsServer::answer(const Request& request, Nrc code) noexcept {
     const Nrc said = response_.is_too_long() ? Nrc::response_too_long : code;
     const bool is_good = (said == Nrc::none);
     const bool is_said = is_good ? (is_later_said_ || !is_suppressed(request))
-                                 : (!request.is_functional() || is_said_to_everybody(said));
+                                 : (!request.is_functional() || is_sent_to_functional(said));
     if (!is_good) {
         say_no(request, said);
     }

@@ -3,7 +3,7 @@
 // power.
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
-#include "images/zynqmp_r5/warning_witness.hpp"
+#include "images/zynqmp_r5/warning_recorder.hpp"
 #include "sil/images/bench_ecu.hpp"
 
 namespace {
@@ -30,7 +30,7 @@ class Ecu {
     sil::BenchEcu ecu_;
 };
 
-image::EcuImage<image::WarningWitness, Ecu> ecu;
+image::EcuImage<image::WarningRecorder, Ecu> ecu;
 
 // Those of the image that is flashed, and what XCP and testers send.
 constexpr hal::zynqmp_r5::CanSettings can_settings() {

@@ -7,7 +7,7 @@
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
-#include "images/zynqmp_r5/warning_witness.hpp"
+#include "images/zynqmp_r5/warning_recorder.hpp"
 #include "sil/simulation/lock_step_receiver.hpp"
 #include "sil/simulation/simulation.hpp"
 
@@ -51,8 +51,8 @@ class LockStepImage {
 
     hal::VirtualClock clock_;
     image::Controller controller_{image::MemoryMappedRegisters{}, clock_};
-    image::WarningWitness witness_{controller_, image::last_warning()};
-    Receiver receiver_{witness_, clock_};
+    image::WarningRecorder recorder_{controller_, image::last_warning()};
+    Receiver receiver_{recorder_, clock_};
     NoWatchdog watchdog_;
     std::optional<application::RolloverEcu> ecu_;
 };

@@ -133,7 +133,7 @@ class Tester {
         }
         return answer;
     }
-    Bytes ask_everybody(const Bytes& request, int cycles = 12) {
+    Bytes ask_functional(const Bytes& request, int cycles = 12) {
         send_frame(functional, Bytes{static_cast<std::uint8_t>(request.size())} + request);
         return receive(cycles);
     }

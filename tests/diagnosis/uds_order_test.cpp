@@ -26,7 +26,7 @@ TEST_F(UdsOrder, UnknownServicesAreSaid) {
                                           [&](const diagnosis::Service& each) { return each.id == service; });
         if (!is_known) {
             EXPECT_EQ(ask({service}), no(service, 0x11U));
-            EXPECT_EQ(tester_.ask_everybody({service}), Bytes{});
+            EXPECT_EQ(tester_.ask_functional({service}), Bytes{});
         }
     }
 }
@@ -95,17 +95,17 @@ TEST_F(UdsOrder, Routines) {
 }
 
 TEST_F(UdsOrder, WhoAsksEverybodyHearsOnlyWhatConcernsHim) {
-    EXPECT_EQ(tester_.ask_everybody({0x10U, 0x55U}), Bytes{});
-    EXPECT_EQ(tester_.ask_everybody({0x22U, 0x00U, 0x01U}), Bytes{});
-    EXPECT_EQ(tester_.ask_everybody({0x85U, 0x01U}), Bytes{}) << "not in this session";
-    EXPECT_EQ(tester_.ask_everybody({0x10U}), no(0x10U, 0x13U));
-    EXPECT_EQ(tester_.ask_everybody({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
-    EXPECT_EQ(tester_.ask_everybody({0x22U, 0xF1U, 0x86U}), (Bytes{0x62U, 0xF1U, 0x86U, 0x01U}));
-    EXPECT_EQ(tester_.ask_everybody({0x10U, 0x03U})[0], 0x50U);
+    EXPECT_EQ(tester_.ask_functional({0x10U, 0x55U}), Bytes{});
+    EXPECT_EQ(tester_.ask_functional({0x22U, 0x00U, 0x01U}), Bytes{});
+    EXPECT_EQ(tester_.ask_functional({0x85U, 0x01U}), Bytes{}) << "not in this session";
+    EXPECT_EQ(tester_.ask_functional({0x10U}), no(0x10U, 0x13U));
+    EXPECT_EQ(tester_.ask_functional({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
+    EXPECT_EQ(tester_.ask_functional({0x22U, 0xF1U, 0x86U}), (Bytes{0x62U, 0xF1U, 0x86U, 0x01U}));
+    EXPECT_EQ(tester_.ask_functional({0x10U, 0x03U})[0], 0x50U);
     for (const std::uint8_t service : Bytes{0x27U, 0x2EU, 0x31U, 0x34U, 0x36U, 0x37U}) {
-        EXPECT_EQ(tester_.ask_everybody({service, 0x01U}), Bytes{}) << "asked of one alone";
+        EXPECT_EQ(tester_.ask_functional({service, 0x01U}), Bytes{}) << "asked of one alone";
     }
-    EXPECT_EQ(tester_.ask_everybody({0x19U, 0x0AU}).size(), 3U + 4U * diagnosis::trouble_code_count);
+    EXPECT_EQ(tester_.ask_functional({0x19U, 0x0AU}).size(), 3U + 4U * diagnosis::trouble_code_count);
 }
 
 TEST_F(UdsOrder, APositiveAnswerMayBeSuppressedANegativeOneNot) {
@@ -152,7 +152,7 @@ TEST_F(UdsOrder, TesterPresentDisturbsNothing) {
     tester_.cycle();
     tester_.send_frame(Tester::functional, present);
     EXPECT_EQ(tester_.receive(20).size(), 20U);
-    EXPECT_EQ(tester_.ask_everybody({0x3EU, 0x00U}), (Bytes{0x7EU, 0x00U}));
+    EXPECT_EQ(tester_.ask_functional({0x3EU, 0x00U}), (Bytes{0x7EU, 0x00U}));
 }
 
 // Ten thousand requests of all kinds, most of them nearly right: no answer but those that the standard knows,
@@ -175,7 +175,7 @@ TEST_F(UdsOrder, ARandomProberChangesNothing) {
             request.push_back((random() % 3U == 0U) ? byte() : one_of(likely));
         }
         const bool is_functional = (random() % 8U == 0U) && (request.size() <= 7U);
-        const Bytes answer = is_functional ? tester_.ask_everybody(request, 2) : tester_.ask(request, 2);
+        const Bytes answer = is_functional ? tester_.ask_functional(request, 2) : tester_.ask(request, 2);
         if (answer.empty()) {
             continue;
         }

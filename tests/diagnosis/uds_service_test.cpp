@@ -63,7 +63,7 @@ TEST_F(Uds, ASessionEndsFiveSecondsAfterTheLastRequest) {
     tester_.cycles(480);
     ask({0x3EU, 0x00U});
     tester_.cycles(480);
-    tester_.ask_everybody({0x3EU, 0x80U}, 0);
+    tester_.ask_functional({0x3EU, 0x80U}, 0);
     tester_.cycles(480);
     EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
     ask({0x3EU, 0x00U});
@@ -359,8 +359,8 @@ TEST_F(Uds, WhileItWaitsNobodyElseIsServed) {
     memories_.other.refuse(true);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
     tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
-    EXPECT_EQ(tester_.ask_everybody({0x10U, 0x01U}), no(0x14U, 0x78U));
-    EXPECT_EQ(tester_.ask_everybody({0x3EU, 0x80U}), Bytes{});
+    EXPECT_EQ(tester_.ask_functional({0x10U, 0x01U}), no(0x14U, 0x78U));
+    EXPECT_EQ(tester_.ask_functional({0x3EU, 0x80U}), Bytes{});
     tester_.send_frame(Tester::physical, {0x02U, 0x10U, 0x01U});
     tester_.cycles(3);
     memories_.one.refuse(false);
@@ -391,8 +391,8 @@ TEST_F(Uds, EverybodyMayBeAskedToClear) {
     tester_.unlock();
     memories_.one.refuse(true);
     memories_.other.refuse(true);
-    EXPECT_EQ(tester_.ask_everybody({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x78U));
-    tester_.ask_everybody({0x3EU, 0x80U}, 2);
+    EXPECT_EQ(tester_.ask_functional({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x78U));
+    tester_.ask_functional({0x3EU, 0x80U}, 2);
     memories_.one.refuse(false);
     memories_.other.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));

@@ -9,7 +9,7 @@ import unittest
 
 import programs
 
-PHYSICAL, EVERYBODY, ANSWER = 0x7A6, 0x7DF, 0x7AE
+PHYSICAL, FUNCTIONAL, ANSWER = 0x7A6, 0x7DF, 0x7AE
 SINGLE, FIRST, CONSECUTIVE, FLOW_CONTROL = range(4)  # kinds of frame of ISO-TP
 REFUSED, PENDING = 0x7F, 0x78
 CLEAR = (0x14, b"\xFF\xFF\xFF")  # all codes
@@ -178,7 +178,7 @@ class Diagnosis(unittest.TestCase):
     def test_without_the_option_nobody_answers(self):
         with programs.Ecu():
             tester = self.workshop()
-            for identifier in (PHYSICAL, EVERYBODY):
+            for identifier in (PHYSICAL, FUNCTIONAL):
                 tester.send_frame((2, 0x3E, 0x00), identifier)
             with self.assertRaises(TimeoutError):
                 tester.receive_frame(within=0.5)

@@ -10,7 +10,7 @@
 #include "hal/zynqmp_r5/registers.hpp"
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "hal/zynqmp_r5/timer_clock.hpp"
-#include "images/zynqmp_r5/warning_witness.hpp"
+#include "images/zynqmp_r5/warning_recorder.hpp"
 
 namespace image {
 
@@ -55,7 +55,7 @@ constexpr hal::zynqmp_r5::CanSettings unfiltered_can_settings() {
     return settings;
 }
 
-// `Bus` is what the application sees of the controller: a WarningWitness, or a hal::CanBus that is made like
+// `Bus` is what the application sees of the controller: a WarningRecorder, or a hal::CanBus that is made like
 // one. `Ecu` is started and stepped as a RolloverEcu is.
 template <typename Bus, typename Ecu = application::RolloverEcu>
 class EcuImage {

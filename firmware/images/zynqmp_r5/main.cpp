@@ -1,10 +1,10 @@
 // rsi-ecu-r5f: the firmware on the Cortex-R5F of the Zynq UltraScale+ MPSoC.
 #include "images/zynqmp_r5/ecu_image.hpp"
-#include "images/zynqmp_r5/warning_witness.hpp"
+#include "images/zynqmp_r5/warning_recorder.hpp"
 
 namespace {
 
-image::EcuImage<image::WarningWitness> ecu;
+image::EcuImage<image::WarningRecorder> ecu;
 
 }  // namespace
 

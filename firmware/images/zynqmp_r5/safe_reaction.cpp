@@ -4,7 +4,7 @@
 #include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
-#include "images/zynqmp_r5/warning_witness.hpp"
+#include "images/zynqmp_r5/warning_recorder.hpp"
 
 namespace {
 

@@ -97,7 +97,7 @@ class Drive {
         const std::size_t length = reader_.one_in(8U) ? reader_.below(140U) : reader_.below(7U);
         const Bytes request =
             Bytes{service} + payload(is_functional ? std::min(length, std::size_t{6U}) : length);
-        const Bytes answer = is_functional ? tester_->ask_everybody(request, 3) : tester_->ask(request, 3);
+        const Bytes answer = is_functional ? tester_->ask_functional(request, 3) : tester_->ask(request, 3);
         if (answer.empty() || tester_->times_told_later != 0) {
             tester_->times_told_later = 0;
             return;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "images/zynqmp_r5/ecu_image.hpp"
-#include "images/zynqmp_r5/warning_witness.hpp"
+#include "images/zynqmp_r5/warning_recorder.hpp"
 
 namespace {
 
@@ -79,7 +79,7 @@ class FaultyBus final : public hal::CanBus {
     hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
 
  private:
-    image::WarningWitness bus_;
+    image::WarningRecorder bus_;
 };
 
 image::EcuImage<FaultyBus> ecu;

@@ -1,5 +1,5 @@
 // The warning frame that a fault sends: receivers accept its counter, whenever the fault comes.
-#include "images/zynqmp_r5/warning_witness.hpp"
+#include "images/zynqmp_r5/warning_recorder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ class Bus final : public hal::CanBus {
     hal::BusStatistics statistics() const noexcept override { return {}; }
 };
 
-class WarningWitnessTest : public ::testing::Test {
+class WarningRecorderTest : public ::testing::Test {
  protected:
     bool fault_is_heard() {
         Receiver as_it_is = bus.receiver;
@@ -56,22 +56,22 @@ class WarningWitnessTest : public ::testing::Test {
     }
     void send_cycles(std::uint8_t count) {
         for (std::uint8_t cycle = 0U; cycle < count; ++cycle) {
-            ASSERT_EQ(witness.send(warning(counter)), bus.result);
+            ASSERT_EQ(recorder.send(warning(counter)), bus.result);
             counter = static_cast<std::uint8_t>((counter + 1U) % 15U);
         }
     }
 
     Bus bus;
     LastWarning last;
-    WarningWitness witness{bus, last};
+    WarningRecorder recorder{bus, last};
     std::uint8_t counter{0U};
 };
 
-TEST_F(WarningWitnessTest, BeforeTheFirstFrameTheCounterIsZero) {
+TEST_F(WarningRecorderTest, BeforeTheFirstFrameTheCounterIsZero) {
     EXPECT_EQ(last.next_counter(), 0U);
 }
 
-TEST_F(WarningWitnessTest, BetweenTwoFramesTheNextCounterIsUsed) {
+TEST_F(WarningRecorderTest, BetweenTwoFramesTheNextCounterIsUsed) {
     for (std::uint8_t cycle = 0U; cycle < 20U; ++cycle) {
         send_cycles(1U);
         EXPECT_EQ(last.next_counter(), counter);
@@ -79,7 +79,7 @@ TEST_F(WarningWitnessTest, BetweenTwoFramesTheNextCounterIsUsed) {
     }
 }
 
-TEST_F(WarningWitnessTest, AFaultWithinASendIsHeardWhetherTheFrameWasTakenOrNot) {
+TEST_F(WarningRecorderTest, AFaultWithinASendIsHeardWhetherTheFrameWasTakenOrNot) {
     send_cycles(5U);
     int faults = 0;
     bus.before = bus.after = [&] {
@@ -90,7 +90,7 @@ TEST_F(WarningWitnessTest, AFaultWithinASendIsHeardWhetherTheFrameWasTakenOrNot)
     EXPECT_EQ(faults, 40);
 }
 
-TEST_F(WarningWitnessTest, FramesThatWereNotTakenDoNotCount) {
+TEST_F(WarningRecorderTest, FramesThatWereNotTakenDoNotCount) {
     send_cycles(5U);
     bus.result = hal::SendResult::full;
     send_cycles(8U);
@@ -98,13 +98,13 @@ TEST_F(WarningWitnessTest, FramesThatWereNotTakenDoNotCount) {
     EXPECT_TRUE(fault_is_heard());
 }
 
-TEST_F(WarningWitnessTest, OtherFramesDoNotCount) {
+TEST_F(WarningRecorderTest, OtherFramesDoNotCount) {
     send_cycles(5U);
     hal::CanFrame other = warning(11U);
     other.identifier = can_dbc::RolloverStatus::identifier;
     bus.before = [this] { EXPECT_EQ(last.counter(), 4U); };
     bus.result = hal::SendResult::failed;
-    witness.send(other);
+    recorder.send(other);
     EXPECT_EQ(last.next_counter(), 5U);
 }
 

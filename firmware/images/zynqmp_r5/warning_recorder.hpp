@@ -1,4 +1,4 @@
-// Warning witness: a bus that notes the end-to-end counter of the warning frames, for the one that a fault
+// Warning recorder: a bus that notes the end-to-end counter of the warning frames, for the one that a fault
 // sends after them.
 #pragma once
 
@@ -30,10 +30,10 @@ class LastWarning {
 // The image's one; the reaction to a fault has no other way to the objects of the main loop.
 LastWarning& last_warning() noexcept;
 
-class WarningWitness final : public hal::CanBus {
+class WarningRecorder final : public hal::CanBus {
  public:
     // Both must outlive this one.
-    WarningWitness(hal::CanBus& bus, LastWarning& last) noexcept : bus_{bus}, last_{last} {}
+    WarningRecorder(hal::CanBus& bus, LastWarning& last) noexcept : bus_{bus}, last_{last} {}
 
     hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override { return bus_.receive(frame); }
 
