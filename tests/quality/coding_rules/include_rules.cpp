@@ -277,6 +277,29 @@ std::vector<std::string> forbidden_includes(const std::string& root) {
     return found;
 }
 
+std::vector<std::string> headers_without_user(const std::string& root) {
+    std::map<std::string, bool> has_user;
+    visit_lines(root, [&](const fs::path& file, int /*number*/, const std::string& line) {
+        if (is_cmake(file) || *file.begin() == "tests") {
+            return;
+        }
+        if (file.extension() == ".hpp" || file.extension() == ".h") {
+            has_user.try_emplace(file.generic_string(), false);
+        }
+        const fs::path used = included_file(root, file, included_by(line));
+        if (!used.empty() && fs::path{used}.replace_extension() != fs::path{file}.replace_extension()) {
+            has_user[used.generic_string()] = true;
+        }
+    });
+    std::vector<std::string> found;
+    for (const auto& [header, user] : has_user) {
+        if (!user) {
+            found.push_back(header);
+        }
+    }
+    return found;
+}
+
 std::vector<std::string> folder_circles(const std::string& root) {
     FolderUses uses;
     visit_lines(root, [&](const fs::path& file, int number, const std::string& line) {

@@ -21,4 +21,7 @@ std::vector<std::string> forbidden_includes(const std::string& root);
 // is in it, and is compared with those beside it, at every depth under `root`.
 std::vector<std::string> folder_circles(const std::string& root);
 
+// The headers of the product that only tests include, or nothing but their own source.
+std::vector<std::string> headers_without_user(const std::string& root);
+
 }  // namespace rsi_test

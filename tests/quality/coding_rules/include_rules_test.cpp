@@ -159,6 +159,32 @@ TEST(IncludeRules, APlantedPathInACMakeFileIsFoundByFileAndLine) {
     EXPECT_EQ(found[1], "hal/board/CMakeLists.txt:2: a CMake file of hal/ may not name a path of tests/");
 }
 
+// Code that only tests use belongs to them.
+TEST(IncludeRules, EveryHeaderOfTheProductHasAUserInIt) {
+    const std::vector<std::string> exceptions{
+        "firmware/selftest/selftest.h",        // exported
+        "hal/software_keys/mbedtls_config.h",  // named by a compile definition
+        // Parts of a procedure that its source runs and a test takes one by one.
+        "sil/studies/procedures/sine_with_dwell.hpp", "sil/studies/procedures/steady_circle.hpp",
+        "sil/studies/procedures/tilt_table.hpp"};
+    EXPECT_EQ(rsi_test::headers_without_user(RSI_PROJECT_ROOT), exceptions);
+}
+
+TEST(IncludeRules, APlantedHeaderThatOnlyItsSourceAndATestIncludeIsFound) {
+    const test_support::ScratchFolder folder;
+    const auto plant = [&folder](const std::string& path, const std::string& header) {
+        fs::create_directories((folder.path() / path).parent_path());
+        std::ofstream(folder.path() / path) << "#include \"" << header << "\"\n";
+    };
+    plant("sil/files/compare.hpp", "cstdint");
+    plant("sil/files/compare.cpp", "sil/files/compare.hpp");
+    plant("tests/sil/files/compare_test.cpp", "sil/files/compare.hpp");
+    plant("sil/files/log.hpp", "cstdint");
+    plant("sil/apps/main.cpp", "sil/files/log.hpp");
+    EXPECT_EQ(rsi_test::headers_without_user(folder.path().string()),
+              std::vector<std::string>{"sil/files/compare.hpp"});
+}
+
 // Directly, by way of a third folder, and between folders of a folder; a folder and one within it are no
 // pair.
 TEST(IncludeRules, PlantedCirclesOfFoldersAreFoundByFileAndLine) {
