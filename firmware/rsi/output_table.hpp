@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "rsi/numeric/bounded.hpp"
+#include "rsi/rsi_outputs.h"
 #include "rsi/types.hpp"
 
 namespace rsi {

@@ -32,7 +32,6 @@
 #include <stdint.h>
 
 #include "rsi/float_rules.h"
-#include "rsi/rsi_outputs.h"
 #include "rsi/version.h"
 
 #ifdef __cplusplus
@@ -44,9 +43,8 @@ extern "C" {
 
 /* Which estimator moves the roll centre. */
 typedef enum {
-    RSI_ESTIMATOR_PUBLISHED = 0, /* robust least squares with disturbance observer, (5), (8) to (11) */
-    RSI_ESTIMATOR_CONSIDER_KALMAN =
-        1 /* one unknown, with the roll stiffness as a curve and the roll inertia */
+    RSI_ESTIMATOR_PUBLISHED = 0,      /* robust least squares with disturbance observer, (5), (8) to (11) */
+    RSI_ESTIMATOR_CONSIDER_KALMAN = 1 /* one unknown; roll stiffness as a curve, and the roll inertia */
 } rsi_estimator;
 
 /* What the roll sensor's angle is measured against. */
@@ -111,8 +109,7 @@ typedef struct {
     float imu_x_m;
     float imu_y_m;
     float imu_z_m;
-    float
-        angular_acceleration_lag_s; /* first-order lag of the derivatives that carry f_y and f_z to the CG */
+    float angular_acceleration_lag_s; /* of the derivatives that carry f_y and f_z to the CG, first order */
 
     /* Robust least squares with disturbance observer, (9) to (11) */
     float forgetting_factor;               /* lambda */
@@ -201,24 +198,82 @@ typedef struct {
                                        adaptation) */
 } rsi_inputs;
 
-/* The answer to one sample: the rows of rsi_outputs.h, which says what each is, each a field of four bytes.
- */
-#define RSI_CODE(name, ...) int32_t name;
-#define RSI_NUMBER(name, ...) float name;
+/* The answer to one sample. NaN: not computed. [unit], [-] without one; in rsi_outputs.h stand the other
+ * properties of each. This structure and the next enumeration are written from there: do not edit them here,
+ * run write_outputs. */
+/* clang-format off */
 typedef struct {
-    RSI_OUTPUTS(RSI_CODE, RSI_NUMBER, RSI_NUMBER)
+    int32_t state;                             /* rsi_state: what is said of the risk */
+    int32_t side;                              /* rsi_side: towards which the vehicle would fall; none
+                                                  while neither side has the risk of an advisory */
+    int32_t roll_source;                       /* rsi_roll_source: where the roll angle in use comes from */
+    int32_t roll_sensor_disagrees;             /* 1: the roll sensor and the observer contradict each other */
+    int32_t estimate_frozen;                   /* 1: the estimator in use learns nothing at present */
+    float warning_level;                       /* [-] level of the index that drives the warning, 0 to 20;
+                                                  without observer_margin and load_margin */
+    float lateral_acceleration_mps2;           /* [m/s^2] a_y: horizontal, of the sprung CG */
+    float lateral_acceleration_threshold_mps2; /* [m/s^2] a_y*, (23), signed like the side it is for */
+    float road_parallel_force_mps2;            /* [m/s^2] A: specific force along the road, left */
+    float road_normal_force_mps2;              /* [m/s^2] N: specific force normal to the road, up */
+    float fixed_model_roll_angle_rad;          /* [rad] phi_f, (1) */
+    float compensated_roll_angle_rad;          /* [rad] (1) with the additional roll moment (7) */
+    float additional_roll_moment_nm;           /* [N m] M_add, (7) */
+    float roll_centre_vertical_m;              /* [m] dh: movement of the roll centre from its nominal
+                                                  height, up */
+    float roll_centre_lateral_m;               /* [m] c_rc, (6): lateral movement of the roll centre */
+    float roll_stiffness_deviation_nmprad;     /* [N m/rad] dK: deviation of the roll stiffness from its
+                                                  nominal value */
+    float roll_damping_deviation_nmsprad;      /* [N m s/rad] dc: deviation of the roll damping from its
+                                                  nominal value */
+    float disturbance_nm;                      /* [N m] d of (11), in units of Y */
+    float roll_centre_deviation_m;             /* [m] standard deviation of dh; not of every estimator */
+    float opposite_load_transfer_ratio;        /* [-] the largest towards the other side than
+                                                  predicted_load_transfer_ratio, 0 to 20 */
+    float load_excess;                         /* [-] by which share m_s H is larger than calibrated, as
+                                                  driving has shown, -0.45 to 1; used or not */
+    float load_excess_deviation;               /* [-] standard deviation of it, 0.01 to 0.25 */
+    float observed_roll_angle_rad;             /* [rad] roll angle relative to the road, without the roll
+                                                  sensor */
+    float observed_bank_angle_rad;             /* [rad] bank angle of the road as the observer has it */
+    float rsi;                                 /* [-] RSI, (25): lateral acceleration over its threshold
+                                                  (23), 0 to 1 */
+    float rsi_bank_free;                       /* [-] |A/N| / T, over the modified half-track ratio, 0 to
+                                                  20 */
+    float rsi_extended;                        /* [-] |A/N| / T_dyn: the same with unsprung mass and roll
+                                                  inertia, 0 to 20 */
+    float load_transfer_ratio;                 /* [-] (26) from the roll state instead of wheel loads, > 0
+                                                  in a left turn, -20 to 20 */
+    float predicted_load_transfer_ratio;       /* [-] the same, of largest magnitude now or within the
+                                                  prediction horizon */
+    float predicted_rsi;                       /* [-] rsi_extended at that load transfer, or now if larger */
+    float static_stability_level;              /* [-] |a_y| / (g SSF), 0 to 20 */
+    float dynamic_stability_index;             /* [g] (27) with minus, the physical sign, > 0 in a left
+                                                  turn, -20 to 20 */
+    float dynamic_stability_index_late;        /* [g] (27) with plus, as printed, -20 to 20 */
+    float energy_margin;                       /* [-] W of (28): 1 at rest, 0 at the critical energy */
+    float rollover_index;                      /* [-] (29), 0 to 20 */
+    float time_to_rollover_s;                  /* [s] time until the CG leaves the track, 0 to 10; 10 while
+                                                  it does not roll outwards */
 } rsi_outputs;
-#undef RSI_NUMBER
-#undef RSI_CODE
 
-/* What can drive the warning: RSI_INDICATOR_PUBLISHED and the other indices of rsi_outputs.h. Each has a
- * level, 0 without risk, at which 1 means "warn", and a side of its own. All are available whenever the
- * component is; one that had no number would make the state "unavailable". */
-#define RSI_NOTHING(...)
-#define RSI_INDEX(name, unit, mirror, CHOICE, number, ...) RSI_INDICATOR_##CHOICE = (number),
-typedef enum { RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_INDEX) } rsi_indicator;
-#undef RSI_INDEX
-#undef RSI_NOTHING
+/* The indices that can drive the warning. Each has a level, 0 without risk, at which 1 means "warn", and a
+ * side of its own. All are available whenever the component is; one that had no number would make the state
+ * "unavailable". */
+typedef enum {
+    RSI_INDICATOR_PUBLISHED = 0,               /* rsi */
+    RSI_INDICATOR_BANK_FREE = 1,               /* rsi_bank_free */
+    RSI_INDICATOR_EXTENDED = 2,                /* rsi_extended */
+    RSI_INDICATOR_LOAD_TRANSFER = 3,           /* load_transfer_ratio */
+    RSI_INDICATOR_PREDICTED_LOAD_TRANSFER = 4, /* predicted_load_transfer_ratio */
+    RSI_INDICATOR_PREDICTED_RSI = 5,           /* predicted_rsi */
+    RSI_INDICATOR_STATIC_STABILITY_FACTOR = 6, /* static_stability_level */
+    RSI_INDICATOR_DYNAMIC_STABILITY = 7,       /* dynamic_stability_index */
+    RSI_INDICATOR_DYNAMIC_STABILITY_LATE = 8,  /* dynamic_stability_index_late */
+    RSI_INDICATOR_ENERGY = 9,                  /* energy_margin */
+    RSI_INDICATOR_ROLLOVER_INDEX = 10,         /* rollover_index */
+    RSI_INDICATOR_TIME_TO_ROLLOVER = 11        /* time_to_rollover_s */
+} rsi_indicator;
+/* clang-format on */
 
 /* Answer of rsi_init. `field` and `reason` point to constant text; both are empty when accepted. */
 typedef struct {
@@ -242,13 +297,48 @@ typedef union {
     const void* alignment_pointer;
 } rsi_component;
 
+/* Storage of one change of parameters; only the functions below look inside. */
+#define RSI_PARAMETER_CHANGE_SIZE 448U
+typedef union {
+    unsigned char bytes[RSI_PARAMETER_CHANGE_SIZE];
+    uint64_t alignment_integer;
+    const void* alignment_pointer;
+} rsi_parameter_change;
+
 /* Starts `component` with `parameters` (copied). When refused, the component is safe to step and says
- * "unavailable". Neither pointer may be null. May be called again at any time: it forgets everything. */
+ * "unavailable". Neither pointer may be null. May be called again at any time: it forgets everything. Takes
+ * longer than a cycle, because it iterates to find the observer's gains. */
 rsi_validation rsi_init(rsi_component* component, const rsi_parameters* parameters);
+
+/* Starts `component` anew, as rsi_init does, but keeps what rsi_init has found by iterating; so it costs less
+ * than a step and fits into a cycle. `parameters` must be those in use; they are not validated again. Without
+ * an accepted rsi_init it does nothing. No pointer may be null. */
+void rsi_reset(rsi_component* component, const rsi_parameters* parameters);
 
 /* One step of 10 ms. `component` must have been through rsi_init; no pointer may be null. Constant cost, no
  * errors. */
 void rsi_step(rsi_component* component, const rsi_inputs* inputs, rsi_outputs* outputs);
+
+/* Other parameters for a component that is running, in three steps:
+ *     rsi_validation answer = rsi_begin_change(&change, &parameters_in_use, &others);
+ *     if (answer.accepted) in every cycle until it returns 1: rsi_prepare_change(&change);
+ *     between two calls of rsi_step: rsi_change(&component, &change);
+ * No pointer may be null.
+ *
+ * The first validates `to` and compares it with `from`, the parameters in use. When `to` is refused, the
+ * answer names the field, and there is nothing to prepare. Neither is needed after the call. */
+rsi_validation rsi_begin_change(rsi_parameter_change* change, const rsi_parameters* from,
+                                const rsi_parameters* to);
+
+/* One cycle's share of the work, less than a step. Returns 1 when the change is ready, else 0. Most changes
+ * are ready at the first call, those of the vehicle or of observer_bank_drift_radps within two seconds. */
+int32_t rsi_prepare_change(rsi_parameter_change* change);
+
+/* The component goes on with the parameters of `change`, which must be ready and have begun from those in
+ * use. Signals, states and what has been learnt stay; but what was learnt of the vehicle is forgotten where
+ * its masses, heights, springs or dampers change. Costs less than a step. Without an accepted rsi_init it
+ * does nothing. */
+void rsi_change(rsi_component* component, const rsi_parameter_change* change);
 
 /* What the component has learnt of the load so far. */
 rsi_learnt_load rsi_get_learnt_load(const rsi_component* component);

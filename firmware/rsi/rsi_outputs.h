@@ -1,7 +1,7 @@
-/* The outputs of the component: the one table of them, included by rsi.h. */
+/* The outputs of the component: the one table of them. */
 /* clang-format off */
-/* rsi.h makes rsi_outputs and rsi_indicator of it, rsi/output_table.hpp the values at reset, the checks and the
- * levels. A row is one of
+/* write_outputs copies it into rsi.h, as rsi_outputs and rsi_indicator; rsi/output_table.hpp makes the values at
+ * reset, the checks and the levels of it. A row is one of
  *
  *   CODE(name, reset, largest, risk, meaning)
  *       int32_t; 0 to `largest`.

@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "rsi/rsi.h"
+#include "rsi/rsi_outputs.h"
 
 #define SAME(condition, name) typedef char name[(condition) ? 1 : -1]
 

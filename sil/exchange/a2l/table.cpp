@@ -11,6 +11,7 @@
 #include "application/calibration_epk.hpp"
 #include "application/calibration_pages.hpp"
 #include "rsi/parameters.hpp"
+#include "rsi/rsi_outputs.h"
 #include "xcp/daq.hpp"
 #include "xcp/identifiers.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "rsi/parameters.hpp"
 #include "rsi/rsi.h"
+#include "rsi/rsi_outputs.h"
 #include "sil/exchange/fmu/model.hpp"
 #include "sil/exchange/fmu/sentence.hpp"
 #include "sil/exchange/fmu/start_values.hpp"
