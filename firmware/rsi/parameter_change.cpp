@@ -14,26 +14,26 @@ constexpr std::uint32_t iterations_a_cycle = 10U;
 using Field = float Parameters::*;
 
 // The vehicle's body and how it rolls.
-constexpr std::array<Field, 11> vehicle{&Parameters::sprung_mass_kg,
-                                        &Parameters::sprung_cg_height_m,
-                                        &Parameters::track_width_m,
-                                        &Parameters::roll_inertia_kgm2,
-                                        &Parameters::unsprung_mass_kg,
-                                        &Parameters::unsprung_cg_height_m,
-                                        &Parameters::fixed_roll_centre_height_m,
-                                        &Parameters::roll_stiffness_nmprad,
-                                        &Parameters::roll_damping_nmsprad,
-                                        &Parameters::roll_stiffness_cubic_nmprad3,
-                                        &Parameters::roll_stiffness_quintic_nmprad5};
+constexpr std::array<Field, 11> vehicle_fields{&Parameters::sprung_mass_kg,
+                                               &Parameters::sprung_cg_height_m,
+                                               &Parameters::track_width_m,
+                                               &Parameters::roll_inertia_kgm2,
+                                               &Parameters::unsprung_mass_kg,
+                                               &Parameters::unsprung_cg_height_m,
+                                               &Parameters::fixed_roll_centre_height_m,
+                                               &Parameters::roll_stiffness_nmprad,
+                                               &Parameters::roll_damping_nmsprad,
+                                               &Parameters::roll_stiffness_cubic_nmprad3,
+                                               &Parameters::roll_stiffness_quintic_nmprad5};
 
-constexpr std::array<Field, 4> units{
+constexpr std::array<Field, 4> unit_fields{
     &Parameters::regression_scale_nm, &Parameters::initial_roll_centre_deviation_m,
     &Parameters::initial_stiffness_deviation_nmprad, &Parameters::initial_damping_deviation_nmsprad};
 
-constexpr std::array<Field, 1> bank_drift{&Parameters::observer_bank_drift_radps};
+constexpr std::array<Field, 1> bank_drift_field{&Parameters::observer_bank_drift_radps};
 
-constexpr std::array<Field, 2> sensors{&Parameters::accelerometer_noise_mps2,
-                                       &Parameters::speed_resolution_mps};
+constexpr std::array<Field, 2> sensor_fields{&Parameters::accelerometer_noise_mps2,
+                                             &Parameters::speed_resolution_mps};
 
 template <std::size_t count>
 bool differ(const Parameters& one, const Parameters& other, const std::array<Field, count>& fields) {
@@ -47,7 +47,7 @@ bool differ(const Parameters& one, const Parameters& other, const std::array<Fie
 bool have_other_sensors(const Parameters& one, const Parameters& other) {
     return (one.roll_angle_reference != other.roll_angle_reference) ||
            (one.roll_angle_sensor != other.roll_angle_sensor) ||
-           (one.vehicle_motion_sensors != other.vehicle_motion_sensors) || differ(one, other, sensors);
+           (one.vehicle_motion_sensors != other.vehicle_motion_sensors) || differ(one, other, sensor_fields);
 }
 
 }  // namespace
@@ -56,13 +56,11 @@ Validation ParameterChange::begin(const Parameters& from, const Parameters& to) 
     const Validation answer = validate(to);
     if (answer.accepted != 0) {
         to_ = to;
-        is_another_vehicle_ = differ(from, to, vehicle);
+        is_another_vehicle_ = differ(from, to, vehicle_fields);
         has_other_sensors_ = have_other_sensors(from, to);
-        has_other_units_ = differ(from, to, units);
-        has_gains_ = is_another_vehicle_ || differ(from, to, bank_drift);
-        RollBankObserver observer;
-        observer.tune(to);
-        search_.begin(observer.upright_roll(), observer_noise(to));
+        has_other_units_ = differ(from, to, unit_fields);
+        has_gains_ = is_another_vehicle_ || differ(from, to, bank_drift_field);
+        search_.begin(upright_roll(to), observer_noise(to));
     }
     return answer;
 }

@@ -16,17 +16,15 @@ class IndexWarning {
  public:
     IndexWarning(const rsi::Parameters& calibration, double threshold)
         : scale_{static_cast<float>(static_cast<double>(calibration.warning_on) / threshold)},
-          advisory_on_{calibration.advisory_on} {
-        machine_.init(calibration);
-    }
+          constants_{calibration} {}
 
     // Most samples are calm ones: they leave a machine that is ready as it is. What is no number is not calm.
     void update(const rsi::RiskLevel& risk) {
         const float level = risk.indicator * scale_;
-        if (level >= 0.0F && level < advisory_on_ && machine_.state() == RSI_STATE_READY) {
+        if (level >= 0.0F && level < constants_.advisory_on && machine_.state() == RSI_STATE_READY) {
             return;
         }
-        machine_.update({level, risk.side, risk.opposite * scale_});
+        machine_.update(constants_, {level, risk.side, risk.opposite * scale_});
     }
     WarningState state() const { return static_cast<WarningState>(machine_.state()); }
     WarningSide side() const { return static_cast<WarningSide>(machine_.side()); }
@@ -34,7 +32,7 @@ class IndexWarning {
  private:
     rsi::WarningStateMachine machine_{};
     float scale_;
-    float advisory_on_;  // at most warning_on, as validated
+    rsi::WarningStateMachine::Constants constants_;  // advisory_on is at most warning_on, as validated
 };
 
 // The highest level until then. At a threshold above it nothing can have begun to warn.

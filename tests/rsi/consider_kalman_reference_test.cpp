@@ -11,6 +11,7 @@
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/recorded_like_signals.hpp"
 #include "tests/rsi/support/reference_consider_kalman.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace consider_kalman_reference_test {
 namespace {
@@ -45,7 +46,7 @@ struct Seen {
 Seen drive(const rsi_parameters& parameters, const rsi_test::InertialDeviation& deviation, int samples) {
     rsi_test::InertialRollVehicle vehicle(parameters, deviation);
     rsi_test::Noise noise(17U);
-    rsi::ConsiderKalman filter;
+    rsi_test::ConsiderKalman filter;
     filter.init(parameters);
     rsi_test::ReferenceConsiderKalman reference(parameters);
     Seen seen;
@@ -101,7 +102,7 @@ TEST(ConsiderKalman, LearnsATurnFromTheSampleInWhichItsEquationsDo) {
     int learnt = 0;
     for (int straight = 24; straight < 80; ++straight) {
         rsi_test::InertialRollVehicle vehicle(parameters, {-0.05});
-        rsi::ConsiderKalman filter;
+        rsi_test::ConsiderKalman filter;
         filter.init(parameters);
         rsi_test::ReferenceConsiderKalman reference(parameters);
         for (int k = 0; k < 120; ++k) {

@@ -10,6 +10,7 @@
 #include "tests/rsi/support/inertial_roll_vehicle.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/recorded_like_signals.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace consider_kalman_test {
 namespace {
@@ -61,11 +62,11 @@ class Drive {
         return measured;
     }
 
-    rsi::ConsiderKalman& estimator() { return estimator_; }
+    rsi_test::ConsiderKalman& estimator() { return estimator_; }
 
  private:
     InertialRollVehicle vehicle_;
-    rsi::ConsiderKalman estimator_{};
+    rsi_test::ConsiderKalman estimator_{};
     rsi_test::Noise noise_{5U};
     bool noisy_;
     double time_s_{0.0};
@@ -247,7 +248,7 @@ TEST(ConsiderKalman, IsNotMovedFarByABump) {
 TEST(ConsiderKalman, StaysWithinItsLimit) {
     const rsi_parameters parameters = rsi_test::large_suv();
     rsi_test::Noise noise(9U);
-    rsi::ConsiderKalman estimator;
+    rsi_test::ConsiderKalman estimator;
     estimator.init(parameters);
     for (int k = 0; k < 20000; ++k) {
         rsi::Measurement measured;
@@ -289,7 +290,7 @@ TEST(ConsiderKalman, StartsAnewAfterAMeasurementThatIsNoNumber) {
 TEST(ConsiderKalman, KeepsWhatItHasLearntOverAGap) {
     Drive drive({-0.05});
     const float before = drive.turn_until(5.0).vertical_movement_m;
-    drive.estimator().restart();
+    drive.estimator().reset_signals();
     EXPECT_NEAR(wide(drive.step(6.0).vertical_movement_m), wide(before), 1.0e-3);
 }
 
@@ -308,7 +309,7 @@ TEST(ConsiderKalman, TakesTheFirstSpeedAfterAGapAsItIs) {
     drive.turn_until(5.0);
     EXPECT_FALSE(drive.step(6.0, 0.0F, no_number).frozen);
     EXPECT_FALSE(drive.step(6.0, 0.0F, 12.0F).frozen);
-    drive.estimator().restart();
+    drive.estimator().reset_signals();
     for (int k = 0; k < 50; ++k) {
         drive.step(6.0, 0.0F, 30.0F);  // until the lags have settled
     }
@@ -322,7 +323,7 @@ TEST(ConsiderKalman, ForgetsTheSpeedOverAGap) {
     Drive drive({-0.05}, false, parameters);
     drive.turn_until(5.0);
     ASSERT_FALSE(drive.step(6.0, 0.0F, 20.0F).frozen);
-    drive.estimator().restart();
+    drive.estimator().reset_signals();
     drive.step(6.0, 0.0F, 40.0F);
     drive.step(6.0, 0.0F, 40.0F);
     EXPECT_FALSE(drive.step(6.0, 0.0F, 40.0F).frozen);
@@ -355,7 +356,7 @@ TEST(ConsiderKalman, AfterAResetItIsAsNew) {
     Drive used(deviation);
     used.turn_until(5.0);
     used.estimator().reset();
-    rsi::ConsiderKalman fresh;
+    rsi_test::ConsiderKalman fresh;
     fresh.init(parameters);
     InertialRollVehicle vehicle(parameters, deviation);
     for (int k = 0; k < 300; ++k) {

@@ -11,6 +11,7 @@
 #include "tests/rsi/support/estimation_chain.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/recorded_like_signals.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace covariance_endurance_test {
 namespace {
@@ -36,7 +37,7 @@ struct Endurance {
 template <typename NextInputs>
 Endurance endure(const rsi_parameters& parameters, NextInputs next_inputs) {
     rsi_test::EstimationChain chain(parameters);
-    rsi::RobustLeastSquares estimator;
+    rsi_test::RobustLeastSquares estimator;
     estimator.init(parameters);
     Endurance result;
     for (int k = 0; k < samples_in_eight_hours; ++k) {

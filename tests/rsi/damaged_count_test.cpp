@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "rsi/prediction/roll_predictor.hpp"
+#include "tests/rsi/support/stages.hpp"
 #include "tests/support/large_suv.h"
 #include "tests/support/memory_damage.hpp"
 
@@ -13,7 +14,6 @@ namespace {
 class ADamagedCount : public ::testing::Test {
  protected:
     void SetUp() override {
-        load_transfer.init(parameters);
         response.init(parameters);
         motion.road_parallel_force_mps2 = 2.0F;
         motion.road_normal_force_mps2 = 9.8F;
@@ -32,21 +32,20 @@ class ADamagedCount : public ::testing::Test {
     rsi::RollPredictor with_horizon(float horizon_s) const {
         rsi::Parameters with = parameters;
         with.response_horizon_s = horizon_s;
-        rsi::RollPredictor predictor;
-        predictor.init(with);
-        return predictor;
+        return rsi::RollPredictor{with};
     }
 
     float ahead(const rsi::RollPredictor& predictor) const {
-        return predictor
-            .evaluate(motion, load_transfer.evaluate(motion), demand, &response, 0.0F, load_transfer)
+        const rsi::TransferredLoad load =
+            rsi::transferred_load(vehicle, parameters.load_transfer_inertial_weight, motion);
+        return predictor.evaluate(vehicle, motion, load, demand, response.response, &response.target, 0.0F)
             .load_transfer_ratio;
     }
 
     const rsi::Parameters parameters = responding();
     const rsi::DemandedForce demand{0.0F, 8.0F, 8.0F, true};
-    rsi::LoadTransfer load_transfer;
-    rsi::LateralResponse response;
+    const rsi::Vehicle vehicle{parameters};
+    rsi_test::LateralResponse response;
     rsi::RollMotion motion;
 };
 

@@ -50,9 +50,7 @@ rsi_outputs all_different() {
 
 rsi::IndicatedRisk indicated(const rsi_outputs& outputs, const rsi_parameters& parameters,
                              float roll_angle_rad) {
-    rsi::WarningIndicator indicator;
-    indicator.init(parameters);
-    return indicator.evaluate(outputs, roll_angle_rad);
+    return rsi::WarningIndicator{parameters}.evaluate(outputs, roll_angle_rad);
 }
 
 TEST(IndicatorLevel, OnlyThePredictedLoadTransferKnowsBothSides) {

@@ -322,8 +322,7 @@ TEST(ClassicIndices, EndAtTheirBounds) {
     parameters.sprung_cg_height_m = 2.0F;  // a static stability factor of 0.2
     parameters.roll_stiffness_nmprad = 1.0e5F;
     parameters.rollover_index_roll_rate_radps = 0.1F;
-    rsi::ClassicIndices indices;
-    indices.init(parameters);
+    const rsi::ClassicIndices indices{parameters, rsi::critical_roll_angle_rad(parameters)};
     for (const float side : {1.0F, -1.0F}) {
         rsi::Measurement measured;
         measured.lateral_acceleration_mps2 = side * 60.0F;
@@ -345,8 +344,7 @@ TEST(ClassicIndices, EndAtTheirBounds) {
 TEST(ClassicIndices, OfTheStaticStabilityFactorIsTheShareOfItThatIsUsed) {
     const rsi_parameters parameters = rsi_test::large_suv();
     const ReferenceVehicle vehicle{parameters};
-    rsi::ClassicIndices indices;
-    indices.init(parameters);
+    const rsi::ClassicIndices indices{parameters, rsi::critical_roll_angle_rad(parameters)};
     for (const float acceleration : {-6.0F, 0.0F, 0.5F, 8.0F}) {
         rsi::Measurement measured;
         measured.lateral_acceleration_mps2 = acceleration;
@@ -358,7 +356,7 @@ TEST(ClassicIndices, OfTheStaticStabilityFactorIsTheShareOfItThatIsUsed) {
 }
 
 // Each byte in turn; the critical roll angle is kept, so damage to it stays.
-TEST(ClassicIndices, ReinitialisingRepairsAllButTheCriticalRollAngle) {
+TEST(ClassicIndices, MadeAnewRepairAllButTheCriticalRollAngle) {
     const rsi_parameters parameters = rsi_test::large_suv();
     rsi::Measurement measured;
     measured.lateral_acceleration_mps2 = 6.0F;
@@ -374,11 +372,10 @@ TEST(ClassicIndices, ReinitialisingRepairsAllButTheCriticalRollAngle) {
         indices.evaluate(measured, motion, outputs);
         return outputs;
     };
-    rsi::ClassicIndices sound;
-    sound.init(parameters);
+    const rsi::ClassicIndices sound{parameters, rsi::critical_roll_angle_rad(parameters)};
     const rsi_outputs expected = answer(sound);
     const std::size_t kept = rsi_test::bytes_whose_damage_shows(sound, [&](rsi::ClassicIndices& damaged) {
-        damaged.reinitialise(parameters);
+        damaged = rsi::ClassicIndices{parameters, damaged.critical_roll_angle_rad()};
         const rsi_outputs answered = answer(damaged);
         return std::memcmp(&answered, &expected, sizeof expected) == 0;
     });
@@ -387,8 +384,7 @@ TEST(ClassicIndices, ReinitialisingRepairsAllButTheCriticalRollAngle) {
 
 TEST(ClassicIndices, NoTimeIsLeftAtTheStaticStabilityFactorItself) {
     const rsi_parameters parameters = rsi_test::large_suv();
-    rsi::ClassicIndices indices;
-    indices.init(parameters);
+    const rsi::ClassicIndices indices{parameters, rsi::critical_roll_angle_rad(parameters)};
     rsi::Measurement measured;
     measured.tan_roll_angle = parameters.track_width_m / (2.0F * parameters.sprung_cg_height_m);
     rsi_outputs outputs{};
@@ -418,8 +414,7 @@ TEST(CriticalRollAngle, IsFoundUpToOneRadianAndNotBeyond) {
 
 // If nothing rights the vehicle, T_dyn is 0.001 + 0.05 |A/N|.
 TEST(ExtendedIndicator, EndsShortOfTwenty) {
-    rsi::LoadTransfer load_transfer;
-    load_transfer.init(rsi_test::large_suv());
+    const rsi::Vehicle vehicle{rsi_test::large_suv()};
     for (const double N : {1.0, 5.0}) {
         for (const double side : {1.0, -1.0}) {
             const double expected = (60.0 / N) / (0.001 + 0.05 * 60.0 / N);
@@ -427,8 +422,7 @@ TEST(ExtendedIndicator, EndsShortOfTwenty) {
             motion.road_parallel_force_mps2 = static_cast<float>(side * 60.0);
             motion.road_normal_force_mps2 = static_cast<float>(N);
             motion.roll_angle_rad = static_cast<float>(side * 1.66);  // a tangent above 3
-            EXPECT_NEAR(wide(rsi::extended_level(motion, load_transfer.vehicle())), expected,
-                        1.0e-4 * expected);
+            EXPECT_NEAR(wide(rsi::extended_level(motion, vehicle.loaded)), expected, 1.0e-4 * expected);
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace lateral_response_test {
 namespace {
@@ -57,7 +58,7 @@ Course reference(Course from, double target, double time_s, double w = frequency
     return from;
 }
 
-double after_steps(const rsi::LateralResponse& response, const rsi::RollMotion& motion, int steps) {
+double after_steps(const rsi_test::LateralResponse& response, const rsi::RollMotion& motion, int steps) {
     rsi::ForceCourse course{motion.road_parallel_force_mps2, motion.road_parallel_force_rate_mps3};
     for (int k = 0; k < steps; ++k) {
         course = response.after_step(course);
@@ -66,13 +67,13 @@ double after_steps(const rsi::LateralResponse& response, const rsi::RollMotion& 
 }
 
 // The limit, as the force that an endless demand leads to.
-double limit_of(rsi::LateralResponse response, double direction = 1.0) {
+double limit_of(rsi_test::LateralResponse response, double direction = 1.0) {
     EXPECT_TRUE(response.update(turning(0.0), asking(60.0 * direction)));
     return direction * after_steps(response, turning(0.0), 500);
 }
 
 TEST(LateralResponse, IsKnownWithSteeringSpeedAndACalibratedResponse) {
-    rsi::LateralResponse response;
+    rsi_test::LateralResponse response;
     response.init(with_response());
     EXPECT_TRUE(response.update(turning(1.0), asking(2.0)));
     EXPECT_FALSE(response.update(turning(1.0), rsi::DemandedForce{}));
@@ -83,7 +84,7 @@ TEST(LateralResponse, IsKnownWithSteeringSpeedAndACalibratedResponse) {
 TEST(LateralResponse, FollowsTheSecondOrderEquation) {
     for (const double w : {4.0, 9.0, 18.0}) {
         for (const double zeta : {0.7, 1.3}) {
-            rsi::LateralResponse response;
+            rsi_test::LateralResponse response;
             response.init(with_response(w, zeta));
             const rsi::RollMotion motion = turning(1.0, 8.0);
             ASSERT_TRUE(response.update(motion, asking(6.0)));
@@ -102,7 +103,7 @@ TEST(LateralResponse, FollowsTheSecondOrderEquation) {
 }
 
 TEST(LateralResponse, SwingsToTheOtherSideWhenTheSteeringAsksForIt) {
-    rsi::LateralResponse response;
+    rsi_test::LateralResponse response;
     response.init(with_response());
     const rsi::RollMotion motion = turning(5.0, -20.0);
     ASSERT_TRUE(response.update(motion, asking(-6.0)));
@@ -111,7 +112,7 @@ TEST(LateralResponse, SwingsToTheOtherSideWhenTheSteeringAsksForIt) {
 }
 
 TEST(LateralResponse, GoesNeitherPastItsTargetNorPastWhereItIsNorPastZero) {
-    rsi::LateralResponse response;
+    rsi_test::LateralResponse response;
     response.init(with_response(18.0, 0.5));
     ASSERT_TRUE(response.update(turning(2.0, 60.0), asking(4.0)));
     EXPECT_EQ(after_steps(response, turning(2.0, 60.0), 5), 4.0);
@@ -122,7 +123,7 @@ TEST(LateralResponse, GoesNeitherPastItsTargetNorPastWhereItIsNorPastZero) {
 }
 
 TEST(LateralResponse, BeginsWithTheCalibrationsLimit) {
-    rsi::LateralResponse response;
+    rsi_test::LateralResponse response;
     response.init(with_response());
     EXPECT_NEAR(limit_of(response), static_cast<double>(largest_mps2), 1e-3);
     EXPECT_NEAR(limit_of(response, -1.0), static_cast<double>(largest_mps2), 1e-3);
@@ -130,7 +131,7 @@ TEST(LateralResponse, BeginsWithTheCalibrationsLimit) {
 
 TEST(LateralResponse, LearnsWithinSixTenthsThatTheTyresGiveNoMore) {
     for (const double side : {1.0, -1.0}) {
-        rsi::LateralResponse response;
+        rsi_test::LateralResponse response;
         response.init(with_response());
         for (int k = 0; k < 60; ++k) {
             response.update(turning(4.0 * side), asking(12.0 * side));
@@ -142,7 +143,7 @@ TEST(LateralResponse, LearnsWithinSixTenthsThatTheTyresGiveNoMore) {
 }
 
 TEST(LateralResponse, LearnsNothingFromAForceThatStillGrows) {
-    rsi::LateralResponse response;
+    rsi_test::LateralResponse response;
     response.init(with_response());
     // 4 + (2 0.7 / 9) 20 = 7.1: the motion is tending to the limit already.
     for (int k = 0; k < 60; ++k) {
@@ -152,7 +153,7 @@ TEST(LateralResponse, LearnsNothingFromAForceThatStillGrows) {
 }
 
 TEST(LateralResponse, LearnsNothingFromASmallForceNorFromASteeringThatAsksForNoMore) {
-    rsi::LateralResponse response;
+    rsi_test::LateralResponse response;
     response.init(with_response());
     for (int k = 0; k < 60; ++k) {
         response.update(turning(1.9), asking(12.0));
@@ -164,7 +165,7 @@ TEST(LateralResponse, LearnsNothingFromASmallForceNorFromASteeringThatAsksForNoM
 
 TEST(LateralResponse, ForgetsTheLimitInFiveSecondsAlsoWithoutSteering) {
     for (const bool with_steering : {true, false}) {
-        rsi::LateralResponse response;
+        rsi_test::LateralResponse response;
         response.init(with_response());
         for (int k = 0; k < 300; ++k) {
             response.update(turning(3.0), asking(12.0));
@@ -178,7 +179,7 @@ TEST(LateralResponse, ForgetsTheLimitInFiveSecondsAlsoWithoutSteering) {
 }
 
 TEST(LateralResponse, AResetForgetsTheLimitAtOnce) {
-    rsi::LateralResponse response;
+    rsi_test::LateralResponse response;
     response.init(with_response());
     for (int k = 0; k < 300; ++k) {
         response.update(turning(3.0), asking(12.0));
@@ -189,7 +190,7 @@ TEST(LateralResponse, AResetForgetsTheLimitAtOnce) {
 
 // Otherwise a vehicle that slides once would not be expected to turn any more.
 TEST(LateralResponse, TheLimitStaysAboveTwoMetresPerSecondSquared) {
-    rsi::LateralResponse response;
+    rsi_test::LateralResponse response;
     response.init(with_response());
     for (int k = 0; k < 300; ++k) {
         response.update(turning(2.1, -30.0), asking(12.0));

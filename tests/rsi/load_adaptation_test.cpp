@@ -11,6 +11,7 @@
 #include "rsi/component.hpp"
 #include "tests/rsi/support/loaded_drive.hpp"
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace load_adaptation_test {
 namespace {
@@ -123,10 +124,8 @@ TEST(LoadSplit, NoLoadBringsTheHeightFurtherThanALoadCan) {
     EXPECT_EQ(rsi::with_load(flat, 0.7F, 1.0F).cg_height_m, 0.2F);
 }
 
-rsi::LoadAdaptation started(const rsi_parameters& parameters = adapting()) {
-    rsi::LoadAdaptation adaptation;
-    adaptation.init(parameters);
-    return adaptation;
+rsi_test::LoadAdaptation started(const rsi_parameters& parameters = adapting()) {
+    return rsi_test::LoadAdaptation{parameters};
 }
 
 struct Circumstances {
@@ -135,7 +134,7 @@ struct Circumstances {
     float mass_kg{nan};
 };
 
-void drive(rsi::LoadAdaptation& adaptation, const LoadedVehicle& vehicle, int samples,
+void drive(rsi_test::LoadAdaptation& adaptation, const LoadedVehicle& vehicle, int samples,
            const Circumstances& circumstances = {}) {
     LoadedDrive course(rsi_test::large_suv(), vehicle);
     rsi_inputs inputs{};
@@ -148,7 +147,7 @@ void drive(rsi::LoadAdaptation& adaptation, const LoadedVehicle& vehicle, int sa
     }
 }
 
-void stand(rsi::LoadAdaptation& adaptation, int samples, float mass_kg = nan) {
+void stand(rsi_test::LoadAdaptation& adaptation, int samples, float mass_kg = nan) {
     rsi_inputs inputs{};
     inputs.vehicle_mass_kg = mass_kg;
     for (int k = 0; k < samples; ++k) {
@@ -157,7 +156,7 @@ void stand(rsi::LoadAdaptation& adaptation, int samples, float mass_kg = nan) {
 }
 
 TEST(LoadAdaptation, GivesTheBodyThatTheVehicleHas) {
-    rsi::LoadAdaptation adaptation = started();
+    rsi_test::LoadAdaptation adaptation = started();
     drive(adaptation, loaded_by(0.44), samples_in_two_minutes);
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     const rsi::SprungBody body = adaptation.body();
@@ -168,7 +167,7 @@ TEST(LoadAdaptation, GivesTheBodyThatTheVehicleHas) {
 TEST(LoadAdaptation, UsesAsMuchAsTheCalibrationWants) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     const auto moment_factor = [&empty](float share) {
-        rsi::LoadAdaptation adaptation = started(adapting(share, 1.0F));
+        rsi_test::LoadAdaptation adaptation = started(adapting(share, 1.0F));
         drive(adaptation, loaded_by(0.4), samples_in_two_minutes);
         return adaptation.body().moment_arm_kgm() / empty.moment_arm_kgm();
     };
@@ -176,7 +175,7 @@ TEST(LoadAdaptation, UsesAsMuchAsTheCalibrationWants) {
 }
 
 TEST(LoadAdaptation, SwitchedOffItLearnsButLeavesTheCalibratedBodyAndLevel) {
-    rsi::LoadAdaptation adaptation = started(adapting(0.0F, 1.0F));
+    rsi_test::LoadAdaptation adaptation = started(adapting(0.0F, 1.0F));
     drive(adaptation, loaded_by(0.4), samples_in_two_minutes, {true, 20.0F, mass_with(1.3F)});
     EXPECT_GT(adaptation.learnt().excess, 0.3F);
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
@@ -190,17 +189,17 @@ TEST(LoadAdaptation, SwitchedOffItLearnsButLeavesTheCalibratedBodyAndLevel) {
 
 TEST(LoadAdaptation, LearnsNothingFromTheObserversAngleNorWhileStanding) {
     for (const Circumstances& circumstances : {Circumstances{false}, Circumstances{true, 0.4F}}) {
-        rsi::LoadAdaptation adaptation = started();
+        rsi_test::LoadAdaptation adaptation = started();
         drive(adaptation, loaded_by(0.4), 3000, circumstances);
         EXPECT_EQ(adaptation.learnt().excess, 0.0F);
     }
-    rsi::LoadAdaptation without_speed = started();
+    rsi_test::LoadAdaptation without_speed = started();
     drive(without_speed, loaded_by(0.4), samples_in_two_minutes, {true, nan});
     EXPECT_NEAR(without_speed.learnt().excess, 0.4F, 0.05F);
 }
 
 TEST(LoadAdaptation, DoubtsAfterALongStopAndNotAfterAShortOne) {
-    rsi::LoadAdaptation adaptation = started();
+    rsi_test::LoadAdaptation adaptation = started();
     drive(adaptation, loaded_by(0.4), samples_in_two_minutes);
     const rsi::LearntLoad before = adaptation.learnt();
     stand(adaptation, samples_in_a_minute);
@@ -216,7 +215,7 @@ TEST(LoadAdaptation, DoubtsAfterALongStopAndNotAfterAShortOne) {
 
 TEST(LoadAdaptation, TheMassSaysWhatIsMassAndWhatIsHeight) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
-    rsi::LoadAdaptation adaptation = started();
+    rsi_test::LoadAdaptation adaptation = started();
     drive(adaptation, loaded_by(0.4), samples_in_two_minutes, {true, 20.0F, mass_with(1.1F)});
     const rsi::SprungBody body = adaptation.body();
     EXPECT_NEAR(body.mass_kg / empty.mass_kg, 1.1F, 1.0e-5F);
@@ -225,19 +224,19 @@ TEST(LoadAdaptation, TheMassSaysWhatIsMassAndWhatIsHeight) {
     stand(adaptation, 10);  // it stays while none comes
     EXPECT_EQ(adaptation.body().mass_kg, body.mass_kg);
     EXPECT_EQ(started().known_mass_factor(), 1.0F);
-    rsi::LoadAdaptation half = started(adapting(0.5F));
+    rsi_test::LoadAdaptation half = started(adapting(0.5F));
     stand(half, 1, mass_with(1.5F));
     EXPECT_NEAR(half.known_mass_factor(), 1.25F, 1.0e-5F);
 }
 
 TEST(LoadAdaptation, BeforeAnyDrivingTheMassAloneIsALoadAtTheHeightOfTheBody) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
-    rsi::LoadAdaptation adaptation = started();
+    rsi_test::LoadAdaptation adaptation = started();
     stand(adaptation, 1, mass_with(1.5F));
     EXPECT_NEAR(adaptation.body().mass_kg / empty.mass_kg, 1.5F, 1.0e-5F);
     EXPECT_NEAR(adaptation.body().roll_arm_m / empty.roll_arm_m, 1.0F, 1.0e-5F);
     // A load shown by driving is not moved by it, and a long stop goes half the way to it.
-    rsi::LoadAdaptation driven = started();
+    rsi_test::LoadAdaptation driven = started();
     drive(driven, loaded_by(0.2), samples_in_two_minutes);
     const float known = driven.learnt().excess;
     stand(driven, 1, mass_with(1.5F));
@@ -249,14 +248,14 @@ TEST(LoadAdaptation, BeforeAnyDrivingTheMassAloneIsALoadAtTheHeightOfTheBody) {
 // Goods at a dock. Fuel and an axle's noise are none.
 TEST(LoadAdaptation, AChangeOfTheMassIsALoadPutOnOrTakenOff) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
-    rsi::LoadAdaptation adaptation = started();
+    rsi_test::LoadAdaptation adaptation = started();
     stand(adaptation, 1, mass_with(1.0F));
     drive(adaptation, LoadedVehicle{}, samples_in_two_minutes);
     const rsi::LearntLoad known = adaptation.learnt();
     ASSERT_LT(known.excess_deviation, 0.05F);
     stand(adaptation, 1, mass_with(1.049F));
     EXPECT_NEAR(adaptation.learnt().excess, known.excess, 0.001F);
-    rsi::LoadAdaptation slightly_laden = adaptation;
+    rsi_test::LoadAdaptation slightly_laden = adaptation;
     stand(slightly_laden, 1, mass_with(1.051F));
     EXPECT_NEAR(slightly_laden.learnt().excess, known.excess + 0.051F, 0.001F);
     stand(adaptation, 1, mass_with(1.4F));
@@ -273,18 +272,18 @@ TEST(LoadAdaptation, AChangeOfTheMassIsALoadPutOnOrTakenOff) {
 
 TEST(LoadAdaptation, ForgetsAllButTheMass) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
-    rsi::LoadAdaptation adaptation = started();
+    rsi_test::LoadAdaptation adaptation = started();
     stand(adaptation, 1, mass_with(1.5F));
     drive(adaptation, loaded_by(0.8), samples_in_two_minutes);
     ASSERT_GT(adaptation.learnt().excess, 0.7F);
-    adaptation.forget();
+    adaptation.reset_learnt();
     EXPECT_NEAR(adaptation.learnt().excess, 0.5F, 1.0e-5F);
     EXPECT_NEAR(adaptation.body().mass_kg / empty.mass_kg, 1.5F, 1.0e-5F);
     EXPECT_NEAR(adaptation.body().roll_arm_m / empty.roll_arm_m, 1.0F, 1.0e-5F);
 }
 
 TEST(LoadAdaptation, KeepsTheMassWhereWhatIsLearntIsNoNumber) {
-    rsi::LoadAdaptation adaptation = started();
+    rsi_test::LoadAdaptation adaptation = started();
     stand(adaptation, 1, mass_with(1.5F));
     ASSERT_TRUE(adaptation.restore({0.9F, 0.02F, 0.1F}, false));
     rsi_inputs inputs{};
@@ -302,7 +301,7 @@ TEST(LoadAdaptation, KeepsTheMassWhereWhatIsLearntIsNoNumber) {
 TEST(LoadAdaptation, AMassThatIsNotThisVehiclesIsNone) {
     const rsi::SprungBody empty = rsi::calibrated_body(rsi_test::large_suv());
     for (const float mass_kg : {nan, 0.0F, -2000.0F, mass_with(0.59F), mass_with(3.01F), 1.0e30F}) {
-        rsi::LoadAdaptation adaptation = started();
+        rsi_test::LoadAdaptation adaptation = started();
         stand(adaptation, 1, mass_kg);
         EXPECT_EQ(adaptation.body().mass_kg, empty.mass_kg) << mass_kg;
         EXPECT_EQ(adaptation.learnt().excess, 0.0F) << mass_kg;
@@ -311,23 +310,21 @@ TEST(LoadAdaptation, AMassThatIsNotThisVehiclesIsNone) {
 
 TEST(LoadAdaptation, AMassFromAnEmptiedTrucksToThreeTimesTheCalibratedIs) {
     for (const float factor : {0.61F, 2.99F}) {
-        rsi::LoadAdaptation adaptation = started();
+        rsi_test::LoadAdaptation adaptation = started();
         stand(adaptation, 1, mass_with(factor));
         EXPECT_NEAR(adaptation.known_mass_factor(), factor, 1.0e-5F);
     }
 }
 
 // However little the first mass differs, it says what the calibration did not know.
-TEST(LoadAdaptation, AStartForgetsMassStopAndLoad) {
-    rsi::LoadAdaptation adaptation = started();
-    stand(adaptation, 3000, mass_with(1.5F));
-    adaptation.init(adapting());
+TEST(LoadAdaptation, StartsWithoutMassStopAndLoad) {
+    rsi_test::LoadAdaptation adaptation = started();
     EXPECT_EQ(adaptation.known_mass_factor(), 1.0F);
     EXPECT_EQ(adaptation.learnt().excess, 0.0F);
-    rsi::LoadAdaptation with_slightly_more = adaptation;
+    rsi_test::LoadAdaptation with_slightly_more = adaptation;
     stand(with_slightly_more, 1, mass_with(1.03F));
     EXPECT_NEAR(with_slightly_more.learnt().excess, 0.03F, 1.0e-5F);
-    rsi::LoadAdaptation with_the_same = adaptation;
+    rsi_test::LoadAdaptation with_the_same = adaptation;
     stand(with_the_same, 1, mass_with(1.5F));
     EXPECT_NEAR(with_the_same.learnt().excess, 0.5F, 1.0e-5F);
     drive(adaptation, loaded_by(0.4), 1000, {true, nan});  // which would not end a stop
@@ -338,7 +335,7 @@ TEST(LoadAdaptation, AssumesNoLoadThatTheSpringsDoNotHold) {
     rsi_parameters soft = adapting();
     const rsi::SprungBody empty = rsi::calibrated_body(soft);
     soft.roll_stiffness_nmprad = 1.3F * rsi::gravity_mps2 * empty.moment_arm_kgm();
-    rsi::LoadAdaptation adaptation = started(soft);
+    rsi_test::LoadAdaptation adaptation = started(soft);
     ASSERT_TRUE(adaptation.restore({1.0F, 0.05F, 0.0F}, true));  // halved
     EXPECT_GT(adaptation.learnt().excess, 0.4F);
     EXPECT_NEAR(adaptation.body().moment_arm_kgm() / empty.moment_arm_kgm(), 1.3F / 1.1F, 1.0e-5F);
@@ -349,7 +346,7 @@ TEST(LoadAdaptation, AssumesNoLoadThatTheSpringsDoNotHold) {
 }
 
 TEST(LoadAdaptation, TheMarginGrowsWithWhatIsNotKnownAndEnds) {
-    rsi::LoadAdaptation adaptation = started(adapting(1.0F, 0.2F));
+    rsi_test::LoadAdaptation adaptation = started(adapting(1.0F, 0.2F));
     EXPECT_FLOAT_EQ(adaptation.level_weight(), 1.0F + 0.2F * 0.25F);
     drive(adaptation, LoadedVehicle{}, samples_in_two_minutes);
     EXPECT_FLOAT_EQ(adaptation.level_weight(), 1.0F + 0.2F * adaptation.learnt().excess_deviation);
@@ -359,7 +356,7 @@ TEST(LoadAdaptation, TheMarginGrowsWithWhatIsNotKnownAndEnds) {
 }
 
 TEST(LoadAdaptation, WhatIsRestoredIsDoubtedWhereTheLoadMayHaveChanged) {
-    rsi::LoadAdaptation adaptation = started();
+    rsi_test::LoadAdaptation adaptation = started();
     ASSERT_TRUE(adaptation.restore({0.4F, 0.03F, 0.2F}, false));
     EXPECT_EQ(adaptation.learnt().excess, 0.4F);
     EXPECT_FLOAT_EQ(adaptation.learnt().excess_deviation, 0.03F);

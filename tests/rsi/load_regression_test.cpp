@@ -8,6 +8,7 @@
 
 #include "tests/rsi/support/loaded_drive.hpp"
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace load_regression_test {
 namespace {
@@ -17,13 +18,11 @@ using rsi_test::LoadedVehicle;
 
 constexpr int samples_in_two_minutes = 12000;
 
-rsi::LoadRegression fresh() {
-    rsi::LoadRegression regression;
-    regression.init(rsi_test::large_suv());
-    return regression;
+rsi_test::LoadRegression fresh() {
+    return rsi_test::LoadRegression{rsi_test::large_suv()};
 }
 
-void drive(rsi::LoadRegression& regression, LoadedDrive& course, int samples) {
+void drive(rsi_test::LoadRegression& regression, LoadedDrive& course, int samples) {
     for (int k = 0; k < samples; ++k) {
         course.advance();
         const rsi::RollMotion motion = course.motion();
@@ -31,8 +30,8 @@ void drive(rsi::LoadRegression& regression, LoadedDrive& course, int samples) {
     }
 }
 
-rsi::LoadRegression after_two_minutes(const LoadedVehicle& vehicle, std::uint64_t seed = 1U) {
-    rsi::LoadRegression regression = fresh();
+rsi_test::LoadRegression after_two_minutes(const LoadedVehicle& vehicle, std::uint64_t seed = 1U) {
+    rsi_test::LoadRegression regression = fresh();
     LoadedDrive course(rsi_test::large_suv(), vehicle, seed);
     drive(regression, course, samples_in_two_minutes);
     return regression;
@@ -43,7 +42,7 @@ double excess_after_two_minutes(const LoadedVehicle& vehicle, std::uint64_t seed
 }
 
 TEST(LoadRegression, KnowsNothingAtFirst) {
-    const rsi::LoadRegression regression = fresh();
+    const rsi_test::LoadRegression regression = fresh();
     EXPECT_EQ(regression.excess(), 0.0F);
     EXPECT_EQ(regression.excess_deviation(), 0.25F);
 }
@@ -52,7 +51,7 @@ TEST(LoadRegression, FindsALoadWithinTwoMinutes) {
     for (const double excess : {-0.2, 0.0, 0.3, 0.6}) {
         LoadedVehicle vehicle;
         vehicle.excess = excess;
-        const rsi::LoadRegression regression = after_two_minutes(vehicle);
+        const rsi_test::LoadRegression regression = after_two_minutes(vehicle);
         EXPECT_NEAR(static_cast<double>(regression.excess()), excess, 0.04);
         EXPECT_LT(regression.excess_deviation(), 0.05F);
     }
@@ -61,7 +60,7 @@ TEST(LoadRegression, FindsALoadWithinTwoMinutes) {
 TEST(LoadRegression, IsSlow) {
     LoadedVehicle vehicle;
     vehicle.excess = 0.4;
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     LoadedDrive course(rsi_test::large_suv(), vehicle);
     drive(regression, course, 300);
     EXPECT_LT(regression.excess(), 0.3F);
@@ -85,12 +84,12 @@ TEST(LoadRegression, TurnsOfOneDirectionShowLessAndTheDeviationSaysSo) {
         LoadedVehicle vehicle;
         vehicle.excess = 0.3;
         vehicle.direction = direction;
-        const rsi::LoadRegression regression = after_two_minutes(vehicle);
+        const rsi_test::LoadRegression regression = after_two_minutes(vehicle);
         EXPECT_NEAR(static_cast<double>(regression.excess()), 0.3, 0.1);
         EXPECT_GT(regression.excess_deviation(), after_two_minutes(LoadedVehicle{}).excess_deviation());
         // With an offset it errs by no more than it says.
         vehicle.force_offset_mps2 = 0.2;
-        const rsi::LoadRegression with_offset = after_two_minutes(vehicle);
+        const rsi_test::LoadRegression with_offset = after_two_minutes(vehicle);
         EXPECT_NEAR(with_offset.excess(), 0.3F, 3.0F * with_offset.excess_deviation());
     }
 }
@@ -99,7 +98,7 @@ TEST(LoadRegression, LightDrivingShowsLittleAndKeepsTheDeviation) {
     LoadedVehicle vehicle;
     vehicle.excess = 0.3;
     vehicle.strength = 0.25;  // up to 0.1 g
-    const rsi::LoadRegression regression = after_two_minutes(vehicle);
+    const rsi_test::LoadRegression regression = after_two_minutes(vehicle);
     EXPECT_GT(regression.excess_deviation(), 0.05F);
     EXPECT_NEAR(regression.excess(), 0.3F, 3.0F * regression.excess_deviation());
 }
@@ -142,7 +141,7 @@ Turn turn_with(float force_mps2, float load_transfer_ratio) {
 }
 
 bool learns_from(const Turn& turn) {
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     regression.update(turn.motion, turn.load);
     return regression.excess() != 0.0F;
 }
@@ -170,7 +169,7 @@ TEST(LoadRegression, EndsAtItsBounds) {
 
 TEST(LoadRegression, AKerbTeachesLittle) {
     LoadedVehicle vehicle;
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     LoadedDrive course(rsi_test::large_suv(), vehicle);
     drive(regression, course, samples_in_two_minutes);
     const float before = regression.excess();
@@ -197,7 +196,7 @@ Turn upright_turn(float force_mps2, float beyond_mps2) {
 // m/s^2.
 TEST(LoadRegression, BeyondThreeStandardDeviationsASampleLosesWeightWithItsSize) {
     const auto learnt_from = [](float beyond_mps2) {
-        rsi::LoadRegression regression = fresh();
+        rsi_test::LoadRegression regression = fresh();
         const Turn turn = upright_turn(3.0F, beyond_mps2);
         regression.update(turn.motion, turn.load);
         return regression.excess();
@@ -211,7 +210,7 @@ TEST(LoadRegression, BeyondThreeStandardDeviationsASampleLosesWeightWithItsSize)
 // Sensors that are off by more are not excused by the offset.
 TEST(LoadRegression, TheOffsetEndsAtItsBound) {
     for (const float offset_mps2 : {-4.0F, 4.0F}) {
-        rsi::LoadRegression regression = fresh();
+        rsi_test::LoadRegression regression = fresh();
         for (int k = 0; k < 20000; ++k) {
             const Turn turn = upright_turn((k % 2 == 0) ? 3.0F : -3.0F, offset_mps2);
             regression.update(turn.motion, turn.load);
@@ -221,7 +220,7 @@ TEST(LoadRegression, TheOffsetEndsAtItsBound) {
 }
 
 TEST(LoadRegression, ForgetsWithTimeHowWellItKnew) {
-    rsi::LoadRegression regression = after_two_minutes(LoadedVehicle{});
+    rsi_test::LoadRegression regression = after_two_minutes(LoadedVehicle{});
     const float known = regression.excess_deviation();
     const float excess = regression.excess();
     for (int k = 0; k < 360000; ++k) {
@@ -235,7 +234,7 @@ TEST(LoadRegression, ForgetsWithTimeHowWellItKnew) {
 TEST(LoadRegression, ADoubtHalvesWhatIsLearntAndWidensTheDeviation) {
     LoadedVehicle vehicle;
     vehicle.excess = 0.4;
-    rsi::LoadRegression regression = after_two_minutes(vehicle);
+    rsi_test::LoadRegression regression = after_two_minutes(vehicle);
     const float learnt = regression.excess();
     regression.doubt(0.0F);
     EXPECT_NEAR(regression.excess(), 0.5F * learnt, 1.0e-6F);
@@ -248,20 +247,20 @@ TEST(LoadRegression, ADoubtHalvesWhatIsLearntAndWidensTheDeviation) {
     EXPECT_NEAR(regression.excess(), 0.4F, 0.05F);
 }
 
-rsi::LoadRegression knowing(const rsi::LearntLoad& learnt) {
-    rsi::LoadRegression regression = fresh();
+rsi_test::LoadRegression knowing(const rsi::LearntLoad& learnt) {
+    rsi_test::LoadRegression regression = fresh();
     EXPECT_TRUE(regression.restore(learnt));
     return regression;
 }
 
 TEST(LoadRegression, ADoubtAddsADeviationOf15Percent) {
-    rsi::LoadRegression regression = knowing({0.4F, 0.08F, 0.1F});
+    rsi_test::LoadRegression regression = knowing({0.4F, 0.08F, 0.1F});
     regression.doubt(0.0F);
     EXPECT_NEAR(regression.excess_deviation(), 0.17F, 1.0e-6F);  // 0.08^2 + 0.15^2
 }
 
 TEST(LoadRegression, ADoubtGoesHalfTheWayToWhatIsExpected) {
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     regression.doubt(0.4F);
     EXPECT_NEAR(regression.excess(), 0.2F, 1.0e-6F);
     for (int k = 0; k < 10; ++k) {
@@ -275,21 +274,21 @@ TEST(LoadRegression, ADoubtGoesHalfTheWayToWhatIsExpected) {
 }
 
 TEST(LoadRegression, AnExpectationMovesWhatIsNotKnown) {
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     regression.expect_change(0.4F);
     EXPECT_NEAR(regression.excess(), 0.4F, 1.0e-6F);
     regression.expect_change(5.0F);
     EXPECT_EQ(regression.excess(), 1.0F);
     regression.expect_change(-5.0F);
     EXPECT_EQ(regression.excess(), -0.45F);
-    rsi::LoadRegression driven = after_two_minutes(LoadedVehicle{});
+    rsi_test::LoadRegression driven = after_two_minutes(LoadedVehicle{});
     const float known = driven.excess();
     driven.expect_change(0.4F);
     EXPECT_NEAR(driven.excess(), known, 0.02F);
 }
 
 TEST(LoadRegression, ALoadThatIsPutOnIsKnownToHalfOfIt) {
-    rsi::LoadRegression regression = knowing({0.1F, 0.03F, 0.1F});
+    rsi_test::LoadRegression regression = knowing({0.1F, 0.03F, 0.1F});
     regression.add_load(0.08F);
     EXPECT_NEAR(regression.excess(), 0.18F, 1.0e-6F);
     EXPECT_NEAR(regression.excess_deviation(), 0.05F, 1.0e-6F);  // 0.03^2 + 0.04^2
@@ -304,7 +303,7 @@ TEST(LoadRegression, WhatWasLearntComesBack) {
     LoadedVehicle vehicle;
     vehicle.excess = 0.4;
     const rsi::LearntLoad learnt = after_two_minutes(vehicle).learnt();
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     ASSERT_TRUE(regression.restore(learnt));
     EXPECT_EQ(regression.excess(), learnt.excess);
     EXPECT_EQ(regression.excess_deviation(), learnt.excess_deviation);
@@ -317,7 +316,7 @@ TEST(LoadRegression, WhatComesBackOrIsPutOnSharesOutWhatIsNewBetweenLoadAndOffse
     const rsi::LearntLoad learnt{0.4F, 0.02F, 0.1F};
     for (const bool puts_on : {false, true}) {
         for (const float force_mps2 : {-3.0F, 3.0F}) {
-            rsi::LoadRegression regression = knowing(learnt);
+            rsi_test::LoadRegression regression = knowing(learnt);
             if (puts_on) {
                 regression.add_load(0.0F);
             }
@@ -346,7 +345,7 @@ TEST(LoadRegression, RefusesWhatCannotHaveBeenLearnt) {
     for (const float offset : {nan, -2.1F, 2.1F}) {
         EXPECT_FALSE(fresh().restore({0.2F, 0.05F, offset}));
     }
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     regression.restore({nan, 0.05F, 0.1F});
     EXPECT_EQ(regression.excess(), 0.0F);
 }
@@ -360,7 +359,7 @@ Turn impossible_turn() {
 }
 
 TEST(LoadRegression, ForgetsAllRatherThanToKeepWhatIsNoNumber) {
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     ASSERT_TRUE(regression.restore({0.4F, 0.02F, 0.1F}));
     const Turn good = turn_with(3.0F, 0.5F);
     EXPECT_TRUE(regression.update(good.motion, good.load));
@@ -375,7 +374,7 @@ TEST(LoadRegression, NoInputBringsItOutOfItsBounds) {
     const auto any = [&noise](double limit) {
         return static_cast<float>(limit * (2.0 * noise.unit() - 1.0));
     };
-    rsi::LoadRegression regression = fresh();
+    rsi_test::LoadRegression regression = fresh();
     for (int k = 0; k < 1000000; ++k) {
         const double scale = std::pow(10.0, 8.0 * noise.unit());
         Turn turn = turn_with(any(6.0), any(1.0));

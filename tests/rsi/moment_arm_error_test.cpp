@@ -8,6 +8,7 @@
 
 #include "rsi/indicator/load_transfer.hpp"
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace moment_arm_error_test {
 namespace {
@@ -23,26 +24,24 @@ struct SteadyTurn {
 SteadyTurn steady_turn(const rsi_parameters& p, double force_mps2, double e) {
     const double arm = static_cast<double>(p.sprung_mass_kg) *
                        static_cast<double>(p.sprung_cg_height_m - p.fixed_roll_centre_height_m);
-    rsi::LoadTransfer transfer;
-    transfer.init(p);
+    const rsi::Vehicle vehicle{p};
     double phi = 0.0;
     for (int step = 0; step < 200; ++step) {
         const double wanted = arm * (1.0 - e) * (force_mps2 + g * phi * (1.0 + phi * phi / 3.0));
-        const double held = static_cast<double>(transfer.suspension_moment_nm(static_cast<float>(phi), 0.0F));
+        const double held = static_cast<double>(vehicle.suspension_moment_nm(static_cast<float>(phi), 0.0F));
         phi += 0.5 * (wanted - held) / static_cast<double>(p.roll_stiffness_nmprad);
     }
     SteadyTurn turn;
     turn.motion.road_parallel_force_mps2 = static_cast<float>(force_mps2);
     turn.motion.road_normal_force_mps2 = static_cast<float>(g);
     turn.motion.roll_angle_rad = static_cast<float>(phi);
-    turn.load.suspension_moment_nm = transfer.suspension_moment_nm(turn.motion.roll_angle_rad, 0.0F);
+    turn.load.suspension_moment_nm = vehicle.suspension_moment_nm(turn.motion.roll_angle_rad, 0.0F);
     return turn;
 }
 
 float after(const rsi_parameters& p, const SteadyTurn& turn, int samples, float load_transfer_ratio = 0.5F,
             bool measured = true) {
-    rsi::MomentArmError error;
-    error.init(p);
+    rsi_test::MomentArmError error{p};
     rsi::TransferredLoad load = turn.load;
     load.ratio = load_transfer_ratio;
     float e = 0.0F;
@@ -91,8 +90,7 @@ TEST(MomentArmError, ReturnsToZeroWhereNothingIsLearnt) {
     const rsi_parameters p = rsi_test::large_suv();
     const SteadyTurn turn = steady_turn(p, 5.0, 0.1);
     const SteadyTurn straight = steady_turn(p, 0.0, 0.0);
-    rsi::MomentArmError error;
-    error.init(p);
+    rsi_test::MomentArmError error{p};
     float e = 0.0F;
     for (int k = 0; k < 200; ++k) {
         e = error.update(turn.motion, turn.load, true);
@@ -106,7 +104,7 @@ TEST(MomentArmError, ReturnsToZeroWhereNothingIsLearnt) {
 }
 
 TEST(LoadTransfer, IsTheMeanThatTheWeightSays) {
-    rsi_parameters p = rsi_test::large_suv();
+    const rsi_parameters p = rsi_test::large_suv();
     rsi::RollMotion motion;
     motion.road_parallel_force_mps2 = 5.0F;
     motion.road_normal_force_mps2 = 9.5F;
@@ -118,20 +116,17 @@ TEST(LoadTransfer, IsTheMeanThatTheWeightSays) {
     const double unsprung =
         static_cast<double>(p.unsprung_mass_kg) * static_cast<double>(p.unsprung_cg_height_m);
     motion.roll_rate_radps = 0.2F;
-    rsi::LoadTransfer any;
-    any.init(p);
+    const rsi::Vehicle vehicle{p};
     const auto suspension_nm =
-        static_cast<double>(any.suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps));
+        static_cast<double>(vehicle.suspension_moment_nm(motion.roll_angle_rad, motion.roll_rate_radps));
     const double by_suspension = (m_s * h_rc + unsprung) * 5.0 + suspension_nm;
     const double by_forces = (m_s * h + unsprung) * 5.0 +
                              m_s * (h - h_rc) * 9.5 * (0.07 + 0.07 * 0.07 * 0.07 / 3.0) -
                              static_cast<double>(p.roll_inertia_kgm2) * 2.0;
     for (const double weight : {0.0, 0.3, 1.0}) {
-        p.load_transfer_inertial_weight = static_cast<float>(weight);
-        rsi::LoadTransfer transfer;
-        transfer.init(p);
-        EXPECT_NEAR(static_cast<double>(transfer.evaluate(motion).moment_nm),
-                    (1.0 - weight) * by_suspension + weight * by_forces, 0.02);
+        const rsi::TransferredLoad load = rsi::transferred_load(vehicle, static_cast<float>(weight), motion);
+        EXPECT_NEAR(static_cast<double>(load.moment_nm), (1.0 - weight) * by_suspension + weight * by_forces,
+                    0.02);
     }
 }
 
@@ -141,8 +136,10 @@ TEST(LoadTransfer, OfABodyThatIsOverIsThatOfItsLinearSprings) {
     rsi_parameters p = rsi_test::large_suv();
     p.roll_stiffness_cubic_nmprad3 = 0.0F;
     p.roll_stiffness_quintic_nmprad5 = -2.0e7F;  // fitted to small angles only
-    rsi::LoadTransfer transfer;
-    transfer.init(p);
+    const rsi::Vehicle vehicle{p};
+    const auto load_of = [&](const rsi::RollMotion& motion) {
+        return rsi::transferred_load(vehicle, p.load_transfer_inertial_weight, motion);
+    };
     const float lifts_rad =
         0.5F * (p.sprung_mass_kg + p.unsprung_mass_kg) * 9.8F * p.track_width_m / p.roll_stiffness_nmprad;
     ASSERT_LT(1.51F * lifts_rad, 0.5F);
@@ -152,11 +149,11 @@ TEST(LoadTransfer, OfABodyThatIsOverIsThatOfItsLinearSprings) {
         motion.road_parallel_force_mps2 = side * -8.0F;
         motion.roll_rate_radps = side * -3.0F;
         motion.roll_angle_rad = side * 1.51F * lifts_rad;
-        EXPECT_NEAR(transfer.evaluate(motion).ratio, side * 1.51F, 1.0e-4F);
+        EXPECT_NEAR(load_of(motion).ratio, side * 1.51F, 1.0e-4F);
         motion.roll_angle_rad = side * 1.49F * lifts_rad;
-        EXPECT_LT(side * transfer.evaluate(motion).ratio, 0.0F);
-        const rsi::TransferredLoad load = transfer.evaluate(motion);
-        EXPECT_EQ(load.ratio, transfer.ratio(load.moment_nm, 9.8F));
+        EXPECT_LT(side * load_of(motion).ratio, 0.0F);
+        const rsi::TransferredLoad load = load_of(motion);
+        EXPECT_EQ(load.ratio, rsi::load_transfer_ratio(vehicle.loaded, load.moment_nm, 9.8F));
     }
 }
 

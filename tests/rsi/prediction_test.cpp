@@ -7,6 +7,7 @@
 
 #include "tests/rsi/support/index_reference.hpp"
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace prediction_test {
 namespace {
@@ -19,20 +20,26 @@ using rsi_test::ReferenceVehicle;
 
 class Look {
  public:
-    explicit Look(const rsi_parameters& parameters) {
-        predictor_.init(parameters);
-        load_transfer_.init(parameters);
-    }
+    explicit Look(const rsi_parameters& parameters)
+        : vehicle_{parameters},
+          inertial_weight_{parameters.load_transfer_inertial_weight},
+          response_{parameters},
+          predictor_{parameters} {}
     rsi::Prediction ahead(const rsi::RollMotion& motion, const rsi::DemandedForce& demand = {},
-                          const rsi::LateralResponse* response = nullptr) const {
-        return predictor_.evaluate(motion, load_transfer_.evaluate(motion), demand, response, 0.0F,
-                                   load_transfer_);
+                          const rsi::ForceTarget* target = nullptr) const {
+        return predictor_.evaluate(vehicle_, motion, load(motion), demand, response_, target, 0.0F);
     }
-    float present(const rsi::RollMotion& motion) const { return load_transfer_.evaluate(motion).ratio; }
+    float present(const rsi::RollMotion& motion) const { return load(motion).ratio; }
 
  private:
-    rsi::RollPredictor predictor_{};
-    rsi::LoadTransfer load_transfer_{};
+    rsi::TransferredLoad load(const rsi::RollMotion& motion) const {
+        return rsi::transferred_load(vehicle_, inertial_weight_, motion);
+    }
+
+    rsi::Vehicle vehicle_;
+    float inertial_weight_;
+    rsi::LateralResponse response_;
+    rsi::RollPredictor predictor_;
 };
 
 rsi::RollMotion motion_with(double A, double phi, double rate, double force_rate = 0.0) {
@@ -155,7 +162,7 @@ class LookAlongTheResponse {
         demand.force_mps2 = static_cast<float>(demanded_mps2);
         demand.is_known = true;
         EXPECT_TRUE(response_.update(motion, demand));
-        return look_.ahead(motion, demand, &response_);
+        return look_.ahead(motion, demand, &response_.target);
     }
     const rsi_parameters& parameters() const { return parameters_; }
     double present(const rsi::RollMotion& motion) const { return static_cast<double>(look_.present(motion)); }
@@ -173,7 +180,7 @@ class LookAlongTheResponse {
 
     rsi_parameters parameters_;
     Look look_;
-    rsi::LateralResponse response_{};
+    rsi_test::LateralResponse response_{};
 };
 
 TEST(ResponsePrediction, UnderAForceThatStaysItIsTheRollEquationsMotion) {
@@ -271,7 +278,7 @@ TEST(ResponsePrediction, TheMarginGrowsWithTheTimeAhead) {
 
 class DemandOf {
  public:
-    explicit DemandOf(const rsi_parameters& parameters) { stage_.init(parameters); }
+    explicit DemandOf(const rsi_parameters& parameters) : stage_{parameters} {}
     rsi::DemandedForce operator()(float speed_mps, float angle_rad, float bank_share_mps2 = 0.0F) const {
         rsi_inputs inputs{};
         inputs.speed_mps = speed_mps;
@@ -283,7 +290,7 @@ class DemandOf {
     }
 
  private:
-    rsi::SteeringDemand stage_{};
+    rsi::SteeringDemand stage_;
 };
 
 TEST(SteeringDemand, IsTheSteadyTurnsAcceleration) {

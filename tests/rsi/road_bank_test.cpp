@@ -9,6 +9,7 @@
 #include "rsi/measurement/measurement.hpp"
 #include "tests/rsi/support/banked_drive.hpp"
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace road_bank_test {
 namespace {
@@ -27,8 +28,8 @@ rsi_parameters horizon_vehicle() {
     return parameters;
 }
 
-rsi::MeasurementStage stage_of(const rsi_parameters& parameters) {
-    rsi::MeasurementStage stage;
+rsi_test::MeasurementStage stage_of(const rsi_parameters& parameters) {
+    rsi_test::MeasurementStage stage;
     stage.init(parameters);
     return stage;
 }
@@ -49,7 +50,7 @@ struct Seen {
 template <typename Change>
 Seen drive(const rsi_parameters& parameters, const Drive& course, Change change) {
     RollingVehicle vehicle{rsi_test::large_suv(), course};
-    rsi::MeasurementStage stage = stage_of(parameters);
+    rsi_test::MeasurementStage stage = stage_of(parameters);
     Seen seen;
     for (int k = 1; k <= 2000; ++k) {
         vehicle.advance_10_ms();
@@ -121,7 +122,7 @@ TEST(AngleAgainstTheHorizon, ShowsARollThatTheCalibrationDoesNotExpect) {
     rsi_parameters stiffer = horizon_vehicle();
     stiffer.roll_stiffness_nmprad *= 1.2F;
     RollingVehicle vehicle{rsi_test::large_suv(), slalom_onto_a_bank(0.0)};
-    rsi::MeasurementStage stage = stage_of(stiffer);
+    rsi_test::MeasurementStage stage = stage_of(stiffer);
     double sensed = 0.0;
     double observed = 0.0;
     for (int k = 1; k <= 2000; ++k) {
@@ -160,7 +161,7 @@ TEST(AngleAgainstTheHorizon, WhatIsSteeperThanAnyRoadIsASensorThatDisagrees) {
 
 TEST(AngleAgainstTheHorizon, IsKnownWithinAFifthOfASecondAndNotBefore) {
     RollingVehicle vehicle{rsi_test::large_suv(), Drive{}};
-    rsi::MeasurementStage stage = stage_of(horizon_vehicle());
+    rsi_test::MeasurementStage stage = stage_of(horizon_vehicle());
     rsi::Measurement measured;
     for (int gap = 0; gap < 2; ++gap) {
         ASSERT_FALSE(stage.update(against_horizon(vehicle), measured));
@@ -179,7 +180,7 @@ TEST(AngleAgainstTheHorizon, WithABankSensorIsKnownFromTheFirstSample) {
     rsi_inputs inputs = rsi_test::at_rest();
     inputs.roll_angle_rad = 0.12F;
     inputs.bank_angle_rad = 0.1F;
-    rsi::MeasurementStage stage = stage_of(horizon_vehicle());
+    rsi_test::MeasurementStage stage = stage_of(horizon_vehicle());
     rsi::Measurement measured;
     ASSERT_TRUE(stage.update(inputs, measured));
     EXPECT_FLOAT_EQ(measured.roll_angle_rad, 0.12F - 0.1F);
@@ -191,7 +192,7 @@ TEST(AngleAgainstTheHorizon, IsAMeasuredOneOnlyWithABankSensor) {
     rsi_inputs inputs = rsi_test::at_rest();
     for (const bool horizon : {false, true}) {
         for (const float bank_rad : {nan, 0.02F}) {
-            rsi::MeasurementStage stage = stage_of(horizon ? horizon_vehicle() : rsi_test::large_suv());
+            rsi_test::MeasurementStage stage = stage_of(horizon ? horizon_vehicle() : rsi_test::large_suv());
             inputs.bank_angle_rad = bank_rad;
             rsi::Measurement measured;
             for (int k = 0; k <= known_after; ++k) {
@@ -217,7 +218,7 @@ TEST(AngleAgainstTheHorizon, NeedsNeitherSpeedNorYawRate) {
         EXPECT_LT(seen.largest_error_deg, 1.2);
         EXPECT_EQ(seen.without_sensor, 0);
 
-        rsi::MeasurementStage stage = stage_of(horizon_vehicle());
+        rsi_test::MeasurementStage stage = stage_of(horizon_vehicle());
         rsi::Measurement measured;
         rsi_inputs inputs = rsi_test::at_rest();
         inputs.bank_angle_rad = nan;
@@ -232,7 +233,7 @@ TEST(AngleAgainstTheHorizon, NeedsNeitherSpeedNorYawRate) {
 }
 
 TEST(AngleAgainstTheHorizon, AStartForgetsTheBank) {
-    rsi::MeasurementStage stage = stage_of(horizon_vehicle());
+    rsi_test::MeasurementStage stage = stage_of(horizon_vehicle());
     rsi::Measurement measured;
     rsi_inputs inputs = rsi_test::at_rest();
     inputs.bank_angle_rad = nan;
@@ -240,12 +241,12 @@ TEST(AngleAgainstTheHorizon, AStartForgetsTheBank) {
         stage.update(inputs, measured);
     }
     ASSERT_TRUE(stage.update(inputs, measured));
-    stage.reinitialise(horizon_vehicle());
+    stage.init(horizon_vehicle());
     EXPECT_FALSE(stage.update(inputs, measured));
 }
 
 TEST(AngleAgainstTheHorizon, ABankBeforeAGapOfTheSensorIsForgotten) {
-    rsi::MeasurementStage stage = stage_of(horizon_vehicle());
+    rsi_test::MeasurementStage stage = stage_of(horizon_vehicle());
     rsi::Measurement measured;
     rsi_inputs inputs = rsi_test::at_rest();
     inputs.bank_angle_rad = nan;
@@ -264,7 +265,7 @@ TEST(AngleAgainstTheHorizon, ABankBeforeAGapOfTheSensorIsForgotten) {
 
 // While the inner wheels are up the observer only integrates the gyro; the sensor goes on.
 TEST(AngleAgainstTheHorizon, KeepsTheBankWhileTheVehicleTips) {
-    rsi::MeasurementStage stage = stage_of(horizon_vehicle());
+    rsi_test::MeasurementStage stage = stage_of(horizon_vehicle());
     rsi::Measurement measured;
     rsi_inputs inputs = rsi_test::at_rest();
     inputs.bank_angle_rad = nan;
@@ -291,7 +292,7 @@ TEST(RoadBank, BeginsWithItsFirstSampleAndIsNoSteeperThan420Milliradians) {
         bank.follow(side * 0.11F, side * 0.01F);
         EXPECT_TRUE(bank.known());
         EXPECT_FLOAT_EQ(bank.angle_rad(), side * 0.1F);
-        bank.forget();
+        bank.reset();
         bank.follow(side * 0.43F, 0.0F);
         EXPECT_EQ(bank.angle_rad(), side * 0.42F);
     }

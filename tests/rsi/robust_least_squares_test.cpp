@@ -11,6 +11,7 @@
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/recorded_like_signals.hpp"
 #include "tests/rsi/support/reference_least_squares.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace robust_least_squares_test {
 namespace {
@@ -21,8 +22,8 @@ using rsi_test::Noise;
 using rsi_test::RecordedLikeDrive;
 using rsi_test::ReferenceLeastSquares;
 
-rsi::RobustLeastSquares estimator_of(const rsi_parameters& parameters) {
-    rsi::RobustLeastSquares estimator;
+rsi_test::RobustLeastSquares estimator_of(const rsi_parameters& parameters) {
+    rsi_test::RobustLeastSquares estimator;
     estimator.init(parameters);
     return estimator;
 }
@@ -41,7 +42,7 @@ struct Difference {
 
 Difference largest_difference_over_drive(const rsi_parameters& parameters, const Deviation& truth,
                                          int samples) {
-    rsi::RobustLeastSquares estimator = estimator_of(parameters);
+    rsi_test::RobustLeastSquares estimator = estimator_of(parameters);
     ReferenceLeastSquares reference(parameters);
     EstimationChain chain(parameters);
     RecordedLikeDrive drive(parameters, truth, 3U);
@@ -98,7 +99,7 @@ TEST(RobustLeastSquares, AgreesWithTheDoubleReferenceFromItsStart) {
 TEST(RobustLeastSquares, TheCovarianceAgreesWithTheDoubleReference) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.covariance_limit = 1.0e6F;
-    rsi::RobustLeastSquares estimator = estimator_of(parameters);
+    rsi_test::RobustLeastSquares estimator = estimator_of(parameters);
     ReferenceLeastSquares reference(parameters);
     EstimationChain chain(parameters);
     RecordedLikeDrive drive(parameters, Deviation{}, 5U);
@@ -137,7 +138,7 @@ TEST(RobustLeastSquares, FindsTheParametersWhenEachIsExcited) {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.forgetting_factor = 0.98F;
         parameters.disturbance_cutoff_hz = cutoff_hz;
-        rsi::RobustLeastSquares estimator = estimator_of(parameters);
+        rsi_test::RobustLeastSquares estimator = estimator_of(parameters);
         Noise noise(17U);
         for (int k = 0; k < 5000; ++k) {
             estimator.update(exciting(noise, truth, 0.0));
@@ -152,7 +153,7 @@ TEST(RobustLeastSquares, FindsTheParametersWhenEachIsExcited) {
 TEST(RobustLeastSquares, TheDisturbanceObserverTakesAConstantDisturbanceOutOfTheParameters) {
     const Deviation truth{0.07, -8.0e3, 700.0};
     rsi_parameters parameters = rsi_test::large_suv();
-    rsi::RobustLeastSquares estimator = estimator_of(parameters);
+    rsi_test::RobustLeastSquares estimator = estimator_of(parameters);
     Noise noise(19U);
     for (int k = 0; k < 20000; ++k) {
         estimator.update(exciting(noise, truth, 300.0));
@@ -168,7 +169,7 @@ TEST(RobustLeastSquares, TheDisturbanceFollowsItsLowPassWhenNothingElseExplainsT
     for (const float cutoff_hz : {0.0F, 0.1F, 1.0F, 10.0F}) {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.disturbance_cutoff_hz = cutoff_hz;
-        rsi::RobustLeastSquares estimator = estimator_of(parameters);
+        rsi_test::RobustLeastSquares estimator = estimator_of(parameters);
         for (int k = 1; k <= 300; ++k) {
             rsi::Regression regression;
             regression.output_nm = 500.0F;
@@ -184,8 +185,8 @@ TEST(RobustLeastSquares, TheDisturbanceFollowsItsLowPassWhenNothingElseExplainsT
 
 TEST(RobustLeastSquares, MirroredSamplesGiveTheSameParametersAndTheOppositeDisturbance) {
     const rsi_parameters parameters = rsi_test::large_suv();
-    rsi::RobustLeastSquares left = estimator_of(parameters);
-    rsi::RobustLeastSquares right = estimator_of(parameters);
+    rsi_test::RobustLeastSquares left = estimator_of(parameters);
+    rsi_test::RobustLeastSquares right = estimator_of(parameters);
     Noise noise(23U);
     for (int k = 0; k < 2000; ++k) {
         rsi::Regression regression = exciting(noise, Deviation{0.05, 1.0e3, -200.0}, 50.0);
@@ -201,7 +202,7 @@ TEST(RobustLeastSquares, MirroredSamplesGiveTheSameParametersAndTheOppositeDistu
 }
 
 TEST(RobustLeastSquares, ASampleThatCannotBeRepresentedResetsTheEstimator) {
-    rsi::RobustLeastSquares estimator = estimator_of(rsi_test::large_suv());
+    rsi_test::RobustLeastSquares estimator = estimator_of(rsi_test::large_suv());
     Noise noise(29U);
     for (int k = 0; k < 100; ++k) {
         estimator.update(exciting(noise, Deviation{0.05, 0.0, 0.0}, 0.0));
@@ -216,7 +217,7 @@ TEST(RobustLeastSquares, ASampleThatCannotBeRepresentedResetsTheEstimator) {
 
 // An element without excitation forgets nothing once the trace is above its limit, whichever element it is.
 TEST(RobustLeastSquares, AResetForgetsParametersCovarianceAndDisturbance) {
-    rsi::RobustLeastSquares estimator = estimator_of(rsi_test::large_suv());
+    rsi_test::RobustLeastSquares estimator = estimator_of(rsi_test::large_suv());
     rsi::Regression regression;
     regression.psi = Eigen::Vector3f{4000.0F, 0.05F, 0.2F};
     regression.output_nm = 300.0F;
@@ -240,7 +241,7 @@ TEST(RobustLeastSquares, EachElementOfTheCovarianceCountsInItsLimit) {
     parameters.forgetting_factor = 0.95F;
     parameters.covariance_limit = 5.0F;
     for (int excited = 0; excited < 3; ++excited) {
-        rsi::RobustLeastSquares estimator = estimator_of(parameters);
+        rsi_test::RobustLeastSquares estimator = estimator_of(parameters);
         const float scale[3] = {parameters.initial_roll_centre_deviation_m,
                                 parameters.initial_stiffness_deviation_nmprad,
                                 parameters.initial_damping_deviation_nmsprad};
@@ -262,7 +263,7 @@ TEST(RobustLeastSquares, AboveItsLimitWhatIsNotExcitedStaysAsItIs) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.forgetting_factor = 0.95F;
     parameters.covariance_limit = 5.0F;
-    rsi::RobustLeastSquares estimator = estimator_of(parameters);
+    rsi_test::RobustLeastSquares estimator = estimator_of(parameters);
     rsi::Regression regression{};
     regression.psi << parameters.regression_scale_nm / parameters.initial_roll_centre_deviation_m, 0.0F, 0.0F;
     while (estimator.covariance().trace() <= parameters.covariance_limit) {
@@ -288,7 +289,7 @@ TEST(RobustLeastSquares, AboveItsLimitWhatIsExcitedIsLearntWithoutForgetting) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.forgetting_factor = 0.95F;
     parameters.covariance_limit = 5.0F;
-    rsi::RobustLeastSquares estimator = estimator_of(parameters);
+    rsi_test::RobustLeastSquares estimator = estimator_of(parameters);
     rsi::Regression regression{};
     regression.psi << parameters.regression_scale_nm / parameters.initial_roll_centre_deviation_m, 0.0F, 0.0F;
     while (estimator.covariance().trace() <= parameters.covariance_limit) {

@@ -11,6 +11,7 @@
 #include "tests/rsi/support/banked_drive.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/recorded_like_signals.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace roll_bank_observer_test {
 namespace {
@@ -22,7 +23,7 @@ constexpr double degrees_per_radian = 180.0 / rsi_test::pi;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-void show(const RollingVehicle& vehicle, rsi::RollBankObserver& observer) {
+void show(const RollingVehicle& vehicle, rsi_test::RollBankObserver& observer) {
     const rsi_inputs inputs = vehicle.inputs();
     observer.update(inputs.lateral_specific_force_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps,
                     inputs.speed_mps);
@@ -36,7 +37,7 @@ struct Errors {
 Errors largest_errors(const Drive& drive, double from_s, double to_s) {
     const rsi_parameters parameters = rsi_test::large_suv();
     RollingVehicle vehicle{parameters, drive};
-    rsi::RollBankObserver observer;
+    rsi_test::RollBankObserver observer;
     observer.init(parameters);
     Errors errors;
     for (int k = 1; k <= std::lround(100.0 * to_s); ++k) {
@@ -87,7 +88,7 @@ TEST(RollBankObserver, AGyroBiasOfAFifthOfADegreePerSecondCostsLittleRoll) {
 TEST(RollBankObserver, KnowsNothingAtTheStartAndTheRollWithinAFifthOfASecond) {
     const rsi_parameters parameters = rsi_test::large_suv();
     RollingVehicle vehicle{parameters, Drive{}};
-    rsi::RollBankObserver observer;
+    rsi_test::RollBankObserver observer;
     observer.init(parameters);
     EXPECT_FALSE(observer.roll_known());
     show(vehicle, observer);
@@ -103,7 +104,7 @@ TEST(RollBankObserver, KnowsNothingAtTheStartAndTheRollWithinAFifthOfASecond) {
 
 TEST(RollBankObserver, KnowsNothingRoughlyEitherBeforeItsFirstSample) {
     RollingVehicle vehicle{rsi_test::large_suv(), Drive{}};
-    rsi::RollBankObserver observer;
+    rsi_test::RollBankObserver observer;
     observer.init(rsi_test::large_suv());
     EXPECT_FALSE(observer.roll_roughly_known());
     for (int k = 0; k < 100; ++k) {
@@ -116,7 +117,7 @@ TEST(RollBankObserver, KnowsNothingRoughlyEitherBeforeItsFirstSample) {
 }
 
 TEST(RollBankObserver, BelowFiveMetresASecondTheRollStaysKnownAndTheBankIsForgottenInTheEnd) {
-    rsi::RollBankObserver observer;
+    rsi_test::RollBankObserver observer;
     observer.init(rsi_test::large_suv());
     const auto bank_force = static_cast<float>(rsi_test::gravity_mps2 * std::sin(0.05));
     for (int k = 0; k < 1000; ++k) {
@@ -138,7 +139,7 @@ TEST(RollBankObserver, BelowFiveMetresASecondTheRollStaysKnownAndTheBankIsForgot
 }
 
 TEST(RollBankObserver, FollowsTheGyroWhileTheVehicleTipsOver) {
-    rsi::RollBankObserver observer;
+    rsi_test::RollBankObserver observer;
     observer.init(rsi_test::large_suv());
     for (int k = 0; k < 100; ++k) {
         observer.update(0.0F, 0.0F, 0.0F, 25.0F);
@@ -161,8 +162,8 @@ TEST(RollBankObserver, FollowsTheGyroWhileTheVehicleTipsOver) {
 }
 
 TEST(RollBankObserver, MirroredSignalsGiveTheMirroredAnglesBitForBit) {
-    rsi::RollBankObserver left;
-    rsi::RollBankObserver right;
+    rsi_test::RollBankObserver left;
+    rsi_test::RollBankObserver right;
     left.init(rsi_test::large_suv());
     right.init(rsi_test::large_suv());
     rsi_test::Noise noise(5U);
@@ -192,7 +193,7 @@ TEST(RollBankObserver, StaysFiniteAndBoundedUnderAnyInputsWithAnyAdmittedCalibra
             parameters = rsi_test::large_suv();
         }
         ++tried;
-        rsi::RollBankObserver observer;
+        rsi_test::RollBankObserver observer;
         observer.init(parameters);
         for (int k = 0; k < 500; ++k) {
             observer.update(static_cast<float>(noise(30.0)), static_cast<float>(noise(5.0)),
@@ -206,7 +207,7 @@ TEST(RollBankObserver, StaysFiniteAndBoundedUnderAnyInputsWithAnyAdmittedCalibra
 TEST(RollBankObserver, ANumberThatIsNotFiniteStartsItAnewAndLeavesNoTrace) {
     for (const float bad : {nan, infinity, -infinity}) {
         for (int which = 0; which < 4; ++which) {
-            rsi::RollBankObserver observer;
+            rsi_test::RollBankObserver observer;
             observer.init(rsi_test::large_suv());
             for (int k = 0; k < 100; ++k) {
                 observer.update(2.0F, 0.1F, 0.1F, 20.0F);
@@ -226,8 +227,7 @@ TEST(RollBankObserver, ANumberThatIsNotFiniteStartsItAnewAndLeavesNoTrace) {
 }
 
 TEST(RollSensorCheck, NeedsTheWholeTimeToSpeakAndToFallSilent) {
-    rsi::RollSensorCheck check;
-    check.tune(rsi_test::large_suv());  // 0.05 rad for 0.3 s
+    rsi_test::RollSensorCheck check{rsi_test::large_suv()};  // 0.05 rad for 0.3 s
     const auto repeat = [&check](int samples, float difference_rad) {
         for (int k = 0; k < samples; ++k) {
             check.update(difference_rad);
@@ -246,8 +246,7 @@ TEST(RollSensorCheck, NeedsTheWholeTimeToSpeakAndToFallSilent) {
 
 TEST(RollSensorCheck, SpeaksAfterTheSameTimeOnEitherSideAndFromTheStart) {
     for (const float side : {1.0F, -1.0F}) {
-        rsi::RollSensorCheck check;
-        check.tune(rsi_test::large_suv());
+        rsi_test::RollSensorCheck check{rsi_test::large_suv()};
         for (int after_reset = 0; after_reset < 2; ++after_reset) {
             for (int k = 0; k < 30; ++k) {
                 check.update(side * 0.051F);
@@ -266,8 +265,7 @@ TEST(RollSensorCheck, SpeaksAfterTheSameTimeOnEitherSideAndFromTheStart) {
 }
 
 TEST(RollSensorCheck, CountsAnewAfterEachChange) {
-    rsi::RollSensorCheck check;
-    check.tune(rsi_test::large_suv());
+    rsi_test::RollSensorCheck check{rsi_test::large_suv()};
     for (int change = 0; change < 4; ++change) {
         const bool before = (change % 2) != 0;
         const float difference_rad = before ? 0.024F : 0.051F;
@@ -282,7 +280,7 @@ TEST(RollSensorCheck, CountsAnewAfterEachChange) {
 
 TEST(RollBankObserver, KeepsItsAngleWithinAQuarterTurnWhileItTips) {
     for (const float side : {1.0F, -1.0F}) {
-        rsi::RollBankObserver observer;
+        rsi_test::RollBankObserver observer;
         observer.init(rsi_test::large_suv());
         float largest = 0.0F;
         for (int k = 0; k < 300; ++k) {
@@ -298,7 +296,7 @@ TEST(RollBankObserver, KeepsItsAngleWithinAQuarterTurnWhileItTips) {
 // Tipping ends where the suspension would hold the body at its angle, and no sooner.
 TEST(RollBankObserver, AVehicleTipsUntilItsBodyIsBackWhereTheSuspensionHoldsIt) {
     for (const float side : {1.0F, -1.0F}) {
-        rsi::RollBankObserver observer;
+        rsi_test::RollBankObserver observer;
         observer.init(rsi_test::large_suv());
         const auto drive = [&observer, side](int samples, float force_mps2) {
             for (int k = 0; k < samples; ++k) {
@@ -321,7 +319,7 @@ TEST(RollBankObserver, AVehicleTipsUntilItsBodyIsBackWhereTheSuspensionHoldsIt) 
 TEST(RollBankObserver, AVehicleWithoutHalfTheForceForASecondHasNotTipped) {
     for (const float side : {1.0F, -1.0F}) {
         for (const float force_mps2 : {-3.5F, 0.0F, 3.5F, -4.5F, 4.5F}) {  // 8.1 tip it
-            rsi::RollBankObserver observer;
+            rsi_test::RollBankObserver observer;
             observer.init(rsi_test::large_suv());
             const auto drive = [&observer, side](int samples, float force, float rate_radps) {
                 for (int k = 0; k < samples; ++k) {
@@ -345,7 +343,7 @@ TEST(RollBankObserver, AVehicleWithoutHalfTheForceForASecondHasNotTipped) {
 
 TEST(RollBankObserver, TheForceMustBeMissingForTheWholeSecond) {
     for (const float now_and_then_mps2 : {4.5F, 9.0F}) {
-        rsi::RollBankObserver observer;
+        rsi_test::RollBankObserver observer;
         observer.init(rsi_test::large_suv());
         for (int k = 0; k < 260; ++k) {
             observer.update((k < 200) ? 0.0F : 9.0F, (k < 200) ? 0.0F : 1.0F, 0.0F, 0.0F);
@@ -359,7 +357,7 @@ TEST(RollBankObserver, TheForceMustBeMissingForTheWholeSecond) {
 
 TEST(RollBankObserver, KeepsItsBankWithinHalfARadian) {
     for (const float side : {1.0F, -1.0F}) {
-        rsi::RollBankObserver observer;
+        rsi_test::RollBankObserver observer;
         observer.init(rsi_test::large_suv());
         for (int k = 0; k < 60000; ++k) {
             observer.update(side * 7.0F, 0.0F, 0.0F, 20.0F);
@@ -372,7 +370,7 @@ TEST(RollBankObserver, KeepsItsBankWithinHalfARadian) {
 // A body that has just begun to lean says little: the filter must know its angle before wheels can lift.
 TEST(RollBankObserver, DoesNotTipBeforeItKnowsItsAngle) {
     for (const float side : {1.0F, -1.0F}) {
-        rsi::RollBankObserver observer;
+        rsi_test::RollBankObserver observer;
         observer.init(rsi_test::large_suv());
         int samples = 0;
         while (!observer.roll_known() && samples < 100) {
@@ -388,7 +386,7 @@ TEST(RollBankObserver, DoesNotTipBeforeItKnowsItsAngle) {
 
 TEST(RollBankObserver, StartsInBalanceWithinAFifthOfARadian) {
     for (const float side : {1.0F, -1.0F}) {
-        rsi::RollBankObserver observer;
+        rsi_test::RollBankObserver observer;
         observer.init(rsi_test::large_suv());
         observer.update(side * 20.0F, 0.0F, 0.0F, 20.0F);
         EXPECT_EQ(observer.roll_angle_rad(), side * 0.2F);
@@ -399,7 +397,7 @@ TEST(RollBankObserver, StartsInBalanceWithinAFifthOfARadian) {
 }
 
 TEST(RollBankObserver, KnowsNothingOfATippedVehicleAfterAReset) {
-    rsi::RollBankObserver observer;
+    rsi_test::RollBankObserver observer;
     observer.init(rsi_test::large_suv());
     for (int k = 0; k < 100; ++k) {
         observer.update((k < 90) ? 0.0F : 9.0F, 0.0F, 0.0F, 20.0F);
@@ -412,8 +410,7 @@ TEST(RollBankObserver, KnowsNothingOfATippedVehicleAfterAReset) {
 }
 
 TEST(RollSensorCheck, WantsTheWholeTimeAfterAReset) {
-    rsi::RollSensorCheck check;
-    check.tune(rsi_test::large_suv());
+    rsi_test::RollSensorCheck check{rsi_test::large_suv()};
     for (int k = 0; k < 30; ++k) {
         check.update(0.051F);
     }
@@ -427,8 +424,7 @@ TEST(RollSensorCheck, WantsTheWholeTimeAfterAReset) {
 }
 
 TEST(RollSensorCheck, TheSensorAgreesAgainWithinHalfOfTheLimitOnly) {
-    rsi::RollSensorCheck check;
-    check.tune(rsi_test::large_suv());  // 0.05 rad
+    rsi_test::RollSensorCheck check{rsi_test::large_suv()};  // 0.05 rad
     for (int k = 0; k < 31; ++k) {
         check.update(0.051F);
     }
@@ -447,8 +443,7 @@ TEST(RollSensorCheck, ItsTimeIsRoundedToSamples) {
     for (const float time_s : {0.2952F, 0.3048F}) {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.observer_disagreement_s = time_s;
-        rsi::RollSensorCheck check;
-        check.tune(parameters);
+        rsi_test::RollSensorCheck check{parameters};
         for (int k = 0; k < 30; ++k) {
             check.update(0.051F);
         }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace roll_centre_estimator_test {
 namespace {
@@ -14,7 +15,6 @@ class TheEstimatorInUse : public ::testing::Test {
         rsi_parameters parameters = rsi_test::large_suv();
         parameters.estimator = estimator;
         estimator_in_use.init(parameters);
-        model.init(parameters);
         fixed.reset(0.05F);
     }
 
@@ -25,12 +25,11 @@ class TheEstimatorInUse : public ::testing::Test {
         measured.road_normal_force_mps2 = 9.8F;
         measured.roll_angle_rad = 0.016F * force_mps2;
         measured.tan_roll_angle = 0.01604F * force_mps2;
-        fixed.update(model, measured);
-        return estimator_in_use.update(model, measured, fixed, 0.4F, 20.0F).vertical_movement_m;
+        fixed.update(estimator_in_use.vehicle, measured);
+        return estimator_in_use.update(measured, fixed, 0.4F, 20.0F).vertical_movement_m;
     }
 
-    rsi::RollCentreEstimator estimator_in_use;
-    rsi::RollPlaneModel model;
+    rsi_test::RollCentreEstimator estimator_in_use;
     rsi::FixedModelRoll fixed;
 };
 
@@ -65,7 +64,8 @@ TEST_F(TheEstimatorInUse, TakesNoLoadThatIsKnownForAMovement) {
         start(RSI_ESTIMATOR_CONSIDER_KALMAN);
         rsi::SprungBody body = rsi::calibrated_body(rsi_test::large_suv());
         body.mass_kg *= mass_factor;
-        estimator_in_use.assume_body(body);
+        rsi::Vehicle& vehicle = estimator_in_use.vehicle;
+        vehicle.loaded = rsi::loaded_body(vehicle.suspension, body);
         float result = 0.0F;
         for (int sample = 0; sample < 400; ++sample) {
             result = update(sample < 200 ? 0.0F : 5.0F);

@@ -39,9 +39,8 @@ rsi::RollCentreEstimate exactly(const Deviation& truth) {
 
 class RollCentre : public ::testing::Test {
  protected:
-    RollCentre() { model.init(parameters); }
     rsi_parameters parameters{rsi_test::large_suv()};
-    rsi::RollPlaneModel model{};
+    const rsi::Vehicle calibrated{parameters};
 };
 
 // (6): how far the CG of the fixed-roll-centre vehicle leans out further than that of the measured one.
@@ -52,8 +51,8 @@ TEST_F(RollCentre, TheLateralMovementIsTheDifferenceOfTheLeans) {
             for (const double dh : {-0.1, 0.0, 0.06}) {
                 rsi::FixedModelRoll fixed;
                 fixed.reset(static_cast<float>(phi_f));
-                const float c_rc = rsi::lateral_roll_centre_m(model, measured_at(0.0, 9.8, phi_m, 0.0), fixed,
-                                                              static_cast<float>(dh));
+                const float c_rc = rsi::lateral_roll_centre_m(calibrated, measured_at(0.0, 9.8, phi_m, 0.0),
+                                                              fixed, static_cast<float>(dh));
                 EXPECT_NEAR(wide(c_rc), H * std::tan(phi_f) - (H - dh) * std::tan(phi_m), 1.0e-6);
             }
         }
@@ -77,8 +76,9 @@ TEST_F(RollCentre, TheAdditionalMomentMakesUpTheDifferenceToTheRealVehicle) {
             fixed.reset(static_cast<float>(phi_f));
             const rsi::Measurement measured = measured_at(A, N, phi_m, rate_m);
             const float c_rc =
-                rsi::lateral_roll_centre_m(model, measured, fixed, static_cast<float>(truth.vertical_m));
-            const double M_add = wide(rsi::additional_roll_moment_nm(model, measured, exactly(truth), c_rc));
+                rsi::lateral_roll_centre_m(calibrated, measured, fixed, static_cast<float>(truth.vertical_m));
+            const double M_add =
+                wide(rsi::additional_roll_moment_nm(calibrated, measured, exactly(truth), c_rc));
             const double needed = 8.0e3 * rate_m + 96.0e3 * phi_m - m_s * H * (A + N * std::tan(phi_f));
             EXPECT_NEAR(M_add, needed, 0.05);
         }
@@ -90,18 +90,19 @@ TEST_F(RollCentre, WithoutDeviationAndWithEqualAnglesNothingIsAdded) {
     fixed.reset(0.08F);
     rsi::Measurement measured = measured_at(5.0, 9.8, 0.08, 0.2);
     measured.tan_roll_angle = rsi::short_range_tangent(0.08F);
-    const float c_rc = rsi::lateral_roll_centre_m(model, measured, fixed, 0.0F);
+    const float c_rc = rsi::lateral_roll_centre_m(calibrated, measured, fixed, 0.0F);
     EXPECT_EQ(c_rc, 0.0F);
-    EXPECT_EQ(rsi::additional_roll_moment_nm(model, measured, rsi::RollCentreEstimate{}, c_rc), 0.0F);
+    EXPECT_EQ(rsi::additional_roll_moment_nm(calibrated, measured, rsi::RollCentreEstimate{}, c_rc), 0.0F);
 }
 
 // -Ixx phi'' of an estimator whose model has an inertia.
 TEST_F(RollCentre, TheMomentOfTheInertiaAddsToTheAdditionalMoment) {
     rsi::RollCentreEstimate estimate = exactly(Deviation{0.05, -5.0e3, 600.0});
     const rsi::Measurement measured = measured_at(4.0, 9.5, 0.05, 0.1);
-    const float without = rsi::additional_roll_moment_nm(model, measured, estimate, 0.01F);
+    const float without = rsi::additional_roll_moment_nm(calibrated, measured, estimate, 0.01F);
     estimate.inertia_moment_nm = 250.0F;
-    EXPECT_NEAR(rsi::additional_roll_moment_nm(model, measured, estimate, 0.01F), without + 250.0F, 0.01F);
+    EXPECT_NEAR(rsi::additional_roll_moment_nm(calibrated, measured, estimate, 0.01F), without + 250.0F,
+                0.01F);
 }
 
 // Fig. 7 with the exact theta in place of the estimate. Half a sample of delay would be up to 0.2 rad/s * 5
@@ -120,11 +121,11 @@ TEST_F(RollCentre, WithTheExactParametersTheCompensatedModelFollowsTheVehicle) {
         const double N = rsi_test::gravity_mps2;
         const double phi_m = vehicle.angle_rad();
         const rsi::Measurement measured = measured_at(A, N, phi_m, vehicle.rate_radps(A, N, phi_m));
-        fixed.update(model, measured);
+        fixed.update(calibrated, measured);
         const float c_rc =
-            rsi::lateral_roll_centre_m(model, measured, fixed, static_cast<float>(truth.vertical_m));
-        const float M_add = rsi::additional_roll_moment_nm(model, measured, exactly(truth), c_rc);
-        compensated.update(model, measured, fixed, M_add);
+            rsi::lateral_roll_centre_m(calibrated, measured, fixed, static_cast<float>(truth.vertical_m));
+        const float M_add = rsi::additional_roll_moment_nm(calibrated, measured, exactly(truth), c_rc);
+        compensated.update(calibrated, measured, fixed, M_add);
         if (k >= 100) {  // ten time constants after the start
             worst_compensated =
                 std::fmax(worst_compensated, std::fabs(wide(compensated.angle_rad()) - phi_m));

@@ -7,6 +7,7 @@
 
 #include "tests/rsi/support/inertial_roll_vehicle.hpp"
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace roll_equation_test {
 namespace {
@@ -25,8 +26,8 @@ double lively_mps2(double time_s) {
 // The rest is the force times the movement, whatever the manoeuvre.
 TEST(RollEquation, LeavesTheForceTimesTheMovement) {
     for (const double movement_m : {0.0, -0.05, 0.08}) {
-        rsi::FilteredRollEquation filtered;
-        filtered.init(rsi_test::large_suv());
+        rsi_test::FilteredRollEquation filtered{rsi_test::large_suv()};
+
         InertialRollVehicle vehicle(rsi_test::large_suv(), {movement_m});
         double largest_nm = 0.0;
         for (int k = 0; k < 3000; ++k) {
@@ -45,8 +46,8 @@ TEST(RollEquation, LeavesTheForceTimesTheMovement) {
 // The roll acceleration is that of the vehicle, two lags late.
 TEST(RollEquation, TakesTheRollAccelerationFromTheFilteredRate) {
     const rsi_parameters parameters = rsi_test::large_suv();
-    rsi::FilteredRollEquation filtered;
-    filtered.init(parameters);
+    rsi_test::FilteredRollEquation filtered{parameters};
+
     InertialRollVehicle vehicle(parameters, {});
     const double keep = std::exp(-0.01 / wide(parameters.estimator_filter_lag_s));
     double first = 0.0, second = 0.0, before = 0.0;
@@ -64,15 +65,15 @@ TEST(RollEquation, TakesTheRollAccelerationFromTheFilteredRate) {
 
 TEST(RollEquation, IsSettledOnceItsLagsHaveForgottenTheirStart) {
     const rsi_parameters parameters = rsi_test::large_suv();
-    rsi::FilteredRollEquation filtered;
-    filtered.init(parameters);
+    rsi_test::FilteredRollEquation filtered{parameters};
+
     InertialRollVehicle vehicle(parameters, {});
     int samples = 0;
     while (!filtered.update(vehicle.drive(0.0)).settled) {
         ASSERT_LT(++samples, 100);
     }
     EXPECT_GE(0.01 * samples, 8.0 * wide(parameters.estimator_filter_lag_s));
-    filtered.restart();
+    filtered.reset();
     EXPECT_FALSE(filtered.update(vehicle.drive(0.0)).settled);
 }
 

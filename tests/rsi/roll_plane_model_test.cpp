@@ -25,14 +25,11 @@ rsi::Measurement forces(double parallel_mps2, double normal_mps2) {
     return measurement;
 }
 
-// Model and state together, stepped as the component steps them.
+// Vehicle and state together, stepped as the component steps them.
 struct FixedModel {
-    explicit FixedModel(const rsi_parameters& parameters) {
-        model.init(parameters);
-        roll.reset(0.0F);
-    }
-    void step(const rsi::Measurement& measurement) { roll.update(model, measurement); }
-    rsi::RollPlaneModel model;
+    explicit FixedModel(const rsi_parameters& parameters) : vehicle{parameters} { roll.reset(0.0F); }
+    void step(const rsi::Measurement& measurement) { roll.update(vehicle, measurement); }
+    rsi::Vehicle vehicle;
     rsi::FixedModelRoll roll;
 };
 
@@ -168,7 +165,7 @@ TEST(RollPlaneModel, AnglesUnderChangingForcesBelongToTheInstantOfTheMeasurement
             const double time_s = 0.01 * k;
             const rsi::Measurement measurement = forces(parallel_mps2(time_s), normal_mps2(time_s));
             fixed.step(measurement);
-            compensated.update(fixed.model, measurement, fixed.roll, static_cast<float>(moment_nm(time_s)));
+            compensated.update(fixed.vehicle, measurement, fixed.roll, static_cast<float>(moment_nm(time_s)));
             const double fixed_rad = truth.fixed_rad();
             const double compensated_rad = truth.compensated_rad();
             ASSERT_NEAR(static_cast<double>(fixed.roll.angle_rad()), fixed_rad, tolerance_rad)
@@ -250,7 +247,7 @@ TEST(RollPlaneModel, ExtremeForcesOnExtremeVehiclesNeverLeaveTheModelsRange) {
             measurement.road_parallel_force_mps2 = parallel(random);
             measurement.road_normal_force_mps2 = normal(random);
             fixed.step(measurement);
-            compensated.update(fixed.model, measurement, fixed.roll, moment(random));
+            compensated.update(fixed.vehicle, measurement, fixed.roll, moment(random));
             // The negated comparison catches NaN too.
             ASSERT_FALSE(!(std::fabs(fixed.roll.angle_rad()) <= 0.5F));
             ASSERT_FALSE(!(std::fabs(compensated.angle_rad()) <= 0.5F));
@@ -258,16 +255,13 @@ TEST(RollPlaneModel, ExtremeForcesOnExtremeVehiclesNeverLeaveTheModelsRange) {
     });
 }
 
-TEST(RollPlaneModel, TheStepGoesTheWayOfTheRateAndNoFurtherThanItInOneSample) {
-    rsi::RollPlaneModel model;
-    model.init(rsi_test::large_suv());
-    for (const float rate : {-0.5F, 0.5F}) {
-        const float with_gravity = model.next_upright_angle_rad(0.0F, rate) / rate;
-        const float without = model.next_spring_angle_rad(0.0F, rate) / rate;
-        EXPECT_GT(without, 0.0F);
-        EXPECT_LT(without, with_gravity);  // the spring alone is stiffer
-        EXPECT_LT(with_gravity, rsi::sample_time_s);
-    }
+TEST(RollPlaneModel, TheAngleGoesTheWayOfTheRateAndNoFurtherThanItInOneSample) {
+    const rsi::Vehicle vehicle{rsi_test::large_suv()};
+    const float with_gravity_s = vehicle.loaded.upright_step_s;
+    const float without_s = vehicle.suspension.spring_step_s;
+    EXPECT_GT(without_s, 0.0F);
+    EXPECT_LT(without_s, with_gravity_s);  // the spring alone is stiffer
+    EXPECT_LT(with_gravity_s, rsi::sample_time_s);
 }
 
 }  // namespace

@@ -19,9 +19,7 @@ rsi::Parameters with(float cubic, float quintic) {
 }
 
 rsi::RollStiffnessCurve curve_of(const rsi::Parameters& parameters, float factor = 1.0F) {
-    rsi::RollStiffnessCurve curve;
-    curve.init(parameters, factor);
-    return curve;
+    return rsi::RollStiffnessCurve{parameters, factor};
 }
 
 float by_powers_nm(const rsi::Parameters& p, float angle_rad) {

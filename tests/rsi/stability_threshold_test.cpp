@@ -8,6 +8,7 @@
 #include "rsi/indicator/roll_stability_indicator.hpp"
 #include "tests/rsi/support/body_kinematics.hpp"
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace stability_threshold_test {
 namespace {
@@ -81,10 +82,8 @@ rsi::Measurement in_turn(const GroundMotion& motion, Turn turn) {
     return measured;
 }
 
-rsi::StabilityThresholdStage stage() {
-    rsi::StabilityThresholdStage threshold;
-    threshold.init(rsi_test::large_suv());
-    return threshold;
+rsi::Vehicle suv() {
+    return rsi::Vehicle{rsi_test::large_suv()};
 }
 
 template <typename Check>
@@ -103,10 +102,10 @@ void for_each_case(Check check) {
 }
 
 TEST(StabilityThreshold, IsTheAccelerationAtWhichTheInnerWheelsLift) {
-    const rsi::StabilityThresholdStage threshold = stage();
     for_each_case([&](const GroundMotion& motion, const RollCentrePosition& at, Turn turn) {
-        const rsi::StabilityThreshold answer = threshold.evaluate(
-            in_turn(motion, turn), static_cast<float>(at.vertical_m), static_cast<float>(at.lateral_m));
+        const rsi::StabilityThreshold answer =
+            rsi::stability_threshold(suv(), in_turn(motion, turn), static_cast<float>(at.vertical_m),
+                                     static_cast<float>(at.lateral_m));
         EXPECT_NEAR(wide(answer.lateral_acceleration_mps2),
                     lifting_acceleration(inner_load_n, motion, at, turn), 2.0e-5)
             << "bank " << motion.bank_angle_rad << ", roll " << motion.roll_angle_rad;
@@ -115,10 +114,10 @@ TEST(StabilityThreshold, IsTheAccelerationAtWhichTheInnerWheelsLift) {
 }
 
 TEST(StabilityThreshold, AgreesWithThePlainStaticsOfTwoContacts) {
-    const rsi::StabilityThresholdStage threshold = stage();
     for_each_case([&](const GroundMotion& motion, const RollCentrePosition& at, Turn turn) {
-        const rsi::StabilityThreshold answer = threshold.evaluate(
-            in_turn(motion, turn), static_cast<float>(at.vertical_m), static_cast<float>(at.lateral_m));
+        const rsi::StabilityThreshold answer =
+            rsi::stability_threshold(suv(), in_turn(motion, turn), static_cast<float>(at.vertical_m),
+                                     static_cast<float>(at.lateral_m));
         EXPECT_NEAR(wide(answer.lateral_acceleration_mps2),
                     lifting_acceleration(inner_load_of_point_mass_n, motion, at, turn), 2.0e-5);
     });
@@ -128,7 +127,8 @@ TEST(StabilityThreshold, AgreesWithThePlainStaticsOfTwoContacts) {
 TEST(StabilityThreshold, IsTheStaticStabilityFactorWithoutRollOnAFlatRoad) {
     const double ssf = track_m / (2.0 * height_m);
     for (const Turn turn : {Turn::left, Turn::right}) {
-        const rsi::StabilityThreshold answer = stage().evaluate(in_turn(GroundMotion{}, turn), 0.07F, 0.0F);
+        const rsi::StabilityThreshold answer =
+            rsi::stability_threshold(suv(), in_turn(GroundMotion{}, turn), 0.07F, 0.0F);
         EXPECT_NEAR(std::fabs(wide(answer.lateral_acceleration_mps2)), ssf * rsi_test::gravity_mps2, 1.0e-5);
         EXPECT_NEAR(wide(answer.half_track_ratio), ssf, 1.0e-6);
     }
@@ -137,8 +137,8 @@ TEST(StabilityThreshold, IsTheStaticStabilityFactorWithoutRollOnAFlatRoad) {
 TEST(StabilityThreshold, StaysAwayFromZeroWhereTheBankAloneOverturns) {
     for (const Turn turn : {Turn::left, Turn::right}) {
         const double unfavourable = (turn == Turn::left) ? 0.8 : -0.8;
-        const rsi::StabilityThreshold answer =
-            stage().evaluate(in_turn(GroundMotion{0.0, 0.0, unfavourable, 0.0}, turn), 0.0F, 0.0F);
+        const rsi::StabilityThreshold answer = rsi::stability_threshold(
+            suv(), in_turn(GroundMotion{0.0, 0.0, unfavourable, 0.0}, turn), 0.0F, 0.0F);
         EXPECT_NEAR(wide(answer.lateral_acceleration_mps2 * answer.side), 0.05 * rsi_test::gravity_mps2,
                     1.0e-6);
     }
@@ -147,12 +147,11 @@ TEST(StabilityThreshold, StaysAwayFromZeroWhereTheBankAloneOverturns) {
 TEST(StabilityThreshold, StaysFiniteAndOnItsSideWhereNoAccelerationOverturns) {
     rsi_parameters low = rsi_test::large_suv();
     low.sprung_cg_height_m = 0.4F;  // T = 2: with tan 0.8 = 1.03 the divisor 1 - e T is negative
-    rsi::StabilityThresholdStage threshold;
-    threshold.init(low);
+    const rsi::Vehicle vehicle{low};
     for (const Turn turn : {Turn::left, Turn::right}) {
         const double favourable = (turn == Turn::left) ? -0.8 : 0.8;
-        const rsi::StabilityThreshold answer =
-            threshold.evaluate(in_turn(GroundMotion{0.0, 0.0, favourable, 0.0}, turn), 0.0F, 0.0F);
+        const rsi::StabilityThreshold answer = rsi::stability_threshold(
+            vehicle, in_turn(GroundMotion{0.0, 0.0, favourable, 0.0}, turn), 0.0F, 0.0F);
         EXPECT_GT(answer.lateral_acceleration_mps2 * answer.side, 20.0F * 9.8F);
         EXPECT_TRUE(std::isfinite(answer.lateral_acceleration_mps2));
     }
@@ -160,7 +159,7 @@ TEST(StabilityThreshold, StaysFiniteAndOnItsSideWhereNoAccelerationOverturns) {
 
 TEST(StabilityThreshold, TheHalfTrackRatioNeverFallsBelowOneTwentieth) {
     const rsi::StabilityThreshold answer =
-        stage().evaluate(in_turn(GroundMotion{0.0, 0.0, 0.0, 0.6}, Turn::left), 0.0F, 0.9F);
+        rsi::stability_threshold(suv(), in_turn(GroundMotion{0.0, 0.0, 0.0, 0.6}, Turn::left), 0.0F, 0.9F);
     EXPECT_EQ(answer.half_track_ratio, 0.05F);
     EXPECT_GT(answer.lateral_acceleration_mps2, 0.0F);
 }
@@ -168,7 +167,7 @@ TEST(StabilityThreshold, TheHalfTrackRatioNeverFallsBelowOneTwentieth) {
 // (25) and its bank-free form.
 
 rsi::Measurement measured(const GroundMotion& motion) {
-    rsi::MeasurementStage measurement;
+    rsi_test::MeasurementStage measurement;
     measurement.init(rsi_test::large_suv());
     rsi::Measurement result;
     EXPECT_TRUE(measurement.update(rsi_test::sensed(motion), result));
@@ -179,8 +178,8 @@ TEST(RollStabilityIndicator, BothFormsReachOneExactlyWhenTheInnerWheelsLift) {
     for_each_case([](GroundMotion motion, const RollCentrePosition& at, Turn turn) {
         motion.lateral_acceleration_mps2 = lifting_acceleration(inner_load_n, motion, at, turn);
         const rsi::Measurement now = measured(motion);
-        const rsi::StabilityThreshold threshold =
-            stage().evaluate(now, static_cast<float>(at.vertical_m), static_cast<float>(at.lateral_m));
+        const rsi::StabilityThreshold threshold = rsi::stability_threshold(
+            suv(), now, static_cast<float>(at.vertical_m), static_cast<float>(at.lateral_m));
         EXPECT_NEAR(wide(rsi::normalised_indicator(now, threshold)), 1.0, 2.0e-5);
         EXPECT_NEAR(wide(rsi::bank_free_indicator(now, threshold)), 1.0, 2.0e-5);
     });
@@ -193,7 +192,7 @@ TEST(RollStabilityIndicator, IsTheShareOfTheThresholdThatIsUsed) {
     for (const double share : {0.1, 0.5, 0.9}) {
         motion.lateral_acceleration_mps2 = share * lifting;
         const rsi::Measurement now = measured(motion);
-        const rsi::StabilityThreshold threshold = stage().evaluate(now, 0.0F, 0.0F);
+        const rsi::StabilityThreshold threshold = rsi::stability_threshold(suv(), now, 0.0F, 0.0F);
         EXPECT_NEAR(wide(rsi::normalised_indicator(now, threshold)), share, 1.0e-5);
         EXPECT_NEAR(wide(rsi::bank_free_indicator(now, threshold)), share, 1.0e-5);
     }
@@ -201,7 +200,7 @@ TEST(RollStabilityIndicator, IsTheShareOfTheThresholdThatIsUsed) {
 
 TEST(RollStabilityIndicator, ThePublishedFormEndsAtOneAndTheBankFreeOneGoesOn) {
     const rsi::Measurement now = measured(GroundMotion{15.0, 0.0, 0.0, 0.0});
-    const rsi::StabilityThreshold threshold = stage().evaluate(now, 0.0F, 0.0F);
+    const rsi::StabilityThreshold threshold = rsi::stability_threshold(suv(), now, 0.0F, 0.0F);
     EXPECT_EQ(rsi::normalised_indicator(now, threshold), 1.0F);
     EXPECT_NEAR(wide(rsi::bank_free_indicator(now, threshold)), 15.0 / rsi_test::gravity_mps2 / 0.809717,
                 1.0e-4);
@@ -213,7 +212,7 @@ TEST(RollStabilityIndicator, ThePublishedFormIsZeroWhereTheTurnRelievesTheBank) 
     const rsi::Measurement now = measured(GroundMotion{1.0, 0.0, -0.3, 0.0});
     ASSERT_GT(now.lateral_acceleration_mps2, 0.0F);
     ASSERT_LT(now.road_parallel_force_mps2, 0.0F);
-    const rsi::StabilityThreshold threshold = stage().evaluate(now, 0.0F, 0.0F);
+    const rsi::StabilityThreshold threshold = rsi::stability_threshold(suv(), now, 0.0F, 0.0F);
     EXPECT_EQ(threshold.side, -1.0F);
     EXPECT_EQ(rsi::normalised_indicator(now, threshold), 0.0F);
     EXPECT_GT(rsi::bank_free_indicator(now, threshold), 0.1F);
@@ -221,15 +220,16 @@ TEST(RollStabilityIndicator, ThePublishedFormIsZeroWhereTheTurnRelievesTheBank) 
 
 TEST(RollStabilityIndicator, TheBankFreeFormNeedsNoBankAngle) {
     rsi_inputs inputs = rsi_test::sensed(GroundMotion{5.0, 0.0, 0.2, 0.05});
-    rsi::MeasurementStage measurement;
+    rsi_test::MeasurementStage measurement;
     measurement.init(rsi_test::large_suv());
     rsi::Measurement with_bank;
     rsi::Measurement without_bank;
     ASSERT_TRUE(measurement.update(inputs, with_bank));
     inputs.bank_angle_rad = std::nanf("");
     ASSERT_TRUE(measurement.update(inputs, without_bank));
-    EXPECT_EQ(rsi::bank_free_indicator(with_bank, stage().evaluate(with_bank, 0.02F, 0.01F)),
-              rsi::bank_free_indicator(without_bank, stage().evaluate(without_bank, 0.02F, 0.01F)));
+    EXPECT_EQ(
+        rsi::bank_free_indicator(with_bank, rsi::stability_threshold(suv(), with_bank, 0.02F, 0.01F)),
+        rsi::bank_free_indicator(without_bank, rsi::stability_threshold(suv(), without_bank, 0.02F, 0.01F)));
 }
 
 TEST(RollStabilityIndicator, AVehicleHasOverturnedWhenItsCentreOfGravityStandsOutsideTheContact) {
@@ -242,7 +242,7 @@ TEST(RollStabilityIndicator, AVehicleHasOverturnedWhenItsCentreOfGravityStandsOu
             rsi::has_overturned(measured(GroundMotion{0.0, 0.0, 0.0, sign * (tipping + 1.0e-4)}), factor));
         rsi_inputs on_its_side = rsi_test::at_rest();
         on_its_side.roll_angle_rad = static_cast<float>(sign * 2.2);
-        rsi::MeasurementStage measurement;
+        rsi_test::MeasurementStage measurement;
         measurement.init(rsi_test::large_suv());
         rsi::Measurement now;
         ASSERT_TRUE(measurement.update(on_its_side, now));
@@ -277,12 +277,12 @@ TEST(StabilityThreshold, DividesByATwentiethAtLeast) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.track_width_m = 1.9F;
     parameters.sprung_cg_height_m = 1.0F;
-    rsi::StabilityThresholdStage stage;
-    stage.init(parameters);
+    const rsi::Vehicle vehicle{parameters};
     rsi::Measurement measured;
     measured.road_parallel_force_mps2 = 1.0F;
     measured.tan_bank_angle = -1.03F;
-    EXPECT_NEAR(static_cast<double>(stage.evaluate(measured, 0.0F, 0.0F).lateral_acceleration_mps2),
+    EXPECT_NEAR(static_cast<double>(
+                    rsi::stability_threshold(vehicle, measured, 0.0F, 0.0F).lateral_acceleration_mps2),
                 9.80665 * (0.95 + 1.03) / 0.05, 0.05);
 }
 

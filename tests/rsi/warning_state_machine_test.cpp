@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tests/rsi/support/nominal.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace warning_state_machine_test {
 namespace {
@@ -45,7 +46,7 @@ class Warning {
     rsi_side side() const { return machine_.side(); }
 
  private:
-    rsi::WarningStateMachine machine_{};
+    rsi_test::WarningStateMachine machine_{};
 };
 
 TEST(WarningStateMachine, StartsUnavailable) {
@@ -315,7 +316,7 @@ TEST(WarningStateMachine, AGapForgetsAnUnfinishedConfirmation) {
 }
 
 TEST(WarningStateMachine, StartingAgainForgetsEverything) {
-    rsi::WarningStateMachine machine;
+    rsi_test::WarningStateMachine machine;
     machine.init(quick());
     machine.update(rsi::RiskLevel{1.2F, 1.0F});
     machine.init(quick());

@@ -17,29 +17,25 @@ constexpr float clear_change_of_mass = 0.05F;
 
 }  // namespace
 
-void LoadAdaptation::init(const Parameters& parameters) {
-    calibrated_ = calibrated_body(parameters);
-    unsprung_mass_kg_ = parameters.unsprung_mass_kg;
-    tune(parameters);
-    // Validated: at least 1.2 / 1.1.
-    largest_factor_ = parameters.roll_stiffness_nmprad /
-                      (least_stiffness_reserve * gravity_mps2 * calibrated_.moment_arm_kgm());
-    mass_factor_ = 1.0F;
-    mass_known_ = false;
-    learnt_at_mass_factor_ = 1.0F;
-    stop_ = LongStop{};
-    regression_.init(parameters);
-}
+LoadAdaptation::Constants::Constants(const Parameters& parameters)
+    : calibrated(calibrated_body(parameters)),
+      unsprung_mass_kg(parameters.unsprung_mass_kg),
+      used_share(parameters.load_adaptation),
+      margin(used_share * parameters.load_margin),
+      // Validated: at least 1.2 / 1.1.
+      largest_factor(parameters.roll_stiffness_nmprad /
+                     (least_stiffness_reserve * gravity_mps2 * calibrated.moment_arm_kgm())),
+      regression(parameters) {}
 
-void LoadAdaptation::update(const Inputs& inputs, const RollMotion& motion, const TransferredLoad& load,
-                            bool measured_angle) {
-    follow_mass(inputs.vehicle_mass_kg);
+void LoadAdaptation::update(const Constants& constants, const Inputs& inputs, const RollMotion& motion,
+                            const TransferredLoad& load, bool measured_angle) {
+    follow_mass(constants, inputs.vehicle_mass_kg);
     if (stop_.begins(inputs.speed_mps)) {
         doubt();
     }
     if (measured_angle && !stop_.is_standing()) {
-        if (!regression_.update(motion, load)) {
-            forget();
+        if (!regression_.update(constants.regression, motion, load)) {
+            reset_learnt();
         }
     } else {
         regression_.pass_time();
@@ -48,8 +44,8 @@ void LoadAdaptation::update(const Inputs& inputs, const RollMotion& motion, cons
 
 // The last mass stays while none is available. Until driving shows more, a load is taken to be as high as the
 // body's CG: the first mass says what the calibration did not know, a later one that the load has changed.
-void LoadAdaptation::follow_mass(float vehicle_mass_kg) {
-    const float factor = (vehicle_mass_kg - unsprung_mass_kg_) / calibrated_.mass_kg;
+void LoadAdaptation::follow_mass(const Constants& constants, float vehicle_mass_kg) {
+    const float factor = (vehicle_mass_kg - constants.unsprung_mass_kg) / constants.calibrated.mass_kg;
     if (is_within(factor, least_mass_factor, largest_mass_factor)) {
         const float change = factor - learnt_at_mass_factor_;
         if (!mass_known_) {
@@ -67,8 +63,8 @@ void LoadAdaptation::follow_mass(float vehicle_mass_kg) {
 }
 
 // Of the load only its mass is known.
-void LoadAdaptation::forget() {
-    regression_.forget();
+void LoadAdaptation::reset_learnt() {
+    regression_.reset();
     regression_.expect_change(mass_factor_ - 1.0F);
 }
 
@@ -77,14 +73,15 @@ void LoadAdaptation::doubt() {
     regression_.doubt(mass_factor_ - 1.0F);
 }
 
-SprungBody LoadAdaptation::body() const {
-    const float moment_factor = smaller(1.0F + used_share_ * regression_.excess(), largest_factor_);
-    const float mass_factor = mass_known_ ? known_mass_factor() : assumed_mass_factor(moment_factor);
-    return with_load(calibrated_, moment_factor, mass_factor);
+SprungBody LoadAdaptation::body(const Constants& constants) const {
+    const float moment_factor =
+        smaller(1.0F + constants.used_share * regression_.excess(), constants.largest_factor);
+    const float mass_factor = mass_known_ ? known_mass_factor(constants) : assumed_mass_factor(moment_factor);
+    return with_load(constants.calibrated, moment_factor, mass_factor);
 }
 
-float LoadAdaptation::level_weight() const {
-    return 1.0F + smaller(margin_ * regression_.excess_deviation(), largest_load_margin);
+float LoadAdaptation::level_weight(const Constants& constants) const {
+    return 1.0F + smaller(constants.margin * regression_.excess_deviation(), largest_load_margin);
 }
 
 bool LoadAdaptation::restore(const LearntLoad& learnt, bool doubted) {

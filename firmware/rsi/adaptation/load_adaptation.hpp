@@ -3,7 +3,7 @@
 
 #include "rsi/adaptation/load_regression.hpp"
 #include "rsi/adaptation/long_stop.hpp"
-#include "rsi/model/sprung_body.hpp"
+#include "rsi/model/vehicle.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -14,32 +14,38 @@ namespace rsi {
 // restart.
 class LoadAdaptation {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    struct Constants {
+        Constants() = default;
+        [[gnu::cold]] explicit Constants(const Parameters& parameters);
 
-    // How much is used of what has been learnt, from now on.
-    [[gnu::cold]] void tune(const Parameters& parameters) {
-        used_share_ = parameters.load_adaptation;
-        margin_ = used_share_ * parameters.load_margin;
-    }
+        SprungBody calibrated{};
+        float unsprung_mass_kg{};
+        float used_share{};      // of what has been learnt
+        float margin{};          // of the level for each unit of the deviation
+        float largest_factor{};  // of m_s H that the springs hold up
+        LoadRegression::Constants regression{};
+    };
 
     // One sample; `load` is that of `motion`. Learns only from a `measured_angle`: the observer's comes from
     // the calibrated equation itself.
-    void update(const Inputs& inputs, const RollMotion& motion, const TransferredLoad& load,
-                bool measured_angle);
+    void update(const Constants& constants, const Inputs& inputs, const RollMotion& motion,
+                const TransferredLoad& load, bool measured_angle);
 
     // Forgets what driving has shown, not the mass.
-    [[gnu::cold]] void forget();
+    [[gnu::cold]] void reset_learnt();
 
     // With as much of what has been learnt as the calibration wants to be used: none leaves the calibrated
     // body.
-    SprungBody body() const;
+    SprungBody body(const Constants& constants) const;
 
     // m_s over the calibrated one, as the vehicle's mass says and as far as it is used; 1 where it is not
     // known.
-    float known_mass_factor() const { return 1.0F + used_share_ * (mass_factor_ - 1.0F); }
+    float known_mass_factor(const Constants& constants) const {
+        return 1.0F + constants.used_share * (mass_factor_ - 1.0F);
+    }
 
     // What the warning's level is to be multiplied by for what is not known, 1 to 1.1.
-    float level_weight() const;
+    float level_weight(const Constants& constants) const;
 
     // What has been learnt, whether it is used or not.
     LearntLoad learnt() const { return regression_.learnt(); }
@@ -48,15 +54,10 @@ class LoadAdaptation {
     [[gnu::cold]] bool restore(const LearntLoad& learnt, bool doubted);
 
  private:
-    void follow_mass(float vehicle_mass_kg);
+    void follow_mass(const Constants& constants, float vehicle_mass_kg);
     void doubt();
 
-    SprungBody calibrated_{};
-    float unsprung_mass_kg_{0.0F};
-    float used_share_{0.0F};
-    float margin_{0.0F};          // of the level for each unit of the deviation
-    float largest_factor_{1.0F};  // of m_s H that the springs hold up
-    float mass_factor_{1.0F};     // m_s over the calibrated one, as the vehicle's mass says
+    float mass_factor_{1.0F};  // m_s over the calibrated one, as the vehicle's mass says
     bool mass_known_{false};
     float learnt_at_mass_factor_{1.0F};  // what has been learnt is of such a mass
     LongStop stop_{};

@@ -46,29 +46,28 @@ bool is_ordinary_turn(const RollMotion& motion, const TransferredLoad& load) {
 
 }  // namespace
 
-void LoadRegression::init(const Parameters& parameters) {
-    // Validated: H is at least 0.01 m.
-    moment_to_force_ = 1.0F / (parameters.sprung_mass_kg * roll_arm_m(parameters));
-    inertia_to_force_m_ = parameters.roll_inertia_kgm2 * moment_to_force_;
-    damping_to_force_mps_ = parameters.roll_damping_nmsprad * moment_to_force_;
-    forget();
-}
+// Validated: H is at least 0.01 m.
+LoadRegression::Constants::Constants(const Parameters& parameters)
+    : moment_to_force(1.0F / (parameters.sprung_mass_kg * roll_arm_m(parameters))),
+      inertia_to_force_m(parameters.roll_inertia_kgm2 * moment_to_force),
+      damping_to_force_mps(parameters.roll_damping_nmsprad * moment_to_force) {}
 
-void LoadRegression::forget() {
+void LoadRegression::reset() {
     theta_.setZero();
     covariance_ << square(excess_prior), 0.0F, 0.0F, square(load_offset_prior_mps2);
 }
 
-bool LoadRegression::update(const RollMotion& motion, const TransferredLoad& load) {
+bool LoadRegression::update(const Constants& constants, const RollMotion& motion,
+                            const TransferredLoad& load) {
     pass_time();
     if (!is_ordinary_turn(motion, load)) {
         return true;
     }
     const float f = motion.road_parallel_force_mps2 +
                     motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad);
-    const float inertia_mps2 = inertia_to_force_m_ * motion.roll_acceleration_radps2;
-    const float damping_mps2 = damping_to_force_mps_ * motion.roll_rate_radps;
-    const float output_mps2 = moment_to_force_ * load.suspension_moment_nm + inertia_mps2 - f;
+    const float inertia_mps2 = constants.inertia_to_force_m * motion.roll_acceleration_radps2;
+    const float damping_mps2 = constants.damping_to_force_mps * motion.roll_rate_radps;
+    const float output_mps2 = constants.moment_to_force * load.suspension_moment_nm + inertia_mps2 - f;
     learn(Vector2{f, 1.0F}, output_mps2,
           square(equation_noise_mps2) + square(unknown_damping * damping_mps2) +
               square(unknown_inertia * inertia_mps2));
@@ -103,7 +102,7 @@ void LoadRegression::learn(const Vector2& psi, float output_mps2, float noise_mp
 bool LoadRegression::keep_in_bounds() {
     const bool sound = is_finite(theta_.sum() + covariance_.sum());
     if (!sound) {
-        forget();
+        reset();
     }
     theta_(excess_at) = clamp(theta_(excess_at), least_load_excess, largest_load_excess);
     theta_(offset_at) = clamp_magnitude(theta_(offset_at), largest_load_offset_mps2);

@@ -17,12 +17,23 @@ namespace rsi {
 // Slow, because only what lasts is a load: the roll centre moves within every turn.
 class LoadRegression {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
-    [[gnu::cold, gnu::noinline]] void forget();
+    // With the calibrated body.
+    struct Constants {
+        Constants() = default;
+        [[gnu::cold]] explicit Constants(const Parameters& parameters);
+
+        float moment_to_force{};       // 1 / (m_s H)
+        float inertia_to_force_m{};    // Ixx / (m_s H)
+        float damping_to_force_mps{};  // c_f / (m_s H)
+    };
+
+    LoadRegression() { reset(); }
+
+    [[gnu::cold, gnu::noinline]] void reset();
 
     // One sample; `load` is that of `motion`. Learns only in ordinary turns, 0.8 < |A| < 4 m/s^2. False when
     // a number was none and everything has been forgotten.
-    bool update(const RollMotion& motion, const TransferredLoad& load);
+    bool update(const Constants& constants, const RollMotion& motion, const TransferredLoad& load);
 
     // As update() where there is nothing to learn from.
     void pass_time();
@@ -51,9 +62,6 @@ class LoadRegression {
     void learn(const Vector2& psi, float output_mps2, float noise_mps4);
     bool keep_in_bounds();
 
-    float moment_to_force_{1.0F};       // 1 / (m_s H)
-    float inertia_to_force_m_{0.0F};    // Ixx / (m_s H)
-    float damping_to_force_mps_{0.0F};  // c_f / (m_s H)
     Vector2 theta_{Vector2::Zero()};
     Matrix2 covariance_{Matrix2::Identity()};
 };

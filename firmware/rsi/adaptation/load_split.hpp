@@ -2,7 +2,7 @@
 // known.
 #pragma once
 
-#include "rsi/model/sprung_body.hpp"
+#include "rsi/model/vehicle.hpp"
 
 namespace rsi {
 

@@ -15,25 +15,19 @@ constexpr float smallest_product = 1.0e-20F;
 
 }  // namespace
 
-void ClassicIndices::init(const Parameters& parameters) {
-    energy_.init(parameters);
-    reinitialise(parameters);
-}
-
-void ClassicIndices::reinitialise(const Parameters& parameters) {
-    energy_.reinitialise(parameters);
-    static_stability_factor_ = static_stability_factor(parameters);
-    static_stability_gain_ = 1.0F / (gravity_mps2 * static_stability_factor_);
-    inertia_share_s2prad_ = parameters.roll_inertia_kgm2 /
-                            (parameters.sprung_mass_kg * gravity_mps2 * parameters.sprung_cg_height_m);
-    angle_gain_ = parameters.rollover_index_angle_weight / parameters.rollover_index_roll_angle_rad;
-    rate_gain_ = parameters.rollover_index_angle_weight / parameters.rollover_index_roll_rate_radps;
-    acceleration_gain_ =
-        parameters.rollover_index_acceleration_weight / parameters.rollover_index_acceleration_mps2;
-    direction_weight_ =
-        1.0F - parameters.rollover_index_angle_weight - parameters.rollover_index_acceleration_weight;
-    gate_slope_radps_ = parameters.rollover_index_slope_radps;
-}
+ClassicIndices::ClassicIndices(const Parameters& parameters, float critical_roll_angle_rad)
+    : energy_(parameters, critical_roll_angle_rad),
+      static_stability_factor_(static_stability_factor(parameters)),
+      static_stability_gain_(1.0F / (gravity_mps2 * static_stability_factor_)),
+      inertia_share_s2prad_(parameters.roll_inertia_kgm2 /
+                            (parameters.sprung_mass_kg * gravity_mps2 * parameters.sprung_cg_height_m)),
+      angle_gain_(parameters.rollover_index_angle_weight / parameters.rollover_index_roll_angle_rad),
+      rate_gain_(parameters.rollover_index_angle_weight / parameters.rollover_index_roll_rate_radps),
+      acceleration_gain_(parameters.rollover_index_acceleration_weight /
+                         parameters.rollover_index_acceleration_mps2),
+      direction_weight_(1.0F - parameters.rollover_index_angle_weight -
+                        parameters.rollover_index_acceleration_weight),
+      gate_slope_radps_(parameters.rollover_index_slope_radps) {}
 
 void ClassicIndices::evaluate(const Measurement& measured, const RollMotion& motion, Outputs& outputs) const {
     outputs.static_stability_level =

@@ -9,29 +9,30 @@ namespace rsi {
 
 class ClassicIndices {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
-
-    // As init, but keeps what is found by iterating.
-    [[gnu::cold]] void reinitialise(const Parameters& parameters);
+    ClassicIndices() = default;
+    // With critical_roll_angle_rad() of the same parameters.
+    [[gnu::cold]] ClassicIndices(const Parameters& parameters, float critical_roll_angle_rad);
 
     // Writes its indices; rsi_outputs.h says what each is, classic_indices.cpp has the formulas. Those
     // without a derivative take the measurement as it is, those with phi'' the motion, whose signals all have
     // the same delay.
     void evaluate(const Measurement& measured, const RollMotion& motion, Outputs& outputs) const;
 
+    float critical_roll_angle_rad() const { return energy_.critical_roll_angle_rad(); }
+
  private:
     float rollover_index(const Measurement& measured) const;
     float time_to_rollover_s(const Measurement& measured) const;
 
     EnergyMargin energy_{};
-    float static_stability_factor_{1.0F};  // c_w / (2 h)
-    float static_stability_gain_{0.0F};    // 1 / (g SSF)
-    float inertia_share_s2prad_{0.0F};     // Ixx / (m_s g h)
-    float angle_gain_{0.0F};               // C_1 / phi_th
-    float rate_gain_{0.0F};                // C_1 / phi'_th
-    float acceleration_gain_{0.0F};        // C_2 / a_yc
-    float direction_weight_{0.0F};         // 1 - C_1 - C_2
-    float gate_slope_radps_{0.0F};         // k_1
+    float static_stability_factor_{};  // c_w / (2 h)
+    float static_stability_gain_{};    // 1 / (g SSF)
+    float inertia_share_s2prad_{};     // Ixx / (m_s g h)
+    float angle_gain_{};               // C_1 / phi_th
+    float rate_gain_{};                // C_1 / phi'_th
+    float acceleration_gain_{};        // C_2 / a_yc
+    float direction_weight_{};         // 1 - C_1 - C_2
+    float gate_slope_radps_{};         // k_1
 };
 
 }  // namespace rsi

@@ -1,6 +1,5 @@
 #include "rsi/comparison/energy_margin.hpp"
 
-#include "rsi/model/critical_roll_angle.hpp"
 #include "rsi/model/vehicle_lengths.hpp"
 #include "rsi/numeric/bounded.hpp"
 #include "rsi/numeric/bounded_functions.hpp"
@@ -8,12 +7,8 @@
 
 namespace rsi {
 
-void EnergyMargin::init(const Parameters& parameters) {
-    critical_roll_angle_rad_ = rsi::critical_roll_angle_rad(parameters);
-    reinitialise(parameters);
-}
-
-void EnergyMargin::reinitialise(const Parameters& parameters) {
+EnergyMargin::EnergyMargin(const Parameters& parameters, float critical_roll_angle_rad)
+    : critical_roll_angle_rad_(critical_roll_angle_rad) {
     const float H = roll_arm_m(parameters);
     const float K_f = parameters.roll_stiffness_nmprad;
     const float m_s = parameters.sprung_mass_kg;

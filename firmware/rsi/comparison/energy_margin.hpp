@@ -10,10 +10,9 @@ namespace rsi {
 // E_crit = E(phi_c, 0). As published: linear springs, and blind to the lateral force.
 class EnergyMargin {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
-
-    // As init, but keeps the critical angle, which is found by iterating.
-    [[gnu::cold]] void reinitialise(const Parameters& parameters);
+    EnergyMargin() = default;
+    // With critical_roll_angle_rad() of the same parameters.
+    [[gnu::cold]] EnergyMargin(const Parameters& parameters, float critical_roll_angle_rad);
 
     // 1 at rest, 0 at the critical energy, not below -20.
     float evaluate(const Measurement& measured) const;
@@ -21,11 +20,11 @@ class EnergyMargin {
     float critical_roll_angle_rad() const { return critical_roll_angle_rad_; }
 
  private:
-    float critical_roll_angle_rad_{1.0F};
+    float critical_roll_angle_rad_{};
     // The three terms of E over E_crit.
-    float stiffness_share_{0.0F};  // for 1 rad^2
-    float inertia_share_{0.0F};    // about the roll centre, for 1 rad^2/s^2
-    float gravity_share_{0.0F};    // for a versine of 1
+    float stiffness_share_{};  // for 1 rad^2
+    float inertia_share_{};    // about the roll centre, for 1 rad^2/s^2
+    float gravity_share_{};    // for a versine of 1
 };
 
 }  // namespace rsi

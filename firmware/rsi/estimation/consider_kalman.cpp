@@ -38,59 +38,55 @@ constexpr float straight_roll_rate_radps = 0.01F;
 
 }  // namespace
 
-void ConsiderKalman::init(const Parameters& parameters) {
-    tune(parameters);
-    reset();
-}
-
-void ConsiderKalman::tune(const Parameters& parameters) {
-    equation_.tune(parameters);
-    prior_variance_m2_ = square(parameters.roll_centre_prior_deviation_m);
-    reversion_ = 1.0F - decaying_exponential(sample_time_s / parameters.roll_centre_reversion_s);
-    limit_m_ = parameters.roll_centre_limit_m;
-    excitation_threshold_n_ = parameters.sprung_mass_kg * parameters.excitation_threshold_mps2;
-    freeze_level_ = parameters.freeze_level;
-    steady_reversion_ = steady_share * reversion_;
-    noise_nm2_ = correlation * square(noise_nm);
-    damping_noise_nm2s2_ = correlation * square(damping_error * parameters.roll_damping_nmsprad);
+ConsiderKalman::Constants::Constants(const Parameters& parameters)
+    : equation(parameters),
+      prior_variance_m2(square(parameters.roll_centre_prior_deviation_m)),
+      reversion(1.0F - decaying_exponential(sample_time_s / parameters.roll_centre_reversion_s)),
+      steady_reversion(steady_share * reversion),
+      limit_m(parameters.roll_centre_limit_m),
+      excitation_threshold_n(parameters.sprung_mass_kg * parameters.excitation_threshold_mps2),
+      freeze_level(parameters.freeze_level),
+      noise_nm2(correlation * square(noise_nm)),
+      damping_noise_nm2s2(correlation * square(damping_error * parameters.roll_damping_nmsprad)) {
     const float nm_per_mps2 = parameters.sprung_mass_kg * roll_arm_m(parameters);
-    offset_prior_nm2_ = square(offset_prior_mps2 * nm_per_mps2);
-    offset_drift_nm2_ = square(offset_drift_mps2_per_root_s * nm_per_mps2) * sample_time_s;
+    offset_prior_nm2 = square(offset_prior_mps2 * nm_per_mps2);
+    offset_drift_nm2 = square(offset_drift_mps2_per_root_s * nm_per_mps2) * sample_time_s;
 }
 
-void ConsiderKalman::reset() {
-    restart();
+void ConsiderKalman::reset(const Constants& constants) {
+    reset_signals();
     state_.setZero();
     covariance_.setZero();
-    covariance_(movement, movement) = prior_variance_m2_;
+    covariance_(movement, movement) = constants.prior_variance_m2;
     covariance_(stiffness, stiffness) = square(stiffness_error);
-    covariance_(offset, offset) = offset_prior_nm2_;
+    covariance_(offset, offset) = constants.offset_prior_nm2;
 }
 
-RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float extended_rsi, float speed_mps) {
-    const RollEquation equation = equation_.update(measured);
+RollCentreEstimate ConsiderKalman::update(const Constants& constants, const Vehicle& vehicle,
+                                          const Measurement& measured, float extended_rsi, float speed_mps) {
+    const RollEquation equation = equation_.update(constants.equation, vehicle, measured);
     const bool speed_changes = changes_speed(speed_mps);
     // An angle that the observer made with the nominal model says nothing about dh.
-    const bool held =
-        (extended_rsi > freeze_level_) || speed_changes || (measured.roll_source == RSI_ROLL_OBSERVER);
+    const bool held = (extended_rsi > constants.freeze_level) || speed_changes ||
+                      (measured.roll_source == RSI_ROLL_OBSERVER);
     const float force_n = absolute(equation.lateral_force_n);
-    const bool excited = force_n > excitation_threshold_n_;
+    const bool excited = force_n > constants.excitation_threshold_n;
     // A turn cannot tell an unknown offset from dh.
-    const bool offset_known = covariance_(offset, offset) < square(learnt_share) * offset_prior_nm2_;
+    const bool offset_known = covariance_(offset, offset) < square(learnt_share) * constants.offset_prior_nm2;
     const bool learns = equation.settled && excited && offset_known && !held;
-    pass_time(equation, excited, held);
+    pass_time(constants, equation, excited, held);
     if (learns) {
-        learn(movement, innovation(equation));
-    } else if (equation.settled && (force_n < straight_share * excitation_threshold_n_) &&
+        learn(movement, innovation(constants, equation));
+    } else if (equation.settled && (force_n < straight_share * constants.excitation_threshold_n) &&
                (absolute(equation.roll_rate_radps) < straight_roll_rate_radps)) {
-        learn(offset, innovation(equation));
+        learn(offset, innovation(constants, equation));
     } else {
         // Between the two, it cannot be told which of them it is.
     }
-    keep_in_bounds();
+    keep_in_bounds(constants);
     RollCentreEstimate estimate;
     if (!all_finite(equation)) {
-        reset();
+        reset(constants);
         estimate.deviation_m = square_root(covariance_(movement, movement));
         estimate.frozen = true;
         return estimate;
@@ -104,13 +100,16 @@ RollCentreEstimate ConsiderKalman::update(const Measurement& measured, float ext
     return estimate;
 }
 
-void ConsiderKalman::pass_time(const RollEquation& equation, bool excited, bool held) {
+void ConsiderKalman::pass_time(const Constants& constants, const RollEquation& equation, bool excited,
+                               bool held) {
     const float rolled = absolute(equation.roll_rate_radps) * (sample_time_s / memory_angle_rad);
-    const float forgotten = (excited ? steady_reversion_ : reversion_) + rolled;
+    const float forgotten = (excited ? constants.steady_reversion : constants.reversion) + rolled;
     const float retention = 1.0F - smaller(forgotten, 0.5F);
     float& variance_m2 = covariance_(movement, movement);
-    variance_m2 = prior_variance_m2_ + square(retention) * (variance_m2 - prior_variance_m2_);
-    covariance_(offset, offset) = smaller(covariance_(offset, offset) + offset_drift_nm2_, offset_prior_nm2_);
+    variance_m2 =
+        constants.prior_variance_m2 + square(retention) * (variance_m2 - constants.prior_variance_m2);
+    covariance_(offset, offset) =
+        smaller(covariance_(offset, offset) + constants.offset_drift_nm2, constants.offset_prior_nm2);
     if (!held) {
         state_(movement) *= retention;
         for (const Eigen::Index other : {stiffness, offset}) {
@@ -135,15 +134,17 @@ bool ConsiderKalman::changes_speed(float speed_mps) {
     return absolute(behind_mps) > largest_speed_change_mps2 * speed_lag_s;
 }
 
-ConsiderKalman::Innovation ConsiderKalman::innovation(const RollEquation& equation) const {
-    const float noise = noise_nm2_ + damping_noise_nm2s2_ * square(equation.roll_rate_radps) +
+ConsiderKalman::Innovation ConsiderKalman::innovation(const Constants& constants,
+                                                      const RollEquation& equation) const {
+    const float noise = constants.noise_nm2 +
+                        constants.damping_noise_nm2s2 * square(equation.roll_rate_radps) +
                         correlation * square(inertia_error) * square(equation.inertia_moment_nm);
     const Vector3 h{equation.lateral_force_n, equation.stiffness_moment_nm, 1.0F};
     Innovation innovation;
     innovation.value_nm = equation.residual_nm - h.dot(state_);
     innovation.covariance = covariance_ * h;
     // Positive semidefinite in exact numbers; rounding must not undercut the noise.
-    innovation.variance_nm2 = larger(h.dot(innovation.covariance) + noise, noise_nm2_);
+    innovation.variance_nm2 = larger(h.dot(innovation.covariance) + noise, constants.noise_nm2);
     const float size = square(innovation.value_nm);
     const float usual = outlier_variances * innovation.variance_nm2;
     innovation.weight = (size > usual) ? usual / size : 1.0F;
@@ -159,11 +160,11 @@ void ConsiderKalman::learn(Eigen::Index which, const Innovation& innovation) {
     covariance_ += gain * (gain.transpose() * innovation.variance_nm2 - c.transpose()) - c * gain.transpose();
 }
 
-void ConsiderKalman::keep_in_bounds() {
-    state_(movement) = clamp_magnitude(state_(movement), limit_m_);
+void ConsiderKalman::keep_in_bounds(const Constants& constants) {
+    state_(movement) = clamp_magnitude(state_(movement), constants.limit_m);
     covariance_(movement, movement) =
-        clamp(covariance_(movement, movement), square(smallest_deviation_m), prior_variance_m2_);
-    covariance_(offset, offset) = larger(covariance_(offset, offset), offset_drift_nm2_);
+        clamp(covariance_(movement, movement), square(smallest_deviation_m), constants.prior_variance_m2);
+    covariance_(offset, offset) = larger(covariance_(offset, offset), constants.offset_drift_nm2);
 }
 
 // Every signal of the equation is in its residual. A sum is not finite when a summand is not.

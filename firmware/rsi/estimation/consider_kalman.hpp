@@ -16,24 +16,36 @@ namespace rsi {
 // independent ones.
 class ConsiderKalman {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    struct Constants {
+        Constants() = default;
+        [[gnu::cold]] explicit Constants(const Parameters& parameters);
 
-    // The parameters from now on; signals and what has been learnt stay.
-    [[gnu::cold]] void tune(const Parameters& parameters);
-    [[gnu::cold, gnu::noinline]] void reset();
+        FilteredRollEquation::Constants equation{};
+        float prior_variance_m2{};
+        float reversion{};         // of dh over one sample without excitation
+        float steady_reversion{};  // and in a steady turn
+        float limit_m{};
+        float excitation_threshold_n{};
+        float freeze_level{};
+        float noise_nm2{};  // this one and the next hold what neighbouring samples share
+        float damping_noise_nm2s2{};
+        float offset_prior_nm2{};
+        float offset_drift_nm2{};  // a sample
+    };
+
+    [[gnu::cold, gnu::noinline]] void reset(const Constants& constants);
 
     // Forgets the signals, not what has been learnt: for a gap in the measurements.
-    void restart() {
-        equation_.restart();
+    void reset_signals() {
+        equation_.reset();
         speed_known_ = false;
     }
 
-    // The body from now on: dh is what the load does not explain.
-    void assume_body(const SprungBody& body) { equation_.assume_body(body); }
-
-    // One sample. `extended_rsi` is that of the cycle before. Near wheel lift and while the speed changes
-    // fast dh is held; a number that is not available holds nothing.
-    RollCentreEstimate update(const Measurement& measured, float extended_rsi, float speed_mps);
+    // One sample. With the load in `vehicle`, dh is what the load does not explain. `extended_rsi` is that of
+    // the cycle before. Near wheel lift and while the speed changes fast dh is held; a number that is not
+    // available holds nothing.
+    RollCentreEstimate update(const Constants& constants, const Vehicle& vehicle, const Measurement& measured,
+                              float extended_rsi, float speed_mps);
 
     float movement_m() const { return state_(movement); }  // dh
 
@@ -51,27 +63,16 @@ class ConsiderKalman {
         Vector3 covariance;  // with the state
     };
 
-    void pass_time(const RollEquation& equation, bool excited, bool held);
+    void pass_time(const Constants& constants, const RollEquation& equation, bool excited, bool held);
     bool changes_speed(float speed_mps);
-    Innovation innovation(const RollEquation& equation) const;
+    Innovation innovation(const Constants& constants, const RollEquation& equation) const;
     void learn(Eigen::Index which, const Innovation& innovation);
-    void keep_in_bounds();
+    void keep_in_bounds(const Constants& constants);
     bool all_finite(const RollEquation& equation) const;
 
     FilteredRollEquation equation_{};
-    float prior_variance_m2_{0.0F};
-    float reversion_{0.0F};         // of dh over one sample without excitation
-    float steady_reversion_{0.0F};  // and in a steady turn
-    float limit_m_{0.0F};
-    float excitation_threshold_n_{0.0F};
-    float freeze_level_{0.0F};
-    float noise_nm2_{1.0F};  // this one and the next hold what neighbouring samples share
-    float damping_noise_nm2s2_{0.0F};
-    float offset_prior_nm2_{0.0F};
-    float offset_drift_nm2_{0.0F};  // a sample
-
     bool speed_known_{false};
-    float lagged_speed_mps_{0.0F};
+    float lagged_speed_mps_{};
     Vector3 state_{
         Vector3::Zero()};  // dh (m), nothing, d (N m): the error of M(phi) is considered, not estimated
     Matrix3 covariance_{Matrix3::Identity()};

@@ -15,6 +15,6 @@ struct Regression {
 };
 
 // `fixed` must have been updated with the same measurement.
-Regression regress(const RollPlaneModel& model, const Measurement& measured, const FixedModelRoll& fixed);
+Regression regress(const Vehicle& vehicle, const Measurement& measured, const FixedModelRoll& fixed);
 
 }  // namespace rsi

@@ -9,23 +9,18 @@ constexpr float two_pi = 6.2831853F;
 
 }  // namespace
 
-void RobustLeastSquares::init(const Parameters& parameters) {
-    tune(parameters);
-    reset();
-}
-
-void RobustLeastSquares::tune(const Parameters& parameters) {
-    forgetting_factor_ = parameters.forgetting_factor;
-    forgetting_growth_ = 1.0F / forgetting_factor_;
-    disturbance_weight_ =
-        1.0F - decaying_exponential(two_pi * parameters.disturbance_cutoff_hz * sample_time_s);
-    output_scale_nm_ = parameters.regression_scale_nm;
-    parameter_scale_ << parameters.initial_roll_centre_deviation_m,
-        parameters.initial_stiffness_deviation_nmprad, parameters.initial_damping_deviation_nmsprad;
-    input_scale_ = parameter_scale_ / output_scale_nm_;
-    output_scale_inverse_ = 1.0F / output_scale_nm_;
-    covariance_limit_ = parameters.covariance_limit;
-}
+RobustLeastSquares::Constants::Constants(const Parameters& parameters)
+    : forgetting_factor(parameters.forgetting_factor),
+      forgetting_growth(1.0F / forgetting_factor),
+      disturbance_weight(1.0F -
+                         decaying_exponential(two_pi * parameters.disturbance_cutoff_hz * sample_time_s)),
+      output_scale_nm(parameters.regression_scale_nm),
+      parameter_scale(parameters.initial_roll_centre_deviation_m,
+                      parameters.initial_stiffness_deviation_nmprad,
+                      parameters.initial_damping_deviation_nmsprad),
+      input_scale(parameter_scale / output_scale_nm),
+      output_scale_inverse(1.0F / output_scale_nm),
+      covariance_limit(parameters.covariance_limit) {}
 
 void RobustLeastSquares::reset() {
     theta_.setZero();
@@ -37,21 +32,22 @@ void RobustLeastSquares::reset() {
 // of (9) needs no second product. Normalisation divides Y and psi by sqrt(n_s); only n_s itself remains in
 // (9) and (10). What is taken off P is symmetric to the last bit, and so P stays: an unsymmetric part of its
 // rounding error would never be damped and grow as lambda^-k.
-[[gnu::flatten, gnu::noinline]] void RobustLeastSquares::update(const Regression& regression) {
-    const Vector3 psi = regression.psi.cwiseProduct(input_scale_);
-    const float output = regression.output_nm * output_scale_inverse_;
+[[gnu::flatten, gnu::noinline]] void RobustLeastSquares::update(const Constants& constants,
+                                                                const Regression& regression) {
+    const Vector3 psi = regression.psi.cwiseProduct(constants.input_scale);
+    const float output = regression.output_nm * constants.output_scale_inverse;
 
     const Vector3 g = covariance_ * psi;
     const float s = absolute(psi.dot(g));  // negative only by rounding
     const float n_s = 1.0F + s;
     // Without excitation forgetting would let P grow without bound; above the limit nothing is forgotten.
-    const bool forgets = !(covariance_.trace() > covariance_limit_);
-    const float lambda = forgets ? forgetting_factor_ : 1.0F;
-    const float growth = forgets ? forgetting_growth_ : 1.0F;  // 1 / lambda
-    const float divisor_inverse = 1.0F / (lambda * n_s + s);   // of at least lambda
+    const bool forgets = !(covariance_.trace() > constants.covariance_limit);
+    const float lambda = forgets ? constants.forgetting_factor : 1.0F;
+    const float growth = forgets ? constants.forgetting_growth : 1.0F;  // 1 / lambda
+    const float divisor_inverse = 1.0F / (lambda * n_s + s);            // of at least lambda
 
     const float innovation = output - psi.dot(theta_) - disturbance_;
-    disturbance_ += disturbance_weight_ * innovation;
+    disturbance_ += constants.disturbance_weight * innovation;
     theta_ += g * (innovation * divisor_inverse);
     covariance_ = (covariance_ - (g * g.transpose()) * divisor_inverse) * growth;
 
@@ -61,13 +57,13 @@ void RobustLeastSquares::reset() {
     }
 }
 
-RollCentreEstimate RobustLeastSquares::estimate() const {
-    const Vector3 theta = theta_.cwiseProduct(parameter_scale_);
+RollCentreEstimate RobustLeastSquares::estimate(const Constants& constants) const {
+    const Vector3 theta = theta_.cwiseProduct(constants.parameter_scale);
     RollCentreEstimate estimate;
     estimate.vertical_movement_m = theta.x();
     estimate.stiffness_deviation_nmprad = theta.y();
     estimate.damping_deviation_nmsprad = theta.z();
-    estimate.disturbance_nm = disturbance_ * output_scale_nm_;
+    estimate.disturbance_nm = disturbance_ * constants.output_scale_nm;
     return estimate;
 }
 

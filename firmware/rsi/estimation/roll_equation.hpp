@@ -2,8 +2,7 @@
 #pragma once
 
 #include "rsi/measurement/measurement.hpp"
-#include "rsi/model/roll_stiffness_curve.hpp"
-#include "rsi/model/sprung_body.hpp"
+#include "rsi/model/vehicle.hpp"
 #include "rsi/numeric/two_lags.hpp"
 #include "rsi/types.hpp"
 
@@ -26,31 +25,21 @@ struct RollEquation {
 // same sample, so both sides belong to the same instant.
 class FilteredRollEquation {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters) {
-        tune(parameters);
-        restart();
-    }
+    struct Constants {
+        Constants() = default;
+        [[gnu::cold]] explicit Constants(const Parameters& parameters);
 
-    // The parameters from now on; the signals go on.
-    [[gnu::cold]] void tune(const Parameters& parameters);
-
-    // The body from now on.
-    void assume_body(const SprungBody& body);
+        float weight{};  // of a new value in each lag
+        int settling_samples{};
+    };
 
     // The next measurement starts the lags anew.
-    void restart() { samples_ = 0; }
+    void reset() { samples_ = 0; }
 
-    RollEquation update(const Measurement& measured);
+    RollEquation update(const Constants& constants, const Vehicle& vehicle, const Measurement& measured);
 
  private:
-    RollStiffnessCurve curve_{};
-    float sprung_mass_kg_{0.0F};
-    float moment_arm_m_{0.0F};
-    float damping_nmsprad_{0.0F};
-    float inertia_kgm2_{0.0F};
-    float weight_{1.0F};
-    int settling_samples_{0};
-    int samples_{0};
+    int samples_{};
 
     TwoLags moment_{};  // m_s H f - M(phi) - c phi'
     TwoLags force_{};   // m_s f

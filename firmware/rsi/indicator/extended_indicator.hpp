@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rsi/measurement/roll_motion.hpp"
-#include "rsi/model/vehicle_moments.hpp"
+#include "rsi/model/vehicle.hpp"
 
 namespace rsi {
 
@@ -13,12 +13,12 @@ namespace rsi {
 // less than one part in a hundred, enters.
 //
 // 0 to 20; T_dyn is taken to be at least 0.001 + 0.05 |A/N|.
-float extended_level(const RollMotion& motion, const VehicleMoments& vehicle);
+float extended_level(const RollMotion& motion, const LoadedBody& loaded);
 
 // The same for a motion that obeys the roll equation, in which phi'' and the angle follow from the moment
 // that the wheels hold against (TransferredLoad::moment_nm). The level is 1 where the load transfer is:
 // T_dyn = |A/N| + [(m_s + m_u) c_w/2 - s moment/N] / (m_s h + m_u h_u).
 float extended_level_under_load(float parallel_force_mps2, float normal_force_mps2, float moment_nm,
-                                const VehicleMoments& vehicle);
+                                const LoadedBody& loaded);
 
 }  // namespace rsi

@@ -12,23 +12,13 @@ constexpr float smallest_divisor = 0.05F;
 
 }  // namespace
 
-void StabilityThresholdStage::init(const Parameters& parameters) {
-    half_track_m_ = 0.5F * parameters.track_width_m;
-    assume_body(calibrated_body(parameters));
-}
-
-// Every body's CG is above the road.
-void StabilityThresholdStage::assume_body(const SprungBody& body) {
-    cg_height_inverse_ = 1.0F / body.cg_height_m;
-    moment_arm_m_ = body.roll_arm_m;
-}
-
-StabilityThreshold StabilityThresholdStage::evaluate(const Measurement& measured, float vertical_movement_m,
-                                                     float lateral_movement_m) const {
+StabilityThreshold stability_threshold(const Vehicle& vehicle, const Measurement& measured,
+                                       float vertical_movement_m, float lateral_movement_m) {
     const float s = (measured.road_parallel_force_mps2 >= 0.0F) ? 1.0F : -1.0F;
-    const float H = moment_arm_m_ - vertical_movement_m;
+    const float H = vehicle.loaded.body.roll_arm_m - vertical_movement_m;
     const float shift_m = lateral_movement_m + H * measured.tan_roll_angle;
-    const float T = larger((half_track_m_ - s * shift_m) * cg_height_inverse_, smallest_half_track_ratio);
+    const float T = larger((vehicle.suspension.half_track_m - s * shift_m) * vehicle.loaded.cg_height_inverse,
+                           smallest_half_track_ratio);
     const float s_tan_bank = s * measured.tan_bank_angle;
     const float magnitude_mps2 =
         gravity_mps2 * (T - s_tan_bank) / larger(1.0F + s_tan_bank * T, smallest_divisor);

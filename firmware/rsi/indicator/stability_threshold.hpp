@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rsi/measurement/measurement.hpp"
-#include "rsi/model/sprung_body.hpp"
+#include "rsi/model/vehicle.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi {
@@ -16,20 +16,7 @@ struct StabilityThreshold {
 
 // T = [c_w/2 - s c_rc - s (h - h_rc) tan phi] / h  on side s, and a_y*/g = s (e + T) / (1 - e T) with
 // e = -s tan b. The side is that of A, not of a_y: on a bank they can differ.
-class StabilityThresholdStage {
- public:
-    [[gnu::cold]] void init(const Parameters& parameters);
-
-    // The body from now on.
-    void assume_body(const SprungBody& body);
-
-    StabilityThreshold evaluate(const Measurement& measured, float vertical_movement_m,
-                                float lateral_movement_m) const;
-
- private:
-    float half_track_m_{1.0F};
-    float cg_height_inverse_{1.0F};
-    float moment_arm_m_{0.0F};  // H
-};
+StabilityThreshold stability_threshold(const Vehicle& vehicle, const Measurement& measured,
+                                       float vertical_movement_m, float lateral_movement_m);
 
 }  // namespace rsi

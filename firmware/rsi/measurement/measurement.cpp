@@ -59,84 +59,78 @@ RoadForces assume_no_heave(float lateral, float sine, float cosine, const Bank& 
     return RoadForces{parallel, normal_at_rest - parallel * bank.tangent};
 }
 
+// A heavier body rolls further than the observer's, which is the calibrated one; nearly by the share of its
+// mass.
+float beyond_observed_rad(float sensed_rad, float observed_rad, float mass_factor) {
+    const float laden_rad = mass_factor * observed_rad;
+    return sensed_rad - clamp(sensed_rad, smaller(observed_rad, laden_rad), larger(observed_rad, laden_rad));
+}
+
 }  // namespace
 
-void MeasurementStage::init(const Parameters& parameters) {
-    observer_.init(parameters);
-    reinitialise(parameters);
-}
-
-void MeasurementStage::reinitialise(const Parameters& parameters) {
-    tune(parameters);
-    mass_factor_ = 1.0F;
-    assume_movement(0.0F);
-    reset();
-}
-
-void MeasurementStage::tune(const Parameters& parameters) {
-    imu_x_m_ = parameters.imu_x_m;
-    imu_y_m_ = parameters.imu_y_m;
-    imu_z_m_ = parameters.imu_z_m;
-    const bool against_horizon = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
-    if (against_horizon != against_horizon_) {
-        road_bank_.forget();
-    }
-    against_horizon_ = against_horizon;
-    roll_acceleration_.tune(parameters.angular_acceleration_lag_s);
-    yaw_acceleration_.tune(parameters.angular_acceleration_lag_s);
-    observer_.tune(parameters);
-    check_.tune(parameters);
-}
+MeasurementStage::Constants::Constants(const Parameters& parameters, const ObserverGains& gains)
+    : against_horizon(parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON),
+      imu_x_m(parameters.imu_x_m),
+      imu_y_m(parameters.imu_y_m),
+      imu_z_m(parameters.imu_z_m),
+      lag(parameters.angular_acceleration_lag_s),
+      observer(parameters, gains),
+      check(parameters) {}
 
 void MeasurementStage::reset() {
     roll_acceleration_.reset();
     yaw_acceleration_.reset();
     observer_.reset();
-    road_bank_.forget();
+    road_bank_.reset();
     check_.reset();
 }
 
 // f_cg = f_imu - alpha x r - omega x (omega x r) with pitch rate q = 0:
 //   f_y,cg = f_y - (r' x - p' z) + (p^2 + r^2) y
 //   f_z,cg = f_z - p' y - p (r x - p z)
-BodyForces MeasurementStage::carry_to_cg(const Inputs& inputs, bool yaw_known) {
+BodyForces MeasurementStage::carry_to_cg(const Constants& constants, const Inputs& inputs, bool yaw_known) {
     const float p = inputs.roll_rate_radps;
     const float r = yaw_known ? inputs.yaw_rate_radps : 0.0F;
-    const float roll_acceleration = roll_acceleration_.update(p);
+    const float roll_acceleration = roll_acceleration_.update(constants.lag, p);
     float yaw_acceleration = 0.0F;
     if (yaw_known) {
-        yaw_acceleration = yaw_acceleration_.update(r);
+        yaw_acceleration = yaw_acceleration_.update(constants.lag, r);
     } else {
         yaw_acceleration_.reset();
     }
     BodyForces forces;
     forces.lateral_mps2 = inputs.lateral_specific_force_mps2 -
-                          (yaw_acceleration * imu_x_m_ - roll_acceleration * imu_z_m_) +
-                          (p * p + r * r) * imu_y_m_;
-    forces.vertical_mps2 = inputs.vertical_specific_force_mps2 - roll_acceleration * imu_y_m_ -
-                           p * (r * imu_x_m_ - p * imu_z_m_);
+                          (yaw_acceleration * constants.imu_x_m - roll_acceleration * constants.imu_z_m) +
+                          (p * p + r * r) * constants.imu_y_m;
+    forces.vertical_mps2 = inputs.vertical_specific_force_mps2 - roll_acceleration * constants.imu_y_m -
+                           p * (r * constants.imu_x_m - p * constants.imu_z_m);
     return forces;
 }
 
 // Of an angle against the horizon the observer has to tell the roll from the bank. Force and gyro are enough
 // for that, so it goes on without yaw rate and speed, but is no substitute for a sensor then.
-void MeasurementStage::run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg) {
+void MeasurementStage::run_observer(const Constants& constants, const Inputs& inputs, const Learnt& learnt,
+                                    bool motion_known, const BodyForces& at_cg) {
     if (motion_known) {
-        observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps, inputs.speed_mps);
-    } else if (against_horizon_) {
-        observer_.update(at_cg.lateral_mps2, inputs.roll_rate_radps, 0.0F, 0.0F);
+        observer_.update(
+            constants.observer,
+            {at_cg.lateral_mps2, inputs.roll_rate_radps, inputs.yaw_rate_radps, inputs.speed_mps},
+            learnt.vertical_movement_m);
+    } else if (constants.against_horizon) {
+        observer_.update(constants.observer, {at_cg.lateral_mps2, inputs.roll_rate_radps, 0.0F, 0.0F},
+                         learnt.vertical_movement_m);
     } else {
         observer_.reset();
     }
 }
 
-float MeasurementStage::sensed_roll_rad(const Inputs& inputs) {
+float MeasurementStage::sensed_roll_rad(bool against_horizon, const Inputs& inputs) {
     const float angle_rad = inputs.roll_angle_rad;
     if (!within(angle_rad, largest_roll_angle_rad)) {
-        road_bank_.forget();
+        road_bank_.reset();
         return not_available;
     }
-    if (!against_horizon_) {
+    if (!against_horizon) {
         return angle_rad;
     }
     // With the inner wheels up the observer has the roll of the gyro, as the sensor does: the bank stays.
@@ -149,26 +143,20 @@ float MeasurementStage::sensed_roll_rad(const Inputs& inputs) {
     return road_bank_.known() ? angle_rad - road_bank_.angle_rad() : not_available;
 }
 
-// A heavier body rolls further than the observer's, which is the calibrated one; nearly by the share of its
-// mass.
-float MeasurementStage::beyond_observed_rad(float sensed_rad, float observed_rad) const {
-    const float laden_rad = mass_factor_ * observed_rad;
-    return sensed_rad - clamp(sensed_rad, smaller(observed_rad, laden_rad), larger(observed_rad, laden_rad));
-}
-
 // The observer runs whether it is needed or not, so that it knows the angle when the sensor fails.
-void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg,
-                               Measurement& measurement) {
+void MeasurementStage::observe(const Constants& constants, const Inputs& inputs, const Learnt& learnt,
+                               bool yaw_known, const BodyForces& at_cg, Measurement& measurement) {
     const bool motion_known = yaw_known && within(inputs.speed_mps, largest_speed_mps);
-    run_observer(inputs, motion_known, at_cg);
-    const float sensed_rad = sensed_roll_rad(inputs);
+    run_observer(constants, inputs, learnt, motion_known, at_cg);
+    const float sensed_rad = sensed_roll_rad(constants.against_horizon, inputs);
     const bool sensor_available = is_finite(sensed_rad);
     const bool roll_known = motion_known && observer_.roll_known();
     RollObservation& observed = measurement.observed;
     observed.roll_angle_rad = roll_known ? observer_.roll_angle_rad() : not_available;
     observed.bank_angle_rad = observer_.bank_known() ? observer_.bank_angle_rad() : not_available;
     measurement.roll_angle_is_measured =
-        sensor_available && (!against_horizon_ || within(inputs.bank_angle_rad, largest_bank_angle_rad));
+        sensor_available &&
+        (!constants.against_horizon || within(inputs.bank_angle_rad, largest_bank_angle_rad));
     if (sensor_available) {
         measurement.roll_source = RSI_ROLL_SENSOR;
         measurement.roll_angle_rad = sensed_rad;
@@ -179,21 +167,23 @@ void MeasurementStage::observe(const Inputs& inputs, bool yaw_known, const BodyF
     if (!sensor_available || !roll_known) {
         check_.reset();
     } else if (!observer_.tipped()) {
-        check_.update(beyond_observed_rad(sensed_rad, observed.roll_angle_rad));
+        check_.update(constants.check,
+                      beyond_observed_rad(sensed_rad, observed.roll_angle_rad, learnt.mass_factor));
     } else {
         // The observer's model ends where the vehicle tips: the check keeps what it has.
     }
     observed.sensor_disagrees = check_.disagrees();
 }
 
-bool MeasurementStage::update(const Inputs& inputs, Measurement& measurement) {
+bool MeasurementStage::update(const Constants& constants, const Inputs& inputs, const Learnt& learnt,
+                              Measurement& measurement) {
     if (!necessary_inputs_available(inputs)) {
         reset();
         return false;
     }
     const bool yaw_known = within(inputs.yaw_rate_radps, largest_rate_radps);
-    const BodyForces at_cg = carry_to_cg(inputs, yaw_known);
-    observe(inputs, yaw_known, at_cg, measurement);
+    const BodyForces at_cg = carry_to_cg(constants, inputs, yaw_known);
+    observe(constants, inputs, learnt, yaw_known, at_cg, measurement);
     if (measurement.roll_source == RSI_ROLL_NONE) {
         roll_acceleration_.reset();
         yaw_acceleration_.reset();

@@ -40,47 +40,49 @@ struct BodyForces {
     float vertical_mps2{0.0F};
 };
 
+// What the samples before have taught of the vehicle.
+struct Learnt {
+    float vertical_movement_m{0.0F};  // dh, 0 where there is no sound estimate
+    float mass_factor{1.0F};  // the sprung mass over the calibrated one where the vehicle's mass is known
+};
+
 class MeasurementStage {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    struct Constants {
+        Constants() = default;
+        [[gnu::cold]] Constants(const Parameters& parameters, const ObserverGains& gains);
 
-    // As init, but keeps the observer's settled gains.
-    [[gnu::cold]] void reinitialise(const Parameters& parameters);
-
-    // The parameters from now on; what is known of the motion stays, and so do the observer's settled gains.
-    [[gnu::cold]] void tune(const Parameters& parameters);
-
-    void assume_gains(const ObserverGains& gains) { observer_.assume_gains(gains); }
+        bool against_horizon{false};  // the sensor's angle
+        float imu_x_m{};
+        float imu_y_m{};
+        float imu_z_m{};
+        DerivativeLag lag{};
+        RollBankObserver::Constants observer{};
+        RollSensorCheck::Constants check{};
+    };
 
     void reset();
 
+    // Forgets the road's bank: for another reference of the sensor's angle.
+    void reset_bank() { road_bank_.reset(); }
+
     // True and a measurement when lateral force and roll rate are available and in range, and the roll angle
     // against the road is, or the observer knows it.
-    bool update(const Inputs& inputs, Measurement& measurement);
-
-    // dh for the observer from now on, 0 where no sound estimate is.
-    void assume_movement(float vertical_movement_m) { observer_.assume_movement(vertical_movement_m); }
-
-    // The sprung mass over the calibrated one, where the vehicle's mass is known; else 1.
-    void assume_mass(float factor) { mass_factor_ = factor; }
+    bool update(const Constants& constants, const Inputs& inputs, const Learnt& learnt,
+                Measurement& measurement);
 
  private:
     // Both forces carried from the IMU to the CG; the pitch rate is not measured and left out.
-    BodyForces carry_to_cg(const Inputs& inputs, bool yaw_known);
-    void observe(const Inputs& inputs, bool yaw_known, const BodyForces& at_cg, Measurement& measurement);
-    void run_observer(const Inputs& inputs, bool motion_known, const BodyForces& at_cg);
+    BodyForces carry_to_cg(const Constants& constants, const Inputs& inputs, bool yaw_known);
+    void observe(const Constants& constants, const Inputs& inputs, const Learnt& learnt, bool yaw_known,
+                 const BodyForces& at_cg, Measurement& measurement);
+    void run_observer(const Constants& constants, const Inputs& inputs, const Learnt& learnt,
+                      bool motion_known, const BodyForces& at_cg);
 
     // The sensor's angle against the road; NaN where it has none, or where what it contains of a bank is not
     // known.
-    float sensed_roll_rad(const Inputs& inputs);
+    float sensed_roll_rad(bool against_horizon, const Inputs& inputs);
 
-    float beyond_observed_rad(float sensed_rad, float observed_rad) const;
-
-    bool against_horizon_{false};
-    float mass_factor_{1.0F};
-    float imu_x_m_{0.0F};
-    float imu_y_m_{0.0F};
-    float imu_z_m_{0.0F};
     FilteredDerivative roll_acceleration_{};
     FilteredDerivative yaw_acceleration_{};
     RollBankObserver observer_{};

@@ -13,7 +13,7 @@ namespace rsi {
 // taken for a bank; it remains in the angle, where the check of the roll sensor sees it.
 class RoadBank {
  public:
-    void forget() { known_ = false; }
+    void reset() { known_ = false; }
 
     // One sample: the sensor's angle, and the body's against the road as the observer has it.
     void follow(float against_horizon_rad, float against_road_rad) {
@@ -35,7 +35,7 @@ class RoadBank {
     static constexpr float least_lag_s = 0.05F;
     static constexpr float lag_per_roll_s = 5.0F;  // per rad: half a second at 5 deg
 
-    float angle_rad_{0.0F};
+    float angle_rad_{};
     bool known_{false};
 };
 

@@ -19,7 +19,7 @@ constexpr float largest_bank_rad = 0.5F;
 
 // Below this speed a wheel-speed signal is poor and has no sign, so the turn says nothing about the bank.
 constexpr float smallest_speed_mps = 5.0F;
-constexpr float yaw_acceleration_lag_s = 0.1F;
+constexpr DerivativeLag yaw_acceleration_lag{0.1F};
 
 // v_y' is no white noise: it lasts for many samples, so it counts as more than it is.
 constexpr float turn_deviation_mps2 = 6.0F;
@@ -62,58 +62,49 @@ ObserverNoise observer_noise(const Parameters& parameters) {
     return noise;
 }
 
-UprightRoll RollBankObserver::upright_roll() const {
-    const float k = stiffness_over_inertia_.slope_nmprad(0.0F);
-    const float c = damping_over_inertia_ + 0.5F * T * k;
+UprightRoll upright_roll(const Parameters& parameters) {
+    const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
+    const float k = inverse_inertia * parameters.roll_stiffness_nmprad;
+    const float c = parameters.roll_damping_nmsprad * inverse_inertia + 0.5F * T * k;
     const float step = T / (1.0F + 0.5F * T * c);
     return UprightRoll{step * k, step * c};
 }
 
-void RollBankObserver::init(const Parameters& parameters) {
-    tune(parameters);
-    assume_movement(0.0F);
-    reset();
-    gains_ = steady_observer_gains(upright_roll(), observer_noise(parameters));
-}
-
-void RollBankObserver::tune(const Parameters& parameters) {
+RollBankObserver::Constants::Constants(const Parameters& parameters, const ObserverGains& settled_gains)
+    : gains(settled_gains) {
     const float H = roll_arm_m(parameters);
     const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
-    stiffness_over_inertia_.init(parameters, inverse_inertia);
-    movement_to_acceleration_ = parameters.sprung_mass_kg * inverse_inertia;
-    force_to_acceleration_ = movement_to_acceleration_ * H;
-    damping_over_inertia_ = parameters.roll_damping_nmsprad * inverse_inertia;
-    tipping_force_mps2_ = gravity_mps2 * static_stability_factor(parameters);
-    yaw_acceleration_.tune(yaw_acceleration_lag_s);
+    stiffness_over_inertia = RollStiffnessCurve{parameters, inverse_inertia};
+    movement_to_acceleration = parameters.sprung_mass_kg * inverse_inertia;
+    force_to_acceleration = movement_to_acceleration * H;
+    damping_over_inertia = parameters.roll_damping_nmsprad * inverse_inertia;
+    tipping_force_mps2 = gravity_mps2 * static_stability_factor(parameters);
 }
 
-void RollBankObserver::assume_movement(float vertical_movement_m) {
-    moved_force_to_acceleration_ =
-        force_to_acceleration_ -
-        movement_to_acceleration_ * clamp_magnitude(vertical_movement_m, largest_movement_m);
-}
-
-void RollBankObserver::update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps,
-                              float speed_mps) {
+void RollBankObserver::update(const Constants& constants, const Signals& signals, float vertical_movement_m) {
     if (!running_) {
-        start(lateral_force_mps2, roll_rate_radps);
+        begin_in_balance(constants, signals.lateral_force_mps2, signals.roll_rate_radps);
         return;
     }
-    predict(lateral_force_mps2);
-    correct_by_roll_rate(roll_rate_radps);
-    const float yaw_acceleration_radps2 = yaw_acceleration_.update(yaw_rate_radps);
+    predict(constants, signals.lateral_force_mps2, vertical_movement_m);
+    correct_by_roll_rate(constants.gains, signals.roll_rate_radps);
+    const float yaw_acceleration_radps2 =
+        yaw_acceleration_.update(yaw_acceleration_lag, signals.yaw_rate_radps);
     // P33 tends to that of the steady filter from above.
-    P33_ = smaller(P33_ + gains_.bank_growth_rad2, initial_bank_variance_rad2);
-    if ((tipped_ == 0U) && (speed_mps > smallest_speed_mps)) {
-        correct_by_turn(lateral_force_mps2 - yaw_rate_radps * speed_mps, yaw_acceleration_radps2);
+    P33_ = smaller(P33_ + constants.gains.bank_growth_rad2, initial_bank_variance_rad2);
+    if ((tipped_ == 0U) && (signals.speed_mps > smallest_speed_mps)) {
+        correct_by_turn(constants.gains,
+                        signals.lateral_force_mps2 - signals.yaw_rate_radps * signals.speed_mps,
+                        yaw_acceleration_radps2);
     }
     keep_in_bounds();
 }
 
-// In balance on a level road; not known yet.
-void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
-    const float linear_angle_rad =
-        force_to_acceleration_ * lateral_force_mps2 / stiffness_over_inertia_.slope_nmprad(0.0F);
+// On a level road; the angle is not known yet.
+void RollBankObserver::begin_in_balance(const Constants& constants, float lateral_force_mps2,
+                                        float roll_rate_radps) {
+    const float linear_angle_rad = constants.force_to_acceleration * lateral_force_mps2 /
+                                   constants.stiffness_over_inertia.slope_nmprad(0.0F);
     state_ << clamp_magnitude(linear_angle_rad, 0.2F), roll_rate_radps, 0.0F, 0.0F;
     stiffness_step_ = 0.0F;
     P11_ = initial_roll_variance_rad2;
@@ -126,28 +117,33 @@ void RollBankObserver::start(float lateral_force_mps2, float roll_rate_radps) {
 // The inner wheels have lifted, so the suspension no longer holds the body: from the force that tips the
 // standing vehicle until the body has come back to where the suspension would hold it. Without half that
 // force it falls back at 3 rad/s^2: if that lasts, it has.
-std::uint32_t RollBankObserver::tipped_for(float lateral_force_mps2, float roll_acceleration_radps2) const {
+std::uint32_t RollBankObserver::tipped_for(const Constants& constants, float lateral_force_mps2,
+                                           float roll_acceleration_radps2) const {
     const float force = absolute(lateral_force_mps2);
-    if ((force > tipping_force_mps2_) && (P11_ < largest_roll_variance_rad2)) {
+    if ((force > constants.tipping_force_mps2) && (P11_ < largest_roll_variance_rad2)) {
         return longest_fall;
     }
     if ((tipped_ == 0U) || (state_(State::roll) * roll_acceleration_radps2 >= 0.0F)) {
         return 0U;
     }
-    return (force < 0.5F * tipping_force_mps2_) ? tipped_ - 1U : longest_fall;
+    return (force < 0.5F * constants.tipping_force_mps2) ? tipped_ - 1U : longest_fall;
 }
 
 // Trapezoidal rule with the local stiffness k, stable for any admitted parameters:
 //   phi+ = phi + T (w - o) + T/2 d,  w+ = w + d,  b+ = b + T o,  o+ = decay o,
 //   d = T [m_s H f_yb / cos phi - M - (c + T/2 k) (w - o)] / Ixx / (1 + T/2 c + T^2/4 k)
-void RollBankObserver::predict(float lateral_force_mps2) {
+void RollBankObserver::predict(const Constants& constants, float lateral_force_mps2,
+                               float vertical_movement_m) {
+    const float moved_force_to_acceleration =  // m_s (H - dh) / Ixx
+        constants.force_to_acceleration -
+        constants.movement_to_acceleration * clamp_magnitude(vertical_movement_m, largest_movement_m);
     const float phi = state_(State::roll);
     const float offset = state_(State::offset);
-    const float force = moved_force_to_acceleration_ * lateral_force_mps2 * short_secant(phi);
-    const float spring = stiffness_over_inertia_.moment_nm(phi);
-    tipped_ = tipped_for(lateral_force_mps2, force - spring);
-    const float k = larger(stiffness_over_inertia_.slope_nmprad(phi) - force * phi, 0.0F);
-    const float c = damping_over_inertia_ + 0.5F * T * k;
+    const float force = moved_force_to_acceleration * lateral_force_mps2 * short_secant(phi);
+    const float spring = constants.stiffness_over_inertia.moment_nm(phi);
+    tipped_ = tipped_for(constants, lateral_force_mps2, force - spring);
+    const float k = larger(constants.stiffness_over_inertia.slope_nmprad(phi) - force * phi, 0.0F);
+    const float c = constants.damping_over_inertia + 0.5F * T * k;
     const float step = (tipped_ > 0U) ? 0.0F : T / (1.0F + 0.5F * T * c);
 
     const float roll_rate = state_(State::rate) - offset;
@@ -157,25 +153,26 @@ void RollBankObserver::predict(float lateral_force_mps2) {
 }
 
 // p = w
-void RollBankObserver::correct_by_roll_rate(float roll_rate_radps) {
+void RollBankObserver::correct_by_roll_rate(const ObserverGains& gains, float roll_rate_radps) {
     const float s = stiffness_step_;
-    const float covariance = gains_.roll_rate_covariance - s * P11_;
-    Vector4 gain = gains_.gyro;
-    gain(State::roll) = covariance / (gains_.rate_variance + s * s * P11_);
+    const float covariance = gains.roll_rate_covariance - s * P11_;
+    Vector4 gain = gains.gyro;
+    gain(State::roll) = covariance / (gains.rate_variance + s * s * P11_);
     state_ += gain * (roll_rate_radps - state_(State::rate));
-    P11_ += gains_.roll_growth_rad2 - gain(State::roll) * covariance;
+    P11_ += gains.roll_growth_rad2 - gain(State::roll) * covariance;
     P11_ = larger(P11_, smallest_roll_variance_rad2);
 }
 
 // f_yb - r V = g sin(phi + b) + v_y'
-void RollBankObserver::correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2) {
+void RollBankObserver::correct_by_turn(const ObserverGains& gains, float gravity_part_mps2,
+                                       float yaw_acceleration_radps2) {
     const float deviation =
         turn_deviation_mps2 + turn_deviation_per_yaw_acceleration_m * absolute(yaw_acceleration_radps2);
     const float innovation =
         gravity_part_mps2 - gravity_mps2 * short_sine(state_(State::roll) + state_(State::bank));
     const float surprise = square(innovation / plausible_innovation_mps2);
     const float variance = square(deviation) * (1.0F + square(surprise));
-    Vector4 covariance = gains_.turn;
+    Vector4 covariance = gains.turn;
     covariance(State::bank) += gravity_mps2 * P33_;
     const float weight =
         1.0F / (gravity_mps2 * (covariance(State::roll) + covariance(State::bank)) + variance);

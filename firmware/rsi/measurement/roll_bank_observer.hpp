@@ -11,6 +11,8 @@
 
 namespace rsi {
 
+// The settled gains follow from these two.
+[[gnu::cold]] UprightRoll upright_roll(const Parameters& parameters);
 [[gnu::cold]] ObserverNoise observer_noise(const Parameters& parameters);
 
 // Extended Kalman filter with four states [phi, w, b, o]: roll angle relative to the road, the body's roll
@@ -25,27 +27,34 @@ namespace rsi {
 // suspension says nothing and the gyro alone moves phi.
 class RollBankObserver {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    struct Constants {
+        Constants() = default;
+        // `gains`: the settled ones, for the same parameters.
+        [[gnu::cold]] Constants(const Parameters& parameters, const ObserverGains& gains);
 
-    // The vehicle from now on. State and settled gains, which are found by iterating, stay.
-    [[gnu::cold]] void tune(const Parameters& parameters);
+        RollStiffnessCurve stiffness_over_inertia{};  // M / Ixx
+        float force_to_acceleration{};                // m_s H / Ixx
+        float movement_to_acceleration{};             // m_s / Ixx
+        float damping_over_inertia{};                 // c_f / Ixx
+        float tipping_force_mps2{};
+        ObserverGains gains{};
+    };
 
-    // What, with the noise, the settled gains follow from.
-    [[gnu::cold]] UprightRoll upright_roll() const;
-
-    // Those of steady_observer_gains for the same vehicle.
-    void assume_gains(const ObserverGains& gains) { gains_ = gains; }
+    // One sample of the signals that the observer takes, all finite.
+    struct Signals {
+        float lateral_force_mps2;  // f_yb, the specific force at the sprung CG along the body's y axis
+        float roll_rate_radps;
+        float yaw_rate_radps;
+        float speed_mps;
+    };
 
     // Forgets everything; the next update starts anew.
     void reset() { running_ = false; }
 
-    // One sample. All values finite; `lateral_force_mps2` is f_yb, the specific force at the sprung CG along
-    // the body's y axis. A state that is not finite starts anew at the next sample.
-    void update(float lateral_force_mps2, float roll_rate_radps, float yaw_rate_radps, float speed_mps);
-
-    // dh from now on, 0 where no sound estimate is. Only its first 0.05 m count: dh has been learnt from the
-    // roll sensor, and an implausible sensor must not move the observer with it.
-    void assume_movement(float vertical_movement_m);
+    // One sample. `vertical_movement_m` is dh, 0 where there is no sound estimate. Only its first 0.05 m
+    // count: dh has been learnt from the roll sensor, and an implausible sensor must not move the observer
+    // with it. A state that is not finite starts anew at the next sample.
+    void update(const Constants& constants, const Signals& signals, float vertical_movement_m);
 
     // Whether the angle's standard deviation is small enough to be relied on. False after a start for as long
     // as the filter needs.
@@ -70,28 +79,23 @@ class RollBankObserver {
     static constexpr float largest_tipped_variance_rad2 = 0.175F * 0.175F;  // 10 deg
     static constexpr float largest_bank_variance_rad2 = 0.07F * 0.07F;      // 4 deg
 
-    [[gnu::cold, gnu::noinline]] void start(float lateral_force_mps2, float roll_rate_radps);
-    void predict(float lateral_force_mps2);
-    std::uint32_t tipped_for(float lateral_force_mps2, float roll_acceleration_radps2) const;
-    void correct_by_roll_rate(float roll_rate_radps);
-    void correct_by_turn(float gravity_part_mps2, float yaw_acceleration_radps2);
+    [[gnu::cold, gnu::noinline]] void begin_in_balance(const Constants& constants, float lateral_force_mps2,
+                                                       float roll_rate_radps);
+    void predict(const Constants& constants, float lateral_force_mps2, float vertical_movement_m);
+    std::uint32_t tipped_for(const Constants& constants, float lateral_force_mps2,
+                             float roll_acceleration_radps2) const;
+    void correct_by_roll_rate(const ObserverGains& gains, float roll_rate_radps);
+    void correct_by_turn(const ObserverGains& gains, float gravity_part_mps2, float yaw_acceleration_radps2);
     void keep_in_bounds();
 
-    RollStiffnessCurve stiffness_over_inertia_{};  // M / Ixx
-    float force_to_acceleration_{0.0F};            // m_s H / Ixx
-    float moved_force_to_acceleration_{0.0F};      // m_s (H - dh) / Ixx
-    float movement_to_acceleration_{0.0F};         // m_s / Ixx
-    float damping_over_inertia_{0.0F};             // c_f / Ixx
-    float tipping_force_mps2_{0.0F};
-    ObserverGains gains_{};
     FilteredDerivative yaw_acceleration_{};
 
     bool running_{false};
-    std::uint32_t tipped_{0U};        // samples for which it may still be
+    std::uint32_t tipped_{};          // samples for which it may still be
     Vector4 state_{Vector4::Zero()};  // [phi, w, b, o]
-    float stiffness_step_{0.0F};      // s: what an error of phi makes of the rate in one step
-    float P11_{0.0F};                 // variance of phi
-    float P33_{0.0F};                 // variance of the bank
+    float stiffness_step_{};          // s: what an error of phi makes of the rate in one step
+    float P11_{};                     // variance of phi
+    float P33_{};                     // variance of the bank
 };
 
 }  // namespace rsi

@@ -2,10 +2,6 @@
 
 namespace rsi {
 
-void RollMotionFilter::init(const Parameters& parameters) {
-    weight_ = lag_weight(parameters.prediction_filter_lag_s);
-}
-
 void RollMotionFilter::reset(const Measurement& measured) {
     parallel_force_.reset(measured.road_parallel_force_mps2);
     normal_force_.reset(measured.road_normal_force_mps2);
@@ -15,14 +11,14 @@ void RollMotionFilter::reset(const Measurement& measured) {
     roll_acceleration_radps2_ = 0.0F;
 }
 
-RollMotion RollMotionFilter::update(const Measurement& measured) {
-    const float force_change = parallel_force_.update(measured.road_parallel_force_mps2, weight_);
-    const float rate_change = roll_rate_.update(measured.roll_rate_radps, weight_);
-    normal_force_.update(measured.road_normal_force_mps2, weight_);
-    roll_angle_.update(measured.roll_angle_rad, weight_);
-    parallel_force_rate_mps3_ +=
-        weight_ * (force_change * (1.0F / sample_time_s) - parallel_force_rate_mps3_);
-    roll_acceleration_radps2_ += weight_ * (rate_change * (1.0F / sample_time_s) - roll_acceleration_radps2_);
+RollMotion RollMotionFilter::update(const Constants& constants, const Measurement& measured) {
+    const float weight = constants.weight;
+    const float force_change = parallel_force_.update(measured.road_parallel_force_mps2, weight);
+    const float rate_change = roll_rate_.update(measured.roll_rate_radps, weight);
+    normal_force_.update(measured.road_normal_force_mps2, weight);
+    roll_angle_.update(measured.roll_angle_rad, weight);
+    parallel_force_rate_mps3_ += weight * (force_change * (1.0F / sample_time_s) - parallel_force_rate_mps3_);
+    roll_acceleration_radps2_ += weight * (rate_change * (1.0F / sample_time_s) - roll_acceleration_radps2_);
 
     RollMotion motion;
     motion.road_parallel_force_mps2 = parallel_force_.value();

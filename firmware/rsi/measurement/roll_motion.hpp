@@ -29,21 +29,26 @@ struct RollMotion {
 
 class RollMotionFilter {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    struct Constants {
+        Constants() = default;
+        [[gnu::cold]] explicit Constants(const Parameters& parameters)
+            : weight(lag_weight(parameters.prediction_filter_lag_s)) {}
+
+        float weight{};  // of a new value in each lag
+    };
 
     // The signals start where they are; the derivatives at zero.
     void reset(const Measurement& measured);
 
-    RollMotion update(const Measurement& measured);
+    RollMotion update(const Constants& constants, const Measurement& measured);
 
  private:
-    float weight_{1.0F};
     TwoLags parallel_force_{};
     TwoLags normal_force_{};
     TwoLags roll_angle_{};
     TwoLags roll_rate_{};
-    float parallel_force_rate_mps3_{0.0F};
-    float roll_acceleration_radps2_{0.0F};
+    float parallel_force_rate_mps3_{};
+    float roll_acceleration_radps2_{};
 };
 
 }  // namespace rsi

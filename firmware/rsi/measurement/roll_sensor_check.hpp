@@ -12,11 +12,16 @@ namespace rsi {
 // `observer_disagreement_s`; false again after they have been closer than half of it for as long.
 class RollSensorCheck {
  public:
-    [[gnu::cold]] void tune(const Parameters& parameters) {
-        limit_rad_ = parameters.observer_disagreement_rad;
-        confirmation_samples_ =
-            static_cast<std::int32_t>(parameters.observer_disagreement_s / sample_time_s + 0.5F);
-    }
+    struct Constants {
+        Constants() = default;
+        [[gnu::cold]] explicit Constants(const Parameters& parameters)
+            : limit_rad(parameters.observer_disagreement_rad),
+              confirmation_samples(
+                  static_cast<std::int32_t>(parameters.observer_disagreement_s / sample_time_s + 0.5F)) {}
+
+        float limit_rad{};
+        std::int32_t confirmation_samples{};
+    };
 
     void reset() {
         disagrees_ = false;
@@ -24,16 +29,16 @@ class RollSensorCheck {
     }
 
     // One sample. `difference_rad`: sensor minus observer.
-    void update(float difference_rad) {
+    void update(const Constants& constants, float difference_rad) {
         const float distance_rad = absolute(difference_rad);
         const bool contradicts =
-            disagrees_ ? (distance_rad < 0.5F * limit_rad_) : (distance_rad > limit_rad_);
+            disagrees_ ? (distance_rad < 0.5F * constants.limit_rad) : (distance_rad > constants.limit_rad);
         if (!contradicts) {
             samples_ = 0;
             return;
         }
         ++samples_;
-        if (samples_ > confirmation_samples_) {
+        if (samples_ > constants.confirmation_samples) {
             disagrees_ = !disagrees_;
             samples_ = 0;
         }
@@ -42,9 +47,7 @@ class RollSensorCheck {
     bool disagrees() const { return disagrees_; }
 
  private:
-    float limit_rad_{0.0F};
-    std::int32_t confirmation_samples_{0};
-    std::int32_t samples_{0};
+    std::int32_t samples_{};
     bool disagrees_{false};
 };
 

@@ -21,16 +21,16 @@ float first_zero(float a, float b, float c) {
 
 }  // namespace
 
-void RollStiffnessCurve::init(const Parameters& parameters, float factor) {
-    linear_ = factor * parameters.roll_stiffness_nmprad;
-    cubic_ = factor * parameters.roll_stiffness_cubic_nmprad3;
-    quintic_ = factor * parameters.roll_stiffness_quintic_nmprad5;
-    slope_cubic_ = 3.0F * cubic_;
-    slope_quintic_ = 5.0F * quintic_;
-    // The same range whatever the factor.
-    curved_to_rad_ = square_root(first_zero((1.0F - least_slope_share) * parameters.roll_stiffness_nmprad,
+RollStiffnessCurve::RollStiffnessCurve(const Parameters& parameters, float factor)
+    : linear_(factor * parameters.roll_stiffness_nmprad),
+      cubic_(factor * parameters.roll_stiffness_cubic_nmprad3),
+      quintic_(factor * parameters.roll_stiffness_quintic_nmprad5),
+      slope_cubic_(3.0F * cubic_),
+      slope_quintic_(5.0F * quintic_),
+      // The same range whatever the factor.
+      curved_to_rad_(square_root(first_zero((1.0F - least_slope_share) * parameters.roll_stiffness_nmprad,
                                             3.0F * parameters.roll_stiffness_cubic_nmprad3,
-                                            5.0F * parameters.roll_stiffness_quintic_nmprad5));
+                                            5.0F * parameters.roll_stiffness_quintic_nmprad5))) {
     line_slope_ = slope_nmprad(curved_to_rad_);
 }
 

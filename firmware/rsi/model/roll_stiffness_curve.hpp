@@ -17,8 +17,9 @@ struct RollSpring {
 // nothing: a body that leans further, as after lift-off, would be pushed over by its own springs.
 class RollStiffnessCurve {
  public:
+    RollStiffnessCurve() = default;
     // `factor`: what the curve is multiplied by, 1 / Ixx for instance.
-    [[gnu::cold]] void init(const Parameters& parameters, float factor = 1.0F);
+    [[gnu::cold]] explicit RollStiffnessCurve(const Parameters& parameters, float factor = 1.0F);
 
     RollSpring at(float angle_rad) const {
         const float curved_rad = clamp_magnitude(angle_rad, curved_to_rad_);
@@ -42,13 +43,13 @@ class RollStiffnessCurve {
     float slope_nmprad(float angle_rad) const { return at(angle_rad).slope_nmprad; }
 
  private:
-    float linear_{1.0F};
-    float cubic_{0.0F};
-    float quintic_{0.0F};
-    float slope_cubic_{0.0F};
-    float slope_quintic_{0.0F};
-    float curved_to_rad_{1.0F};  // positive
-    float line_slope_{1.0F};
+    float linear_{};
+    float cubic_{};
+    float quintic_{};
+    float slope_cubic_{};
+    float slope_quintic_{};
+    float curved_to_rad_{};  // positive
+    float line_slope_{};
 };
 
 }  // namespace rsi

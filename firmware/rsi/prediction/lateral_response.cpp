@@ -13,12 +13,12 @@ constexpr float return_weight = 3.0F * sample_time_s / 5.0F;
 
 }  // namespace
 
-void LateralResponse::tune(const Parameters& parameters) {
+LateralResponse::LateralResponse(const Parameters& parameters) {
     const float w = parameters.lateral_response_frequency_radps;
     const float zeta = parameters.lateral_response_damping;
     is_known_ = (w > 0.0F);
-    lead_s_ = is_known_ ? 2.0F * zeta / w : 0.0F;
     largest_mps2_ = parameters.largest_lateral_acceleration_mps2;
+    lead_s_ = is_known_ ? 2.0F * zeta / w : 0.0F;
     // The trapezoidal rule over half a step, which is accurate enough; its divisor is at least 1.
     const float quarter = 0.25F * step_s;
     const float spring = quarter * quarter * w * w;
@@ -35,29 +35,32 @@ void LateralResponse::tune(const Parameters& parameters) {
     rate_by_rate_ = rate_by_force * force_by_rate + rate_by_rate * rate_by_rate;
 }
 
-bool LateralResponse::update(const RollMotion& motion, const DemandedForce& demand) {
-    if (!is_known_ || !demand.is_known) {
-        limit_mps2_ += return_weight * (largest_mps2_ - limit_mps2_);
+bool TyreLimit::update(const LateralResponse& response, const RollMotion& motion, const DemandedForce& demand,
+                       ForceTarget& target) {
+    const float largest_mps2 = response.largest_mps2();
+    if (!response.is_known() || !demand.is_known) {
+        limit_mps2_ += return_weight * (largest_mps2 - limit_mps2_);
         return false;
     }
     const float A = motion.road_parallel_force_mps2;
-    const float tended_mps2 = A + lead_s_ * motion.road_parallel_force_rate_mps3;
+    const float tended_mps2 = response.tended_mps2(motion);
     const float asked = (A < 0.0F) ? -demand.force_mps2 : demand.force_mps2;
     const float given = (A < 0.0F) ? -tended_mps2 : tended_mps2;
     const bool saturates = (absolute(A) > smallest_force_mps2) && (asked > given) && (limit_mps2_ > given);
     limit_mps2_ += saturates ? fall_weight * (larger(given, smallest_force_mps2) - limit_mps2_)
-                             : return_weight * (largest_mps2_ - limit_mps2_);
-    target_mps2_ = clamp_magnitude(demand.force_mps2, limit_mps2_);
-    least_mps2_ = smaller(smaller(A, target_mps2_), 0.0F);
-    most_mps2_ = larger(larger(A, target_mps2_), 0.0F);
+                             : return_weight * (largest_mps2 - limit_mps2_);
+    target.force_mps2 = clamp_magnitude(demand.force_mps2, limit_mps2_);
+    target.least_mps2 = smaller(smaller(A, target.force_mps2), 0.0F);
+    target.most_mps2 = larger(larger(A, target.force_mps2), 0.0F);
     return true;
 }
 
-ForceCourse LateralResponse::after_step(const ForceCourse& from) const {
-    const float x = from.force_mps2 - target_mps2_;
+ForceCourse LateralResponse::after_step(const ForceCourse& from, const ForceTarget& target) const {
+    const float x = from.force_mps2 - target.force_mps2;
     const float y = from.rate_mps3;
-    const float force_mps2 = target_mps2_ + force_by_force_ * x + force_by_rate_ * y;
-    return ForceCourse{clamp(force_mps2, least_mps2_, most_mps2_), rate_by_force_ * x + rate_by_rate_ * y};
+    const float force_mps2 = target.force_mps2 + force_by_force_ * x + force_by_rate_ * y;
+    return ForceCourse{clamp(force_mps2, target.least_mps2, target.most_mps2),
+                       rate_by_force_ * x + rate_by_rate_ * y};
 }
 
 }  // namespace rsi

@@ -21,12 +21,12 @@ constexpr float noise_correlation = 3.0F;
 
 }  // namespace
 
-void MomentArmError::tune(const Parameters& parameters) {
-    assume_body(calibrated_body(parameters));
-    stiffness_noise_ = noise_correlation * square(stiffness_share * parameters.roll_stiffness_nmprad);
-    damping_noise_ = noise_correlation * square(damping_share * parameters.roll_damping_nmsprad);
-    excitation_nm_ = moment_arm_kgm_ * parameters.excitation_threshold_mps2;
-    noise_nm2_ = noise_correlation * square(sample_noise_share * gravity_mps2 * moment_arm_kgm_);
+MomentArmError::Constants::Constants(const Parameters& parameters)
+    : stiffness_noise(noise_correlation * square(stiffness_share * parameters.roll_stiffness_nmprad)),
+      damping_noise(noise_correlation * square(damping_share * parameters.roll_damping_nmsprad)) {
+    const float moment_arm_kgm = calibrated_body(parameters).moment_arm_kgm();
+    excitation_nm = moment_arm_kgm * parameters.excitation_threshold_mps2;
+    noise_nm2 = noise_correlation * square(sample_noise_share * gravity_mps2 * moment_arm_kgm);
 }
 
 void MomentArmError::reset() {
@@ -34,19 +34,20 @@ void MomentArmError::reset() {
     variance_ = square(prior_deviation);
 }
 
-float MomentArmError::update(const RollMotion& motion, const TransferredLoad& load, bool measured_angle) {
+float MomentArmError::update(const Constants& constants, const LoadedBody& loaded, const RollMotion& motion,
+                             const TransferredLoad& load, bool measured_angle) {
     error_ -= error_reversion * error_;
     variance_ += 2.0F * error_reversion * (square(prior_deviation) - variance_);
     const float arm_nm =
-        moment_arm_kgm_ * (motion.road_parallel_force_mps2 +
-                           motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad));
+        loaded.moment_arm_kgm * (motion.road_parallel_force_mps2 +
+                                 motion.road_normal_force_mps2 * short_tangent(motion.roll_angle_rad));
     // With the inner wheels up the roll equation does not hold.
     const bool learns =
-        measured_angle && (absolute(arm_nm) > excitation_nm_) && (absolute(load.ratio) < 1.0F);
+        measured_angle && (absolute(arm_nm) > constants.excitation_nm) && (absolute(load.ratio) < 1.0F);
     if (learns) {
-        const float inertia_nm = inertia_kgm2_ * motion.roll_acceleration_radps2;
-        const float noise = noise_nm2_ + stiffness_noise_ * square(motion.roll_angle_rad) +
-                            damping_noise_ * square(motion.roll_rate_radps) +
+        const float inertia_nm = loaded.body.roll_inertia_kgm2 * motion.roll_acceleration_radps2;
+        const float noise = constants.noise_nm2 + constants.stiffness_noise * square(motion.roll_angle_rad) +
+                            constants.damping_noise * square(motion.roll_rate_radps) +
                             noise_correlation * square(inertia_share) * square(inertia_nm);
         // Divided by at least the noise, which is positive.
         const float covariance = arm_nm * variance_;

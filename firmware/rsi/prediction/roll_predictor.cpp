@@ -13,18 +13,20 @@ constexpr float trusted_share = 0.75F;
 constexpr float sure_s = 0.1F;
 constexpr std::uint32_t most_response_steps = 13U;
 
+float suspension_moment_nm(const Vehicle& vehicle, const RollSpring& springs, float roll_rate_radps) {
+    return springs.moment_nm + vehicle.suspension.damping_nmsprad * roll_rate_radps;
+}
+
 }  // namespace
 
-void RollPredictor::init(const Parameters& parameters) {
-    trend_horizon_s_ = parameters.prediction_horizon_s;
+RollPredictor::RollPredictor(const Parameters& parameters)
+    : trend_horizon_s_(parameters.prediction_horizon_s),
+      margin_per_step_(parameters.response_margin_per_s * LateralResponse::step_s) {
     const float trend_s = parameters.acceleration_trend_s;
     trend_after_horizon_s_ = trend_s * (1.0F - decaying_exponential(trend_horizon_s_ / trend_s));
     // Validated to 0 .. 0.5 s: at most 13 steps.
     response_steps_ =
         static_cast<std::uint32_t>(parameters.response_horizon_s * (1.0F / LateralResponse::step_s) + 0.5F);
-    margin_per_step_ = parameters.response_margin_per_s * LateralResponse::step_s;
-    roll_damping_nmsprad_ = parameters.roll_damping_nmsprad;
-    assume_body(calibrated_body(parameters));
 }
 
 // How far A follows its trend: not past what the steering asks for, nor past where it is; without a demand,
@@ -36,34 +38,31 @@ float RollPredictor::force_change_mps2(const RollMotion& motion, const DemandedF
                            : larger(change, smaller(A, demand.least_mps2) - A);
 }
 
-float RollPredictor::suspension_moment_nm(const State& state) const {
-    return state.springs.moment_nm + roll_damping_nmsprad_ * state.rate_radps;
-}
-
 // Trapezoidal rule, linearised with the stiffness of the instant: the suspension's less gravity's, at least
 // zero. Its divisor is at least Ixx.
-RollPredictor::State RollPredictor::after_step(const State& from, float dt, float force_mps2,
-                                               const Moments& moments,
-                                               const LoadTransfer& load_transfer) const {
+RollPredictor::State RollPredictor::after_step(const Vehicle& vehicle, const State& from, float dt,
+                                               float force_mps2, const Moments& moments) {
     const float x = from.angle_rad;
     const float y = from.rate_radps;
     const float k = larger(from.springs.slope_nmprad - moments.gravity_nm * (1.0F + x * x), 0.0F);
-    const float moment_nm =
-        moments.arm_kgm * force_mps2 + moments.gravity_nm * short_tangent(x) - suspension_moment_nm(from);
+    const float moment_nm = moments.arm_kgm * force_mps2 + moments.gravity_nm * short_tangent(x) -
+                            suspension_moment_nm(vehicle, from.springs, y);
     const float change_radps = dt * (moment_nm - 0.5F * dt * k * y) /
-                               (roll_inertia_kgm2_ + 0.5F * dt * roll_damping_nmsprad_ + 0.25F * dt * dt * k);
+                               (vehicle.loaded.body.roll_inertia_kgm2 +
+                                0.5F * dt * vehicle.suspension.damping_nmsprad + 0.25F * dt * dt * k);
     const float x_then = clamp_magnitude(x + dt * (y + 0.5F * change_radps), largest_spring_angle_rad);
-    return State{x_then, y + change_radps, load_transfer.springs(x_then)};
+    return State{x_then, y + change_radps, vehicle.suspension.springs.at(x_then)};
 }
 
-float RollPredictor::load_after(const State& then, float force_change_mps2, const Moments& moments) const {
-    return moments.load_nm + moments.force_arm_kgm * force_change_mps2 + suspension_moment_nm(then) -
-           moments.suspension_nm;
+float RollPredictor::load_after(const Vehicle& vehicle, const State& then, float force_change_mps2,
+                                const Moments& moments) {
+    return moments.load_nm + moments.force_arm_kgm * force_change_mps2 +
+           suspension_moment_nm(vehicle, then.springs, then.rate_radps) - moments.suspension_nm;
 }
 
-void RollPredictor::follow_response(const RollMotion& motion, const State& present,
-                                    const LateralResponse& response, const Moments& moments,
-                                    const LoadTransfer& load_transfer, Sides& largest) const {
+void RollPredictor::follow_response(const Vehicle& vehicle, const RollMotion& motion, const State& present,
+                                    const LateralResponse& response, const ForceTarget& target,
+                                    const Moments& moments, Sides& largest) const {
     const float A = motion.road_parallel_force_mps2;
     ForceCourse force{A, motion.road_parallel_force_rate_mps3};
     State roll = present;
@@ -72,12 +71,12 @@ void RollPredictor::follow_response(const RollMotion& motion, const State& prese
     const std::uint32_t steps =
         (response_steps_ < most_response_steps) ? response_steps_ : most_response_steps;
     for (std::uint32_t step = 0U; step < steps; ++step) {
-        const ForceCourse next = response.after_step(force);
-        roll = after_step(roll, LateralResponse::step_s, 0.5F * (force.force_mps2 + next.force_mps2), moments,
-                          load_transfer);
+        const ForceCourse next = response.after_step(force, target);
+        roll = after_step(vehicle, roll, LateralResponse::step_s, 0.5F * (force.force_mps2 + next.force_mps2),
+                          moments);
         force = next;
-        const float load_nm = load_after(roll, force.force_mps2 - A, moments);
-        const float ratio = load_transfer.ratio(load_nm, motion.road_normal_force_mps2);
+        const float load_nm = load_after(vehicle, roll, force.force_mps2 - A, moments);
+        const float ratio = load_transfer_ratio(vehicle.loaded, load_nm, motion.road_normal_force_mps2);
         margin += margin_per_step_;
         const float less = larger(margin, 0.0F);
         largest.right = larger(largest.right, ratio - less);
@@ -85,37 +84,39 @@ void RollPredictor::follow_response(const RollMotion& motion, const State& prese
     }
 }
 
-Prediction RollPredictor::evaluate(const RollMotion& motion, const TransferredLoad& load,
-                                   const DemandedForce& demand, const LateralResponse* response,
-                                   float moment_arm_error, const LoadTransfer& load_transfer) const {
+Prediction RollPredictor::evaluate(const Vehicle& vehicle, const RollMotion& motion,
+                                   const TransferredLoad& load, const DemandedForce& demand,
+                                   const LateralResponse& response, const ForceTarget* target,
+                                   float moment_arm_error) const {
+    const float moment_arm_kgm = vehicle.loaded.moment_arm_kgm;
     const float A = motion.road_parallel_force_mps2;
     const float N = motion.road_normal_force_mps2;
-    const float correction_kgm = trusted_share * moment_arm_error * moment_arm_kgm_;
-    const float arm_kgm = moment_arm_kgm_ - correction_kgm;
+    const float correction_kgm = trusted_share * moment_arm_error * moment_arm_kgm;
+    const float arm_kgm = moment_arm_kgm - correction_kgm;
     const Moments moments{arm_kgm, arm_kgm * N, load.suspension_moment_nm, load.moment_nm,
-                          load_transfer.force_arm_kgm() + correction_kgm};
+                          vehicle.loaded.force_arm_kgm + correction_kgm};
 
     const float change_mps2 = force_change_mps2(motion, demand);
     const State present{motion.roll_angle_rad, motion.roll_rate_radps,
-                        load_transfer.springs(motion.roll_angle_rad)};
-    const State then = after_step(present, trend_horizon_s_, A + 0.5F * change_mps2, moments, load_transfer);
-    const float then_nm = load_after(then, change_mps2, moments);
+                        vehicle.suspension.springs.at(motion.roll_angle_rad)};
+    const State then = after_step(vehicle, present, trend_horizon_s_, A + 0.5F * change_mps2, moments);
+    const float then_nm = load_after(vehicle, then, change_mps2, moments);
     const bool grows = absolute(then_nm) > absolute(load.moment_nm);
     const float worst_nm = grows ? then_nm : load.moment_nm;
     const float worst_force_mps2 = grows ? A + change_mps2 : A;
 
-    const float ratio_then = load_transfer.ratio(then_nm, N);
+    const float ratio_then = load_transfer_ratio(vehicle.loaded, then_nm, N);
     Sides largest{larger(larger(load.ratio, ratio_then), 0.0F),
                   larger(larger(-load.ratio, -ratio_then), 0.0F)};
-    if (response != nullptr) {
-        follow_response(motion, present, *response, moments, load_transfer, largest);
+    if (target != nullptr) {
+        follow_response(vehicle, motion, present, response, *target, moments, largest);
     }
     // Wheels that are up come down before those of the other side can lift.
     largest.right = (load.ratio <= -1.0F) ? 0.0F : largest.right;
     largest.left = (load.ratio >= 1.0F) ? 0.0F : largest.left;
     const bool is_right = largest.right >= largest.left;
     return Prediction{is_right ? largest.right : -largest.left, is_right ? largest.left : largest.right,
-                      extended_level_under_load(worst_force_mps2, N, worst_nm, load_transfer.vehicle())};
+                      extended_level_under_load(worst_force_mps2, N, worst_nm, vehicle.loaded)};
 }
 
 }  // namespace rsi

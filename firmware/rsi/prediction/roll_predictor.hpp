@@ -6,7 +6,7 @@
 
 #include "rsi/indicator/load_transfer.hpp"
 #include "rsi/measurement/roll_motion.hpp"
-#include "rsi/model/sprung_body.hpp"
+#include "rsi/model/vehicle.hpp"
 #include "rsi/prediction/lateral_response.hpp"
 #include "rsi/prediction/steering_demand.hpp"
 
@@ -30,19 +30,14 @@ struct Prediction {
 // sure.
 class RollPredictor {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    RollPredictor() = default;
+    [[gnu::cold]] explicit RollPredictor(const Parameters& parameters);
 
-    // The body from now on.
-    void assume_body(const SprungBody& body) {
-        moment_arm_kgm_ = body.moment_arm_kgm();
-        roll_inertia_kgm2_ = body.roll_inertia_kgm2;
-    }
-
-    // `load`: that of `motion`. `response`: none where the course of the force is not known.
+    // `load`: that of `motion`. `target`: none where the course of the force is not known.
     // `moment_arm_error`: e of MomentArmError.
-    Prediction evaluate(const RollMotion& motion, const TransferredLoad& load, const DemandedForce& demand,
-                        const LateralResponse* response, float moment_arm_error,
-                        const LoadTransfer& load_transfer) const;
+    Prediction evaluate(const Vehicle& vehicle, const RollMotion& motion, const TransferredLoad& load,
+                        const DemandedForce& demand, const LateralResponse& response,
+                        const ForceTarget* target, float moment_arm_error) const;
 
  private:
     // The roll moment of the sample, and how it follows the motion.
@@ -65,20 +60,18 @@ class RollPredictor {
     };
     float force_change_mps2(const RollMotion& motion, const DemandedForce& demand) const;
     // `force_mps2`: the mean of a over the step.
-    State after_step(const State& from, float dt, float force_mps2, const Moments& moments,
-                     const LoadTransfer& load_transfer) const;
-    float suspension_moment_nm(const State& state) const;
-    float load_after(const State& then, float force_change_mps2, const Moments& moments) const;
-    void follow_response(const RollMotion& motion, const State& present, const LateralResponse& response,
-                         const Moments& moments, const LoadTransfer& load_transfer, Sides& largest) const;
+    static State after_step(const Vehicle& vehicle, const State& from, float dt, float force_mps2,
+                            const Moments& moments);
+    static float load_after(const Vehicle& vehicle, const State& then, float force_change_mps2,
+                            const Moments& moments);
+    void follow_response(const Vehicle& vehicle, const RollMotion& motion, const State& present,
+                         const LateralResponse& response, const ForceTarget& target, const Moments& moments,
+                         Sides& largest) const;
 
-    float trend_horizon_s_{0.0F};
-    float trend_after_horizon_s_{0.0F};  // tau_j (1 - exp(-t / tau_j)) after it
-    std::uint32_t response_steps_{0U};
-    float margin_per_step_{0.0F};
-    float moment_arm_kgm_{0.0F};  // m_s H
-    float roll_inertia_kgm2_{1.0F};
-    float roll_damping_nmsprad_{0.0F};
+    float trend_horizon_s_{};
+    float trend_after_horizon_s_{};  // tau_j (1 - exp(-t / tau_j)) after it
+    std::uint32_t response_steps_{};
+    float margin_per_step_{};
 };
 
 }  // namespace rsi

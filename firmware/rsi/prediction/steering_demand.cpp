@@ -11,11 +11,10 @@ constexpr float largest_demand_mps2 = 60.0F;
 
 }  // namespace
 
-void SteeringDemand::init(const Parameters& parameters) {
-    wheelbase_m_ = parameters.steering_ratio * parameters.wheelbase_m;
-    understeer_gradient_s2pm_ = parameters.steering_ratio * parameters.understeer_gradient_s2pm;
-    largest_mps2_ = parameters.largest_lateral_acceleration_mps2;
-}
+SteeringDemand::SteeringDemand(const Parameters& parameters)
+    : wheelbase_m_(parameters.steering_ratio * parameters.wheelbase_m),
+      understeer_gradient_s2pm_(parameters.steering_ratio * parameters.understeer_gradient_s2pm),
+      largest_mps2_(parameters.largest_lateral_acceleration_mps2) {}
 
 DemandedForce SteeringDemand::evaluate(const Inputs& inputs, const Measurement& measured) const {
     if (!is_within_magnitude(inputs.speed_mps, largest_steered_speed_mps) ||

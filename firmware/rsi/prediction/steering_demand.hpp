@@ -15,16 +15,18 @@ struct DemandedForce {
     bool is_known{false};
 };
 
-// a_d = V^2 delta / (L + K_us V^2) plus what the bank adds to A, within what the tyres can give.
 class SteeringDemand {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    SteeringDemand() = default;
+    [[gnu::cold]] explicit SteeringDemand(const Parameters& parameters);
+
+    // a_d = V^2 delta / (L + K_us V^2) plus what the bank adds to A, within what the tyres can give.
     DemandedForce evaluate(const Inputs& inputs, const Measurement& measured) const;
 
  private:
-    float wheelbase_m_{1.0F};  // this and the next times the steering ratio
-    float understeer_gradient_s2pm_{0.0F};
-    float largest_mps2_{1.0F};
+    float wheelbase_m_{};  // this and the next times the steering ratio
+    float understeer_gradient_s2pm_{};
+    float largest_mps2_{};
 };
 
 }  // namespace rsi

@@ -12,11 +12,10 @@ float at_most_20(float level) {
 
 }  // namespace
 
-void WarningIndicator::init(const Parameters& parameters) {
-    indicator_ = parameters.warning_indicator;
-    static_stability_inverse_ = 1.0F / static_stability_factor(parameters);
-    time_to_rollover_limit_s_ = parameters.time_to_rollover_limit_s;
-}
+WarningIndicator::WarningIndicator(const Parameters& parameters)
+    : indicator_(parameters.warning_indicator),
+      static_stability_inverse_(1.0F / static_stability_factor(parameters)),
+      time_to_rollover_limit_s_(parameters.time_to_rollover_limit_s) {}
 
 IndicatedRisk WarningIndicator::evaluate(const Outputs& outputs, float roll_angle_rad) const {
     if ((indicator_ < 0) || (indicator_ >= static_cast<std::int32_t>(index_outputs.size()))) {
@@ -63,9 +62,7 @@ float WarningIndicator::direction(RiskSide side, float value, const Outputs& out
 }
 
 float indicator_level(const Outputs& outputs, const Parameters& parameters) {
-    WarningIndicator indicator;
-    indicator.init(parameters);
-    return indicator.evaluate(outputs, 0.0F).level;
+    return WarningIndicator{parameters}.evaluate(outputs, 0.0F).level;
 }
 
 }  // namespace rsi

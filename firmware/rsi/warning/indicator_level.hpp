@@ -18,7 +18,8 @@ struct IndicatedRisk {
 // Reads the indicator that the parameters choose for the warning.
 class WarningIndicator {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters);
+    WarningIndicator() = default;
+    [[gnu::cold]] explicit WarningIndicator(const Parameters& parameters);
 
     // From outputs that have been computed, as the table of outputs says for the chosen index.
     IndicatedRisk evaluate(const Outputs& outputs, float roll_angle_rad) const;
@@ -28,8 +29,8 @@ class WarningIndicator {
     static float direction(RiskSide side, float value, const Outputs& outputs, float roll_angle_rad);
 
     std::int32_t indicator_{RSI_INDICATOR_PUBLISHED};
-    float static_stability_inverse_{1.0F};  // 1 / SSF
-    float time_to_rollover_limit_s_{1.0F};
+    float static_stability_inverse_{};  // 1 / SSF
+    float time_to_rollover_limit_s_{};
 };
 
 // The level alone, to compare many indicators.

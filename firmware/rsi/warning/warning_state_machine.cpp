@@ -17,16 +17,15 @@ rsi_side falling_side(float side) {
 
 }  // namespace
 
-void WarningStateMachine::tune(const Parameters& parameters) {
-    advisory_on_ = parameters.advisory_on;
-    advisory_off_ = parameters.advisory_off;
-    warning_on_ = parameters.warning_on;
-    warning_off_ = parameters.warning_off;
-    confirmation_samples_ = to_samples(parameters.warning_confirmation_s);
-    advisory_hold_samples_ = to_samples(parameters.advisory_hold_s);
-    warning_hold_samples_ = to_samples(parameters.warning_hold_s);
-    recovery_samples_ = to_samples(parameters.recovery_s);
-}
+WarningStateMachine::Constants::Constants(const Parameters& parameters)
+    : advisory_on(parameters.advisory_on),
+      advisory_off(parameters.advisory_off),
+      warning_on(parameters.warning_on),
+      warning_off(parameters.warning_off),
+      confirmation_samples(to_samples(parameters.warning_confirmation_s)),
+      advisory_hold_samples(to_samples(parameters.advisory_hold_s)),
+      warning_hold_samples(to_samples(parameters.warning_hold_s)),
+      recovery_samples(to_samples(parameters.recovery_s)) {}
 
 void WarningStateMachine::update_unavailable() {
     state_ = RSI_STATE_UNAVAILABLE;
@@ -43,67 +42,70 @@ void WarningStateMachine::enter(rsi_state state) {
     }
 }
 
-void WarningStateMachine::count_confirmation(const RiskLevel& risk) {
-    if (risk.indicator >= warning_on_) {
+void WarningStateMachine::count_confirmation(const Constants& constants, const RiskLevel& risk) {
+    if (risk.indicator >= constants.warning_on) {
         count_up(samples_at_warning_level_);
     } else {
         samples_at_warning_level_ = 0U;
     }
 }
 
-void WarningStateMachine::update(const RiskLevel& risk) {
+void WarningStateMachine::update(const Constants& constants, const RiskLevel& risk) {
     if (!is_finite(risk.indicator)) {
         update_unavailable();
         return;
     }
     if (state_ == RSI_STATE_UNAVAILABLE) {
         count_up(good_samples_);
-        if (good_samples_ < recovery_samples_) {
+        if (good_samples_ < constants.recovery_samples) {
             return;
         }
         enter(RSI_STATE_READY);
     }
-    count_confirmation(risk);
-    enter(next_state(risk));
+    count_confirmation(constants, risk);
+    enter(next_state(constants, risk));
     count_up(samples_in_state_);
-    update_side(risk);
+    update_side(constants, risk);
 }
 
 // Up at once (after confirmation), down only after the hold time and below the "off" level.
-rsi_state WarningStateMachine::next_state(const RiskLevel& risk) const {
-    if ((samples_at_warning_level_ > 0U) && (samples_at_warning_level_ >= confirmation_samples_)) {
+rsi_state WarningStateMachine::next_state(const Constants& constants, const RiskLevel& risk) const {
+    if ((samples_at_warning_level_ > 0U) && (samples_at_warning_level_ >= constants.confirmation_samples)) {
         return RSI_STATE_WARNING;
     }
     switch (state_) {
         case RSI_STATE_WARNING:
-            if ((risk.indicator >= warning_off_) || (samples_in_state_ < warning_hold_samples_)) {
+            if ((risk.indicator >= constants.warning_off) ||
+                (samples_in_state_ < constants.warning_hold_samples)) {
                 return RSI_STATE_WARNING;
             }
-            return (risk.indicator >= advisory_off_) ? RSI_STATE_ADVISORY : RSI_STATE_READY;
+            return (risk.indicator >= constants.advisory_off) ? RSI_STATE_ADVISORY : RSI_STATE_READY;
         case RSI_STATE_ADVISORY:
-            if ((risk.indicator >= advisory_off_) || (samples_in_state_ < advisory_hold_samples_)) {
+            if ((risk.indicator >= constants.advisory_off) ||
+                (samples_in_state_ < constants.advisory_hold_samples)) {
                 return RSI_STATE_ADVISORY;
             }
             return RSI_STATE_READY;
         default:
-            return (risk.indicator >= advisory_on_) ? RSI_STATE_ADVISORY : RSI_STATE_READY;
+            return (risk.indicator >= constants.advisory_on) ? RSI_STATE_ADVISORY : RSI_STATE_READY;
     }
 }
 
-void WarningStateMachine::update_side(const RiskLevel& risk) {
-    side_ = (state_ == RSI_STATE_READY) ? RSI_SIDE_NONE : next_side(risk);
+void WarningStateMachine::update_side(const Constants& constants, const RiskLevel& risk) {
+    side_ = (state_ == RSI_STATE_READY) ? RSI_SIDE_NONE : next_side(constants, risk);
 }
 
 // The hold times keep a state visible, not a side. A side stays named while its own risk lasts and the
 // other's does not reach the level of the state; below the advisory level it gives way to the other above it.
-rsi_side WarningStateMachine::next_side(const RiskLevel& risk) const {
-    const rsi_side riskier = (risk.indicator >= advisory_off_) ? falling_side(risk.side) : RSI_SIDE_NONE;
-    if ((side_ == RSI_SIDE_NONE) || (risk.opposite < advisory_off_)) {
+rsi_side WarningStateMachine::next_side(const Constants& constants, const RiskLevel& risk) const {
+    const rsi_side riskier =
+        (risk.indicator >= constants.advisory_off) ? falling_side(risk.side) : RSI_SIDE_NONE;
+    if ((side_ == RSI_SIDE_NONE) || (risk.opposite < constants.advisory_off)) {
         return riskier;
     }
-    const float level = (state_ == RSI_STATE_WARNING) ? warning_on_ : advisory_on_;
-    const bool takes_over =
-        (risk.indicator >= level) || ((risk.indicator >= advisory_on_) && (risk.opposite < advisory_on_));
+    const float level = (state_ == RSI_STATE_WARNING) ? constants.warning_on : constants.advisory_on;
+    const bool takes_over = (risk.indicator >= level) || ((risk.indicator >= constants.advisory_on) &&
+                                                          (risk.opposite < constants.advisory_on));
     return takes_over ? riskier : side_;
 }
 

@@ -17,46 +17,42 @@ struct RiskLevel {
 
 class WarningStateMachine {
  public:
-    [[gnu::cold]] void init(const Parameters& parameters) {
-        tune(parameters);
-        update_unavailable();
-    }
+    struct Constants {
+        Constants() = default;
+        [[gnu::cold]] explicit Constants(const Parameters& parameters);
 
-    // The parameters from now on; the state stays until a sample changes it.
-    [[gnu::cold]] void tune(const Parameters& parameters);
+        float advisory_on{};
+        float advisory_off{};
+        float warning_on{};
+        float warning_off{};
+        std::uint32_t confirmation_samples{};
+        std::uint32_t advisory_hold_samples{};
+        std::uint32_t warning_hold_samples{};
+        std::uint32_t recovery_samples{};
+    };
 
     // A sample without a statement: "unavailable" at once.
     void update_unavailable();
 
     // A sample with a statement; an indicator without a number is none. "Unavailable" is left once the inputs
     // have been good for recovery_s.
-    void update(const RiskLevel& risk);
+    void update(const Constants& constants, const RiskLevel& risk);
 
     rsi_state state() const { return state_; }
     rsi_side side() const { return side_; }
-    float warning_on() const { return warning_on_; }
 
  private:
     void enter(rsi_state state);
-    void count_confirmation(const RiskLevel& risk);
-    rsi_state next_state(const RiskLevel& risk) const;
-    void update_side(const RiskLevel& risk);
-    rsi_side next_side(const RiskLevel& risk) const;
-
-    float advisory_on_{1.0F};
-    float advisory_off_{1.0F};
-    float warning_on_{1.0F};
-    float warning_off_{1.0F};
-    std::uint32_t confirmation_samples_{1U};
-    std::uint32_t advisory_hold_samples_{0U};
-    std::uint32_t warning_hold_samples_{0U};
-    std::uint32_t recovery_samples_{1U};
+    void count_confirmation(const Constants& constants, const RiskLevel& risk);
+    rsi_state next_state(const Constants& constants, const RiskLevel& risk) const;
+    void update_side(const Constants& constants, const RiskLevel& risk);
+    rsi_side next_side(const Constants& constants, const RiskLevel& risk) const;
 
     rsi_state state_{RSI_STATE_UNAVAILABLE};
     rsi_side side_{RSI_SIDE_NONE};
-    std::uint32_t samples_in_state_{0U};
-    std::uint32_t samples_at_warning_level_{0U};
-    std::uint32_t good_samples_{0U};
+    std::uint32_t samples_in_state_{};
+    std::uint32_t samples_at_warning_level_{};
+    std::uint32_t good_samples_{};
 };
 
 }  // namespace rsi

@@ -36,7 +36,7 @@ IndexReaders::IndexReaders(const rsi::Parameters& calibration)
     rsi::Parameters parameters = calibration;
     parameters.warning_indicator = 0;
     for (rsi::WarningIndicator& indicator : indicators_) {
-        indicator.init(parameters);
+        indicator = rsi::WarningIndicator{parameters};
         ++parameters.warning_indicator;
     }
 }

@@ -26,23 +26,18 @@ constexpr Member address(const char* name) {
 
 // The members are private. Structures with the same members in the same order lie in memory as they do; a
 // member that is added or left out in one place only shows in the size.
-constexpr std::array component_members{member<std::array<bool, 3>>("component: flags"),
-                                       member<std::array<float, 3>>("component: carried over"),
+constexpr std::array component_members{Member{"component: initialised", sizeof(bool), alignof(rsi::Derived)},
+                                       member<rsi::Derived>("component: derived numbers"),
+                                       member<std::array<bool, 2>>("component: flags"),
+                                       member<float>("component: extended RSI"),
                                        member<rsi::MeasurementStage>("component: measurement"),
                                        member<rsi::RollMotionFilter>("component: motion filter"),
-                                       member<rsi::RollPlaneModel>("component: model"),
                                        member<rsi::FixedModelRoll>("component: fixed model"),
                                        member<rsi::CompensatedModelRoll>("component: compensated model"),
                                        member<rsi::RollCentreEstimator>("component: estimator"),
-                                       member<rsi::StabilityThresholdStage>("component: threshold"),
-                                       member<rsi::LoadTransfer>("component: load transfer"),
-                                       member<rsi::SteeringDemand>("component: steering demand"),
-                                       member<rsi::LateralResponse>("component: lateral response"),
+                                       member<rsi::TyreLimit>("component: tyre limit"),
                                        member<rsi::MomentArmError>("component: moment arm error"),
-                                       member<rsi::RollPredictor>("component: predictor"),
                                        member<rsi::LoadAdaptation>("component: load adaptation"),
-                                       member<rsi::ClassicIndices>("component: comparison"),
-                                       member<rsi::WarningIndicator>("component: indicator"),
                                        member<rsi::WarningStateMachine>("component: warning")};
 
 constexpr Member platform{"platform", 3U * sizeof(void*), alignof(void*), true};

@@ -7,6 +7,7 @@
 #include "rsi/component.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/random_manoeuvre.hpp"
+#include "tests/rsi/support/stages.hpp"
 #include "tests/support/textbook_least_squares.hpp"
 
 namespace {
@@ -40,17 +41,16 @@ BENCHMARK(component_step);
 
 // The least-squares update by itself, and the baseline that it is compared with.
 std::vector<rsi::Regression> regressions() {
-    rsi::RollPlaneModel model;
-    model.init(rsi_test::large_suv());
-    rsi::MeasurementStage stage;
+    const rsi::Vehicle vehicle{rsi_test::large_suv()};
+    rsi_test::MeasurementStage stage;
     stage.init(rsi_test::large_suv());
     rsi::FixedModelRoll fixed;
     std::vector<rsi::Regression> all;
     for (const rsi_inputs& inputs : one_minute()) {
         rsi::Measurement measured;
         if (stage.update(inputs, measured)) {
-            fixed.update(model, measured);
-            all.push_back(rsi::regress(model, measured, fixed));
+            fixed.update(vehicle, measured);
+            all.push_back(rsi::regress(vehicle, measured, fixed));
         }
     }
     return all;
@@ -70,7 +70,7 @@ BENCHMARK(least_squares_textbook_baseline);
 
 void least_squares_update(benchmark::State& state) {
     const std::vector<rsi::Regression> all = regressions();
-    rsi::RobustLeastSquares estimator;
+    rsi_test::RobustLeastSquares estimator;
     estimator.init(rsi_test::large_suv());
     std::size_t k = 0;
     for (auto _ : state) {

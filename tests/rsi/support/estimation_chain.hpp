@@ -5,14 +5,14 @@
 #include "rsi/estimation/regression.hpp"
 #include "rsi/estimation/roll_plane_model.hpp"
 #include "rsi/measurement/measurement.hpp"
+#include "tests/rsi/support/stages.hpp"
 
 namespace rsi_test {
 
 class EstimationChain {
  public:
-    explicit EstimationChain(const rsi_parameters& parameters) {
+    explicit EstimationChain(const rsi_parameters& parameters) : vehicle_{parameters} {
         stage_.init(parameters);
-        model_.init(parameters);
         fixed_.reset(0.0F);
     }
 
@@ -21,14 +21,14 @@ class EstimationChain {
         if (!stage_.update(inputs, measurement_)) {
             return false;
         }
-        fixed_.update(model_, measurement_);
-        regression = rsi::regress(model_, measurement_, fixed_);
+        fixed_.update(vehicle_, measurement_);
+        regression = rsi::regress(vehicle_, measurement_, fixed_);
         return true;
     }
 
  private:
-    rsi::MeasurementStage stage_{};
-    rsi::RollPlaneModel model_{};
+    MeasurementStage stage_{};
+    rsi::Vehicle vehicle_;
     rsi::FixedModelRoll fixed_{};
     rsi::Measurement measurement_{};
 };

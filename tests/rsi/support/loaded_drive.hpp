@@ -29,9 +29,12 @@ struct LoadedVehicle {
 class LoadedDrive {
  public:
     LoadedDrive(const rsi_parameters& calibration, const LoadedVehicle& vehicle, std::uint64_t seed = 1U)
-        : p_{calibration}, vehicle_{vehicle}, chance_{seed}, noise_{seed + 1U} {
-        calibrated_.init(calibration);
-    }
+        : p_{calibration},
+          vehicle_{vehicle},
+          chance_{seed},
+          noise_{seed + 1U},
+          calibrated_{calibration},
+          inertial_weight_{calibration.load_transfer_inertial_weight} {}
 
     // The next sample: what the component's filter would make of good sensors, less its delay.
     void advance() {
@@ -58,8 +61,10 @@ class LoadedDrive {
         return motion;
     }
 
-    // Inputs of a motion by the calibration.
-    rsi::TransferredLoad load(const rsi::RollMotion& motion) const { return calibrated_.evaluate(motion); }
+    // The load that the calibrated vehicle transfers in a motion.
+    rsi::TransferredLoad load(const rsi::RollMotion& motion) const {
+        return rsi::transferred_load(calibrated_, inertial_weight_, motion);
+    }
 
     // The sensors of the same sample, at `speed_mps`.
     rsi_inputs inputs(double speed_mps) {
@@ -117,7 +122,8 @@ class LoadedDrive {
     LoadedVehicle vehicle_;
     Noise chance_;
     Noise noise_;
-    rsi::LoadTransfer calibrated_{};
+    rsi::Vehicle calibrated_;
+    float inertial_weight_;
     double force_mps2_{0.0};
     double wanted_mps2_{0.0};
     double time_to_turn_s_{0.0};

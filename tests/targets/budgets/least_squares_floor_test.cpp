@@ -11,6 +11,7 @@
 #include "tests/rsi/support/estimation_chain.hpp"
 #include "tests/rsi/support/nominal.hpp"
 #include "tests/rsi/support/random_manoeuvre.hpp"
+#include "tests/rsi/support/stages.hpp"
 #include "tests/targets/budgets/counted_float.hpp"
 
 namespace {
@@ -19,7 +20,7 @@ TEST(LeastSquaresFloor, GoesTheFirmwaresWay) {
     const rsi::Parameters parameters = rsi_test::large_suv();
     rsi_test::RandomManoeuvre drive(parameters, 5U, false);
     rsi_test::EstimationChain chain{parameters};
-    rsi::RobustLeastSquares firmware;
+    rsi_test::RobustLeastSquares firmware;
     firmware.init(parameters);
     budgets::OperationCount count;
     const auto counted = [&](float value) { return budgets::CountedFloat{value, count}; };

@@ -17,8 +17,10 @@ budgets::RecordingReader recording;
 // Marks that the trace looks for.
 extern "C" {
 
-[[gnu::noipa]] void update_firmware(rsi::RobustLeastSquares& estimator, const rsi::Regression& regression) {
-    estimator.update(regression);
+[[gnu::noipa]] void update_firmware(rsi::RobustLeastSquares& estimator,
+                                    const rsi::RobustLeastSquares::Constants& constants,
+                                    const rsi::Regression& regression) {
+    estimator.update(constants, regression);
 }
 
 [[gnu::noipa]] void update_textbook(rsi_test::TextbookLeastSquares& estimator,
@@ -36,13 +38,13 @@ int target::run(int argc, const char* const* argv) {
     }
     const rsi::Parameters parameters = recording.take<rsi::Parameters>();
     rsi::RobustLeastSquares firmware;
-    firmware.init(parameters);
+    const rsi::RobustLeastSquares::Constants constants{parameters};
     rsi_test::TextbookLeastSquares textbook{parameters};
     const uint32_t samples = recording.take<uint32_t>();
     for (uint32_t i = 0U; i < samples; ++i) {
         const auto record = recording.take<budgets::LeastSquaresRecord>();
         const rsi::Regression regression{record.output_nm, {record.psi[0], record.psi[1], record.psi[2]}};
-        update_firmware(firmware, regression);
+        update_firmware(firmware, constants, regression);
         update_textbook(textbook, regression);
     }
     return recording.complete() ? 0 : bad_recording;
