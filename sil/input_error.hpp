@@ -5,8 +5,8 @@
 
 namespace sil {
 
-// what() names the place (file, line and key or column, or the option), what is wrong and what to do; ready
-// to be shown.
+// Its what() names the place (file, line and key or column, or the option), what is wrong and what to do;
+// ready to be shown.
 class InputError : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;

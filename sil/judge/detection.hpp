@@ -18,14 +18,14 @@ constexpr bool is_calm(bool lifted, LoadBand band) {
     return !lifted && band != LoadBand::from_0_9;
 }
 
-// What really became of a run.
+// True outcome of a run.
 struct RunKind {
     std::size_t vehicle{0U};  // numbered from 0
     bool lifted{false};       // two wheels of a side
     LoadBand band{LoadBand::below_0_7};
 };
 
-// What one warning did in one run.
+// Behaviour of one warning in one run.
 struct WarningInRun {
     bool warned{false};
     bool warned_100ms{false};
@@ -34,14 +34,14 @@ struct WarningInRun {
 };
 WarningInRun warning_in_run(const std::optional<double>& lead_s, bool alarm);
 
-// What came of one warning over many runs.
+// Results of one warning over many runs.
 struct Detection {
     Share warned{};                          // of two-wheel lift-offs: is_warned(lead)
     Share warned_100ms{};                    // with a lead of at least early_s
     Share warned_200ms{};                    // very_early_s
     Share false_alarms{};                    // of calm runs
     std::array<Share, band_count> alarms{};  // of the runs of each LoadBand
-    // Of all two-wheel lift-offs, 0 for those that were not warned of.
+    // Leads of all two-wheel lift-offs, 0 for those without a warning.
     std::vector<double> lead_times_s{};
     std::optional<double> median_lead_s{};  // of these
     std::optional<double> tenth_lead_s{};   // their 10th percentile

@@ -18,7 +18,8 @@ class IndexWarning {
         : scale_{static_cast<float>(static_cast<double>(calibration.warning_on) / threshold)},
           constants_{calibration} {}
 
-    // Most samples are calm ones: they leave a machine that is ready as it is. What is no number is not calm.
+    // Most samples are calm ones: they leave a machine that is ready as it is. A level without a number is
+    // not calm.
     void update(const rsi::RiskLevel& risk) {
         const float level = risk.indicator * scale_;
         if (level >= 0.0F && level < constants_.advisory_on && machine_.state() == RSI_STATE_READY) {

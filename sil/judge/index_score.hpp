@@ -11,7 +11,7 @@
 
 namespace sil {
 
-// What an index says over a run, cycle by cycle: its level, 1 where it says "warn", and its side.
+// Output of an index over a run, cycle by cycle: its level, 1 where it says "warn", and its side.
 struct IndexCourse {
     std::vector<double> times_s{};
     std::vector<rsi::RiskLevel> risks{};
@@ -19,8 +19,8 @@ struct IndexCourse {
 
 // Thresholds are powers of 1.01, so 1 is one of them; 0: at none of them.
 struct IndexScore {
-    // The largest threshold at which the index warns. Of a run with two-wheel lift-off: as it happens, the
-    // warning in force names the falling side, for at least so long. Of any other: there is an alarm; then
+    // The largest threshold at which the index warns. For a run with two-wheel lift-off: as it happens, the
+    // warning in force names the falling side, for at least so long. For any other: there is an alarm; then
     // all three are the same.
     double threshold{0.0};
     double threshold_100ms{0.0};

@@ -65,7 +65,7 @@ extern const size_t judge_fewest_clusters;
 
 const char* judge_band_name(size_t band);
 
-/* Of each run: lifted, calm, warned, warned 0.1 s and 0.2 s before, and the number of its band. */
+/* For each run: lifted, calm, warned, warned 0.1 s and 0.2 s before, and the number of its band. */
 void judge_each(const judge_runs* runs, uint8_t* lifted, uint8_t* calm, uint8_t* warned,
                 uint8_t* warned_100ms, uint8_t* warned_200ms, uint8_t* band);
 
@@ -87,7 +87,7 @@ double judge_alarm_threshold(const judge_calibration* calibration, const judge_c
 
 void judge_wilson_interval(double count, double total, double* lowest, double* highest);
 
-/* Of all runs, by vehicle: how many of each count, and of how many. */
+/* For all runs, by vehicle: how many of each count, and of how many. */
 void judge_share_by_vehicle(size_t vehicles, const size_t* counts, const size_t* totals, judge_share* share);
 
 #ifdef __cplusplus

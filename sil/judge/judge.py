@@ -1,4 +1,4 @@
-"""What a warning was worth, by the rules of a campaign (docs/drives.md, What counts): the C++ beside, called through judge.h.
+"""Judgement of warnings by the rules of a campaign (docs/drives.md, What counts): the C++ beside, called through judge.h.
 
 The library rsi_judge lies beside rsi-sil; a command that takes another program names it with use().
 """
@@ -100,7 +100,7 @@ def fewest_vehicles():
 
 
 def bands():
-    """The names of what a run without two-wheel lift-off is told by, its largest |LTR|."""
+    """Names of the bands of a run without two-wheel lift-off, by its largest |LTR|."""
     return [_library().judge_band_name(band).decode() for band in range(BAND_COUNT)]
 
 
@@ -121,7 +121,7 @@ def _or_none(value):
 
 
 class Share(typing.NamedTuple):
-    """So many of so many runs, with its interval of 95 %."""
+    """A count of runs, with its interval of 95 %."""
 
     count: int
     total: int
@@ -149,7 +149,7 @@ def wilson_interval(share, trials):
 
 
 class Detection(typing.NamedTuple):
-    """What came of one warning over many runs."""
+    """Results of one warning over many runs."""
 
     warned: Share
     warned_100ms: Share
@@ -160,7 +160,7 @@ class Detection(typing.NamedTuple):
 
 
 def detection(vehicles, lift_off_times_s, largest_ltrs, leads_s, alarms):
-    """Of runs side by side; None where there is no lift-off, or no lead."""
+    """Outcomes of runs side by side; None without a lift-off or a lead."""
     numbers = {name: number for number, name in enumerate(sorted(set(vehicles)))}
     found = _Detection()
     _library().judge_detect(

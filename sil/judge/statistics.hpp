@@ -16,7 +16,7 @@ struct ConfidenceInterval {
 // to 1 when the total is 0.
 ConfidenceInterval wilson_interval(double count, double total);
 
-// So many of so many.
+// A count out of a total.
 struct Share {
     std::size_t count{0U};
     std::size_t total{0U};
@@ -37,8 +37,8 @@ inline constexpr std::size_t fewest_clusters = 10U;
 
 // A share of runs by vehicle. The runs of one vehicle are alike, so what counts for the interval are the
 // vehicles: the variance of the ratio estimator over them gives the number of independent runs that would
-// have it (the design effect of survey sampling; Wilson's interval with it). Where all runs or none count
-// there is no variance to see, and as many are taken as there are vehicles.
+// have it (the design effect of survey sampling; Wilson's interval with it). If all runs or none count there
+// is no variance, and the number of vehicles is taken.
 class ShareByVehicle {
  public:
     // Vehicles are numbered from 0, without great gaps.

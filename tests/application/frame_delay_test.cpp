@@ -163,7 +163,7 @@ TEST(ARollAngle, IsNotLateWhenTheImuPausesOrCatchesUp) {
 }
 
 // Its sender had only paused: the roll rate shows it.
-TEST(ARollAngle, IsBelievedAgainWhenItMovesWithTheRollRate) {
+TEST(ARollAngle, IsAcceptedAgainWhenItMovesWithTheRollRate) {
     Weave drive{4.0};
     drive.hold_back(0.1);
     drive.bench.run_for(0.2);
@@ -173,7 +173,7 @@ TEST(ARollAngle, IsBelievedAgainWhenItMovesWithTheRollRate) {
 }
 
 // By less than makes it too old, as a filter makes it.
-TEST(ARollAngle, IsBelievedAgainAtOnceWhenItMovesWithTheRollRateOrALittleLater) {
+TEST(ARollAngle, IsAcceptedAgainAtOnceWhenItMovesWithTheRollRateOrALittleLater) {
     for (const double late_s : {0.0, 0.01, 0.02}) {
         Weave drive{4.0};
         drive.late_s = late_s;
@@ -185,7 +185,7 @@ TEST(ARollAngle, IsBelievedAgainAtOnceWhenItMovesWithTheRollRateOrALittleLater) 
     }
 }
 
-TEST(ARollAngle, IsNotBelievedAsLongAsItMovesLater) {
+TEST(ARollAngle, IsNotAcceptedAsLongAsItMovesLater) {
     Weave drive{4.0};
     drive.late_s = 0.1;
     drive.hold_back(0.1);
@@ -327,7 +327,7 @@ TEST(AnImu, IsNotLateWhenFramesWereLostOrItHasCaughtUp) {
     EXPECT_FALSE(drive.imu_told_late());
 }
 
-TEST(AnImu, IsBelievedAgainWhenItMovesWithTheRollAngleAndNotIfItMovesLater) {
+TEST(AnImu, IsAcceptedAgainWhenItMovesWithTheRollAngleAndNotIfItMovesLater) {
     Weave drive{4.0};
     drive.hold_back(0.1, Sensor::imu);
     drive.bench.run_for(1.0);
@@ -480,8 +480,8 @@ TEST(AnImu, IsNotLateWhenTheRollAngleMayHaveStartedAnew) {
 }
 
 // A gentle roll, in which the roll rate is taken out for contradicting the angle and is right again.
-struct RollRateTakenOut {
-    RollRateTakenOut() {
+struct RollRateInvalidated {
+    RollRateInvalidated() {
         bench.drive([this](double time_s) {
             Motion motion;
             const double error = faulty ? 25.0 : 0.0;
@@ -509,7 +509,7 @@ struct RollRateTakenOut {
 };
 
 TEST(ARollAngle, ThatIsHeldBackClearsARollRateWithWhichItAgrees) {
-    RollRateTakenOut drive;
+    RollRateInvalidated drive;
     drive.hold_back_the_angle();
     ASSERT_TRUE(drive.bench.status().roll_angle_timeout);
     ASSERT_EQ(drive.bench.state(), State::unavailable);
@@ -519,7 +519,7 @@ TEST(ARollAngle, ThatIsHeldBackClearsARollRateWithWhichItAgrees) {
 }
 
 TEST(ARollAngle, ThatNoLongerComesClearsNoRollRate) {
-    RollRateTakenOut drive;
+    RollRateInvalidated drive;
     drive.hold_back_the_angle();
     drive.bench.stop(Sensor::roll_angle);
     drive.bench.run_for(5.0);
@@ -530,7 +530,7 @@ TEST(ARollAngle, ThatNoLongerComesClearsNoRollRate) {
 }
 
 TEST(ARollAngle, ThatJumpsClearsNoRollRate) {
-    RollRateTakenOut drive;
+    RollRateInvalidated drive;
     drive.jump_deg = 1.5;  // by 3 deg, which would be no contradiction within 0.2 s
     drive.bench.run_for(3.0);
     EXPECT_EQ(drive.bench.state(), State::unavailable);

@@ -116,7 +116,7 @@ TEST(ParameterSection, IsNotReadBeyondItsMemoryAndRefusedWhereThatEndsTooEarly) 
     }
 }
 
-TEST(ParameterSection, WhatIsRefusedForItsFormIsNotAcceptedAndNamesNoField) {
+TEST(ParameterSection, ASectionRefusedForItsFormIsNotAcceptedAndNamesNoField) {
     Bytes bytes = good_section();
     bytes[section::checksum_at] ^= 1U;
     const application::ParameterSectionAnswer answer = read(bytes, bytes.size());

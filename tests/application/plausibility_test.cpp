@@ -193,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(
         Lie{"BankAngleSaturated", set_to(bank, 45.0F), Code::bank_angle_invalid, Degradation::full, 0.05}),
     [](const auto& tested) { return std::string{tested.param.name}; });
 
-TEST(ARollSensor, ThatContradictsTheObserverIsTakenOutUntilTheyAgreeForASecond) {
+TEST(ARollSensor, ThatContradictsTheObserverIsInvalidatedUntilTheyAgreeForASecond) {
     Bench bench;
     bench.run_for(3.0);
     Motion motion;
@@ -278,7 +278,7 @@ double fast_weave_mps2(double time_s) {
     return 6.0 * std::sin(1.65 * time_s);
 }
 
-TEST(ALateralAccelerationOfTheWrongSign, ThatIsRightAgainIsBelievedInAWeave) {
+TEST(ALateralAccelerationOfTheWrongSign, ThatIsRightAgainIsAcceptedInAWeave) {
     const auto run = [](double flipped_from_s, double flipped_to_s, double until_s) {
         Bench bench;
         RollPlaneVehicle vehicle{large_suv()};
@@ -304,7 +304,7 @@ TEST(ALateralAccelerationOfTheWrongSign, ThatIsRightAgainIsBelievedInAWeave) {
 }
 
 // Two faults at once: the second must not clear the first.
-TEST(ALieThatIsFound, IsNotBelievedAfterAStall) {
+TEST(ALieThatIsFound, IsNotAcceptedAfterAStall) {
     Slalom slalom{[](Motion& motion, double) { roll_rate(motion) += 12.0F; }};
     slalom.faulty = true;
     slalom.bench.run_for(2.0);
@@ -321,7 +321,7 @@ TEST(ALieThatIsFound, IsNotBelievedAfterAStall) {
     EXPECT_NE(slalom.bench.state(), State::unavailable);
 }
 
-TEST(ALieThatIsFound, IsNotBelievedWithoutItsWitness) {
+TEST(ALieThatIsFound, IsNotAcceptedWithoutItsReference) {
     Slalom slalom{frozen(lateral)};
     slalom.faulty = true;
     slalom.bench.run_for(1.0);

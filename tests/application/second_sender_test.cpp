@@ -221,7 +221,7 @@ TEST(ASecondSenderOfTheMass, IsNotUsedEither) {
 }
 
 // With any content and any protection.
-TEST(AStranger, WhoSendsWhatOnlyThisControlUnitSendsIsToldOfAtOnceAndForASecond) {
+TEST(AForeignNode, IsReportedAtOnceAndForASecondIfItSendsFramesOfThisControlUnit) {
     constexpr auto code = Diagnosis::Code::own_identifier_received;
     for (const std::uint32_t identifier : application::sent_identifiers) {
         Bench bench;
@@ -244,7 +244,7 @@ TEST(AStranger, WhoSendsWhatOnlyThisControlUnitSendsIsToldOfAtOnceAndForASecond)
     }
 }
 
-TEST(AStranger, WhoSendsFramesOfOtherKindsIsNone) {
+TEST(AForeignNode, IsNotASenderOfFramesOfOtherKinds) {
     Bench bench;
     hal::CanFrame of_another_identifier;
     of_another_identifier.identifier = can_dbc::RolloverWarning::identifier + 1U;
@@ -263,7 +263,7 @@ TEST(AStranger, WhoSendsFramesOfOtherKindsIsNone) {
 }
 
 // More frames than a cycle reads.
-TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsAccusesNobody) {
+TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsSetsNoCode) {
     Bench bench;
     bench.run_for(0.5);
     for (const Sensor sensor : all_sensors) {
@@ -291,7 +291,7 @@ TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsAccusesNobody) {
 }
 
 // Each further one reads two frames of each sender.
-TEST(AnEcuThatMissesEverySecondCycle, AccusesNobody) {
+TEST(AnEcuThatMissesEverySecondCycle, SetsNoCode) {
     Bench bench;
     bench.run_for(0.5);
     unsigned counter = 0U;

@@ -595,7 +595,7 @@ TEST_F(Transport, AnAnswerAfterOneThatWasGivenUpHasItsWholeSecond) {
     }
 }
 
-TEST_F(Transport, WhatComesWhileARequestWaitsOrAnAnswerGoesOutIsNotTaken) {
+TEST_F(Transport, ARequestWhileAnotherWaitsOrAnAnswerGoesOutIsNotTaken) {
     take({0x02U, 0x3EU, 0x00U});
     take({0x02U, 0x10U, 0x03U});
     EXPECT_EQ(waiting(), (Bytes{0x3EU, 0x00U}));

@@ -91,7 +91,7 @@ TEST(KeptData, RecordsAreASecondApartAndTakeTurns) {
     EXPECT_TRUE(life.data.is_stored());
 }
 
-TEST(KeptData, WhatOnlyCountsFurtherIsStoredOnceAMinute) {
+TEST(KeptData, ACountAloneIsStoredOnceAMinute) {
     Memories memories;
     Life life{memories};
     life.run(350);
@@ -294,7 +294,7 @@ class DoubtfulStorage final : public hal::Storage {
     Bytes record{};
 };
 
-TEST(AlternatingRecord, WhatTheMemoryCannotReadIsNotTaken) {
+TEST(AlternatingRecord, AnUnreadableRecordIsNotTaken) {
     DoubtfulStorage one;
     DoubtfulStorage other;
     diagnosis::AlternatingRecord<std::uint8_t> record{one, other};

@@ -180,7 +180,7 @@ class Peer(unittest.TestCase):
         self.assertIn("from the next start", self.said(workshop.download, self.section(SECTION)))
         self.assertEqual((pathlib.Path(self.folder.name) / "parameters.bin").read_bytes(), SECTION)
 
-    def test_what_the_commands_say(self):
+    def test_the_output_of_the_commands(self):
         said = self.said(workshop.show_codes)
         self.assertIn("U1120-87  imu lost: fails now, confirmed, pending\n    failed 1 times; good for 0", said)
         self.assertIn("    first: 1 s after the start, nothing measured\n", said)

@@ -202,7 +202,7 @@ TEST_F(Download, AMemoryThatNeverTakesItIsSaid) {
 }
 
 // At whichever moment the memory takes it: what the tester hears is what has been done.
-TEST_F(Download, WhatIsSaidOfASlowMemoryIsTrue) {
+TEST_F(Download, TheReportOfASlowMemoryIsTrue) {
     int stored_in_time = 0;
     constexpr int tries = 20;
     for (int late = 0; late < tries; ++late) {

@@ -142,7 +142,7 @@ TEST_F(Troubles, ANewOperationCycleBeginsTheTestsAnew) {
 }
 
 // After a repair it is judged without another start.
-TEST_F(Troubles, WhatIsClearedIsJudgedAnewInTheSameCycle) {
+TEST_F(Troubles, AClearedCodeIsJudgedAnewInTheSameCycle) {
     run(7000, 0U, 20.0F);
     memory_.clear(imu);
     EXPECT_EQ(status_of(imu), status::cleared);
@@ -211,7 +211,7 @@ TEST_F(Troubles, AFailureAgesFromTheBeginning) {
     EXPECT_EQ(status_of(imu), 0x6CU);
 }
 
-TEST_F(Troubles, WhatNeverFailedDoesNotAge) {
+TEST_F(Troubles, ACodeThatNeverFailedDoesNotAge) {
     drive();
     drive();
     memory_.start(true);
@@ -295,7 +295,7 @@ TEST_F(Troubles, SnapshotsOfWhatFailsAreNotDisplaced) {
     EXPECT_NE(memory_.snapshots(gain), nullptr);
 }
 
-TEST_F(Troubles, WhatHasHealedKeepsItsSnapshotsWhileThereIsRoom) {
+TEST_F(Troubles, AHealedCodeKeepsItsSnapshotsWhileThereIsRoom) {
     for (std::size_t row = 0U; row < TroubleMemory::snapshot_places; ++row) {
         run(1, CodeSet{2U} << row);
     }
@@ -317,7 +317,7 @@ TEST_F(Troubles, ClearingOneLeavesTheOthers) {
     EXPECT_EQ(memory_.storing(), Storing::now);
 }
 
-TEST_F(Troubles, WhatStillFailsFailsAnewAfterClearing) {
+TEST_F(Troubles, ACodeThatStillFailsFailsAnewAfterClearing) {
     run(1, imu_failed | gain_failed);
     memory_.clear_all();
     EXPECT_EQ(status_of(imu), 0x50U);
@@ -340,7 +340,7 @@ TEST_F(Troubles, NothingIsRecordedWhileItIsOff) {
     EXPECT_EQ(status_of(gain), failing);
 }
 
-TEST_F(Troubles, WhatFailsOverAndOverIsStoredLater) {
+TEST_F(Troubles, ARepeatedFailureIsStoredLater) {
     run(1, imu_failed);
     EXPECT_EQ(memory_.storing(), Storing::now);
     memory_.stored();
@@ -371,7 +371,7 @@ TEST_F(Troubles, ComesBackFromItsBytes) {
     EXPECT_EQ(number_in(other.snapshots(imu)->first, 2U), -2000);
 }
 
-TEST_F(Troubles, ACodeThatNobodyKnowsHasNoSnapshot) {
+TEST_F(Troubles, AnUnknownCodeHasNoSnapshot) {
     TroubleMemory::Stored stored{};
     stored.states.fill({0xFFU, 0xFFU, 0xFFU});
     stored.snapshots.fill({0xFFU, {}, {}});

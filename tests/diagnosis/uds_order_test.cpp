@@ -94,7 +94,7 @@ TEST_F(UdsOrder, Routines) {
     EXPECT_EQ(ask({0x31U, 0x01U, 0xFFU, 0x01U}), no(0x31U, 0x24U));
 }
 
-TEST_F(UdsOrder, WhoAsksEverybodyHearsOnlyWhatConcernsHim) {
+TEST_F(UdsOrder, FunctionalRequestsGetPositiveAnswersOnly) {
     EXPECT_EQ(tester_.ask_functional({0x10U, 0x55U}), Bytes{});
     EXPECT_EQ(tester_.ask_functional({0x22U, 0x00U, 0x01U}), Bytes{});
     EXPECT_EQ(tester_.ask_functional({0x85U, 0x01U}), Bytes{}) << "not in this session";

@@ -129,7 +129,7 @@ TEST_F(Uds, EverySessionChangeLocks) {
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
 }
 
-TEST_F(Uds, WhoWasLetInBeforeAStartIsNotAfterIt) {
+TEST_F(Uds, AnUnlockedSessionDoesNotOutliveAStart) {
     tester_.unlock();
     tester_.start(false);
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x33U));
@@ -204,7 +204,7 @@ TEST_F(Uds, AResetStoresWhatOnlyCountsFurther) {
     EXPECT_EQ(ask(Bytes{0x19U, 0x06U} + imu_lost + Bytes{0x01U}).back(), 2U);
 }
 
-TEST_F(Uds, AMemoryThatTakesNothingKeepsNobodyFromAReset) {
+TEST_F(Uds, AMemoryThatTakesNothingDoesNotPreventAReset) {
     ask({0x10U, 0x03U});
     memories_.one.refuse(true);
     memories_.other.refuse(true);
@@ -353,7 +353,7 @@ TEST_F(Uds, AMemoryThatTakesNothingIsSaid) {
 }
 
 // While it waits for the memory, neither another request nor a functional one gets between.
-TEST_F(Uds, WhileItWaitsNobodyElseIsServed) {
+TEST_F(Uds, WhileItWaitsNoOtherRequestIsServed) {
     tester_.unlock();
     memories_.one.refuse(true);
     memories_.other.refuse(true);
@@ -387,7 +387,7 @@ TEST_F(Uds, AnAnswerWaitsUntilLaterHasBeenSaid) {
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
 }
 
-TEST_F(Uds, EverybodyMayBeAskedToClear) {
+TEST_F(Uds, AFunctionalRequestMayClear) {
     tester_.unlock();
     memories_.one.refuse(true);
     memories_.other.refuse(true);
@@ -539,7 +539,7 @@ TEST_F(Uds, WrongKeysCostTimeAlsoAfterARestart) {
     EXPECT_EQ(ask({0x27U, 0x01U}).size(), 18U);
 }
 
-TEST(UdsWithoutAccess, NobodyIsUnlockedAndNoSectionTaken) {
+TEST(UdsWithoutAccess, NothingIsUnlockedAndNoSectionTaken) {
     Memories memories;
     hal::VirtualClock clock;
     hal::MemoryBus<2U> bus{clock};

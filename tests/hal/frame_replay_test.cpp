@@ -67,7 +67,7 @@ TEST_F(FrameReplayTest, ItIsFinishedOnceTheLastFrameIsSent) {
     EXPECT_EQ(replay.run_until(milliseconds(1000)), 0U);
 }
 
-TEST_F(FrameReplayTest, WhatTheOthersSendIsReadAtTheReplayingEndpoint) {
+TEST_F(FrameReplayTest, FramesOfTheOthersAreReadAtTheReplayingEndpoint) {
     replay.run_until(milliseconds(10));
     bus.endpoint(1U).send(make_frame_at(Time{}, 0x77U));
     ASSERT_EQ(bus.endpoint(0U).receive(frame), ReceiveResult::frame);

@@ -48,12 +48,12 @@ TEST_F(MemoryBusTest, AFrameArrivesWhole) {
     EXPECT_EQ(frame.data, sent.data);
 }
 
-TEST_F(MemoryBusTest, NobodyReceivesItsOwnFrames) {
+TEST_F(MemoryBusTest, NoEndpointReceivesItsOwnFrames) {
     ASSERT_EQ(sender.send(make_frame(1U)), SendResult::sent);
     EXPECT_EQ(sender.receive(frame), ReceiveResult::empty);
 }
 
-TEST_F(MemoryBusTest, FramesArriveInTheOrderOfSendingWhoeverSendsThem) {
+TEST_F(MemoryBusTest, FramesOfAnySenderArriveInTheOrderOfSending) {
     sender.send(make_frame(3U));
     other.send(make_frame(1U));
     sender.send(make_frame(2U));

@@ -129,7 +129,7 @@ TEST(Component, ABankThatOverturnsTheStandingVehicleIsWarnedOf) {
     }
 }
 
-TEST(Component, WhatItSeemedToLearnOfAnOverturnedVehicleIsForgotten) {
+TEST(Component, ItsEstimatesOfAnOverturnedVehicleAreForgotten) {
     Scenario scenario;
     rsi_inputs on_its_side = in_turn(0.0);
     on_its_side.lateral_specific_force_mps2 = 9.8F;
@@ -291,7 +291,7 @@ TEST(Component, AfterAGapTheModelsStartAtTheMeasuredAngleAndTheStateWaitsForReco
     }
 }
 
-TEST(Component, WhatTheEstimatorHasLearntOutlivesAGap) {
+TEST(Component, TheEstimatorsLearningOutlivesAGap) {
     const rsi_parameters parameters = rsi_test::large_suv();
     Scenario scenario(parameters);
     rsi_test::RandomManoeuvre drive(parameters, 41U, false);
@@ -413,7 +413,7 @@ TEST(Component, AContradictionOfTheRollSensorIsForgottenOverAGap) {
 }
 
 // An overturn is forgotten once the vehicle stands again: what is learnt then outlives a gap as always.
-TEST(Component, WhatIsLearntAfterAnOverturnOutlivesAGap) {
+TEST(Component, LearningAfterAnOverturnOutlivesAGap) {
     const rsi_parameters parameters = rsi_test::large_suv();
     Scenario scenario(parameters);
     rsi_inputs on_its_side = rsi_test::at_rest();
@@ -433,7 +433,7 @@ TEST(Component, WhatIsLearntAfterAnOverturnOutlivesAGap) {
                 0.02);
 }
 
-TEST(Component, WhatTheFilterSeemedToLearnOfAnOverturnedVehicleIsForgottenToo) {
+TEST(Component, TheFiltersEstimatesOfAnOverturnedVehicleAreForgottenToo) {
     rsi_parameters parameters = rsi_test::large_suv();
     parameters.estimator = RSI_ESTIMATOR_CONSIDER_KALMAN;
     Scenario scenario(parameters);

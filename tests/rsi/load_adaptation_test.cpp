@@ -355,7 +355,7 @@ TEST(LoadAdaptation, TheMarginGrowsWithWhatIsNotKnownAndEnds) {
     EXPECT_FLOAT_EQ(started(adapting(0.5F, 0.2F)).level_weight(), 1.0F + 0.1F * 0.25F);
 }
 
-TEST(LoadAdaptation, WhatIsRestoredIsDoubtedWhereTheLoadMayHaveChanged) {
+TEST(LoadAdaptation, ARestoredLoadIsDoubtedIfTheLoadMayHaveChanged) {
     rsi_test::LoadAdaptation adaptation = started();
     ASSERT_TRUE(adaptation.restore({0.4F, 0.03F, 0.2F}, false));
     EXPECT_EQ(adaptation.learnt().excess, 0.4F);

@@ -299,7 +299,7 @@ TEST(LoadRegression, ALoadThatIsPutOnIsKnownToHalfOfIt) {
     EXPECT_EQ(regression.excess(), -0.45F);
 }
 
-TEST(LoadRegression, WhatWasLearntComesBack) {
+TEST(LoadRegression, ALearntLoadComesBack) {
     LoadedVehicle vehicle;
     vehicle.excess = 0.4;
     const rsi::LearntLoad learnt = after_two_minutes(vehicle).learnt();
@@ -312,7 +312,7 @@ TEST(LoadRegression, WhatWasLearntComesBack) {
 
 // The load and the offset are as independent then as at first: what a turn shows beyond them moves both the
 // same way.
-TEST(LoadRegression, WhatComesBackOrIsPutOnSharesOutWhatIsNewBetweenLoadAndOffset) {
+TEST(LoadRegression, ARestoredOrAddedLoadSharesOutLaterChangesBetweenLoadAndOffset) {
     const rsi::LearntLoad learnt{0.4F, 0.02F, 0.1F};
     for (const bool puts_on : {false, true}) {
         for (const float force_mps2 : {-3.0F, 3.0F}) {

@@ -130,7 +130,7 @@ TEST(ALoadedComponent, TakesALoadThatItKnowsForNoMovementOfTheRollCentre) {
 
 // A body of twice the mass rolls twice as far: only the mass on the bus excuses a sensor that shows it, not
 // what the sensor itself has taught.
-TEST(ALoadedComponent, BelievesItsRollSensorWhereTheMassIsKnown) {
+TEST(ALoadedComponent, AcceptsItsRollSensorWhereTheMassIsKnown) {
     const rsi_parameters parameters = calibrated_empty(1.0F);
     const auto disagrees = [&parameters](float mass_kg) {
         rsi::Component component;

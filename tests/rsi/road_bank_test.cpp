@@ -145,7 +145,7 @@ TEST(AngleAgainstTheHorizon, AnOffsetOfTheSensorDoesNotGetThrough) {
     EXPECT_EQ(seen.disagreements, 0);
 }
 
-TEST(AngleAgainstTheHorizon, WhatIsSteeperThanAnyRoadIsASensorThatDisagrees) {
+TEST(AngleAgainstTheHorizon, ABankSteeperThanAnyRoadIsASensorThatDisagrees) {
     const auto off_by = [](float offset_rad) {
         return drive(horizon_vehicle(), Drive{},
                      [offset_rad](int, rsi_inputs& inputs, const RollingVehicle&) {

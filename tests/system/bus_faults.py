@@ -301,7 +301,7 @@ def live_answer(fault, frames, start, end):
             (late - early, late) for (early, _), (late, _) in zip(warnings, warnings[1:]) if start < late < end + 0.8
         ]
         if not pauses:
-            raise EcuEnded("nothing was heard of the ECU after the fault")
+            raise EcuEnded("no frame of the ECU was received after the fault")
         pause, start = max(pauses)
         silent_ms = 1000 * pause
         end = max(start, end) if fault.happening is not bus_off else start
@@ -355,7 +355,7 @@ def shortfalls_of_live(fault, got):
     """The same, in the ECU's own cycles: a virtual machine's may come late, and then no figure in milliseconds holds."""
     found = []
     if got.reaction_cycles is None or got.reaction_cycles > REACTION_MS // CYCLE_MS + 1:
-        found.append("not told in time")
+        found.append("not reported in time")
     if fault.happening is bus_off and got.silent_ms < 100:
         found.append("back on the bus too early")
     if not fault.ends_ecu and got.back_ms is None:

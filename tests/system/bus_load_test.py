@@ -131,7 +131,7 @@ def flooded_run(*ecu_options, good=lambda run: True, most=10):
 class Flooded:
     """Properties with filters and without them; the run is made once."""
 
-    def test_everybody_ended_well(self):
+    def test_all_programs_ended_well(self):
         self.assertEqual(self.run_.exit_statuses, (0, 0), self.run_.output)
 
     def test_every_cycle_sent_every_frame_and_none_was_lost(self):

@@ -175,7 +175,7 @@ class Diagnosis(unittest.TestCase):
             self.assertEqual(ecu.stop(), 0)
         self.assertIn("a tester resets it", ecu.output)
 
-    def test_without_the_option_nobody_answers(self):
+    def test_without_the_option_no_request_is_answered(self):
         with programs.Ecu():
             tester = self.workshop()
             for identifier in (PHYSICAL, FUNCTIONAL):

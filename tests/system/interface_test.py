@@ -14,7 +14,7 @@ class Interface(unittest.TestCase):
                 with self.subTest(options=options, signal=with_signal), programs.Ecu(*options) as ecu:
                     self.assertEqual(ecu.stop(with_signal), 0, ecu.output)
 
-    def test_rsi_ecu_goes_on_when_nobody_reads_its_messages_and_fails_at_the_end(self):
+    def test_rsi_ecu_goes_on_without_a_reader_of_its_messages_and_fails_at_the_end(self):
         with programs.Ecu() as ecu:
             ecu.process.stdout.close()
             ecu.process.stdout = None

@@ -37,7 +37,7 @@ class Access(unittest.TestCase):
             self.assertLess(time.monotonic(), end, f"the change is not taken over: {change}")
         self.assertEqual(change[:2], (0, 0), "another change is on its way, or this was refused")
 
-    def test_the_keys_are_those_that_everybody_has_and_the_bus_says_so(self):
+    def test_the_keys_are_public_and_reported_on_the_bus(self):
         self.assertEqual(programs.protection(), "unsealed test keys")
 
     def test_a_parameter_is_changed_taken_over_stored_and_there_after_a_reset(self):
@@ -87,7 +87,7 @@ class Access(unittest.TestCase):
         self.assertEqual(tester.unlock(), b"\x67\x02")
         diagnosis_test.check_cleared(self, tester)
 
-    def test_what_a_tester_has_written_outlives_a_reset(self):
+    def test_data_written_by_a_tester_outlive_a_reset(self):
         tester = self.workshop()
         number = b"\xF1\x90" + diagnosis_test.VEHICLE_NUMBER
         self.assertEqual(tester.unlock(), b"\x67\x02")

@@ -109,7 +109,7 @@ class Faults(unittest.TestCase):
     def test_an_undefined_instruction(self):
         self.check_exception(3, reason=2)
 
-    def test_a_supervisor_call_that_nobody_makes(self):
+    def test_an_unexpected_supervisor_call(self):
         self.check_exception(4, reason=3)
 
     def test_execution_of_data_is_a_prefetch_abort(self):

@@ -143,7 +143,7 @@ class Xcp(unittest.TestCase):
             master.measure(19)
         check_samples(self, master, least=50 * MEASURED_S)
 
-    def test_without_the_option_nobody_answers(self):
+    def test_without_the_option_no_request_is_answered(self):
         with programs.Ecu():
             self.assertEqual(programs.protection(), "unsealed")
             master = self.master()

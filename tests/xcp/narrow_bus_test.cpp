@@ -151,7 +151,7 @@ TEST(Slave, LeavesNoEventToAnotherSession) {
 }
 
 // Before and after a session it costs the cycle nothing, and has no failures to be forgiven.
-TEST(Slave, LeavesTheBusAloneWhileNobodyIsConnected) {
+TEST(Slave, LeavesTheBusAloneWithoutAConnection) {
     EndlessTarget target;
     NarrowBus narrow;
     hal::VirtualClock clock;
@@ -231,7 +231,7 @@ class RefusingBus final : public hal::CanBus {
 };
 
 // The ECU reports a fault of the bus when its own frames are not taken, and none when those of XCP are not.
-TEST(CalibratedEcu, WhatTheBusDoesNotTakeOfXcpIsNoFaultOfTheBus) {
+TEST(CalibratedEcu, XcpFramesThatTheBusDoesNotTakeAreNoFaultOfTheBus) {
     using monitoring::DiagnosticCode;
     Bench bench;
     hal::VirtualClock clock;

@@ -300,7 +300,7 @@ TEST_F(CanControllerTest, ABusOffTakesTheControllerOffTheBusAndBackAfterAWhile) 
     EXPECT_EQ(controller.send(make_frame(0x0D0U, {1U})), SendResult::sent);
 }
 
-TEST_F(CanControllerTest, WhatWaitsWhenTheBusGoesOffIsNotSentAfterIt) {
+TEST_F(CanControllerTest, FramesThatWaitWhenTheBusGoesOffAreNotSentAfterIt) {
     open();
     device.has_bus = false;
     ASSERT_EQ(controller.send(make_frame(0x0D0U, {1U})), SendResult::sent);

@@ -26,7 +26,7 @@ TEST(FaultRecord, AfterPowerOnNothingIsKnown) {
     EXPECT_EQ(begin_run(zeros), ResetReason::power_on);
 }
 
-TEST(FaultRecord, AResetThatNobodyRecordedCameFromOutside) {
+TEST(FaultRecord, AResetWithoutARecordCameFromOutside) {
     FaultRecord record = noise();
     begin_run(record);
     EXPECT_EQ(begin_run(record), ResetReason::outside);

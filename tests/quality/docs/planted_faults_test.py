@@ -173,8 +173,8 @@ class PlantedFaults(unittest.TestCase):
         self.expect("docs/page.md:12", "a version of this project")
 
     def test_a_line_that_is_a_list_item_by_accident(self):
-        for text in ("Of these `A\n- a_y` moves.", "The sum of A\n+ B moves.", "The product of A\n* B moves.",
-                     "1. Of `A\n- B`.",
+        for text in ("These are `A\n- a_y` moves.", "The sum of A\n+ B moves.", "The product of A\n* B moves.",
+                     "1. These `A\n- B`.",
                      "- The sum of A\n  + B."):
             with self.subTest(text):
                 self.plant("## The end\n", f"## The end\n{text}\n\n")

@@ -28,7 +28,7 @@ def parse(paths, arguments):
 
 
 class EditedSource:
-    """What is not changed stays as it was, to the byte."""
+    """Unchanged parts stay as they were, to the byte."""
 
     def __init__(self, name, path):
         self.name = name
@@ -36,7 +36,7 @@ class EditedSource:
         self._bytes = path.read_bytes()
         self._before, self._after, self._instead = collections.defaultdict(list), collections.defaultdict(list), {}
 
-    # What is where.
+    # Places of the parts.
     def holds(self, cursor):
         file = cursor.extent.start.file
         return file is not None and file.name == self._path
@@ -62,7 +62,7 @@ class EditedSource:
         return self._bytes.index(b";", self.end(cursor)) + 1
 
     def second_semicolon_of(self, loop):
-        """Where the second part of a `for` ends."""
+        """End of the second part of a `for`."""
         found, depth, at = 0, 0, self.start(loop)
         while found < 2:
             byte = self._bytes[at:at + 1]
@@ -72,7 +72,7 @@ class EditedSource:
         return at - 1
 
     def operator_between(self, left, right):
-        """Where the operator between two operands begins, where it ends, what it is; None when a macro hides it."""
+        """Begin, end and text of the operator between two operands; None when a macro hides it."""
         start = self.end(left)
         gap = self._bytes[start:self.start(right)].decode()
         bare = re.sub(r"//[^\n]*|/\*.*?\*/", lambda found: " " * len(found.group()), gap, flags=re.S)

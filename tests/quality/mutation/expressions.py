@@ -1,4 +1,4 @@
-"""What is changed within an expression: operators, conditions, constants, arguments.
+"""Changes within an expression: operators, conditions, constants, arguments.
 
 A function for each kind of place. `file` is the FileMutator; False says that what is inside has been seen to.
 """

@@ -34,7 +34,7 @@ def is_numeric_constant(cursor):
 
 
 def name_of_constant(declared):
-    """clang's name (USR) and the file: constants of two files may have the same name where nobody else sees them."""
+    """clang's name (USR) and the file: constants of two files may have the same name if they are local."""
     file = declared.location.file
     return declared.get_usr(), file.name if file else ""
 

@@ -35,7 +35,7 @@ unsigned char* record = nullptr;
 
 namespace {
 
-// What a child tells its parent, however it ends.
+// Result of a child for its parent, for any end.
 struct Shared {
     unsigned char record[mutation::most_mutants];
     char running_test[512];

@@ -25,7 +25,7 @@ ARGUMENTS = ["-x", "c++", "-std=c++17", "-DEIGEN_DONT_VECTORIZE", "-resource-dir
 
 
 def declarations_of(names, project, generated=()):
-    """What stands at the top of each file, as clang reads it. `generated`: folders of headers that the build writes."""
+    """Declarations of each file, as clang reads them. `generated`: folders of headers that the build writes."""
     arguments = ARGUMENTS + [part for folder in (project, project / "firmware", *generated) for part in ("-I", str(folder))]
     folders = {}
     for name in names:
@@ -56,8 +56,8 @@ def write_if_other(path, text):
 
 
 def link_everything_else(names, project, source):
-    """One link for a folder without a mutated file, folders of their own for those with one. What an earlier copy has there
-    may be of the other kind; nothing is ever written through a link."""
+    """One link for a folder without a mutated file, folders of their own for those with one. An entry of an earlier copy may
+    be of the other kind; nothing is ever written through a link."""
     mutated = {project / name for name in names}
     parents = {parent for path in mutated for parent in path.parents}
     def link(folder):
@@ -81,7 +81,7 @@ def link_everything_else(names, project, source):
 
 
 def forget_another_scope(names, folder):
-    """Of a copy in which other files were mutated, all but the results, of which hints are taken. A file that is mutated no
+    """Removes a copy in which other files were mutated, but for the results, which give hints. A file that is mutated no
     longer becomes a link to one that is older than what was compiled of the mutated one: ninja would keep that, and so would
     the record the numbers of mutants that are none any more."""
     kept = folder / "names.json"
@@ -153,7 +153,7 @@ class MutatedCopy:
             raise SystemExit(f"{configured.stdout}{configured.stderr}\nmutation: could not configure {self._build}")
 
     def _digest(self, *more):
-        """Of what is mutated, what clang reads, and of the tool."""
+        """Fingerprint of the mutated sources, of those that clang reads, and of the tool."""
         read = hashlib.sha256(repr((ARGUMENTS, self._names, more)).encode())
         headers = [path for folder in self.scope.headers for path in (PROJECT / folder).rglob("*")
                    if path.suffix in (".hpp", ".h", ".toml", ".in")]
@@ -163,7 +163,7 @@ class MutatedCopy:
         return read.hexdigest()[:16]
 
     def _refused_earlier(self):
-        """So that the same sources are not built, and refused, again."""
+        """Keeps the same sources from being built, and refused, again."""
         kept = self.folder / f"refused_{self._digest()}.json"
         return {tuple(place) for place in json.loads(kept.read_text())} if kept.is_file() else set()
 

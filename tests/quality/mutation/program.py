@@ -35,11 +35,11 @@ class Program:
 
 
 class Record:
-    """What each test costs (ms of CPU time), and in which tests a mutant makes another value somewhere: no other can notice."""
+    """Cost of each test (ms of CPU time), and the tests in which a mutant makes another value somewhere: no other can notice."""
 
     def __init__(self, content, is_asked=lambda mutant, program: True, longest_ms=900):
-        """`is_asked`: whether a program is asked about a mutant, by its number. What takes longer than `longest_ms` while it
-        is recorded is not asked: hours of driving, millions of random frames look for what gets lost in the long run, and
+        """`is_asked`: whether a program is asked about a mutant, by its number. Tests that take longer than `longest_ms` while
+        recorded are not asked: hours of driving, millions of random frames look for what gets lost in the long run, and
         each survivor would cost seconds."""
         self.executed = {mutant for _, _, _, differing, same in content for mutant in differing + same}
         self.tests_of, self.cost, self.breadth = {}, {}, {}

@@ -17,7 +17,7 @@ def draw(mutants, count, seed):
 
 
 def only_compiled(mutant, record, all_executed):
-    """A constant that only the compiler uses: no run of a program can have it changed. Where not all is executed, a named one
+    """A constant that only the compiler uses: no run of a program can have it changed. If not all is executed, a named one
     at most is taken for that: what no test executes survives."""
     return mutant.id not in record.executed and (all_executed or not mutant.function)
 
@@ -45,7 +45,7 @@ def missed_goal(killed, tried, goal, of="mutants"):
 
 
 def rows(asked, mutants, wanted, results, record, known):
-    """What the ledger keeps of a whole run: floors, survivors, totals."""
+    """Content of the ledger for a whole run: floors, survivors, totals."""
     def counted(of):
         answers = collections.defaultdict(list)
         for mutant in wanted:
@@ -112,5 +112,5 @@ def _section(asked, floors, survivors, totals):
 
 
 def page(scopes, kept):
-    """What the documentation shows of the last whole run of each scope."""
+    """Page on the last whole run of each scope."""
     return "\n".join(line for asked in scopes for line in _section(asked, *kept.of(asked.name)))

@@ -1,8 +1,8 @@
-// What a mutated source is made of: every place that can be mutated asks here which mutant is active.
+// Building blocks of a mutated source: every place that can be mutated asks here which mutant is active.
 // Included before everything else of a mutated build, and of no other.
 //
-// Each `site` is the number of the site's first mutant; its others follow. What the compiler evaluates is
-// never mutated, so that constexpr functions stay usable where a constant is needed.
+// Each `site` is the number of the site's first mutant; its others follow. Code that the compiler evaluates
+// is never mutated, so that constexpr functions stay usable where a constant is needed.
 #pragma once
 
 #include <type_traits>
@@ -10,7 +10,7 @@
 namespace mutation {
 
 extern int active;             // the mutant that is alive; 0: none
-extern bool recording;         // what a run without a mutant executes
+extern bool recording;         // executed in a run without a mutant
 extern unsigned char* record;  // a byte for each mutant
 
 enum Recorded : unsigned char {
@@ -153,7 +153,7 @@ constexpr bool negated(const T& condition) {
     return either<site>(static_cast<bool>(condition), !static_cast<bool>(condition));
 }
 
-// What is never refused.
+// Never refused.
 template <int site, typename T>
 constexpr bool never(const T& condition) {
     return either<site>(static_cast<bool>(condition), false);

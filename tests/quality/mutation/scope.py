@@ -1,4 +1,4 @@
-"""What is mutated, and which test programs are asked about it."""
+"""Mutated files, and the test programs that are asked about them."""
 
 import dataclasses
 import pathlib

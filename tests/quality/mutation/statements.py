@@ -1,4 +1,4 @@
-"""What is changed in a statement: it is left out, its condition is the opposite, what it returns is another value.
+"""Changes of a statement: it is left out, its condition is inverted, its result is another value.
 
 `file` is the FileMutator.
 """
@@ -76,7 +76,7 @@ def condition(file, cursor):
 
 
 def _refuses(cursor):
-    """What is refused with an exception: a test of good input alone sees a condition's opposite, but not that it is gone."""
+    """Refusals by an exception: a test of good input alone sees a condition's opposite, but not that it is gone."""
     then = list(cursor.get_children())[1]
     last = list(then.get_children())[-1:] if then.kind == Kind.COMPOUND_STMT else [then]
     return bool(last) and kinds.bare(last[0]).kind == Kind.CXX_THROW_EXPR

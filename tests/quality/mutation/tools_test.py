@@ -143,17 +143,17 @@ class Planted(unittest.TestCase):
             for mutant in mutants:
                 self.assertTrue(self.results[mutant.id].startswith("killed"), mutant)
 
-    def test_what_no_test_looks_at_survives(self):
+    def test_a_place_without_a_test_survives(self):
         self.assertIn(("statement", "last_ = step", "(nothing)"), self.survivors())
         self.assertIn(("relation", "step > 0", "step >= 0"), self.survivors())  # 0 adds nothing: equivalent
 
-    def test_a_refusal_that_nobody_tests_survives(self):
+    def test_an_untested_refusal_survives(self):
         """Its condition's opposite does not: good input notices that."""
         self.assertIn(("refusal", "most && x > *most", "never refused"), self.survivors())
         self.assertEqual({self.results[m.id] for m in self.mutants("relation", "x > *most")
                           if m.mutated == "x <= *most"}, {"killed by a test"})
 
-    def test_what_cannot_be_mutated_is_counted_by_kind(self):
+    def test_places_that_cannot_be_mutated_are_counted_by_kind(self):
         self.assertEqual(self.all.skipped["static_assert, enumerator"], 1)
         self.assertEqual(self.all.skipped["step of a loop"], 1)
 
@@ -161,7 +161,7 @@ class Planted(unittest.TestCase):
         self.assertEqual(self.results, self.again)
 
     # A test may have changed under its name: what survived it is tried on it again.
-    def test_of_other_programs_all_tests_are_asked_and_first_what_killed_the_mutant_before(self):
+    def test_all_tests_of_other_programs_are_asked_the_killer_of_before_first(self):
         for mutant in self.all:
             asked = self.asked_of_others[mutant.id]
             self.assertEqual(set(asked), set(self.record.tests_of.get(mutant.id, [])), mutant)
@@ -222,7 +222,7 @@ class Reasons(unittest.TestCase):
         changed = dataclasses.replace(self.MUTANTS[0], id=3, original="x < y", mutated="x <= y")
         self.assertEqual(sum(bool(reason) for *_, reason in self.reviewed([changed, self.MUTANTS[1]])), 1)
 
-    def test_of_two_reasons_none_is_guessed(self):
+    def test_none_of_two_reasons_is_guessed(self):
         other = dataclasses.replace(self.KNOWN[0], change="b < a -> b <= a", reason="another")
         self.assertEqual(self.reviewed(self.MUTANTS[1:], [*self.KNOWN, other]), [("a < c -> a <= c", "", "")])
 
@@ -263,7 +263,7 @@ class Kept(unittest.TestCase):
                 self.assertIn(survivor.equivalent, ("", "yes"))
                 self.assertTrue(survivor.reason.strip() or not (asked.every_survivor_explained or survivor.equivalent), survivor)
 
-    def test_what_is_written_is_read_again(self):
+    def test_a_written_ledger_is_read_again(self):
         with tempfile.TemporaryDirectory() as name:
             project = pathlib.Path(name)
             (project / "docs/reports").mkdir(parents=True)
@@ -308,7 +308,7 @@ class Reported(unittest.TestCase):
         left_out = next(m for m in self.MUTANTS if m not in sample)
         self.assertEqual(report.draw([m for m in self.MUTANTS if m != left_out], 20, 1), sample)
 
-    def test_what_no_test_executes_survives_unless_all_is_executed_or_it_is_a_named_constant(self):
+    def test_unexecuted_code_survives_unless_all_is_executed_or_it_is_a_named_constant(self):
         record = test_program.Record([("a_test", "A.B", 1, [1], [])])
         named = dataclasses.replace(self.MUTANTS[3], function="")
         for all_executed, expected in ((True, [False, True, True]), (False, [False, False, True])):
@@ -355,7 +355,7 @@ class Linked(unittest.TestCase):
 
 
 class Scopes(unittest.TestCase):
-    def test_what_is_left_out_and_who_is_asked_is_there(self):
+    def test_exceptions_and_asked_programs_exist(self):
         for asked in scope.SCOPES.values():
             self.assertTrue(asked.sources())
             for name in (*asked.asked, *asked.left_out):

@@ -15,8 +15,8 @@ SURVIVED = "survived"
 
 
 class Trial:
-    """Results are written down one by one, and taken up again by the next run of the very same programs. Of runs of other
-    programs a hint is taken: what killed a mutant then is tried first."""
+    """Results are written down one by one, and taken up again by the next run of the very same programs. Runs of other programs
+    give a hint: the killer of a mutant is tried first."""
 
     def __init__(self, programs, record, folder, anew=False):
         self._programs = programs
@@ -69,11 +69,11 @@ class Trial:
         yield from sorted(rest, key=self._price)
 
     def _price(self, group):
-        """Of a kill, as far as experience goes."""
+        """Probability of a kill, from experience."""
         return (1 + self._cost(group)) / (1 + sum(self._kills.get(test, 0) for test in group))
 
     def _try(self, mutant, running):
-        """What became of it, and the test that killed it."""
+        """Its result, and the test that killed it."""
         for group in self._groups(mutant):
             program = group[0][0]
             if program not in running:
@@ -86,7 +86,7 @@ class Trial:
         return SURVIVED, None
 
     def run(self, mutants, jobs, minutes=None):
-        """Number of each mutant: "survived" or "killed ...". Of those that were tried: a run may end after so many minutes.
+        """Number of each mutant: "survived" or "killed ...". Share of the tried ones: a run may end after a number of minutes.
         First come those of earlier runs, then the others in a random order, so that what was tried is a random sample."""
         waiting = [mutant for mutant in mutants if mutant.id not in self._results]
         random.Random(1).shuffle(waiting)

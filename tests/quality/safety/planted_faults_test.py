@@ -27,7 +27,7 @@ reasons = "as it is"
 
 [[goal]]
 id = "SG-1"
-text = "It is heard"
+text = "It is received"
 hazards = ["HZ-1"]
 safe_state = "unavailable"
 time = "50 ms"
@@ -212,14 +212,14 @@ class PlantedFaults(unittest.TestCase):
         self.assertIn("| FM-3 | clock |", (self.docs / "reports/safety/failure_modes.md").read_text())
 
     def test_a_diagnostic_code_without_failure_mode(self):
-        self.codes = ["deaf"]
-        self.expect("'deaf' is in no failure mode")
+        self.codes = ["silenced"]
+        self.expect("'silenced' is in no failure mode")
 
     def test_an_unknown_diagnostic_code(self):
-        self.plant_failure_mode('detection = "limit"', 'detection = "limit"\ncodes = ["deaf", "blind"]')
+        self.plant_failure_mode('detection = "limit"', 'detection = "limit"\ncodes = ["silenced", "blind"]')
         self.judge(write=True)
         self.assertEqual(self.judge(), [], "no code can be sent yet")
-        self.codes = ["deaf"]
+        self.codes = ["silenced"]
         self.expect("FM-1", "'blind'")
 
     def test_a_requirement_without_goal(self):

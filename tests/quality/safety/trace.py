@@ -25,7 +25,7 @@ DOCS = PROJECT / "docs"
 
 
 def judge(docs, evidence, write):
-    """What is wrong with the argument in `docs`/safety; with `write` its reports are written."""
+    """Errors of the argument in `docs`/safety; with `write` its reports are written."""
     argument = argument_module.Argument(
         *((docs / "safety" / name).read_text() for name in ("requirements.toml", "failure_modes.toml"))
     )

@@ -69,7 +69,7 @@ const std::vector<Kind>& kinds() {
 
 class GoodSensors : public testing::TestWithParam<std::string> {};
 
-TEST_P(GoodSensors, AreNotAccusedWhereTheRoadTwistsOrBumps) {
+TEST_P(GoodSensors, SetNoCodeWhereTheRoadTwistsOrBumps) {
     for (const Kind& kind : kinds()) {
         for (RunSettings settings : roads_that_try_sensors(GetParam())) {
             SCOPED_TRACE(settings.manoeuvre + ", " + kind.name);
@@ -85,7 +85,7 @@ TEST_P(GoodSensors, AreNotAccusedWhereTheRoadTwistsOrBumps) {
     }
 }
 
-TEST_P(GoodSensors, ThatTheCalibrationTakesForQuieterOnesAreAccused) {
+TEST_P(GoodSensors, ThatTheCalibrationTakesForQuieterOnesSetACode) {
     RunSettings settings = on_a_twisting_road(GetParam(), 6.0, 40.0);
     settings.sensors = take_off_the_filters;
     const RunResult run = drive(settings);
@@ -93,7 +93,7 @@ TEST_P(GoodSensors, ThatTheCalibrationTakesForQuieterOnesAreAccused) {
     EXPECT_EQ(run.events.judgement.warnings, 0U);
 }
 
-TEST_P(GoodSensors, WhoseSpeedIsCoarserThanTheCalibrationSaysAreAccused) {
+TEST_P(GoodSensors, WhoseSpeedIsCoarserThanTheCalibrationSaysSetACode) {
     RunSettings settings;
     settings.manoeuvre = "slalom";
     settings.vehicle = GetParam();

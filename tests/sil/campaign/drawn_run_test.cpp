@@ -52,7 +52,7 @@ TEST(DrawnRun, TellsTheCodesThatItsSensorsSet) {
     EXPECT_NE(sil::CampaignWorld{settings}.run(0U).codes, 0U);
 }
 
-TEST(DrawnRun, ALoadThatNobodyToldIsNoPartOfTheError) {
+TEST(DrawnRun, AnUnknownLoadIsNoPartOfTheError) {
     sil::CampaignSettings settings = small_campaign(20U);
     settings.spread.load_share = {0.2, 0.3};
     settings.spread.load_is_known = false;

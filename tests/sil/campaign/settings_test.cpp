@@ -52,7 +52,7 @@ TEST(CampaignSettings, TheirTextIsReadBackAsTheSame) {
     EXPECT_EQ(sil::to_toml(load(sil::to_toml(settings))), sil::to_toml(settings));
 }
 
-TEST(CampaignSettings, WhatIsSaidOnlyWhereItSaysSomethingIsReadBackAsTheSame) {
+TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
     const std::string without = sil::to_toml(settings);
     for (const char* key : {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor",
@@ -82,7 +82,7 @@ TEST(CampaignSettings, WhatIsSaidOnlyWhereItSaysSomethingIsReadBackAsTheSame) {
     EXPECT_EQ(sil::to_toml(read), sil::to_toml(settings));
 }
 
-TEST(CampaignSettings, WhatAFileLeavesOutIsBuiltIn) {
+TEST(CampaignSettings, ValuesThatAFileLeavesOutAreBuiltIn) {
     const sil::CampaignSettings settings = load("seed = 9\n[spread]\nmass_error = 0.02\n");
     EXPECT_EQ(settings.seed, 9U);
     EXPECT_EQ(settings.spread.mass_error, 0.02);
@@ -106,7 +106,7 @@ TEST(CampaignSettings, APathThatBeginsWithADotStartsFromTheFileAndAnyOtherFromTh
     EXPECT_EQ(vehicles[2].calibration, "..c.toml");
 }
 
-TEST(CampaignSettings, WhatIsWrongIsNamedWithLineAndKey) {
+TEST(CampaignSettings, ErrorsAreNamedWithLineAndKey) {
     expect_refused("runs = 5\nsede = 1\n", "mine.toml:2: \"sede\" is not known");
     expect_refused("runs = 5\n\"a\\u0000b\" = 1\n", "mine.toml:2: \"a?b\" is not known here; remove it");
     expect_refused("runs = 1.5\n", "mine.toml:1: \"runs\" must be a whole number");

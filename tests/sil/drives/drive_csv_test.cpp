@@ -52,7 +52,7 @@ TEST(DriveCsv, ReadsTheOtherUnitsToo) {
     EXPECT_NEAR(drive.samples[1].yaw_rate_radps, 3.141592653589793, 1e-15);
 }
 
-TEST(DriveCsv, WhatIsMissingIsNotAvailable) {
+TEST(DriveCsv, MissingValuesAreNotAvailable) {
     const sil::Drive drive =
         drive_of("time_s,lateral_acceleration_mps2,roll_rate_degps,roll_angle_deg,bank_angle_deg", "1,2,3,");
     const sil::DriveSample& sample = drive.samples[0];

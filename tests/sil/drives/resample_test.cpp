@@ -119,7 +119,7 @@ TEST(Resampling, AfterAGapOffTheGridTheNearestSampleIsTaken) {
     EXPECT_EQ(lateral_of(cycles[50]), 2.0);
 }
 
-TEST(Resampling, WhatIsNotAvailableStaysSo) {
+TEST(Resampling, MissingValuesStayMissing) {
     sil::Drive drive = drive_at(50.0, 0.2, [](double) { return 1.0; });
     drive.samples[5].lateral_specific_force_mps2 = sil::DriveSample::not_available;  // at 0.1 s
     const auto cycles = sil::to_cycles(drive);

@@ -48,7 +48,7 @@ TEST(WholeFolder, AnEarlierResultIsGoneEvenWhenThisOneFails) {
     EXPECT_FALSE(fs::exists(scratch.path() / "drive"));
 }
 
-TEST(WholeFolder, WhatAKilledReplayLeftIsNotMixedIn) {
+TEST(WholeFolder, FilesOfAKilledReplayAreNotMixedIn) {
     const ScratchFolder scratch;
     fs::create_directory(scratch.path() / "drive.partial");
     write_text(scratch.path() / "drive.partial" / "indices.csv", "half");

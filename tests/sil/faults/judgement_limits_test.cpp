@@ -67,7 +67,7 @@ Texts shortfalls(Demand demand, Change change) {
     return verdict.shortfalls;
 }
 
-TEST(JudgementLimits, WhatIsDemandedIsGood) {
+TEST(JudgementLimits, TheDemandedAnswerIsGood) {
     for (const Demand demand : all_demands) {
         EXPECT_THAT(shortfalls(demand, [](Reaction&) {}), IsEmpty()) << to_string(demand);
     }

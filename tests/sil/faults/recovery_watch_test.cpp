@@ -51,7 +51,7 @@ TEST(RecoveryWatch, MeasuresTheDriveToTheLastDisagreement) {
     EXPECT_EQ(back.watch().driven_ms(), 600);
 }
 
-TEST(RecoveryWatch, WhatComesAfterRecoveryNoLongerCounts) {
+TEST(RecoveryWatch, EventsAfterRecoveryNoLongerCount) {
     const Recovery back = fault().cycles(2, false).cycles(101, true).cycles(2000, false);
     EXPECT_TRUE(back.watch().has_recovered());
     EXPECT_EQ(back.watch().driven_ms(), 20);

@@ -119,7 +119,7 @@ TEST(SilenceWatch, MeasuresTheLongestSilenceWithoutABreak) {
     EXPECT_EQ(Watched{}.due(3, ready).no_longer_due().due(2, ready).result.longest_silence_ms, 30);
 }
 
-TEST(SilenceWatch, WhatIsToldIsNoSilence) {
+TEST(SilenceWatch, AReportIsNoSilence) {
     for (const EcuAnswer& told : {saying(WarningState::unavailable), saying(WarningState::ready, 4U),
                                   saying(WarningState::advisory, 4U)}) {
         const Watched watched = Watched{}.due(5, told).no_longer_due();
@@ -132,7 +132,7 @@ TEST(SilenceWatch, WhatIsToldIsNoSilence) {
                   {1U, 1U, 0U, 0U});
 }
 
-TEST(SilenceWatch, WhatWasToldOnceIsTold) {
+TEST(SilenceWatch, AReportOnceIsEnough) {
     const Watched watched =
         Watched{}.due(1, saying(WarningState::unavailable)).due(5, advisory).no_longer_due().due(1, advisory);
     expect_counts(watched.result, {1U, 0U, 1U, 0U});

@@ -124,7 +124,7 @@ TEST_F(CalibrationFile, AnEmptyFileLacksAKey) {
     EXPECT_THAT(message(), HasSubstr("is missing"));
 }
 
-TEST_F(CalibrationFile, WhatIsNoTomlIsRefusedWithItsLine) {
+TEST_F(CalibrationFile, InvalidTomlIsRefusedWithItsLine) {
     replace("track_width_m", "track_width_m = = 1.6");
     const std::string said = message();
     EXPECT_THAT(said, HasSubstr(path_.string() + ":" + std::to_string(line_number_) + ":"));

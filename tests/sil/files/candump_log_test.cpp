@@ -229,7 +229,7 @@ TEST(ParseCandumpLine, AChangedByteGivesAnErrorOrAnotherFrameThatCanBeWritten) {
     }
 }
 
-TEST(CandumpLog, WhatIsWrittenIsReadBack) {
+TEST(CandumpLog, AWrittenLogIsReadBack) {
     const ScratchFolder folder;
     const auto path = folder.path() / "candump.log";
     sil::CandumpLogWriter writer(path);

@@ -165,7 +165,7 @@ TEST(TomlTable, OfAFileThatIsTooLongIsNotParsed) {
                 HasSubstr("long.toml: cannot be read: it is longer than 16 MiB; give a shorter file"));
 }
 
-TEST(TomlTable, RefusesKeysThatNobodyAskedFor) {
+TEST(TomlTable, RefusesKeysThatAreNotAskedFor) {
     sil::TomlTable top = parsed("a = 1\nb = 2\n");
     top.allow("a");
     EXPECT_EQ(error_of([&] { top.refuse_unknown_keys(); }),

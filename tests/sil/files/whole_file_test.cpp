@@ -50,7 +50,7 @@ class WholeFile : public testing::Test {
 
 constexpr const char* device_or_pipe = "it is a device or a pipe and no ordinary file";
 
-TEST_F(WholeFile, WhatHasNoEndOrNobodyWhoWritesIsNotRead) {
+TEST_F(WholeFile, AFileWithoutEndOrWriterIsNotRead) {
     const fs::path pipe = path("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     for (const fs::path& endless : {fs::path{"/dev/zero"}, fs::path{"/dev/urandom"}, pipe}) {
@@ -156,7 +156,7 @@ TEST_F(WholeFile, AFolderThatTookTheNameIsTold) {
     EXPECT_EQ(text_of(path("a.partial")), "x");
 }
 
-TEST_F(WholeFile, WhatFoundNoRoomIsWrittenOnceThereIsSome) {
+TEST_F(WholeFile, LinesWithoutRoomAreWrittenOnceThereIsSome) {
     sil::GrowingFile file{path("a")};
     const std::string start(9'000U, 'x');
     {
@@ -182,7 +182,7 @@ TEST_F(WholeFile, GrowsBesideItsName) {
     EXPECT_EQ(entries(), 1U);
 }
 
-TEST_F(WholeFile, WhatWasNotFinishedStaysUnderItsOtherName) {
+TEST_F(WholeFile, AnUnfinishedFileStaysUnderItsOtherName) {
     {
         sil::GrowingFile file{path("a")};
         file.write("one\n");
@@ -251,7 +251,7 @@ TEST_F(WholeFile, ALinkStaysALink) {
 }
 
 // As root, a file would otherwise take the place of /dev/null.
-TEST_F(WholeFile, WhatIsNoOrdinaryFileIsNotReplaced) {
+TEST_F(WholeFile, OtherThanOrdinaryFilesAreNotReplaced) {
     ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
     fs::create_directory(path("folder"));
     fs::create_symlink("/dev/null", path("link"));

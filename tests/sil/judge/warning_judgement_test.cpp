@@ -169,7 +169,7 @@ TEST(WarningJudge, OnlyAWarningOfTheFallingSideIsLateWhereLiftOffIsKnownAfterIt)
     EXPECT_FALSE(in_time_and_again.judgement().late);
 }
 
-TEST(WarningJudge, WhatTheWarningDoesAfterLiftOffDoesNotMatter) {
+TEST(WarningJudge, TheWarningAfterLiftOffDoesNotMatter) {
     const auto judged = ready()
                             .warn(WarningSide::right)
                             .drive(40, 1.0)

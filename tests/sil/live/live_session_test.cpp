@@ -121,7 +121,7 @@ TEST_F(LiveSession, TellsEveryCycleOnce) {
     EXPECT_EQ(kept.steps, 990);
 }
 
-TEST_F(LiveSession, DropsTheOldestRowsThatNobodyFetches) {
+TEST_F(LiveSession, DropsTheOldestRowsThatAreNotFetched) {
     session.begin();
     cycles(session, static_cast<int>(sil::LiveSession::most_waiting_rows) + 5);
     const Json all = news(session);

@@ -79,12 +79,12 @@ class Server(unittest.TestCase):
         for method in ("POST", "PUT", "DELETE", "OPTIONS", "TRACE"):
             self.assertEqual(self.ask(method)[0], 405, method)
 
-    def test_what_is_too_long_is_refused(self):
+    def test_long_messages_are_refused(self):
         self.assertEqual(self.ask(Long="x" * 9000)[0], 413)
         self.assertEqual(self.ask(target="/" + "x" * 9000)[0], 413)
         self.assertEqual(self.ask("POST", body=b"x")[0], 413)
 
-    def test_what_is_no_http_is_answered_or_cut_off(self):
+    def test_other_than_http_is_answered_or_cut_off(self):
         for nonsense in (b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n", b"GET\r\n\r\n", b"\0" * 100 + b"\r\n\r\n"):
             with socket.create_connection(("127.0.0.1", self.port), LIMIT_S) as connection:
                 connection.sendall(nonsense)

@@ -92,7 +92,7 @@ class Show(unittest.TestCase):
             connection.close()
         self.assertEqual(served, text)
 
-    def test_what_is_no_such_folder_is_refused(self):
+    def test_other_folders_are_refused(self):
         self.assertIn("is no folder", self.refusal(self.scratch / "nothing"))
         self.assertIn("is no folder", self.refusal(self.run_folder / "signals.csv"))
         (self.scratch / "empty").mkdir()

@@ -128,7 +128,7 @@ class IdentificationReport(unittest.TestCase):
             self.assertEqual(said, [line.removeprefix("  - ") for line in text.splitlines() if line.startswith("  - ")])
         self.assertGreater(len(said), 1)
 
-    def test_what_a_drive_lacks_has_no_line(self):
+    def test_missing_signals_have_no_line(self):
         page = self.page(self.bare)
         rows = rows_of(self.bare / "fit.csv")
         self.expect_lines(page, [row for row in rows if row["drive"] == "2"], "roll_2", CHARTS["roll"])

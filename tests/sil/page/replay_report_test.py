@@ -140,7 +140,7 @@ class ReplayReport(unittest.TestCase):
             self.assertEqual(facts["Two-wheel lift-off"], f"{summary['two_wheel_lift_time_s']:.3f} s" if known else "not known")
             self.assertIn(summary["verdict"], self.text("subtitle"))
 
-    def test_what_is_not_known_is_named_and_not_drawn(self):
+    def test_unknown_values_are_named_and_not_drawn(self):
         self.open("bare")
         self.assertTrue(self.is_hidden("#loads"))
         self.assertTrue(self.is_hidden("[data-strip=steering]"))

@@ -162,7 +162,7 @@ class Report(unittest.TestCase):
         self.open(moment=f"#{self.rows[200]['time_s']}")
         self.expect_row(self.rows, 200)
 
-    def test_what_the_ecu_says_of_itself(self):
+    def test_the_ecus_own_reports(self):
         self.open()
         self.seek(len(self.rows) - 1)
         self.assertIn(self.seen()["degradation"], ("degradation: full", "degradation: roll sensor lost"))

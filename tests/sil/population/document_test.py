@@ -46,7 +46,7 @@ def verdicts(**changes):
 
 
 class Goals(unittest.TestCase):
-    def test_what_just_meets_every_goal_meets_them(self):
+    def test_results_at_every_goal_meet_them(self):
         self.assertEqual(verdicts(), ["yes"] * 8)
 
     def test_one_step_less_misses_the_goal_and_no_other(self):

@@ -20,7 +20,7 @@ double nominal_kmh(const std::string& name) {
     return sil::find_manoeuvre(name).initial_speed_mps * 3.6;
 }
 
-TEST(PopulationCampaigns, NobodyDrivesFasterThanTheClass) {
+TEST(PopulationCampaigns, NoVehicleDrivesFasterThanItsClass) {
     for (std::uint64_t number = 0U; number < many; ++number) {
         const sil::DrawnVehicle drawn = sil::draw_vehicle(1U, number);
         const sil::CampaignVehicle scaled = sil::scaled_vehicle(drawn, drawn.parameters);

@@ -191,7 +191,7 @@ TEST(DrawnVehicles, AllDrive) {
     }
 }
 
-TEST(PopulationCalibration, WhatIdentifyRefusesIsAReasonAndNoCalibration) {
+TEST(PopulationCalibration, ARefusalOfIdentifyIsAReasonAndNoCalibration) {
     const test_support::ScratchFolder scratch;
     const sil::DrawnVehicle drawn = sil::draw_vehicle(1U, 3U);
     const std::filesystem::path data = scratch.path() / "data.toml";

@@ -42,7 +42,7 @@ TEST(VehicleClass, TheBuiltInOnesAreThoseThatWereAskedFor) {
                                             "heavy truck", "bus"));
 }
 
-TEST(VehicleClass, WhatIsWrongIsNamed) {
+TEST(VehicleClass, ErrorsAreNamed) {
     expect_refused(replaced("mass_kg = [900.0, 1350.0]\n", ""), "\"class.mass_kg\" is missing");
     expect_refused(replaced("mass_kg = [900.0, 1350.0]", "mass_kg = [1350.0, 900.0]"),
                    "\"class.mass_kg\" must be two numbers, [lowest, highest]");

@@ -183,7 +183,7 @@ TEST(VehicleDraw, EveryVehicleIsPlausibleAndFewDrawsWereNot) {
     EXPECT_LT(refused, population().size());
 }
 
-TEST(VehicleDraw, WhatIsImplausibleIsSaid) {
+TEST(VehicleDraw, ImplausibleValuesAreReported) {
     const sil::DrawnVehicle drawn = population().front();
     const sil::VehicleClass& from = sil::vehicle_classes()[drawn.in_class];
     const auto reason = [&](const std::function<void(sil::VehicleParameters&)>& change) {

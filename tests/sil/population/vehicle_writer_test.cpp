@@ -11,7 +11,7 @@
 namespace {
 
 // Both states: the ends of what load_vehicle admits are nearer to a loaded truck than to anything else.
-TEST(VehicleWriter, WhatItWritesIsReadBackToTheLastBit) {
+TEST(VehicleWriter, ItsOutputIsReadBackToTheLastBit) {
     const test_support::ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "vehicle.toml";
     for (std::uint64_t number = 0U; number < 200U; ++number) {

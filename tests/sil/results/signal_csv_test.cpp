@@ -75,7 +75,7 @@ TEST(SignalCsv, ARowHasAFieldForEveryColumn) {
     EXPECT_EQ(fields_of(sil::signal_csv_row({}, {}, {})).size(), sil::signal_csv_columns().size());
 }
 
-TEST(SignalCsv, WhatIsNotAvailableIsAnEmptyField) {
+TEST(SignalCsv, AMissingValueIsAnEmptyField) {
     const std::string row = sil::signal_csv_row({}, {}, {});
     EXPECT_EQ(field(row, "sensor_lateral_acceleration_mps2"), "");
     EXPECT_EQ(field(row, "ecu_warning_level"), "");

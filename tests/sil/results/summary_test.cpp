@@ -112,7 +112,7 @@ TEST(SummaryJson, HasExactlyTheAgreedKeysInTheirOrder) {
     }
 }
 
-TEST(SummaryJson, WhatDidNotHappenIsNull) {
+TEST(SummaryJson, AMissingEventIsNull) {
     const ordered_json json = ordered_json::parse(sil::summary_json(quiet_run()));
     for (const char* key :
          {"warning_time_s", "warning_side", "warning_ay_g", "one_wheel_lift_time_s", "two_wheel_lift_time_s",

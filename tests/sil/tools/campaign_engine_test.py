@@ -79,7 +79,7 @@ class Engine(unittest.TestCase):
     def begun(self):
         return collections.Counter((self.scratch / "begun").read_text(encoding="utf-8").split())
 
-    def test_what_is_killed_loses_nothing_and_does_nothing_twice(self):
+    def test_a_killed_process_loses_nothing_and_does_nothing_twice(self):
         single = self.scratch / "single"
         subprocess.run([self.program, "campaign", "run", "--runs", str(RUNS), "--output", single], cwd=PROJECT, check=True,
                        capture_output=True)

@@ -148,7 +148,7 @@ class Queries(unittest.TestCase):
                 self.assertEqual(text, "") if value is None else self.assertEqual(value, kind(int(text)) if kind is bool else
                                                                                   kind(text), name)
 
-    def test_what_was_converted_follows_its_part(self):
+    def test_a_converted_file_follows_its_part(self):
         self.command("convert", self.folder)
         target = self.folder / "parquet/part-0.parquet"
         before = target.stat().st_mtime_ns

@@ -83,9 +83,9 @@ class Campaigns(unittest.TestCase):
     def run_program(cls, *arguments):
         subprocess.run([cls.program, "campaign", "run", *map(str, arguments)], cwd=PROJECT, check=True, capture_output=True, timeout=300)
 
-    def test_what_is_drawn_has_the_probability_that_the_settings_give_it(self):
-        # With the one vehicle (a half), of the turn (a quarter), the upper tenth of the speed (factor 0.5), the lower twentieth
-        # of the friction.
+    def test_draws_have_the_probability_of_the_settings(self):
+        # With the one vehicle (a half), of the turn (a quarter), the upper tenth of the speed (factor 0.5), the lower
+        # twentieth of the friction.
         what = "vehicle = 'ordinary_suv' AND manoeuvre = 'j-turn-110' AND speed_factor > 0.95 * 0.5 AND friction_factor < 0.725"
         with contextlib.redirect_stderr(io.StringIO()):
             samples, weights = rare.weighed([self.plain, self.nearer], self.program, what)

@@ -124,7 +124,7 @@ class Scores(unittest.TestCase):
         self.assertEqual(warned(lambda lift, side: [(lift - 0.3, side), (lift - 0.1, side)]), [100, 100, 100])
         self.assertEqual(warned(lambda lift, side: [(lift + 0.01, side)]), [0, 0, 0])
 
-    def test_what_cannot_be_scored_is_named(self):
+    def test_indicators_without_a_score_are_named(self):
         side = ("run", "time_s", "side")
         self.refused("run 60, time_s 1.0: there is no such run", side, [(RUNS, 1, "left")])
         self.refused("the times of a run must increase", side, [(0, 2, "left"), (0, 1, "none")])

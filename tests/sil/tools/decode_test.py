@@ -139,7 +139,7 @@ class Decode(drive_support.WithDrives):
         fields = messages["/M"][0][1]
         self.assertEqual((fields.Both, fields.Second, mdf.get("Both").samples[0]), (513.0, 2.0, 513.0))
 
-    def test_what_is_wrong_is_told(self):
+    def test_errors_are_reported(self):
         self.refused(f"{self.original}: is no folder of a run, so say where the results go: --output DIR",
                      "decode", self.original)
         self.refused(f"{self.folder}: has no candump.log; ", "decode", self.folder)

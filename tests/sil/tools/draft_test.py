@@ -85,7 +85,7 @@ class Draft(drive_support.WithDrives):
         file, _ = self.drafted("--dbc", foreign_recorder.DBC, "--log", self.written("blf", both))
         self.assertEqual(file.read_text(encoding="utf-8").count('bus = "?"  # it comes on the buses 1, 2'), 8)
 
-    def test_what_is_wrong_is_told(self):
+    def test_errors_are_reported(self):
         output = self.folder / "none.toml"
         self.refused("draft needs a DBC file (--dbc FILE), or a log", "draft", "--output", output)
         self.refused(f"{self.original}: has no frame of any message of {foreign_recorder.DBC}; ",

@@ -58,7 +58,7 @@ class Rows(unittest.TestCase):
         self.assertEqual(known.tolist(), [490_000, 500_000, 510_000, 520_000, 530_000, 540_000, 550_000])
         self.assertEqual(rows[49:56].tolist(), [1.0, 1.0, 1.5, 2.0, 2.5, 3.0, 3.0])
 
-    def test_what_is_missing_is_counted(self):
+    def test_missing_values_are_counted(self):
         times_us = numpy.delete(numpy.arange(0, 1_000_000, 10_000), [20, 50, 51, 52, 53])
         found = drive_rows.examine(times_us)
         self.assertEqual((found.period_us, found.missing, found.gaps, found.longest_us), (10_000, 5, 1, 50_000))

@@ -121,7 +121,7 @@ class Refusals(drive_support.WithDrives):
                            f"on bus 1, 2, and {file}:3 maps it to lateral_acceleration, which every drive needs; ",
                            log, mapping=file)
 
-    def test_what_is_optional_may_be_missing(self):
+    def test_optional_keys_may_be_missing(self):
         frames = [frame for frame in foreign_recorder.frames(self.run_folder) if frame.identifier != 0x402]
         drive, said = self.drive(self.written("asc", frames))
         self.assertIn(f"speed: none; there is no frame of WHEELSPEED (0x402 in {foreign_recorder.DBC})", said)

@@ -89,7 +89,7 @@ class Validate(unittest.TestCase):
         wrong = {row["drive"]: row for row in rows_of(self.scratch / "damping/drives.csv")}
         self.assertGreater(float(wrong["slalom"]["roll_angle_rms_deg"]), float(right["slalom"]["roll_angle_rms_deg"]))
 
-    def test_what_is_within_is_what_the_samples_say(self):
+    def test_the_share_within_is_that_of_the_samples(self):
         self.judged("nearly", roll_stiffness_nmprad=1.15)
         outputs = (self.output, self.scratch / "nearly")
         for output, row in ((output, row) for output in outputs for row in rows_of(output / "drives.csv")):
@@ -145,7 +145,7 @@ class Validate(unittest.TestCase):
         for right in rows_of(self.output / "drives.csv"):
             self.assertNotIn("check the signs", right["reason"])
 
-    def test_what_is_missing_is_said(self):
+    def test_missing_files_are_named(self):
         for names, text in (((), "there is no vehicle.toml"), (("vehicle.toml", "ramp.csv"), "there is no drive to check with"),
                             (("vehicle.toml", "slalom.csv"), "a slow ramp and a dynamic drive are both needed")):
             folder = self.scratch / f"lacks{len(names)}{len(text)}"

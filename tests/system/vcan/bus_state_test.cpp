@@ -148,7 +148,7 @@ TEST_F(BusStateTest, BusOffIsEndedByARestartAfterTheTimeOfTheSchedule) {
     EXPECT_EQ(first.send(make_frame(1U)), SendResult::sent);
 }
 
-TEST_F(BusStateTest, BusOffIsLeftToTheKernelWhenNobodyAskedForARestart) {
+TEST_F(BusStateTest, BusOffIsLeftToTheKernelWithoutARequestToRestart) {
     send_raw(CAN_ERR_FLAG | CAN_ERR_BUSOFF);
     ASSERT_EQ(state_after_reading(first), BusState::bus_off);
     clock.wait_until(clock.now() + BusOffSchedule::shortest + BusOffSchedule::shortest);

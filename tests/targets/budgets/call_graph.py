@@ -58,11 +58,11 @@ class CallGraph:
         if name in known:
             return known[name]
         if name == INDIRECT:
-            raise CallGraphError(f"{_symbol(above[-1])} makes an indirect call: nobody knows how deep it goes")
+            raise CallGraphError(f"{_symbol(above[-1])} makes an indirect call of unknown depth")
         name = self._complete_object(name)
         if name not in self.bytes:
             if name not in library:
-                raise CallGraphError(f"{_symbol(above[-1]) if above else 'nobody'} calls {name}, which is unknown")
+                raise CallGraphError(f"{_symbol(above[-1]) if above else 'an unknown function'} calls {name}, which is unknown")
             return library[name], (name,)
         if name in self.unbounded:
             raise CallGraphError(f"the stack of {_symbol(name)} grows with its data")

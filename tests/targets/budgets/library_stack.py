@@ -33,7 +33,7 @@ def _width(register):
 
 
 def of_functions(path, names):
-    """Bytes of each of `names` that is in the image and calls nobody."""
+    """Bytes of each of `names` that is in the image and calls no function."""
     sizes = {}
     for name in binary_tools.functions(path).keys() & names:
         pushed = bytes_pushed(binary_tools.run("objdump", f"--disassemble={name}", path))

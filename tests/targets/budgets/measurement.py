@@ -241,7 +241,7 @@ class Measurement:
             ).indirect_callers()
 
     def _access_memory(self):
-        """Of XCP and of diagnosis: what the linker took of their libraries, and the bytes of their objects."""
+        """XCP and diagnosis: the linked parts of their libraries, and the bytes of their objects."""
         self._run("access_sizes", "sizes.bin")
         self.xcp_bytes, self.diagnosis_bytes, self.seed_and_key_bytes = self._words("sizes.bin")
 
@@ -259,7 +259,7 @@ class Measurement:
         self.access_static = bytes_of(linked, all_parts, "data", "zeroed data")
 
     def _contents(self):
-        """What must not be in an image and is."""
+        """Forbidden parts in an image."""
         self.findings = []
         images = [self._folder / "targets/least_image.elf"]
         if self._facts["image"]:

@@ -78,7 +78,7 @@ class InstructionTrace(unittest.TestCase):
         first, second = self.read(trace_of(*self.blocks, *self.blocks))
         self.assertEqual(first.instructions, second.instructions)
 
-    def test_what_a_function_jumps_to_is_still_within_it(self):
+    def test_the_target_of_a_jump_is_still_within_its_function(self):
         (call,) = self.read(trace_of((0x100, 2), (0x200, 3), (0x300, 2), (0x20C, 2), (0x400, 2), (0x108, 1)))
         self.assertEqual(call.within["step"], call.instructions)
 
@@ -95,7 +95,7 @@ class InstructionTrace(unittest.TestCase):
         with self.assertRaisesRegex(instruction_trace.TraceError, "no function gone"):
             instruction_trace.read([], self.program, ["gone"])
 
-    def test_what_was_never_translated_is_refused(self):
+    def test_blocks_never_translated_are_refused(self):
         lines = [line for line in trace_of(*self.blocks) if not line.startswith("0x")]
         with self.assertRaisesRegex(instruction_trace.TraceError, "00000100 .*not in"):
             self.read(lines)
@@ -162,7 +162,7 @@ class CallGraph(unittest.TestCase):
             self.worst(node("root", 8, "dynamic"))
 
     def test_a_root_that_is_missing_is_refused(self):
-        with self.assertRaisesRegex(call_graph.CallGraphError, "nobody calls root"):
+        with self.assertRaisesRegex(call_graph.CallGraphError, "an unknown function calls root"):
             self.worst(node("other", 8))
 
 
@@ -185,7 +185,7 @@ Linker script and memory map
 
 
 class ImageSize(unittest.TestCase):
-    def test_what_was_thrown_away_or_is_another_s_does_not_count(self):
+    def test_discarded_or_foreign_code_does_not_count(self):
         self.assertEqual(
             image_size.of_library(MAP, "librsi.a"), {"code": 0x120, "constants": 8, "data": 0, "zeroed data": 4}
         )
@@ -317,7 +317,7 @@ class PlantedViolations(unittest.TestCase):
 
 
 class CallGraphs(unittest.TestCase):
-    def test_what_is_no_longer_in_the_archive_is_left_out(self):
+    def test_objects_no_longer_in_the_archive_are_left_out(self):
         with tempfile.TemporaryDirectory() as folder:
             here = pathlib.Path(folder)
             for name in ("kept", "gone"):

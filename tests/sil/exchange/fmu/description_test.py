@@ -44,7 +44,7 @@ class Description(support.WithFmus):
             self.assertEqual(self.fmu("ecu", version).names("output"), rows)
             self.assertLess({"state", "side", "warning_level"}, set(rows))
 
-    def test_what_the_vehicle_senses_is_what_the_ecu_takes(self):
+    def test_the_vehicles_sensors_are_the_inputs_of_the_ecu(self):
         for version in support.VERSIONS:
             ecu, vehicle = self.fmu("ecu", version), self.fmu("vehicle", version)
             for name in ecu.names("input"):
@@ -52,7 +52,7 @@ class Description(support.WithFmus):
                 self.assertEqual(vehicle.variables[name].unit, ecu.variables[name].unit)
                 self.assertIsNotNone(ecu.variables[name].unit, name)
 
-    def test_what_an_importer_reads_is_said(self):
+    def test_descriptions_are_those_for_an_importer(self):
         for version in support.VERSIONS:
             variables = self.fmu("ecu", version).variables
             self.assertIn("0 unavailable, 1 ready, 2 advisory, 3 warning", variables["state"].description)

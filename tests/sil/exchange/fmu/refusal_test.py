@@ -104,7 +104,7 @@ class Refusal(support.WithFmus):
             self.assertEqual(str(raised.exception), "under test: the modelDescription.xml that was read is not this FMU's; "
                                                     "unpack the FMU anew")
 
-    def test_what_it_does_not_offer(self):
+    def test_missing_functions(self):
         ecu = self.instance("ecu", 3).started()
         self.refused("fmi3EnterEventMode is not offered by this FMU; modelDescription.xml says what is",
                      ecu.asked, ecu.fmu.enterEventMode)
