@@ -57,6 +57,7 @@ extern "C" {
 const double judge_early_s = sil::early_s;
 const double judge_very_early_s = sil::very_early_s;
 const double judge_time_rounding_s = sil::time_rounding_s;
+const double judge_lasting_s = sil::TwoWheelLiftObserver::lasting_s;
 const size_t judge_fewest_clusters = sil::fewest_clusters;
 
 const char* judge_band_name(size_t band) {

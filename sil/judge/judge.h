@@ -61,6 +61,7 @@ typedef struct {
 extern const double judge_early_s;
 extern const double judge_very_early_s;
 extern const double judge_time_rounding_s;
+extern const double judge_lasting_s; /* of a two-wheel lift-off, at least */
 extern const size_t judge_fewest_clusters;
 
 const char* judge_band_name(size_t band);

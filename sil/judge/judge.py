@@ -94,6 +94,11 @@ def rounding_s():
     return _constant("time_rounding_s", ctypes.c_double)
 
 
+def lasts(begin_s, end_s):
+    """Whether both wheels of a side that are up between these times are a two-wheel lift-off."""
+    return end_s - begin_s >= _constant("lasting_s", ctypes.c_double) - rounding_s()
+
+
 def fewest_vehicles():
     """From so many on, intervals count vehicles."""
     return _constant("fewest_clusters", ctypes.c_size_t)

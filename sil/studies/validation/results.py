@@ -5,8 +5,9 @@ import csv
 import json
 import math
 
+import judge
+
 G = 9.80665
-LASTING_S = 0.05  # of a two-wheel lift-off
 
 
 def _number(text):
@@ -78,9 +79,9 @@ class Run:
         return self.lift("front_left", "front_right", "rear_left", "rear_right", begin_s=begin_s)
 
     def two_wheels(self, begin_s=-math.inf):
-        """Two-wheel lift-off, as everywhere the one that lasts (sil/judge/two_wheel_lift.hpp)."""
+        """Two-wheel lift-off: the first one that lasts."""
         return min((begin for what, begin, end in self.lifts
-                    if what in ("left_side", "right_side") and begin >= begin_s and end - begin >= LASTING_S - 1e-6), default=None)
+                    if what in ("left_side", "right_side") and begin >= begin_s and judge.lasts(begin, end)), default=None)
 
 
 def mean(values):

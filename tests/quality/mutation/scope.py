@@ -73,8 +73,7 @@ JUDGES = Scope(
            **{f"tests/application/regression/{name}{suffix}": {"candump_compare_test"}
               for name in ("candump_compare", "frame_description") for suffix in (".cpp", ".hpp")},
            "sil/studies/campaign": {"campaign_tests"}, **{file: {"faults_tests"} for file in JUDGES_OF_FAULTS}},
-    left_out={"sil/judge/c_interface.cpp": "compiled for Python alone",
-              "sil/results/versions.cpp": "names versions, decides nothing",
+    left_out={"sil/results/versions.cpp": "names versions, decides nothing",
               **{f"hal/{name}": BARE for name in ("mps2", "semihosting", "zynqmp_r5/startup")},
               **{f"hal/socketcan/{name}.cpp": INTERFACE
                  for name in ("can_socket", "controller_restart", "interface_lookup", "route_netlink", "socket_can_bus")},
