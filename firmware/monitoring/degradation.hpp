@@ -16,7 +16,7 @@ enum class Degradation : std::uint8_t {
     internal_fault,    // the control unit has found itself faulty; no statement on the risk
 };
 
-// Of a cycle that made these outputs of these inputs.
+// Degradation of a cycle with these inputs and outputs.
 inline Degradation degradation_of(const rsi::Inputs& inputs, const rsi::Outputs& outputs,
                                   bool internal_fault) noexcept {
     if (internal_fault) {

@@ -3,7 +3,7 @@
 namespace monitoring {
 namespace {
 
-// Whatever has become of a set in memory: a code has an entry.
+// Safe for a damaged set in memory: a code has an entry.
 constexpr CodeSet all_codes = (CodeSet{1U} << diagnostic_code_count) - 1U;
 
 // The number of the lowest bit; at least one is set. In halves, for which controllers have an instruction.

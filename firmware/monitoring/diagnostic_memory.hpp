@@ -29,7 +29,7 @@ struct DiagnosticRecord {
 
 class DiagnosticMemory {
  public:
-    // What the entries that are confirmed in this cycle will keep.
+    // Snapshot for the entries confirmed in this cycle.
     void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
     const Snapshot& snapshot() const noexcept { return snapshot_; }
 

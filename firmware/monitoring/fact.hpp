@@ -5,8 +5,8 @@
 
 namespace monitoring {
 
-// Of a relation: valid, it can be judged; within, it holds; beyond, it does not. Its own header has the
-// bounds, and what makes them wider.
+// State of a residual: valid, it can be judged; within, it is small; beyond, it is not. Its own header has
+// the bounds, and what makes them wider.
 enum class Fact : std::uint8_t {
     // Lateral acceleration, yaw rate times speed: turn_consistency.hpp, turn_signs.hpp
     turn_valid,

@@ -9,7 +9,7 @@
 
 namespace monitoring {
 
-// Turn by turn it is held against the interval between its two witnesses. A load lets the body roll further
+// Turn by turn it is held against the interval between its two references. A load lets the body roll further
 // and so moves one of them alone; a curve that leans inwards moves the other alone, because accelerometer and
 // body feel the same force along the road; an offset of a sensor helps in turns to one side and hinders in
 // those to the other. Only an accelerometer that is wrong by a factor is outside of the interval in turns to
@@ -54,7 +54,7 @@ class ForceGain {
     static constexpr std::uint32_t calm_samples = 800U;
 
     // Without a turn a factor cannot be seen, nor that it is gone; noise can, by now. An accelerometer that
-    // has been calm for so long is believed until the next turn.
+    // has been calm for so long is accepted until the next turn.
     void go_straight(const LateralForces& forces) noexcept {
         if (rsi::is_within_magnitude(forces.by_yaw_mps2, clear_mps2)) {
             const bool calm = rsi::is_within_magnitude(forces.shown_mps2, clear_mps2);

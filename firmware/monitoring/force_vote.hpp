@@ -1,5 +1,5 @@
-// Force vote: three witnesses of the lateral force - the accelerometer, yaw rate times speed, and the roll
-// motion, which the body makes under that force. Is the accelerometer alone?
+// Force vote: three independent estimates of the lateral force - the accelerometer, yaw rate times speed, and
+// the roll motion, which the body makes under that force. Is the accelerometer alone?
 #pragma once
 
 #include "monitoring/driving_speed.hpp"
@@ -11,9 +11,9 @@
 namespace monitoring {
 
 // A bank of the road or a slide separates the yaw rate from the other two, a wrong roll angle separates
-// itself; only a wrong lateral acceleration contradicts both. The roll angle alone would be a witness of a
-// car, not of a truck, whose body swings long after its tyres: hence the whole roll equation, at the centre
-// of gravity.
+// itself; only a wrong lateral acceleration contradicts both. The roll angle alone would be a reference for
+// a car, not for a truck, whose body swings long after its tyres: hence the whole roll equation, at the
+// centre of gravity.
 class ForceVote {
  public:
     // Accepted parameters.
@@ -41,7 +41,7 @@ class ForceVote {
 
     // One sample; one that is not finite, or of a body far over, starts anew.
     void update(const rsi::Inputs& inputs) noexcept {
-        // Where the IMU sits turning adds to the force, and rolling needs a force for the inertia: both are a
+        // At the IMU turning adds to the force, and rolling needs a force for the inertia: both are a
         // rate of change, which through the lag is what the lag has yet to follow, over its time.
         const float imu = (imu_x_m_ * inputs.yaw_rate_radps - imu_z_m_ * inputs.roll_rate_radps) / lag_s;
         const float inertia = (force_per_acceleration_m_ / lag_s) * inputs.roll_rate_radps;
@@ -55,7 +55,7 @@ class ForceVote {
         if (!known_) {
             return;
         }
-        if (!knew) {  // nobody contradicts yet
+        if (!knew) {  // no contradiction yet
             shown_ = by_yaw + imu;
             by_yaw_ = by_yaw;
             by_roll_ = by_yaw - inertia;
@@ -89,14 +89,14 @@ class ForceVote {
     static constexpr float lag_s = 0.3F;
     static constexpr float latest_s = 0.08F;
 
-    // Of a vehicle that may be rolling backwards either one may be right.
+    // Either one may be right for a vehicle that may be rolling backwards.
     static float force_by_yaw(float turn_mps2, const rsi::Inputs& inputs) noexcept {
         return (inputs.speed_mps > driving_speed_mps)
                    ? turn_mps2
                    : rsi::clamp_magnitude(inputs.lateral_specific_force_mps2, rsi::absolute(turn_mps2));
     }
 
-    // 0 where nobody knows, or they contradict it on different sides.
+    // 0 if unknown, or if they contradict it on different sides.
     float lesser_contradiction_mps2() const noexcept {
         const bool same_side = known_ && (against_yaw_mps2_ * against_roll_mps2_ > 0.0F);
         return same_side ? rsi::smaller(rsi::absolute(against_yaw_mps2_), rsi::absolute(against_roll_mps2_))

@@ -6,7 +6,7 @@
 
 namespace monitoring {
 
-// What the lateral force is more than the turn needs, as a component of gravity; not available where it is
+// Lateral force in excess of the turn, expressed as a tilt of gravity; not available where it is
 // more than half of that. It takes a slide for an inclination, and so is no proof of one.
 inline float inclination_rad(float lateral_force_mps2, float turn_mps2) noexcept {
     constexpr float per_gravity = 1.0F / rsi::gravity_mps2;

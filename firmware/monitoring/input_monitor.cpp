@@ -7,7 +7,7 @@
 namespace monitoring {
 namespace {
 
-// Of the observer: reliable again within half of what the component's own check tolerates.
+// State of the observer: reliable again within half of what the component's own check tolerates.
 constexpr float agreement_rad = 0.025F;
 
 // No road is as steep (45 %, several times what is built), and the sensor ends at 0.785 rad.
@@ -22,19 +22,19 @@ constexpr float sure_excess_deviation = 0.06F;
 constexpr float largest_fine_step_mps = 0.05F;
 constexpr float further_than_any_witness = 1.0e6F;
 
-// Of the road: measured, or as the observer has it.
+// Bank of the road: measured, or as the observer has it.
 float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     const bool measured = rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad);
     return measured ? inputs.bank_angle_rad : before.observed_bank_angle_rad;
 }
 
-// What minutes of driving have shown. An accelerometer that has just failed looks like a load, but not like
+// Results of minutes of driving. An accelerometer that has just failed looks like a load, but not like
 // one that is known so well. NaN while the component makes no statement.
 float sure_load_excess(const rsi::Outputs& before) noexcept {
     return (before.load_excess_deviation >= sure_excess_deviation) ? 0.0F : before.load_excess;
 }
 
-// Whom a row can concern: only who is accused can be acquitted.
+// Skips rows that cannot change the code's status.
 bool concerns(const Signature& row, const DiagnosticMemory& memory) noexcept {
     switch (row.verdict) {
         case Verdict::keeps:
@@ -153,13 +153,13 @@ rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrame
 void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
     const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
     const float lateral = inputs.lateral_specific_force_mps2;
-    // NaN when it begins anew: no witness has jumped then.
+    // NaN when it begins anew: no reference has jumped then.
     const float sum = turned_rad_ + rsi::sample_time_s * inputs.roll_rate_radps;
     const float turned = rsi::is_within_magnitude(sum, 5.0F) ? sum : rsi::not_available;
     turned_rad_ = rsi::is_finite(turned) ? turned : 0.0F;
     const auto report = [&memory](DiagnosticCode code, auto& check, auto... signals) noexcept {
         const bool stuck = check.is_stuck(signals...);
-        // An inactive or missing witness does not clear a value that repeats itself.
+        // An inactive or missing reference does not clear a value that repeats itself.
         if (stuck || check.moves()) {
             memory.report(code, stuck);
         }
@@ -181,8 +181,8 @@ Facts InputMonitor::roll_facts(const rsi::Inputs& inputs, float late_roll_angle_
     roll_consistency_.update(
         there ? inputs.roll_angle_rad : late_roll_angle_rad, inputs.roll_rate_radps,
         inclination_rad(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps));
-    // Of an angle that does not fit the force the sensor is to blame, not the road; and who stands on a road
-    // does not come to where it twists.
+    // An angle that does not fit the force points to the sensor, not the road; and a stationary vehicle sees
+    // no change of bank.
     const bool may_twist = turn_consistency_.known() && force_vote_.roll_motion_agrees();
     return fact_if(roll_consistency_.known(), Fact::roll_valid) |
            fact_if(roll_consistency_.contradicts(may_twist), Fact::roll_beyond_short) |
@@ -231,8 +231,7 @@ Facts InputMonitor::turn_facts(const rsi::Inputs& inputs, const rsi::Outputs& be
            fact_if(slow_vehicle_.lateral_acceleration_is_impossible(), Fact::slow_vehicle_beyond);
 }
 
-// A roll angle that is not used for what contradicts it is no witness, nor is the speed of wheels that slide
-// sideways, as at the end of a spin.
+// Ignores an invalidated roll angle, and wheel speed during a slide, as at the end of a spin.
 Facts InputMonitor::gain_facts(const rsi::Outputs& before) noexcept {
     const bool both_are_witnesses = turn_consistency_.known() && (before.roll_source != RSI_ROLL_OBSERVER);
     if (!force_vote_.known() || !both_are_witnesses) {
@@ -242,13 +241,13 @@ Facts InputMonitor::gain_facts(const rsi::Outputs& before) noexcept {
     return facts(Fact::gain_valid) | fact_if(force_gain_.is_wrong(), Fact::gain_beyond);
 }
 
-// The angle against the road that is a witness against the other sensors. One against the horizon needs the
+// The angle against the road that is a reference for the other sensors. One against the horizon needs the
 // bank of a sensor: the observer's is made of the very signals that are to be checked.
 float InputMonitor::roll_against_road(const rsi::Inputs& inputs) const noexcept {
     return against_horizon_ ? inputs.roll_angle_rad - inputs.bank_angle_rad : inputs.roll_angle_rad;
 }
 
-// What the sensor shows beyond the roll angle that the observer finds without it.
+// Excess of the sensor over the roll angle that the observer finds without it.
 float InputMonitor::roll_beyond_observed(const rsi::Inputs& inputs,
                                          const rsi::Outputs& before) const noexcept {
     const float beyond_road = inputs.roll_angle_rad - before.observed_roll_angle_rad;
@@ -279,7 +278,7 @@ Facts InputMonitor::observer_facts(const rsi::Inputs& inputs, const rsi::Outputs
            fact_if(out && far, Fact::observer_far);
 }
 
-// Where nobody is accused, nobody can be acquitted.
+// Nothing to set or clear.
 void InputMonitor::judge(Facts seen, DiagnosticMemory& memory) noexcept {
     if (((memory.active_codes() & judged_codes) == 0U) && ((seen & accusing_facts) == 0U)) {
         return;

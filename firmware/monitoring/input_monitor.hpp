@@ -24,7 +24,7 @@ struct FreshFrames {
     bool roll_angle{false};
     bool vehicle_motion{false};
     bool vertical_acceleration{true};  // the IMU has sent one before; of one that has none nothing is missed
-    // Of a roll angle that is not fresh because its frames are held back; else NaN.
+    // Roll angle that is not fresh because its frames are held back; else NaN.
     float late_roll_angle_rad{rsi::not_available};
 };
 
@@ -75,7 +75,7 @@ class InputMonitor {
     SignalCheck steering_{
         {-15.0F, 15.0F, 2.0F, 0.3F, DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump}};
 
-    // Spans of the witness: at least one and a half times what ideal sensors, which do repeat themselves,
+    // Spans of the reference: at least one and a half times what ideal sensors, which do repeat themselves,
     // came to.
     StuckCheck lateral_stuck_{1.0F};   // m/s^2 of yaw rate times speed
     StuckCheck vertical_stuck_{1.5F};  // m/s^2 of the lateral one
@@ -95,8 +95,8 @@ class InputMonitor {
     ForceGain force_gain_{};
     SlowVehicle slow_vehicle_{};
     VerticalOffset vertical_offset_{};
-    float turned_rad_{0.0F};  // integral of the roll rate, as a witness
-    // Of roll rate and roll angle, as long as they contradict each other.
+    float turned_rad_{0.0F};  // integral of the roll rate, as a reference
+    // The faulty one of roll rate and roll angle, as long as they contradict each other.
     OfRoll wrong_of_roll_{otherwise_wrong};
 };
 

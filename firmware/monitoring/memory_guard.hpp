@@ -18,7 +18,7 @@ class MemoryGuard {
  public:
     explicit MemoryGuard(const Object& object) noexcept { keep(object); }
 
-    // What the object is from now on, until its owner changes it.
+    // Takes the object's present content as right, until its owner changes it.
     void keep(const Object& object) noexcept {
         copy(bytes_of(object), bytes_of(kept_));
         sum_ = sum_of(object);

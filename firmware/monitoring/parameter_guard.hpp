@@ -14,7 +14,7 @@ namespace monitoring {
 // it, 30 to 70 ms later.
 class ParameterGuard {
  public:
-    // What the parameters are from now on.
+    // Takes these parameters as right from now on.
     void start(const rsi::Parameters& parameters) noexcept {
         expected_ = Sums{};
         for (std::size_t slice = 0U; slice < slice_count; ++slice) {

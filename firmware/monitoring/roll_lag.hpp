@@ -6,8 +6,8 @@
 
 namespace monitoring {
 
-// An angle that is late by tau differs from the integrated roll rate by -tau times the roll rate. What is
-// slow is taken off both (a bank, an offset), and tau is fitted by least squares. That needs a body that has
+// An angle that is late by tau differs from the integrated roll rate by -tau times the roll rate. The slow
+// part (a bank, an offset) is taken off both, and tau is fitted by least squares. That needs a body that has
 // rolled to and fro: at a sum of 1 rad^2/s^2, a second at 0.1 rad/s, a roll sensor's noise of 0.2 deg is
 // worth 4 ms.
 class RollLag {
@@ -24,7 +24,7 @@ class RollLag {
         quick_radps_ = known ? rate : 0.0F;
         moved_ = known ? moved_ + rate * rate : 0.0F;
         lagged_ = known ? lagged_ - rate * apart : 0.0F;
-        if (moved_ > 2.0F) {  // what is long ago counts less: an angle may once have jumped
+        if (moved_ > 2.0F) {  // older samples count less: an angle may once have jumped
             moved_ *= 0.5F;
             lagged_ *= 0.5F;
         }

@@ -24,8 +24,7 @@ class SignalCheck {
 
     // One value that its frame has brought. `expected_change` is what others say that it has changed by.
     // A value beyond its range, or further from the last good one than a cycle allows, or shaken, gives that
-    // last one, until the code is confirmed; then NaN, until it is healed. What is NaN already gives NaN at
-    // once.
+    // last one, until the code is confirmed; then NaN, until it is healed. NaN gives NaN at once.
     float qualify(float value, DiagnosticMemory& memory, float expected_change = 0.0F) noexcept;
 
     // Noise of a good sensor, rms, besides what the limits admit: they grow by that of its second difference.

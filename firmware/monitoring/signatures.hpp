@@ -1,5 +1,5 @@
-// Signatures: which pattern of facts accuses which sensor, and what an accusation takes out. The three tables
-// decide, and what reads them does not: docs/reports/safety/signatures.md is printed from them.
+// Fault signatures: the pattern of symptoms that sets each code, and the signal that it invalidates. The
+// three tables decide, and what reads them does not: docs/reports/safety/signatures.md is printed from them.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ inline constexpr DiagnosticCode reference = DiagnosticCode::roll_angle_reference
 
 }  // namespace row
 
-// Of each code the first row that fits counts. Where none does, the code neither comes nor goes.
+// The first row of each code that fits counts. If none does, the code is neither set nor cleared.
 inline constexpr std::array<Signature, 26> signatures{{
     accuses(row::lateral, Fact::lateral_sign_alone),
     accuses(row::lateral, Fact::slow_vehicle_beyond),
@@ -86,7 +86,7 @@ inline constexpr std::array<Signature, 26> signatures{{
 
     acquits(row::roll_sensor, Fact::observer_within),
     keeps(row::roll_sensor, Fact::observer_valid),
-    // In a spin the observer, whose tyres roll, is no witness.
+    // In a spin the observer, whose tyres roll, is no reference.
     accuses(row::roll_sensor, Fact::observer_far).unless(Fact::spinning),
     accuses(row::roll_sensor, Fact::observer_beyond)
         .unless(Fact::spinning)
@@ -105,7 +105,7 @@ inline constexpr std::array<Signature, 26> signatures{{
     acquits(row::reference, Fact::reference_valid),
 }};
 
-// Each of these facts accuses by itself; without one of them nobody is accused anew.
+// Each of these symptoms sets the code by itself; without one of them no code is set anew.
 constexpr Facts find_accusing_facts() noexcept {
     Facts all = 0U;
     for (const Signature& each : signatures) {
@@ -126,8 +126,8 @@ constexpr CodeSet find_judged_codes() noexcept {
 }
 inline constexpr CodeSet judged_codes = find_judged_codes();
 
-// Of roll rate and roll angle that contradict each other: the first row that fits says which is wrong; where
-// none does, it is the roll rate, without which there is no statement on the risk.
+// Isolation of roll rate and roll angle that contradict each other: the first row that fits names the faulty
+// one; if none does, it is the roll rate, without which there is no statement on the risk.
 enum class OfRoll : std::uint8_t { rate, angle };
 struct Suspicion {
     Pattern pattern;
@@ -141,8 +141,8 @@ inline constexpr std::array<Suspicion, 3> suspicions{{
 inline constexpr OfRoll otherwise_wrong = OfRoll::rate;
 inline constexpr CodeSet roll_contradictions = set_of(row::roll_short, row::roll_long);
 
-// What the codes of a signal do, beside these two. While one that the signal sets by itself is active it is
-// no witness against another. While one of the others is confirmed it is not used; with its own, its check
+// Effect of each code on its signal, beside these two. While one that the signal sets by itself is active it
+// is no reference for another. While one of the others is confirmed it is not used; with its own, its check
 // gives no value.
 struct Consequence {
     SensorSignal signal;

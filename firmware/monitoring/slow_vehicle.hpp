@@ -14,7 +14,7 @@ namespace monitoring {
 // The wheels of a vehicle that slides sideways are slow too, and at the end of the slide it may tip over.
 class SlowVehicle {
  public:
-    // One sample. What is not finite is not impossible.
+    // One sample. A value that is not finite is not impossible.
     void update(const rsi::Inputs& inputs) noexcept {
         const float turn_mps2 = rsi::absolute(inputs.yaw_rate_radps * inputs.speed_mps);
         const float beyond_mps2 = rsi::absolute(inputs.lateral_specific_force_mps2) - turn_mps2;
@@ -31,7 +31,7 @@ class SlowVehicle {
     static constexpr float least_of_slide_mps2 = 4.0F;
     static constexpr std::uint32_t enough_samples = 300U;
 
-    std::uint32_t samples_{enough_samples};  // slow and not in a slide; nobody starts in one
+    std::uint32_t samples_{enough_samples};  // initially: slow, not sliding
     bool impossible_{false};
 };
 

@@ -10,15 +10,15 @@ namespace monitoring {
 
 class StuckCheck {
  public:
-    // `witness_span`: how far the witness has to move while the value does not; `drift`: how much further for
-    // each cycle that the value repeats itself beyond a second, because the witness goes on by itself.
+    // `witness_span`: how far the reference has to move while the value does not; `drift`: how much further
+    // for each cycle that the value repeats itself beyond a second, because the reference goes on by itself.
     constexpr explicit StuckCheck(float witness_span, float drift = 0.0F) noexcept
         : witness_span_{witness_span}, drift_{drift} {}
 
     // One cycle; false when either is not finite.
     bool is_stuck(float value, float witness) noexcept;
 
-    // The value has changed in the last cycle, whatever the witness does.
+    // The value has changed in the last cycle, for any motion of the reference.
     bool moves() const noexcept { return value_.moves(); }
 
     // It has not moved for longer than the noise of a living sensor allows; no proof by itself.

@@ -96,7 +96,7 @@ bool Component::restore_load(const LearntLoad& learnt, bool doubted) {
     return restored;
 }
 
-// All stages reckon with the body as loaded, but for two: the observer, against which the roll sensor is
+// All stages use the body as loaded, with two exceptions: the observer, against which the roll sensor is
 // checked, must not follow what the roll sensor has taught (only the vehicle's mass excuses the sensor), and
 // the indices for comparison stay as published.
 void Component::take_load() {

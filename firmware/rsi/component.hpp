@@ -15,7 +15,7 @@
 
 namespace rsi {
 
-// What lasts from one sample to the next.
+// State that lasts from one sample to the next.
 struct State {
     bool running{false};     // false until the first good sample after init, a gap or an overturn
     bool overturned{false};  // and not resumed since
@@ -50,7 +50,7 @@ class Component {
     // Costs no more than a step. Without an accepted init it does nothing.
     [[gnu::cold]] void change(const ParameterChange& change);
 
-    // What has been learnt of the load so far, to be kept without power.
+    // The load learnt so far, to be kept without power.
     LearntLoad learnt_load() const { return state_.load_adaptation.learnt(); }
 
     // Takes it up in another run with the same parameters, between init and the first step. `doubted`: in

@@ -18,7 +18,7 @@
 
 namespace rsi {
 
-// What follows from the parameters alone, but takes longer than a cycle to find, or nearly.
+// Values that follow from the parameters alone, but take about a cycle or longer to find.
 struct Iterated {
     ObserverGains gains{};
     float critical_roll_angle_rad{};

@@ -1,4 +1,4 @@
-// Output table: rsi_outputs.h for C++. What follows from its rows alone.
+// Output table: rsi_outputs.h for C++. Values that follow from its rows alone.
 #pragma once
 
 #include <array>
@@ -94,7 +94,7 @@ static_assert(index_numbers_count_from_zero(), "an index stands in the place of 
 // The functions below are written out row by row: a loop over the tables would take their texts into a
 // controller.
 
-// What a component says that has computed nothing.
+// Outputs of a component before its first step.
 inline Outputs no_outputs() noexcept {
     Outputs outputs{};
 #define RSI_CODE(name, reset, ...) outputs.name = reset;

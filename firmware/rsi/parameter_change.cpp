@@ -8,7 +8,7 @@
 namespace rsi {
 namespace {
 
-// Of 2,000, so that a change of the vehicle is ready within two seconds.
+// Part of 2,000, so that a change of the vehicle is ready within two seconds.
 constexpr std::uint32_t iterations_a_cycle = 10U;
 
 using Field = float Parameters::*;

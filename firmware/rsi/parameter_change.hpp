@@ -25,7 +25,7 @@ class ParameterChange {
     // Whether they describe other sensors: their noise, their resolution, or what the vehicle has.
     bool has_other_sensors() const { return has_other_sensors_; }
 
-    // Whether the published estimator reckons in other units.
+    // Whether the published estimator uses other units.
     bool has_other_units() const { return has_other_units_; }
 
     // Whether the observer settles to other gains.

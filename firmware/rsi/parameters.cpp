@@ -113,7 +113,7 @@ constexpr float longest_confirmation_s = 0.2F;
 // Longer, and one lost frame takes a whole manoeuvre from the warning.
 constexpr float longest_recovery_s = 2.0F;
 
-// What could not warn before the wheels lift, or could hardly ever.
+// Settings that could not warn before the wheels lift, or hardly ever.
 Validation validate_timeliness(const Parameters& parameters) {
     if (parameters.warning_on > largest_warning_level) {
         return refuse("warning_on",

@@ -12,7 +12,7 @@ constexpr float largest_mass_factor = 3.0F;
 // The springs must hold up more than gravity pulls down.
 constexpr float least_stiffness_reserve = 1.1F;
 constexpr float largest_load_margin = 0.1F;
-// Of m_s: less is fuel, or an axle's noise.
+// Share of m_s: less is fuel, or an axle's noise.
 constexpr float clear_change_of_mass = 0.05F;
 
 }  // namespace
@@ -55,14 +55,14 @@ void LoadAdaptation::follow_mass(const Constants& constants, float vehicle_mass_
             regression_.add_load(change);
             learnt_at_mass_factor_ = factor;
         } else {
-            // What has been learnt is of this load.
+            // The learnt excess belongs to this load.
         }
         mass_factor_ = factor;
         mass_known_ = true;
     }
 }
 
-// Of the load only its mass is known.
+// Only the mass of the load is known.
 void LoadAdaptation::reset_learnt() {
     regression_.reset();
     regression_.expect_change(mass_factor_ - 1.0F);

@@ -1,4 +1,4 @@
-// Load adaptation: the body that the rest of the component is to reckon with, learnt from ordinary driving.
+// Load adaptation: the body for the rest of the component, learnt from ordinary driving.
 #pragma once
 
 #include "rsi/adaptation/load_regression.hpp"
@@ -8,10 +8,9 @@
 
 namespace rsi {
 
-// A calibration is one of one load. What the vehicle carries instead shows in how far it rolls
-// (LoadRegression); how it is shared out between mass and height only the vehicle's mass shows, where other
-// control units know it (load_split.hpp). It lasts through gaps and is doubted after a long stop and a
-// restart.
+// A calibration is one of one load. Another load shows in how far the vehicle rolls (LoadRegression);
+// only the vehicle's mass, if other control units send it, shows its shares of mass and height
+// (load_split.hpp). It lasts through gaps and is doubted after a long stop and a restart.
 class LoadAdaptation {
  public:
     struct Constants {
@@ -44,10 +43,10 @@ class LoadAdaptation {
         return 1.0F + constants.used_share * (mass_factor_ - 1.0F);
     }
 
-    // What the warning's level is to be multiplied by for what is not known, 1 to 1.1.
+    // Factor on the warning's level for the uncertainty, 1 to 1.1.
     float level_weight(const Constants& constants) const;
 
-    // What has been learnt, whether it is used or not.
+    // The learnt load, used or not.
     LearntLoad learnt() const { return regression_.learnt(); }
     // After a restart; `doubted`: in between the load may have changed. False where it cannot be what was
     // learnt.
@@ -59,7 +58,7 @@ class LoadAdaptation {
 
     float mass_factor_{1.0F};  // m_s over the calibrated one, as the vehicle's mass says
     bool mass_known_{false};
-    float learnt_at_mass_factor_{1.0F};  // what has been learnt is of such a mass
+    float learnt_at_mass_factor_{1.0F};  // mass of the learnt load
     LongStop stop_{};
     LoadRegression regression_{};
 };

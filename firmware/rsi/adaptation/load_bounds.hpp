@@ -1,4 +1,4 @@
-// Load bounds: what can have been learnt of a load; for whoever learns it, and for whoever checks that.
+// Load bounds: range of a learnt load, for learning and for its check.
 #pragma once
 
 namespace rsi {

@@ -24,11 +24,11 @@ constexpr float least_load_offset_deviation_mps2 = 0.01F;
 // x and d wander so much in the root of a second: fuel, passengers at a short stop, a sensor that warms up.
 constexpr float excess_drift_per_root_s = 0.002F;
 constexpr float load_offset_drift_mps2_per_root_s = 0.005F;
-// What a doubt leaves of x, and adds to its deviation.
+// Share of x that a doubt keeps, and the deviation that it adds.
 constexpr float kept_share = 0.5F;
 constexpr float doubted_deviation = 0.15F;
 
-// What one sample's equation is wrong by: sensors, the road and the movement of the roll centre, and the
+// Noise model of one sample's equation: sensors, the road and the movement of the roll centre, and the
 // calibration's damping and inertia. It stays alike for about two seconds, so that as many samples count as
 // one.
 constexpr float equation_noise_mps2 = 0.03F * gravity_mps2;
@@ -94,7 +94,7 @@ void LoadRegression::learn(const Vector2& psi, float output_mps2, float noise_mp
     // Divided by at least the noise, which is positive.
     const float gain = weight / (spread + samples_alike * noise_mps4);
     theta_ += g * (gain * innovation);
-    // What is taken off P is symmetric to the last bit, and so P stays.
+    // The part taken off P is symmetric to the last bit, and so P stays.
     covariance_ -= (g * g.transpose()) * gain;
 }
 

@@ -9,7 +9,7 @@ namespace {
 // A mass that asks for more contradicts the roll angle: it is not that of this vehicle.
 constexpr float least_height_factor = 0.6F;
 constexpr float largest_height_factor = 1.7F;
-// Of H, where the mass is not known.
+// Share of H if the mass is not known.
 constexpr float least_assumed_height_factor = 0.93F;
 // As the calibrations'.
 constexpr float least_cg_height_m = 0.2F;

@@ -12,7 +12,7 @@ SprungBody with_load(const SprungBody& calibrated, float moment_factor, float ma
 
 // The mass's share where only m_s H is known: half and half in the logarithm, sqrt(moment_factor). A roof
 // rack does more to the height, a full cabin to the mass. But H is not taken to be much lower than
-// calibrated: a truck that has been emptied has lost mass, and whoever thinks its CG low warns too late.
+// calibrated: a truck that has been emptied has lost mass, and assuming a low CG delays the warning.
 float assumed_mass_factor(float moment_factor);
 
 }  // namespace rsi

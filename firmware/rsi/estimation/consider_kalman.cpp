@@ -8,7 +8,7 @@
 namespace rsi {
 namespace {
 
-// What the calibration and the sensors are taken to be wrong by, one standard deviation each.
+// Assumed errors of calibration and sensors, one standard deviation each.
 constexpr float stiffness_error = 0.07F;
 constexpr float damping_error = 0.25F;
 constexpr float inertia_error = 0.3F;
@@ -81,7 +81,7 @@ RollCentreEstimate ConsiderKalman::update(const Constants& constants, const Vehi
                (absolute(equation.roll_rate_radps) < straight_roll_rate_radps)) {
         learn(offset, innovation(constants, equation));
     } else {
-        // Between the two, it cannot be told which of them it is.
+        // Between the two, they cannot be separated.
     }
     keep_in_bounds(constants);
     RollCentreEstimate estimate;

@@ -30,7 +30,7 @@ void RobustLeastSquares::reset() {
 
 // With g = P(k-1) psi and s = psi^T g, (10) gives P(k) psi / n_s = g / (lambda n_s + s) exactly, so the gain
 // of (9) needs no second product. Normalisation divides Y and psi by sqrt(n_s); only n_s itself remains in
-// (9) and (10). What is taken off P is symmetric to the last bit, and so P stays: an unsymmetric part of its
+// (9) and (10). The part taken off P is symmetric to the last bit, and so P stays: an unsymmetric part of its
 // rounding error would never be damped and grow as lambda^-k.
 [[gnu::flatten, gnu::noinline]] void RobustLeastSquares::update(const Constants& constants,
                                                                 const Regression& regression) {

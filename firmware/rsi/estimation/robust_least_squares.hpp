@@ -12,7 +12,7 @@ namespace rsi {
 // P(0), because the normalisation n_s = 1 + psi^T P psi depends on the units.
 class RobustLeastSquares {
  public:
-    // What has been learnt stands in the units of these.
+    // Estimates are in the units of these.
     struct Constants {
         Constants() = default;
         [[gnu::cold]] explicit Constants(const Parameters& parameters);

@@ -1,4 +1,4 @@
-// Where the roll centre is, and the roll moment that its movement adds: equations (6) and (7).
+// Place of the roll centre, and the roll moment of its movement: equations (6) and (7).
 #pragma once
 
 #include "rsi/estimation/roll_centre_estimate.hpp"

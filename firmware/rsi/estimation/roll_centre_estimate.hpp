@@ -1,4 +1,4 @@
-// What every roll-centre estimator gives.
+// Outputs of every roll-centre estimator.
 #pragma once
 
 #include "rsi/numeric/bounded.hpp"

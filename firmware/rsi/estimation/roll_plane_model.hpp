@@ -11,10 +11,10 @@ namespace rsi {
 // c_f phi' + K_f phi = H (m_s A + m_s N tan phi) + M_add,  H = h_cg,s - h_frc.
 //
 // The angle moves by the trapezoidal rule, with the mean of two rates at the angle before: under the forces
-// of the sample before and under those of the later one. What the angle's own movement adds to the second is
-// linearised upright, with the stiffness K_f - m_s g H where gravity follows the angle, and K_f where it does
-// not. Both are stable for any admitted parameters. Clamped to +-0.5 rad: beyond that the vehicle has long
-// rolled over and the model means nothing.
+// of the sample before and under those of the later one. The part of the angle's own movement in the second
+// is linearised upright, with the stiffness K_f - m_s g H where gravity follows the angle, and K_f where it
+// does not. Both are stable for any admitted parameters. Clamped to +-0.5 rad: beyond that the vehicle has
+// long rolled over and the model means nothing.
 
 // phi_f: the fixed-roll-centre vehicle under the measured forces.
 class FixedModelRoll {

@@ -6,7 +6,7 @@ namespace rsi {
 namespace {
 
 constexpr float largest_ratio = 20.0F;
-// Of the springs alone, without what the links carry: more than any load transfer that ends in wheel lift.
+// Moment of the springs alone, without the links: more than any load transfer that ends in wheel lift.
 constexpr float over_ratio = 1.5F;
 
 }  // namespace
@@ -21,7 +21,7 @@ TransferredLoad transferred_load(const Vehicle& vehicle, float inertial_weight, 
                                loaded.moment_arm_kgm * (N * short_tangent(motion.roll_angle_rad)) -
                                loaded.body.roll_inertia_kgm2 * motion.roll_acceleration_radps2;
     const float moment_nm = by_suspension_nm + inertial_weight * (by_forces_nm - by_suspension_nm);
-    // Where even springs without bump stops would hold more than the weight, the wheels of the other side are
+    // If even springs without bump stops would hold more than the weight, the wheels of the other side are
     // up, and a suspension that has left the road says nothing.
     const float by_springs =
         load_transfer_ratio(loaded, vehicle.suspension.stiffness_nmprad * motion.roll_angle_rad, N);

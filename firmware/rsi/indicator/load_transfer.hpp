@@ -7,7 +7,7 @@
 
 namespace rsi {
 
-// What the wheels of the two sides hold against each other.
+// Moment between the wheels of the two sides.
 struct TransferredLoad {
     float suspension_moment_nm{0.0F};  // M(phi) + c_f phi'
     float moment_nm{0.0F};             // the weighted mean of both forms below

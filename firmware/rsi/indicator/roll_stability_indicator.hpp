@@ -5,8 +5,8 @@
 
 namespace rsi {
 
-// (25): a_y / a_y*, 0 to 1. Where a_y points away from the threshold's side (a bank steeper than the turn
-// needs) it is 0; the printed |a_y| / |a_y*| would alarm there. Where a_y* is not defined, the bank-free form
+// (25): a_y / a_y*, 0 to 1. If a_y points away from the threshold's side (a bank steeper than the turn
+// needs) it is 0; the printed |a_y| / |a_y*| would alarm there. If a_y* is not defined, the bank-free form
 // takes its place.
 float normalised_indicator(const Measurement& measured, const StabilityThreshold& threshold);
 

@@ -4,7 +4,7 @@ namespace rsi {
 namespace {
 
 constexpr float smallest_half_track_ratio = 0.05F;
-// Where a bank brings a_y* near zero or past it, (25) has no meaning; the threshold stays at least this far
+// If a bank brings a_y* near zero or past it, (25) has no meaning; the threshold stays at least this far
 // out.
 constexpr float smallest_threshold_mps2 = 0.05F * gravity_mps2;
 // A bank so favourable that no lateral acceleration lifts the inner wheels: the divisor goes to zero.

@@ -23,7 +23,7 @@ bool necessary_inputs_available(const Inputs& inputs) {
            within(inputs.roll_rate_radps, largest_rate_radps);
 }
 
-// Of the road; flat where the angle is not available.
+// Bank of the road; flat if the angle is not available.
 struct Bank {
     float sine{0.0F};
     float cosine{1.0F};
@@ -107,7 +107,7 @@ BodyForces MeasurementStage::carry_to_cg(const Constants& constants, const Input
     return forces;
 }
 
-// Of an angle against the horizon the observer has to tell the roll from the bank. Force and gyro are enough
+// The observer separates roll from bank in an angle against the horizon. Force and gyro are enough
 // for that, so it goes on without yaw rate and speed, but is no substitute for a sensor then.
 void MeasurementStage::run_observer(const Constants& constants, const Inputs& inputs, const Learnt& learnt,
                                     bool motion_known, const BodyForces& at_cg) {

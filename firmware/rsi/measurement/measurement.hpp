@@ -10,14 +10,14 @@
 
 namespace rsi {
 
-// What the observer says, NaN where it does not know.
+// Outputs of the observer, NaN if unknown.
 struct RollObservation {
     float roll_angle_rad{not_available};
     float bank_angle_rad{not_available};
     bool sensor_disagrees{false};
 };
 
-// What the algorithm knows of the vehicle in one step. All finite but for the observation.
+// Measurements of the vehicle in one step. All finite but for the observation.
 struct Measurement {
     float road_parallel_force_mps2{0.0F};   // A = a_y cos b + g sin b, left
     float road_normal_force_mps2{0.0F};     // N = g cos b - a_y sin b, up; at least 0.1 g
@@ -40,7 +40,7 @@ struct BodyForces {
     float vertical_mps2{0.0F};
 };
 
-// What the samples before have taught of the vehicle.
+// Estimates of the vehicle from the samples before.
 struct Learnt {
     float vertical_movement_m{0.0F};  // dh, 0 where there is no sound estimate
     float mass_factor{1.0F};  // the sprung mass over the calibrated one where the vehicle's mass is known

@@ -9,7 +9,7 @@ constexpr std::uint32_t iterations = 2000U;
 
 using State = ObserverState;
 
-// What one step makes of a small error of the state: phi+ = phi + T (w - o) + T/2 d, w+ = w + d,
+// Propagation of a small error of the state in one step: phi+ = phi + T (w - o) + T/2 d, w+ = w + d,
 // d = -s phi - e (w - o), b+ = b + T o, o+ = decay o.
 Matrix4 step_of_error(const UprightRoll& roll, float offset_decay) {
     constexpr float T = sample_time_s;
@@ -23,7 +23,7 @@ Matrix4 step_of_error(const UprightRoll& roll, float offset_decay) {
     return F;
 }
 
-// So many iterations on.
+// After this number of iterations.
 void settle(const UprightRoll& roll, const ObserverNoise& noise, std::uint32_t count, Matrix4& P,
             ObserverGains& gains) {
     const float s = roll.stiffness_step;

@@ -23,7 +23,7 @@ struct ObserverState {
     static constexpr Eigen::Index offset = 3;  // o, what of w is not phi'
 };
 
-// What the steady filter leaves for each step. The variances of roll and bank are updated in every step,
+// Values of the steady filter for each step. The variances of roll and bank are updated in every step,
 // because the start, a standstill, a slide and a stiffer spring change them; all other covariances are those
 // of the steady filter on a level road above 5 m/s.
 struct ObserverGains {

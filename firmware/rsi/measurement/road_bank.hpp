@@ -8,9 +8,9 @@ namespace rsi {
 
 // The difference between the sensor's angle and the roll that the observer finds without it, through a lag.
 // No error of the sensor that stays, and no drift, gets through. The observer's roll is off by some share of
-// itself, a real bank changes within a second: the more the body rolls, the longer the lag. So the sensor
-// gives what is quick, most of all in a hard turn, and the observer what stays. What no road can be is not
-// taken for a bank; it remains in the angle, where the check of the roll sensor sees it.
+// itself, a real bank changes within a second: the more the body rolls, the longer the lag. Thus the sensor
+// gives the quick part, most of all in a hard turn, and the observer the lasting one. An angle steeper than
+// any road does not count as a bank; it remains in the angle, where the check of the roll sensor sees it.
 class RoadBank {
  public:
     void reset() { known_ = false; }

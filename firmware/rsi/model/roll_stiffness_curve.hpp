@@ -13,8 +13,8 @@ struct RollSpring {
 };
 
 // M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5, as far as its slope stays above a quarter of K_f; from there on a
-// straight line. The powers are fitted to what a suspension does on the road. Where they fall off they say
-// nothing: a body that leans further, as after lift-off, would be pushed over by its own springs.
+// straight line. The powers are fitted to what a suspension does on the road. They mean nothing where they
+// fall off: a body that leans further, as after lift-off, would be pushed over by its own springs.
 class RollStiffnessCurve {
  public:
     RollStiffnessCurve() = default;

@@ -6,7 +6,7 @@
 
 namespace rsi {
 
-// What follows from the time of the lag, `lag_s` >= 0; 0 gives the plain difference quotient.
+// Weights that follow from the time of the lag, `lag_s` >= 0; 0 gives the plain difference quotient.
 struct DerivativeLag {
     DerivativeLag() = default;
     explicit constexpr DerivativeLag(float lag_s)

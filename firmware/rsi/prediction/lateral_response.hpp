@@ -14,7 +14,7 @@ struct ForceCourse {
     float rate_mps3{0.0F};
 };
 
-// Where the force is going.
+// Target of the force.
 struct ForceTarget {
     float force_mps2;  // a_t
     // The force goes neither past it nor past where it is, but may fall to zero.
@@ -36,7 +36,7 @@ class LateralResponse {
     bool is_known() const { return is_known_; }
     float largest_mps2() const { return largest_mps2_; }  // that the tyres give
 
-    // What the motion is tending to: A + lead A'.
+    // Target of the motion: A + lead A'.
     float tended_mps2(const RollMotion& motion) const {
         return motion.road_parallel_force_mps2 + lead_s_ * motion.road_parallel_force_rate_mps3;
     }

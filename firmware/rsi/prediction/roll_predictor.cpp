@@ -7,9 +7,9 @@
 namespace rsi {
 namespace {
 
-// Of e: it is noisy, and a little too little of it costs less than too much.
+// Share of e that is applied: it is noisy, and undercorrecting costs less.
 constexpr float trusted_share = 0.75F;
-// So much of the response is as sure as the present.
+// Part of the response that is as certain as the present.
 constexpr float sure_s = 0.1F;
 constexpr std::uint32_t most_response_steps = 13U;
 

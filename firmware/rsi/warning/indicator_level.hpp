@@ -8,7 +8,7 @@
 
 namespace rsi {
 
-// What an indicator says of one sample.
+// Output of an indicator for one sample.
 struct IndicatedRisk {
     float level;      // 0 to 20; NaN where the indicator is not available
     float direction;  // < 0 in a right turn (the vehicle would fall to the left); its size means nothing

@@ -8,7 +8,7 @@
 
 namespace rsi {
 
-// What one sample says about the risk.
+// Risk of one sample.
 struct RiskLevel {
     float indicator{0.0F};  // towards the side of the larger risk; 1 at the threshold
     float side{1.0F};       // < 0 in a right turn
