@@ -19,8 +19,8 @@ NOT_AVAILABLE = "not available"
 LONGEST_SIGNAL = 32
 LONGEST_IN_INT32 = 24  # bits that a float holds without rounding; longer fields are scaled in 64 bits
 CLASSIC_LENGTH = 8  # bytes at most
+LARGEST_DATA_ID = 0xFFF  # of profile 11, as a nibble
 FD_LENGTHS = (*range(9), 12, 16, 20, 24, 32, 48, 64)  # bytes that a CAN FD frame can have
-PROTECTION_FIELDS = ("E2eCrc", "E2eCounter", "E2eDataIdNibble")
 
 
 class DbcError(Exception):
@@ -68,6 +68,18 @@ class Protection:
 
 
 UNPROTECTED = Protection(0, 0, ())
+
+
+@dataclass
+class ProtectionField:
+    name: str
+    start: int
+    length: int
+    largest: int
+
+
+PROTECTION_FIELDS = (ProtectionField("E2eCrc", 0, 8, 255), ProtectionField("E2eCounter", 8, 4, 14),
+                     ProtectionField("E2eDataIdNibble", 12, 4, 15))
 
 
 @dataclass
@@ -125,12 +137,45 @@ def _message(message):
     if not message.senders:
         raise DbcError(f"{where}: no sender")
     _check_length(where, message)
-    protection = _protection(where, message)
+    fields = PROTECTION_FIELDS if _is_protected(where, message) else ()
+    missing = list(_missing_lines(message, fields))
+    if missing:
+        raise DbcError(f"{where}: these lines are missing:\n" + "\n".join(missing))
+    protection = _protection(where, message, fields)
     signals = [_signal(message, signal) for signal in message.signals if signal.name not in protection.fields]
     _refuse_duplicates(where, [signal.field_name for signal in signals])
-    return Message(message.name, _comment(where, message.comment, f"BO_ {_line_identifier(message)}"),
-                   message.senders[0], sorted(message.receivers), message.frame_id, message.is_extended_frame,
-                   message.is_fd, message.length, _cycle_time(where, message), protection, signals)
+    return Message(message.name, _comment(message.comment), message.senders[0], sorted(message.receivers),
+                   message.frame_id, message.is_extended_frame, message.is_fd, message.length,
+                   message.cycle_time or 0, protection, signals)
+
+
+def _missing_lines(message, fields):
+    """The lines of the DBC file that a message lacks, as they must be but for TEXT and NUMBER."""
+    identifier = message.frame_id | (1 << 31 if message.is_extended_frame else 0)
+    receiver = next(iter(sorted(message.receivers)), "Vector__XXX")
+    names = {signal.name for signal in message.signals}
+    for part in fields:
+        if part.name not in names:
+            yield f' SG_ {part.name} : {part.start}|{part.length}@1+ (1,0) [0|{part.largest}] "-" {receiver}'
+    if not message.comment:
+        yield f'CM_ BO_ {identifier} "TEXT";'
+    signals = [signal for signal in message.signals if signal.name not in {part.name for part in fields}]
+    for signal in signals:
+        if not signal.comment:
+            yield f'CM_ SG_ {identifier} {signal.name} "TEXT";'
+    if "GenMsgCycleTime" not in message.dbc.attributes:
+        yield f'BA_ "GenMsgCycleTime" BO_ {identifier} 10;'
+    if fields and "E2EDataId" not in message.dbc.attributes:
+        yield f'BA_ "E2EDataId" BO_ {identifier} NUMBER;'
+    for signal in signals:
+        missing = _not_available(signal)
+        if missing and "GenSigStartValue" not in signal.dbc.attributes:
+            yield f'BA_ "GenSigStartValue" SG_ {identifier} {signal.name} {missing[0]};'
+
+
+def _not_available(signal):
+    """The codes that stand for no value."""
+    return [int(number) for number, text in (signal.choices or {}).items() if str(text).strip().lower() == NOT_AVAILABLE]
 
 
 def _check_length(where, message):
@@ -142,54 +187,31 @@ def _check_length(where, message):
                        "set attribute VFrameFormat to StandardCAN_FD or ExtendedCAN_FD")
 
 
-def _protection(where, message):
-    """How the message is protected end to end."""
+def _is_protected(where, message):
     profile = _choice(message, "E2EProfile")
     if profile in (None, "none"):
-        return UNPROTECTED
+        return False
     if profile != "P11":
         raise DbcError(f"{where}: attribute E2EProfile is '{profile}'; only none and P11 are supported")
-    return _profile_11(where, message)
-
-
-def _profile_11(where, message):
     if message.is_fd:
         raise DbcError(f"{where}: profile 11 is for classic frames, its CRC of 8 bits too short for CAN FD; set "
                        "attribute E2EProfile to none")
-    _expect_field(where, message, 11, "E2eCrc", 0, 8)
-    _expect_field(where, message, 11, "E2eCounter", 8, 4)
-    _expect_field(where, message, 11, "E2eDataIdNibble", 12, 4)
-    return Protection(11, _data_id(where, message, 11, 0xFFF), PROTECTION_FIELDS)
+    return True
 
 
-def _expect_field(where, message, profile, name, start, length):
-    signal = next((signal for signal in message.signals if signal.name == name), None)
-    if signal is None or (signal.start, signal.length, signal.byte_order, signal.is_signed) != (
-            start, length, "little_endian", False):
-        receiver = next(iter(sorted(message.receivers)), "Vector__XXX")
-        largest = 14 if (name, length) == ("E2eCounter", 4) else (1 << length) - 1
-        raise DbcError(f"{where}: profile {profile} needs signal {name} as {start}|{length}@1+; its line below BO_:\n"
-                       f' SG_ {name} : {start}|{length}@1+ (1,0) [0|{largest}] "-" {receiver}')
-
-
-def _data_id(where, message, profile, largest):
-    attribute = message.dbc.attributes.get("E2EDataId")
-    if attribute is None or not 0 < attribute.value <= largest:
-        raise DbcError(f"{where}: profile {profile} needs attribute E2EDataId from 1 to {largest}, another than that of "
-                       f'every other message; its line:\nBA_ "E2EDataId" BO_ {_line_identifier(message)} NUMBER;')
-    return attribute.value
-
-
-def _cycle_time(where, message):
-    if "GenMsgCycleTime" not in message.dbc.attributes:
-        raise DbcError(f"{where}: no cycle time in ms (0: not sent in cycles); its line:\n"
-                       f'BA_ "GenMsgCycleTime" BO_ {_line_identifier(message)} 10;')
-    return message.cycle_time or 0
-
-
-def _line_identifier(message):
-    """The identifier as a DBC file writes it."""
-    return message.frame_id | (1 << 31 if message.is_extended_frame else 0)
+def _protection(where, message, fields):
+    """How the message is protected end to end."""
+    if not fields:
+        return UNPROTECTED
+    for part in fields:
+        signal = next(signal for signal in message.signals if signal.name == part.name)
+        if (signal.start, signal.length, signal.byte_order, signal.is_signed) != (
+                part.start, part.length, "little_endian", False):
+            raise DbcError(f"{where}: profile 11 needs signal {part.name} as {part.start}|{part.length}@1+")
+    data_id = message.dbc.attributes["E2EDataId"].value
+    if not 0 < data_id <= LARGEST_DATA_ID:
+        raise DbcError(f"{where}: profile 11 needs attribute E2EDataId from 1 to {LARGEST_DATA_ID}")
+    return Protection(11, data_id, tuple(part.name for part in fields))
 
 
 def _choice(message, name):
@@ -203,7 +225,7 @@ def _choice(message, name):
 
 
 def _signal(message, signal):
-    where, line = f"message {message.name}, signal {signal.name}", f"SG_ {_line_identifier(message)} {signal.name}"
+    where = f"message {message.name}, signal {signal.name}"
     if signal.is_multiplexer or signal.multiplexer_ids is not None:
         raise DbcError(f"{where}: multiplexed signals are not supported; give each layout a message of its own")
     if not 1 <= signal.length <= LONGEST_SIGNAL:
@@ -214,17 +236,17 @@ def _signal(message, signal):
     if factor == 0:
         raise DbcError(f"{where}: the factor is zero")
     choices = {int(number): str(text) for number, text in (signal.choices or {}).items()}
-    missing = [number for number, text in choices.items() if text.strip().lower() == NOT_AVAILABLE]
+    missing = _not_available(signal)
     if len(missing) > 1:
         raise DbcError(f"{where}: more than one code is called '{NOT_AVAILABLE}'")
     not_available = missing[0] if missing else None
     kind = _kind(where, signal, factor, offset, choices, not_available)
     result = Signal(
         name=signal.name, kind=kind, field_name=_field_name(where, signal, kind), cpp_type="",
-        comment=_comment(where, signal.comment, line), unit=signal.unit or "", byte_order=signal.byte_order,
+        comment=_comment(signal.comment), unit=signal.unit or "", byte_order=signal.byte_order,
         start_bit=signal.start, length=signal.length, is_signed=signal.is_signed,
         minimum_text=_decimal(signal.minimum), maximum_text=_decimal(signal.maximum),
-        raw_at_minimum=0, raw_at_maximum=0, start_value=_start_value(where, signal, line, not_available), default="",
+        raw_at_minimum=0, raw_at_maximum=0, start_value=_start_value(where, signal), default="",
         not_available=not_available)
     _add_range(where, signal, result, factor, offset)
     _add_type(where, result, factor, offset, choices)
@@ -334,12 +356,9 @@ def _is_exact(number):
         return False
 
 
-def _start_value(where, signal, line, not_available):
+def _start_value(where, signal):
     attribute = signal.dbc.attributes.get("GenSigStartValue") if signal.dbc else None
     if attribute is None:
-        if not_available:
-            raise DbcError(f"{where}: no start value, and 0 would mean a measured one; its line:\n"
-                           f'BA_ "GenSigStartValue" {line} {not_available};')
         return 0
     if attribute.value != int(attribute.value):
         raise DbcError(f"{where}: GenSigStartValue must be the integer on the bus, not a physical value")
@@ -371,9 +390,7 @@ def _refuse_duplicates(where, names):
             raise DbcError(f"{where}: '{name}' occurs twice")
 
 
-def _comment(where, comment, line):
-    if not comment:
-        raise DbcError(f'{where}: no comment; its line:\nCM_ {line} "TEXT";')
+def _comment(comment):
     return " ".join(str(comment).split())
 
 

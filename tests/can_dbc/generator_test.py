@@ -83,8 +83,8 @@ class Refusals(Refusing):
         self.refuse("(0.01,0) [0|400]", "(0.01,0) [0|0]", "Speed", "no range")
 
     def test_a_missing_comment(self):
-        self.refuse("CM_ SG_ 290 Speed", "CM_ SG_ 290 SpeedOfOld", "Speed", "no comment", "CM_ SG_ 290 Speed ")
-        self.refuse("CM_ BO_ 290", "CM_ BU_ VehicleGateway", "VehicleMotion", "no comment", "CM_ BO_ 290 ")
+        self.refuse("CM_ SG_ 290 Speed", "CM_ SG_ 290 SpeedOfOld", "VehicleMotion", "CM_ SG_ 290 Speed ")
+        self.refuse("CM_ BO_ 290", "CM_ BU_ VehicleGateway", "VehicleMotion", "CM_ BO_ 290 ")
 
     def test_an_unknown_unit(self):
         self.refuse('[0|400] "km/h"', '[0|400] "furlong"', "Speed", "furlong", "UNIT_ENDINGS")
@@ -103,6 +103,17 @@ class Refusals(Refusing):
         block = re.search(r"BO_ 290 .*?\n\n", DBC.read_text(), re.DOTALL).group()
         for line in re.findall(r" SG_ E2e.*\n", block):
             self.refuse(block, block.replace(line, ""), "VehicleMotion", line)
+
+    def test_every_line_that_a_new_frame_lacks_at_once(self):
+        lines = [' SG_ E2eCrc : 0|8@1+ (1,0) [0|255] "-" VehicleGateway',
+                 ' SG_ E2eCounter : 8|4@1+ (1,0) [0|14] "-" VehicleGateway',
+                 ' SG_ E2eDataIdNibble : 12|4@1+ (1,0) [0|15] "-" VehicleGateway',
+                 'CM_ BO_ 567 "TEXT";', 'CM_ SG_ 567 Level "TEXT";', 'BA_ "GenMsgCycleTime" BO_ 567 10;',
+                 'BA_ "E2EDataId" BO_ 567 NUMBER;', 'BA_ "GenSigStartValue" SG_ 567 Level 4095;']
+        frame = 'BO_ 567 New: 8 RolloverEcu\n SG_ Level : 16|12@1+ (0.0005,0) [0|2] "-" VehicleGateway\n\n'
+        text = DBC.read_text().replace("BO_ 561 RolloverStatus", f"{frame}BO_ 561 RolloverStatus")
+        text += 'VAL_ 567 Level 4095 "not available" ;\n'
+        self.refuse_text(text, "message New: these lines are missing:\n" + "\n".join(lines) + "\n")
 
     def test_a_data_identifier_used_twice(self):
         self.refuse('BO_ 290 1457;', 'BO_ 290 935;', "935", "twice")
