@@ -13,7 +13,7 @@ import sys
 FOLDER = pathlib.Path(__file__).resolve().parent
 DBC = FOLDER.parent / "rollover_warning.dbc"
 HEADER = FOLDER.parent / "generated" / "rollover_warning.hpp"
-REMEDY = ("run `cmake --build --preset release --target generate_codec` or, for a DBC file of your own, generate.py with "
+REMEDY = ("run cmake/environment/build dev generate_codec or, for a DBC file of your own, generate.py with "
           "the same arguments but without --check; commit the result.")
 PAGE_TABLE = re.compile(r"(?<=<!-- written by generate_codec -->\n).*?(?=\n\n)", re.DOTALL)
 
