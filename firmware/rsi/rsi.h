@@ -23,8 +23,8 @@
  * selftest/selftest.c shows whether compiler, flags and FPU of a build are right.
  *
  * No field has the type of an enumeration, so that a caller and a library that were compiled with other sizes
- * of enumerations (-fshort-enums) agree on every structure. What names the values of an int32_t is said
- * beside it.
+ * of enumerations (-fshort-enums) agree on every structure. The enumeration that names the values of an
+ * int32_t is given beside it.
  */
 #ifndef RSI_RSI_H
 #define RSI_RSI_H
@@ -47,23 +47,23 @@ typedef enum {
     RSI_ESTIMATOR_CONSIDER_KALMAN = 1 /* one unknown; roll stiffness as a curve, and the roll inertia */
 } rsi_estimator;
 
-/* What the roll sensor's angle is measured against. */
+/* The reference of the roll sensor's angle. */
 typedef enum {
     RSI_ROLL_AGAINST_ROAD = 0,   /* of a suspension: how far the body leans on its wheels */
     RSI_ROLL_AGAINST_HORIZON = 1 /* of an attitude sensor: the same and the road's bank */
 } rsi_roll_angle_reference;
 
-/* Whether the vehicle has a roll sensor. What it does not have is not missed, and not read if it is sent. */
+/* Whether the vehicle has a roll sensor. A sensor that is not fitted is neither missed nor read. */
 typedef enum { RSI_ROLL_SENSOR_FITTED = 0, RSI_ROLL_SENSOR_NOT_FITTED = 1 } rsi_roll_angle_sensor;
 
-/* What the vehicle tells of its motion. */
+/* The signals of its motion that the vehicle sends. */
 typedef enum {
     RSI_MOTION_WITH_STEERING = 0, /* speed, yaw rate and steering wheel angle */
     RSI_MOTION_WITHOUT_STEERING = 1,
     RSI_MOTION_NOT_FITTED = 2 /* nothing */
 } rsi_vehicle_motion_sensors;
 
-/* Where the roll angle in use comes from. */
+/* The source of the roll angle in use. */
 typedef enum { RSI_ROLL_NONE = 0, RSI_ROLL_SENSOR = 1, RSI_ROLL_OBSERVER = 2 } rsi_roll_source;
 
 typedef enum {
@@ -91,12 +91,12 @@ typedef struct {
     float roll_stiffness_nmprad;      /* K_f */
     float roll_damping_nmsprad;       /* c_f */
 
-    /* What makes the suspension's roll moment a curve: M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5. The
+    /* The suspension's roll moment as a curve: M(phi) = K_f phi + K_2 phi^3 + K_4 phi^5. The
      * published algorithm does not use it. */
     float roll_stiffness_cubic_nmprad3;   /* K_2 */
     float roll_stiffness_quintic_nmprad5; /* K_4 */
 
-    /* What the steering asks for: a_d = V^2 delta / (L + K_us V^2) */
+    /* The lateral acceleration that the steering demands: a_d = V^2 delta / (L + K_us V^2) */
     float wheelbase_m;                       /* L */
     float steering_ratio;                    /* angle of the steering wheel over that of the front wheels */
     float understeer_gradient_s2pm;          /* K_us, > 0 for an understeering vehicle */
@@ -105,7 +105,7 @@ typedef struct {
     float lateral_response_frequency_radps; /* w; 0 if not known */
     float lateral_response_damping;         /* zeta; without meaning where w is not known */
 
-    /* Where the IMU sits, from the sprung mass's centre of gravity in body axes */
+    /* Position of the IMU, from the sprung mass's centre of gravity in body axes */
     float imu_x_m;
     float imu_y_m;
     float imu_z_m;
@@ -139,7 +139,7 @@ typedef struct {
     float response_margin_per_s;   /* by how much a load transfer counts less for each second beyond 0.1 s */
     float prediction_filter_lag_s; /* two such lags on the signals, a third on the trend */
 
-    /* What the vehicle carries besides what it was calibrated with */
+    /* Load beyond the calibrated one */
     float load_adaptation; /* how much of the learnt load is used: 0 none (it is only published), 1 all */
     float load_margin;     /* times load_adaptation; the warning sees the level larger by this share of
                               load_excess_deviation, 0.1 at most */
@@ -282,11 +282,11 @@ typedef struct {
     const char* reason;
 } rsi_validation;
 
-/* What a drive has shown of the load: plain numbers, to be kept without power. */
+/* The load as learnt from driving: plain numbers, to be stored without power. */
 typedef struct {
     float excess;           /* by which share m_s H is larger than calibrated, -0.45 to 1 */
     float excess_deviation; /* standard deviation of it, 0.01 to 0.25 */
-    float offset_mps2;      /* what sensors and a load off the middle add to the force, -2 to 2 */
+    float offset_mps2;      /* added to the force by sensor offsets and a load off the middle, -2 to 2 */
 } rsi_learnt_load;
 
 /* Storage of one component; only the functions below look inside. */
@@ -340,7 +340,7 @@ int32_t rsi_prepare_change(rsi_parameter_change* change);
  * does nothing. */
 void rsi_change(rsi_component* component, const rsi_parameter_change* change);
 
-/* What the component has learnt of the load so far. */
+/* The load learnt so far. */
 rsi_learnt_load rsi_get_learnt_load(const rsi_component* component);
 
 /* Between rsi_init and the first step: takes up what another run with the same parameters has learnt.
