@@ -119,18 +119,18 @@ void Account::report_state(const Truth& truth, const EcuOutput& output) {
 }
 
 void Account::report_events(const RunEvents& events) {
-    tell_once(one_wheel_told_, events.one_wheel_lift, "one wheel lifts");
-    tell_once(two_wheel_told_, events.two_wheel_lift, "two wheels of one side have lifted");
-    tell_once(ssf_told_, events.ssf_crossing, "static stability factor crossed");
+    tell_once(one_wheel_reported_, events.one_wheel_lift, "one wheel lifts");
+    tell_once(two_wheel_reported_, events.two_wheel_lift, "two wheels of one side have lifted");
+    tell_once(ssf_reported_, events.ssf_crossing, "static stability factor crossed");
 }
 
 void Account::report_diagnostics(const Truth& truth, const can_dbc::RolloverStatus& status) {
     const std::string flags = flags_of(status);
-    if (flags != flags_of(told_status_)) {
+    if (flags != flags_of(reported_status_)) {
         print_event(truth.time_s,
                     flags.empty() ? "ECU: no diagnostic flags" : "ECU diagnostic flags: " + flags);
     }
-    told_status_ = status;
+    reported_status_ = status;
 }
 
 void Account::end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent,

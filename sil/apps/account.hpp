@@ -22,10 +22,10 @@ class Account {
     double next_line_s_{0.0};
     WarningState state_{WarningState::unavailable};
     WarningSide side_{WarningSide::none};
-    bool one_wheel_told_{false};
-    bool two_wheel_told_{false};
-    bool ssf_told_{false};
-    can_dbc::RolloverStatus told_status_{};
+    bool one_wheel_reported_{false};
+    bool two_wheel_reported_{false};
+    bool ssf_reported_{false};
+    can_dbc::RolloverStatus reported_status_{};
 };
 
 }  // namespace sil

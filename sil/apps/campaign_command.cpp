@@ -64,9 +64,9 @@ std::string duration(double seconds) {
 
 // By its absolute path; by its name alone if the system does not provide the path.
 std::filesystem::path this_program() {
-    std::error_code not_told;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", not_told);
-    return not_told ? std::filesystem::path{"rsi-sil"} : program;
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    return error ? std::filesystem::path{"rsi-sil"} : program;
 }
 
 void report(const CampaignRequest& request) {

@@ -143,10 +143,10 @@ class Replayer {
 
     // Once for each set of columns: the files of one recorder all have the same.
     void tell_ignored(const Drive& drive) {
-        if (drive.ignored_columns.empty() || drive.ignored_columns == told_ignored_) {
+        if (drive.ignored_columns.empty() || drive.ignored_columns == reported_ignored_) {
             return;
         }
-        told_ignored_ = drive.ignored_columns;
+        reported_ignored_ = drive.ignored_columns;
         std::string names;
         for (const std::string& name : drive.ignored_columns) {
             names += (names.empty() ? "" : ", ") + name;
@@ -175,7 +175,7 @@ class Replayer {
     rsi::Parameters parameters_;
     std::vector<std::string> names_;
     std::vector<ReplayRow> rows_;
-    std::vector<std::string> told_ignored_;
+    std::vector<std::string> reported_ignored_;
     std::string failed_;
     std::size_t failed_count_{0U};
 };

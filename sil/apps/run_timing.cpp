@@ -77,7 +77,7 @@ class NoBus final : public hal::CanBus {
 class LoggedPace final : public Pace {
  public:
     LoggedPace(InProcessEcu& ecu, CandumpLogWriter& log, const std::string& interface)
-        : pace_{ecu}, log_only_{nobody_, ecu.clock(), log, interface} {}
+        : pace_{ecu}, log_only_{no_bus_, ecu.clock(), log, interface} {}
 
     void begin_cycle(std::uint32_t number) override { pace_.begin_cycle(number); }
     void frames_sent(std::uint32_t number) override { send_sync(log_only_, number); }
@@ -88,7 +88,7 @@ class LoggedPace final : public Pace {
 
  private:
     InProcessPace pace_;
-    NoBus nobody_;
+    NoBus no_bus_;
     RecordedBus log_only_;
 };
 

@@ -69,7 +69,7 @@ class OrdinaryFile {
     }
 
     int number() const { return file_.number(); }
-    std::uint64_t told_bytes() const { return static_cast<std::uint64_t>(status_.st_size); }
+    std::uint64_t stated_bytes() const { return static_cast<std::uint64_t>(status_.st_size); }
 
  private:
     Descriptor file_;
@@ -110,7 +110,7 @@ std::filesystem::path place_of(const std::filesystem::path& path) {
 std::string read_whole_file(const std::filesystem::path& path, std::uint64_t longest) {
     const OrdinaryFile file{path};
     // The length that a file reports is a hint: it may grow, and some of the system's say 0.
-    const std::uint64_t told = file.told_bytes();
+    const std::uint64_t told = file.stated_bytes();
     bool is_too_long = told > longest;
     std::string text;
     text.reserve(is_too_long ? 0U : told);

@@ -28,8 +28,8 @@ class LiveSession::Watch final : public RunObserver {
             session_.add("diagnosis", diagnosis_json(diagnosis_.latest()));
         }
         const std::string now = events_json(events) + judgement_json(events);
-        if (now != told_) {
-            told_ = now;
+        if (now != reported_) {
+            reported_ = now;
             session_.add("events", events_json(events));
             session_.add("judgement", judgement_json(events));
         }
@@ -43,7 +43,7 @@ class LiveSession::Watch final : public RunObserver {
     LiveSession& session_;
     RunObserver& recorder_;
     DiagnosisWatch diagnosis_{};
-    std::string told_{};
+    std::string reported_{};
 };
 
 namespace {

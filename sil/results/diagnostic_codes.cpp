@@ -26,16 +26,17 @@ void CodeListener::take(const can_dbc::RolloverDiagnosis& diagnosis) {
     ++now_;
     const auto told = static_cast<std::size_t>(diagnosis.code);
     if (told == 0U) {
-        told_.fill({});
+        reported_.fill({});
         return;
     }
-    told_.at(told) = {now_, diagnosis.code_status == Status::set, diagnosis.code_status == Status::confirmed};
+    reported_.at(told) = {now_, diagnosis.code_status == Status::set,
+                          diagnosis.code_status == Status::confirmed};
 }
 
 CodeSets CodeListener::codes() const {
     CodeSets codes;
     for (std::size_t code = 1U; code < code_count; ++code) {
-        const Told& told = told_[code];
+        const Told& told = reported_[code];
         const std::uint64_t bit = std::uint64_t{1U} << code;
         const bool recent = now_ - told.at <= code_count;
         codes.set |= recent && (told.set || told.confirmed) ? bit : 0U;

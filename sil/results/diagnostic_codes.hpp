@@ -45,7 +45,7 @@ class CodeListener {
         bool set{false};
         bool confirmed{false};
     };
-    std::array<Told, code_count> told_{};
+    std::array<Told, code_count> reported_{};
     std::size_t now_{0U};
 };
 

@@ -35,8 +35,8 @@ class InProcessRun {
         return events();
     }
     const RunEvents& run() {
-        RunObserver nobody;
-        return run(nobody);
+        RunObserver no_observer;
+        return run(no_observer);
     }
 
     // For who drives it with others instead of run().

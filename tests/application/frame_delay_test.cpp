@@ -54,7 +54,7 @@ struct Weave {
         bench.resume_all();
     }
 
-    bool told_lost() const { return bench.status().roll_angle_timeout; }
+    bool reported_lost() const { return bench.status().roll_angle_timeout; }
     bool imu_told_late() { return tells_imu_held_back(bench); }
 
     double late_s{0.0};
@@ -70,7 +70,7 @@ TEST(ARollAngle, ThatIsHeldBackIsNotUsedAndTheObserverStandsIn) {
     drive.hold_back(0.1);
     for (int cycle = 0; cycle < 500; ++cycle) {
         drive.bench.run_cycles(1);
-        ASSERT_TRUE(drive.told_lost()) << cycle;
+        ASSERT_TRUE(drive.reported_lost()) << cycle;
         ASSERT_EQ(drive.bench.state(), State::ready) << cycle;
         ASSERT_EQ(drive.bench.last().diagnosis.value.degradation, Degradation::roll_sensor_lost) << cycle;
     }
@@ -80,10 +80,10 @@ TEST(ARollAngle, ThatHasCaughtUpIsUsedAgain) {
     Weave drive{0.5};
     drive.hold_back(0.1);
     drive.bench.run_for(1.0);
-    ASSERT_TRUE(drive.told_lost());
+    ASSERT_TRUE(drive.reported_lost());
     drive.bench.lose_frames(Sensor::roll_angle, 10U);
     drive.bench.run_cycles(2);  // the first one is out of sequence
-    EXPECT_FALSE(drive.told_lost());
+    EXPECT_FALSE(drive.reported_lost());
 }
 
 TEST(ARollAngle, IsLateWhenItsCounterIsFourFramesBehindOrMore) {
@@ -93,7 +93,7 @@ TEST(ARollAngle, IsLateWhenItsCounterIsFourFramesBehindOrMore) {
         drive.hold_back(0.1);
         drive.bench.lose_frames(Sensor::roll_angle, counted);
         drive.bench.run_for(0.2);
-        EXPECT_EQ(drive.told_lost(), counted < 7U);
+        EXPECT_EQ(drive.reported_lost(), counted < 7U);
     }
 }
 
@@ -102,7 +102,7 @@ TEST(ARollAngle, IsLateFromASilenceOfFourCyclesOn) {
         Weave drive{0.5};
         drive.hold_back(silence_s);
         drive.bench.run_for(0.2);
-        EXPECT_EQ(drive.told_lost(), silence_s > 0.035) << silence_s;
+        EXPECT_EQ(drive.reported_lost(), silence_s > 0.035) << silence_s;
     }
 }
 
@@ -111,10 +111,10 @@ TEST(ARollAngle, IsLateWhateverTheImuHasLostBefore) {
     Weave drive{0.5};
     drive.bench.lose_frames(Sensor::imu, 9U);
     drive.bench.run_for(1.0);
-    ASSERT_FALSE(drive.told_lost());
+    ASSERT_FALSE(drive.reported_lost());
     drive.hold_back(0.05);
     drive.bench.run_for(0.2);
-    EXPECT_TRUE(drive.told_lost());
+    EXPECT_TRUE(drive.reported_lost());
 }
 
 TEST(ARollAngle, IsNotLateWhenItBeginsLater) {
@@ -134,7 +134,7 @@ TEST(ARollAngle, IsNotLateWhenAllSendersHavePaused) {
     drive.bench.run_for(0.1);
     drive.bench.resume_all();
     drive.bench.run_for(0.2);
-    EXPECT_FALSE(drive.told_lost());
+    EXPECT_FALSE(drive.reported_lost());
 }
 
 TEST(ARollAngle, IsNotLateWhenItsSenderMayHaveStartedAnew) {
@@ -142,12 +142,12 @@ TEST(ARollAngle, IsNotLateWhenItsSenderMayHaveStartedAnew) {
         Weave drive{0.5};
         drive.hold_back(silence_s);
         drive.bench.run_for(0.2);
-        EXPECT_FALSE(drive.told_lost()) << silence_s;
+        EXPECT_FALSE(drive.reported_lost()) << silence_s;
     }
     Weave drive{0.5};
     drive.hold_back(0.11);
     drive.bench.run_for(0.2);
-    EXPECT_TRUE(drive.told_lost());
+    EXPECT_TRUE(drive.reported_lost());
 }
 
 TEST(ARollAngle, IsNotLateWhenTheImuPausesOrCatchesUp) {
@@ -156,10 +156,10 @@ TEST(ARollAngle, IsNotLateWhenTheImuPausesOrCatchesUp) {
     drive.bench.run_for(0.1);
     drive.bench.resume_all();
     drive.bench.run_for(0.2);
-    EXPECT_FALSE(drive.told_lost());
+    EXPECT_FALSE(drive.reported_lost());
     drive.bench.lose_frames(Sensor::imu, 10U);
     drive.bench.run_for(0.2);
-    EXPECT_FALSE(drive.told_lost());
+    EXPECT_FALSE(drive.reported_lost());
 }
 
 // Its sender had only paused: the roll rate shows it.
@@ -167,9 +167,9 @@ TEST(ARollAngle, IsAcceptedAgainWhenItMovesWithTheRollRate) {
     Weave drive{4.0};
     drive.hold_back(0.1);
     drive.bench.run_for(0.2);
-    EXPECT_TRUE(drive.told_lost());
+    EXPECT_TRUE(drive.reported_lost());
     drive.bench.run_for(10.0);
-    EXPECT_FALSE(drive.told_lost());
+    EXPECT_FALSE(drive.reported_lost());
 }
 
 // By less than makes it too old, as a filter makes it.
@@ -179,9 +179,9 @@ TEST(ARollAngle, IsAcceptedAgainAtOnceWhenItMovesWithTheRollRateOrALittleLater) 
         drive.late_s = late_s;
         drive.hold_back(0.1);
         drive.bench.run_for(0.2);
-        EXPECT_TRUE(drive.told_lost()) << late_s;
+        EXPECT_TRUE(drive.reported_lost()) << late_s;
         drive.bench.run_for(1.5);
-        EXPECT_FALSE(drive.told_lost()) << late_s;
+        EXPECT_FALSE(drive.reported_lost()) << late_s;
     }
 }
 
@@ -191,7 +191,7 @@ TEST(ARollAngle, IsNotAcceptedAsLongAsItMovesLater) {
     drive.hold_back(0.1);
     for (int second = 0; second < 60; ++second) {
         drive.bench.run_for(1.0);
-        ASSERT_TRUE(drive.told_lost()) << second;
+        ASSERT_TRUE(drive.reported_lost()) << second;
     }
 }
 
@@ -298,7 +298,7 @@ TEST(AnImu, ThatIsHeldBackIsReportedAndUsed) {
         drive.bench.run_for(2.0);
         for (int tenth = 0; tenth < 50; ++tenth) {
             ASSERT_TRUE(drive.imu_told_late()) << held_back_s << ' ' << tenth;
-            ASSERT_FALSE(drive.told_lost()) << held_back_s << ' ' << tenth;
+            ASSERT_FALSE(drive.reported_lost()) << held_back_s << ' ' << tenth;
             ASSERT_EQ(drive.bench.state(), State::ready) << held_back_s << ' ' << tenth;
         }
     }
@@ -401,7 +401,7 @@ TEST(ARollAngle, IsNotLateAfterASilenceInWhichCyclesWereMissed) {
         drive.bench.miss_cycles(0U);
         drive.bench.resume_all();
         drive.bench.run_for(0.2);
-        EXPECT_EQ(drive.told_lost(), missed == 0U);
+        EXPECT_EQ(drive.reported_lost(), missed == 0U);
     }
 }
 
@@ -424,11 +424,11 @@ TEST(ASender, ThatIsHeldBackTwiceIsLateTwice) {
         Weave drive{4.0};
         drive.hold_back(0.1, sensor);
         drive.bench.run_for(12.0);
-        EXPECT_FALSE(drive.told_lost());
+        EXPECT_FALSE(drive.reported_lost());
         EXPECT_FALSE(drive.imu_told_late());
         drive.hold_back(0.1, sensor);
         drive.bench.run_for(0.1);
-        EXPECT_TRUE((sensor == Sensor::imu) ? drive.imu_told_late() : drive.told_lost());
+        EXPECT_TRUE((sensor == Sensor::imu) ? drive.imu_told_late() : drive.reported_lost());
     }
 }
 

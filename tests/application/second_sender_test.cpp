@@ -81,7 +81,7 @@ bool is_any(Diagnosis::Code code) {
            code == two_senders_of(Sensor::vehicle_motion);
 }
 
-bool accuses(const Bench& bench) {
+bool sets_code(const Bench& bench) {
     return std::any_of(bench.cycles().begin(), bench.cycles().end(),
                        [](const Cycle& cycle) { return is_any(cycle.diagnosis.value.code); });
 }
@@ -194,7 +194,7 @@ TEST(ASensor, WhoseFramesAreSentTwiceOverIsUsed) {
         Bench bench;
         bench.tamper(sensor, [&bench](hal::CanFrame& frame) { bench.send_foreign(frame); });
         bench.run_for(3.0);
-        EXPECT_FALSE(accuses(bench));
+        EXPECT_FALSE(sets_code(bench));
         EXPECT_TRUE(is_used(bench.inputs(), sensor));
         EXPECT_EQ(bench.state(), State::ready);
     }
@@ -286,7 +286,7 @@ TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsSetsNoCode) {
     }
     bench.miss_cycles(0U);
     bench.run_for(3.0);
-    EXPECT_FALSE(accuses(bench));
+    EXPECT_FALSE(sets_code(bench));
     EXPECT_EQ(bench.state(), State::ready);
 }
 
@@ -309,7 +309,7 @@ TEST(AnEcuThatMissesEverySecondCycle, SetsNoCode) {
         bench.run_cycles(1);
         counter = (counter + 2U) % counters;
     }
-    EXPECT_FALSE(accuses(bench));
+    EXPECT_FALSE(sets_code(bench));
     for (const Sensor sensor : all_sensors) {
         EXPECT_TRUE(is_used(bench.inputs(), sensor)) << name_of(sensor);
     }

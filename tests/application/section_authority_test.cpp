@@ -311,7 +311,7 @@ TEST_F(ASectionAuthority, KeepsTheEcuUnavailableOnAnyOtherAndTheBusIsTold) {
 }
 
 TEST_F(ASectionAuthority, HasTheBusToldOfTestKeysAndOfSectionsThatNeedNoSeal) {
-    const auto told_by = [](Bench& bench) {
+    const auto reported_by = [](Bench& bench) {
         bench.run_cycles(1);
         return protection_of(bench.last());
     };
@@ -319,26 +319,26 @@ TEST_F(ASectionAuthority, HasTheBusToldOfTestKeysAndOfSectionsThatNeedNoSeal) {
     hal::SoftwareKeys everybodys{hal::test_keys};
     {
         Bench bench;
-        EXPECT_EQ(told_by(bench), SentProtection::unsealed);
+        EXPECT_EQ(reported_by(bench), SentProtection::unsealed);
         bench.start_with(unsealed);
-        EXPECT_EQ(told_by(bench), SentProtection::unsealed);
+        EXPECT_EQ(reported_by(bench), SentProtection::unsealed);
         bench.use_keys(keys_);
         bench.start_with(unsealed);
-        EXPECT_EQ(told_by(bench), SentProtection::unsealed);
+        EXPECT_EQ(reported_by(bench), SentProtection::unsealed);
         bench.use_keys(everybodys);
         bench.start_with(unsealed);
-        EXPECT_EQ(told_by(bench), SentProtection::unsealed_test_keys);
+        EXPECT_EQ(reported_by(bench), SentProtection::unsealed_test_keys);
         bench.start_with(large_suv());
-        EXPECT_EQ(told_by(bench), SentProtection::unsealed_test_keys);
+        EXPECT_EQ(reported_by(bench), SentProtection::unsealed_test_keys);
     }
     Bench bench;
     SectionAuthority authority{everybodys, storage_};
     authority.start();
     EXPECT_EQ(bench.start_with(sealed_section(1U, hal::test_keys), authority).refusal,
               ParametersRefusal::none);
-    EXPECT_EQ(told_by(bench), SentProtection::sealed_test_keys);
+    EXPECT_EQ(reported_by(bench), SentProtection::sealed_test_keys);
     bench.start_with(large_suv());
-    EXPECT_EQ(told_by(bench), SentProtection::unsealed);
+    EXPECT_EQ(reported_by(bench), SentProtection::unsealed);
 }
 
 }  // namespace

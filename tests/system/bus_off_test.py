@@ -24,7 +24,7 @@ def has_bus_error(data):
     return bool(int(data[6:8], 16) & 0x20)
 
 
-def passive_told(frames):
+def passive_reported(frames):
     """Seconds from the kernel's report to the first status that tells of it."""
     start = next(time for time, identifier, data in frames if identifier == CONTROLLER_PROBLEM)
     return next(
@@ -79,16 +79,16 @@ class BusOff(unittest.TestCase):
 
     def wait_for(self, what, seconds, condition):
         """Every frame received from now on is offered to `condition`; the first that it takes is returned."""
-        seen = len(self.adapter.heard)
+        seen = len(self.adapter.received)
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
-            while seen < len(self.adapter.heard):
-                frame = self.adapter.heard[seen]
+            while seen < len(self.adapter.received):
+                frame = self.adapter.received[seen]
                 seen += 1
                 if condition(frame):
                     return frame
             time.sleep(0.001)
-        self.fail(f"within {seconds} s there was no {what}; last received: {self.adapter.heard[-3:]}")
+        self.fail(f"within {seconds} s there was no {what}; last received: {self.adapter.received[-3:]}")
 
     def wait_for_ready(self):
         return self.wait_for(
@@ -131,7 +131,7 @@ class BusOff(unittest.TestCase):
                 self.drive()
                 exit_status = ecu.stop()
             frames = candump.stop()
-        passive, silences = passive_told(frames), silences_after_bus_off(frames)
+        passive, silences = passive_reported(frames), silences_after_bus_off(frames)
         print(f"error-passive told after {1000 * passive:.1f} ms")
         print("silent after bus-off for", ", ".join(f"{1000 * silence:.1f}" for silence in silences), "ms")
         print(ecu.output)

@@ -59,10 +59,10 @@ class LockStep(unittest.TestCase):
     def test_the_log_is_what_candump_hears(self):
         with programs.Candump(self.output("outside.log")) as candump, programs.Ecu("--lock-step"):
             self.drive("run")
-            heard = candump.stop()
+            received = candump.stop()
         logged = programs.read_log(self.output("run") / "candump.log")
         self.assertEqual(len(logged), 151 * 12)
-        self.assertEqual([frame[1:] for frame in logged], [frame[1:] for frame in heard])
+        self.assertEqual([frame[1:] for frame in logged], [frame[1:] for frame in received])
 
     def test_the_log_bears_simulated_time(self):
         with programs.Ecu("--lock-step"):

@@ -15,10 +15,10 @@ SIOCGIFNAME = 0x8910
 
 
 class Adapter:
-    """The interface that the kernel makes for the adapter, up; `heard` are its frames on the bus."""
+    """The interface that the kernel makes for the adapter, up; `received` are its frames on the bus."""
 
     def __init__(self):
-        self.heard = []  # (seconds, identifier, data), as in candump's log
+        self.received = []  # (seconds, identifier, data), as in candump's log
         self._line, self._tty = os.openpty()
         tty.setraw(self._line)
         tty.setraw(self._tty)
@@ -63,4 +63,4 @@ class Adapter:
             *commands, rest = rest.split(b"\r")
             for command in commands:
                 if command.startswith(b"t"):
-                    self.heard.append((now, command[1:4].decode("ascii"), command[5:].decode("ascii")))
+                    self.received.append((now, command[1:4].decode("ascii"), command[5:].decode("ascii")))

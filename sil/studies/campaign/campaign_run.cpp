@@ -97,7 +97,7 @@ class CampaignWorld::Drive {
           run_{drawn_.vehicle, drawn_.manoeuvre,           drawn_.options, drawn_.sensors, drawn_.calibration,
                nullptr,        world.learnt_before(drawn_)},
           recorder_{run_, drawn_.calibration,
-                    watch != nullptr ? static_cast<RunObserver&>(*watch) : nobody_} {
+                    watch != nullptr ? static_cast<RunObserver&>(*watch) : no_observer_} {
         if (watch != nullptr) {
             watch->begin(run_, drawn_);
         }
@@ -129,7 +129,7 @@ class CampaignWorld::Drive {
     const CampaignWorld& world_;
     const DrawnRun drawn_;
     InProcessRun run_;
-    RunObserver nobody_{};
+    RunObserver no_observer_{};
     IndexRecorder recorder_;
 };
 

@@ -11,7 +11,7 @@
 #include "sil/studies/faults/faulty_line.hpp"
 #include "sil/studies/faults/faulty_run.hpp"
 #include "sil/studies/faults/known_undetected.hpp"
-#include "sil/studies/faults/outlook.hpp"
+#include "sil/studies/faults/lookahead_window.hpp"
 #include "sil/studies/faults/output_ranges.hpp"
 #include "sil/studies/faults/recovery_watch.hpp"
 #include "sil/studies/faults/silence_watch.hpp"
@@ -101,7 +101,7 @@ EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Param
                               const std::function<void(double share)>& progress) {
     EnduranceResult result;
     const auto all = static_cast<std::uint64_t>(settings.hours * static_cast<double>(cycles_an_hour));
-    Outlook drive{vehicle, calibration, settings.seed, settings.hours * 3600.0 + 20.0};
+    LookaheadWindow drive{vehicle, calibration, settings.seed, settings.hours * 3600.0 + 20.0};
     FaultyLine faulty{calibration};
     FaultyLine right{calibration};
     FaultSchedule schedule{settings.seed};
@@ -115,7 +115,7 @@ EnduranceResult run_endurance(const VehicleParameters& vehicle, const rsi::Param
     begin_next();
     for (std::uint64_t cycle = 0U; cycle < all; ++cycle) {
         auto [sample, stands] = drive.next();
-        if (drive.warning_begins() && schedule.draw_towards(cycle + Outlook::cycles_ahead, cycle)) {
+        if (drive.warning_begins() && schedule.draw_towards(cycle + LookaheadWindow::cycles_ahead, cycle)) {
             begin_next();
         }
         if (sample) {

@@ -29,7 +29,7 @@ struct EnduranceResult {
     std::uint64_t warnings_due{0U};             // how often the second ECU came to warn
     std::uint64_t due_with_fault{0U};           // of these: while a fault was there, or within 2 s after it
     std::uint64_t due_with_fault_warned{0U};    // of those: the first ECU warned as well
-    std::uint64_t due_with_fault_told{0U};      // or was `unavailable`, or sent a code
+    std::uint64_t due_with_fault_reported{0U};  // or was `unavailable`, or sent a code
     std::uint64_t due_with_fault_silenced{0U};  // or was `ready` without a code, if only for a cycle
     std::vector<std::string> silenced_by{};     // the faults at each silence, with the second of the drive
     // The same where an error that no check detects is among them.

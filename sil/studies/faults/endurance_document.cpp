@@ -12,8 +12,9 @@ std::string endurance_row(const EnduranceSettings& settings, const EnduranceResu
         "| {:g} | {} | {} ({}) | {} | {} | {} | {} | {} / {} / {} | {} | {} | {} | {} | {} of {} | {:.3f} | "
         "{:.3f} |\n",
         settings.hours, settings.seed, result.faults, result.pairs, result.stops, result.rollovers,
-        result.warnings_due, result.due_with_fault, result.due_with_fault_warned, result.due_with_fault_told,
-        result.due_with_fault_silenced, result.silenced_by.size(), result.longest_silence_ms,
+        result.warnings_due, result.due_with_fault, result.due_with_fault_warned,
+        result.due_with_fault_reported, result.due_with_fault_silenced, result.silenced_by.size(),
+        result.longest_silence_ms,
         result.incomplete_cycles + result.undefined_cycles + result.unfed_cycles + result.bad_outputs,
         fmt::format("{}{}", result.longest_recovery_ms,
                     result.not_recovered_from.empty()

@@ -98,7 +98,7 @@ bool is_dead_or_weak(const Fault& fault) {
             (fault.kind == FaultKind::gain && fault.magnitude <= weak_gain));
 }
 
-bool is_told(const FaultyRun& right, const FaultyRun& faulty, std::size_t begin, std::size_t end) {
+bool is_reported(const FaultyRun& right, const FaultyRun& faulty, std::size_t begin, std::size_t end) {
     for (std::size_t cycle = begin; cycle < end; ++cycle) {
         if (tells(faulty.answers[cycle], *right.answers[cycle])) {
             return true;
@@ -107,14 +107,14 @@ bool is_told(const FaultyRun& right, const FaultyRun& faulty, std::size_t begin,
     return false;
 }
 
-bool accuses_good_sensors(const FaultyRun& right, const FaultyRun& other, std::size_t end) {
+bool sets_codes_of_good_sensors(const FaultyRun& right, const FaultyRun& other, std::size_t end) {
     const std::size_t started = std::min(start_cycles, end);
     for (std::size_t cycle = 0U; cycle < started; ++cycle) {
         if (other.answers[cycle] && tells_a_code(*other.answers[cycle], *right.answers[cycle])) {
             return true;
         }
     }
-    return is_told(right, other, started, end);
+    return is_reported(right, other, started, end);
 }
 
 bool is_as_demanded(const EcuAnswer& answer, Demand demand) {
@@ -147,7 +147,7 @@ bool accepts_second_sender(const FaultedDrive& drive, const Fault& fault, const 
 
 const char* to_string(FindingKind kind) {
     constexpr std::array names{"missed warning", "false warning", "not found", "second sender accepted",
-                               "good sensor accused"};
+                               "good sensor with a code"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -168,7 +168,7 @@ std::vector<FindingKind> findings_of(const FaultedDrive& drive, const Fault& fau
                                      const FaultyRun& faulty, std::size_t ordinary_end) {
     std::vector<FindingKind> found = silent_findings(drive, right, faulty);
     if (ordinary_end > 0U && is_dead_or_weak(fault) &&
-        !is_told(right, faulty, drive.fault_begin, ordinary_end)) {
+        !is_reported(right, faulty, drive.fault_begin, ordinary_end)) {
         found.push_back(FindingKind::not_found);
     }
     if (is_second_sender(fault.kind) && accepts_second_sender(drive, fault, faulty)) {
@@ -180,8 +180,8 @@ std::vector<FindingKind> findings_of(const FaultedDrive& drive, const Fault& fau
 std::vector<FindingKind> findings_of_good_sensors(const FaultedDrive& drive, const FaultyRun& right,
                                                   const FaultyRun& other) {
     std::vector<FindingKind> found = silent_findings(drive, right, other);
-    if (accuses_good_sensors(right, other, end_of(drive))) {
-        found.push_back(FindingKind::good_sensor_accused);
+    if (sets_codes_of_good_sensors(right, other, end_of(drive))) {
+        found.push_back(FindingKind::good_sensor_with_code);
     }
     return found;
 }

@@ -15,7 +15,7 @@ enum class FindingKind : std::uint8_t {
     false_warning,   // for long and without a code, where none is due and the wheels carry as they should
     not_found,       // a dead or weak accelerometer, in a minute of ordinary driving
     second_sender_accepted,  // its frames are used, or the ECU's own identifier is taken, and nothing says so
-    good_sensor_accused,     // a code, or "unavailable", without a fault
+    good_sensor_with_code,   // a code, or "unavailable", without a fault
 };
 
 const char* to_string(FindingKind kind);

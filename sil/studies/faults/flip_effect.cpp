@@ -7,7 +7,7 @@ namespace sil {
 namespace {
 
 constexpr std::size_t tolerated_cycles = 5U;  // 50 ms
-constexpr std::size_t told_within = 10U;      // 100 ms
+constexpr std::size_t reported_within = 10U;  // 100 ms
 
 // Whether `side` is warned of within 50 ms of the cycle.
 bool is_warned(const std::vector<Statement>& statements, std::size_t cycle, WarningSide side) {
@@ -27,10 +27,10 @@ bool says_more(const Statement& statement, const Statement& undisturbed) {
            !statement.sound;
 }
 
-bool is_told(const std::vector<Statement>& statements, const std::vector<Statement>& undisturbed,
-             std::size_t cycle) {
-    const std::size_t begin = cycle - std::min(cycle, told_within);
-    const std::size_t end = std::min(cycle + told_within + 1U, statements.size());
+bool is_reported(const std::vector<Statement>& statements, const std::vector<Statement>& undisturbed,
+                 std::size_t cycle) {
+    const std::size_t begin = cycle - std::min(cycle, reported_within);
+    const std::size_t end = std::min(cycle + reported_within + 1U, statements.size());
     for (std::size_t near = begin; near < end; ++near) {
         if (says_more(statements[near], undisturbed[near])) {
             return true;
@@ -60,7 +60,7 @@ FlipEffect effect_in_cycle(const std::vector<Statement>& statements,
     if (!is_false && !is_missing) {
         return (statements[cycle] == undisturbed[cycle]) ? FlipEffect::none : FlipEffect::in_time;
     }
-    if (is_told(statements, undisturbed, cycle)) {
+    if (is_reported(statements, undisturbed, cycle)) {
         return FlipEffect::told;
     }
     if (is_false) {

@@ -17,7 +17,7 @@ std::vector<KnownFinding> read_known() {
     std::vector<KnownFinding> all;
     for (TomlTable table : file.tables("finding")) {
         KnownFinding known;
-        known.found.kind = named(table, "what", FindingKind::good_sensor_accused);
+        known.found.kind = named(table, "what", FindingKind::good_sensor_with_code);
         if (table.has("fault")) {
             known.found.fault = named(table, "fault", FaultKind::process_stop);
             known.found.place = named(table, "of", FaultPlace::processor);

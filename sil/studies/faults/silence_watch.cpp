@@ -38,7 +38,7 @@ void SilenceWatch::count(EnduranceResult& result) const {
     } else if (answered_) {
         ++result.due_with_fault_warned;
     } else if (reported_) {
-        ++result.due_with_fault_told;
+        ++result.due_with_fault_reported;
     }
 }
 

@@ -46,7 +46,7 @@ std::string name_of(const testing::TestInfo& test) {
     return std::string{test.test_suite_name()} + '.' + test.name();
 }
 
-class Witness final : public testing::EmptyTestEventListener {
+class Observation final : public testing::EmptyTestEventListener {
     void OnTestStart(const testing::TestInfo& test) override {
         std::snprintf(shared->running_test, sizeof shared->running_test, "%s", name_of(test).c_str());
     }
@@ -166,7 +166,7 @@ int main(int argc, char** argv) {
     mutation::record = shared->record;
     testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
     delete listeners.Release(listeners.default_result_printer());
-    listeners.Append(new Witness);
+    listeners.Append(new Observation);
     for (std::string line; std::getline(std::cin, line);) {
         std::istringstream request{line};
         std::string what;

@@ -274,18 +274,19 @@ TEST(Replay, OfAVehicleOnABankUsesTheBank) {
         sample.bank_angle_rad = bank_rad;
     }
     const sil::DriveReplay of_blind = sil::replay_drive(blind, large_suv_calibration());
-    const sil::DriveReplay of_told = sil::replay_drive(told, large_suv_calibration());
+    const sil::DriveReplay of_reported = sil::replay_drive(told, large_suv_calibration());
     EXPECT_EQ(changes(ecu_outputs(of_blind)), changes(run.ecu_outputs));
-    EXPECT_FALSE(of_told.events.warning);
-    double sum_told = 0.0;
+    EXPECT_FALSE(of_reported.events.warning);
+    double sum_reported = 0.0;
     double sum_blind = 0.0;
     for (std::size_t index = 101U; index <= 200U; ++index) {
-        sum_told += static_cast<double>(of_told.cycles[index].outputs.lateral_acceleration_mps2) / 100.0;
+        sum_reported +=
+            static_cast<double>(of_reported.cycles[index].outputs.lateral_acceleration_mps2) / 100.0;
         sum_blind += static_cast<double>(of_blind.cycles[index].outputs.lateral_acceleration_mps2) / 100.0;
     }
     // g sin b = 0.78 m/s^2. Noise and the car's slow drift down the slope are left.
-    EXPECT_NEAR(std::fabs(sum_told - sum_blind), 9.80665 * std::sin(bank_rad), 0.1);
-    EXPECT_NEAR(sum_told, 0.0, 0.3);
+    EXPECT_NEAR(std::fabs(sum_reported - sum_blind), 9.80665 * std::sin(bank_rad), 0.1);
+    EXPECT_NEAR(sum_reported, 0.0, 0.3);
 }
 
 }  // namespace

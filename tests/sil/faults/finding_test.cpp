@@ -273,20 +273,20 @@ TEST(Finding, HasANameForEachKind) {
     EXPECT_STREQ(to_string(FindingKind::false_warning), "false warning");
     EXPECT_STREQ(to_string(FindingKind::not_found), "not found");
     EXPECT_STREQ(to_string(FindingKind::second_sender_accepted), "second sender accepted");
-    EXPECT_STREQ(to_string(FindingKind::good_sensor_accused), "good sensor accused");
+    EXPECT_STREQ(to_string(FindingKind::good_sensor_with_code), "good sensor with a code");
 }
 
 TEST(Finding, IsACodeAgainstGoodSensors) {
     EXPECT_THAT(Drive{}.of_good_sensors(), IsEmpty());
     const EcuAnswer code = saying(WarningState::ready, WarningSide::none, 4U);
-    const auto accused = ElementsAre(FindingKind::good_sensor_accused);
-    EXPECT_THAT(Drive{}.say(0U, 1U, code).of_good_sensors(), accused);
+    const auto with_code = ElementsAre(FindingKind::good_sensor_with_code);
+    EXPECT_THAT(Drive{}.say(0U, 1U, code).of_good_sensors(), with_code);
     const EcuAnswer unavailable = saying(WarningState::unavailable);
     EXPECT_THAT(Drive{}.say(0U, 30U, unavailable).of_good_sensors(), IsEmpty()) << "at the start";
-    EXPECT_THAT(Drive{}.say(30U, 31U, unavailable).of_good_sensors(), accused);
+    EXPECT_THAT(Drive{}.say(30U, 31U, unavailable).of_good_sensors(), with_code);
     EXPECT_THAT(
         Drive{}.say(29U, 30U, saying(WarningState::unavailable, WarningSide::none, 4U)).of_good_sensors(),
-        accused);
+        with_code);
     EXPECT_THAT(Drive{}.say(lift, drive_cycles, code).of_good_sensors(), IsEmpty()) << "after lift-off";
     EXPECT_THAT(Drive{}.say(lift - 60U, drive_cycles, ready).of_good_sensors(),
                 ElementsAre(FindingKind::missed_warning));
@@ -324,8 +324,8 @@ TEST(KnownFindings, DifferByWhatIsNewAndByWhatIsGone) {
                 ElementsAre("known, but no longer found: missed warning, gain of yaw rate: gain, 0 | rest"));
     EXPECT_THAT(
         sil::differences(
-            {{missed, "gain, 0 | rest"}, {{FindingKind::good_sensor_accused, {}, {}}, "x | rest"}}, known),
-        ElementsAre("not known: good sensor accused: x | rest"));
+            {{missed, "gain, 0 | rest"}, {{FindingKind::good_sensor_with_code, {}, {}}, "x | rest"}}, known),
+        ElementsAre("not known: good sensor with a code: x | rest"));
 }
 
 }  // namespace

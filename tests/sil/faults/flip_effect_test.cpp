@@ -116,14 +116,14 @@ TEST(AFlip, ThatWarnsOfTheOtherSideIsFalse) {
 }
 
 TEST(AFlip, IsToldByWhateverSaysThatSomethingIsWrong) {
-    const auto told_by = [](auto change) {
+    const auto reported_by = [](auto change) {
         Statements statements = warned(50U, 51U);
         change(statements[50U]);
         return effect(statements, all_ready());
     };
-    EXPECT_EQ(told_by([](Statement& one) { one.codes = 4U; }), FlipEffect::told);
-    EXPECT_EQ(told_by([](Statement& one) { one.sound = false; }), FlipEffect::told);
-    EXPECT_EQ(told_by([](Statement& one) { one.degradation = sil::Degradation::internal_fault; }),
+    EXPECT_EQ(reported_by([](Statement& one) { one.codes = 4U; }), FlipEffect::told);
+    EXPECT_EQ(reported_by([](Statement& one) { one.sound = false; }), FlipEffect::told);
+    EXPECT_EQ(reported_by([](Statement& one) { one.degradation = sil::Degradation::internal_fault; }),
               FlipEffect::told);
     Statements unavailable = all_ready();
     for (std::size_t cycle = 38U; cycle < 60U; ++cycle) {

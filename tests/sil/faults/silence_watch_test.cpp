@@ -59,7 +59,7 @@ struct Counts {
 void expect_counts(const sil::EnduranceResult& result, const Counts& expected) {
     EXPECT_EQ(result.due_with_fault, expected.with_fault);
     EXPECT_EQ(result.due_with_fault_warned, expected.warned);
-    EXPECT_EQ(result.due_with_fault_told, expected.told);
+    EXPECT_EQ(result.due_with_fault_reported, expected.told);
     EXPECT_EQ(result.due_with_fault_silenced, expected.silenced);
 }
 

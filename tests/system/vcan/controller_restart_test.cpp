@@ -33,8 +33,8 @@ TEST(ControllerRestart, ADriverThatCannotRestartGetsItsInterfaceTakenDownAndUp) 
 
 TEST(ControllerRestart, WithoutTheRightToConfigureInterfacesItIsRefused) {
     configure("ip link set can0 down && ip link set can0 up type can bitrate 500000 restart-ms 0");
-    constexpr uid_t nobody{65534};
-    ASSERT_EQ(seteuid(nobody), 0);
+    constexpr uid_t unprivileged{65534};
+    ASSERT_EQ(seteuid(unprivileged), 0);
     const ControllerRestartResult result = restart_controller({"can0"});
     ASSERT_EQ(seteuid(0), 0);
     EXPECT_EQ(result.outcome, ControllerRestart::refused);

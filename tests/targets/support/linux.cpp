@@ -13,8 +13,8 @@ Handle open_to_read(const char* path) {
 }
 
 Handle open_to_write(const char* path) {
-    constexpr mode_t everybody = 0666;
-    return ::open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, everybody);
+    constexpr mode_t read_and_write = 0666;
+    return ::open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, read_and_write);
 }
 
 std::size_t read(Handle file, void* bytes, std::size_t size) {

@@ -71,8 +71,8 @@ class Drive final : private sil::Pace {
 
     // False after the last cycle.
     bool cycle() {
-        sil::RunObserver nobody;
-        const bool goes_on = loop_.cycle(nobody);
+        sil::RunObserver no_observer;
+        const bool goes_on = loop_.cycle(no_observer);
         report();
         return goes_on;
     }

@@ -1,25 +1,25 @@
-#include "sil/studies/faults/outlook.hpp"
+#include "sil/studies/faults/lookahead_window.hpp"
 
 #include "sil/studies/faults/faulty_run.hpp"
 
 namespace sil {
 
-Outlook::Outlook(const VehicleParameters& vehicle, const rsi::Parameters& calibration, std::uint64_t seed,
-                 double duration_s)
+LookaheadWindow::LookaheadWindow(const VehicleParameters& vehicle, const rsi::Parameters& calibration,
+                                 std::uint64_t seed, double duration_s)
     : world_{vehicle, seed, duration_s}, scout_{calibration} {
     while (ahead_.size() < cycles_ahead) {
         look();
     }
 }
 
-Outlook::Cycle Outlook::next() {
+LookaheadWindow::Cycle LookaheadWindow::next() {
     look();
     const Cycle cycle = ahead_.front();
     ahead_.pop_front();
     return cycle;
 }
 
-void Outlook::look() {
+void LookaheadWindow::look() {
     Cycle cycle{world_.next(), world_.stands()};
     std::optional<SensorSample> seen = cycle.sample;
     if (seen) {

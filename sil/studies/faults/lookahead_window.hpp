@@ -1,5 +1,5 @@
-// Outlook: the drive some seconds ahead of itself, so that faults can be drawn to where a warning will be
-// due. The ECUs only warn, so the drive does not depend on them.
+// LookaheadWindow: the drive some seconds ahead of itself, so that faults can be drawn to where a warning
+// will be due. The ECUs only warn, so the drive does not depend on them.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace sil {
 
-class Outlook {
+class LookaheadWindow {
  public:
     struct Cycle {
         std::optional<SensorSample> sample{};
         bool stands{false};
     };
 
-    Outlook(const VehicleParameters& vehicle, const rsi::Parameters& calibration, std::uint64_t seed,
-            double duration_s);
+    LookaheadWindow(const VehicleParameters& vehicle, const rsi::Parameters& calibration, std::uint64_t seed,
+                    double duration_s);
 
     Cycle next();
 
