@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/studies/predictors", "sil/judge", "cmake/environment")]
+sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/studies/predictors", "sil/judge", "sil/page", "cmake/environment")]
 
 import comparison  # noqa: E402
 import judge  # noqa: E402

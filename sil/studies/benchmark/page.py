@@ -16,10 +16,11 @@ import pyarrow.csv
 import pyarrow.parquet
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/tools/campaigns", "sil/studies/predictors", "sil/judge",
+sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/tools/campaigns", "sil/studies/predictors", "sil/judge", "sil/page",
                                                      "cmake/environment")]
 
 import judge  # noqa: E402
+import markdown  # noqa: E402
 import query  # noqa: E402
 import rare  # noqa: E402
 import report  # noqa: E402
@@ -70,11 +71,11 @@ def matched(connection, share):
 def table(rows, first_columns=()):
     """`rows`: (name, cells of the first columns, shares), the earliest first."""
     head = ["", *first_columns, *report.WARNED, *report.alarm_columns()]
-    lines = [f"| {' | '.join(head)} |".replace("|  |", "| |"), "|---" + "|---:" * len(first_columns) + "|---" * 7 + "|"]
+    lines = []
     for name, cells, of_entry in sorted(rows, key=lambda row: (-row[2][2].count, row[0])):
         figures = [*map(report.percent, of_entry[:3]), *map(report.alone, of_entry[3:])]
-        lines.append(f"| {' | '.join([name, *cells, *figures])} |")
-    return "\n".join(lines)
+        lines.append([name, *cells, *figures])
+    return markdown.table(head, lines, range(1, 1 + len(first_columns)))
 
 
 def point(of_entry):
@@ -111,8 +112,7 @@ def write_series(folder):
 
 def rare_table(folder, program):
     """Rate in a million runs of each event that has a campaign drawn nearer to it: plain runs alone, and all weighed."""
-    lines = ["| in 1,000,000 runs | plain runs alone | events | all runs, weighed | events | worth so many plain runs |",
-             "|---|---|---:|---|---:|---:|"]
+    rows = []
     for event, (what, _) in rare.EVENTS.items():
         if (folder / event).is_dir():
             samples, _ = rare.weighed([folder / "plain", folder / event], program, what)
@@ -122,8 +122,9 @@ def rare_table(folder, program):
             for found in (plain, weighed):
                 low, high = (rare.per_million(end) for end in found.interval)
                 cells += [f"{rare.per_million(found.share)} ({low} to {high})", f"{found.events} in {found.runs}"]
-            lines.append(f"| {' | '.join(cells)} | {weighed.trials:.0f} |")
-    return "\n".join(lines)
+            rows.append([*cells, f"{weighed.trials:.0f}"])
+    return markdown.table(["in 1,000,000 runs", "plain runs alone", "events", "all runs, weighed", "events",
+                           "worth so many plain runs"], rows, (2, 4, 5))
 
 
 def main(arguments):

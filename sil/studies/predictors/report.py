@@ -3,6 +3,7 @@
 import collections
 
 import judge
+import markdown
 
 HEAD = """<!-- Written by sil/studies/predictors/run --document; do not edit. -->
 # What a heavier predictor would gain
@@ -52,35 +53,39 @@ def alone(share):
     return "-" if not share.total else f"{100 * share.value():.1f}"
 
 
-def line(name, threshold, verdict):
+def cells_of(name, threshold, verdict):
     cells = [name, "-" if threshold is None else f"{threshold:.3f}"]
     found = verdict.detection
     cells += [percent(share) for share in (found.warned, found.warned_100ms, found.warned_200ms)]
     cells += [f"{found.median_lead_s:.2f}"]
-    return f"| {' | '.join(cells + [alone(share) for share in found.alarms.values()])} |"
+    return cells + [alone(share) for share in found.alarms.values()]
+
+
+def line(name, threshold, verdict):
+    return markdown.line(cells_of(name, threshold, verdict))
 
 
 def _table(rows):
-    return (f"| | threshold | {' | '.join([*WARNED, 'median lead, s', *alarm_columns()])} |\n"
-            f"|---|---:|---|---|---|---:|{'---:|' * judge.BAND_COUNT}\n" + "".join(line(*row) + "\n" for row in rows))
+    head = ["", "threshold", *WARNED, "median lead, s", *alarm_columns()]
+    return markdown.table(head, [cells_of(*row) for row in rows], (1, *range(5, len(head)))) + "\n"
 
 
 def _by(title, group_of, rows):
     """Lift-offs warned of 0.2 s before, by a property of the run."""
     groups = collections.Counter(sorted(group_of(run) for run in rows[0][2].runs if run.lift_s is not None))
-    text = f"\n## 0.2 s before, by {title}\nIn per cent of the lift-offs.\n\n| | {' | '.join(groups)} |\n"
-    text += f"|---|{'---:|' * len(groups)}\n| lift-offs | {' | '.join(map(str, groups.values()))} |\n"
+    lines = [["lift-offs", *map(str, groups.values())]]
     for name, _, verdict in rows:
         early = collections.Counter(group_of(run) for run, warned in zip(verdict.runs, verdict.very_early) if warned)
-        text += f"| {name} | {' | '.join(f'{100 * early[group] / groups[group]:.1f}' for group in groups)} |\n"
-    return text
+        lines.append([name, *(f"{100 * early[group] / groups[group]:.1f}" for group in groups)])
+    table = markdown.table(["", *groups], lines, range(1, 1 + len(groups)))
+    return f"\n## 0.2 s before, by {title}\nIn per cent of the lift-offs.\n\n{table}\n"
 
 
 def _importance(groups):
     return ("\n## What it lives on\n"
             "Mean error of the boosted trees where wheels come close to lifting, when what is named is that of other\n"
-            "moments, over their error with everything; 1: it is not missed.\n\n| | error |\n|---|---:|\n"
-            + "".join(f"| {group} | {factor:.2f} |\n" for group, factor in groups.items()))
+            "moments, over their error with everything; 1: it is not missed.\n\n"
+            + markdown.table(["", "error"], [[group, f"{factor:.2f}"] for group, factor in groups.items()], (1,)) + "\n")
 
 
 def page(chosen, reported, rows, groups, perfect_s):

@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
-sys.path += [str(PROJECT / "sil/judge"), str(PROJECT / "cmake/environment")]
+sys.path += [str(PROJECT / folder) for folder in ("sil/judge", "sil/page", "cmake/environment")]
 
 import comparison  # noqa: E402
 import importance  # noqa: E402

@@ -5,27 +5,24 @@ import re
 import tomllib
 
 import goals
+import markdown
 from figures import PAPERS
 
 
 def goal_table(report):
-    lines = ["| the default warning | | goal | reached | |", "|---|---|---|---|---|"]
+    lines = []
     van = [group for group in report["vehicles"] if group["name"] == "van"]  # without hand tuning
     for group in [dict(report["all"], name="all vehicles"), *van]:
         for figure, limit in zip(goals.figures(group), goals.WITH_ERRORS):
-            cells = [group["name"], figure.name, figure.goal(limit), figure.text, figure.verdict(limit)]
-            lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines)
+            lines.append([group["name"], figure.name, figure.goal(limit), figure.text, figure.verdict(limit)])
+    return markdown.table(["the default warning", "", "goal", "reached", ""], lines)
 
 
 def curves(report, chosen):
     """The default index against the best of the paper's, at equal false alarms. The published RSI ends at 1, (25), and has
     no threshold beyond; the bank-free one is the same without that end."""
     indices = report["all"]["indices"]
-    lines = [
-        f"| alarms in calm runs, at most | {chosen}: warned, 0.1 s, 0.2 s before | best of the paper's, 0.1 s before | best of the paper's, 0.2 s before | above both |",
-        "|---|---|---|---|---|",
-    ]
+    lines = []
     for k, own in enumerate(indices[chosen]["best"]):
         bests, above = [], own["threshold"] is not None
         for lead in ("warned_100ms_before", "warned_200ms_before"):
@@ -34,8 +31,9 @@ def curves(report, chosen):
             bests.append(f"{100 * share:.2f} % ({name})")
             above = above and own[lead]["share"] > share
         cell = "-" if own["threshold"] is None else ", ".join(goals.percent(own[key]) for key in ("warned", "warned_100ms_before", "warned_200ms_before"))
-        lines.append(f"| {100 * own['false_alarms_at_most']:g} % | {cell} | {bests[0]} | {bests[1]} | {'yes' if above else '**no**'} |")
-    return "\n".join(lines)
+        lines.append([f"{100 * own['false_alarms_at_most']:g} %", cell, *bests, "yes" if above else "**no**"])
+    return markdown.table(["alarms in calm runs, at most", f"{chosen}: warned, 0.1 s, 0.2 s before", "best of the paper's, 0.1 s before",
+                           "best of the paper's, 0.2 s before", "above both"], lines)
 
 
 def _ceiling(report):

@@ -84,8 +84,8 @@ class Goals(unittest.TestCase):
 class Campaigns(unittest.TestCase):
     def test_a_row_has_a_cell_for_every_column_and_ends_with_the_runs_that_set_a_code(self):
         row = document.row("all", group())
-        self.assertEqual(row.count("|"), document.HEADER.count("|") + 3)
-        self.assertTrue(row.endswith("| 0.00 s | 3 |"), row)
+        self.assertEqual(len(row), len(document.HEAD))
+        self.assertEqual(row[-2:], ["0.00 s", "3"])
 
     def test_an_unfinished_one_is_refused(self):
         with tempfile.TemporaryDirectory() as scratch:

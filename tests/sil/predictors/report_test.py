@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(PROJECT / "sil/studies/predictors"), str(PROJECT / "sil/judge")]
+sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/studies/predictors", "sil/judge", "sil/page")]
 
 import comparison
 import judge
