@@ -3,7 +3,7 @@
 #   rsi::application    around it the frames: end-to-end check, freshness, encoding, diagnosis, parameter section
 #   rsi::access         seed and key for XCP and UDS, for the application too
 #   rsi::diagnosis      trouble codes, ISO-TP and UDS beside the application, on request
-#   rsi::calibration_pages, rsi::xcp    XCP on CAN around the application, for whoever wants it
+#   rsi::calibration_pages, rsi::xcp    XCP on CAN around the application, on request
 #   rsi::can_dbc, rsi::hal_interface    headers that the application stands on
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -115,7 +115,7 @@ std::string headline_of(const StateMatrix& matrix) {
     for (const auto& [kind, number] : kinds) {
         parts.push_back(fmt::format("{} {}", to_string(kind), number));
     }
-    return fmt::format("**Of {} runs {} have a finding, all of them [known](#known-findings):\n{}.**",
+    return fmt::format("**{} runs, {} of them with a finding, all of them [known](#known-findings):\n{}.**",
                        injections, with_finding, fmt::join(parts, ", "));
 }
 

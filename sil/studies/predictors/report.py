@@ -14,7 +14,7 @@ receives them, noise included, and the calibration with its errors. All but one 
 the firmware computes, now and ahead. They show how much a better prediction would still find in these signals.
 
 {learned} runs of {learned_vehicles} vehicles are learned from: the half `choose` of a
-[population](../drives.md#a-population-of-vehicles), settings `errors`. What is shown is of {judged} runs of the
+[population](../drives.md#a-population-of-vehicles), settings `errors`. The figures are of {judged} runs of the
 {judged_vehicles} vehicles of the other half, with {lifted} two-wheel lift-offs.
 
 - **Same rules.** Every prediction drives a copy of the firmware's warning states, and
@@ -24,11 +24,11 @@ the firmware computes, now and ahead. They show how much a better prediction wou
   that has not seen its vehicle.
 - **Known manoeuvres.** Both halves drive the same manoeuvres, and a learned predictor knows how they go on. No driver
   keeps to them. For the row *unseen manoeuvres* each run is judged by a predictor that has learned without its kind
-  of manoeuvre: turns, fishhooks, lane changes. Of the gain over the firmware, that row's part is understanding of the
+  of manoeuvre: turns, fishhooks, lane changes. Its share of the gain over the firmware is understanding of the
   vehicle; the rest is knowledge of the test. (The threshold of that row comes from vehicles that it has seen.)
-- **What is predicted.** The largest load transfer of the next 0.3 s, or of what the row says, every 20 ms. *Linear* is
-  a weighted sum of all that is told, some forty numbers.
-- **Perfect forecast** is the true load transfer of the next {perfect} s, which nobody can have.
+- **Target.** The largest load transfer of the next 0.3 s, or of what the row says, every 20 ms. *Linear* is
+  a weighted sum of all inputs, some forty numbers.
+- **Perfect forecast** is the true load transfer of the next {perfect} s, which no vehicle can have.
 
 In brackets: 95 % confidence, counting vehicles.
 

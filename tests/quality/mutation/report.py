@@ -32,7 +32,7 @@ def _share(killed, mutants):
 
 def summary(results, wanted):
     answers = list(results.values())
-    part = f"Of {wanted} mutants, {len(answers)} were tried, most of them drawn at random. " if len(answers) < wanted else ""
+    part = f"{len(answers)} of {wanted} mutants were tried, most of them drawn at random. " if len(answers) < wanted else ""
     if not answers:
         return part + "No mutant was tried.\n"
     return f"{part}{_killed(answers)} of {len(answers)} mutants are killed, {_share(_killed(answers), len(answers))}.\n"

@@ -45,7 +45,7 @@ def tests_of(listing):
 
 class Evidence:
     """`codes`: the diagnostic codes that the ECU can send; empty while there is no frame for them. `sources`: test to file.
-    `signatures`: the page of the tables by which the ECU accuses a sensor; empty where there are none."""
+    `signatures`: the page of the tables by which the ECU isolates a faulty sensor; empty where there are none."""
 
     def __init__(self, project, tests, groups, signals, codes, sources, signatures=""):
         self.project = project

@@ -31,7 +31,7 @@ LOGS = PROJECT / "tests/application/regression/logs"
 FAULTY_LOG = "bus-faults-noise"
 CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
 CYCLE = "application::RolloverEcu::step"
-# The same with XCP and diagnosis linked and nobody connected; what is executed only in a cycle in which a trouble code
+# The same with XCP and diagnosis linked and not connected; code executed only in a cycle in which a trouble code
 # changes or the trouble memory is stored.
 CYCLE_WITH_ACCESSES = "budgets::EcuWithAccesses::cycle"
 EVENTS = ["diagnosis::TroubleMemory::take_change", "diagnosis::KeptData::store"]

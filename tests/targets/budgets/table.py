@@ -138,7 +138,7 @@ def _cycles(table, measurements):
     table.row("cycle: RolloverEcu::step()", figures_of(lambda s: s.counts), "cycle_most")
     _parts(table, "cycle", figures_of, "order")
     table.row(
-        "more with XCP and diagnosis, nobody connected",
+        "more with XCP and diagnosis, not connected",
         {m.target: _of_access_cycles(m, is_event=False) for m in measurements},
         "access_cycle_most",
     )
@@ -217,7 +217,7 @@ def _access_memory(table, measurements):
 
 
 def indirect_calls(measurements):
-    """A sentence on who calls through pointers: nobody in the library (that is checked), the application its platform."""
+    """A sentence on calls through pointers: none in the library (that is checked), the application its platform."""
     names = sorted({name for m in measurements for name in m.application_indirect_callers})
     callers = ", ".join(f"`{name}`" for name in binary_tools.demangled(names) if name)
     return f"\nThe library makes no indirect call. The application makes its virtual calls, of hal/interface, in {callers}.\n"
