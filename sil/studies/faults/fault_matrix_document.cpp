@@ -209,7 +209,8 @@ std::string known_undetected_table(const FaultMatrix& matrix) {
 std::string headline(const InjectionCount& count) {
     const std::size_t silenced = count.silenced - count.silenced_known_undetected;
     return fmt::format(
-        "**{} injections, {} of them answered as expected; {} of these were never visible (no value was wrong "
+        "**{} injections, {} of them answered as expected; {} of these were never visible (no value was "
+        "wrong "
         "by the least visible\nerror), so {} show a reaction. {} are "
         "[known undetected faults](#known-undetected-faults) and make the warning late; {} fall\nshort "
         "otherwise. A warning is due in {}: {} of them turn it into `ready` without a diagnostic code, {} by "
