@@ -62,6 +62,8 @@ inline constexpr std::size_t code_count = 0U RSI_OUTPUTS(RSI_ONE, RSI_NOTHING, R
 inline constexpr std::size_t number_count = 0U RSI_OUTPUTS(RSI_NOTHING, RSI_ONE, RSI_ONE);
 inline constexpr std::size_t index_count = 0U RSI_OUTPUTS(RSI_NOTHING, RSI_NOTHING, RSI_ONE);
 #undef RSI_ONE
+static_assert(sizeof(Outputs) == 4U * (code_count + number_count),
+              "rsi.h does not have the rows of rsi_outputs.h: run firmware/rsi/write_outputs");
 
 inline constexpr std::array<CodeOutput, code_count> code_outputs{
     {RSI_OUTPUTS(RSI_CODE, RSI_NOTHING, RSI_NOTHING)}};
