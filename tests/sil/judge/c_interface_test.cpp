@@ -26,7 +26,8 @@ TEST(JudgeInterface, HasTheConstants) {
     EXPECT_STREQ(judge_band_name(3U), "0.9 to lift");
 }
 
-// Two lift-offs, the second one warned of 0.15 s before; two others, of which the first is calm and has an alarm.
+// Two lift-offs, the second one warned of 0.15 s before; two others, of which the first is calm and has an
+// alarm.
 struct FourRuns {
     std::vector<std::uint32_t> vehicles{0U, 0U, 1U, 1U};
     std::vector<double> lifts_s{3.0, 4.0, none, none};
