@@ -12,7 +12,7 @@
 #include "hal/linux/system_random.hpp"
 #include "hal/software_keys/software_keys.hpp"
 #include "rsi/types.hpp"
-#include "sil/apps/kept_record.hpp"
+#include "sil/apps/nv_file.hpp"
 
 namespace sil {
 
@@ -31,8 +31,8 @@ class CalibrationAccess {
 
  private:
     std::vector<std::uint8_t> section_;
-    KeptRecord attempts_;
-    KeptRecord stored_section_;
+    NvFile attempts_;
+    NvFile stored_section_;
     hal::SoftwareKeys keys_{hal::test_keys};
     hal::SystemRandom random_{};
     access_control::SeedAndKey seed_and_key_{keys_, hal::KeySlot::calibration, random_, attempts_};

@@ -1,4 +1,4 @@
-#include "sil/apps/campaign_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "sil/apps/progress_line.hpp"
 #include "sil/apps/single_run.hpp"
 #include "sil/apps/stop_request.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/campaign/campaign.hpp"
 #include "sil/studies/campaign/campaign_folder.hpp"
 #include "sil/studies/campaign/campaign_page.hpp"

@@ -10,7 +10,7 @@
 #include "hal/linux/system_random.hpp"
 #include "hal/software_keys/software_keys.hpp"
 #include "rsi/version.h"
-#include "sil/apps/kept_record.hpp"
+#include "sil/apps/nv_file.hpp"
 
 namespace sil {
 
@@ -44,10 +44,10 @@ class DiagnosisAccess {
     hal::Storage& other() { return other_; }
 
  private:
-    KeptRecord one_;
-    KeptRecord other_;
-    KeptRecord attempts_;
-    KeptRecord own_section_;
+    NvFile one_;
+    NvFile other_;
+    NvFile attempts_;
+    NvFile own_section_;
     diagnosis::SectionStore store_;
     hal::SoftwareKeys keys_{hal::test_keys};
     hal::SystemRandom random_{};

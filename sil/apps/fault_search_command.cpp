@@ -1,4 +1,4 @@
-#include "sil/apps/fault_search_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "sil/apps/command_line.hpp"
 #include "sil/apps/progress_line.hpp"
 #include "sil/apps/stop_request.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/faults/search_report.hpp"
 
 namespace sil {

@@ -1,4 +1,4 @@
-#include "sil/apps/fault_states_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sil/apps/measured_page.hpp"
+#include "sil/apps/generated_page.hpp"
 #include "sil/apps/vehicle_options.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/studies/faults/state_matrix.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 struct FaultStatesRequest {
     VehicleFiles files;
-    MeasuredPage page;
+    GeneratedPage page;
 };
 
 void run_fault_states(const FaultStatesRequest& request) {

@@ -1,4 +1,4 @@
-#include "sil/apps/faults_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "sil/apps/command_line.hpp"
-#include "sil/apps/measured_page.hpp"
+#include "sil/apps/generated_page.hpp"
 #include "sil/apps/vehicle_options.hpp"
 #include "sil/files/calibration_file.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/simulation/pace.hpp"
 #include "sil/studies/faults/endurance.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 struct FaultsRequest {
     VehicleFiles files;
-    MeasuredPage page;
+    GeneratedPage page;
 };
 
 void print_unexpected(const Scene& scene, const Injection& injection) {

@@ -2,7 +2,7 @@
 
 #include "rsi/parameters.hpp"
 #include "sil/files/csv_writer.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/results/indices.hpp"
 #include "sil/results/output_columns.hpp"
 #include "sil/studies/campaign/indices.hpp"

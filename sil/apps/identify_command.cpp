@@ -11,7 +11,7 @@
 
 #include "sil/apps/command_line.hpp"
 #include "sil/files/calibration_file.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/identification/calibration_writer.hpp"
 #include "sil/studies/identification/identification.hpp"

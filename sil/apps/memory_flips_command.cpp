@@ -1,4 +1,4 @@
-#include "sil/apps/memory_flips_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 

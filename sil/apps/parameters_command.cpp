@@ -1,4 +1,4 @@
-#include "sil/apps/parameters_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "sil/files/calibration_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/files/key_file.hpp"
 #include "sil/files/parameter_section_file.hpp"
-#include "sil/files/whole_file.hpp"
 
 namespace sil {
 namespace {

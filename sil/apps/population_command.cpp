@@ -1,4 +1,4 @@
-#include "sil/apps/population_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 

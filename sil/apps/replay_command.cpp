@@ -14,7 +14,7 @@
 #include "sil/apps/command_line.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_log.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/results/event_marks.hpp"
 #include "sil/simulation/replay.hpp"
 #include "sil/studies/drives/drive_csv.hpp"

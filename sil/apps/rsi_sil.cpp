@@ -7,21 +7,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "sil/apps/campaign_command.hpp"
 #include "sil/apps/command_line.hpp"
-#include "sil/apps/fault_search_command.hpp"
-#include "sil/apps/fault_states_command.hpp"
-#include "sil/apps/faults_command.hpp"
+#include "sil/apps/commands.hpp"
 #include "sil/apps/identify_command.hpp"
-#include "sil/apps/memory_flips_command.hpp"
-#include "sil/apps/parameters_command.hpp"
-#include "sil/apps/population_command.hpp"
-#include "sil/apps/procedure_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/apps/run_command.hpp"
-#include "sil/apps/show_command.hpp"
-#include "sil/apps/validate_command.hpp"
-#include "sil/apps/watch_command.hpp"
 #include "sil/simulation/bus_timing.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 

@@ -8,7 +8,7 @@
 #include "sil/apps/run_recorder.hpp"
 #include "sil/apps/run_timing.hpp"
 #include "sil/files/calibration_file.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/page/summary_facts.hpp"
 #include "sil/results/summary.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -77,10 +77,10 @@ void run_manoeuvre(const RunRequest& request) {
     }
     ClosedLoop loop{plant, sensors, timing->bus(), timing->pace()};
 
-    recorder.account().begin(manoeuvre, options, pace_name(request.in_process, request.lock_step),
+    recorder.console().begin(manoeuvre, options, pace_name(request.in_process, request.lock_step),
                              plant.duration_s());
     loop.run(recorder);
-    recorder.account().end(loop.events(), loop.ecu(), loop.frames_sent(), timing->missed_cycles());
+    recorder.console().end(loop.events(), loop.ecu(), loop.frames_sent(), timing->missed_cycles());
     recorder.close();
     timing->close();
     write_run_results(summary_of(request, plant, loop, recorder), plant.vehicle().parameters(),

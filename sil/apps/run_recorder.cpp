@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/page/page_text.hpp"
 #include "sil/page/summary_facts.hpp"
 #include "sil/results/event_marks.hpp"
@@ -34,7 +34,7 @@ void RunRecorder::cycle(const Truth& truth, const SensorSample& sample, const Ec
     if (firmware_) {
         firmware_->write(truth);
     }
-    account_.cycle(truth, ecu, events, duration_s_);
+    summary_.cycle(truth, ecu, events, duration_s_);
 }
 
 void RunRecorder::step(const Truth& truth) {

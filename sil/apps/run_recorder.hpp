@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sil/apps/account.hpp"
+#include "sil/apps/console_summary.hpp"
 #include "sil/apps/firmware_csv.hpp"
 #include "sil/page/page_recording.hpp"
 #include "sil/results/signal_csv.hpp"
@@ -30,7 +30,7 @@ class RunRecorder final : public RunObserver {
     // recorder.
     void look_inside(const rsi::Outputs& outputs, const rsi::Parameters& calibration);
 
-    Account& account() { return account_; }
+    ConsoleSummary& console() { return summary_; }
 
     void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
                const RunEvents& events) override;
@@ -49,7 +49,7 @@ class RunRecorder final : public RunObserver {
     std::optional<FirmwareCsvWriter> firmware_{};
     std::optional<LiftCsvWriter> lifts_{};
     PageRecording page_{};
-    Account account_{};
+    ConsoleSummary summary_{};
     double duration_s_;
 };
 

@@ -1,4 +1,5 @@
 #include "sil/apps/run_timing.hpp"
+#include "sil/simulation/bus_paces.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +9,6 @@
 #include "sil/apps/open_socket.hpp"
 #include "sil/simulation/in_process_ecu.hpp"
 #include "sil/simulation/in_process_pace.hpp"
-#include "sil/simulation/lock_step_pace.hpp"
-#include "sil/simulation/real_time_pace.hpp"
 #include "sil/simulation/recorded_bus.hpp"
 
 namespace sil {

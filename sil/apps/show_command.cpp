@@ -1,4 +1,4 @@
-#include "sil/apps/show_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 
 #include "sil/apps/command_line.hpp"
 #include "sil/apps/stop_request.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/input_error.hpp"
 #include "sil/live/live_server.hpp"
 #include "sil/page/page_text.hpp"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "sil/apps/run_recorder.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/files/parameter_section_file.hpp"
-#include "sil/files/whole_file.hpp"
 #include "sil/page/summary_facts.hpp"
 #include "sil/results/versions.hpp"
 

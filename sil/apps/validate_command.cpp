@@ -1,4 +1,4 @@
-#include "sil/apps/validate_command.hpp"
+#include "sil/apps/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "sil/apps/identify_command.hpp"
 #include "sil/apps/replay_command.hpp"
 #include "sil/files/calibration_file.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/drives/drive_csv.hpp"
 #include "sil/studies/drives/drive_names.hpp"
 #include "sil/studies/vehicle_validation/validation_folder.hpp"

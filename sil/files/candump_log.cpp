@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/input_error.hpp"
 
 namespace sil {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hal/interface/can_bus.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 
 namespace sil {
 
@@ -55,7 +55,7 @@ std::vector<LoggedFrame> parse_candump_log(std::string_view text, const std::fil
 
 class CandumpLogWriter {
  public:
-    // Begins the file (sil/files/whole_file.hpp). Throws std::runtime_error with path and reason, like all of
+    // Begins the file (sil/files/file_io.hpp). Throws std::runtime_error with path and reason, like all of
     // it.
     explicit CandumpLogWriter(const std::filesystem::path& path) : file_{path} {}
 

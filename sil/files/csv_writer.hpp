@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 
 namespace sil {
 
@@ -60,7 +60,7 @@ std::string csv_header(const std::vector<std::string>& columns);
 
 class CsvFile {
  public:
-    // Begins the file (sil/files/whole_file.hpp) with the header. Throws std::runtime_error with path and
+    // Begins the file (sil/files/file_io.hpp) with the header. Throws std::runtime_error with path and
     // reason, like all of it.
     CsvFile(const std::filesystem::path& path, const std::string& header);
 

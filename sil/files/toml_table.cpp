@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/input_error.hpp"
 #include "sil/printable.hpp"
 

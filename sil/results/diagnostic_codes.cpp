@@ -24,23 +24,23 @@ std::string code_names(std::uint64_t codes) {
 void CodeListener::take(const can_dbc::RolloverDiagnosis& diagnosis) {
     using Status = can_dbc::RolloverDiagnosis::CodeStatus;
     ++now_;
-    const auto told = static_cast<std::size_t>(diagnosis.code);
-    if (told == 0U) {
+    const auto reported = static_cast<std::size_t>(diagnosis.code);
+    if (reported == 0U) {
         reported_.fill({});
         return;
     }
-    reported_.at(told) = {now_, diagnosis.code_status == Status::set,
-                          diagnosis.code_status == Status::confirmed};
+    reported_.at(reported) = {now_, diagnosis.code_status == Status::set,
+                              diagnosis.code_status == Status::confirmed};
 }
 
 CodeSets CodeListener::codes() const {
     CodeSets codes;
     for (std::size_t code = 1U; code < code_count; ++code) {
-        const Told& told = reported_[code];
+        const Reported& reported = reported_[code];
         const std::uint64_t bit = std::uint64_t{1U} << code;
-        const bool recent = now_ - told.at <= code_count;
-        codes.set |= recent && (told.set || told.confirmed) ? bit : 0U;
-        codes.confirmed |= recent && told.confirmed ? bit : 0U;
+        const bool recent = now_ - reported.at <= code_count;
+        codes.set |= recent && (reported.set || reported.confirmed) ? bit : 0U;
+        codes.confirmed |= recent && reported.confirmed ? bit : 0U;
     }
     return codes;
 }

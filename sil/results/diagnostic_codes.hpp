@@ -40,12 +40,12 @@ class CodeListener {
     static constexpr std::size_t code_count = monitoring::diagnostic_code_count;
     static_assert(code_count <= 64U, "a set of codes has 64 bits");
 
-    struct Told {
+    struct Reported {
         std::size_t at{0U};
         bool set{false};
         bool confirmed{false};
     };
-    std::array<Told, code_count> reported_{};
+    std::array<Reported, code_count> reported_{};
     std::size_t now_{0U};
 };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/units.hpp"
 
 namespace sil {

@@ -40,14 +40,14 @@ def main(arguments):
         if options.command == "pdx":
             write_pdx(options.output, tables)
             return
-        import workshop
+        import uds_client
 
-        with workshop.on_can(options.interface, tables, workshop.key_from(options.key)) as tester:
+        with uds_client.on_can(options.interface, tables, uds_client.key_from(options.key)) as tester:
             if options.command == "download":
-                workshop.download(tester, tables, options.section)
+                uds_client.download(tester, tables, options.section)
             else:
-                {"codes": workshop.show_codes, "clear": workshop.clear, "identify": workshop.identify,
-                 "self-test": workshop.self_test}[options.command](tester, tables)
+                {"codes": uds_client.show_codes, "clear": uds_client.clear, "identify": uds_client.identify,
+                 "self-test": uds_client.self_test}[options.command](tester, tables)
     except (LogError, OSError) as error:
         sys.exit(f"sil/tools/diagnosis: {error}")
     except KeyboardInterrupt:

@@ -1,4 +1,4 @@
-"""Testers against the server: udsoncan over can-isotp, of other authors, with every service as a workshop uses it; the
+"""Testers against the server: udsoncan over can-isotp, of other authors, with every service as a uds_client uses it; the
 commands of sil/tools/diagnosis; and the ODX of the ECU, read back by odxtools.
 
 use: peer_test.py ECU_ON_A_PIPE ODX_TABLE SECTION_IN_C
@@ -24,7 +24,7 @@ sys.path.insert(0, str(PROJECT / "sil/tools"))
 import odx
 import odx_tables
 import pipe_tester
-import workshop
+import uds_client
 from log_error import LogError
 
 PROGRAM, SECTION, TABLES = "", b"", None
@@ -42,7 +42,7 @@ class Peer(unittest.TestCase):
         self.ecu = pipe_tester.Ecu(PROGRAM, self.folder.name)
         self.addCleanup(lambda: self.ecu.close())
         self.connection = pipe_tester.PipeConnection(self.ecu, **self.stack)
-        self.client = workshop.client(self.connection, TABLES)
+        self.client = uds_client.client(self.connection, TABLES)
         self.ecu.run(250)  # long enough to miss the sensors
 
     def unlock(self, session=services.DiagnosticSessionControl.Session.extendedDiagnosticSession):
@@ -173,28 +173,28 @@ class Peer(unittest.TestCase):
         damaged = bytearray(SECTION)
         damaged[100] ^= 1
         with self.assertRaisesRegex(LogError, "a wrong checksum; what it had is still there"):
-            workshop.download(self.client, TABLES, self.section(bytes(damaged)))
+            uds_client.download(self.client, TABLES, self.section(bytes(damaged)))
         with self.assertRaisesRegex(LogError, "has 339 bytes, a section for this firmware 340"):
-            workshop.download(self.client, TABLES, self.section(SECTION[:-1]))
+            uds_client.download(self.client, TABLES, self.section(SECTION[:-1]))
         self.assertFalse((pathlib.Path(self.folder.name) / "parameters.bin").exists())
-        self.assertIn("from the next start", self.said(workshop.download, self.section(SECTION)))
+        self.assertIn("from the next start", self.said(uds_client.download, self.section(SECTION)))
         self.assertEqual((pathlib.Path(self.folder.name) / "parameters.bin").read_bytes(), SECTION)
 
     def test_the_output_of_the_commands(self):
-        said = self.said(workshop.show_codes)
+        said = self.said(uds_client.show_codes)
         self.assertIn("U1120-87  imu lost: fails now, confirmed, pending\n    failed 1 times; good for 0", said)
         self.assertIn("    first: 1 s after the start, nothing measured\n", said)
-        self.assertIn("calibration: large_suv\n", self.said(workshop.identify))
-        self.assertIn("nothing wrong", self.said(workshop.self_test))
+        self.assertIn("calibration: large_suv\n", self.said(uds_client.identify))
+        self.assertIn("nothing wrong", self.said(uds_client.self_test))
         self.ecu.send(0x7FF, b"")
-        self.assertEqual(self.said(workshop.clear), "cleared\n")
+        self.assertEqual(self.said(uds_client.clear), "cleared\n")
         with self.assertRaisesRegex(LogError, "refuses ECUReset: ServiceNotSupportedInActiveSession"):
-            with workshop.told():
+            with uds_client.reported():
                 self.client.change_session(1)
                 self.client.ecu_reset(1)
         for wrong in ("", "00", "zz" * 16):
             with self.assertRaisesRegex(LogError, "32 hexadecimal digits"):
-                workshop.key_from(wrong)
+                uds_client.key_from(wrong)
 
 
 class WithBlocksAndGaps(Peer):

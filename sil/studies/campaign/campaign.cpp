@@ -6,7 +6,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/campaign/campaign_folder.hpp"
 #include "sil/studies/campaign/campaign_part.hpp"
 #include "sil/studies/campaign/row_file.hpp"

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/results/versions.hpp"
 
 namespace sil {

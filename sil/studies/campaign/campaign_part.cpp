@@ -7,7 +7,7 @@
 #include <charconv>
 #include <vector>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/campaign/campaign.hpp"
 #include "sil/studies/campaign/campaign_folder.hpp"
 

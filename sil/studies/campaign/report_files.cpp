@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "sil/files/csv_writer.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/campaign/report.hpp"
 
 namespace sil {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "sil/files/csv_reader.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/input_error.hpp"
 
 namespace sil {

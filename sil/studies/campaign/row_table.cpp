@@ -9,8 +9,8 @@
 #include <unordered_set>
 
 #include "sil/files/csv_reader.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/files/toml_table.hpp"
-#include "sil/files/whole_file.hpp"
 #include "sil/input_error.hpp"
 #include "sil/printable.hpp"
 #include "sil/studies/campaign/campaign_part.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "sil/files/csv_writer.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/files/parameter_section_file.hpp"
-#include "sil/files/whole_file.hpp"
 #include "sil/results/indices.hpp"
 #include "sil/units.hpp"
 

@@ -6,18 +6,44 @@
 #include <cmath>
 #include <optional>
 
+#include "rsi/output_table.hpp"
+#include "rsi/types.hpp"
 #include "sil/studies/faults/expectation.hpp"
 #include "sil/studies/faults/fault_schedule.hpp"
 #include "sil/studies/faults/faulty_line.hpp"
 #include "sil/studies/faults/faulty_run.hpp"
 #include "sil/studies/faults/known_undetected.hpp"
 #include "sil/studies/faults/lookahead_window.hpp"
-#include "sil/studies/faults/output_ranges.hpp"
 #include "sil/studies/faults/recovery_watch.hpp"
 #include "sil/studies/faults/silence_watch.hpp"
 
 namespace sil {
 namespace {
+
+bool is_within(float value, double low, double high) {
+    const auto number = static_cast<double>(value);
+    return number >= low && number <= high;
+}
+
+// A value that could not be computed is NaN.
+bool is_within_if_known(float value, double low, double high) {
+    return std::isnan(value) || is_within(value, low, high);
+}
+
+// Every number NaN or finite; what drives the warning there whenever there is a statement; estimates within
+// what the bus can carry.
+bool are_in_range(const rsi::Outputs& outputs) {
+    const bool finite = std::none_of(
+        rsi::number_outputs.begin(), rsi::number_outputs.end(),
+        [&outputs](const rsi::NumberOutput& number) { return std::isinf(outputs.*number.member); });
+    if (outputs.state == RSI_STATE_UNAVAILABLE) {
+        return finite;
+    }
+    return finite && is_within(outputs.warning_level, 0.0, 20.0) &&
+           is_within(outputs.lateral_acceleration_mps2, -100.0, 100.0) &&
+           is_within_if_known(outputs.roll_centre_deviation_m, 0.0, 0.5) &&
+           is_within_if_known(outputs.roll_centre_vertical_m, -1.0, 1.0);
+}
 
 constexpr std::uint64_t cycles_an_hour = 360000U;
 constexpr std::uint64_t settling_cycles = 100U;  // of the first start, before the first fault

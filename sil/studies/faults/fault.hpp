@@ -31,7 +31,7 @@ enum class FaultKind : std::uint8_t {
     doubled,         // each frame twice
     wrong_length,    // one byte short
     // A second sender, whose frames have a right CRC and a right counter; `magnitude` says of what kind its
-    // content is (second_sender.hpp).
+    // content is (faulty_bus.cpp).
     sender_before,   // its frame comes just before the genuine one, with the same counter
     sender_after,    // just after it, with the next counter
     sender_tenfold,  // ten frames a cycle, with a counter of their own

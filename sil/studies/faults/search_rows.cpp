@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "sil/files/csv_reader.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/campaign/campaign_folder.hpp"
 #include "sil/studies/faults/fault_search.hpp"
 

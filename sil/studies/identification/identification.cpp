@@ -9,8 +9,8 @@
 #include "rsi/rsi.h"
 #include "sil/files/parameter_field.hpp"
 #include "sil/studies/identification/calibration_default.hpp"
+#include "sil/studies/identification/plausibility_checks.hpp"
 #include "sil/studies/identification/tyre_limit.hpp"
-#include "sil/studies/identification/warnings.hpp"
 #include "sil/units.hpp"
 
 namespace sil {

@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "sil/files/calibration_file.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/studies/identification/calibration_writer.hpp"
 #include "sil/studies/identification/identification.hpp"
 #include "sil/studies/identification/simulated_drive.hpp"

@@ -12,7 +12,7 @@
 
 #include "sil/files/csv_reader.hpp"
 #include "sil/files/csv_writer.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/results/versions.hpp"
 #include "sil/studies/campaign/row_file.hpp"
 #include "sil/studies/population/calibrated_vehicle.hpp"

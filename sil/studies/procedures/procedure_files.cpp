@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sil/files/csv_writer.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/results/versions.hpp"
 #include "sil/studies/procedures/procedure_text.hpp"
 

@@ -25,8 +25,8 @@ std::string warning_at_lift_off(const WarningBeside& warning) {
         return fmt::format("warning {}, {:.2f} s before lift-off", to_string(warning.falling_side),
                            *warning.lead_s);
     }
-    const std::string said = state_and_side(warning.state_at_lift_off, warning.side_at_lift_off);
-    return fmt::format("NOT warned: {} as the vehicle falls to the {}", said,
+    const std::string reported = state_and_side(warning.state_at_lift_off, warning.side_at_lift_off);
+    return fmt::format("NOT warned: {} as the vehicle falls to the {}", reported,
                        to_string(warning.falling_side));
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/results/event_marks.hpp"
 #include "sil/results/signal_csv.hpp"
 #include "sil/simulation/in_process_run.hpp"

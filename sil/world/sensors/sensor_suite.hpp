@@ -1,15 +1,77 @@
-// SensorSuite: all sensors of the car together, from the truth to the sample that goes on the bus.
+// Sensor suite: the sensors of the car, from the truth to the sample that goes on the bus.
 #pragma once
 
-#include "sil/world/sensors/imu.hpp"
-#include "sil/world/sensors/roll_sensor.hpp"
+#include <array>
+#include <cstdint>
+
+#include "sil/world/sensors/sensor_channel.hpp"
 #include "sil/world/sensors/sensor_options.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
-#include "sil/world/sensors/vehicle_motion_sensor.hpp"
 #include "sil/world/vehicle/truth.hpp"
 
 namespace sil {
 
+// Specific force at the mounting point r of a rigid body, in body components (m/s^2):
+// f = f_cg + alpha x r + omega x (omega x r). Nothing but kinematics; exact at any angle and rate.
+std::array<double, 3> specific_force_at(const Truth& truth, const MountingPosition& position);
+
+// Reports the mean of what it has observed since its last report, as an automotive IMU's decimation filter
+// does; one without such a filter reports the latest. Fed every 1 ms and read every 10 ms, the mean is a
+// delay of 4.5 ms against the latest truth.
+class Imu {
+ public:
+    Imu(const ImuOptions& options, std::uint64_t seed);
+
+    // Takes in one truth; to be called at the step of the simulation.
+    void observe(const Truth& truth);
+
+    // Writes accelerations and roll rate and begins a new mean. Not available (NaN) if nothing was observed.
+    void report(SensorSample& sample);
+
+ private:
+    MountingPosition position_;
+    bool averaged_;
+    SensorChannel lateral_;
+    SensorChannel vertical_;
+    SensorChannel roll_rate_;
+
+    double lateral_sum_mps2_{0.0};
+    double vertical_sum_mps2_{0.0};
+    double roll_rate_sum_radps_{0.0};
+    int observed_{0};
+};
+
+// The angle of the body against the road or the horizon, and the road's bank where the car can measure it.
+class RollSensor {
+ public:
+    RollSensor(const RollSensorOptions& options, std::uint64_t seed);
+
+    // Writes the roll angle as it is at this instant, and the bank or "not available" (NaN).
+    void report(const Truth& truth, SensorSample& sample);
+
+ private:
+    RollReference reference_;
+    bool reports_bank_;
+    SensorChannel roll_angle_;
+    SensorChannel bank_angle_;
+};
+
+// Speed, yaw rate and steering wheel angle, as a car's gateway offers them.
+class VehicleMotionSensor {
+ public:
+    VehicleMotionSensor(const VehicleMotionOptions& options, std::uint64_t seed);
+
+    // Writes the values of this instant. Speed comes from wheel speeds and so has no sign: it ends at zero.
+    // The yaw rate is that about the body's own z axis, which is where the gyro is mounted.
+    void report(const Truth& truth, SensorSample& sample);
+
+ private:
+    SensorChannel speed_;
+    SensorChannel yaw_rate_;
+    SensorChannel steering_wheel_angle_;
+};
+
+// All sensors of the car together.
 class SensorSuite {
  public:
     explicit SensorSuite(const SensorOptions& options);

@@ -1,4 +1,4 @@
-// The README's output of a run equals that of the run (sil/apps/account.cpp).
+// The README's output of a run equals that of the run (sil/apps/console_summary.cpp).
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

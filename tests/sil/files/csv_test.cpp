@@ -10,7 +10,7 @@
 
 #include "sil/files/csv_reader.hpp"
 #include "sil/files/csv_writer.hpp"
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/input_error.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "sil/studies/identification/identification.hpp"
-#include "sil/studies/identification/warnings.hpp"
+#include "sil/studies/identification/plausibility_checks.hpp"
 #include "tests/sil/identification/known_body.hpp"
 
 namespace {

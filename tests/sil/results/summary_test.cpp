@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 #include "sil/results/event_marks.hpp"
 #include "tests/support/scratch_folder.hpp"
 

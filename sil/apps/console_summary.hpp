@@ -1,4 +1,4 @@
-// Account: the readable live report of a run.
+// ConsoleSummary: the readable live report of a run.
 #pragma once
 
 #include "sil/simulation/closed_loop.hpp"
@@ -6,7 +6,7 @@
 namespace sil {
 
 // Prints a line each half second of simulated time and a line for each event, when it happens.
-class Account {
+class ConsoleSummary {
  public:
     // `pace` in words: "in real time".
     void begin(const Manoeuvre& manoeuvre, const RunOptions& options, const char* pace, double duration_s);

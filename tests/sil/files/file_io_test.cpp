@@ -1,5 +1,5 @@
 // Whole files: what is no ordinary file is refused, and nothing is cut off under its name.
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -1,11 +1,11 @@
-#include "sil/apps/measured_page.hpp"
+#include "sil/apps/generated_page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 
 namespace sil {
 namespace {
@@ -28,12 +28,12 @@ std::string first_difference(const std::string& held, const std::string& measure
 
 }  // namespace
 
-void add_page_options(CLI::App& command, MeasuredPage& page) {
+void add_page_options(CLI::App& command, GeneratedPage& page) {
     command.add_option("--document", page.written, "Write the figures as a page");
     command.add_option("--check", page.checked, "Compare the figures with a page; other ones fail");
 }
 
-void write_or_check(const MeasuredPage& page, const std::string& document) {
+void write_or_check(const GeneratedPage& page, const std::string& document) {
     if (!page.written.empty()) {
         write_file_atomically(page.written, document);
     }

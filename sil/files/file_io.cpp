@@ -1,5 +1,5 @@
 // Reading: ordinary files of a bounded length only. Writing: under another name, then rename.
-#include "sil/files/whole_file.hpp"
+#include "sil/files/file_io.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

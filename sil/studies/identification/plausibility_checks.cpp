@@ -1,4 +1,4 @@
-#include "sil/studies/identification/warnings.hpp"
+#include "sil/studies/identification/plausibility_checks.hpp"
 
 #include <fmt/format.h>
 

@@ -10,10 +10,10 @@
 namespace sil {
 
 // A file, or memory that lasts as long as this.
-class KeptRecord final : public hal::Storage {
+class NvFile final : public hal::Storage {
  public:
     // Without a folder in memory.
-    KeptRecord(const std::filesystem::path& folder, const char* name) {
+    NvFile(const std::filesystem::path& folder, const char* name) {
         if (!folder.empty()) {
             file_.emplace((folder / name).string());
         }

@@ -7,15 +7,15 @@
 
 namespace sil {
 
-struct MeasuredPage {
+struct GeneratedPage {
     std::filesystem::path written{};  // empty: not asked for
     std::filesystem::path checked{};
 };
 
 // --document and --check.
-void add_page_options(CLI::App& command, MeasuredPage& page);
+void add_page_options(CLI::App& command, GeneratedPage& page);
 
 // Throws std::runtime_error with the first difference when the page holds other figures.
-void write_or_check(const MeasuredPage& page, const std::string& document);
+void write_or_check(const GeneratedPage& page, const std::string& document);
 
 }  // namespace sil

@@ -1,4 +1,4 @@
-#include "sil/apps/account.hpp"
+#include "sil/apps/console_summary.hpp"
 #include "sil/units.hpp"
 
 #include <fmt/format.h>
@@ -27,9 +27,9 @@ void print_event(double time_s, const std::string& what) {
     print_line(fmt::format("{:7.3f} s  >> {}", time_s, what));
 }
 
-void tell_once(bool& told, const std::optional<EventMoment>& moment, const char* what) {
-    if (moment && !told) {
-        told = true;
+void tell_once(bool& reported, const std::optional<EventMoment>& moment, const char* what) {
+    if (moment && !reported) {
+        reported = true;
         print_event(moment->time_s, fmt::format("{} at {:+.3f} g, roll {:+.2f} deg", what,
                                                 moment->lateral_acceleration_mps2 / g_mps2,
                                                 moment->roll_angle_rad * degrees_per_radian));
@@ -82,14 +82,15 @@ std::string flags_of(const can_dbc::RolloverStatus& status) {
 
 }  // namespace
 
-void Account::begin(const Manoeuvre& manoeuvre, const RunOptions& options, const char* pace,
-                    double duration_s) {
+void ConsoleSummary::begin(const Manoeuvre& manoeuvre, const RunOptions& options, const char* pace,
+                           double duration_s) {
     print_line(fmt::format("{}{}: {}", manoeuvre.name, options.mirrored ? " (mirrored)" : "",
                            manoeuvre.description));
     print_line(fmt::format("{:.0f} s of simulated time, {}", duration_s, pace));
 }
 
-void Account::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& events, double duration_s) {
+void ConsoleSummary::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& events,
+                           double duration_s) {
     if (truth.time_s >= next_line_s_ - 1.0e-6) {
         next_line_s_ += line_interval_s;
         const EcuOutput& output = ecu.output();
@@ -107,7 +108,7 @@ void Account::cycle(const Truth& truth, const EcuFrames& ecu, const RunEvents& e
     report_diagnostics(truth, ecu.status());
 }
 
-void Account::report_state(const Truth& truth, const EcuOutput& output) {
+void ConsoleSummary::report_state(const Truth& truth, const EcuOutput& output) {
     if (output.state() == state_ && output.side() == side_) {
         return;
     }
@@ -118,13 +119,13 @@ void Account::report_state(const Truth& truth, const EcuOutput& output) {
     print_event(truth.time_s, fmt::format("ECU: {}{}", to_string(output.state()), side));
 }
 
-void Account::report_events(const RunEvents& events) {
+void ConsoleSummary::report_events(const RunEvents& events) {
     tell_once(one_wheel_reported_, events.one_wheel_lift, "one wheel lifts");
     tell_once(two_wheel_reported_, events.two_wheel_lift, "two wheels of one side have lifted");
     tell_once(ssf_reported_, events.ssf_crossing, "static stability factor crossed");
 }
 
-void Account::report_diagnostics(const Truth& truth, const can_dbc::RolloverStatus& status) {
+void ConsoleSummary::report_diagnostics(const Truth& truth, const can_dbc::RolloverStatus& status) {
     const std::string flags = flags_of(status);
     if (flags != flags_of(reported_status_)) {
         print_event(truth.time_s,
@@ -133,8 +134,8 @@ void Account::report_diagnostics(const Truth& truth, const can_dbc::RolloverStat
     reported_status_ = status;
 }
 
-void Account::end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent,
-                  std::uint64_t missed_cycles) {
+void ConsoleSummary::end(const RunEvents& events, const EcuFrames& ecu, std::uint64_t frames_sent,
+                         std::uint64_t missed_cycles) {
     print_line("");
     print_line(moment_line("first warning", events.warning) +
                (events.warning ? fmt::format(", {} side", to_string(events.warning_side)) : ""));
