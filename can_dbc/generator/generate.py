@@ -22,7 +22,7 @@ try:
 
     from model import DbcError, load, senders
 
-    import whole_file
+    import file_io
 except ModuleNotFoundError as missing:
     sys.exit(f"generate.py: Python package '{missing.name}' is missing for {sys.executable}.\n"
              "Run cmake/environment/set_up once, then: build/venv/bin/python3 can_dbc/generator/generate.py\n"
@@ -77,7 +77,7 @@ def main():
         return 2
     if not arguments.check:
         for path, text in texts.items():
-            whole_file.write(path, text)
+            file_io.write(path, text)
         return 0
     changed = {path: difference(path, text) for path, text in texts.items()}
     for path, changes in changed.items():

@@ -12,7 +12,7 @@ import cantools
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "cmake/environment"))
 
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 from names import CONVERSIONS, RESERVED, TAKEN, TAKEN_TYPES, UNIT_ENDINGS, camel_case, is_usable, snake_case
 
 NOT_AVAILABLE = "not available"
@@ -104,7 +104,7 @@ class Message:
 def load(path):
     """The messages of a DBC file, in the file's order."""
     try:
-        text = whole_file.read(path)
+        text = file_io.read(path)
     except OSError as error:
         raise DbcError(f"cannot be read: {error.strerror}; check the path and the permissions") from error
     except UnicodeDecodeError as error:

@@ -6,7 +6,7 @@ import io
 import can
 import numpy
 
-import whole_file
+import file_io
 
 # Times below are no calendar's: a simulation's, or a machine's since its start.
 FIRST_CALENDAR_TIME_S = 631_152_000
@@ -33,7 +33,7 @@ def candump_line(frame):
 
 
 def write_candump(path, frames):
-    with whole_file.growing(path) as file:
+    with file_io.growing(path) as file:
         for frame in frames:
             file.write(candump_line(frame).encode("ascii"))
 
@@ -45,7 +45,7 @@ def message(frame):
 
 
 def write_blf(path, frames):
-    with whole_file.growing(path) as file:
+    with file_io.growing(path) as file:
         writer = can.BLFWriter(file)
         for frame in frames:
             if writer.start_timestamp is None and frame.time_s < FIRST_CALENDAR_TIME_S:
@@ -55,7 +55,7 @@ def write_blf(path, frames):
 
 
 def write_asc(path, frames):
-    with whole_file.growing(path) as file:
+    with file_io.growing(path) as file:
         writer = can.ASCWriter(io.TextIOWrapper(file, encoding="ascii", newline="\n"))
         for frame in frames:
             if not writer.header_written and frame.time_s < FIRST_CALENDAR_TIME_S:
@@ -82,7 +82,7 @@ def write_mf4(path, frames):
             part = []
     if part or is_first:
         add_records(mdf, part, is_first)
-    with whole_file.growing(path) as file:
+    with file_io.growing(path) as file:
         mdf.save(file, compression=2)
     mdf.close()
 

@@ -9,7 +9,7 @@ import re
 
 import can
 
-import whole_file
+import file_io
 from log_error import LogError
 
 # One data frame. `bus` is a number as it stands in the file, or the interface's name in a candump log.
@@ -40,7 +40,7 @@ class BusLog:
     def _look(self):
         try:
             if self.path.exists() and not self.path.is_file():
-                raise OSError(errno.EINVAL, "it is a folder" if self.path.is_dir() else whole_file.NO_ORDINARY_FILE)
+                raise OSError(errno.EINVAL, "it is a folder" if self.path.is_dir() else file_io.NO_ORDINARY_FILE)
             with self.path.open("rb") as file:
                 beginning = file.read(4096)
             if not beginning:

@@ -11,7 +11,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "cmake/environment"))
 
 import a2l_objects
-import whole_file
+import file_io
 from log_error import LogError
 
 PICTURES = HERE.parents[1] / "sil/results"
@@ -64,7 +64,7 @@ def write_csv(path, times, columns, _objects):
     rows = [",".join(["time_s", *columns])]
     for place, at in enumerate(times):
         rows.append(",".join([f"{at:.4f}", *(f"{column[place]:.9g}" for column in columns.values())]))
-    whole_file.write(str(path), "\n".join(rows) + "\n")
+    file_io.write(str(path), "\n".join(rows) + "\n")
 
 
 def write_mf4(path, times, columns, objects):

@@ -8,7 +8,7 @@ from cantools.database.namedsignalvalue import NamedSignalValue
 
 import dbc_signals
 import progress
-import whole_file
+import file_io
 from bus_logs import BusLog
 from log_error import LogError
 from own_frames import DBC
@@ -29,7 +29,7 @@ def make(log_or_run, dbc, output):
     unknown = {}
     clock = Clock(earliest_s=0.0, longest_gap_s=math.inf, longest_s=math.inf)
     with contextlib.ExitStack() as files:
-        writers = [kind(files.enter_context(whole_file.growing(folder / name)))
+        writers = [kind(files.enter_context(file_io.growing(folder / name)))
                    for kind, name in ((Mf4Writer, "signals.mf4"), (McapWriter, "run.mcap"))]
         for frame in progress.reported(log):
             clock.take(path, frame.time_s)

@@ -9,7 +9,7 @@ PROJECT = HERE.parents[1]
 sys.path.insert(0, str(PROJECT / "cmake/environment"))
 
 import odx_tables
-import whole_file
+import file_io
 from log_error import LogError
 
 
@@ -29,7 +29,7 @@ def parse(arguments):
 def write_pdx(output, tables):
     import odx
 
-    whole_file.write(output, odx.pdx_of(tables))
+    file_io.write(output, odx.pdx_of(tables))
     print(f"{output}: {len(tables.codes)} trouble codes, {len(tables.services)} services")
 
 

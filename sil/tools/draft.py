@@ -12,7 +12,7 @@ import drive_rows
 import progress
 import signal_names
 import table_signals
-import whole_file
+import file_io
 from bus_log_writers import number_of
 from bus_logs import BusLog
 from drive_quantities import QUANTITIES, REQUIRED, admitted, factor_of
@@ -43,7 +43,7 @@ def make(dbc, log, output):
     evidence = Evidence(source, choices, log)
     blocks = [beginning(dbc, log)] + source.head() + [block(choice, source, evidence) for choice in choices.values()]
     text = "\n".join(blocks)
-    whole_file.write(output, text)
+    file_io.write(output, text)
     questions = text.count('= "?"')
     known = sum(bool(choice.found) for choice in choices.values())
     print(f"{output}: {known} of {len(choices)} quantities drafted, {questions} questions (\"?\") to answer")

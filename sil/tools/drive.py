@@ -9,7 +9,7 @@ import consistency
 import dbc_signals
 import drive_rows
 import table_signals
-import whole_file
+import file_io
 from bus_log_writers import FIRST_CALENDAR_TIME_S
 from drive_quantities import QUANTITIES, REQUIRED, WHEEL_LOADS
 from log_error import LogError
@@ -170,7 +170,7 @@ def applied(entry, recorded, mapping):
 
 def write(output, drive, remarks):
     names = list(drive.columns)
-    with whole_file.growing(output) as file:
+    with file_io.growing(output) as file:
         header = ",".join(["time_s"] + [QUANTITIES[name].column for name in names])
         lines = [f"# {' '.join(remark.split())}" for remark in remarks] + [header]
         file.write(("\n".join(lines) + "\n").encode("utf-8", "replace"))

@@ -7,7 +7,7 @@ import pathlib
 import re
 import tomllib
 
-import whole_file
+import file_io
 from drive_quantities import QUANTITIES, admitted, factor_of
 from log_error import LogError
 
@@ -137,7 +137,7 @@ class Mapping:
 
 def read_text(path):
     try:
-        return whole_file.read(path)
+        return file_io.read(path)
     except UnicodeDecodeError as error:
         raise LogError(f"{path}: is no text in UTF-8 (byte {error.start})") from error
     except OSError as error:

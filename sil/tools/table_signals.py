@@ -7,7 +7,7 @@ import errno
 import pathlib
 
 import progress
-import whole_file
+import file_io
 from bus_logs import kind_of
 from drive_quantities import is_known
 from log_error import LogError
@@ -49,7 +49,7 @@ def is_csv(path):
 def beginning_of(path):
     try:
         if path.exists() and not path.is_file():
-            raise OSError(errno.EINVAL, "it is a folder" if path.is_dir() else whole_file.NO_ORDINARY_FILE)
+            raise OSError(errno.EINVAL, "it is a folder" if path.is_dir() else file_io.NO_ORDINARY_FILE)
         with path.open("rb") as file:
             beginning = file.read(4096)
     except OSError as error:

@@ -5,7 +5,7 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "cmake/environment"))
 
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 
 class Report:
@@ -20,7 +20,7 @@ class Report:
         return page.is_file() and page.read_text(encoding="utf-8") == self.head + text
 
     def put(self, project, text):
-        whole_file.write(project / self.path, self.head + text)
+        file_io.write(project / self.path, self.head + text)
 
     def out_of_date(self):
         return f"{self.path} is not what was measured; run: {self.command}"

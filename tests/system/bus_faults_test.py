@@ -11,7 +11,7 @@ import programs
 
 sys.path.append(str(programs.PROJECT / "cmake/environment"))
 
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 PAGE = programs.PROJECT / "docs/reports/safety/faults_on_vcan.md"
 TEXT = """<!-- Written by tests/system/faults_on_vcan; do not edit. -->
@@ -95,7 +95,7 @@ def document(path):
         filtered=bus_load_test.flooded_run(good=held).describe(),
         unfiltered=bus_load_test.flooded_run("--receive-everything", good=fast_enough).describe(),
     )
-    whole_file.write(path, page)
+    file_io.write(path, page)
 
 
 if __name__ == "__main__":

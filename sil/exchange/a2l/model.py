@@ -5,7 +5,7 @@ import re
 import subprocess
 
 import description
-import whole_file
+import file_io
 
 # Display limits of a meaning without a range. No value is cut there.
 DISPLAYED = {"rad": (-3.2, 3.2), "m/s2": (-100.0, 100.0), "m": (-2.0, 2.0), "N.m": (-1e6, 1e6), "N.m/rad": (-1e7, 1e7),
@@ -68,7 +68,7 @@ def choices_of(meaning, largest):
 
 def groups_of(header, names):
     """The comments that stand alone within rsi_parameters, with the fields that follow each."""
-    text = whole_file.read(header)
+    text = file_io.read(header)
     body = text[text.index("/* The calibration."):text.index("} rsi_parameters;")]
     groups, title = {}, None
     for comment, field in re.findall(r"^    /\*(.*?)\*/$|^    (?:float|int32_t)\s+(\w+)", body, re.M | re.S):

@@ -7,7 +7,7 @@ import os
 import re
 import xml.etree.ElementTree as ElementTree
 
-import whole_file
+import file_io
 
 CYCLE_S = "0.01"
 
@@ -58,7 +58,7 @@ def table_of(binary):
 def explain(rows, *headers):
     """Meanings out of the headers that define a field, where the table has none: those of the fields' comments; and behind
     an "rsi_state: ..." what the values of that enumeration are."""
-    text = "\n".join(whole_file.read(header) for header in headers)
+    text = "\n".join(file_io.read(header) for header in headers)
     comments = {}
     field = re.compile(r"^ +(?:float|double|int32_t)\s+(\w+)(?:\{\})?;\s*(?:/\*(.*?)\*/|// ([^\n]*)$)", re.M | re.S)
     for name, remark, line in field.findall(text):

@@ -16,7 +16,7 @@ PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(PROJECT / "cmake/environment"))
 
 import description
-import whole_file
+import file_io
 
 COMPILER = "/usr/bin/g++"
 OPTIONS = ("-std=c++17", "-O2", "-fPIC", "-ffp-contract=off", "-fvisibility=hidden", "-fvisibility-inlines-hidden")
@@ -62,7 +62,7 @@ def complete(model, kind, file, build):
     model.archives = tuple(build / "sil" / archive for archive in model.archives)
     for archive in model.archives:
         digest.update(archive.read_bytes())
-    model.version = re.search(r'RSI_VERSION "(.*)"', whole_file.read(PROJECT / "firmware/rsi/version.h"))[1]
+    model.version = re.search(r'RSI_VERSION "(.*)"', file_io.read(PROJECT / "firmware/rsi/version.h"))[1]
     model.description += f"; {kind} {file.stem}"
     model.token = "{" + str(uuid.UUID(bytes=digest.digest()[:16])) + "}"
     model.start_values = "\n".join([
@@ -76,8 +76,8 @@ def link(model, folder):
     """The shared library in `folder`."""
     source, binary = folder / "start_values.cpp", folder / f"{model.identifier}.so"
     exported = folder / "exported"
-    whole_file.write(source, model.start_values)
-    whole_file.write(exported, EXPORTED)
+    file_io.write(source, model.start_values)
+    file_io.write(exported, EXPORTED)
     run(COMPILER, *OPTIONS, f"-I{PROJECT}", "-shared", "-s", "-Wl,-z,defs", f"-Wl,--version-script={exported}",
         "-o", binary, source, "-Wl,--whole-archive", model.archives[0], "-Wl,--no-whole-archive", *model.archives[1:])
     return binary
@@ -122,7 +122,7 @@ def build_description():
 
 def pack(path, files):
     """The same bytes for the same files."""
-    with whole_file.growing(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+    with file_io.growing(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():
             archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
 

@@ -19,7 +19,7 @@ import judge  # noqa: E402
 import learners  # noqa: E402
 import recorded_runs  # noqa: E402
 import study  # noqa: E402
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 ENTRIES = {learners.LINEAR: "linear", learners.TREES: "boosted_trees"}  # with the name of the file
 
@@ -43,7 +43,7 @@ def main(arguments):
         threshold = comparison.matched_threshold(comparison.alarm_thresholds(level_runs, unseen), wanted)
         study.say(f"{name}: learning")
         predictions = learners.predictions(learners.learned(name, chosen), reported)
-        with whole_file.growing(target / f"{file_name}.csv") as file:
+        with file_io.growing(target / f"{file_name}.csv") as file:
             file.writelines(line.encode() for line in lines(predictions, threshold))
 
 

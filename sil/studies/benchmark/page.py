@@ -25,7 +25,7 @@ import query  # noqa: E402
 import rare  # noqa: E402
 import report  # noqa: E402
 import scoring  # noqa: E402
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 FIRMWARE = "the firmware's warning"
@@ -102,7 +102,7 @@ def write_series(folder):
             remarks += 1
     types = {name: pyarrow.string() if name in ("state", "side") else pyarrow.float64() for name in line.strip().split(",")}
     schema = pyarrow.schema([("run", pyarrow.int64()), *types.items()])
-    with whole_file.growing(target) as file, pyarrow.parquet.ParquetWriter(file, schema, compression="zstd") as writer:
+    with file_io.growing(target) as file, pyarrow.parquet.ParquetWriter(file, schema, compression="zstd") as writer:
         for path in paths:
             rows = pyarrow.csv.read_csv(path, pyarrow.csv.ReadOptions(skip_rows=remarks),
                                         convert_options=pyarrow.csv.ConvertOptions(column_types=types))
@@ -158,9 +158,9 @@ def main(arguments):
             "bands": ", ".join(f"{share.total} {band}" for band, share in zip(judge.bands(), own[FIRMWARE][3:])),
             "chosen_digest": digest(chosen), "reported_digest": digest(reported)}.items():
         text = text.replace(f"@{key}@", value)
-    whole_file.write(page, text)
-    whole_file.write(data.with_suffix(".curves"), blocks(curves))
-    whole_file.write(data.with_suffix(".points"), blocks({name: [own[name]] for name in (FIRMWARE, *learned)}))
+    file_io.write(page, text)
+    file_io.write(data.with_suffix(".curves"), blocks(curves))
+    file_io.write(data.with_suffix(".points"), blocks({name: [own[name]] for name in (FIRMWARE, *learned)}))
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ import learners  # noqa: E402
 import recorded_runs  # noqa: E402
 import report  # noqa: E402
 import samples  # noqa: E402
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 FOLDS = 2
 # Manoeuvres that begin alike; all others are turns, or drives straight on.
@@ -112,8 +112,8 @@ def main(arguments):
             of_unseen = unseen_manoeuvre_predictions(name, chosen, level_runs + reported)
             add(f"{name}, unseen manoeuvres", of_unseen, of_unseen)
     add(PERFECT, perfect_predictions(level_runs), perfect_predictions(reported))
-    whole_file.write(page, report.page(chosen, reported, rows, groups, PERFECT_S))
-    whole_file.write(data, report.curve_data(rows[0], curves))
+    file_io.write(page, report.page(chosen, reported, rows, groups, PERFECT_S))
+    file_io.write(data, report.curve_data(rows[0], curves))
     return 0
 
 

@@ -10,7 +10,7 @@ from results import G, Run, largest, mean, rms
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "cmake/environment"))
 
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 HALF_TRACK_M = 0.8
 NOMINAL_HEIGHT_M = 0.281  # of the roll centre; as the calibration's fixed_roll_centre_height_m
@@ -417,7 +417,7 @@ def marks(folder):
     for name, time in sorted((m for m in moments if m[1] is not None), key=lambda m: m[1]):
         place = (run.at(run[c], time) for c in ("true_roll_angle_deg", "true_roll_rate_degps"))
         lines.append(f"{name} {time:.3f} s,{time:.9g}," + ",".join(f"{v:.6f}" for v in place) + f",{run.at(run.ay, time):.6f}")
-    whole_file.write(folder / "marks.csv", "\n".join(lines) + "\n")
+    file_io.write(folder / "marks.csv", "\n".join(lines) + "\n")
 
 
 def warning_table(runs):

@@ -9,7 +9,7 @@ import pyarrow.csv
 import pyarrow.parquet
 
 import parts
-import whole_file
+import file_io
 from campaign_error import CampaignError
 
 TYPES = {"text": pyarrow.string(), "count": pyarrow.int64(), "yes_or_no": pyarrow.bool_(), "number": pyarrow.float64()}
@@ -73,7 +73,7 @@ def convert_file(source, folder, program, columns):
             if rows.schema.names != schema.names:
                 raise CampaignError(f"{source} has other columns than {program} writes; name the program that made it: --program "
                                     "FILE")
-            with whole_file.growing(target) as file, pyarrow.parquet.ParquetWriter(file, schema, compression="zstd") as writer:
+            with file_io.growing(target) as file, pyarrow.parquet.ParquetWriter(file, schema, compression="zstd") as writer:
                 for batch in rows:
                     writer.write_table(pyarrow.Table.from_batches([batch]).cast(schema), row_group_size=ROWS)
     except pyarrow.ArrowInvalid as error:

@@ -14,7 +14,7 @@ import pyarrow
 
 import parquet
 import scoring
-import whole_file
+import file_io
 from campaign_error import CampaignError
 
 QUERIES = pathlib.Path(__file__).resolve().parent / "queries"
@@ -107,6 +107,6 @@ def answer(folder, program, name, sql, target, given=()):
     except duckdb.Error as error:
         raise CampaignError(f"{'--sql' if sql else name}: {error}") from None
     if target is not None:
-        whole_file.write(target, csv_of(head, rows))
+        file_io.write(target, csv_of(head, rows))
         return f"{len(rows)} rows are in {target}"
     return table_of(head, rows) if rows else "There are none."

@@ -14,7 +14,7 @@ import typing
 
 import judge
 import query
-import whole_file
+import file_io
 from campaign_error import CampaignError
 
 INDEX = "predicted_load_transfer"
@@ -217,7 +217,7 @@ def answer(options):
     if options.propose:
         if len(options.folders) != 1:
             raise CampaignError("--propose wants one folder, of a plain campaign")
-        whole_file.write(options.propose, propose(options.folders[0], options.program, options.event))
+        file_io.write(options.propose, propose(options.folders[0], options.program, options.event))
         return (f"{options.propose} draws nearer to {options.event}. Drive it, and the settings of {options.folders[0]} with "
                 f"another --seed; then: sil/tools/campaign rare PLAIN NEARER --event {options.event}")
     samples, weights = weighed(options.folders, options.program, EVENTS[options.event][0])

@@ -11,7 +11,7 @@ from page import COMMENT, Page, all_pages, newest_changes, tracked, written_page
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "cmake/environment"))
 
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 EVERYDAY = pathlib.Path(__file__).resolve().parent / "everyday.txt"
 README_LINES = 120
@@ -114,5 +114,5 @@ def refresh(project):
         page = Page(project, path)
         text = figures.refreshed(page, files)
         if text != page.text:
-            whole_file.write(project / path, text)
+            file_io.write(project / path, text)
             print(f"docs: {path} refreshed")

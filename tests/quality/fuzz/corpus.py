@@ -7,7 +7,7 @@ import zipfile
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "cmake/environment"))
 
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 _FOLDER = pathlib.Path(__file__).resolve().parent / "corpus"
 
@@ -34,7 +34,7 @@ def write(target, inputs):
             entry.external_attr = 0o100644 << 16
             archive.writestr(entry, inputs[name])
     _FOLDER.mkdir(exist_ok=True)
-    whole_file.write(path(target), content.getvalue())
+    file_io.write(path(target), content.getvalue())
 
 
 def unpack(target, folder):

@@ -11,7 +11,7 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "cmake/environment"))
 
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 FOLDER = "docs/reports/data"
 SURVIVED = "survived"
@@ -80,7 +80,7 @@ class Ledger:
             writer = csv.writer(text, lineterminator="\n")
             writer.writerow(field.name for field in dataclasses.fields(row))
             writer.writerows(dataclasses.astuple(one) for one in sorted(getattr(self, name), key=lambda one: one.scope))
-            whole_file.write(self._folder / file, text.getvalue())
+            file_io.write(self._folder / file, text.getvalue())
 
 
 def _rows(path, row):

@@ -19,7 +19,7 @@ import evidence as evidence_module
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.append(str(PROJECT / "cmake/environment"))
 
-import whole_file  # noqa: E402
+import file_io  # noqa: E402
 
 DOCS = PROJECT / "docs"
 
@@ -36,7 +36,7 @@ def judge(docs, evidence, write):
     for name, text in pages.items():
         page = docs / "reports/safety" / name
         if write:
-            whole_file.write(page, text)
+            file_io.write(page, text)
         elif not page.is_file() or page.read_text() != text:
             problems.append(f"docs/reports/safety/{name} is not what the argument says now; run: tests/quality/safety/trace --document")
     texts = {str(page.relative_to(docs)): page.read_text() for page in sorted(docs.rglob("*.md"))}

@@ -1,6 +1,6 @@
 """Whole files for the tools: an ordinary one read, and one written so that no reader ever sees half of it under its name.
 
-sil/files/file_io.hpp is the same for the programs, cmake/environment/whole_file for shell scripts."""
+sil/files/file_io.hpp is the same for the programs, cmake/environment/file_io for shell scripts."""
 
 import contextlib
 import errno
