@@ -45,7 +45,7 @@ class SingleRun final : public RunWatch {
         fmt::print("{}", drawn_text(drawn));
         recorder_.emplace(output_, run.duration_s());
         recorder_->look_inside(run.outputs(), drawn.calibration);
-        recorder_->account().begin(drawn.manoeuvre, drawn.options, pace_name(true, false), run.duration_s());
+        recorder_->console().begin(drawn.manoeuvre, drawn.options, pace_name(true, false), run.duration_s());
     }
 
     void cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
@@ -62,7 +62,7 @@ class SingleRun final : public RunWatch {
         summary_.noise = noise ? "noise" : "none";
         summary_.frames_received = frames_.frames_received();
         summary_.index_times_s = recorder_->index_times_s();
-        recorder_->account().end(summary_.events, frames_, summary_.frames_sent, 0U);
+        recorder_->console().end(summary_.events, frames_, summary_.frames_sent, 0U);
         recorder_->close();
         write_run_results(summary_, vehicle_, recorder_->page(), output_);
     }
