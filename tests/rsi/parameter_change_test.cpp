@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "rsi/component.hpp"
@@ -302,6 +303,32 @@ TEST(ParameterChange, OfTheUnitsForgetsThePublishedEstimateAlone) {
     pair.step();
     EXPECT_LT(std::abs(pair.changed_outputs.roll_centre_vertical_m),
               0.1F * std::abs(pair.other_outputs.roll_centre_vertical_m));
+}
+
+// A bank of long ago would be taken off the sensor's angle.
+TEST(ParameterChange, OfTheRollAnglesReferenceForgetsTheBank) {
+    rsi_parameters horizon = rsi_test::large_suv();
+    horizon.roll_angle_reference = RSI_ROLL_AGAINST_HORIZON;
+    rsi_parameters road = horizon;
+    road.roll_angle_reference = RSI_ROLL_AGAINST_ROAD;
+    rsi::Component component;
+    ASSERT_EQ(component.init(horizon).accepted, 1);
+    rsi_inputs inputs = rsi_test::at_rest();
+    inputs.speed_mps = 20.0F;
+    inputs.bank_angle_rad = std::numeric_limits<float>::quiet_NaN();
+    rsi_outputs outputs{};
+    const auto drive = [&](int samples, float roll_angle_rad) {
+        inputs.roll_angle_rad = roll_angle_rad;
+        for (int k = 0; k < samples; ++k) {
+            component.step(inputs, outputs);
+        }
+        return outputs.road_parallel_force_mps2;
+    };
+    EXPECT_NEAR(drive(500, 0.1F), 0.0F, 0.01F);  // all of it is bank
+    component.change(ready_change(horizon, road));
+    EXPECT_NEAR(drive(10, 0.0F), 0.0F, 0.01F);
+    component.change(ready_change(road, horizon));
+    EXPECT_NEAR(drive(1, 0.0F), 0.0F, 0.01F);
 }
 
 TEST(ParameterChange, ThatIsRefusedNamesTheFieldAndLeavesWhatWasPrepared) {
