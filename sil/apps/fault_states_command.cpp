@@ -34,7 +34,7 @@ void run_fault_states(const FaultStatesRequest& request) {
         throw std::runtime_error(
             "the findings are not those of sil/studies/faults/known_findings.toml: see the lines above");
     }
-    write_or_check(request.page, state_matrix_document(matrix));
+    write_or_check(request.page, state_matrix_document(matrix), state_matrix_data(matrix));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ void run_faults(const FaultsRequest& request) {
         count.all, matrix.rows.size(), scene_count, count.as_expected, count.invisible,
         count.known_undetected, count.silenced, count.with_due_warning, count.silenced_known_undetected);
     check_injections(count);
-    write_or_check(request.page, document);
+    write_or_check(request.page, document, fault_matrix_data(matrix));
 }
 
 struct EnduranceRequest {

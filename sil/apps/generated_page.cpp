@@ -26,25 +26,36 @@ std::string first_difference(const std::string& held, const std::string& measure
     return fmt::format("  the document: {}\n  measured:     {}", line(held), line(measured));
 }
 
+void check(const std::filesystem::path& file, const std::string& measured) {
+    const std::string held = read_whole_file(file);
+    if (held != measured) {
+        throw std::runtime_error(fmt::format(
+            "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
+            file.string(), first_difference(held, measured)));
+    }
+}
+
 }  // namespace
 
 void add_page_options(CLI::App& command, GeneratedPage& page) {
     command.add_option("--document", page.written, "Write the figures as a page");
     command.add_option("--check", page.checked, "Compare the figures with a page; other ones fail");
+    command.add_option("--data", page.data, "CSV file beside the page: a row for each run");
 }
 
-void write_or_check(const GeneratedPage& page, const std::string& document) {
+void write_or_check(const GeneratedPage& page, const std::string& document, const std::string& data) {
     if (!page.written.empty()) {
         write_file_atomically(page.written, document);
+        if (!page.data.empty()) {
+            write_file_atomically(page.data, data);
+        }
     }
     if (page.checked.empty()) {
         return;
     }
-    const std::string held = read_whole_file(page.checked);
-    if (held != document) {
-        throw std::runtime_error(fmt::format(
-            "{} holds other figures than this run; sil/studies/faults/run --document renews it.\n{}",
-            page.checked.string(), first_difference(held, document)));
+    check(page.checked, document);
+    if (!page.data.empty()) {
+        check(page.data, data);
     }
 }
 

@@ -1,4 +1,4 @@
-// Measured page: a page of the documentation that holds the figures of a run.
+// Generated page: a page of the documentation that holds the figures of a run, and its data file.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,12 +10,13 @@ namespace sil {
 struct GeneratedPage {
     std::filesystem::path written{};  // empty: not asked for
     std::filesystem::path checked{};
+    std::filesystem::path data{};  // written or checked with the page
 };
 
-// --document and --check.
+// --document, --check and --data.
 void add_page_options(CLI::App& command, GeneratedPage& page);
 
-// Throws std::runtime_error with the first difference when the page holds other figures.
-void write_or_check(const GeneratedPage& page, const std::string& document);
+// Throws std::runtime_error with the first difference when page or data hold other figures.
+void write_or_check(const GeneratedPage& page, const std::string& document, const std::string& data);
 
 }  // namespace sil

@@ -51,4 +51,7 @@ InjectionCount count_injections(const FaultMatrix& matrix);
 // docs/reports/safety/fault_matrix.md.
 std::string fault_matrix_document(const FaultMatrix& matrix);
 
+// docs/reports/data/fault_matrix.csv: a row for each injection.
+std::string fault_matrix_data(const FaultMatrix& matrix);
+
 }  // namespace sil

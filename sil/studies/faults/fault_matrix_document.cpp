@@ -1,4 +1,4 @@
-// The fault matrix as a page.
+// The fault matrix as a page and as a data file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,33 +6,15 @@
 #include <optional>
 
 #include "page_templates.hpp"
+#include "sil/simulation/pace.hpp"
 #include "sil/studies/faults/contradiction.hpp"
 #include "sil/studies/faults/fault_matrix.hpp"
 #include "sil/studies/faults/known_undetected.hpp"
 #include "sil/studies/faults/page_template.hpp"
+#include "sil/studies/faults/reaction_table.hpp"
 
 namespace sil {
 namespace {
-
-std::string describe_cell(const FaultCell& cell) {
-    std::vector<Reaction> reactions;
-    std::vector<std::string> shortfalls;
-    std::size_t known_undetected = 0U;
-    for (const Injection& injection : cell) {
-        reactions.push_back(injection.reaction);
-        const std::vector<std::string>& more = injection.verdict.shortfalls;
-        shortfalls.insert(shortfalls.end(), more.begin(), more.end());
-        known_undetected += injection.verdict.known_undetected.empty() ? 0U : 1U;
-    }
-    std::string text = describe(reactions);
-    if (known_undetected > 0U) {
-        text += fmt::format(", {} of {} [known](#known-undetected-faults)", known_undetected, cell.size());
-    }
-    if (!shortfalls.empty()) {
-        text += fmt::format(" **NOT: {}**", fmt::join(shortfalls, "; "));
-    }
-    return text;
-}
 
 std::string describe_limit(int limit_ms) {
     return limit_ms == hidden ? "-" : fmt::format("{}", limit_ms);
@@ -84,34 +66,6 @@ std::string describe_expectation(const Fault& fault) {
                        expected.recovery_ms);
 }
 
-bool shows_somewhere(const Contradiction& stated) {
-    return std::any_of(stated.limits_ms.begin(), stated.limits_ms.end(),
-                       [](int limit_ms) { return limit_ms != hidden; });
-}
-
-std::string describe_lapse(const Contradiction& stated) {
-    if (!shows_somewhere(stated)) {
-        return "";
-    }
-    return stated.lapse_ms == any_time_ms ? "any time" : fmt::format("{}", stated.lapse_ms);
-}
-
-std::string contradiction_table() {
-    std::string text =
-        "| fault | of | limit, ms | no code again, ms | what the limit is made of, or why nothing shows "
-        "|\n|---|---|---|---|---|\n";
-    for (const Contradiction& stated : contradictions()) {
-        const char* const sign = stated.sign == 0 ? "" : (stated.sign > 0 ? ", positive" : ", negative");
-        text +=
-            fmt::format("| {}{} | {} | {} | {} | {}{} |\n", to_string(stated.kind), sign,
-                        to_string(stated.place), describe_limits(stated), describe_lapse(stated), stated.why,
-                        stated.wrong_ms == Contradiction{}.wrong_ms
-                            ? ""
-                            : fmt::format("; wrong for {} ms at most", stated.wrong_ms));
-    }
-    return text;
-}
-
 std::vector<std::reference_wrapper<const Scene>> first_of_each_name(const FaultMatrix& matrix) {
     std::vector<std::reference_wrapper<const Scene>> scenes;
     for (const Scene& scene : matrix.scenes) {
@@ -130,23 +84,17 @@ std::string scene_list(const FaultMatrix& matrix) {
     return text;
 }
 
-std::string table(const FaultMatrix& matrix) {
-    std::string text = "| fault | of | expected |";
-    std::string line = "|---|---|---|";
-    for (const Scene& scene : first_of_each_name(matrix)) {
-        text += fmt::format(" {} |", scene.name);
-        line += "---|";
-    }
-    text += "\n" + line + "\n";
+std::string table(const FaultMatrix& matrix, std::string_view heading,
+                  const std::function<std::string(const Injection&)>& group_of) {
+    GroupedReactions grouped;
     for (const FaultRow& row : matrix.rows) {
-        text += fmt::format("| {} | {} | {} |", describe_each_sign(row.fault), to_string(row.fault.place),
-                            describe_expectation(row.fault));
         for (const FaultCell& cell : row.cells) {
-            text += fmt::format(" {} |", describe_cell(cell));
+            for (const Injection& injection : cell) {
+                grouped.add(group_of(injection), injection.reaction);
+            }
         }
-        text += "\n";
     }
-    return text;
+    return grouped.table(heading);
 }
 
 // The worst of all.
@@ -224,15 +172,44 @@ std::string headline(const InjectionCount& count) {
 }  // namespace
 
 std::string fault_matrix_document(const FaultMatrix& matrix) {
+    const auto kind_of = [](const Injection& each) { return std::string{to_string(each.fault.kind)}; };
+    const auto place_of = [](const Injection& each) { return std::string{to_string(each.fault.place)}; };
+    const auto scene_of = [&matrix](const Injection& each) { return matrix.scenes[each.scene].name; };
     return fill_template(fault_matrix_template,
                          {{"headline", headline(count_injections(matrix))},
                           {"scenes", scene_list(matrix)},
                           {"least_lead_ms", fmt::format("{}", least_lead_ms)},
                           {"lead_ms", fmt::format("{}", matrix.lead_ms)},
                           {"longest_lead_loss_ms", fmt::format("{}", longest_lead_loss_ms)},
-                          {"table", table(matrix)},
-                          {"known_undetected", known_undetected_table(matrix)},
-                          {"limits", contradiction_table()}});
+                          {"kinds", table(matrix, "fault", kind_of)},
+                          {"places", table(matrix, "of", place_of)},
+                          {"by_scene", table(matrix, "scene", scene_of)},
+                          {"known_undetected", known_undetected_table(matrix)}});
+}
+
+std::string fault_matrix_data(const FaultMatrix& matrix) {
+    std::vector<std::string> columns{"fault", "of", "expected", "scene", "fault_from_s"};
+    columns.insert(columns.end(), reaction_columns().begin(), reaction_columns().end());
+    columns.insert(columns.end(), {"known_undetected", "shortfall"});
+    std::string text = csv_header(columns) + "\n";
+    for (const FaultRow& row : matrix.rows) {
+        for (const FaultCell& cell : row.cells) {
+            for (const Injection& injection : cell) {
+                const Scene& scene = matrix.scenes[injection.scene];
+                CsvRow line;
+                line.text(describe(injection.fault))
+                    .text(to_string(injection.fault.place))
+                    .text(describe_expectation(row.fault))
+                    .text(scene.name)
+                    .text(fmt::format("{:.2f}", static_cast<double>(scene.fault_begin) * cycle_time_s));
+                add_reaction(line, injection.reaction);
+                line.text(fmt::format("{}", fmt::join(injection.verdict.known_undetected, "; ")))
+                    .text(fmt::format("{}", fmt::join(injection.verdict.shortfalls, "; ")));
+                text += line.line() + "\n";
+            }
+        }
+    }
+    return text;
 }
 
 }  // namespace sil

@@ -44,4 +44,7 @@ std::vector<CellFinding> findings_in(const StateMatrix& matrix);
 // docs/reports/safety/fault_states.md.
 std::string state_matrix_document(const StateMatrix& matrix);
 
+// docs/reports/data/fault_states.csv: a row for each run.
+std::string state_matrix_data(const StateMatrix& matrix);
+
 }  // namespace sil

@@ -1,39 +1,17 @@
-// The state matrix as a page.
+// The state matrix as a page and as a data file.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <functional>
 #include <map>
 
 #include "page_templates.hpp"
 #include "sil/studies/faults/expectation.hpp"
 #include "sil/studies/faults/page_template.hpp"
+#include "sil/studies/faults/reaction_table.hpp"
 #include "sil/studies/faults/state_matrix.hpp"
 
 namespace sil {
 namespace {
-
-std::string of_how_many(std::size_t count, std::size_t all) {
-    return all == 1U ? "" : fmt::format(" ({} of {})", count, all);
-}
-
-std::string describe_state_cell(const StateCell& cell) {
-    if (cell.empty()) {
-        return "";
-    }
-    std::vector<Reaction> reactions;
-    std::map<FindingKind, std::size_t> findings;
-    for (const StateOutcome& outcome : cell) {
-        reactions.push_back(outcome.reaction);
-        for (const FindingKind kind : outcome.findings) {
-            ++findings[kind];
-        }
-    }
-    std::string text = describe(reactions);
-    for (const auto& [kind, count] : findings) {
-        text += fmt::format(", **{}**{}", to_string(kind), of_how_many(count, cell.size()));
-    }
-    return text;
-}
 
 std::string list_states(const std::vector<DrivingState>& states, std::size_t begin) {
     std::string text;
@@ -43,40 +21,50 @@ std::string list_states(const std::vector<DrivingState>& states, std::size_t beg
     return text;
 }
 
-std::string heading(const std::string& first, const std::vector<DrivingState>& states) {
-    std::string text = first;
-    std::string line;
-    for (const DrivingState& state : states) {
-        text += fmt::format(" {} |", state.name);
+using Name = std::function<std::string(const StateRow& row, const DrivingState& state)>;
+
+std::string table(std::string_view heading, const std::vector<StateRow>& rows,
+                  const std::vector<DrivingState>& states, const Name& group_of) {
+    GroupedReactions grouped;
+    for (const StateRow& row : rows) {
+        for (std::size_t state = 0U; state < row.cells.size(); ++state) {
+            for (const StateOutcome& outcome : row.cells[state]) {
+                grouped.add(group_of(row, states[state]), outcome.reaction);
+            }
+        }
     }
-    line.reserve(text.size());
-    for (const auto column : text.substr(1U)) {
-        line += column == '|' ? "---|" : "";
-    }
-    return fmt::format("{}\n|{}\n", text, line);
+    return grouped.table(heading);
 }
 
-std::string cells_of(const StateRow& row) {
+std::string name_of_kind(const StateRow& row, const DrivingState& /*state*/) {
+    return to_string(row.fault.kind);
+}
+
+std::string name_of_state(const StateRow& /*row*/, const DrivingState& state) {
+    return state.name;
+}
+
+std::string name_of_sensors(const StateRow& row, const DrivingState& /*state*/) {
+    return row.sensors;
+}
+
+std::string lines_of(const std::vector<StateRow>& rows, const std::vector<DrivingState>& states) {
     std::string text;
-    for (const StateCell& cell : row.cells) {
-        text += fmt::format(" {} |", describe_state_cell(cell));
-    }
-    return text + "\n";
-}
-
-std::string fault_table(const StateMatrix& matrix) {
-    std::string text = heading("| fault | of |", matrix.states);
-    for (const StateRow& row : matrix.rows) {
-        text += fmt::format("| {} | {} |{}", describe_each_sign(row.fault), to_string(row.fault.place),
-                            cells_of(row));
-    }
-    return text;
-}
-
-std::string sensor_table(const StateMatrix& matrix) {
-    std::string text = heading("| sensors |", matrix.states_of_good_sensors);
-    for (const StateRow& row : matrix.rows_of_good_sensors) {
-        text += fmt::format("| {} |{}", row.sensors, cells_of(row));
+    for (const StateRow& row : rows) {
+        for (std::size_t state = 0U; state < row.cells.size(); ++state) {
+            for (const StateOutcome& outcome : row.cells[state]) {
+                CsvRow line;
+                line.text(outcome.name)
+                    .text(row.fault.kind == FaultKind::none ? "" : to_string(row.fault.place))
+                    .text(states[state].name);
+                add_reaction(line, outcome.reaction);
+                std::vector<std::string> findings;
+                for (const FindingKind kind : outcome.findings) {
+                    findings.emplace_back(to_string(kind));
+                }
+                text += line.text(fmt::format("{}", fmt::join(findings, "; "))).line() + "\n";
+            }
+        }
     }
     return text;
 }
@@ -86,7 +74,7 @@ std::string known_table() {
     for (const KnownFinding& each : known_findings()) {
         text += fmt::format("| {} | {} | {} |\n", describe(each.found),
                             each.cells.empty() ? "only in the [search](fault_search.md)"
-                                               : fmt::format("{} cells above", each.cells.size()),
+                                               : fmt::format("{} cells", each.cells.size()),
                             each.why);
     }
     return text;
@@ -132,10 +120,20 @@ std::string state_matrix_document(const StateMatrix& matrix) {
                           {"large_load_transfer", fmt::format("{}", large_load_transfer)},
                           {"sender_ms", fmt::format("{}", second_sender_shows_ms)},
                           {"start_ms", fmt::format("{}", start_ms)},
-                          {"faults", fault_table(matrix)},
+                          {"kinds", table("fault", matrix.rows, matrix.states, name_of_kind)},
+                          {"by_state", table("state", matrix.rows, matrix.states, name_of_state)},
                           {"drives", list_states(matrix.states_of_good_sensors, matrix.states.size())},
-                          {"good_sensors", sensor_table(matrix)},
+                          {"good_sensors", table("sensors", matrix.rows_of_good_sensors,
+                                                 matrix.states_of_good_sensors, name_of_sensors)},
                           {"known", known_table()}});
+}
+
+std::string state_matrix_data(const StateMatrix& matrix) {
+    std::vector<std::string> columns{"fault_or_sensors", "of", "state"};
+    columns.insert(columns.end(), reaction_columns().begin(), reaction_columns().end());
+    columns.emplace_back("finding");
+    return csv_header(columns) + "\n" + lines_of(matrix.rows, matrix.states) +
+           lines_of(matrix.rows_of_good_sensors, matrix.states_of_good_sensors);
 }
 
 }  // namespace sil
