@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sil/judge/index_score.hpp"
+
 namespace sil {
 
 // A text that many rows share, held once for all of them: a million rows know some hundred vehicles.
@@ -30,14 +32,6 @@ class Name {
     const std::string* text_;
 };
 
-// See IndexScore.
-struct RecordedIndex {
-    double threshold{0.0};
-    double threshold_100ms{0.0};
-    double threshold_200ms{0.0};
-    std::optional<double> lead_s{};  // with the threshold at 1
-};
-
 struct RecordedCampaignRun {
     std::uint64_t number{0U};
     Name vehicle{};
@@ -54,8 +48,8 @@ struct RecordedCampaignRun {
     unsigned warnings{0U};
     unsigned advisories{0U};
     double unavailable_s{0.0};
-    bool has_code{false};                  // the firmware confirmed a diagnostic code
-    std::vector<RecordedIndex> indices{};  // in the order of RowTable::index_names
+    bool has_code{false};               // the firmware confirmed a diagnostic code
+    std::vector<IndexScore> indices{};  // in the order of RowTable::index_names
 };
 
 struct RowTable {

@@ -100,7 +100,7 @@ Detection IndexOverRuns::at_one() const {
 Detection IndexOverRuns::at(double threshold) const {
     DetectionCounts counts;
     for (std::size_t place = 0U; place < recorded_.size(); ++place) {
-        const RecordedIndex& recorded = recorded_[place];
+        const IndexScore& recorded = recorded_[place];
         counts.add(runs_.entries()[place].kind,
                    WarningInRun{recorded.threshold >= threshold, recorded.threshold_100ms >= threshold,
                                 recorded.threshold_200ms >= threshold, recorded.threshold >= threshold});
@@ -117,7 +117,7 @@ std::vector<CurvePoint> IndexOverRuns::curve() const {
     };
     for (std::size_t place = 0U; place < recorded_.size(); ++place) {
         const RunKind& run = runs_.entries()[place].kind;
-        const RecordedIndex& recorded = recorded_[place];
+        const IndexScore& recorded = recorded_[place];
         if (run.lifted) {
             add(recorded.threshold, ThresholdCounts::lifted);
             add(recorded.threshold_100ms, ThresholdCounts::lifted_100ms);

@@ -64,7 +64,7 @@ class IndexOverRuns {
 
  private:
     const RunList& runs_;
-    std::vector<RecordedIndex> recorded_{};  // of the runs, in their order
+    std::vector<IndexScore> recorded_{};  // of the runs, in their order
 };
 
 // The point of the most detection among those with a share of false alarms of at most `limit`; none when
