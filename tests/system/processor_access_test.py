@@ -1,5 +1,6 @@
 """XCP and diagnosis in the Cortex-R5F's image under QEMU, with the clients of a few lines of xcp_test and diagnosis_test."""
 
+import contextlib
 import time
 import unittest
 
@@ -10,6 +11,7 @@ import xcp_test
 
 LONGEST_CHANGE_S = 60.0  # a few cycles of an emulator that is held up
 LONGEST_RESET_S = 60.0
+LATEST_ANSWER_S = 2.0  # twice the time between two questions
 EXTENDED_SESSION = (0x10, diagnosis_test.EXTENDED)
 
 
@@ -70,9 +72,13 @@ class Access(unittest.TestCase):
             tester.send(b"\x22\xF1\x86")
             try:
                 if tester.receive_frame(within=1.0)[:5] == b"\x04\x62\xF1\x86\x01":
-                    return
+                    break
             except TimeoutError:
                 self.assertLess(time.monotonic(), end, "the image does not come back")
+        # On a busy machine answers to the questions above come late; they are not to be taken for those to the next one.
+        with contextlib.suppress(TimeoutError):
+            while True:
+                tester.receive_frame(within=LATEST_ANSWER_S)
 
     def test_samples_are_whole_and_none_is_lost_without_a_word(self):
         master = self.master()
