@@ -28,12 +28,10 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rsi)
 set(header_patterns FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 
 install(TARGETS ${rsi_installed} EXPORT rsiTargets INCLUDES DESTINATION ${headers})
-install(DIRECTORY firmware/rsi firmware/monitoring firmware/access firmware/xcp firmware/application firmware/diagnosis DESTINATION ${headers} ${header_patterns})
-install(DIRECTORY can_dbc/codec can_dbc/e2e can_dbc/generated DESTINATION ${headers}/can_dbc ${header_patterns})
-install(DIRECTORY hal/interface DESTINATION ${headers}/hal ${header_patterns})
+install(DIRECTORY firmware/rsi can_dbc/include/rsi hal/interface/rsi DESTINATION ${headers} ${header_patterns})
 install(DIRECTORY firmware/calibrations DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)
-install(DIRECTORY firmware/selftest firmware/calibrations DESTINATION ${headers} ${header_patterns})
-install(FILES firmware/selftest/selftest.c can_dbc/rollover_warning.dbc LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)
+install(DIRECTORY firmware/calibrations DESTINATION ${headers} ${header_patterns})
+install(FILES firmware/rsi/selftest/selftest.c can_dbc/rollover_warning.dbc LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)
 
 install(EXPORT rsiTargets NAMESPACE rsi:: DESTINATION ${package})
 configure_package_config_file(cmake/rsiConfig.cmake.in ${PROJECT_BINARY_DIR}/rsiConfig.cmake

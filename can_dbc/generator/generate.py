@@ -12,7 +12,7 @@ import sys
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 DBC = FOLDER.parent / "rollover_warning.dbc"
-HEADER = FOLDER.parent / "generated" / "rollover_warning.hpp"
+HEADER = FOLDER.parent / "include/rsi/can_dbc/generated/rollover_warning.hpp"
 REMEDY = ("run cmake/environment/build dev generate_codec or, for a DBC file of your own, generate.py with "
           "the same arguments but without --check; commit the result.")
 PAGE_TABLE = re.compile(r"(?<=<!-- written by generate_codec -->\n).*?(?=\n\n)", re.DOTALL)
@@ -59,7 +59,7 @@ def command_line():
     parser.add_argument("--dbc", type=pathlib.Path, default=DBC, help="DBC file (default: %(default)s)")
     parser.add_argument("--output", type=pathlib.Path, default=HEADER, help="header (default: %(default)s)")
     parser.add_argument("--page", type=pathlib.Path, help="page whose table of messages is written too")
-    parser.add_argument("--namespace", default="can_dbc", help="C++ namespace (default: %(default)s)")
+    parser.add_argument("--namespace", default="rsi::can_dbc", help="C++ namespace (default: %(default)s)")
     parser.add_argument("--check", action="store_true",
                         help="write nothing; show the difference and fail if header or page would change")
     return parser.parse_args()

@@ -131,7 +131,7 @@ constexpr bool is_sound(float number, Presence presence) {
 }
 
 // Whether every code is one that there is, and every number that is always there is finite. Those of the
-// estimate are not looked at: they have a range, which monitoring/output_check.hpp knows.
+// estimate are not looked at: they have a range, which rsi/ecu/monitoring/output_check.hpp knows.
 constexpr bool are_codes_known_and_numbers_finite(const Outputs& outputs) noexcept {
 #define RSI_CODE(name, reset, largest, risk, meaning) \
     if (!is_known(outputs.name, largest)) {           \

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/clock.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // 4000 bins of 5 us, so 0 to 20 ms, and one for everything beyond; 32 KB. Negative durations count as zero.
 class DurationHistogram {
@@ -50,4 +50,4 @@ class DurationHistogram {
     Time largest_{};
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

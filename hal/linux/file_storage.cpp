@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 struct Close {
@@ -32,4 +32,4 @@ bool FileStorage::write(const std::uint8_t* bytes, std::size_t length) noexcept 
     return written && closed && (std::rename(new_path_.c_str(), path_.c_str()) == 0);
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
-#include "hal/interface/storage.hpp"
+#include "rsi/hal/storage.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // A record is written beside the old one and takes its name at the end, so that a process that is killed
 // leaves one of the two. It is in the kernel's hands then: a machine that loses its power may lose it.
@@ -26,4 +26,4 @@ class FileStorage final : public Storage {
     std::string new_path_;
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 
-#include "hal/interface/clock.hpp"
-#include "hal/interface/saturating_count.hpp"
 #include "hal/linux/duration_histogram.hpp"
+#include "rsi/hal/clock.hpp"
+#include "rsi/hal/saturating_count.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // `Timer` has `Time now() const` and `void wait_until(Time) const`; SteadyClock is one. It must outlive the
 // tick. The deadlines are start + 1, 2, 3, ... periods, whatever happens in between: a late tick does not
@@ -64,4 +64,4 @@ class PeriodicTick {
     DurationHistogram lateness_;
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

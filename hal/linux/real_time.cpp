@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 constexpr int lowest_priority{1};
@@ -64,4 +64,4 @@ RealTimeResult enter_real_time(const RealTimeSettings& settings) noexcept {
     return RealTimeResult{};
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace hal {
+namespace rsi::hal {
 
 struct RealTimeSettings {
     int fifo_priority{0};     // 1 to 99 under SCHED_FIFO; 0 leaves the scheduling as it is
@@ -27,4 +27,4 @@ struct RealTimeResult {
 // stays in force, so that a program may report the message and go on without.
 RealTimeResult enter_real_time(const RealTimeSettings& settings) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -1,10 +1,10 @@
 // Software watchdog: stands in for the controller's watchdog on a host, which it cannot reset.
 #pragma once
 
-#include "hal/interface/clock.hpp"
-#include "hal/interface/watchdog.hpp"
+#include "rsi/hal/clock.hpp"
+#include "rsi/hal/watchdog.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // Expires when more than `limit` passes between two feedings, or between construction and the first one. Like
 // a controller that has been reset, it stays expired; feeding comes too late then. The main loop asks
@@ -39,4 +39,4 @@ class SoftwareWatchdog final : public Watchdog {
     bool expired_{false};
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

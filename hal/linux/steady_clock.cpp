@@ -5,7 +5,7 @@
 
 #include "hal/linux/timespec.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 Time SteadyClock::now() const noexcept {
     timespec value{};
@@ -19,4 +19,4 @@ void SteadyClock::wait_until(Time deadline) const noexcept {
     }
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

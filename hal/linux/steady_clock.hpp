@@ -1,9 +1,9 @@
 // Steady clock: CLOCK_MONOTONIC, which cannot be set and never goes back.
 #pragma once
 
-#include "hal/interface/clock.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 class SteadyClock final : public Clock {
  public:
@@ -16,4 +16,4 @@ class SteadyClock final : public Clock {
     void wait_until(Time deadline) const noexcept;
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/random_source.hpp"
+#include "rsi/hal/random_source.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 class SystemRandom final : public RandomSource {
  public:
@@ -18,4 +18,4 @@ class SystemRandom final : public RandomSource {
     }
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -3,9 +3,9 @@
 
 #include <time.h>
 
-#include "hal/interface/clock.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 inline constexpr std::int64_t nanoseconds_per_second{1'000'000'000};
 
@@ -21,4 +21,4 @@ inline timespec to_timespec(Time time) noexcept {
     return value;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 
-#include "hal/interface/can_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/hal/can_bus.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // Plays `frames` (count of them, in order of `receive_time`, which says when each is due) onto one endpoint
 // of a MemoryBus. The clock stands at a frame's own time when the frame is sent, so that receivers see the
@@ -41,4 +41,4 @@ class FrameReplay {
     std::size_t next_{0U};
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

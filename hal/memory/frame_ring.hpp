@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstring>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 template <std::size_t capacity>
 class FrameRing {
@@ -60,4 +60,4 @@ class FrameRing {
     std::size_t size_{0U};
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -5,12 +5,12 @@
 #include <cassert>
 #include <cstddef>
 
-#include "hal/interface/can_bus.hpp"
-#include "hal/interface/saturating_count.hpp"
-#include "hal/interface/well_formed.hpp"
 #include "hal/memory/frame_ring.hpp"
+#include "rsi/hal/can_bus.hpp"
+#include "rsi/hal/saturating_count.hpp"
+#include "rsi/hal/well_formed.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // Connects `endpoint_count` endpoints, each of which is a CanBus. Every other endpoint receives what one
 // sends, in the order of sending and stamped with `clock.now()`; none receives its own frames. An endpoint
@@ -100,4 +100,4 @@ class MemoryBus {
     std::array<Endpoint, endpoint_count> endpoints_;
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
-#include "hal/interface/storage.hpp"
+#include "rsi/hal/storage.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 template <std::size_t capacity>
 class MemoryStorage final : public Storage {
@@ -45,4 +45,4 @@ class MemoryStorage final : public Storage {
     unsigned writes_{0U};
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

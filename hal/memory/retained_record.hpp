@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/storage.hpp"
+#include "rsi/hal/storage.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // Nothing initialises it; at power-on it holds zeros, or anything.
 template <std::size_t capacity>
@@ -48,4 +48,4 @@ class RetainedRecord final : public Storage {
     RetainedMemory<capacity>& memory_;
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

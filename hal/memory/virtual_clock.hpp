@@ -1,9 +1,9 @@
 // Virtual clock: time that stands still until its owner moves it, for tests and lock-step runs.
 #pragma once
 
-#include "hal/interface/clock.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 class VirtualClock final : public Clock {
  public:
@@ -27,4 +27,4 @@ class VirtualClock final : public Clock {
     Time now_;
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace hal::semihosting {
+namespace rsi::hal::semihosting {
 namespace {
 
 enum class Operation : std::uint32_t {
@@ -84,4 +84,4 @@ void exit(int status) noexcept {
     }
 }
 
-}  // namespace hal::semihosting
+}  // namespace rsi::hal::semihosting

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace hal::semihosting {
+namespace rsi::hal::semihosting {
 
 enum class OpenMode : unsigned char { read = 1U, write = 5U, append = 9U };  // fopen's "rb", "wb", "ab"
 
@@ -35,4 +35,4 @@ bool command_line(char* text, std::size_t size) noexcept;
 // Ends the emulator, whose exit status becomes `status` (0 to 255).
 [[noreturn]] void exit(int status) noexcept;
 
-}  // namespace hal::semihosting
+}  // namespace rsi::hal::semihosting

@@ -11,7 +11,7 @@
 
 #include "hal/linux/timespec.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 template <typename Value>
@@ -137,4 +137,4 @@ ReadResult read_frame(int descriptor, canfd_frame& kernel_frame) noexcept {
     return result;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/clock.hpp"
 #include "hal/socketcan/interface_lookup.hpp"
 #include "hal/socketcan/open_result.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 inline constexpr std::size_t most_receive_filters{64U};
 
@@ -44,4 +44,4 @@ struct ReadResult {
 // Reads one frame with its ancillary data; never blocks.
 ReadResult read_frame(int descriptor, canfd_frame& kernel_frame) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

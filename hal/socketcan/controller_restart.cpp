@@ -8,7 +8,7 @@
 
 #include "hal/socketcan/route_netlink.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 struct LinkRequest {
@@ -96,4 +96,4 @@ ControllerRestartResult restart_controller(const InterfaceName& name) noexcept {
     }
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

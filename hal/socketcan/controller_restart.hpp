@@ -5,7 +5,7 @@
 
 #include "hal/socketcan/interface_lookup.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 enum class ControllerRestart : std::uint8_t {
     done,            // the controller was restarted, or its interface taken down and up again
@@ -24,4 +24,4 @@ struct ControllerRestartResult {
 // Lasts as long as the driver needs for it.
 ControllerRestartResult restart_controller(const InterfaceName& name) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

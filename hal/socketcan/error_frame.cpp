@@ -3,7 +3,7 @@
 
 #include <linux/can/error.h>
 
-namespace hal {
+namespace rsi::hal {
 
 BusState state_after_error(const canfd_frame& error_frame, BusState before) noexcept {
     constexpr unsigned passive = CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
@@ -31,4 +31,4 @@ bool tells_of_lost_frame(const canfd_frame& error_frame) noexcept {
            (error_frame.data[1] & CAN_ERR_CRTL_RX_OVERFLOW) != 0U;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -3,9 +3,9 @@
 
 #include <linux/can.h>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // State after an error frame that arrives in state `before`. A report that says nothing about fault
 // confinement (a lost arbitration, a single bus error) leaves the state as it is.
@@ -14,4 +14,4 @@ BusState state_after_error(const canfd_frame& error_frame, BusState before) noex
 // Whether the controller says that it had to drop a received frame.
 bool tells_of_lost_frame(const canfd_frame& error_frame) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

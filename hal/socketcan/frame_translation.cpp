@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace hal {
+namespace rsi::hal {
 
 KernelFrameKind kind_of(const canfd_frame& kernel_frame, std::size_t bytes) noexcept {
     if (bytes != CAN_MTU && bytes != CANFD_MTU) {
@@ -39,4 +39,4 @@ std::size_t to_kernel(const CanFrame& frame, bool bit_rate_switch, canfd_frame& 
     return frame.flexible_data_rate ? CANFD_MTU : CAN_MTU;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -5,9 +5,9 @@
 
 #include <cstddef>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 enum class KernelFrameKind : std::uint8_t { data, error, other };
 
@@ -22,4 +22,4 @@ CanFrame from_kernel(const canfd_frame& kernel_frame, std::size_t bytes, Time re
 // `bit_rate_switch` asks for the faster bit rate in the data phase; it matters to CAN FD frames only.
 std::size_t to_kernel(const CanFrame& frame, bool bit_rate_switch, canfd_frame& kernel_frame) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

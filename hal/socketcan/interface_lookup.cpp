@@ -5,7 +5,7 @@
 
 #include "hal/socketcan/route_netlink.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 struct Request {
@@ -39,4 +39,4 @@ InterfaceLookup look_up_interface(const InterfaceName& name) noexcept {
     return result;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace hal {
+namespace rsi::hal {
 
 using InterfaceName = std::array<char, IFNAMSIZ>;  // ends in at least one zero
 
@@ -21,4 +21,4 @@ struct InterfaceLookup {
 // interface to come back.
 InterfaceLookup look_up_interface(const InterfaceName& name) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 struct Explanation {
@@ -92,4 +92,4 @@ OpenResult describe_open_failure(OpenFailure failure, int system_error, const ch
     return result;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace hal {
+namespace rsi::hal {
 
 enum class OpenFailure : std::uint8_t {
     none,
@@ -30,4 +30,4 @@ struct OpenResult {
 // Writes the message for a failure on `interface_name`.
 OpenResult describe_open_failure(OpenFailure failure, int system_error, const char* interface_name) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

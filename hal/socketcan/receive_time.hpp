@@ -1,9 +1,9 @@
 // Receive time: the kernel's wall-clock stamp of a frame, moved to the monotonic clock.
 #pragma once
 
-#include "hal/interface/clock.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 // The kernel stamps a frame on CLOCK_REALTIME when the driver hands it over. Its age is the wall clock's time
 // now minus the stamp; the monotonic receive time is now minus that age. `wall_now` and `monotonic_now` are
@@ -18,4 +18,4 @@ constexpr Time monotonic_receive_time(Time wall_stamp, Time wall_now, Time monot
     return estimate < earliest ? earliest : estimate;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

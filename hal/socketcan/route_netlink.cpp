@@ -6,7 +6,7 @@
 
 #include <cerrno>
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 struct Message {
@@ -42,4 +42,4 @@ int ask_route(const nlmsghdr& request, RouteAnswer& answer) noexcept {
     return system_error;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -4,7 +4,7 @@
 #include <linux/netlink.h>
 #include <linux/rtnetlink.h>
 
-namespace hal {
+namespace rsi::hal {
 
 // Body of an answer, of which only the beginning is of interest.
 union RouteAnswer {
@@ -18,4 +18,4 @@ union RouteAnswer {
 // on its interfaces.
 int ask_route(const nlmsghdr& request, RouteAnswer& answer) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -8,15 +8,15 @@
 #include <cerrno>
 #include <cstring>
 
-#include "hal/interface/saturating_count.hpp"
-#include "hal/interface/well_formed.hpp"
 #include "hal/linux/steady_clock.hpp"
 #include "hal/linux/timespec.hpp"
 #include "hal/socketcan/error_frame.hpp"
 #include "hal/socketcan/frame_translation.hpp"
 #include "hal/socketcan/receive_time.hpp"
+#include "rsi/hal/saturating_count.hpp"
+#include "rsi/hal/well_formed.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 // A flood of error frames must not hold up the caller: after so many, receive() says `empty` and goes on next
@@ -288,4 +288,4 @@ int SocketCanBus::receive_buffer_bytes() const noexcept {
     return getsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &bytes, &size) == 0 ? bytes : 0;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

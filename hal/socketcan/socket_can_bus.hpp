@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/bus_off_schedule.hpp"
-#include "hal/interface/can_bus.hpp"
 #include "hal/socketcan/can_socket.hpp"
 #include "hal/socketcan/controller_restart.hpp"
 #include "hal/socketcan/open_result.hpp"
+#include "rsi/hal/bus_off_schedule.hpp"
+#include "rsi/hal/can_bus.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 struct CanIdentifier {
     std::uint32_t value{0U};  // 11 bits, or 29 bits when `extended`
@@ -103,4 +103,4 @@ class SocketCanBus final : public CanBus {
     Time next_recovery_{};
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

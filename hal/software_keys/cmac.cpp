@@ -4,7 +4,7 @@
 
 #include "mbedtls/platform_util.h"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 constexpr std::size_t block_length = 16U;
@@ -82,4 +82,4 @@ bool cmac(const Key& key, const std::uint8_t* bytes, std::size_t length, Authent
     return aes.is_good();
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

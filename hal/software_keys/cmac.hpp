@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/key_store.hpp"
+#include "rsi/hal/key_store.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 using Key = std::array<std::uint8_t, 16>;
 
 // CMAC of `length` bytes. False where the library refuses; `code` is then left as it was.
 bool cmac(const Key& key, const std::uint8_t* bytes, std::size_t length, AuthenticationCode& code) noexcept;
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -1,6 +1,6 @@
 #include "hal/software_keys/software_keys.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 bool SoftwareKeys::authenticate(KeySlot slot, const std::uint8_t* bytes, std::size_t length,
                                 AuthenticationCode& code) noexcept {
@@ -18,4 +18,4 @@ bool SoftwareKeys::has_test_keys() const noexcept {
     return found;
 }
 
-}  // namespace hal
+}  // namespace rsi::hal

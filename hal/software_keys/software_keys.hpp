@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/key_store.hpp"
 #include "hal/software_keys/cmac.hpp"
+#include "rsi/hal/key_store.hpp"
 
-namespace hal {
+namespace rsi::hal {
 
 inline constexpr std::size_t key_slots = 3U;
 using Keys = std::array<Key, key_slots>;  // in the order of KeySlot
@@ -35,4 +35,4 @@ class SoftwareKeys final : public KeyStore {
     Keys keys_;
 };
 
-}  // namespace hal
+}  // namespace rsi::hal

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 // As the registers hold it: each number is one less than what it stands for.
 struct CanBitTiming {
@@ -80,4 +80,4 @@ constexpr CanBitTiming can_bit_timing() {
     return segments.registers();
 }
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

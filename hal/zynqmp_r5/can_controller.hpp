@@ -6,17 +6,17 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/bus_off_schedule.hpp"
-#include "hal/interface/can_bus.hpp"
-#include "hal/interface/clock.hpp"
-#include "hal/interface/saturating_count.hpp"
-#include "hal/interface/well_formed.hpp"
 #include "hal/zynqmp_r5/can_bit_timing.hpp"
 #include "hal/zynqmp_r5/can_frame_layout.hpp"
 #include "hal/zynqmp_r5/can_registers.hpp"
 #include "hal/zynqmp_r5/registers.hpp"
+#include "rsi/hal/bus_off_schedule.hpp"
+#include "rsi/hal/can_bus.hpp"
+#include "rsi/hal/clock.hpp"
+#include "rsi/hal/saturating_count.hpp"
+#include "rsi/hal/well_formed.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 struct CanSettings {
     CanBitTiming timing{can_bit_timing<100'000'000U, 500'000U>()};
@@ -322,4 +322,4 @@ class CanController final : public CanBus {
     BusOffSchedule bus_off_schedule_;
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 using CanFrameWords = std::array<std::uint32_t, 4>;
 
@@ -99,4 +99,4 @@ struct SiliconCanFrameLayout {
     }
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

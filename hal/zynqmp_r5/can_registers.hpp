@@ -6,7 +6,7 @@
 
 #include "hal/zynqmp_r5/registers.hpp"
 
-namespace hal::zynqmp_r5::can {
+namespace rsi::hal::zynqmp_r5::can {
 
 inline constexpr RegisterAddress base{0xFF06'0000U};  // CAN0
 
@@ -56,4 +56,4 @@ inline constexpr std::uint32_t transmit_fifo_empty{1U << 14U};
 inline constexpr std::uint32_t all{0x7FFFU};
 }  // namespace event_bits
 
-}  // namespace hal::zynqmp_r5::can
+}  // namespace rsi::hal::zynqmp_r5::can

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "hal/interface/clock.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 // More missed periods than this are not counted one by one: the tick starts anew. The watchdog has long acted
 // then.
@@ -51,4 +51,4 @@ class CycleTick {
     Time spare_{};
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

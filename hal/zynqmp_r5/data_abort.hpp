@@ -7,7 +7,7 @@
 #include "hal/zynqmp_r5/fault_record.hpp"
 #include "hal/zynqmp_r5/memory_map.h"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 // Bits 10 and 3 to 0 of DFSR. The other kinds (an asynchronous external abort, 0x406, or parity error, 0x408,
 // and debug events) come late, and leave in DFAR whatever was there.
@@ -47,4 +47,4 @@ constexpr Fault describe_data_abort(std::uint32_t status, std::uint32_t address)
     return fault;
 }
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "hal/interface/reset_reason.hpp"
+#include "rsi/hal/reset_reason.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 struct Fault {
     ResetReason reason{ResetReason::power_on};
@@ -73,4 +73,4 @@ constexpr ResetReason begin_run(FaultRecord& record) {
     return reason;
 }
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

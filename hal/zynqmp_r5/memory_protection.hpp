@@ -10,7 +10,7 @@
 #include "hal/zynqmp_r5/system_watchdog.hpp"
 #include "hal/zynqmp_r5/timer_clock.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 // Rights in a region; a higher region wins where two overlap. Without a region every access aborts.
 enum class Access : std::uint32_t {  // region access control register
@@ -77,4 +77,4 @@ constexpr bool are_possible(const std::array<Region, 10>& all) {
 }
 static_assert(are_possible(regions), "a region's size or start is none that the unit knows");
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -11,7 +11,7 @@
 #error "which policy? rsi_add_r5f_image(NAME silicon|emulator ...) defines it"
 #endif
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 #if defined(RSI_ZYNQMP_POLICY_EMULATOR)
 using Policy = EmulatorPolicy;
@@ -19,4 +19,4 @@ using Policy = EmulatorPolicy;
 using Policy = SiliconPolicy;
 #endif
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

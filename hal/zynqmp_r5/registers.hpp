@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 // An address of the real-time unit's map; all peripherals lie below 4 GiB.
 using RegisterAddress = std::uint32_t;
@@ -18,4 +18,4 @@ struct MemoryMappedRegisters {
     }
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -3,12 +3,12 @@
 
 #include <cstdint>
 
-#include "hal/interface/clock.hpp"
 #include "hal/zynqmp_r5/can_frame_layout.hpp"
 #include "hal/zynqmp_r5/system_reset.hpp"
 #include "hal/zynqmp_r5/system_watchdog.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 // As UG1085 and UG1087 have it, with the clocks that Xilinx' board files set.
 struct SiliconPolicy {
@@ -23,4 +23,4 @@ struct SiliconPolicy {
     static void wait(Time spare) noexcept { static_cast<void>(spare); }
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

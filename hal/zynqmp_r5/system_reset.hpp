@@ -5,7 +5,7 @@
 
 #include "hal/zynqmp_r5/registers.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 namespace reset_controller {
 inline constexpr RegisterAddress control{0xFF5E'0218U};  // CRL_APB.RESET_CTRL (UG1087)
@@ -21,4 +21,4 @@ struct SystemReset {
     }
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-#include "hal/interface/watchdog.hpp"
 #include "hal/zynqmp_r5/registers.hpp"
+#include "rsi/hal/watchdog.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 namespace watchdog {
 inline constexpr RegisterAddress base{0xFF15'0000U};
@@ -58,4 +58,4 @@ class SystemWatchdog final : public Watchdog {
     Registers registers_;
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numeric>
 
-#include "hal/interface/clock.hpp"
 #include "hal/zynqmp_r5/registers.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 namespace timer {
 inline constexpr RegisterAddress base{0xFF11'0000U};  // TTC0, first counter
@@ -89,4 +89,4 @@ class TimerClock final : public Clock {
     std::uint32_t last_count_{0U};
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -9,15 +9,15 @@
 namespace sil {
 namespace {
 
-const char* describe(hal::BusState state) {
+const char* describe(rsi::hal::BusState state) {
     constexpr std::array words{"error-active again", "error-passive", "bus-off", "down or gone"};
     return words[static_cast<std::size_t>(state)];
 }
 
 }  // namespace
 
-void BusStateReport::follow(const hal::SocketCanBus& bus) {
-    const hal::BusState state = bus.state();
+void BusStateReport::follow(const rsi::hal::SocketCanBus& bus) {
+    const rsi::hal::BusState state = bus.state();
     const int refusal = bus.bus_off_report().refusal;
     if (state == state_ && refusal == refusal_) {
         return;

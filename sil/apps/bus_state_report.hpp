@@ -13,11 +13,11 @@ class BusStateReport {
 
     // Once a cycle. Prints a line when the state is not what it was, and when a restart is refused for
     // another reason than the last one.
-    void follow(const hal::SocketCanBus& bus);
+    void follow(const rsi::hal::SocketCanBus& bus);
 
  private:
     const std::string& interface_;
-    hal::BusState state_{hal::BusState::error_active};
+    rsi::hal::BusState state_{rsi::hal::BusState::error_active};
     int refusal_{0};
 };
 

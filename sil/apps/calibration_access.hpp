@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "access/seed_and_key.hpp"
-#include "application/parameter_section.hpp"
 #include "hal/linux/system_random.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/access/seed_and_key.hpp"
+#include "rsi/ecu/application/parameter_section.hpp"
 #include "rsi/types.hpp"
 #include "sil/apps/nv_file.hpp"
 
@@ -24,18 +24,18 @@ class CalibrationAccess {
     CalibrationAccess(const CalibrationAccess&) = delete;
     CalibrationAccess& operator=(const CalibrationAccess&) = delete;
 
-    const hal::KeyStore& keys() const { return keys_; }
-    access_control::SeedAndKey& seed_and_key() { return seed_and_key_; }
-    hal::Storage& stored_section() { return stored_section_; }
+    const rsi::hal::KeyStore& keys() const { return keys_; }
+    rsi::access::SeedAndKey& seed_and_key() { return seed_and_key_; }
+    rsi::hal::Storage& stored_section() { return stored_section_; }
     const std::vector<std::uint8_t>& section() const { return section_; }  // the reference page
 
  private:
     std::vector<std::uint8_t> section_;
     NvFile attempts_;
     NvFile stored_section_;
-    hal::SoftwareKeys keys_{hal::test_keys};
-    hal::SystemRandom random_{};
-    access_control::SeedAndKey seed_and_key_{keys_, hal::KeySlot::calibration, random_, attempts_};
+    rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
+    rsi::hal::SystemRandom random_{};
+    rsi::access::SeedAndKey seed_and_key_{keys_, rsi::hal::KeySlot::calibration, random_, attempts_};
 };
 
 }  // namespace sil

@@ -67,9 +67,9 @@ std::string load_transfer_text(const WarningJudgement& judgement) {
 }
 
 // Names of the one-bit diagnostic flags that are set.
-std::string flags_of(const can_dbc::RolloverStatus& status) {
+std::string flags_of(const rsi::can_dbc::RolloverStatus& status) {
     std::string names;
-    can_dbc::RolloverStatus::visit_signals([&](const char* name, const char*, auto member, auto) {
+    rsi::can_dbc::RolloverStatus::visit_signals([&](const char* name, const char*, auto member, auto) {
         using Value = std::remove_cv_t<std::remove_reference_t<decltype(status.*member)>>;
         if constexpr (std::is_same_v<Value, bool>) {
             if (status.*member) {
@@ -125,7 +125,7 @@ void ConsoleSummary::report_events(const RunEvents& events) {
     tell_once(ssf_reported_, events.ssf_crossing, "static stability factor crossed");
 }
 
-void ConsoleSummary::report_diagnostics(const Truth& truth, const can_dbc::RolloverStatus& status) {
+void ConsoleSummary::report_diagnostics(const Truth& truth, const rsi::can_dbc::RolloverStatus& status) {
     const std::string flags = flags_of(status);
     if (flags != flags_of(reported_status_)) {
         print_event(truth.time_s,

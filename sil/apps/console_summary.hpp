@@ -17,7 +17,7 @@ class ConsoleSummary {
  private:
     void report_state(const Truth& truth, const EcuOutput& output);
     void report_events(const RunEvents& events);
-    void report_diagnostics(const Truth& truth, const can_dbc::RolloverStatus& status);
+    void report_diagnostics(const Truth& truth, const rsi::can_dbc::RolloverStatus& status);
 
     double next_line_s_{0.0};
     WarningState state_{WarningState::unavailable};
@@ -25,7 +25,7 @@ class ConsoleSummary {
     bool one_wheel_reported_{false};
     bool two_wheel_reported_{false};
     bool ssf_reported_{false};
-    can_dbc::RolloverStatus reported_status_{};
+    rsi::can_dbc::RolloverStatus reported_status_{};
 };
 
 }  // namespace sil

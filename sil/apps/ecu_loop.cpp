@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "application/calibrated_ecu.hpp"
-#include "application/rollover_ecu.hpp"
 #include "hal/linux/periodic_tick.hpp"
 #include "hal/linux/real_time.hpp"
 #include "hal/linux/software_watchdog.hpp"
 #include "hal/linux/steady_clock.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
+#include "rsi/ecu/application/calibrated_ecu.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "sil/apps/bus_state_report.hpp"
 #include "sil/apps/calibration_access.hpp"
 #include "sil/apps/diagnosis_access.hpp"
@@ -27,33 +27,33 @@
 namespace sil {
 namespace {
 
-constexpr hal::Time watchdog_limit = hal::Time::from_milliseconds(500);
+constexpr rsi::hal::Time watchdog_limit = rsi::hal::Time::from_milliseconds(500);
 
-void open_or_throw(hal::SocketCanBus& bus, const EcuRequest& request) {
-    std::vector<hal::CanIdentifier> identifiers;
-    for (const std::uint32_t value : application::received_identifiers) {
+void open_or_throw(rsi::hal::SocketCanBus& bus, const EcuRequest& request) {
+    std::vector<rsi::hal::CanIdentifier> identifiers;
+    for (const std::uint32_t value : rsi::application::received_identifiers) {
         identifiers.push_back({value, false});
     }
-    for (const std::uint32_t value : application::sent_identifiers) {
+    for (const std::uint32_t value : rsi::application::sent_identifiers) {
         identifiers.push_back({value, false});
     }
     if (request.xcp) {
-        identifiers.push_back({xcp::default_identifiers.command, false});
+        identifiers.push_back({rsi::xcp::default_identifiers.command, false});
     }
     if (request.diagnosis) {
-        identifiers.push_back({diagnosis::Addresses{}.physical_request, false});
-        identifiers.push_back({diagnosis::Addresses{}.functional_request, false});
+        identifiers.push_back({rsi::diagnosis::Addresses{}.physical_request, false});
+        identifiers.push_back({rsi::diagnosis::Addresses{}.functional_request, false});
     }
     if (request.lock_step) {
         identifiers.push_back({simulation_dbc::SimulationSync::identifier, false});
     }
 
-    hal::SocketCanSettings settings;
+    rsi::hal::SocketCanSettings settings;
     settings.interface_name = request.interface.c_str();
     settings.identifiers = identifiers.data();
     settings.identifier_count = request.receive_everything ? 0U : identifiers.size();
     settings.restart_when_bus_off = !request.lock_step;  // simulated time knows no bus-off
-    const hal::OpenResult opened = bus.open(settings);
+    const rsi::hal::OpenResult opened = bus.open(settings);
     if (!opened) {
         throw std::runtime_error(opened.message());
     }
@@ -69,8 +69,8 @@ struct Accesses {
 class Ecu {
  public:
     // All must outlive the ECU. `is_switched_on`: an operation cycle begins; false after a reset.
-    Ecu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog, const rsi::Parameters& parameters,
-        const Accesses& accesses, bool is_switched_on) {
+    Ecu(rsi::hal::CanBus& bus, const rsi::hal::Clock& clock, rsi::hal::Watchdog& watchdog,
+        const rsi::Parameters& parameters, const Accesses& accesses, bool is_switched_on) {
         if (accesses.diagnosis != nullptr) {
             start_diagnosis(bus, *accesses.diagnosis, is_switched_on);
         }
@@ -114,9 +114,9 @@ class Ecu {
     bool has_stored() const { return has_stored_; }
 
  private:
-    application::RolloverEcu& ecu() { return calibrated_ ? calibrated_->ecu() : *plain_; }
-    void start_diagnosis(hal::CanBus& bus, DiagnosisAccess& access, bool is_switched_on) {
-        diagnosis_.emplace(bus, diagnosis::Addresses{}, access.identification(), access.one(),
+    rsi::application::RolloverEcu& ecu() { return calibrated_ ? calibrated_->ecu() : *plain_; }
+    void start_diagnosis(rsi::hal::CanBus& bus, DiagnosisAccess& access, bool is_switched_on) {
+        diagnosis_.emplace(bus, rsi::diagnosis::Addresses{}, access.identification(), access.one(),
                            access.other());
         diagnosis_->use(access.seed_and_key());
         diagnosis_->use(access.store());
@@ -141,9 +141,9 @@ class Ecu {
         has_stored_ = std::memcmp(&calibrated_->ecu().parameters(), &parameters, sizeof parameters) != 0;
     }
 
-    std::optional<diagnosis::Diagnosis> diagnosis_;
-    std::optional<application::RolloverEcu> plain_;
-    std::optional<application::CalibratedEcu> calibrated_;
+    std::optional<rsi::diagnosis::Diagnosis> diagnosis_;
+    std::optional<rsi::application::RolloverEcu> plain_;
+    std::optional<rsi::application::CalibratedEcu> calibrated_;
     bool has_stored_{false};
 };
 
@@ -155,13 +155,14 @@ void say_listening(const EcuRequest& request, const Ecu& ecu) {
     std::fflush(stdout);
 }
 
-double to_ms(hal::Time time) {
+double to_ms(rsi::hal::Time time) {
     return static_cast<double>(time.nanoseconds) * 1.0e-6;
 }
 
-void print_punctuality(const hal::PeriodicTick<hal::SteadyClock>& tick, const hal::SocketCanBus& bus) {
-    const hal::DurationHistogram& lateness = tick.lateness();
-    const hal::BusStatistics statistics = bus.statistics();
+void print_punctuality(const rsi::hal::PeriodicTick<rsi::hal::SteadyClock>& tick,
+                       const rsi::hal::SocketCanBus& bus) {
+    const rsi::hal::DurationHistogram& lateness = tick.lateness();
+    const rsi::hal::BusStatistics statistics = bus.statistics();
     fmt::print(
         "rsi-ecu: {} cycles, {} overruns, {} missed; woken late by median {:.3f} ms, 99th percentile {:.3f} "
         "ms, "
@@ -170,25 +171,26 @@ void print_punctuality(const hal::PeriodicTick<hal::SteadyClock>& tick, const ha
         to_ms(lateness.quantile(0.99)), to_ms(lateness.largest()));
     fmt::print("rsi-ecu: {} frames received, {} sent, {} lost, {} error frames\n", statistics.frames_received,
                statistics.frames_sent, statistics.frames_lost, statistics.error_frames);
-    const hal::BusOffReport bus_off = bus.bus_off_report();
+    const rsi::hal::BusOffReport bus_off = bus.bus_off_report();
     if (bus_off.times != 0U) {
         fmt::print("rsi-ecu: {} times bus-off, {} restarts\n", bus_off.times, bus_off.restarts);
     }
 }
 
 void run_in_real_time(const EcuRequest& request, const rsi::Parameters& parameters, const Accesses& accesses,
-                      hal::SocketCanBus& bus, const volatile std::sig_atomic_t& end_requested) {
-    hal::SteadyClock clock;
-    hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
+                      rsi::hal::SocketCanBus& bus, const volatile std::sig_atomic_t& end_requested) {
+    rsi::hal::SteadyClock clock;
+    rsi::hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
     std::optional<Ecu> ecu;
     ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
-    const hal::RealTimeResult real_time = hal::enter_real_time({request.fifo_priority, request.lock_memory});
+    const rsi::hal::RealTimeResult real_time =
+        rsi::hal::enter_real_time({request.fifo_priority, request.lock_memory});
     if (!real_time) {
         throw std::runtime_error(real_time.message());
     }
     say_listening(request, *ecu);
     BusStateReport bus_state{request.interface};
-    hal::PeriodicTick<hal::SteadyClock> tick{clock, cycle_time};
+    rsi::hal::PeriodicTick<rsi::hal::SteadyClock> tick{clock, cycle_time};
     while (end_requested == 0) {
         ecu->step(tick.wait());
         if (ecu->is_reset_requested()) {
@@ -205,16 +207,16 @@ void run_in_real_time(const EcuRequest& request, const rsi::Parameters& paramete
 }
 
 void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& parameters, const Accesses& accesses,
-                      hal::SocketCanBus& socket, const volatile std::sig_atomic_t& end_requested) {
-    hal::VirtualClock clock;
+                      rsi::hal::SocketCanBus& socket, const volatile std::sig_atomic_t& end_requested) {
+    rsi::hal::VirtualClock clock;
     LockStepReceiver<256U> bus{socket, clock};
-    hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
+    rsi::hal::SoftwareWatchdog watchdog{clock, watchdog_limit};
     std::optional<Ecu> ecu;
     ecu.emplace(bus, clock, watchdog, parameters, accesses, true);
     say_listening(request, *ecu);
     while (end_requested == 0) {
         // Short enough to notice a request to end, long enough to cost nothing.
-        if (!socket.wait_for_frame(hal::Time::from_milliseconds(100))) {
+        if (!socket.wait_for_frame(rsi::hal::Time::from_milliseconds(100))) {
             continue;
         }
         while (bus.cycle_is_complete()) {
@@ -235,7 +237,7 @@ void run_in_lock_step(const EcuRequest& request, const rsi::Parameters& paramete
 
 void run_ecu(const EcuRequest& request, const rsi::Parameters& parameters,
              const volatile std::sig_atomic_t& end_requested) {
-    hal::SocketCanBus bus;
+    rsi::hal::SocketCanBus bus;
     std::optional<CalibrationAccess> access;
     if (request.xcp) {
         access.emplace(parameters, request.xcp_storage);

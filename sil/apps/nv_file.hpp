@@ -10,7 +10,7 @@
 namespace sil {
 
 // A file, or memory that lasts as long as this.
-class NvFile final : public hal::Storage {
+class NvFile final : public rsi::hal::Storage {
  public:
     // Without a folder in memory.
     NvFile(const std::filesystem::path& folder, const char* name) {
@@ -29,8 +29,8 @@ class NvFile final : public hal::Storage {
  private:
     static constexpr std::size_t longest = 512U;
 
-    std::optional<hal::FileStorage> file_;
-    hal::MemoryStorage<longest> memory_;
+    std::optional<rsi::hal::FileStorage> file_;
+    rsi::hal::MemoryStorage<longest> memory_;
 };
 
 }  // namespace sil

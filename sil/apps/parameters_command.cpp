@@ -45,9 +45,9 @@ std::optional<std::uint32_t> address(std::string_view text) {
 }
 
 // A key that others can read is none any more.
-hal::Key section_key(const ParametersRequest& request) {
+rsi::hal::Key section_key(const ParametersRequest& request) {
     namespace fs = std::filesystem;
-    const hal::Key key = load_key(request.key, hal::KeySlot::parameters);
+    const rsi::hal::Key key = load_key(request.key, rsi::hal::KeySlot::parameters);
     std::error_code ignored;
     const fs::perms others = fs::perms::group_read | fs::perms::others_read;
     if (request.key == test_key_name) {
@@ -91,8 +91,8 @@ std::string about_seal(const ParametersRequest& request, const std::vector<std::
                                               sealed_version(bytes))
                                 : std::string{};
     }
-    const application::SealFault fault = seal_fault(bytes, section_key(request));
-    if (fault != application::SealFault::none) {
+    const rsi::application::SealFault fault = seal_fault(bytes, section_key(request));
+    if (fault != rsi::application::SealFault::none) {
         throw std::runtime_error(fmt::format("{}: a firmware that wants a seal would refuse it: {}",
                                              request.checked.string(), explain(fault)));
     }
@@ -104,9 +104,9 @@ void check_section(const ParametersRequest& request) {
     const std::string content = read_whole_file(path);
     const std::vector<std::uint8_t> bytes{content.begin(), content.end()};
     rsi::Parameters parameters{};
-    const application::ParameterSectionAnswer answer =
-        application::read_parameter_section(bytes.data(), bytes.size(), parameters);
-    if (answer.refusal != application::ParametersRefusal::none) {
+    const rsi::application::ParameterSectionAnswer answer =
+        rsi::application::read_parameter_section(bytes.data(), bytes.size(), parameters);
+    if (answer.refusal != rsi::application::ParametersRefusal::none) {
         throw std::runtime_error(
             fmt::format("{}: the firmware would refuse it: {}", path.string(), explain(answer)));
     }

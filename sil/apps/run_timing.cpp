@@ -23,12 +23,12 @@ class RealTime final : public RunTiming {
         pace_.emplace();
     }
 
-    hal::CanBus& bus() override { return socket_; }
+    rsi::hal::CanBus& bus() override { return socket_; }
     Pace& pace() override { return *pace_; }
     std::uint64_t missed_cycles() const override { return pace_->missed_cycles(); }
 
  private:
-    hal::SocketCanBus socket_;
+    rsi::hal::SocketCanBus socket_;
     std::optional<RealTimePace> pace_;  // its clock starts when the ECU is there
 };
 
@@ -38,15 +38,15 @@ class LockStep final : public RunTiming {
     LockStep(const std::string& interface, const std::filesystem::path& log)
         : opened_{socket_, interface}, log_{log}, recorded_{socket_, simulated_time_, log_, interface} {}
 
-    hal::CanBus& bus() override { return recorded_; }
+    rsi::hal::CanBus& bus() override { return recorded_; }
     Pace& pace() override { return pace_; }
     void close() override { log_.close(); }
 
  private:
     struct Opened {
-        Opened(hal::SocketCanBus& socket, const std::string& interface) {
+        Opened(rsi::hal::SocketCanBus& socket, const std::string& interface) {
             open_or_throw(socket, interface);
-            if (hears_ecu(socket, hal::Time::from_milliseconds(50))) {
+            if (hears_ecu(socket, rsi::hal::Time::from_milliseconds(50))) {
                 throw std::runtime_error(fmt::format(
                     "an ECU is sending on {0} by itself. Start it for lock-step: rsi-ecu --lock-step "
                     "--interface {0} --parameters FILE",
@@ -55,21 +55,25 @@ class LockStep final : public RunTiming {
         }
     };
 
-    hal::SocketCanBus socket_;
+    rsi::hal::SocketCanBus socket_;
     Opened opened_;  // before there is a log
-    hal::VirtualClock simulated_time_;
+    rsi::hal::VirtualClock simulated_time_;
     CandumpLogWriter log_;
     RecordedBus recorded_;
     LockStepPace pace_{socket_, recorded_, simulated_time_};
 };
 
 // Takes everything and gives nothing.
-class NoBus final : public hal::CanBus {
+class NoBus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
-    hal::SendResult send(const hal::CanFrame&) noexcept override { return hal::SendResult::sent; }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame&) noexcept override {
+        return rsi::hal::ReceiveResult::empty;
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame&) noexcept override {
+        return rsi::hal::SendResult::sent;
+    }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 };
 
 // Writes into the log the frame with which a cycle begins in lock-step; it is not needed here.
@@ -81,7 +85,7 @@ class LoggedPace final : public Pace {
     void begin_cycle(std::uint32_t number) override { pace_.begin_cycle(number); }
     void frames_sent(std::uint32_t number) override { send_sync(log_only_, number); }
     bool wait_for_answer(std::uint32_t number) override { return pace_.wait_for_answer(number); }
-    double reception_time_s(const hal::CanFrame& frame) const override {
+    double reception_time_s(const rsi::hal::CanFrame& frame) const override {
         return pace_.reception_time_s(frame);
     }
 
@@ -100,7 +104,7 @@ class InProcess final : public RunTiming {
           recorded_{firmware_.world_bus(), firmware_.clock(), log_, interface},
           pace_{firmware_, log_, interface} {}
 
-    hal::CanBus& bus() override { return recorded_; }
+    rsi::hal::CanBus& bus() override { return recorded_; }
     Pace& pace() override { return pace_; }
     const rsi::Outputs* outputs() const override { return &firmware_.ecu().outputs(); }
     void close() override { log_.close(); }

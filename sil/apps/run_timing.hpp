@@ -17,7 +17,7 @@ class RunTiming {
     RunTiming& operator=(const RunTiming&) = delete;
     virtual ~RunTiming() = default;
 
-    virtual hal::CanBus& bus() = 0;
+    virtual rsi::hal::CanBus& bus() = 0;
     virtual Pace& pace() = 0;
     virtual std::uint64_t missed_cycles() const { return 0U; }
 

@@ -29,29 +29,29 @@ namespace {
 class BusPace final : public Pace {
  public:
     void begin_cycle(std::uint32_t number) override {
-        ahead_ = hal::Time{number * cycle_time.nanoseconds} - clock_.now();
+        ahead_ = rsi::hal::Time{number * cycle_time.nanoseconds} - clock_.now();
     }
     void frames_sent(std::uint32_t) override {}
     bool wait_for_answer(std::uint32_t) override { return false; }
-    double reception_time_s(const hal::CanFrame& frame) const override {
+    double reception_time_s(const rsi::hal::CanFrame& frame) const override {
         return static_cast<double>((frame.receive_time + ahead_).nanoseconds) * 1.0e-9;
     }
 
  private:
-    hal::SteadyClock clock_;
-    hal::Time ahead_{};  // of simulated time, to the clock
+    rsi::hal::SteadyClock clock_;
+    rsi::hal::Time ahead_{};  // of simulated time, to the clock
 };
 
 class OnBus final : public LiveEcu {
  public:
     explicit OnBus(const std::string& interface) { open_or_throw(socket_, interface); }
 
-    hal::CanBus& bus() override { return socket_; }
+    rsi::hal::CanBus& bus() override { return socket_; }
     Pace& pace() override { return pace_; }
     const rsi::Outputs* outputs() const override { return nullptr; }
 
  private:
-    hal::SocketCanBus socket_;
+    rsi::hal::SocketCanBus socket_;
     BusPace pace_;
 };
 
@@ -120,7 +120,7 @@ void watch(const WatchRequest& request) {
         what.make_ecu = [&calibration] { return live_ecu_in_process(calibration); };
         what.ecu_text = "the firmware in the same process";
     } else {
-        hal::SocketCanBus socket;
+        rsi::hal::SocketCanBus socket;
         open_or_throw(socket, request.interface);
         expect_ecu(socket, request.interface);
         what.make_ecu = [&request] { return live_ecu_on_bus(request.interface); };

@@ -207,7 +207,7 @@ class LineParser {
 }  // namespace
 
 std::string format_candump_line(const LoggedFrame& logged) {
-    const hal::CanFrame& frame = logged.frame;
+    const rsi::hal::CanFrame& frame = logged.frame;
     const std::int64_t time_us =
         std::max<std::int64_t>(frame.receive_time.nanoseconds, 0) / nanoseconds_per_microsecond;
     std::string line =

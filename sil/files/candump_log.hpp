@@ -8,14 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 #include "sil/files/file_io.hpp"
 
 namespace sil {
 
 // One line: "(seconds.microseconds) interface ID#DATA", for CAN FD "ID##FLAGSDATA".
 struct LoggedFrame {
-    hal::CanFrame frame;  // its receive_time is the time of the line, in whole microseconds, not negative
+    rsi::hal::CanFrame
+        frame;  // its receive_time is the time of the line, in whole microseconds, not negative
     std::string interface;
     // CAN FD only: bit 0 bit-rate switch, bit 1 error state indicator. Kernels differ in whether they also
     // set bit 2, which says nothing but "CAN FD"; here it is always 0, when written and when read.

@@ -10,7 +10,7 @@
 namespace sil {
 namespace {
 
-constexpr const char* slot_names[hal::key_slots]{"calibration", "diagnosis", "parameters"};
+constexpr const char* slot_names[rsi::hal::key_slots]{"calibration", "diagnosis", "parameters"};
 
 int digit_of(char letter) {
     if (letter >= '0' && letter <= '9') {
@@ -24,10 +24,10 @@ int digit_of(char letter) {
 
 }  // namespace
 
-hal::Key load_key(const std::filesystem::path& path, hal::KeySlot slot) {
+rsi::hal::Key load_key(const std::filesystem::path& path, rsi::hal::KeySlot slot) {
     const auto place = static_cast<std::size_t>(slot);
     if (path == test_key_name) {
-        return hal::test_keys[place];
+        return rsi::hal::test_keys[place];
     }
     TomlTable table =
         TomlTable::load(path, "name a key file with lines like parameters = \"32 hexadecimal digits\"");
@@ -37,7 +37,7 @@ hal::Key load_key(const std::filesystem::path& path, hal::KeySlot slot) {
     table.refuse_unknown_keys();
     const char* const name = slot_names[place];
     const std::string text = table.text(name);
-    hal::Key key{};
+    rsi::hal::Key key{};
     bool good = text.size() == 2U * key.size();
     for (std::size_t byte = 0U; good && byte < key.size(); ++byte) {
         const int high = digit_of(text[2U * byte]);

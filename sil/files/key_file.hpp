@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "hal/interface/key_store.hpp"
 #include "hal/software_keys/cmac.hpp"
+#include "rsi/hal/key_store.hpp"
 
 namespace sil {
 
@@ -15,6 +15,6 @@ inline constexpr const char* test_key_name = "test";
 
 // The file's key for `slot`. Throws InputError that names the file and what is wrong, and never what is in
 // it.
-hal::Key load_key(const std::filesystem::path& path, hal::KeySlot slot);
+rsi::hal::Key load_key(const std::filesystem::path& path, rsi::hal::KeySlot slot);
 
 }  // namespace sil

@@ -6,16 +6,16 @@
 #include <cstring>
 #include <numeric>
 
-#include "application/little_endian.hpp"
 #include "hal/memory/memory_storage.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/application/little_endian.hpp"
 #include "rsi/parameters.hpp"
 #include "sil/files/calibration_file.hpp"
 
 namespace sil {
 namespace {
 
-namespace section = application::section;
+namespace section = rsi::application::section;
 
 void put(std::vector<std::uint8_t>& bytes, std::size_t at, std::uint32_t value, std::size_t count) {
     for (std::size_t index = 0U; index < count; ++index) {
@@ -43,9 +43,9 @@ void put_name(std::vector<std::uint8_t>& bytes, std::string_view name) {
 }
 
 // The other slots are of no use here.
-hal::Keys with_parameters_key(const hal::Key& key) {
-    hal::Keys keys{};
-    keys[static_cast<std::size_t>(hal::KeySlot::parameters)] = key;
+rsi::hal::Keys with_parameters_key(const rsi::hal::Key& key) {
+    rsi::hal::Keys keys{};
+    keys[static_cast<std::size_t>(rsi::hal::KeySlot::parameters)] = key;
     return keys;
 }
 
@@ -83,35 +83,35 @@ std::vector<std::uint8_t> parameter_section(const rsi::Parameters& parameters, s
         put(bytes, at, bits_of(parameters.*field.member), 4U);
         at += 4U;
     }
-    put(bytes, section::checksum_at, application::crc32(bytes.data(), section::checksum_at), 4U);
+    put(bytes, section::checksum_at, rsi::application::crc32(bytes.data(), section::checksum_at), 4U);
     return bytes;
 }
 
 std::vector<std::uint8_t> sealed(const std::vector<std::uint8_t>& section, std::uint32_t version,
-                                 const hal::Key& key) {
+                                 const rsi::hal::Key& key) {
     std::vector<std::uint8_t> bytes = section;
-    bytes.resize(application::seal::sealed_length);
-    hal::SoftwareKeys keys{with_parameters_key(key)};
-    if (!application::seal_section(keys, version, bytes.data())) {
+    bytes.resize(rsi::application::seal::sealed_length);
+    rsi::hal::SoftwareKeys keys{with_parameters_key(key)};
+    if (!rsi::application::seal_section(keys, version, bytes.data())) {
         throw std::logic_error("the key store in software has not answered");
     }
     return bytes;
 }
 
 bool is_sealed(const std::vector<std::uint8_t>& section) {
-    const auto& magic = application::seal::magic;
-    return section.size() >= application::seal::sealed_length &&
-           std::equal(magic.begin(), magic.end(), section.begin() + application::seal::magic_at);
+    const auto& magic = rsi::application::seal::magic;
+    return section.size() >= rsi::application::seal::sealed_length &&
+           std::equal(magic.begin(), magic.end(), section.begin() + rsi::application::seal::magic_at);
 }
 
 std::uint32_t sealed_version(const std::vector<std::uint8_t>& section) {
-    return application::word_at(section.data(), application::seal::version_at);
+    return rsi::application::word_at(section.data(), rsi::application::seal::version_at);
 }
 
-application::SealFault seal_fault(const std::vector<std::uint8_t>& section, const hal::Key& key) {
-    hal::SoftwareKeys keys{with_parameters_key(key)};
-    hal::MemoryStorage<1U> nothing;
-    application::SectionAuthority authority{keys, nothing};
+rsi::application::SealFault seal_fault(const std::vector<std::uint8_t>& section, const rsi::hal::Key& key) {
+    rsi::hal::SoftwareKeys keys{with_parameters_key(key)};
+    rsi::hal::MemoryStorage<1U> nothing;
+    rsi::application::SectionAuthority authority{keys, nothing};
     authority.start();
     return authority.check(section.data(), section.size());
 }
@@ -150,7 +150,8 @@ std::string section_source(const std::vector<std::uint8_t>& bytes) {
     std::string text = fmt::format(
         "/* Parameter section of the calibration \"{}\", made by `rsi-sil parameters --format c`; do not "
         "edit.\n"
-        " * firmware/application/parameter_section.hpp says what is where, docs/calibration.md how to change "
+        " * firmware/rsi/ecu/application/parameter_section.hpp says what is where, docs/calibration.md how "
+        "to change "
         "it. "
         "*/\n"
         "__attribute__((section(\".parameters\"), used, aligned(4)))\n"
@@ -205,8 +206,8 @@ std::string calibration_header(const rsi::Parameters& parameters, std::string_vi
     return text + "};\n";
 }
 
-std::string explain(const application::ParameterSectionAnswer& answer) {
-    using application::ParametersRefusal;
+std::string explain(const rsi::application::ParameterSectionAnswer& answer) {
+    using rsi::application::ParametersRefusal;
     constexpr const char* write_anew = "write it anew from its TOML file with the rsi-sil of that firmware";
     switch (answer.refusal) {
         case ParametersRefusal::none:
@@ -232,8 +233,8 @@ std::string explain(const application::ParameterSectionAnswer& answer) {
     return "unknown refusal";
 }
 
-std::string explain(application::SealFault fault) {
-    using application::SealFault;
+std::string explain(rsi::application::SealFault fault) {
+    using rsi::application::SealFault;
     switch (fault) {
         case SealFault::none:
             return "its seal is good";

@@ -6,20 +6,20 @@
 #include <string_view>
 #include <vector>
 
-#include "application/parameter_section.hpp"
-#include "application/section_authority.hpp"
 #include "hal/software_keys/cmac.hpp"
+#include "rsi/ecu/application/parameter_section.hpp"
+#include "rsi/ecu/application/section_authority.hpp"
 #include "rsi/types.hpp"
 
 namespace sil {
 
-// The section that application::read_parameter_section reads. `name` is at most 48 printable ASCII
+// The section that rsi::application::read_parameter_section reads. `name` is at most 48 printable ASCII
 // characters; throws InputError otherwise. The parameters are written as they are, valid or not.
 std::vector<std::uint8_t> parameter_section(const rsi::Parameters& parameters, std::string_view name);
 
 // The same with its seal. `version` is never less than that of the section before.
 std::vector<std::uint8_t> sealed(const std::vector<std::uint8_t>& section, std::uint32_t version,
-                                 const hal::Key& key);
+                                 const rsi::hal::Key& key);
 
 // Whether a section that is otherwise good has something behind it that looks like a seal.
 bool is_sealed(const std::vector<std::uint8_t>& section);
@@ -28,7 +28,7 @@ bool is_sealed(const std::vector<std::uint8_t>& section);
 std::uint32_t sealed_version(const std::vector<std::uint8_t>& section);
 
 // Errors of the seal for a control unit with `key` that has used no section yet.
-application::SealFault seal_fault(const std::vector<std::uint8_t>& section, const hal::Key& key);
+rsi::application::SealFault seal_fault(const std::vector<std::uint8_t>& section, const rsi::hal::Key& key);
 
 // The name in a section that is not `missing` and not too short.
 std::string section_name(const std::vector<std::uint8_t>& section);
@@ -48,7 +48,7 @@ std::string calibration_toml(const rsi::Parameters& parameters);
 std::string calibration_header(const rsi::Parameters& parameters, std::string_view name);
 
 // Meaning of a refusal and what to do next, in one sentence without its end.
-std::string explain(const application::ParameterSectionAnswer& answer);
-std::string explain(application::SealFault fault);
+std::string explain(const rsi::application::ParameterSectionAnswer& answer);
+std::string explain(rsi::application::SealFault fault);
 
 }  // namespace sil

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "application/sensor_reception.hpp"
-#include "hal/interface/can_bus.hpp"
+#include "rsi/ecu/application/sensor_reception.hpp"
+#include "rsi/hal/can_bus.hpp"
 
 namespace sil {
 
-inline bool is_sensor_frame(const hal::CanFrame& frame) {
-    const auto& known = application::received_identifiers;
+inline bool is_sensor_frame(const rsi::hal::CanFrame& frame) {
+    const auto& known = rsi::application::received_identifiers;
     return !frame.extended && std::find(known.begin(), known.end(), frame.identifier) != known.end();
 }
 

@@ -5,15 +5,15 @@
 #include <cstdint>
 #include <optional>
 
-#include "access/stored_count.hpp"
-#include "application/calibrated_ecu.hpp"
-#include "diagnosis/diagnosis.hpp"
-#include "diagnosis/section_store.hpp"
-#include "hal/interface/clock.hpp"
-#include "hal/interface/random_source.hpp"
-#include "hal/interface/reset_reason.hpp"
 #include "hal/memory/retained_record.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/access/stored_count.hpp"
+#include "rsi/ecu/application/calibrated_ecu.hpp"
+#include "rsi/ecu/diagnosis/diagnosis.hpp"
+#include "rsi/ecu/diagnosis/section_store.hpp"
+#include "rsi/hal/clock.hpp"
+#include "rsi/hal/random_source.hpp"
+#include "rsi/hal/reset_reason.hpp"
 #include "rsi/version.h"
 
 namespace sil {
@@ -23,10 +23,10 @@ namespace sil {
 //
 // They follow from the moments at which they were asked for, in counts of the free-running timer: other seeds
 // each time, which a listener on the bus finds by trying.
-class GuessableNumbers final : public hal::RandomSource {
+class GuessableNumbers final : public rsi::hal::RandomSource {
  public:
     // `clock` must outlive this object.
-    explicit GuessableNumbers(const hal::Clock& clock) noexcept : clock_{clock} {}
+    explicit GuessableNumbers(const rsi::hal::Clock& clock) noexcept : clock_{clock} {}
 
     bool fill(std::uint8_t* bytes, std::size_t length) noexcept override {
         state_ ^= static_cast<std::uint32_t>(clock_.now().nanoseconds);
@@ -39,43 +39,43 @@ class GuessableNumbers final : public hal::RandomSource {
     }
 
  private:
-    const hal::Clock& clock_;
+    const rsi::hal::Clock& clock_;
     std::uint32_t state_{0U};
 };
 
 struct BenchMemory {
-    hal::RetainedMemory<diagnosis::KeptData::record_length> one;
-    hal::RetainedMemory<diagnosis::KeptData::record_length> other;
-    hal::RetainedMemory<application::section::length> section;
-    hal::RetainedMemory<access_control::stored_count_length> calibration_attempts;
-    hal::RetainedMemory<access_control::stored_count_length> diagnosis_attempts;
+    rsi::hal::RetainedMemory<rsi::diagnosis::KeptData::record_length> one;
+    rsi::hal::RetainedMemory<rsi::diagnosis::KeptData::record_length> other;
+    rsi::hal::RetainedMemory<rsi::application::section::length> section;
+    rsi::hal::RetainedMemory<rsi::access::stored_count_length> calibration_attempts;
+    rsi::hal::RetainedMemory<rsi::access::stored_count_length> diagnosis_attempts;
 };
 
 // The image's; no start clears it.
 BenchMemory& bench_memory() noexcept;
 
-// Has what image::EcuImage asks of an ECU. The keys are public, and it reports that on the bus.
+// Has what rsi::image::EcuImage asks of an ECU. The keys are public, and it reports that on the bus.
 class BenchEcu {
  public:
     // All must outlive the ECU.
-    BenchEcu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
+    BenchEcu(rsi::hal::CanBus& bus, const rsi::hal::Clock& clock, rsi::hal::Watchdog& watchdog) noexcept
         : bus_{bus},
           clock_{clock},
           watchdog_{watchdog},
           random_{clock},
-          diagnosis_{bus, diagnosis::Addresses{}, identification_, one_, other_} {}
+          diagnosis_{bus, rsi::diagnosis::Addresses{}, identification_, one_, other_} {}
 
-    void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
+    void set_reset_reason(rsi::hal::ResetReason reason) noexcept { reset_reason_ = reason; }
 
     // With the section that XCP or a tester has stored since power-on, else with this one.
-    application::ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept {
+    rsi::application::ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept {
         calibration_access_.start();
         diagnosis_access_.start();
         diagnosis_.use(diagnosis_access_);
         diagnosis_.use(store_);
-        diagnosis_.start(reset_reason_ == hal::ResetReason::power_on);
+        diagnosis_.start(reset_reason_ == rsi::hal::ResetReason::power_on);
         ecu_.emplace(bus_, clock_, watchdog_, calibration_access_, section, length, &section_);
-        application::RolloverEcu& ecu = ecu_->ecu();
+        rsi::application::RolloverEcu& ecu = ecu_->ecu();
         ecu.set_reset_reason(reset_reason_);
         ecu.use_keys(keys_);
         static_cast<void>(ecu.listen(diagnosis_.listener()));
@@ -91,32 +91,32 @@ class BenchEcu {
     bool is_reset_requested() const noexcept { return diagnosis_.is_reset_requested(); }
 
  private:
-    hal::CanBus& bus_;
-    const hal::Clock& clock_;
-    hal::Watchdog& watchdog_;
-    hal::ResetReason reset_reason_{hal::ResetReason::power_on};
-    hal::RetainedRecord<diagnosis::KeptData::record_length> one_{bench_memory().one};
-    hal::RetainedRecord<diagnosis::KeptData::record_length> other_{bench_memory().other};
-    hal::RetainedRecord<application::section::length> section_{bench_memory().section};
-    hal::RetainedRecord<access_control::stored_count_length> calibration_attempts_{
+    rsi::hal::CanBus& bus_;
+    const rsi::hal::Clock& clock_;
+    rsi::hal::Watchdog& watchdog_;
+    rsi::hal::ResetReason reset_reason_{rsi::hal::ResetReason::power_on};
+    rsi::hal::RetainedRecord<rsi::diagnosis::KeptData::record_length> one_{bench_memory().one};
+    rsi::hal::RetainedRecord<rsi::diagnosis::KeptData::record_length> other_{bench_memory().other};
+    rsi::hal::RetainedRecord<rsi::application::section::length> section_{bench_memory().section};
+    rsi::hal::RetainedRecord<rsi::access::stored_count_length> calibration_attempts_{
         bench_memory().calibration_attempts};
-    hal::RetainedRecord<access_control::stored_count_length> diagnosis_attempts_{
+    rsi::hal::RetainedRecord<rsi::access::stored_count_length> diagnosis_attempts_{
         bench_memory().diagnosis_attempts};
-    hal::SoftwareKeys keys_{hal::test_keys};
+    rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
     GuessableNumbers random_;
-    access_control::SeedAndKey calibration_access_{keys_, hal::KeySlot::calibration, random_,
-                                                   calibration_attempts_};
-    access_control::SeedAndKey diagnosis_access_{keys_, hal::KeySlot::diagnosis, random_,
-                                                 diagnosis_attempts_};
-    diagnosis::SectionStore store_{section_};
-    const diagnosis::Identification identification_{
-        diagnosis::text_of<diagnosis::ShortText>("Rollover warning"),
-        diagnosis::text_of<diagnosis::ShortText>(RSI_VERSION),
-        diagnosis::text_of<diagnosis::LongText>("of the image"),
-        diagnosis::text_of<diagnosis::ShortText>("Cortex-R5F"),
-        diagnosis::text_of<diagnosis::ShortText>("bench")};
-    diagnosis::Diagnosis diagnosis_;
-    std::optional<application::CalibratedEcu> ecu_{};
+    rsi::access::SeedAndKey calibration_access_{keys_, rsi::hal::KeySlot::calibration, random_,
+                                                calibration_attempts_};
+    rsi::access::SeedAndKey diagnosis_access_{keys_, rsi::hal::KeySlot::diagnosis, random_,
+                                              diagnosis_attempts_};
+    rsi::diagnosis::SectionStore store_{section_};
+    const rsi::diagnosis::Identification identification_{
+        rsi::diagnosis::text_of<rsi::diagnosis::ShortText>("Rollover warning"),
+        rsi::diagnosis::text_of<rsi::diagnosis::ShortText>(RSI_VERSION),
+        rsi::diagnosis::text_of<rsi::diagnosis::LongText>("of the image"),
+        rsi::diagnosis::text_of<rsi::diagnosis::ShortText>("Cortex-R5F"),
+        rsi::diagnosis::text_of<rsi::diagnosis::ShortText>("bench")};
+    rsi::diagnosis::Diagnosis diagnosis_;
+    std::optional<rsi::application::CalibratedEcu> ecu_{};
 };
 
 }  // namespace sil

@@ -13,16 +13,16 @@ namespace {
 // Starts the controller anew when a tester has asked for it.
 class Ecu {
  public:
-    Ecu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
+    Ecu(rsi::hal::CanBus& bus, const rsi::hal::Clock& clock, rsi::hal::Watchdog& watchdog) noexcept
         : ecu_{bus, clock, watchdog} {}
-    void set_reset_reason(hal::ResetReason reason) noexcept { ecu_.set_reset_reason(reason); }
-    application::ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept {
+    void set_reset_reason(rsi::hal::ResetReason reason) noexcept { ecu_.set_reset_reason(reason); }
+    rsi::application::ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept {
         return ecu_.init(section, length);
     }
     void step(std::uint32_t missed_cycles) noexcept {
         ecu_.step(missed_cycles);
         if (ecu_.is_reset_requested()) {
-            hal::zynqmp_r5::reset_now();
+            rsi::hal::zynqmp_r5::reset_now();
         }
     }
 
@@ -30,14 +30,14 @@ class Ecu {
     sil::BenchEcu ecu_;
 };
 
-image::EcuImage<image::WarningRecorder, Ecu> ecu;
+rsi::image::EcuImage<rsi::image::WarningRecorder, Ecu> ecu;
 
 // Those of the image that is flashed, and what XCP and testers send.
-constexpr hal::zynqmp_r5::CanSettings can_settings() {
-    constexpr diagnosis::Addresses addresses{};
-    hal::zynqmp_r5::CanSettings settings = image::can_settings();
-    settings.accepted[settings.accepted_count] = hal::zynqmp_r5::accepting(std::array<std::uint32_t, 3>{
-        xcp::default_identifiers.command, addresses.physical_request, addresses.functional_request});
+constexpr rsi::hal::zynqmp_r5::CanSettings can_settings() {
+    constexpr rsi::diagnosis::Addresses addresses{};
+    rsi::hal::zynqmp_r5::CanSettings settings = rsi::image::can_settings();
+    settings.accepted[settings.accepted_count] = rsi::hal::zynqmp_r5::accepting(std::array<std::uint32_t, 3>{
+        rsi::xcp::default_identifiers.command, addresses.physical_request, addresses.functional_request});
     ++settings.accepted_count;
     return settings;
 }

@@ -3,11 +3,11 @@
 // rsi-ecu-r5f.
 #include <optional>
 
-#include "application/rollover_ecu.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
 #include "images/zynqmp_r5/warning_recorder.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "sil/simulation/lock_step_receiver.hpp"
 #include "sil/simulation/simulation.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 using Receiver = sil::LockStepReceiver<32U>;
 
 // Simulated time stands still for as long as the simulation likes.
-class NoWatchdog final : public hal::Watchdog {
+class NoWatchdog final : public rsi::hal::Watchdog {
  public:
     void feed() noexcept override {}
 };
@@ -25,8 +25,8 @@ class NoWatchdog final : public hal::Watchdog {
 class LockStepImage {
  public:
     [[noreturn]] void run() noexcept {
-        static_cast<void>(hal::zynqmp_r5::begin_run(hal::zynqmp_r5::fault_record()));
-        static_cast<void>(controller_.open(image::unfiltered_can_settings()));
+        static_cast<void>(rsi::hal::zynqmp_r5::begin_run(rsi::hal::zynqmp_r5::fault_record()));
+        static_cast<void>(controller_.open(rsi::image::unfiltered_can_settings()));
         // One cycle unasked, so that the starter of the emulator knows that the firmware runs.
         begin();
         ecu_->step(0U);
@@ -38,23 +38,23 @@ class LockStepImage {
                 }
                 ecu_->step(0U);
             }
-            image::Policy::wait(hal::Time::from_milliseconds(1));
+            rsi::image::Policy::wait(rsi::hal::Time::from_milliseconds(1));
         }
     }
 
  private:
     void begin() noexcept {
-        const image::ParameterMemory parameters = image::parameter_memory();
+        const rsi::image::ParameterMemory parameters = rsi::image::parameter_memory();
         static_cast<void>(
             ecu_.emplace(receiver_, clock_, watchdog_).init(parameters.bytes, parameters.length));
     }
 
-    hal::VirtualClock clock_;
-    image::Controller controller_{image::MemoryMappedRegisters{}, clock_};
-    image::WarningRecorder recorder_{controller_, image::last_warning()};
+    rsi::hal::VirtualClock clock_;
+    rsi::image::Controller controller_{rsi::image::MemoryMappedRegisters{}, clock_};
+    rsi::image::WarningRecorder recorder_{controller_, rsi::image::last_warning()};
     Receiver receiver_{recorder_, clock_};
     NoWatchdog watchdog_;
-    std::optional<application::RolloverEcu> ecu_;
+    std::optional<rsi::application::RolloverEcu> ecu_;
 };
 
 LockStepImage ecu;

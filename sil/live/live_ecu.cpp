@@ -10,7 +10,7 @@ class InProcess final : public LiveEcu {
  public:
     explicit InProcess(const rsi::Parameters& calibration) : firmware_{calibration} {}
 
-    hal::CanBus& bus() override { return firmware_.world_bus(); }
+    rsi::hal::CanBus& bus() override { return firmware_.world_bus(); }
     Pace& pace() override { return pace_; }
     const rsi::Outputs* outputs() const override { return &firmware_.ecu().outputs(); }
 

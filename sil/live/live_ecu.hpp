@@ -16,7 +16,7 @@ class LiveEcu {
     LiveEcu& operator=(const LiveEcu&) = delete;
     virtual ~LiveEcu() = default;
 
-    virtual hal::CanBus& bus() = 0;
+    virtual rsi::hal::CanBus& bus() = 0;
     // It must not wait: who serves the drive calls each cycle when it is due.
     virtual Pace& pace() = 0;
     // Outputs of the firmware in the latest cycle; null when it runs elsewhere.

@@ -156,7 +156,7 @@ std::string judgement_json(const RunEvents& events) {
 std::string diagnosis_json(const PageDiagnosis& diagnosis) {
     Json json;
     json["time_s"] = rounded(diagnosis.time_s);
-    json["degradation"] = can_dbc::RolloverDiagnosis::name_of(diagnosis.degradation);
+    json["degradation"] = rsi::can_dbc::RolloverDiagnosis::name_of(diagnosis.degradation);
     json["set"] = list_of_codes(diagnosis.codes.set);
     json["confirmed"] = list_of_codes(diagnosis.codes.confirmed);
     return json_text(json);
@@ -166,7 +166,7 @@ std::string head_json(const PageHead& head) {
     return json_text(json_of(head));
 }
 
-bool DiagnosisWatch::observe(double time_s, const can_dbc::RolloverDiagnosis& diagnosis) {
+bool DiagnosisWatch::observe(double time_s, const rsi::can_dbc::RolloverDiagnosis& diagnosis) {
     listener_.take(diagnosis);
     const CodeSets codes = listener_.codes();
     if (heard_ && latest_.degradation == diagnosis.degradation && latest_.codes == codes) {

@@ -71,7 +71,7 @@ std::string page_row(const std::string& signal_csv_row);
 // One change of what the ECU's frames say of its diagnosis.
 struct PageDiagnosis {
     double time_s{0.0};
-    can_dbc::RolloverDiagnosis::Degradation degradation{};
+    rsi::can_dbc::RolloverDiagnosis::Degradation degradation{};
     CodeSets codes{};
 };
 
@@ -90,7 +90,7 @@ std::string recording_json(const PageHead& head, const RunEvents& events, std::s
 class DiagnosisWatch {
  public:
     // Whether it is another one than before; the first one is.
-    bool observe(double time_s, const can_dbc::RolloverDiagnosis& diagnosis);
+    bool observe(double time_s, const rsi::can_dbc::RolloverDiagnosis& diagnosis);
 
     const PageDiagnosis& latest() const { return latest_; }
 

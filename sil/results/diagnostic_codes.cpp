@@ -4,10 +4,10 @@ namespace sil {
 
 std::vector<std::string> list_of_codes(std::uint64_t codes) {
     std::vector<std::string> names;
-    for (std::size_t code = 1U; code < monitoring::diagnostic_code_count; ++code) {
+    for (std::size_t code = 1U; code < rsi::monitoring::diagnostic_code_count; ++code) {
         if (((codes >> code) & 1U) != 0U) {
-            names.emplace_back(
-                can_dbc::RolloverDiagnosis::name_of(static_cast<can_dbc::RolloverDiagnosis::Code>(code)));
+            names.emplace_back(rsi::can_dbc::RolloverDiagnosis::name_of(
+                static_cast<rsi::can_dbc::RolloverDiagnosis::Code>(code)));
         }
     }
     return names;
@@ -21,8 +21,8 @@ std::string code_names(std::uint64_t codes) {
     return names;
 }
 
-void CodeListener::take(const can_dbc::RolloverDiagnosis& diagnosis) {
-    using Status = can_dbc::RolloverDiagnosis::CodeStatus;
+void CodeListener::take(const rsi::can_dbc::RolloverDiagnosis& diagnosis) {
+    using Status = rsi::can_dbc::RolloverDiagnosis::CodeStatus;
     ++now_;
     const auto reported = static_cast<std::size_t>(diagnosis.code);
     if (reported == 0U) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "can_dbc/generated/rollover_warning.hpp"
-#include "monitoring/diagnostic_code.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/ecu/monitoring/diagnostic_code.hpp"
 
 namespace sil {
 
@@ -32,12 +32,12 @@ std::string code_names(std::uint64_t codes);
 class CodeListener {
  public:
     // Once a cycle.
-    void take(const can_dbc::RolloverDiagnosis& diagnosis);
+    void take(const rsi::can_dbc::RolloverDiagnosis& diagnosis);
 
     CodeSets codes() const;
 
  private:
-    static constexpr std::size_t code_count = monitoring::diagnostic_code_count;
+    static constexpr std::size_t code_count = rsi::monitoring::diagnostic_code_count;
     static_assert(code_count <= 64U, "a set of codes has 64 bits");
 
     struct Reported {

@@ -4,18 +4,18 @@
 #include <limits>
 #include <tuple>
 
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "sil/judge/warning.hpp"
 
 namespace sil {
 
-using RollSource = can_dbc::RollObserver::RollSource;  // of the roll angle in use
+using RollSource = rsi::can_dbc::RollObserver::RollSource;  // of the roll angle in use
 
 template <typename List>
 class LatestOf;
 
 template <typename... Messages>
-class LatestOf<can_dbc::MessageList<Messages...>> {
+class LatestOf<rsi::can_dbc::MessageList<Messages...>> {
  public:
     template <typename Message>
     Message& of() {
@@ -31,12 +31,12 @@ class LatestOf<can_dbc::MessageList<Messages...>> {
 };
 
 // A value that the frame called "not available", or that has never been received, is NaN.
-class EcuOutput : public LatestOf<can_dbc::MessagesFromRolloverEcu> {
+class EcuOutput : public LatestOf<rsi::can_dbc::MessagesFromRolloverEcu> {
  public:
     static constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
 
-    can_dbc::RolloverWarning& warning() { return of<can_dbc::RolloverWarning>(); }
-    const can_dbc::RolloverWarning& warning() const { return of<can_dbc::RolloverWarning>(); }
+    rsi::can_dbc::RolloverWarning& warning() { return of<rsi::can_dbc::RolloverWarning>(); }
+    const rsi::can_dbc::RolloverWarning& warning() const { return of<rsi::can_dbc::RolloverWarning>(); }
     WarningState state() const { return warning().state; }
     WarningSide side() const { return warning().side; }
 };

@@ -70,7 +70,7 @@ constexpr const char* word_columns[] = {"ecu_state", "ecu_side"};
 // Calls visitor(name of the column, value) for each signal of the ECU that carries an output of the firmware.
 template <typename Visitor>
 void visit_ecu_columns(const EcuOutput& output, Visitor&& visitor) {
-    can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+    rsi::can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
         using Message = typename decltype(type)::Type;
         if constexpr (Message::has_sources) {
             Message::visit_sources([&](const char* field, const char*, auto member) {

@@ -27,7 +27,7 @@ class RealTimePace final : public Pace {
         if (number == 0U) {
             origin_ = clock_.now();
         } else {
-            origin_ = origin_ + hal::Time{missed * cycle_time.nanoseconds};
+            origin_ = origin_ + rsi::hal::Time{missed * cycle_time.nanoseconds};
             missed_cycles_ += missed;
         }
     }
@@ -36,7 +36,7 @@ class RealTimePace final : public Pace {
 
     bool wait_for_answer(std::uint32_t) override { return false; }
 
-    double reception_time_s(const hal::CanFrame& frame) const override {
+    double reception_time_s(const rsi::hal::CanFrame& frame) const override {
         return static_cast<double>((frame.receive_time - origin_).nanoseconds) * 1.0e-9;
     }
 
@@ -44,16 +44,16 @@ class RealTimePace final : public Pace {
     std::uint64_t missed_cycles() const { return missed_cycles_; }
 
  private:
-    hal::SteadyClock clock_;
-    hal::PeriodicTick<hal::SteadyClock> tick_;
-    hal::Time origin_{};  // of simulated time, on the clock
+    rsi::hal::SteadyClock clock_;
+    rsi::hal::PeriodicTick<rsi::hal::SteadyClock> tick_;
+    rsi::hal::Time origin_{};  // of simulated time, on the clock
     std::uint64_t missed_cycles_{0U};
 };
 
 // Lets the ECU compute cycle `number`.
-inline void send_sync(hal::CanBus& bus, std::uint32_t number) {
+inline void send_sync(rsi::hal::CanBus& bus, std::uint32_t number) {
     using simulation_dbc::SimulationSync;
-    send_or_throw(bus, to_frame<SimulationSync>(can_dbc::encode(SimulationSync{number})));
+    send_or_throw(bus, to_frame<SimulationSync>(rsi::can_dbc::encode(SimulationSync{number})));
 }
 
 // Simulated time stands still until the ECU has answered. Ends each cycle's sensor frames with
@@ -62,11 +62,11 @@ class LockStepPace final : public Pace {
  public:
     // `bus` is `socket` as the run sees it (recorded or not); `clock` gets simulated time. All must outlive
     // the pace.
-    LockStepPace(hal::SocketCanBus& socket, hal::CanBus& bus, hal::VirtualClock& clock)
+    LockStepPace(rsi::hal::SocketCanBus& socket, rsi::hal::CanBus& bus, rsi::hal::VirtualClock& clock)
         : socket_{socket}, bus_{bus}, clock_{clock} {}
 
     void begin_cycle(std::uint32_t number) override {
-        clock_.set(hal::Time{number * cycle_time.nanoseconds});
+        clock_.set(rsi::hal::Time{number * cycle_time.nanoseconds});
     }
 
     void frames_sent(std::uint32_t number) override { send_sync(bus_, number); }
@@ -79,16 +79,16 @@ class LockStepPace final : public Pace {
         return true;
     }
 
-    double reception_time_s(const hal::CanFrame&) const override {
+    double reception_time_s(const rsi::hal::CanFrame&) const override {
         return static_cast<double>(clock_.now().nanoseconds) * 1.0e-9;
     }
 
  private:
-    static constexpr hal::Time longest_wait = hal::Time::from_milliseconds(5000);
+    static constexpr rsi::hal::Time longest_wait = rsi::hal::Time::from_milliseconds(5000);
 
-    hal::SocketCanBus& socket_;
-    hal::CanBus& bus_;
-    hal::VirtualClock& clock_;
+    rsi::hal::SocketCanBus& socket_;
+    rsi::hal::CanBus& bus_;
+    rsi::hal::VirtualClock& clock_;
 };
 
 }  // namespace sil

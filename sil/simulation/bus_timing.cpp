@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "sil/files/sensor_frame.hpp"
 #include "sil/simulation/simulation.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double cycle_ms = 10.0;
 
-double milliseconds(hal::Time time) {
+double milliseconds(rsi::hal::Time time) {
     return static_cast<double>(time.nanoseconds) * 1.0e-6;
 }
 
@@ -48,12 +48,12 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
     BusTiming timing;
     std::vector<double> jitter_ms;
     std::vector<double> reaction_ms;
-    std::optional<hal::Time> first_warning;
-    std::optional<hal::Time> last_warning;
-    hal::Time last_sensor{};
+    std::optional<rsi::hal::Time> first_warning;
+    std::optional<rsi::hal::Time> last_warning;
+    rsi::hal::Time last_sensor{};
     bool is_answered = true;
     for (const LoggedFrame& logged : log) {
-        const hal::Time time = logged.frame.receive_time;
+        const rsi::hal::Time time = logged.frame.receive_time;
         if (logged.frame.identifier == simulation_dbc::SimulationSync::identifier) {
             throw NoTiming{
                 "this is the log of a run in lock-step (it has SimulationSync frames), so it has no real "
@@ -63,7 +63,7 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
         if (is_sensor_frame(logged.frame)) {
             last_sensor = time;
             is_answered = false;
-        } else if (logged.frame.identifier == can_dbc::RolloverWarning::identifier) {
+        } else if (logged.frame.identifier == rsi::can_dbc::RolloverWarning::identifier) {
             ++timing.warning_frames;
             if (last_warning) {
                 jitter_ms.push_back(std::abs(milliseconds(time - *last_warning) - cycle_ms));
@@ -79,7 +79,7 @@ BusTiming bus_timing(const std::vector<LoggedFrame>& log) {
     if (!first_warning) {
         throw NoTiming{
             fmt::format("there is no warning frame (0x{:03X}) in this log: did an ECU run on this bus?",
-                        can_dbc::RolloverWarning::identifier)};
+                        rsi::can_dbc::RolloverWarning::identifier)};
     }
     timing.duration_s = 1.0e-3 * milliseconds(*last_warning - *first_warning);
     timing.cycle_jitter = statistics(std::move(jitter_ms));

@@ -10,7 +10,7 @@ constexpr double rolled_over_rad = 1.2;
 
 }  // namespace
 
-ClosedLoop::ClosedLoop(ManoeuvreRun& plant, SensorSuite& sensors, hal::CanBus& bus, Pace& pace)
+ClosedLoop::ClosedLoop(ManoeuvreRun& plant, SensorSuite& sensors, rsi::hal::CanBus& bus, Pace& pace)
     : plant_{plant},
       sensors_{sensors},
       bus_{bus},
@@ -55,16 +55,16 @@ void ClosedLoop::exchange_frames(std::uint32_t number, const SensorSample& sampl
     sensor_frames_.send(bus_, sample);
     pace_.frames_sent(number);
     bool answered = false;
-    hal::CanFrame frame;
+    rsi::hal::CanFrame frame;
     do {
-        while (bus_.receive(frame) == hal::ReceiveResult::frame) {
+        while (bus_.receive(frame) == rsi::hal::ReceiveResult::frame) {
             answered = take(frame) || answered;
         }
     } while (!answered && pace_.wait_for_answer(number));
 }
 
 // True for the frame that ends the ECU's answer.
-bool ClosedLoop::take(const hal::CanFrame& frame) {
+bool ClosedLoop::take(const rsi::hal::CanFrame& frame) {
     const EcuFrameKind kind = ecu_.take(frame);
     if (kind == EcuFrameKind::warning) {
         events_.observe(ecu_.output(), pace_.reception_time_s(frame));

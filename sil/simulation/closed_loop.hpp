@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 #include "sil/results/events.hpp"
 #include "sil/simulation/ecu_frames.hpp"
 #include "sil/simulation/pace.hpp"
@@ -38,7 +38,7 @@ class RunObserver {
 class ClosedLoop {
  public:
     // All must outlive the loop.
-    ClosedLoop(ManoeuvreRun& plant, SensorSuite& sensors, hal::CanBus& bus, Pace& pace);
+    ClosedLoop(ManoeuvreRun& plant, SensorSuite& sensors, rsi::hal::CanBus& bus, Pace& pace);
 
     // Runs until the manoeuvre is over, the vehicle lies on its side, or the observer has seen enough. Throws
     // std::runtime_error when the bus or the ECU fails.
@@ -60,11 +60,11 @@ class ClosedLoop {
 
  private:
     void exchange_frames(std::uint32_t number, const SensorSample& sample);
-    bool take(const hal::CanFrame& frame);
+    bool take(const rsi::hal::CanFrame& frame);
 
     ManoeuvreRun& plant_;
     SensorSuite& sensors_;
-    hal::CanBus& bus_;
+    rsi::hal::CanBus& bus_;
     Pace& pace_;
     SensorFrames sensor_frames_{};
     EcuFrames ecu_{};

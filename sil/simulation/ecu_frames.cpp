@@ -1,6 +1,6 @@
 #include "sil/simulation/ecu_frames.hpp"
 
-#include "can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
 
 namespace sil {
 namespace {
@@ -9,37 +9,37 @@ namespace {
 template <typename Message>
 constexpr EcuFrameKind kind_of = EcuFrameKind::indices;
 template <>
-constexpr EcuFrameKind kind_of<can_dbc::RolloverWarning> = EcuFrameKind::warning;
+constexpr EcuFrameKind kind_of<rsi::can_dbc::RolloverWarning> = EcuFrameKind::warning;
 template <>
-constexpr EcuFrameKind kind_of<can_dbc::RollCentreEstimate> = EcuFrameKind::estimate;
+constexpr EcuFrameKind kind_of<rsi::can_dbc::RollCentreEstimate> = EcuFrameKind::estimate;
 template <>
-constexpr EcuFrameKind kind_of<can_dbc::RollObserver> = EcuFrameKind::observer;
+constexpr EcuFrameKind kind_of<rsi::can_dbc::RollObserver> = EcuFrameKind::observer;
 template <>
-constexpr EcuFrameKind kind_of<can_dbc::RolloverDiagnosis> = EcuFrameKind::diagnosis;
+constexpr EcuFrameKind kind_of<rsi::can_dbc::RolloverDiagnosis> = EcuFrameKind::diagnosis;
 template <>
-constexpr EcuFrameKind kind_of<can_dbc::RolloverStatus> = EcuFrameKind::status;
+constexpr EcuFrameKind kind_of<rsi::can_dbc::RolloverStatus> = EcuFrameKind::status;
 
 }  // namespace
 
 template <typename Message>
-EcuFrameKind EcuFrames::take_as(const hal::CanFrame& frame) {
-    const can_dbc::e2e::CheckResult check =
+EcuFrameKind EcuFrames::take_as(const rsi::hal::CanFrame& frame) {
+    const rsi::can_dbc::e2e::CheckResult check =
         std::get<ReceiverOf<Message>>(receivers_.all).receiver.check(frame.data, frame.length);
-    if (!can_dbc::e2e::is_usable(check.status)) {
+    if (!rsi::can_dbc::e2e::is_usable(check.status)) {
         ++frames_refused_;
         return EcuFrameKind::refused;
     }
     ++frames_received_;
-    output_.of<Message>() = can_dbc::decode<Message>(frame.data).value;
+    output_.of<Message>() = rsi::can_dbc::decode<Message>(frame.data).value;
     return kind_of<Message>;
 }
 
-EcuFrameKind EcuFrames::take(const hal::CanFrame& frame) {
+EcuFrameKind EcuFrames::take(const rsi::hal::CanFrame& frame) {
     EcuFrameKind kind = EcuFrameKind::foreign;
     if (frame.extended || frame.flexible_data_rate) {
         return kind;
     }
-    can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+    rsi::can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
         using Message = typename decltype(type)::Type;
         if (frame.identifier == Message::identifier) {
             kind = take_as<Message>(frame);

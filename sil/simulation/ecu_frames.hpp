@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <tuple>
 
-#include "can_dbc/e2e/profile_11.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
-#include "hal/interface/can_bus.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/hal/can_bus.hpp"
 #include "sil/results/ecu_output.hpp"
 
 namespace sil {
@@ -26,32 +26,34 @@ class EcuFrames {
  public:
     // Judges one frame and takes over its values. `refused`: an ECU frame that its end-to-end check does not
     // accept.
-    EcuFrameKind take(const hal::CanFrame& frame);
+    EcuFrameKind take(const rsi::hal::CanFrame& frame);
 
     const EcuOutput& output() const { return output_; }
-    const can_dbc::RolloverDiagnosis& diagnosis() const { return output_.of<can_dbc::RolloverDiagnosis>(); }
-    const can_dbc::RolloverStatus& status() const { return output_.of<can_dbc::RolloverStatus>(); }
+    const rsi::can_dbc::RolloverDiagnosis& diagnosis() const {
+        return output_.of<rsi::can_dbc::RolloverDiagnosis>();
+    }
+    const rsi::can_dbc::RolloverStatus& status() const { return output_.of<rsi::can_dbc::RolloverStatus>(); }
     std::uint64_t frames_received() const { return frames_received_; }
     std::uint64_t frames_refused() const { return frames_refused_; }
 
  private:
     template <typename Message>
     struct ReceiverOf {
-        can_dbc::e2e::Profile11Receiver receiver{Message::e2e_data_id, Message::length, 14U};
+        rsi::can_dbc::e2e::Profile11Receiver receiver{Message::e2e_data_id, Message::length, 14U};
     };
 
     template <typename List>
     struct ReceiversOf;
     template <typename... Messages>
-    struct ReceiversOf<can_dbc::MessageList<Messages...>> {
+    struct ReceiversOf<rsi::can_dbc::MessageList<Messages...>> {
         std::tuple<ReceiverOf<Messages>...> all{};
     };
 
     // One frame of this message, which its end-to-end check accepts or not.
     template <typename Message>
-    EcuFrameKind take_as(const hal::CanFrame& frame);
+    EcuFrameKind take_as(const rsi::hal::CanFrame& frame);
 
-    ReceiversOf<can_dbc::MessagesFromRolloverEcu> receivers_{};
+    ReceiversOf<rsi::can_dbc::MessagesFromRolloverEcu> receivers_{};
     EcuOutput output_{};
     std::uint64_t frames_received_{0U};
     std::uint64_t frames_refused_{0U};

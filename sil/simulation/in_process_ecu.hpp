@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "application/load_record.hpp"
-#include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/memory_storage.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/ecu/application/load_record.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "sil/files/require_accepted.hpp"
 
 namespace sil {
@@ -21,31 +21,31 @@ class InProcessEcu {
                           const std::optional<rsi::LearntLoad>& learnt = std::nullopt)
         : ecu_{bus_.endpoint(0U), clock_, watchdog_} {
         if (learnt) {
-            const application::LoadRecord record =
-                application::write_load_record(*learnt, application::check_word_of(parameters));
+            const rsi::application::LoadRecord record =
+                rsi::application::write_load_record(*learnt, rsi::application::check_word_of(parameters));
             storage_.write(record.data(), record.size());
             ecu_.use_storage(storage_);
-            ecu_.set_reset_reason(hal::ResetReason::outside);
+            ecu_.set_reset_reason(rsi::hal::ResetReason::outside);
         }
         require_accepted(ecu_.init(parameters));
     }
 
-    hal::CanBus& world_bus() { return bus_.endpoint(1U); }
-    hal::VirtualClock& clock() { return clock_; }
+    rsi::hal::CanBus& world_bus() { return bus_.endpoint(1U); }
+    rsi::hal::VirtualClock& clock() { return clock_; }
     void step() { ecu_.step(0U); }
-    const application::RolloverEcu& ecu() const { return ecu_; }
+    const rsi::application::RolloverEcu& ecu() const { return ecu_; }
 
  private:
-    class NoWatchdog final : public hal::Watchdog {
+    class NoWatchdog final : public rsi::hal::Watchdog {
      public:
         void feed() noexcept override {}
     };
 
-    hal::VirtualClock clock_;
-    hal::MemoryBus<2U> bus_{clock_};
+    rsi::hal::VirtualClock clock_;
+    rsi::hal::MemoryBus<2U> bus_{clock_};
     NoWatchdog watchdog_;
-    hal::MemoryStorage<application::load_record_length> storage_;
-    application::RolloverEcu ecu_;
+    rsi::hal::MemoryStorage<rsi::application::load_record_length> storage_;
+    rsi::application::RolloverEcu ecu_;
 };
 
 }  // namespace sil

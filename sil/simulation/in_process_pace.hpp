@@ -12,7 +12,7 @@ class InProcessPace final : public Pace {
     explicit InProcessPace(InProcessEcu& ecu) : ecu_{ecu} {}
 
     void begin_cycle(std::uint32_t number) override {
-        ecu_.clock().set(hal::Time{number * cycle_time.nanoseconds});
+        ecu_.clock().set(rsi::hal::Time{number * cycle_time.nanoseconds});
         stepped_ = false;
     }
 
@@ -27,7 +27,7 @@ class InProcessPace final : public Pace {
         return true;
     }
 
-    double reception_time_s(const hal::CanFrame& frame) const override {
+    double reception_time_s(const rsi::hal::CanFrame& frame) const override {
         return static_cast<double>(frame.receive_time.nanoseconds) * 1.0e-9;
     }
 

@@ -60,7 +60,9 @@ class InProcessRun {
     std::uint64_t frames_sent() const { return loop_->frames_sent(); }  // to it
 
  private:
-    hal::CanBus& bus() { return recorded_ ? static_cast<hal::CanBus&>(*recorded_) : firmware_.world_bus(); }
+    rsi::hal::CanBus& bus() {
+        return recorded_ ? static_cast<rsi::hal::CanBus&>(*recorded_) : firmware_.world_bus();
+    }
 
     ManoeuvreRun plant_;
     SensorSuite sensors_;

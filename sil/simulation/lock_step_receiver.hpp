@@ -15,18 +15,20 @@ namespace sil {
 // A bus for the application whose frames bear simulated time; holds back up to `capacity` frames of a cycle.
 // Needs no operating system, so that a controller's image may have it too. `bus` and `clock` must outlive it.
 template <std::size_t capacity>
-class LockStepReceiver final : public hal::CanBus {
+class LockStepReceiver final : public rsi::hal::CanBus {
  public:
-    LockStepReceiver(hal::CanBus& bus, hal::VirtualClock& clock) noexcept : bus_{bus}, clock_{clock} {}
+    LockStepReceiver(rsi::hal::CanBus& bus, rsi::hal::VirtualClock& clock) noexcept
+        : bus_{bus}, clock_{clock} {}
 
     // Reads what waits on the bus. When it returns true, a cycle is complete: the clock stands at its time
     // and its frames wait to be received. Call it again at once after the cycle, for the bus may hold more.
     bool cycle_is_complete() noexcept {
-        hal::CanFrame frame;
-        while (bus_.receive(frame) == hal::ReceiveResult::frame) {
+        rsi::hal::CanFrame frame;
+        while (bus_.receive(frame) == rsi::hal::ReceiveResult::frame) {
             if (frame.identifier == simulation_dbc::SimulationSync::identifier &&
                 frame.length == simulation_dbc::SimulationSync::length) {
-                begin_cycle(can_dbc::decode<simulation_dbc::SimulationSync>(frame.data).value.cycle_number);
+                begin_cycle(
+                    rsi::can_dbc::decode<simulation_dbc::SimulationSync>(frame.data).value.cycle_number);
                 return true;
             }
             static_cast<void>(waiting_.push(frame));
@@ -38,16 +40,16 @@ class LockStepReceiver final : public hal::CanBus {
     // starts at zero again, but the clock goes on.
     bool run_begins() const noexcept { return run_begins_; }
 
-    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame& frame) noexcept override {
         if (!waiting_.pop(frame)) {
-            return hal::ReceiveResult::empty;
+            return rsi::hal::ReceiveResult::empty;
         }
         frame.receive_time = clock_.now();
-        return hal::ReceiveResult::frame;
+        return rsi::hal::ReceiveResult::frame;
     }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override { return bus_.send(frame); }
-    hal::BusState state() const noexcept override { return bus_.state(); }
-    hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override { return bus_.send(frame); }
+    rsi::hal::BusState state() const noexcept override { return bus_.state(); }
+    rsi::hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
 
  private:
     void begin_cycle(std::uint32_t number) noexcept {
@@ -57,14 +59,14 @@ class LockStepReceiver final : public hal::CanBus {
         }
         first_ = false;
         previous_number_ = number;
-        static_cast<void>(clock_.set(origin_ + hal::Time{number * cycle_time.nanoseconds}));
+        static_cast<void>(clock_.set(origin_ + rsi::hal::Time{number * cycle_time.nanoseconds}));
     }
 
-    hal::CanBus& bus_;
-    hal::VirtualClock& clock_;
-    hal::FrameRing<capacity> waiting_;
+    rsi::hal::CanBus& bus_;
+    rsi::hal::VirtualClock& clock_;
+    rsi::hal::FrameRing<capacity> waiting_;
     std::uint32_t previous_number_{0U};
-    hal::Time origin_{};
+    rsi::hal::Time origin_{};
     bool first_{true};
     bool run_begins_{false};
 };

@@ -3,12 +3,12 @@
 
 #include <cstdint>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
 namespace sil {
 
 inline constexpr double cycle_time_s = 0.01;
-inline constexpr hal::Time cycle_time = hal::Time::from_milliseconds(10);
+inline constexpr rsi::hal::Time cycle_time = rsi::hal::Time::from_milliseconds(10);
 
 class Pace {
  public:
@@ -26,7 +26,7 @@ class Pace {
     virtual bool wait_for_answer(std::uint32_t number) = 0;
 
     // Simulated time at which a frame was received.
-    virtual double reception_time_s(const hal::CanFrame& frame) const = 0;
+    virtual double reception_time_s(const rsi::hal::CanFrame& frame) const = 0;
 
  protected:
     Pace() = default;

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "application/sensor_reception.hpp"
 #include "hal/memory/frame_replay.hpp"
+#include "rsi/ecu/application/sensor_reception.hpp"
 #include "sil/files/sensor_frame.hpp"
 #include "sil/simulation/in_process_ecu.hpp"
 #include "sil/simulation/pace.hpp"
@@ -13,17 +13,17 @@ namespace {
 
 // A longer silence is no drive, but two recordings on clocks of their own; stepping through it could take for
 // ever.
-constexpr hal::Time longest_gap = hal::Time::from_milliseconds(3'600'000);
+constexpr rsi::hal::Time longest_gap = rsi::hal::Time::from_milliseconds(3'600'000);
 // More do not fit into the memory of every machine.
-constexpr hal::Time longest_log = hal::Time::from_milliseconds(12 * 3'600'000);
+constexpr rsi::hal::Time longest_log = rsi::hal::Time::from_milliseconds(12 * 3'600'000);
 
-double seconds(hal::Time time) {
+double seconds(rsi::hal::Time time) {
     return static_cast<double>(time.nanoseconds) * 1.0e-9;
 }
 
 [[noreturn]] void refuse_without_sensor_frames() {
     std::string expected;
-    for (const std::uint32_t identifier : application::received_identifiers) {
+    for (const std::uint32_t identifier : rsi::application::received_identifiers) {
         expected += fmt::format("{}0x{:03X}", expected.empty() ? "" : ", ", identifier);
     }
     throw ReplayError{0U, fmt::format("there is no sensor frame in this log; the firmware receives the "
@@ -33,13 +33,13 @@ double seconds(hal::Time time) {
 
 }  // namespace
 
-std::vector<hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log) {
-    std::vector<hal::CanFrame> frames;
+std::vector<rsi::hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log) {
+    std::vector<rsi::hal::CanFrame> frames;
     for (const LoggedFrame& logged : log) {
         if (!is_sensor_frame(logged.frame)) {
             continue;
         }
-        const hal::Time time = logged.frame.receive_time;
+        const rsi::hal::Time time = logged.frame.receive_time;
         if (!frames.empty() && time < frames.back().receive_time) {
             throw ReplayError{
                 logged.line,
@@ -69,14 +69,14 @@ std::vector<hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log
 
 std::vector<LoggedFrame> replay(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters) {
     std::vector<LoggedFrame> answers;
-    const std::vector<hal::CanFrame> frames = replayable_frames(log);
+    const std::vector<rsi::hal::CanFrame> frames = replayable_frames(log);
     InProcessEcu ecu{parameters};
-    hal::FrameReplay player{frames.data(), frames.size(), ecu.clock(), ecu.world_bus()};
-    hal::CanFrame frame;
-    for (hal::Time time = frames.front().receive_time;; time = time + cycle_time) {
+    rsi::hal::FrameReplay player{frames.data(), frames.size(), ecu.clock(), ecu.world_bus()};
+    rsi::hal::CanFrame frame;
+    for (rsi::hal::Time time = frames.front().receive_time;; time = time + cycle_time) {
         player.run_until(time);
         ecu.step();
-        while (ecu.world_bus().receive(frame) == hal::ReceiveResult::frame) {
+        while (ecu.world_bus().receive(frame) == rsi::hal::ReceiveResult::frame) {
             answers.push_back(LoggedFrame{frame, log.front().interface});
         }
         if (player.finished()) {

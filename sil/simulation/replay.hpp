@@ -23,7 +23,7 @@ class ReplayError : public std::runtime_error {
 
 // The sensor frames of a log, with its times. Throws ReplayError when there is none, when the time goes back
 // from one to the next, and at a gap of more than an hour.
-std::vector<hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log);
+std::vector<rsi::hal::CanFrame> replayable_frames(const std::vector<LoggedFrame>& log);
 
 // Frames that the firmware with these parameters sends, stepped every 10 ms from the first frame's time until
 // the last frame. Frames that the firmware itself sends are left out of the input, so a log of a whole run

@@ -17,47 +17,47 @@ float to_degrees(double radians) {
 
 }  // namespace
 
-void send_or_throw(hal::CanBus& bus, const hal::CanFrame& frame) {
-    const hal::SendResult result = bus.send(frame);
-    if (result != hal::SendResult::sent) {
-        throw std::runtime_error(
-            fmt::format("frame 0x{:03X} could not be sent: {}. Check that the interface is up and that its "
-                        "queue is not full "
-                        "(ip -details link show).",
-                        frame.identifier,
-                        result == hal::SendResult::full ? "the send queue is full" : "the bus has failed"));
+void send_or_throw(rsi::hal::CanBus& bus, const rsi::hal::CanFrame& frame) {
+    const rsi::hal::SendResult result = bus.send(frame);
+    if (result != rsi::hal::SendResult::sent) {
+        throw std::runtime_error(fmt::format(
+            "frame 0x{:03X} could not be sent: {}. Check that the interface is up and that its "
+            "queue is not full "
+            "(ip -details link show).",
+            frame.identifier,
+            result == rsi::hal::SendResult::full ? "the send queue is full" : "the bus has failed"));
     }
 }
 
 template <typename Message>
-void SensorFrames::send_protected(hal::CanBus& bus, const Message& message,
-                                  can_dbc::e2e::Profile11Sender& sender) {
-    auto payload = can_dbc::encode(message);
+void SensorFrames::send_protected(rsi::hal::CanBus& bus, const Message& message,
+                                  rsi::can_dbc::e2e::Profile11Sender& sender) {
+    auto payload = rsi::can_dbc::encode(message);
     sender.protect(payload);
     send_or_throw(bus, to_frame<Message>(payload));
     ++frames_sent_;
 }
 
-void SensorFrames::send(hal::CanBus& bus, const SensorSample& sample) {
-    can_dbc::Imu imu;
+void SensorFrames::send(rsi::hal::CanBus& bus, const SensorSample& sample) {
+    rsi::can_dbc::Imu imu;
     imu.lateral_acceleration_mps2 = static_cast<float>(sample.lateral_acceleration_mps2);
     imu.vertical_acceleration_mps2 = static_cast<float>(sample.vertical_acceleration_mps2);
     imu.roll_rate_deg_per_s = to_degrees(sample.roll_rate_radps);
     send_protected(bus, imu, imu_);
 
-    can_dbc::RollAngle roll_angle;
+    rsi::can_dbc::RollAngle roll_angle;
     roll_angle.roll_angle_deg = to_degrees(sample.roll_angle_rad);
     roll_angle.bank_angle_deg = to_degrees(sample.bank_angle_rad);
     send_protected(bus, roll_angle, roll_angle_);
 
-    can_dbc::VehicleMotion motion;
+    rsi::can_dbc::VehicleMotion motion;
     motion.speed_kmh = static_cast<float>(sample.speed_mps * kmh_per_mps);
     motion.yaw_rate_deg_per_s = to_degrees(sample.yaw_rate_radps);
     motion.steering_wheel_angle_deg = to_degrees(sample.steering_wheel_angle_rad);
     send_protected(bus, motion, vehicle_motion_);
 
     if (std::isfinite(sample.vehicle_mass_kg)) {
-        can_dbc::VehicleMass mass;
+        rsi::can_dbc::VehicleMass mass;
         mass.mass_kg = static_cast<float>(sample.vehicle_mass_kg);
         send_protected(bus, mass, vehicle_mass_);
     }

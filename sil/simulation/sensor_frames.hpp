@@ -5,17 +5,17 @@
 #include <array>
 #include <cstdint>
 
-#include "can_dbc/e2e/profile_11.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
-#include "hal/interface/can_bus.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/hal/can_bus.hpp"
 #include "sil/world/sensors/sensor_sample.hpp"
 
 namespace sil {
 
 // A classic frame with this message's identifier and an encoded payload.
 template <typename Message>
-hal::CanFrame to_frame(const std::array<std::uint8_t, Message::length>& payload) {
-    hal::CanFrame frame;
+rsi::hal::CanFrame to_frame(const std::array<std::uint8_t, Message::length>& payload) {
+    rsi::hal::CanFrame frame;
     frame.identifier = Message::identifier;
     frame.extended = Message::extended;
     frame.length = Message::length;
@@ -24,24 +24,25 @@ hal::CanFrame to_frame(const std::array<std::uint8_t, Message::length>& payload)
 }
 
 // Throws std::runtime_error when the bus does not take the frame.
-void send_or_throw(hal::CanBus& bus, const hal::CanFrame& frame);
+void send_or_throw(rsi::hal::CanBus& bus, const rsi::hal::CanFrame& frame);
 
 class SensorFrames {
  public:
     // Sends one sample as three frames, and a fourth where the vehicle's mass is known. Throws
     // std::runtime_error when the bus does not take one.
-    void send(hal::CanBus& bus, const SensorSample& sample);
+    void send(rsi::hal::CanBus& bus, const SensorSample& sample);
 
     std::uint64_t frames_sent() const { return frames_sent_; }
 
  private:
     template <typename Message>
-    void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender);
+    void send_protected(rsi::hal::CanBus& bus, const Message& message,
+                        rsi::can_dbc::e2e::Profile11Sender& sender);
 
-    can_dbc::e2e::Profile11Sender imu_{can_dbc::Imu::e2e_data_id};
-    can_dbc::e2e::Profile11Sender roll_angle_{can_dbc::RollAngle::e2e_data_id};
-    can_dbc::e2e::Profile11Sender vehicle_motion_{can_dbc::VehicleMotion::e2e_data_id};
-    can_dbc::e2e::Profile11Sender vehicle_mass_{can_dbc::VehicleMass::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender imu_{rsi::can_dbc::Imu::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender roll_angle_{rsi::can_dbc::RollAngle::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender vehicle_motion_{rsi::can_dbc::VehicleMotion::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender vehicle_mass_{rsi::can_dbc::VehicleMass::e2e_data_id};
     std::uint64_t frames_sent_{0U};
 };
 

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "can_dbc/codec/integer_signal.hpp"
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/codec/physical_signal.hpp"
+#include "rsi/can_dbc/codec/integer_signal.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/codec/physical_signal.hpp"
 
 namespace simulation_dbc {
 
-using namespace can_dbc;
+using namespace rsi::can_dbc;
 
 // Lock-step simulation only: tells the control unit to step at simulated time CycleNumber * 10 ms.
 // From Simulator to RolloverEcu, every 10 ms.
@@ -44,7 +44,7 @@ struct SimulationSync {
             {ByteOrder::little_endian, 0U, 32U, false}, 0, 4294967295LL, 0};
     };
 
-    // See can_dbc::encode and can_dbc::decode.
+    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::cycle_number, cycle_number, payload.data());

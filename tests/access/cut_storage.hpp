@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "hal/interface/storage.hpp"
+#include "rsi/hal/storage.hpp"
 
 namespace rsi_test {
 
-class CutStorage final : public hal::Storage {
+class CutStorage final : public rsi::hal::Storage {
  public:
     // Content left by the write at which power goes: that many of its bytes, and behind them those of before.
     struct Cut {

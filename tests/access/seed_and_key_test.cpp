@@ -1,5 +1,5 @@
 // Seed and key: the key unlocks once, wrong ones cost more and more time, and nothing gives an attempt back.
-#include "access/seed_and_key.hpp"
+#include "rsi/ecu/access/seed_and_key.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,21 +7,21 @@
 #include <optional>
 #include <set>
 
-#include "access/same_code.hpp"
-#include "access/stored_count.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/access/same_code.hpp"
+#include "rsi/ecu/access/stored_count.hpp"
 #include "tests/access/cut_storage.hpp"
 
 namespace testing_access {
 namespace {
 
-using access_control::Block;
-using access_control::KeyAnswer;
-using access_control::SeedAndKey;
+using rsi::access::Block;
+using rsi::access::KeyAnswer;
+using rsi::access::SeedAndKey;
 using rsi_test::CutStorage;
 
 // Other numbers each time, as far as a test can tell.
-class CountingRandom final : public hal::RandomSource {
+class CountingRandom final : public rsi::hal::RandomSource {
  public:
     bool fill(std::uint8_t* bytes, std::size_t length) noexcept override {
         ++calls_;
@@ -34,10 +34,10 @@ class CountingRandom final : public hal::RandomSource {
     unsigned calls_{0U};
 };
 
-class SilentKeys final : public hal::KeyStore {
+class SilentKeys final : public rsi::hal::KeyStore {
  public:
-    bool authenticate(hal::KeySlot, const std::uint8_t*, std::size_t,
-                      hal::AuthenticationCode& code) noexcept override {
+    bool authenticate(rsi::hal::KeySlot, const std::uint8_t*, std::size_t,
+                      rsi::hal::AuthenticationCode& code) noexcept override {
         code.fill(0U);
         return false;
     }
@@ -53,7 +53,7 @@ class Access : public ::testing::Test {
     Access() { restart(); }
 
     void restart() {
-        lock_.emplace(keys_, hal::KeySlot::diagnosis, random_, storage_);
+        lock_.emplace(keys_, rsi::hal::KeySlot::diagnosis, random_, storage_);
         lock_->start();
     }
     Block seed() {
@@ -61,7 +61,7 @@ class Access : public ::testing::Test {
         EXPECT_TRUE(lock_->give_seed(seed));
         return seed;
     }
-    Block key_for(const Block& seed, hal::KeySlot slot = hal::KeySlot::diagnosis) {
+    Block key_for(const Block& seed, rsi::hal::KeySlot slot = rsi::hal::KeySlot::diagnosis) {
         Block key{};
         EXPECT_TRUE(keys_.authenticate(slot, seed.data(), seed.size(), key));
         return key;
@@ -85,7 +85,7 @@ class Access : public ::testing::Test {
 
     CountingRandom random_;
     CutStorage storage_;
-    hal::SoftwareKeys keys_{hal::test_keys};
+    rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
     std::optional<SeedAndKey> lock_;
 };
 
@@ -98,7 +98,7 @@ TEST_F(Access, IsLockedUntilTheKeyOfTheSeedComes) {
 }
 
 TEST_F(Access, GivesNoSeedBeforeItsStart) {
-    SeedAndKey fresh{keys_, hal::KeySlot::diagnosis, random_, storage_};
+    SeedAndKey fresh{keys_, rsi::hal::KeySlot::diagnosis, random_, storage_};
     Block seed{};
     EXPECT_FALSE(fresh.is_unlocked());
     EXPECT_EQ(fresh.take_key(key_for(seed)), KeyAnswer::no_seed);
@@ -131,8 +131,8 @@ TEST_F(Access, ForgetsASeedForWhichAnotherWasGivenOrThatWasLocked) {
 }
 
 TEST_F(Access, TakesNoKeyOfAnotherSlot) {
-    EXPECT_EQ(lock_->take_key(key_for(seed(), hal::KeySlot::calibration)), KeyAnswer::wrong_key);
-    EXPECT_EQ(lock_->take_key(key_for(seed(), hal::KeySlot::parameters)), KeyAnswer::wrong_key);
+    EXPECT_EQ(lock_->take_key(key_for(seed(), rsi::hal::KeySlot::calibration)), KeyAnswer::wrong_key);
+    EXPECT_EQ(lock_->take_key(key_for(seed(), rsi::hal::KeySlot::parameters)), KeyAnswer::wrong_key);
     EXPECT_FALSE(lock_->is_unlocked());
 }
 
@@ -172,7 +172,7 @@ TEST_F(Access, GivesNoSeedWhereTheAttemptCannotBeStored) {
 // A code of zeros comes with the refusal: it must not be taken for the right one.
 TEST_F(Access, StaysLockedWhenTheKeyStoreDoesNotAnswer) {
     SilentKeys silent;
-    SeedAndKey other{silent, hal::KeySlot::diagnosis, random_, storage_};
+    SeedAndKey other{silent, rsi::hal::KeySlot::diagnosis, random_, storage_};
     other.start();
     Block bytes{};
     ASSERT_TRUE(other.give_seed(bytes));
@@ -292,7 +292,7 @@ TEST_F(Access, TakesADamagedOrImpossibleCountForTheLargest) {
     restart();
     EXPECT_EQ(wait_for_seed(), longest_delay);
     for (const std::uint32_t impossible : {10U, 0x80000000U, 0xFFFFFFFFU}) {
-        ASSERT_TRUE(access_control::write_count(storage_, access_control::CountOf::wrong_keys, impossible));
+        ASSERT_TRUE(rsi::access::write_count(storage_, rsi::access::CountOf::wrong_keys, impossible));
         restart();
         EXPECT_EQ(wait_for_seed(), longest_delay);
     }
@@ -307,7 +307,7 @@ TEST_F(Access, GivesNoAttemptBackWhenThePowerGoesAtAnyWrite) {
     std::set<int> cut_at;
     for (int wrong_before = 0; wrong_before < 4; ++wrong_before) {
         for (int at_write = 1; at_write <= 4; ++at_write) {
-            for (std::size_t bytes = 0U; bytes <= access_control::stored_count_length; ++bytes) {
+            for (std::size_t bytes = 0U; bytes <= rsi::access::stored_count_length; ++bytes) {
                 storage_.cut_power_at({0, 0U});
                 storage_.record().clear();
                 restart();
@@ -332,16 +332,16 @@ TEST_F(Access, GivesNoAttemptBackWhenThePowerGoesAtAnyWrite) {
 }
 
 TEST(CodesAreTheSame, OnlyWhenEachBitIs) {
-    hal::AuthenticationCode code{};
+    rsi::hal::AuthenticationCode code{};
     for (std::size_t byte = 0U; byte < code.size(); ++byte) {
         code[byte] = static_cast<std::uint8_t>(17U * byte + 3U);
     }
-    EXPECT_TRUE(access_control::is_same_code(code, code));
+    EXPECT_TRUE(rsi::access::is_same_code(code, code));
     for (std::size_t bit = 0U; bit < 128U; ++bit) {
-        hal::AuthenticationCode other = code;
+        rsi::hal::AuthenticationCode other = code;
         other[bit / 8U] = static_cast<std::uint8_t>(other[bit / 8U] ^ (1U << (bit % 8U)));
-        EXPECT_FALSE(access_control::is_same_code(code, other)) << bit;
-        EXPECT_FALSE(access_control::is_same_code(other, code)) << bit;
+        EXPECT_FALSE(rsi::access::is_same_code(code, other)) << bit;
+        EXPECT_FALSE(rsi::access::is_same_code(other, code)) << bit;
     }
 }
 

@@ -1,5 +1,5 @@
 // A count that outlives a loss of power, in a record that cannot be mistaken.
-#include "access/stored_count.hpp"
+#include "rsi/ecu/access/stored_count.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,53 +8,53 @@
 namespace testing_access {
 namespace {
 
-using access_control::CountState;
+using rsi::access::CountState;
 using rsi_test::CutStorage;
 
-using access_control::CountOf;
+using rsi::access::CountOf;
 
 constexpr CountOf what = CountOf::wrong_keys;
 
 TEST(AStoredCount, IsAbsentBeforeTheFirstWrite) {
     CutStorage storage;
     std::uint32_t count = 77U;
-    EXPECT_EQ(access_control::read_count(storage, what, count), CountState::absent);
+    EXPECT_EQ(rsi::access::read_count(storage, what, count), CountState::absent);
     EXPECT_EQ(count, 77U);
 }
 
 TEST(AStoredCount, IsReadAsItWasWritten) {
     for (const std::uint32_t written : {0U, 1U, 0x12345678U, 0xFFFFFFFFU}) {
         CutStorage storage;
-        ASSERT_TRUE(access_control::write_count(storage, what, written));
+        ASSERT_TRUE(rsi::access::write_count(storage, what, written));
         std::uint32_t count = 77U;
-        EXPECT_EQ(access_control::read_count(storage, what, count), CountState::good);
+        EXPECT_EQ(rsi::access::read_count(storage, what, count), CountState::good);
         EXPECT_EQ(count, written);
     }
 }
 
 TEST(AStoredCount, HasItsBytesInTheirPlaces) {
     CutStorage storage;
-    ASSERT_TRUE(access_control::write_count(storage, what, 0x0D0C0B0AU));
+    ASSERT_TRUE(rsi::access::write_count(storage, what, 0x0D0C0B0AU));
     const std::vector<std::uint8_t> expected{'R',   'S',   'I',   'K',   0x0AU, 0x0BU,
                                              0x0CU, 0x0DU, 0xF5U, 0xF4U, 0xF3U, 0xF2U};
     EXPECT_EQ(storage.record(), expected);
-    EXPECT_EQ(expected.size(), access_control::stored_count_length);
+    EXPECT_EQ(expected.size(), rsi::access::stored_count_length);
 }
 
 TEST(AStoredCount, IsDamagedWithAnyBitFlippedErasedOrUnderAnotherTag) {
     CutStorage storage;
-    ASSERT_TRUE(access_control::write_count(storage, what, 5U));
+    ASSERT_TRUE(rsi::access::write_count(storage, what, 5U));
     std::uint32_t count = 77U;
-    for (std::size_t bit = 0U; bit < 8U * access_control::stored_count_length; ++bit) {
+    for (std::size_t bit = 0U; bit < 8U * rsi::access::stored_count_length; ++bit) {
         std::uint8_t& byte = storage.record()[bit / 8U];
         byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
-        EXPECT_EQ(access_control::read_count(storage, what, count), CountState::damaged) << bit;
+        EXPECT_EQ(rsi::access::read_count(storage, what, count), CountState::damaged) << bit;
         byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
     }
-    EXPECT_EQ(access_control::read_count(storage, CountOf::section_versions, count), CountState::damaged);
+    EXPECT_EQ(rsi::access::read_count(storage, CountOf::section_versions, count), CountState::damaged);
     for (const std::uint8_t erased : {std::uint8_t{0U}, std::uint8_t{0xFFU}}) {
-        storage.record().assign(access_control::stored_count_length, erased);
-        EXPECT_EQ(access_control::read_count(storage, what, count), CountState::damaged);
+        storage.record().assign(rsi::access::stored_count_length, erased);
+        EXPECT_EQ(rsi::access::read_count(storage, what, count), CountState::damaged);
     }
     EXPECT_EQ(count, 77U);
 }
@@ -62,7 +62,7 @@ TEST(AStoredCount, IsDamagedWithAnyBitFlippedErasedOrUnderAnotherTag) {
 TEST(AStoredCount, SaysWhenTheStorageDoesNotTakeIt) {
     CutStorage storage;
     storage.refuse(true);
-    EXPECT_FALSE(access_control::write_count(storage, what, 1U));
+    EXPECT_FALSE(rsi::access::write_count(storage, what, 1U));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "hal/software_keys/software_keys.hpp"
 
 int main(int argc, char** argv) {
-    hal::AuthenticationCode seed{};
+    rsi::hal::AuthenticationCode seed{};
     const std::string_view slot = (argc == 3) ? argv[1] : "";
     if ((slot != "calibration" && slot != "diagnosis") || std::strlen(argv[2]) != 2U * seed.size()) {
         std::fputs("test-key wants `calibration` or `diagnosis`, and a seed of 32 hexadecimal digits\n",
@@ -18,9 +18,10 @@ int main(int argc, char** argv) {
     for (std::size_t at = 0U; at < seed.size(); ++at) {
         std::from_chars(argv[2] + 2U * at, argv[2] + 2U * at + 2U, seed[at], 16);
     }
-    hal::SoftwareKeys keys{hal::test_keys};
-    hal::AuthenticationCode key{};
-    const hal::KeySlot its_slot = (slot == "diagnosis") ? hal::KeySlot::diagnosis : hal::KeySlot::calibration;
+    rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
+    rsi::hal::AuthenticationCode key{};
+    const rsi::hal::KeySlot its_slot =
+        (slot == "diagnosis") ? rsi::hal::KeySlot::diagnosis : rsi::hal::KeySlot::calibration;
     if (!keys.authenticate(its_slot, seed.data(), seed.size(), key)) {
         return 1;
     }

@@ -4,7 +4,7 @@
 
 namespace testing_application {
 
-Bench::Bench(const rsi::Parameters& parameters, hal::Time ecu_delay)
+Bench::Bench(const rsi::Parameters& parameters, rsi::hal::Time ecu_delay)
     : ecu_delay_{ecu_delay}, answer_{ecu_.init(parameters)} {
     drive(Motion{});
 }
@@ -15,7 +15,7 @@ void Bench::drive(const Motion& motion) {
 
 void Bench::run_cycles(int count) {
     for (int index = 0; index < count; ++index) {
-        const hal::Time time = hal::Time::from_milliseconds(10 * cycle_number_) + clock_offset_;
+        const rsi::hal::Time time = rsi::hal::Time::from_milliseconds(10 * cycle_number_) + clock_offset_;
         clock_.set(time);
         send_sensor_frames();
         clock_.set(time + ecu_delay_);
@@ -63,7 +63,7 @@ void Bench::send(Line& line, const Message& message) {
     if (line.silent) {
         return;
     }
-    hal::CanFrame frame = frame_of(message, line.counter);
+    rsi::hal::CanFrame frame = frame_of(message, line.counter);
     if (!line.counter_stands) {
         line.counter = (line.counter + 1U) % 15U;
     }
@@ -79,21 +79,21 @@ void Bench::step_ecu() {
     ecu_.step(missed_cycles_);
     Cycle cycle;
     cycle.time = clock_.now();
-    hal::CanFrame frame;
-    while (bus_.endpoint(world).receive(frame) == hal::ReceiveResult::frame) {
+    rsi::hal::CanFrame frame;
+    while (bus_.endpoint(world).receive(frame) == rsi::hal::ReceiveResult::frame) {
         cycle.frames.push_back(frame);
         switch (frame.identifier) {
-            case can_dbc::RolloverWarning::identifier:
-                cycle.warning = can_dbc::decode<can_dbc::RolloverWarning>(frame.data);
+            case rsi::can_dbc::RolloverWarning::identifier:
+                cycle.warning = rsi::can_dbc::decode<rsi::can_dbc::RolloverWarning>(frame.data);
                 break;
-            case can_dbc::RollCentreEstimate::identifier:
-                cycle.estimate = can_dbc::decode<can_dbc::RollCentreEstimate>(frame.data);
+            case rsi::can_dbc::RollCentreEstimate::identifier:
+                cycle.estimate = rsi::can_dbc::decode<rsi::can_dbc::RollCentreEstimate>(frame.data);
                 break;
-            case can_dbc::RolloverDiagnosis::identifier:
-                cycle.diagnosis = can_dbc::decode<can_dbc::RolloverDiagnosis>(frame.data);
+            case rsi::can_dbc::RolloverDiagnosis::identifier:
+                cycle.diagnosis = rsi::can_dbc::decode<rsi::can_dbc::RolloverDiagnosis>(frame.data);
                 break;
-            case can_dbc::RolloverStatus::identifier:
-                cycle.status = can_dbc::decode<can_dbc::RolloverStatus>(frame.data);
+            case rsi::can_dbc::RolloverStatus::identifier:
+                cycle.status = rsi::can_dbc::decode<rsi::can_dbc::RolloverStatus>(frame.data);
                 break;
             default:
                 break;

@@ -10,11 +10,11 @@
 #include <ostream>
 #include <vector>
 
-#include "application/rollover_ecu.hpp"
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "tests/application/end_to_end.hpp"
 #include "tests/support/large_suv.h"
 
@@ -34,41 +34,41 @@ inline void PrintTo(Sensor sensor, std::ostream* out) {
 
 // Inputs of the sensors. The default: straight on at 80 km/h on level ground, bank not measured.
 struct Motion {
-    can_dbc::Imu imu{0.0F, 9.80665F, 0.0F};
-    can_dbc::RollAngle roll_angle{0.0F, can_dbc::not_available};
-    can_dbc::VehicleMotion vehicle_motion{80.0F, 0.0F, 0.0F};
-    can_dbc::VehicleMass vehicle_mass{};  // sent where it is available: most vehicles do not know it
+    rsi::can_dbc::Imu imu{0.0F, 9.80665F, 0.0F};
+    rsi::can_dbc::RollAngle roll_angle{0.0F, rsi::can_dbc::not_available};
+    rsi::can_dbc::VehicleMotion vehicle_motion{80.0F, 0.0F, 0.0F};
+    rsi::can_dbc::VehicleMass vehicle_mass{};  // sent where it is available: most vehicles do not know it
 };
 
 // How many frames the ECU sends in one cycle.
-inline constexpr std::size_t frames_per_cycle = can_dbc::MessagesFromRolloverEcu::size;
+inline constexpr std::size_t frames_per_cycle = rsi::can_dbc::MessagesFromRolloverEcu::size;
 
 // They, as they came; those that matter here decoded.
 struct Cycle {
-    hal::Time time{};
-    std::vector<hal::CanFrame> frames{};
-    can_dbc::Decoded<can_dbc::RolloverWarning> warning{};
-    can_dbc::Decoded<can_dbc::RollCentreEstimate> estimate{};
-    can_dbc::Decoded<can_dbc::RolloverDiagnosis> diagnosis{};
-    can_dbc::Decoded<can_dbc::RolloverStatus> status{};
+    rsi::hal::Time time{};
+    std::vector<rsi::hal::CanFrame> frames{};
+    rsi::can_dbc::Decoded<rsi::can_dbc::RolloverWarning> warning{};
+    rsi::can_dbc::Decoded<rsi::can_dbc::RollCentreEstimate> estimate{};
+    rsi::can_dbc::Decoded<rsi::can_dbc::RolloverDiagnosis> diagnosis{};
+    rsi::can_dbc::Decoded<rsi::can_dbc::RolloverStatus> status{};
 
-    can_dbc::RolloverWarning::State state() const { return warning.value.state; }
+    rsi::can_dbc::RolloverWarning::State state() const { return warning.value.state; }
 };
 
 // As a sensor sends it, with this counter.
 template <typename Message>
-hal::CanFrame frame_of(const Message& message, unsigned counter) {
-    hal::CanFrame frame;
+rsi::hal::CanFrame frame_of(const Message& message, unsigned counter) {
+    rsi::hal::CanFrame frame;
     frame.identifier = Message::identifier;
     frame.length = Message::length;
-    const auto payload = can_dbc::encode(message);
+    const auto payload = rsi::can_dbc::encode(message);
     std::copy(payload.begin(), payload.end(), frame.data.begin());
     protect(frame, Message::e2e_data_id, counter);
     return frame;
 }
 
 // For tests that put an ECU on a bus of their own.
-struct NoWatchdog final : hal::Watchdog {
+struct NoWatchdog final : rsi::hal::Watchdog {
     void feed() noexcept override {}
 };
 
@@ -80,18 +80,18 @@ inline rsi::Parameters large_suv() {
 // Sensor frames are sent every 10 ms, the ECU steps `ecu_delay` after them.
 class Bench {
  public:
-    using FrameChange = std::function<void(hal::CanFrame&)>;
+    using FrameChange = std::function<void(rsi::hal::CanFrame&)>;
 
     explicit Bench(const rsi::Parameters& parameters = large_suv(),
-                   hal::Time ecu_delay = hal::Time::from_milliseconds(1));
+                   rsi::hal::Time ecu_delay = rsi::hal::Time::from_milliseconds(1));
 
     // Starts the ECU anew, with the parameters of a section.
-    application::ParameterSectionAnswer start_with(const std::vector<std::uint8_t>& section) {
+    rsi::application::ParameterSectionAnswer start_with(const std::vector<std::uint8_t>& section) {
         return ecu_.init(section.data(), section.size());
     }
 
-    application::ParameterSectionAnswer start_with(const std::vector<std::uint8_t>& section,
-                                                   application::SectionAuthority& authority) {
+    rsi::application::ParameterSectionAnswer start_with(const std::vector<std::uint8_t>& section,
+                                                        rsi::application::SectionAuthority& authority) {
         return ecu_.init(section.data(), section.size(), authority);
     }
     // The same with parameters.
@@ -100,10 +100,10 @@ class Bench {
     void change(const rsi::ParameterChange& change) { ecu_.change(change); }
 
     // Before the start: what XCP or UDS ask for.
-    void use_keys(const hal::KeyStore& keys) { ecu_.use_keys(keys); }
+    void use_keys(const rsi::hal::KeyStore& keys) { ecu_.use_keys(keys); }
 
     // Why the ECU's controller started.
-    void start_after(hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
+    void start_after(rsi::hal::ResetReason reason) { ecu_.set_reset_reason(reason); }
 
     // Inputs of the sensors from now on.
     void drive(const Motion& motion);
@@ -128,30 +128,30 @@ class Bench {
     void repeat_counter(Sensor sensor, bool repeat) { line(sensor).counter_stands = repeat; }
 
     // A frame of another node, at once.
-    void send_foreign(const hal::CanFrame& frame) { bus_.endpoint(world).send(frame); }
+    void send_foreign(const rsi::hal::CanFrame& frame) { bus_.endpoint(world).send(frame); }
     // The last frame that a sensor has sent.
-    const hal::CanFrame& last_frame(Sensor sensor) { return line(sensor).last; }
+    const rsi::hal::CanFrame& last_frame(Sensor sensor) { return line(sensor).last; }
     // When the last sensor frame went out.
-    hal::Time last_sensor_time() const { return last_sensor_time_; }
+    rsi::hal::Time last_sensor_time() const { return last_sensor_time_; }
 
     // The ECU's object, for tests that damage it.
     unsigned char* memory() { return reinterpret_cast<unsigned char*>(&ecu_); }
-    static constexpr std::size_t memory_size = sizeof(application::RolloverEcu);
+    static constexpr std::size_t memory_size = sizeof(rsi::application::RolloverEcu);
 
     // All clocks go on from there.
-    void move_clock(hal::Time by) { clock_offset_ = clock_offset_ + by; }
+    void move_clock(rsi::hal::Time by) { clock_offset_ = clock_offset_ + by; }
 
     // Reported to the ECU with each further cycle.
     void miss_cycles(std::uint32_t count) { missed_cycles_ = count; }
-    void set_bus_state(hal::BusState state) { bus_.endpoint(ecu).set_state(state); }
+    void set_bus_state(rsi::hal::BusState state) { bus_.endpoint(ecu).set_state(state); }
 
     const std::vector<Cycle>& cycles() const { return cycles_; }
     const Cycle& last() const { return cycles_.back(); }
-    can_dbc::RolloverWarning::State state() const { return last().state(); }
-    const can_dbc::RolloverStatus& status() const { return last().status.value; }
+    rsi::can_dbc::RolloverWarning::State state() const { return last().state(); }
+    const rsi::can_dbc::RolloverStatus& status() const { return last().status.value; }
     // Inputs that the ECU took from the sensors' frames in its last cycle.
     const rsi::Inputs& inputs() const { return ecu_.inputs(); }
-    const monitoring::DiagnosticMemory& diagnostic_memory() const { return ecu_.diagnostic_memory(); }
+    const rsi::monitoring::DiagnosticMemory& diagnostic_memory() const { return ecu_.diagnostic_memory(); }
     const rsi::Outputs& outputs() const { return ecu_.outputs(); }
     int watchdog_feeds() const { return watchdog_.feeds; }
     const rsi::Validation& parameters_answer() const { return answer_; }
@@ -165,10 +165,10 @@ class Bench {
         bool counter_stands{false};
         unsigned counter{0U};
         FrameChange change{};
-        hal::CanFrame last{};
+        rsi::hal::CanFrame last{};
     };
 
-    struct CountingWatchdog final : hal::Watchdog {
+    struct CountingWatchdog final : rsi::hal::Watchdog {
         void feed() noexcept override { ++feeds; }
         int feeds{0};
     };
@@ -179,18 +179,18 @@ class Bench {
     void send(Line& line, const Message& message);
     void step_ecu();
 
-    hal::Time ecu_delay_;
-    hal::VirtualClock clock_{};
-    hal::MemoryBus<2U> bus_{clock_};
+    rsi::hal::Time ecu_delay_;
+    rsi::hal::VirtualClock clock_{};
+    rsi::hal::MemoryBus<2U> bus_{clock_};
     CountingWatchdog watchdog_{};
-    application::RolloverEcu ecu_{bus_.endpoint(ecu), clock_, watchdog_};
+    rsi::application::RolloverEcu ecu_{bus_.endpoint(ecu), clock_, watchdog_};
     rsi::Validation answer_;
     std::function<Motion(double)> motion_{};
     std::array<Line, 3> lines_{};
     Line mass_line_{};
     std::int64_t cycle_number_{0};
-    hal::Time last_sensor_time_{};
-    hal::Time clock_offset_{};
+    rsi::hal::Time last_sensor_time_{};
+    rsi::hal::Time clock_offset_{};
     std::uint32_t missed_cycles_{0U};
     std::vector<Cycle> cycles_{};
 };

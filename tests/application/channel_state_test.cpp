@@ -8,15 +8,15 @@
 #include <cstdint>
 #include <string>
 
-#include "application/frame_monitor.hpp"
+#include "rsi/ecu/application/frame_monitor.hpp"
 #include "tests/application/bench.hpp"
 #include "tests/application/end_to_end.hpp"
 
 namespace testing_application {
 namespace {
 
-using can_dbc::e2e::ChannelState;
-using State = can_dbc::RolloverWarning::State;
+using rsi::can_dbc::e2e::ChannelState;
+using State = rsi::can_dbc::RolloverWarning::State;
 
 class DamagingChannel : public ::testing::TestWithParam<Sensor> {
  protected:
@@ -28,7 +28,7 @@ class DamagingChannel : public ::testing::TestWithParam<Sensor> {
     void run_cycle(bool damaged) {
         bench.tamper(sensor, {});
         if (damaged) {
-            bench.tamper(sensor, [](hal::CanFrame& frame) { frame.data[4] ^= 0x08U; });
+            bench.tamper(sensor, [](rsi::hal::CanFrame& frame) { frame.data[4] ^= 0x08U; });
         }
         bench.run_cycles(1);
     }
@@ -41,7 +41,7 @@ class DamagingChannel : public ::testing::TestWithParam<Sensor> {
     }
 
     bool timed_out(const Cycle& cycle) const {
-        const can_dbc::RolloverStatus& status = cycle.status.value;
+        const rsi::can_dbc::RolloverStatus& status = cycle.status.value;
         const std::array<bool, 3> flags{status.imu_timeout, status.roll_angle_timeout,
                                         status.vehicle_motion_timeout};
         return flags[static_cast<std::size_t>(sensor)];
@@ -95,20 +95,20 @@ INSTANTIATE_TEST_SUITE_P(OfEachSensor, DamagingChannel, ::testing::ValuesIn(all_
 // One monitor by itself, on a clock of its own.
 class Monitor : public ::testing::Test {
  protected:
-    hal::CanFrame frame() {
-        hal::CanFrame frame;
-        frame.identifier = can_dbc::Imu::identifier;
-        frame.length = can_dbc::Imu::length;
-        const auto payload = can_dbc::encode(can_dbc::Imu{1.0F, 9.8F, 0.0F});
+    rsi::hal::CanFrame frame() {
+        rsi::hal::CanFrame frame;
+        frame.identifier = rsi::can_dbc::Imu::identifier;
+        frame.length = rsi::can_dbc::Imu::length;
+        const auto payload = rsi::can_dbc::encode(rsi::can_dbc::Imu{1.0F, 9.8F, 0.0F});
         std::copy(payload.begin(), payload.end(), frame.data.begin());
-        protect(frame, can_dbc::Imu::e2e_data_id, counter);
+        protect(frame, rsi::can_dbc::Imu::e2e_data_id, counter);
         counter = (counter + 1U) % 15U;
         frame.receive_time = now;
         return frame;
     }
 
     void run_cycle(bool with_frame) {
-        now = now + hal::Time::from_milliseconds(10);
+        now = now + rsi::hal::Time::from_milliseconds(10);
         monitor.begin_cycle();
         if (with_frame) {
             monitor.take(frame());
@@ -116,8 +116,8 @@ class Monitor : public ::testing::Test {
     }
 
     unsigned counter{0U};
-    hal::Time now{};
-    application::FrameMonitor<can_dbc::Imu> monitor{};
+    rsi::hal::Time now{};
+    rsi::application::FrameMonitor<rsi::can_dbc::Imu> monitor{};
 };
 
 TEST_F(Monitor, KnowsNothingAtTheStart) {
@@ -137,8 +137,8 @@ TEST_F(Monitor, UsesTheFirstGoodFrame) {
 TEST_F(Monitor, LeavesSilenceToTheTimeLimit) {
     for (int frames = 1; frames <= 20; ++frames) {
         run_cycle(true);
-        const hal::Time last = now;
-        const hal::Time limit = last + application::frame_time_limit;
+        const rsi::hal::Time last = now;
+        const rsi::hal::Time limit = last + rsi::application::frame_time_limit;
         for (int silent = 1; silent <= 12; ++silent) {
             run_cycle(false);
             EXPECT_EQ(monitor.is_fresh(now), !(limit < now)) << silent << " cycles after frame " << frames;
@@ -170,7 +170,7 @@ TEST_F(Monitor, ForgetsWhatAnInvalidChannelHasSaid) {
     }
     ASSERT_TRUE(monitor.is_fresh(now));
     for (int damaged = 0; damaged < 5; ++damaged) {  // all within the time limit of the last good frame
-        hal::CanFrame bad = frame();
+        rsi::hal::CanFrame bad = frame();
         bad.data[2] ^= 1U;
         EXPECT_TRUE(monitor.is_fresh(now)) << damaged;
         monitor.take(bad);
@@ -184,9 +184,9 @@ TEST_F(Monitor, ForgetsItAlsoWhenTheChannelIsValidAgainBeforeAnotherFrameCame) {
     for (int cycle = 0; cycle < 8; ++cycle) {
         run_cycle(true);
     }
-    const hal::Time last_good = now;
+    const rsi::hal::Time last_good = now;
     for (int damaged = 0; damaged < 5; ++damaged) {
-        hal::CanFrame bad = frame();
+        rsi::hal::CanFrame bad = frame();
         bad.data[2] ^= 1U;
         monitor.take(bad);
     }

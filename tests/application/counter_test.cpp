@@ -9,9 +9,9 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
+using State = rsi::can_dbc::RolloverWarning::State;
 
-bool counter_error(const can_dbc::RolloverStatus& status, Sensor sensor) {
+bool counter_error(const rsi::can_dbc::RolloverStatus& status, Sensor sensor) {
     switch (sensor) {
         case Sensor::imu:
             return status.imu_counter_error;
@@ -87,10 +87,10 @@ TEST_P(Counter, ThatRepeatsIsRejectedUntilItMovesAgain) {
 }
 
 TEST_P(Counter, Of15IsRefusedAsADamagedFrame) {
-    const std::uint16_t data_ids[] = {can_dbc::Imu::e2e_data_id, can_dbc::RollAngle::e2e_data_id,
-                                      can_dbc::VehicleMotion::e2e_data_id};
+    const std::uint16_t data_ids[] = {rsi::can_dbc::Imu::e2e_data_id, rsi::can_dbc::RollAngle::e2e_data_id,
+                                      rsi::can_dbc::VehicleMotion::e2e_data_id};
     const std::uint16_t data_id = data_ids[static_cast<std::size_t>(sensor)];
-    bench.tamper(sensor, [data_id](hal::CanFrame& frame) { protect(frame, data_id, 15U); });
+    bench.tamper(sensor, [data_id](rsi::hal::CanFrame& frame) { protect(frame, data_id, 15U); });
     bench.run_cycles(1);
     EXPECT_EQ(bench.status().frames_rejected, 1U);
     EXPECT_EQ(bench.status().imu_checksum_error, sensor == Sensor::imu);

@@ -11,9 +11,9 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
+using State = rsi::can_dbc::RolloverWarning::State;
 
-bool checksum_error(const can_dbc::RolloverStatus& status, Sensor sensor) {
+bool checksum_error(const rsi::can_dbc::RolloverStatus& status, Sensor sensor) {
     switch (sensor) {
         case Sensor::imu:
             return status.imu_checksum_error;
@@ -25,7 +25,7 @@ bool checksum_error(const can_dbc::RolloverStatus& status, Sensor sensor) {
     return false;
 }
 
-bool timeout(const can_dbc::RolloverStatus& status, Sensor sensor) {
+bool timeout(const rsi::can_dbc::RolloverStatus& status, Sensor sensor) {
     switch (sensor) {
         case Sensor::imu:
             return status.imu_timeout;
@@ -84,14 +84,15 @@ class DamagedFrames : public ::testing::TestWithParam<Sensor> {
 TEST_P(DamagedFrames, OfEachWrongLengthAreRefused) {
     for (unsigned length = 0U; length < 8U; ++length) {
         SCOPED_TRACE("length " + std::to_string(length));
-        expect_refused([length](hal::CanFrame& frame) { frame.length = static_cast<std::uint8_t>(length); });
+        expect_refused(
+            [length](rsi::hal::CanFrame& frame) { frame.length = static_cast<std::uint8_t>(length); });
     }
 }
 
 TEST_P(DamagedFrames, WithAnySingleBitFlippedAreRefused) {
     for (unsigned bit = 0U; bit < 64U; ++bit) {
         SCOPED_TRACE("bit " + std::to_string(bit));
-        expect_refused([bit](hal::CanFrame& frame) {
+        expect_refused([bit](rsi::hal::CanFrame& frame) {
             frame.data[bit / 8U] = static_cast<std::uint8_t>(frame.data[bit / 8U] ^ (1U << (bit % 8U)));
         });
     }
@@ -101,7 +102,7 @@ TEST_P(DamagedFrames, WithAnotherDataIdentifierAreRefused) {
     // The low byte alone, which only the checksum knows, the nibble alone, and a whole other message's.
     for (const int data_id : {0x3A6, 0x4A7, 0x45D, 0x35C, 0x5B0, 0x4B1, 0x61E, 0x000}) {
         SCOPED_TRACE("data identifier " + std::to_string(data_id));
-        expect_refused([data_id](hal::CanFrame& frame) {
+        expect_refused([data_id](rsi::hal::CanFrame& frame) {
             protect(frame, static_cast<std::uint16_t>(data_id), counter_of(frame));
         });
     }
@@ -109,12 +110,12 @@ TEST_P(DamagedFrames, WithAnotherDataIdentifierAreRefused) {
 
 TEST_P(DamagedFrames, ThatCarryAnotherMessagesPayloadAreRefused) {
     const Sensor other = all_sensors[(static_cast<std::size_t>(sensor) + 1U) % all_sensors.size()];
-    expect_refused([this, other](hal::CanFrame& frame) { frame.data = bench.last_frame(other).data; });
+    expect_refused([this, other](rsi::hal::CanFrame& frame) { frame.data = bench.last_frame(other).data; });
 }
 
 TEST_P(DamagedFrames, OfOneCycleOnlyDoNotInterruptTheWarning) {
     for (int time = 0; time < 20; ++time) {
-        bench.tamper(sensor, [](hal::CanFrame& frame) { frame.data[0] ^= 0xFFU; });
+        bench.tamper(sensor, [](rsi::hal::CanFrame& frame) { frame.data[0] ^= 0xFFU; });
         bench.run_cycles(1);
         EXPECT_TRUE(checksum_error(bench.status(), sensor));
         EXPECT_EQ(bench.state(), State::ready);
@@ -128,7 +129,7 @@ TEST_P(DamagedFrames, OfOneCycleOnlyDoNotInterruptTheWarning) {
 
 // The flag is of the whole cycle, not of its last frame; the values are those of the good one.
 TEST_P(DamagedFrames, BeforeAGoodOneInTheSameCycleAreStillReported) {
-    hal::CanFrame damaged = bench.last_frame(sensor);
+    rsi::hal::CanFrame damaged = bench.last_frame(sensor);
     damaged.data[3] = static_cast<std::uint8_t>(damaged.data[3] ^ 0x01U);
     bench.send_foreign(damaged);
     bench.run_cycles(1);
@@ -140,18 +141,18 @@ TEST_P(DamagedFrames, BeforeAGoodOneInTheSameCycleAreStillReported) {
 }
 
 TEST_P(DamagedFrames, OfCanFdAreIgnored) {
-    expect_ignored([](hal::CanFrame& frame) { frame.flexible_data_rate = true; });
+    expect_ignored([](rsi::hal::CanFrame& frame) { frame.flexible_data_rate = true; });
 }
 
 TEST_P(DamagedFrames, WithAnExtendedIdentifierAreIgnored) {
-    expect_ignored([](hal::CanFrame& frame) { frame.extended = true; });
+    expect_ignored([](rsi::hal::CanFrame& frame) { frame.extended = true; });
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachSensor, DamagedFrames, ::testing::ValuesIn(all_sensors),
                          [](const auto& tested) { return std::string{name_of(tested.param)}; });
 
-hal::CanFrame mass_frame(unsigned counter, bool damaged) {
-    hal::CanFrame frame = frame_of(can_dbc::VehicleMass{2500.0F}, counter);
+rsi::hal::CanFrame mass_frame(unsigned counter, bool damaged) {
+    rsi::hal::CanFrame frame = frame_of(rsi::can_dbc::VehicleMass{2500.0F}, counter);
     frame.data[0] ^= damaged ? 1U : 0U;
     return frame;
 }
@@ -160,7 +161,7 @@ hal::CanFrame mass_frame(unsigned counter, bool damaged) {
 TEST(DamagedFramesOfTheVehiclesMass, AreCountedAndForgottenInSilence) {
     Bench bench;
     bench.run_until_ready();
-    const auto mass_kg_after = [&bench](const hal::CanFrame& frame) {
+    const auto mass_kg_after = [&bench](const rsi::hal::CanFrame& frame) {
         bench.send_foreign(frame);
         bench.run_cycles(1);
         return bench.inputs().vehicle_mass_kg;
@@ -178,12 +179,13 @@ TEST(DamagedFramesOfTheVehiclesMass, AreCountedAndForgottenInSilence) {
 TEST(ForeignFrames, OfEveryOtherIdentifierAreIgnored) {
     Bench bench;
     bench.run_until_ready();
-    const std::vector<hal::CanFrame> quiet = bench.last().frames;
+    const std::vector<rsi::hal::CanFrame> quiet = bench.last().frames;
     for (std::uint32_t identifier = 0U; identifier <= 0x7FFU; ++identifier) {
-        if (identifier >= can_dbc::Imu::identifier && identifier <= can_dbc::VehicleMass::identifier) {
+        if (identifier >= rsi::can_dbc::Imu::identifier &&
+            identifier <= rsi::can_dbc::VehicleMass::identifier) {
             continue;
         }
-        hal::CanFrame frame = bench.last_frame(Sensor::imu);
+        rsi::hal::CanFrame frame = bench.last_frame(Sensor::imu);
         frame.identifier = identifier;
         bench.send_foreign(frame);
         if (identifier % 32U == 31U) {
@@ -198,7 +200,7 @@ TEST(ForeignFrames, OfEveryOtherIdentifierAreIgnored) {
 TEST(ForeignFrames, InAFloodDoNotStopTheCycle) {
     Bench bench;
     bench.run_until_ready();
-    hal::CanFrame foreign;
+    rsi::hal::CanFrame foreign;
     foreign.identifier = 0x001U;
     foreign.length = 8U;
     const std::size_t from = bench.cycles().size();
@@ -221,18 +223,18 @@ TEST(ForeignFrames, InAFloodDoNotStopTheCycle) {
 }
 
 // A bus on which the next foreign frame is always there already.
-class EndlessBus final : public hal::CanBus {
+class EndlessBus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
-        frame = hal::CanFrame{};
-        return ++received > 1'000'000U ? hal::ReceiveResult::empty : hal::ReceiveResult::frame;
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame& frame) noexcept override {
+        frame = rsi::hal::CanFrame{};
+        return ++received > 1'000'000U ? rsi::hal::ReceiveResult::empty : rsi::hal::ReceiveResult::frame;
     }
-    hal::SendResult send(const hal::CanFrame&) noexcept override {
+    rsi::hal::SendResult send(const rsi::hal::CanFrame&) noexcept override {
         ++sent;
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 
     std::uint32_t received{0U};
     std::uint32_t sent{0U};
@@ -240,9 +242,9 @@ class EndlessBus final : public hal::CanBus {
 
 TEST(ForeignFrames, WithoutEndAreLeftWaitingAfterABoundedNumber) {
     EndlessBus bus;
-    const hal::VirtualClock clock;
+    const rsi::hal::VirtualClock clock;
     NoWatchdog watchdog;
-    application::RolloverEcu ecu{bus, clock, watchdog};
+    rsi::application::RolloverEcu ecu{bus, clock, watchdog};
     ecu.init(large_suv());
     ecu.step(0U);
     EXPECT_LE(bus.received, 256U);
@@ -252,7 +254,7 @@ TEST(ForeignFrames, WithoutEndAreLeftWaitingAfterABoundedNumber) {
 // 500 kbit/s carry 45 frames of eight bytes in 10 ms.
 TEST(ForeignFrames, ThatFillABusOf500KilobitsLeaveTheWarningAvailable) {
     Bench bench;
-    hal::CanFrame foreign;
+    rsi::hal::CanFrame foreign;
     foreign.identifier = 0x001U;
     foreign.length = 8U;
     for (int cycle = 0; cycle < 300; ++cycle) {

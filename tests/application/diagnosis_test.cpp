@@ -10,7 +10,7 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
+using State = rsi::can_dbc::RolloverWarning::State;
 
 TEST(RefusedParameters, AreAnsweredByNameAndLeaveTheEcuUnavailableWithItsFlagInEachCycle) {
     rsi::Parameters parameters = large_suv();
@@ -23,7 +23,7 @@ TEST(RefusedParameters, AreAnsweredByNameAndLeaveTheEcuUnavailableWithItsFlagInE
         ASSERT_EQ(cycle.frames.size(), frames_per_cycle);
         ASSERT_EQ(cycle.state(), State::unavailable);
         ASSERT_TRUE(cycle.status.value.parameters_invalid);
-        ASSERT_EQ(cycle.warning.status.warning_level, can_dbc::SignalStatus::not_available);
+        ASSERT_EQ(cycle.warning.status.warning_level, rsi::can_dbc::SignalStatus::not_available);
     }
 }
 
@@ -74,15 +74,15 @@ TEST(AConfirmedCode, CarriesWhatTheSensorsSaidWhenItWasConfirmedFirst) {
     bench.drive(motion);
     bench.run_for(0.5);
     const auto confirmed = [](const Cycle& cycle) {
-        return cycle.diagnosis.value.code_status == can_dbc::RolloverDiagnosis::CodeStatus::confirmed;
+        return cycle.diagnosis.value.code_status == rsi::can_dbc::RolloverDiagnosis::CodeStatus::confirmed;
     };
     for (int cycle = 0; cycle < 300 && !confirmed(bench.last()); ++cycle) {
-        bench.tamper(Sensor::vehicle_motion, [](hal::CanFrame& frame) { frame.data[7] ^= 1U; });
+        bench.tamper(Sensor::vehicle_motion, [](rsi::hal::CanFrame& frame) { frame.data[7] ^= 1U; });
         bench.run_cycles(1);
     }
     ASSERT_TRUE(confirmed(bench.last()));
-    const can_dbc::RolloverDiagnosis& diagnosis = bench.last().diagnosis.value;
-    const auto told = static_cast<monitoring::DiagnosticCode>(diagnosis.code);
+    const rsi::can_dbc::RolloverDiagnosis& diagnosis = bench.last().diagnosis.value;
+    const auto told = static_cast<rsi::monitoring::DiagnosticCode>(diagnosis.code);
     EXPECT_TRUE(bench.diagnostic_memory().confirmed(told));
     EXPECT_NEAR(diagnosis.first_lateral_acceleration_mps2, 3.0F, 0.1F);
     EXPECT_NEAR(diagnosis.first_roll_angle_deg, 4.0F, 0.2F);
@@ -130,7 +130,7 @@ TEST(RejectedAndLostFrames, StayAt255) {
     bench.run_until_ready();
     for (int cycle = 0; cycle < 600; ++cycle) {
         bench.lose_frames(Sensor::imu, 5U);
-        bench.tamper(Sensor::roll_angle, [](hal::CanFrame& frame) { frame.data[7] ^= 1U; });
+        bench.tamper(Sensor::roll_angle, [](rsi::hal::CanFrame& frame) { frame.data[7] ^= 1U; });
         const unsigned rejected = bench.status().frames_rejected;
         const unsigned lost = bench.status().frames_lost;
         bench.run_cycles(1);
@@ -142,10 +142,10 @@ TEST(RejectedAndLostFrames, StayAt255) {
 }
 
 // The reason of the last start as in the observer's frame of the last cycle.
-can_dbc::RollObserver::ResetReason sent_reset_reason(const Bench& bench) {
-    for (const hal::CanFrame& frame : bench.last().frames) {
-        if (frame.identifier == can_dbc::RollObserver::identifier) {
-            return can_dbc::decode<can_dbc::RollObserver>(frame.data).value.reset_reason;
+rsi::can_dbc::RollObserver::ResetReason sent_reset_reason(const Bench& bench) {
+    for (const rsi::hal::CanFrame& frame : bench.last().frames) {
+        if (frame.identifier == rsi::can_dbc::RollObserver::identifier) {
+            return rsi::can_dbc::decode<rsi::can_dbc::RollObserver>(frame.data).value.reset_reason;
         }
     }
     ADD_FAILURE() << "no RollObserver frame";
@@ -153,21 +153,21 @@ can_dbc::RollObserver::ResetReason sent_reset_reason(const Bench& bench) {
 }
 
 TEST(TheResetReason, IsSentInEveryCycleFromTheFirstOn) {
-    using Sent = can_dbc::RollObserver::ResetReason;
+    using Sent = rsi::can_dbc::RollObserver::ResetReason;
     Bench bench;
     bench.run_cycles(1);
     EXPECT_EQ(sent_reset_reason(bench), Sent::power_on);
 
     Bench after_abort;
-    after_abort.start_after(hal::ResetReason::data_abort);
+    after_abort.start_after(rsi::hal::ResetReason::data_abort);
     for (int cycle = 0; cycle < 3; ++cycle) {
         after_abort.run_cycles(1);
         EXPECT_EQ(sent_reset_reason(after_abort), Sent::data_abort);
     }
-    after_abort.start_after(hal::ResetReason::interrupt);
+    after_abort.start_after(rsi::hal::ResetReason::interrupt);
     after_abort.run_cycles(1);
     EXPECT_EQ(sent_reset_reason(after_abort), Sent::interrupt);
-    after_abort.start_after(hal::ResetReason::start_without_reset);
+    after_abort.start_after(rsi::hal::ResetReason::start_without_reset);
     after_abort.run_cycles(1);
     EXPECT_EQ(sent_reset_reason(after_abort), Sent::start_without_reset);
 }
@@ -185,16 +185,16 @@ TEST(TheBusState, IsReportedWhileItIsNotErrorActive) {
     Bench bench;
     bench.run_until_ready();
     EXPECT_FALSE(bench.status().bus_error);
-    bench.set_bus_state(hal::BusState::error_passive);
+    bench.set_bus_state(rsi::hal::BusState::error_passive);
     bench.run_cycles(1);
     EXPECT_TRUE(bench.status().bus_error);
     EXPECT_EQ(bench.state(), State::ready);
-    bench.set_bus_state(hal::BusState::error_active);
+    bench.set_bus_state(rsi::hal::BusState::error_active);
     bench.run_cycles(1);
     EXPECT_FALSE(bench.status().bus_error);
 }
 
-class DeadBus : public ::testing::TestWithParam<hal::BusState> {};
+class DeadBus : public ::testing::TestWithParam<rsi::hal::BusState> {};
 
 TEST_P(DeadBus, EndsInUnavailableUntilTheSensorsAreHeardAgain) {
     Bench bench;
@@ -206,7 +206,7 @@ TEST_P(DeadBus, EndsInUnavailableUntilTheSensorsAreHeardAgain) {
         ASSERT_TRUE(bench.cycles()[index].frames.empty());
     }
     const int feeds = bench.watchdog_feeds();
-    bench.set_bus_state(hal::BusState::error_active);
+    bench.set_bus_state(rsi::hal::BusState::error_active);
     bench.run_cycles(1);
     EXPECT_EQ(bench.watchdog_feeds(), feeds + 1);
     EXPECT_EQ(bench.last().frames.size(), frames_per_cycle);
@@ -216,15 +216,16 @@ TEST_P(DeadBus, EndsInUnavailableUntilTheSensorsAreHeardAgain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OffOrClosed, DeadBus,
-                         ::testing::Values(hal::BusState::bus_off, hal::BusState::closed),
+                         ::testing::Values(rsi::hal::BusState::bus_off, rsi::hal::BusState::closed),
                          [](const auto& tested) {
-                             return std::string{tested.param == hal::BusState::closed ? "Closed" : "BusOff"};
+                             return std::string{tested.param == rsi::hal::BusState::closed ? "Closed"
+                                                                                           : "BusOff"};
                          });
 
 TEST(ReceiveOverflow, IsReportedInTheCycleThatFollowsIt) {
     Bench bench;
     bench.run_until_ready();
-    hal::CanFrame foreign;
+    rsi::hal::CanFrame foreign;
     foreign.identifier = 0x001U;
     for (int count = 0; count < 300; ++count) {
         bench.send_foreign(foreign);

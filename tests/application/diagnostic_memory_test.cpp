@@ -1,19 +1,19 @@
 // Diagnostic codes: how they are set, confirmed and healed, and in which order they are reported.
-#include "monitoring/diagnostic_memory.hpp"
+#include "rsi/ecu/monitoring/diagnostic_memory.hpp"
 
 #include <gtest/gtest.h>
 
-#include "monitoring/diagnostic_event.hpp"
+#include "rsi/ecu/monitoring/diagnostic_event.hpp"
 
 namespace testing_application {
 namespace {
 
-using monitoring::Debounce;
-using monitoring::DiagnosticCode;
-using monitoring::DiagnosticEvent;
-using monitoring::DiagnosticMemory;
-using monitoring::EventStatus;
-using monitoring::Snapshot;
+using rsi::monitoring::Debounce;
+using rsi::monitoring::DiagnosticCode;
+using rsi::monitoring::DiagnosticEvent;
+using rsi::monitoring::DiagnosticMemory;
+using rsi::monitoring::EventStatus;
+using rsi::monitoring::Snapshot;
 
 constexpr Debounce three_and_five{3U, 5U};
 
@@ -100,7 +100,7 @@ TEST(DiagnosticMemory, KeepsWhatWasMeasuredTheFirstTime) {
     };
     occur(10.0F);
     occur(20.0F);
-    const monitoring::DiagnosticRecord record = memory.next();
+    const rsi::monitoring::DiagnosticRecord record = memory.next();
     EXPECT_EQ(record.code, DiagnosticCode::cycle_stall);
     EXPECT_EQ(record.status, EventStatus::healed);
     EXPECT_EQ(record.occurrences, 2U);

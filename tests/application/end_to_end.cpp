@@ -3,7 +3,7 @@
 namespace testing_application {
 namespace {
 
-std::uint8_t profile_11_crc(const hal::CanFrame& frame, std::uint16_t data_id) {
+std::uint8_t profile_11_crc(const rsi::hal::CanFrame& frame, std::uint16_t data_id) {
     const std::uint8_t prefix[] = {static_cast<std::uint8_t>(data_id & 0xFFU), 0U};
     const std::uint8_t start = crc8_bit_by_bit(0U, prefix, sizeof(prefix));
     return crc8_bit_by_bit(start, frame.data.data() + 1, frame.length - 1U);
@@ -24,17 +24,17 @@ std::uint8_t crc8_bit_by_bit(std::uint8_t start, const std::uint8_t* data, std::
     return static_cast<std::uint8_t>(remainder);
 }
 
-bool is_profile_11(const hal::CanFrame& frame, std::uint16_t data_id) {
+bool is_profile_11(const rsi::hal::CanFrame& frame, std::uint16_t data_id) {
     return frame.length >= 2U && frame.data[0] == profile_11_crc(frame, data_id) &&
            (frame.data[1] >> 4U) == (data_id >> 8U);
 }
 
-void protect(hal::CanFrame& frame, std::uint16_t data_id, unsigned counter) {
+void protect(rsi::hal::CanFrame& frame, std::uint16_t data_id, unsigned counter) {
     frame.data[1] = static_cast<std::uint8_t>((unsigned{data_id} >> 8U << 4U) | (counter & 0xFU));
     frame.data[0] = profile_11_crc(frame, data_id);
 }
 
-unsigned counter_of(const hal::CanFrame& frame) {
+unsigned counter_of(const rsi::hal::CanFrame& frame) {
     return frame.data[1] & 0xFU;
 }
 

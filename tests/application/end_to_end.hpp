@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
 namespace testing_application {
 
@@ -12,11 +12,11 @@ namespace testing_application {
 std::uint8_t crc8_bit_by_bit(std::uint8_t start, const std::uint8_t* data, std::size_t length);
 
 // Profile 11, data identifier as a nibble: whether byte 0 and the high nibble of byte 1 are right.
-bool is_profile_11(const hal::CanFrame& frame, std::uint16_t data_id);
+bool is_profile_11(const rsi::hal::CanFrame& frame, std::uint16_t data_id);
 
 // Makes them right, with this counter (any value of 4 bits, the forbidden 15 too).
-void protect(hal::CanFrame& frame, std::uint16_t data_id, unsigned counter);
+void protect(rsi::hal::CanFrame& frame, std::uint16_t data_id, unsigned counter);
 
-unsigned counter_of(const hal::CanFrame& frame);
+unsigned counter_of(const rsi::hal::CanFrame& frame);
 
 }  // namespace testing_application

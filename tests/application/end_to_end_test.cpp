@@ -12,7 +12,7 @@ TEST(TheBitwiseChecksum, GivesTheCatalogueValueOfSaeJ1850) {
 }
 
 TEST(TheBitwiseProtection, GivesTheProfilesVectorForAPayloadOfZeros) {
-    hal::CanFrame frame;
+    rsi::hal::CanFrame frame;
     frame.length = 8U;
     protect(frame, 0x123U, 0U);
     EXPECT_EQ(frame.data[0], 0x2AU);

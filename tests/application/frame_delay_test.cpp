@@ -1,5 +1,5 @@
 // Frames that arrive in order, but late all the time.
-#include "application/frame_delay.hpp"
+#include "rsi/ecu/application/frame_delay.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,24 +8,24 @@
 #include <limits>
 #include <string>
 
-#include "monitoring/roll_lag.hpp"
+#include "rsi/ecu/monitoring/roll_lag.hpp"
 #include "tests/application/bench.hpp"
 #include "tests/application/roll_plane_vehicle.hpp"
 
 namespace testing_application {
 namespace {
 
-using Degradation = can_dbc::RolloverDiagnosis::Degradation;
-using State = can_dbc::RolloverWarning::State;
+using Degradation = rsi::can_dbc::RolloverDiagnosis::Degradation;
+using State = rsi::can_dbc::RolloverWarning::State;
 
 // Codes are reported in turn.
 bool tells_imu_held_back(Bench& bench) {
     bool tells = false;
     for (int cycle = 0; cycle < 10; ++cycle) {
         bench.run_cycles(1);
-        const can_dbc::RolloverDiagnosis told = bench.last().diagnosis.value;
-        tells = tells || ((told.code == can_dbc::RolloverDiagnosis::Code::imu_held_back) &&
-                          (told.code_status == can_dbc::RolloverDiagnosis::CodeStatus::confirmed));
+        const rsi::can_dbc::RolloverDiagnosis told = bench.last().diagnosis.value;
+        tells = tells || ((told.code == rsi::can_dbc::RolloverDiagnosis::Code::imu_held_back) &&
+                          (told.code_status == rsi::can_dbc::RolloverDiagnosis::CodeStatus::confirmed));
     }
     return tells;
 }
@@ -60,7 +60,7 @@ struct Weave {
     double late_s{0.0};
     double imu_late_s{0.0};
     std::vector<Motion> motions{};
-    std::vector<can_dbc::RollAngle> angles{};
+    std::vector<rsi::can_dbc::RollAngle> angles{};
     RollPlaneVehicle vehicle{large_suv()};
     Bench bench;
 };
@@ -219,7 +219,7 @@ struct Counters {
     std::uint32_t imu_sent{0U}, roll_sent{0U};
     std::uint32_t imu_known{0U}, roll_known{0U};
     bool imu_comes{true}, roll_comes{true};
-    application::FrameDelay delay{};
+    rsi::application::FrameDelay delay{};
 };
 
 // Both are damaged or lost, the IMU's frames for longer, or the IMU has just come back.
@@ -540,8 +540,8 @@ TEST(ARollAngle, ThatJumpsClearsNoRollRate) {
 }
 
 // The angle of a sine of the roll rate, late by `delay_s`.
-monitoring::RollLag lag_after(double delay_s, double seconds, double amplitude_radps) {
-    monitoring::RollLag lag;
+rsi::monitoring::RollLag lag_after(double delay_s, double seconds, double amplitude_radps) {
+    rsi::monitoring::RollLag lag;
     for (int sample = 0; sample < static_cast<int>(seconds * 100.0); ++sample) {
         const double time_s = 0.01 * sample;
         const double angle = 0.3 - amplitude_radps / 4.0 * std::cos(4.0 * (time_s - delay_s));
@@ -575,7 +575,7 @@ TEST(RollLag, TellsARateInTimeFromOneThatIsTooOld) {
 }
 
 TEST(RollLag, StartsAnewWithANumberThatIsNotFinite) {
-    monitoring::RollLag lag = lag_after(0.0, 5.0, 0.2);
+    rsi::monitoring::RollLag lag = lag_after(0.0, 5.0, 0.2);
     lag.update(std::numeric_limits<float>::quiet_NaN(), 0.0F);
     EXPECT_FALSE(lag.angle_is_in_time());
 }

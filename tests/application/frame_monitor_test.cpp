@@ -1,5 +1,5 @@
 // One channel's monitor by itself: what it keeps, and how it uses the rate of its frames.
-#include "application/frame_monitor.hpp"
+#include "rsi/ecu/application/frame_monitor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,11 @@ class AFrameMonitor : public ::testing::Test {
  protected:
     // A cycle with so many good frames, one after the other.
     void cycle(int frames) {
-        now = now + hal::Time::from_milliseconds(10);
+        now = now + rsi::hal::Time::from_milliseconds(10);
         monitor.begin_cycle();
         for (int index = 0; index < frames; ++index) {
-            hal::CanFrame frame = frame_of(can_dbc::RollAngle{3.0F, can_dbc::not_available}, counter);
+            rsi::hal::CanFrame frame =
+                frame_of(rsi::can_dbc::RollAngle{3.0F, rsi::can_dbc::not_available}, counter);
             frame.receive_time = now;
             monitor.take(frame);
             counter = (counter + 1U) % counter_values;
@@ -32,8 +33,8 @@ class AFrameMonitor : public ::testing::Test {
         }
     }
 
-    application::FrameMonitor<can_dbc::RollAngle> monitor{};
-    hal::Time now{};
+    rsi::application::FrameMonitor<rsi::can_dbc::RollAngle> monitor{};
+    rsi::hal::Time now{};
     unsigned counter{0U};
 };
 
@@ -62,7 +63,8 @@ TEST_F(AFrameMonitor, KnowsThatFramesWaitedWhileCyclesWereMissed) {
 TEST_F(AFrameMonitor, CountsNoDamagedFramesAsThoseOfASecondSender) {
     for (int index = 0; index < 300; ++index) {
         cycle(1);
-        hal::CanFrame damaged = frame_of(can_dbc::RollAngle{3.0F, can_dbc::not_available}, counter);
+        rsi::hal::CanFrame damaged =
+            frame_of(rsi::can_dbc::RollAngle{3.0F, rsi::can_dbc::not_available}, counter);
         damaged.data[4] ^= 0x08U;
         monitor.take(damaged);
         ASSERT_FALSE(monitor.has_two_senders()) << "cycle " << index;

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <random>
 
-#include "application/rollover_ecu.hpp"
-#include "can_dbc/codec/message.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "tests/application/bench.hpp"
 #include "tests/application/end_to_end.hpp"
 
 namespace testing_application {
 namespace {
 
-using can_dbc::RolloverWarning;
+using rsi::can_dbc::RolloverWarning;
 using State = RolloverWarning::State;
 
 // A bench without records, for a million cycles.
@@ -52,9 +52,9 @@ class FuzzBench {
 
     // One cycle on three given messages.
     void cycle(const Motion& motion) {
-        send(0x120U, 0x3A7U, can_dbc::encode(motion.imu));
-        send(0x121U, 0x45CU, can_dbc::encode(motion.roll_angle));
-        send(0x122U, 0x5B1U, can_dbc::encode(motion.vehicle_motion));
+        send(0x120U, 0x3A7U, rsi::can_dbc::encode(motion.imu));
+        send(0x121U, 0x45CU, rsi::can_dbc::encode(motion.roll_angle));
+        send(0x122U, 0x5B1U, rsi::can_dbc::encode(motion.vehicle_motion));
         step();
     }
 
@@ -68,7 +68,7 @@ class FuzzBench {
  private:
     template <typename Payload>
     void send(std::uint32_t identifier, std::uint16_t data_id, const Payload& payload) {
-        hal::CanFrame frame;
+        rsi::hal::CanFrame frame;
         frame.identifier = identifier;
         frame.length = 8U;
         std::copy(payload.begin(), payload.end(), frame.data.begin());
@@ -86,28 +86,28 @@ class FuzzBench {
     }
 
     void step() {
-        clock_.advance(hal::Time::from_milliseconds(10));
+        clock_.advance(rsi::hal::Time::from_milliseconds(10));
         ecu_.step(0U);
         ++cycles;
         int frames = 0;
-        hal::CanFrame frame;
-        while (bus_.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+        rsi::hal::CanFrame frame;
+        while (bus_.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
             ++frames;
             judge(frame);
         }
         frames_missing += frames == 8 ? 0U : 1U;
     }
 
-    void judge(const hal::CanFrame& frame) {
+    void judge(const rsi::hal::CanFrame& frame) {
         if (frame.identifier == RolloverWarning::identifier) {
-            judge_warning(can_dbc::decode<RolloverWarning>(frame.data), frame.data[2]);
-        } else if (frame.identifier == can_dbc::RollCentreEstimate::identifier) {
-            judge_estimate(can_dbc::decode<can_dbc::RollCentreEstimate>(frame.data));
+            judge_warning(rsi::can_dbc::decode<RolloverWarning>(frame.data), frame.data[2]);
+        } else if (frame.identifier == rsi::can_dbc::RollCentreEstimate::identifier) {
+            judge_estimate(rsi::can_dbc::decode<rsi::can_dbc::RollCentreEstimate>(frame.data));
         }
     }
 
     // State and side are the lowest five bits of byte 2, read here without the codec.
-    void judge_warning(const can_dbc::Decoded<RolloverWarning>& warning, std::uint8_t byte) {
+    void judge_warning(const rsi::can_dbc::Decoded<RolloverWarning>& warning, std::uint8_t byte) {
         const unsigned state = byte & 0x7U;
         const unsigned side = (byte >> 3U) & 0x3U;
         last = warning.value;
@@ -124,24 +124,24 @@ class FuzzBench {
         available_ = available;
     }
 
-    void judge_estimate(const can_dbc::Decoded<can_dbc::RollCentreEstimate>& estimate) {
-        undefined += any_out_of_range<can_dbc::RollCentreEstimate>(estimate) ? 1U : 0U;
+    void judge_estimate(const rsi::can_dbc::Decoded<rsi::can_dbc::RollCentreEstimate>& estimate) {
+        undefined += any_out_of_range<rsi::can_dbc::RollCentreEstimate>(estimate) ? 1U : 0U;
         incomplete += available_ && !estimate.status.all_valid() ? 1U : 0U;
     }
 
     template <typename Message>
-    static bool any_out_of_range(const can_dbc::Decoded<Message>& decoded) {
+    static bool any_out_of_range(const rsi::can_dbc::Decoded<Message>& decoded) {
         bool found = false;
         Message::visit_signals([&](const char*, const char*, auto, auto status) {
-            found = found || decoded.status.*status == can_dbc::SignalStatus::out_of_range;
+            found = found || decoded.status.*status == rsi::can_dbc::SignalStatus::out_of_range;
         });
         return found;
     }
 
-    hal::VirtualClock clock_;
-    hal::MemoryBus<2U, 16U> bus_{clock_};
+    rsi::hal::VirtualClock clock_;
+    rsi::hal::MemoryBus<2U, 16U> bus_{clock_};
     NoWatchdog watchdog_;
-    application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
+    rsi::application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
     std::mt19937_64 random_{20090815U};
     Motion wanderer_{};
     bool available_{false};

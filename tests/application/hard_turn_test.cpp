@@ -9,8 +9,8 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
-using Side = can_dbc::RolloverWarning::Side;
+using State = rsi::can_dbc::RolloverWarning::State;
+using Side = rsi::can_dbc::RolloverWarning::Side;
 
 constexpr double g_mps2 = 9.80665;
 
@@ -97,7 +97,7 @@ TEST(AHardLeftTurn, WarnsWhereTheMomentBalanceSays) {
 TEST(AHardLeftTurn, ShowsTheLateralAccelerationAndTheThresholdThatItWasComparedWith) {
     const Turn turn{+1.0, 4.0};
     for (std::size_t index = 100U; index < turn.bench.cycles().size(); ++index) {
-        const can_dbc::RolloverWarning& warning = turn.bench.cycles()[index].warning.value;
+        const rsi::can_dbc::RolloverWarning& warning = turn.bench.cycles()[index].warning.value;
         ASSERT_NEAR(static_cast<double>(warning.lateral_acceleration_mps2), turn.truth_acceleration[index],
                     0.05)
             << "cycle " << index;

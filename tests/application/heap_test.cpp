@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "tests/application/allocation_count.hpp"
 #include "tests/application/bench.hpp"
 
@@ -52,7 +52,7 @@ class RunningEcu : public ::testing::Test {
         motion.imu.lateral_acceleration_mps2 = second % 4U == 3U ? 9.0F : 0.1F;
         motion.roll_angle.roll_angle_deg = second % 4U == 3U ? 6.0F : 0.0F;
         if (second % 3U != 2U) {
-            hal::CanFrame imu = frame_of(motion.imu, counter);
+            rsi::hal::CanFrame imu = frame_of(motion.imu, counter);
             if (number % 7U == 0U) {
                 imu.data[0] ^= 0xFFU;
             }
@@ -60,18 +60,18 @@ class RunningEcu : public ::testing::Test {
             bus.endpoint(1U).send(frame_of(motion.roll_angle, counter));
             bus.endpoint(1U).send(frame_of(motion.vehicle_motion, counter));
         }
-        clock.advance(hal::Time::from_milliseconds(10));
+        clock.advance(rsi::hal::Time::from_milliseconds(10));
         ecu.step(number % 50U == 0U ? 1U : 0U);
         seen[static_cast<std::size_t>(ecu.outputs().state)] = true;
-        hal::CanFrame frame;
-        while (bus.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+        rsi::hal::CanFrame frame;
+        while (bus.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
         }
     }
 
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U, 16U> bus{clock};
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<2U, 16U> bus{clock};
     NoWatchdog watchdog;
-    application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
+    rsi::application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
     bool seen[4]{};
 };
 

@@ -3,22 +3,22 @@
 
 #include <vector>
 
-#include "hal/interface/frame_listener.hpp"
+#include "rsi/hal/frame_listener.hpp"
 #include "tests/application/bench.hpp"
 
 namespace testing_application {
 namespace {
 
-class Listener final : public hal::FrameListener {
+class Listener final : public rsi::hal::FrameListener {
  public:
-    void take(const hal::CanFrame& frame) noexcept override { heard.push_back(frame.identifier); }
+    void take(const rsi::hal::CanFrame& frame) noexcept override { heard.push_back(frame.identifier); }
     std::vector<std::uint32_t> heard{};
 };
 
 class Listeners : public ::testing::Test {
  protected:
     void send(std::uint32_t identifier, bool is_extended = false) {
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.identifier = identifier;
         frame.extended = is_extended;
         frame.length = 8U;
@@ -26,17 +26,17 @@ class Listeners : public ::testing::Test {
     }
     std::size_t frames_sent() {
         std::size_t count = 0U;
-        hal::CanFrame frame{};
-        while (bus_.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+        rsi::hal::CanFrame frame{};
+        while (bus_.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
             ++count;
         }
         return count;
     }
 
-    hal::VirtualClock clock_;
-    hal::MemoryBus<2U> bus_{clock_};
+    rsi::hal::VirtualClock clock_;
+    rsi::hal::MemoryBus<2U> bus_{clock_};
     NoWatchdog watchdog_;
-    application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
+    rsi::application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
 };
 
 TEST_F(Listeners, HearWhatIsNoSensorsInTheOrderOfTheBus) {
@@ -45,7 +45,7 @@ TEST_F(Listeners, HearWhatIsNoSensorsInTheOrderOfTheBus) {
     ASSERT_TRUE(ecu_.listen(one));
     ASSERT_TRUE(ecu_.listen(other));
     send(0x7A6U);
-    send(can_dbc::Imu::identifier);
+    send(rsi::can_dbc::Imu::identifier);
     send(0x123U, true);
     send(0x6F0U);
     ecu_.step(0U);
@@ -70,7 +70,7 @@ TEST_F(Listeners, AnEcuThatIsNotToSendIsSilentWithoutAFault) {
     ecu_.set_sending(false);
     ecu_.step(0U);
     EXPECT_EQ(frames_sent(), 0U);
-    EXPECT_FALSE(ecu_.diagnostic_memory().active(monitoring::DiagnosticCode::bus_error));
+    EXPECT_FALSE(ecu_.diagnostic_memory().active(rsi::monitoring::DiagnosticCode::bus_error));
     ecu_.set_sending(true);
     ecu_.step(0U);
     EXPECT_EQ(frames_sent(), frames_per_cycle);

@@ -1,5 +1,5 @@
 // The learnt load outlives a restart, in a record that cannot be mistaken.
-#include "application/load_keeper.hpp"
+#include "rsi/ecu/application/load_keeper.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,33 +7,33 @@
 #include <cstdint>
 #include <vector>
 
-#include "application/crc32.hpp"
-#include "application/little_endian.hpp"
-#include "application/load_record.hpp"
-#include "application/parameter_section.hpp"
-#include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/memory_storage.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/ecu/application/crc32.hpp"
+#include "rsi/ecu/application/little_endian.hpp"
+#include "rsi/ecu/application/load_record.hpp"
+#include "rsi/ecu/application/parameter_section.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "tests/application/bench.hpp"
 
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace testing_application {
 namespace {
 
-using application::load_record_length;
-using application::LoadKeeper;
-using application::LoadRecord;
-using Storage = hal::MemoryStorage<load_record_length>;
+using rsi::application::load_record_length;
+using rsi::application::LoadKeeper;
+using rsi::application::LoadRecord;
+using Storage = rsi::hal::MemoryStorage<load_record_length>;
 
 constexpr rsi::LearntLoad learnt{0.4F, 0.02F, -0.1F};
 constexpr int cycles_in_a_minute = 6000;
 
 TEST(TheLoadsRecord, GivesBackWhatWasLearnt) {
-    const LoadRecord record = application::write_load_record(learnt, 77U);
+    const LoadRecord record = rsi::application::write_load_record(learnt, 77U);
     rsi::LearntLoad read{};
-    ASSERT_TRUE(application::read_load_record(record, 77U, read));
+    ASSERT_TRUE(rsi::application::read_load_record(record, 77U, read));
     EXPECT_EQ(read.excess, learnt.excess);
     EXPECT_EQ(read.excess_deviation, learnt.excess_deviation);
     EXPECT_EQ(read.offset_mps2, learnt.offset_mps2);
@@ -41,7 +41,7 @@ TEST(TheLoadsRecord, GivesBackWhatWasLearnt) {
 
 // As the table of its places says, on every target.
 TEST(TheLoadsRecord, HasItsBytesInTheirPlaces) {
-    const LoadRecord record = application::write_load_record({1.0F, 0.25F, -2.0F}, 0x04030201U);
+    const LoadRecord record = rsi::application::write_load_record({1.0F, 0.25F, -2.0F}, 0x04030201U);
     const std::array<std::uint8_t, 20> expected{'R',   'S',   'I', 'L', 1U,    2U,    3U, 4U, 0U, 0U,
                                                 0x80U, 0x3FU, 0U,  0U,  0x80U, 0x3EU, 0U, 0U, 0U, 0xC0U};
     for (std::size_t byte = 0U; byte < expected.size(); ++byte) {
@@ -50,28 +50,28 @@ TEST(TheLoadsRecord, HasItsBytesInTheirPlaces) {
 }
 
 TEST(TheLoadsRecord, IsRefusedWithAnyByteChangedErasedOrOfOtherParameters) {
-    const LoadRecord good = application::write_load_record(learnt, 77U);
+    const LoadRecord good = rsi::application::write_load_record(learnt, 77U);
     rsi::LearntLoad read{0.1F, 0.1F, 0.1F};
     for (std::size_t byte = 0U; byte < good.size(); ++byte) {
         LoadRecord record = good;
         record[byte] ^= 0x10U;
-        EXPECT_FALSE(application::read_load_record(record, 77U, read)) << byte;
+        EXPECT_FALSE(rsi::application::read_load_record(record, 77U, read)) << byte;
     }
     for (const std::uint8_t erased : {std::uint8_t{0x00U}, std::uint8_t{0xFFU}}) {
         LoadRecord record{};
         record.fill(erased);
-        EXPECT_FALSE(application::read_load_record(record, 77U, read));
+        EXPECT_FALSE(rsi::application::read_load_record(record, 77U, read));
     }
-    EXPECT_FALSE(application::read_load_record(good, 78U, read));
+    EXPECT_FALSE(rsi::application::read_load_record(good, 78U, read));
     EXPECT_EQ(read.excess, 0.1F);
 }
 
 TEST(TheLoadsRecord, IsRefusedWithoutItsMagicThoughItsChecksumIsGood) {
-    LoadRecord record = application::write_load_record(learnt, 77U);
+    LoadRecord record = rsi::application::write_load_record(learnt, 77U);
     record[0] ^= 1U;
-    application::put_word(record.data(), 20U, application::crc32(record.data(), 20U));
+    rsi::application::put_word(record.data(), 20U, rsi::application::crc32(record.data(), 20U));
     rsi::LearntLoad read{};
-    EXPECT_FALSE(application::read_load_record(record, 77U, read));
+    EXPECT_FALSE(rsi::application::read_load_record(record, 77U, read));
 }
 
 // Found again by a reader of the record elsewhere.
@@ -84,27 +84,28 @@ TEST(TheParametersCheckWord, IsTheCrc32OfTheirBytesInTheOrderOfTheirTables) {
         }
     };
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
-        append(application::word_of(parameters.*field.member));
+        append(rsi::application::word_of(parameters.*field.member));
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
         append(static_cast<std::uint32_t>(parameters.*field.member));
     }
-    EXPECT_EQ(application::check_word_of(parameters), application::crc32(bytes.data(), bytes.size()));
+    EXPECT_EQ(rsi::application::check_word_of(parameters),
+              rsi::application::crc32(bytes.data(), bytes.size()));
 }
 
 TEST(TheParametersCheckWord, IsAnotherForEachParameterThatChanges) {
     const rsi::Parameters parameters = large_suv();
-    const std::uint32_t word = application::check_word_of(parameters);
-    EXPECT_EQ(application::check_word_of(parameters), word);
+    const std::uint32_t word = rsi::application::check_word_of(parameters);
+    EXPECT_EQ(rsi::application::check_word_of(parameters), word);
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
         rsi::Parameters changed = parameters;
         changed.*field.member = std::nextafterf(changed.*field.member, 1.0e30F);
-        EXPECT_NE(application::check_word_of(changed), word) << field.name;
+        EXPECT_NE(rsi::application::check_word_of(changed), word) << field.name;
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
         rsi::Parameters changed = parameters;
         changed.*field.member += 1;
-        EXPECT_NE(application::check_word_of(changed), word) << field.name;
+        EXPECT_NE(rsi::application::check_word_of(changed), word) << field.name;
     }
 }
 
@@ -215,8 +216,9 @@ TEST_F(Keeping, StoresForTheParametersThatItFollows) {
     LoadRecord record{};
     ASSERT_TRUE(storage.read(record.data(), record.size()));
     rsi::LearntLoad read{};
-    EXPECT_TRUE(application::read_load_record(record, application::check_word_of(other), read));
-    EXPECT_FALSE(application::read_load_record(record, application::check_word_of(large_suv()), read));
+    EXPECT_TRUE(rsi::application::read_load_record(record, rsi::application::check_word_of(other), read));
+    EXPECT_FALSE(
+        rsi::application::read_load_record(record, rsi::application::check_word_of(large_suv()), read));
 }
 
 TEST_F(Keeping, BringsItBackAfterARestartDoubtedOrNot) {
@@ -263,19 +265,19 @@ TEST(AKeeperWithoutAStorage, DoesNothing) {
 // The control unit as a whole, on a bus of its own, started after a reset or a loss of power.
 class AnEcuWithAStorage {
  public:
-    explicit AnEcuWithAStorage(hal::ResetReason reason) {
+    explicit AnEcuWithAStorage(rsi::hal::ResetReason reason) {
         ecu_.use_storage(storage);
         ecu_.set_reset_reason(reason);
     }
     // The load learnt before the start, with these parameters.
     void had_learnt(const rsi::LearntLoad& load, const rsi::Parameters& parameters) {
         const LoadRecord record =
-            application::write_load_record(load, application::check_word_of(parameters));
+            rsi::application::write_load_record(load, rsi::application::check_word_of(parameters));
         EXPECT_TRUE(storage.write(record.data(), record.size()));
     }
-    application::RolloverEcu& ecu() { return ecu_; }
+    rsi::application::RolloverEcu& ecu() { return ecu_; }
 
-    void hear(const hal::CanFrame& frame) { bus_.endpoint(1U).send(frame); }
+    void hear(const rsi::hal::CanFrame& frame) { bus_.endpoint(1U).send(frame); }
     void hear_all_sensors() {
         Bench bench;
         bench.run_cycles(1);
@@ -284,7 +286,7 @@ class AnEcuWithAStorage {
         }
     }
     void hear_mass(float mass_kg, unsigned counter) {
-        hear(frame_of(can_dbc::VehicleMass{mass_kg}, counter));
+        hear(frame_of(rsi::can_dbc::VehicleMass{mass_kg}, counter));
     }
     float load_excess_in_the_first_cycle() {
         hear_all_sensors();
@@ -295,13 +297,13 @@ class AnEcuWithAStorage {
     Storage storage{};
 
  private:
-    hal::VirtualClock clock_{};
-    hal::MemoryBus<2U> bus_{clock_};
+    rsi::hal::VirtualClock clock_{};
+    rsi::hal::MemoryBus<2U> bus_{clock_};
     NoWatchdog watchdog_{};
-    application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
+    rsi::application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
 };
 
-float excess_at_start(hal::ResetReason reason) {
+float excess_at_start(rsi::hal::ResetReason reason) {
     AnEcuWithAStorage unit{reason};
     unit.had_learnt(learnt, large_suv());
     EXPECT_EQ(unit.ecu().init(large_suv()).accepted, 1);
@@ -309,17 +311,18 @@ float excess_at_start(hal::ResetReason reason) {
 }
 
 TEST(TheEcu, StartsWithTheLoadThatItsStorageHoldsAndDoubtsItAfterALossOfPower) {
-    EXPECT_NEAR(excess_at_start(hal::ResetReason::power_on), 0.5F * learnt.excess, 0.001F);
-    EXPECT_NEAR(excess_at_start(hal::ResetReason::outside), learnt.excess, 0.001F);
-    EXPECT_NEAR(excess_at_start(hal::ResetReason::data_abort), learnt.excess, 0.001F);
+    EXPECT_NEAR(excess_at_start(rsi::hal::ResetReason::power_on), 0.5F * learnt.excess, 0.001F);
+    EXPECT_NEAR(excess_at_start(rsi::hal::ResetReason::outside), learnt.excess, 0.001F);
+    EXPECT_NEAR(excess_at_start(rsi::hal::ResetReason::data_abort), learnt.excess, 0.001F);
 }
 
 TEST(TheEcu, StartsWithThatLoadWhereItsParametersAreASectionToo) {
     rsi::Parameters parameters{};
-    application::read_parameter_section(rsi_parameter_section, application::section::length, parameters);
-    AnEcuWithAStorage unit{hal::ResetReason::outside};
+    rsi::application::read_parameter_section(rsi_parameter_section, rsi::application::section::length,
+                                             parameters);
+    AnEcuWithAStorage unit{rsi::hal::ResetReason::outside};
     unit.had_learnt(learnt, parameters);
-    unit.ecu().init(rsi_parameter_section, application::section::length);
+    unit.ecu().init(rsi_parameter_section, rsi::application::section::length);
     EXPECT_NEAR(unit.load_excess_in_the_first_cycle(), learnt.excess, 0.001F);
 }
 
@@ -327,7 +330,7 @@ TEST(TheEcu, StartsWithThatLoadWhereItsParametersAreASectionToo) {
 class ALoadThatIsPutOn : public ::testing::TestWithParam<bool> {};
 
 TEST_P(ALoadThatIsPutOn, IsStoredAfterAMinute) {
-    AnEcuWithAStorage unit{hal::ResetReason::outside};
+    AnEcuWithAStorage unit{rsi::hal::ResetReason::outside};
     unit.had_learnt({0.4F, 0.02F, 0.0F}, large_suv());
     ASSERT_EQ(unit.ecu().init(large_suv()).accepted, 1);
     rsi::Parameters used = large_suv();
@@ -352,7 +355,7 @@ TEST_P(ALoadThatIsPutOn, IsStoredAfterAMinute) {
     LoadRecord record{};
     rsi::LearntLoad stored{};
     ASSERT_TRUE(unit.storage.read(record.data(), record.size()));
-    ASSERT_TRUE(application::read_load_record(record, application::check_word_of(used), stored));
+    ASSERT_TRUE(rsi::application::read_load_record(record, rsi::application::check_word_of(used), stored));
     EXPECT_NEAR(stored.excess, 0.4F + 130.0F / 2060.0F, 0.001F);
 }
 INSTANTIATE_TEST_SUITE_P(Parameters, ALoadThatIsPutOn, ::testing::Bool());

@@ -13,7 +13,7 @@
 namespace testing_application {
 namespace {
 
-using monitoring::DiagnosticCode;
+using rsi::monitoring::DiagnosticCode;
 
 rsi::ParameterChange change_to(const rsi::Parameters& to) {
     rsi::ParameterChange change;

@@ -1,5 +1,5 @@
 // The parameter section: whatever is wrong with it is noticed and named, and nothing of it is used.
-#include "application/parameter_section.hpp"
+#include "rsi/ecu/application/parameter_section.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,13 @@
 #include "tests/application/bench.hpp"
 #include "tests/application/roll_plane_vehicle.hpp"
 
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace testing_application {
 namespace {
 
-using application::ParametersRefusal;
-namespace section = application::section;
+using rsi::application::ParametersRefusal;
+namespace section = rsi::application::section;
 using Bytes = std::vector<std::uint8_t>;
 
 // The committed one of the large SUV.
@@ -33,7 +33,7 @@ void write(Bytes& bytes, std::size_t at, std::uint32_t value, std::size_t count 
 
 // With the checksum that belongs to what is in it now.
 Bytes sealed(Bytes bytes) {
-    write(bytes, section::checksum_at, application::crc32(bytes.data(), section::checksum_at));
+    write(bytes, section::checksum_at, rsi::application::crc32(bytes.data(), section::checksum_at));
     return bytes;
 }
 
@@ -50,12 +50,12 @@ Bytes with_value(std::size_t index, float value) {
 }
 
 // The answer; a refusal must leave every byte of the parameters as it was.
-application::ParameterSectionAnswer read(const Bytes& bytes, std::size_t length) {
+rsi::application::ParameterSectionAnswer read(const Bytes& bytes, std::size_t length) {
     rsi::Parameters parameters{};
     std::memset(&parameters, 0x5A, sizeof parameters);
     const rsi::Parameters before = parameters;
-    const application::ParameterSectionAnswer answer =
-        application::read_parameter_section(bytes.data(), length, parameters);
+    const rsi::application::ParameterSectionAnswer answer =
+        rsi::application::read_parameter_section(bytes.data(), length, parameters);
     if (answer.refusal != ParametersRefusal::none) {
         EXPECT_EQ(std::memcmp(&parameters, &before, sizeof parameters), 0);
     }
@@ -69,14 +69,14 @@ ParametersRefusal refusal_of(const Bytes& bytes) {
 TEST(Crc32, HasItsCheckValue) {
     const std::string digits = "123456789";
     const Bytes bytes{digits.begin(), digits.end()};
-    EXPECT_EQ(application::crc32(bytes.data(), bytes.size()), 0xCBF4'3926U);
+    EXPECT_EQ(rsi::application::crc32(bytes.data(), bytes.size()), 0xCBF4'3926U);
 }
 
 TEST(ParameterSection, IsReadWithEveryValueInItsPlace) {
     rsi::Parameters parameters{};
     const Bytes bytes = good_section();
-    const application::ParameterSectionAnswer answer =
-        application::read_parameter_section(bytes.data(), bytes.size(), parameters);
+    const rsi::application::ParameterSectionAnswer answer =
+        rsi::application::read_parameter_section(bytes.data(), bytes.size(), parameters);
     EXPECT_EQ(answer.refusal, ParametersRefusal::none);
     EXPECT_EQ(answer.validation.accepted, 1);
     EXPECT_EQ(parameters.sprung_mass_kg, 2060.0F);
@@ -119,7 +119,7 @@ TEST(ParameterSection, IsNotReadBeyondItsMemoryAndRefusedWhereThatEndsTooEarly) 
 TEST(ParameterSection, ASectionRefusedForItsFormIsNotAcceptedAndNamesNoField) {
     Bytes bytes = good_section();
     bytes[section::checksum_at] ^= 1U;
-    const application::ParameterSectionAnswer answer = read(bytes, bytes.size());
+    const rsi::application::ParameterSectionAnswer answer = read(bytes, bytes.size());
     EXPECT_EQ(answer.refusal, ParametersRefusal::checksum);
     EXPECT_EQ(answer.validation.accepted, 0);
     EXPECT_STREQ(answer.validation.field, "");
@@ -130,7 +130,7 @@ TEST(ParameterSection, ErasedMemoryIsAMissingSection) {
     EXPECT_EQ(refusal_of(Bytes(4096U, std::uint8_t{0xFFU})), ParametersRefusal::missing);
     EXPECT_EQ(refusal_of(Bytes(4096U, std::uint8_t{0U})), ParametersRefusal::missing);
     rsi::Parameters parameters{};
-    EXPECT_EQ(application::read_parameter_section(nullptr, 0U, parameters).refusal,
+    EXPECT_EQ(rsi::application::read_parameter_section(nullptr, 0U, parameters).refusal,
               ParametersRefusal::missing);
 }
 
@@ -194,16 +194,16 @@ TEST(ParameterSection, TheLayoutIsTheChecksumOfEveryNameAndTheFirstChoices) {
         }
     }
     const Bytes bytes{text.begin(), text.end()};
-    EXPECT_EQ(section::layout_of_values(), application::crc32(bytes.data(), bytes.size()));
+    EXPECT_EQ(section::layout_of_values(), rsi::application::crc32(bytes.data(), bytes.size()));
 }
 
 TEST(ParameterSection, EachValueOutsideItsRangeIsRefusedByItsName) {
     std::size_t index = 0U;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
         for (const float bad : {field.minimum - 1.0F - 0.01F * field.maximum,
-                                field.maximum + 1.0F + 0.01F * field.maximum, can_dbc::not_available}) {
+                                field.maximum + 1.0F + 0.01F * field.maximum, rsi::can_dbc::not_available}) {
             const Bytes bytes = with_value(index, bad);
-            const application::ParameterSectionAnswer answer = read(bytes, bytes.size());
+            const rsi::application::ParameterSectionAnswer answer = read(bytes, bytes.size());
             EXPECT_EQ(answer.refusal, ParametersRefusal::value) << field.name;
             EXPECT_STREQ(answer.validation.field, field.name);
             EXPECT_STRNE(answer.validation.reason, "");
@@ -213,7 +213,7 @@ TEST(ParameterSection, EachValueOutsideItsRangeIsRefusedByItsName) {
     for (const rsi::SelectionField& field : rsi::selection_fields) {
         Bytes bytes = good_section();
         write(bytes, section::values_at + 4U * index, 0xFFFF'FFFFU);
-        const application::ParameterSectionAnswer answer = read(sealed(bytes), bytes.size());
+        const rsi::application::ParameterSectionAnswer answer = read(sealed(bytes), bytes.size());
         EXPECT_EQ(answer.refusal, ParametersRefusal::value) << field.name;
         EXPECT_STREQ(answer.validation.field, field.name);
         ++index;
@@ -224,19 +224,19 @@ TEST(TheEcu, StartedWithAGoodSectionBecomesReadyAndSaysNothingOfItsParameters) {
     Bench bench;
     EXPECT_EQ(bench.start_with(good_section()).refusal, ParametersRefusal::none);
     bench.run_until_ready();
-    EXPECT_EQ(bench.state(), can_dbc::RolloverWarning::State::ready);
+    EXPECT_EQ(bench.state(), rsi::can_dbc::RolloverWarning::State::ready);
     EXPECT_FALSE(bench.status().parameters_invalid);
     EXPECT_EQ(bench.last().warning.value.parameters_refusal,
-              can_dbc::RolloverWarning::ParametersRefusal::none);
+              rsi::can_dbc::RolloverWarning::ParametersRefusal::none);
 }
 
 struct Refused {
-    can_dbc::RolloverWarning::ParametersRefusal sent;
+    rsi::can_dbc::RolloverWarning::ParametersRefusal sent;
     Bytes section;
 };
 
 std::vector<Refused> refused_sections() {
-    using Sent = can_dbc::RolloverWarning::ParametersRefusal;
+    using Sent = rsi::can_dbc::RolloverWarning::ParametersRefusal;
     Bytes version = good_section();
     write(version, section::version_at, 2U, 2U);
     Bytes layout = good_section();
@@ -255,10 +255,10 @@ std::vector<Refused> refused_sections() {
 // Also when it has run with good ones before: nothing of them is left.
 TEST(TheEcu, StartedWithARefusedSectionStaysUnavailableAndSaysWhyInEachCycle) {
     for (const Refused& refused : refused_sections()) {
-        const char* const name = can_dbc::RolloverWarning::name_of(refused.sent);
+        const char* const name = rsi::can_dbc::RolloverWarning::name_of(refused.sent);
         Bench bench;
         bench.run_until_ready();
-        ASSERT_EQ(bench.state(), can_dbc::RolloverWarning::State::ready);
+        ASSERT_EQ(bench.state(), rsi::can_dbc::RolloverWarning::State::ready);
         EXPECT_EQ(static_cast<int>(bench.start_with(refused.section).refusal),
                   static_cast<int>(refused.sent));
         const std::size_t from = bench.cycles().size();
@@ -266,7 +266,7 @@ TEST(TheEcu, StartedWithARefusedSectionStaysUnavailableAndSaysWhyInEachCycle) {
         for (std::size_t index = from; index < bench.cycles().size(); ++index) {
             const Cycle& cycle = bench.cycles()[index];
             ASSERT_EQ(cycle.frames.size(), frames_per_cycle) << name;
-            ASSERT_EQ(cycle.state(), can_dbc::RolloverWarning::State::unavailable) << name;
+            ASSERT_EQ(cycle.state(), rsi::can_dbc::RolloverWarning::State::unavailable) << name;
             ASSERT_EQ(cycle.warning.value.parameters_refusal, refused.sent) << name;
             ASSERT_TRUE(cycle.status.value.parameters_invalid) << name;
         }
@@ -289,12 +289,12 @@ TEST(TheEcu, StartedWithASectionMonitorsTheVehicleOfThatSection) {
         motion.imu.lateral_acceleration_mps2 += (time_s < 3.0) ? 0.0F : 3.3F;
         return motion;
     });
-    using Code = can_dbc::RolloverDiagnosis::Code;
+    using Code = rsi::can_dbc::RolloverDiagnosis::Code;
     bench.run_for(3.0);
     ASSERT_EQ(bench.last().diagnosis.value.code, Code::none);
     bench.run_for(2.0);
     EXPECT_EQ(bench.last().diagnosis.value.code, Code::lateral_acceleration_contradicts_yaw_rate);
-    EXPECT_EQ(bench.state(), can_dbc::RolloverWarning::State::unavailable);
+    EXPECT_EQ(bench.state(), rsi::can_dbc::RolloverWarning::State::unavailable);
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
-using Code = can_dbc::RolloverDiagnosis::Code;
-using CodeStatus = can_dbc::RolloverDiagnosis::CodeStatus;
+using State = rsi::can_dbc::RolloverWarning::State;
+using Code = rsi::can_dbc::RolloverDiagnosis::Code;
+using CodeStatus = rsi::can_dbc::RolloverDiagnosis::CodeStatus;
 
 class APlatform : public ::testing::Test {
  protected:
@@ -23,7 +23,7 @@ class APlatform : public ::testing::Test {
 
     bool told(Code code, CodeStatus status) const {
         for (std::size_t index = from; index < bench.cycles().size(); ++index) {
-            const can_dbc::RolloverDiagnosis& diagnosis = bench.cycles()[index].diagnosis.value;
+            const rsi::can_dbc::RolloverDiagnosis& diagnosis = bench.cycles()[index].diagnosis.value;
             if (diagnosis.code == code && diagnosis.code_status == status) {
                 return true;
             }
@@ -90,19 +90,19 @@ TEST_F(APlatform, ThatMissesMoreThanTwoCyclesHasStalledAndStartsAnew) {
 }
 
 TEST_F(APlatform, WhoseBusIsNotErrorActiveForThreeCyclesHasABusError) {
-    bench.set_bus_state(hal::BusState::error_passive);
+    bench.set_bus_state(rsi::hal::BusState::error_passive);
     bench.run_cycles(2);
     EXPECT_TRUE(told(Code::bus_error, CodeStatus::set));
     EXPECT_FALSE(confirmed(Code::bus_error));
     bench.run_cycles(1);
     EXPECT_TRUE(confirmed(Code::bus_error));
-    bench.set_bus_state(hal::BusState::error_active);
+    bench.set_bus_state(rsi::hal::BusState::error_active);
     bench.run_for(1.0);
     EXPECT_TRUE(told(Code::bus_error, CodeStatus::healed));
 }
 
 TEST_F(APlatform, ThatHasLostFramesHasAnOverflow) {
-    hal::CanFrame foreign;
+    rsi::hal::CanFrame foreign;
     foreign.identifier = 0x001U;
     for (int count = 0; count < 300; ++count) {
         bench.send_foreign(foreign);
@@ -113,10 +113,10 @@ TEST_F(APlatform, ThatHasLostFramesHasAnOverflow) {
 }
 
 TEST_F(APlatform, WhoseClockGoesOnByAQuarterOfASecondTooFarHasAClockJump) {
-    bench.move_clock(hal::Time::from_milliseconds(250));
+    bench.move_clock(rsi::hal::Time::from_milliseconds(250));
     bench.run_cycles(2);
     EXPECT_FALSE(confirmed(Code::clock_jump));
-    bench.move_clock(hal::Time::from_milliseconds(251));
+    bench.move_clock(rsi::hal::Time::from_milliseconds(251));
     bench.run_cycles(2);
     EXPECT_TRUE(confirmed(Code::clock_jump));
 }

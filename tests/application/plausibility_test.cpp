@@ -13,10 +13,10 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
-using Code = can_dbc::RolloverDiagnosis::Code;
-using CodeStatus = can_dbc::RolloverDiagnosis::CodeStatus;
-using Degradation = can_dbc::RolloverDiagnosis::Degradation;
+using State = rsi::can_dbc::RolloverWarning::State;
+using Code = rsi::can_dbc::RolloverDiagnosis::Code;
+using CodeStatus = rsi::can_dbc::RolloverDiagnosis::CodeStatus;
+using Degradation = rsi::can_dbc::RolloverDiagnosis::Degradation;
 
 // Slow enough for no warning, fast enough that everything moves.
 double slalom_mps2(double time_s) {
@@ -39,7 +39,7 @@ struct Slalom {
 
     bool confirmed_since(std::size_t from, Code code) const {
         for (std::size_t index = from; index < bench.cycles().size(); ++index) {
-            const can_dbc::RolloverDiagnosis& diagnosis = bench.cycles()[index].diagnosis.value;
+            const rsi::can_dbc::RolloverDiagnosis& diagnosis = bench.cycles()[index].diagnosis.value;
             if (diagnosis.code == code && diagnosis.code_status == CodeStatus::confirmed) {
                 return true;
             }
@@ -76,7 +76,7 @@ TEST_P(ALie, IsConfirmedDegradesAsStatedAndHeals) {
     slalom.faulty = true;
     slalom.bench.run_for(lie.at_the_latest_s);
     EXPECT_TRUE(slalom.confirmed_since(from, lie.code));
-    const can_dbc::RolloverDiagnosis& diagnosis = slalom.bench.last().diagnosis.value;
+    const rsi::can_dbc::RolloverDiagnosis& diagnosis = slalom.bench.last().diagnosis.value;
     EXPECT_EQ(diagnosis.degradation, lie.degradation) << static_cast<int>(diagnosis.degradation);
     EXPECT_EQ(slalom.bench.state() == State::unavailable, lie.degradation == Degradation::unavailable);
     EXPECT_GE(diagnosis.occurrences, 1U);

@@ -14,8 +14,8 @@
 namespace testing_application {
 namespace {
 
-using Diagnosis = can_dbc::RolloverDiagnosis;
-using State = can_dbc::RolloverWarning::State;
+using Diagnosis = rsi::can_dbc::RolloverDiagnosis;
+using State = rsi::can_dbc::RolloverWarning::State;
 
 constexpr int longest_use_cycles = 14;  // of a second sender of the same rate
 constexpr unsigned counters = 15U;
@@ -28,24 +28,24 @@ constexpr const char* name_of(Manner manner) {
     return names[static_cast<std::size_t>(manner)];
 }
 
-hal::CanFrame strangers_frame(Sensor sensor, unsigned counter) {
+rsi::hal::CanFrame strangers_frame(Sensor sensor, unsigned counter) {
     switch (sensor) {
         case Sensor::imu:
-            return frame_of(can_dbc::Imu{1.0F, 9.5F, 2.0F}, counter);
+            return frame_of(rsi::can_dbc::Imu{1.0F, 9.5F, 2.0F}, counter);
         case Sensor::roll_angle:
-            return frame_of(can_dbc::RollAngle{1.0F, can_dbc::not_available}, counter);
+            return frame_of(rsi::can_dbc::RollAngle{1.0F, rsi::can_dbc::not_available}, counter);
         case Sensor::vehicle_motion:
-            return frame_of(can_dbc::VehicleMotion{82.0F, 1.0F, 5.0F}, counter);
+            return frame_of(rsi::can_dbc::VehicleMotion{82.0F, 1.0F, 5.0F}, counter);
     }
     return {};
 }
 
-std::uint16_t data_id_of(const hal::CanFrame& frame) {
-    const bool is_imu = frame.identifier == can_dbc::Imu::identifier;
-    const bool is_roll_angle = frame.identifier == can_dbc::RollAngle::identifier;
-    return is_imu          ? can_dbc::Imu::e2e_data_id
-           : is_roll_angle ? can_dbc::RollAngle::e2e_data_id
-                           : can_dbc::VehicleMotion::e2e_data_id;
+std::uint16_t data_id_of(const rsi::hal::CanFrame& frame) {
+    const bool is_imu = frame.identifier == rsi::can_dbc::Imu::identifier;
+    const bool is_roll_angle = frame.identifier == rsi::can_dbc::RollAngle::identifier;
+    return is_imu          ? rsi::can_dbc::Imu::e2e_data_id
+           : is_roll_angle ? rsi::can_dbc::RollAngle::e2e_data_id
+                           : rsi::can_dbc::VehicleMotion::e2e_data_id;
 }
 
 Diagnosis::Code two_senders_of(Sensor sensor) {
@@ -104,11 +104,11 @@ class ASecondSender : public ::testing::TestWithParam<std::tuple<Sensor, Manner>
     }
 
     void start() {
-        bench.tamper(sensor, [this](hal::CanFrame& genuine) { send_beside(genuine); });
+        bench.tamper(sensor, [this](rsi::hal::CanFrame& genuine) { send_beside(genuine); });
     }
 
     // The result of `genuine` is sent last.
-    void send_beside(hal::CanFrame& genuine) {
+    void send_beside(rsi::hal::CanFrame& genuine) {
         const unsigned counter = genuine.data[1] & 0x0FU;
         switch (manner) {
             case Manner::same_counter_before:
@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(OfEachFrameInEachManner, ASecondSender,
 TEST(ASensor, WhoseFramesAreSentTwiceOverIsUsed) {
     for (const Sensor sensor : all_sensors) {
         Bench bench;
-        bench.tamper(sensor, [&bench](hal::CanFrame& frame) { bench.send_foreign(frame); });
+        bench.tamper(sensor, [&bench](rsi::hal::CanFrame& frame) { bench.send_foreign(frame); });
         bench.run_for(3.0);
         EXPECT_FALSE(sets_code(bench));
         EXPECT_TRUE(is_used(bench.inputs(), sensor));
@@ -210,7 +210,7 @@ TEST(ASecondSenderOfTheMass, IsNotUsedEither) {
     ASSERT_TRUE(std::isfinite(bench.inputs().vehicle_mass_kg));
     unsigned counter = 0U;
     for (int cycle = 0; cycle < longest_use_cycles; ++cycle) {
-        bench.send_foreign(frame_of(can_dbc::VehicleMass{3500.0F}, counter));
+        bench.send_foreign(frame_of(rsi::can_dbc::VehicleMass{3500.0F}, counter));
         counter = (counter + 1U) % counters;
         bench.run_cycles(1);
     }
@@ -223,16 +223,16 @@ TEST(ASecondSenderOfTheMass, IsNotUsedEither) {
 // With any content and any protection.
 TEST(AForeignNode, IsReportedAtOnceAndForASecondIfItSendsFramesOfThisControlUnit) {
     constexpr auto code = Diagnosis::Code::own_identifier_received;
-    for (const std::uint32_t identifier : application::sent_identifiers) {
+    for (const std::uint32_t identifier : rsi::application::sent_identifiers) {
         Bench bench;
         bench.run_for(0.5);
-        hal::CanFrame frame;
+        rsi::hal::CanFrame frame;
         frame.identifier = identifier;
         frame.length = 8U;
         const std::size_t from = bench.cycles().size();
         EXPECT_FALSE(tells(bench, 0U, code, Diagnosis::CodeStatus::confirmed));
         bench.send_foreign(frame);
-        frame.identifier = can_dbc::RolloverWarning::identifier + 1U;
+        frame.identifier = rsi::can_dbc::RolloverWarning::identifier + 1U;
         bench.send_foreign(frame);  // another node's, behind it in the same cycle
         bench.run_cycles(1);
         EXPECT_TRUE(tells(bench, from, code, Diagnosis::CodeStatus::confirmed)) << identifier;
@@ -246,15 +246,15 @@ TEST(AForeignNode, IsReportedAtOnceAndForASecondIfItSendsFramesOfThisControlUnit
 
 TEST(AForeignNode, IsNotASenderOfFramesOfOtherKinds) {
     Bench bench;
-    hal::CanFrame of_another_identifier;
-    of_another_identifier.identifier = can_dbc::RolloverWarning::identifier + 1U;
-    hal::CanFrame extended;
-    extended.identifier = can_dbc::RolloverWarning::identifier;
+    rsi::hal::CanFrame of_another_identifier;
+    of_another_identifier.identifier = rsi::can_dbc::RolloverWarning::identifier + 1U;
+    rsi::hal::CanFrame extended;
+    extended.identifier = rsi::can_dbc::RolloverWarning::identifier;
     extended.extended = true;
-    hal::CanFrame flexible;
-    flexible.identifier = can_dbc::RolloverWarning::identifier;
+    rsi::hal::CanFrame flexible;
+    flexible.identifier = rsi::can_dbc::RolloverWarning::identifier;
     flexible.flexible_data_rate = true;
-    for (const hal::CanFrame& frame : {of_another_identifier, extended, flexible}) {
+    for (const rsi::hal::CanFrame& frame : {of_another_identifier, extended, flexible}) {
         bench.send_foreign(frame);
         bench.run_cycles(2);
     }
@@ -267,7 +267,7 @@ TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsSetsNoCode) {
     Bench bench;
     bench.run_for(0.5);
     for (const Sensor sensor : all_sensors) {
-        bench.tamper(sensor, [&bench](hal::CanFrame& frame) {
+        bench.tamper(sensor, [&bench](rsi::hal::CanFrame& frame) {
             const std::uint16_t data_id = data_id_of(frame);
             const unsigned counter = frame.data[1] & 0x0FU;
             for (unsigned count = 0U; count < 63U; ++count) {
@@ -277,7 +277,7 @@ TEST(AStalledCycle, ThatFindsTheFramesOf640MillisecondsSetsNoCode) {
             protect(frame, data_id, (counter + 63U) % counters);
         });
     }
-    bench.move_clock(hal::Time::from_milliseconds(630));
+    bench.move_clock(rsi::hal::Time::from_milliseconds(630));
     bench.miss_cycles(63U);
     bench.run_cycles(1);
     for (const Sensor sensor : all_sensors) {
@@ -296,7 +296,7 @@ TEST(AnEcuThatMissesEverySecondCycle, SetsNoCode) {
     bench.run_for(0.5);
     unsigned counter = 0U;
     for (const Sensor sensor : all_sensors) {
-        bench.tamper(sensor, [&bench, &counter](hal::CanFrame& frame) {
+        bench.tamper(sensor, [&bench, &counter](rsi::hal::CanFrame& frame) {
             protect(frame, data_id_of(frame), counter);
             bench.send_foreign(frame);
             protect(frame, data_id_of(frame), (counter + 1U) % counters);
@@ -304,8 +304,8 @@ TEST(AnEcuThatMissesEverySecondCycle, SetsNoCode) {
     }
     bench.miss_cycles(1U);
     for (int cycle = 0; cycle < 300; ++cycle) {
-        bench.send_foreign(frame_of(can_dbc::VehicleMass{2500.0F}, counter));
-        bench.send_foreign(frame_of(can_dbc::VehicleMass{2500.0F}, (counter + 1U) % counters));
+        bench.send_foreign(frame_of(rsi::can_dbc::VehicleMass{2500.0F}, counter));
+        bench.send_foreign(frame_of(rsi::can_dbc::VehicleMass{2500.0F}, (counter + 1U) % counters));
         bench.run_cycles(1);
         counter = (counter + 2U) % counters;
     }

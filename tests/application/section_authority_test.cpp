@@ -1,5 +1,5 @@
 // A parameter section is taken from any holder of the key, and never an older one than before.
-#include "application/section_authority.hpp"
+#include "rsi/ecu/application/section_authority.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,32 +7,32 @@
 #include <optional>
 #include <vector>
 
-#include "access/stored_count.hpp"
-#include "application/little_endian.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/access/stored_count.hpp"
+#include "rsi/ecu/application/little_endian.hpp"
 #include "tests/access/cut_storage.hpp"
 #include "tests/application/bench.hpp"
 
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace testing_application {
 namespace {
 
-using application::ParametersRefusal;
-using application::SealFault;
-using application::SectionAuthority;
+using rsi::application::ParametersRefusal;
+using rsi::application::SealFault;
+using rsi::application::SectionAuthority;
 using rsi_test::CutStorage;
-namespace section = application::section;
-namespace seal = application::seal;
+namespace section = rsi::application::section;
+namespace seal = rsi::application::seal;
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr hal::Keys own_keys{{{1U, 2U}, {3U, 4U}, {5U, 6U, 7U}}};
+constexpr rsi::hal::Keys own_keys{{{1U, 2U}, {3U, 4U}, {5U, 6U, 7U}}};
 
-Bytes sealed_section(std::uint32_t version, const hal::Keys& keys = own_keys) {
+Bytes sealed_section(std::uint32_t version, const rsi::hal::Keys& keys = own_keys) {
     Bytes bytes{rsi_parameter_section, rsi_parameter_section + section::length};
     bytes.resize(seal::sealed_length);
-    hal::SoftwareKeys store{keys};
-    EXPECT_TRUE(application::seal_section(store, version, bytes.data()));
+    rsi::hal::SoftwareKeys store{keys};
+    EXPECT_TRUE(rsi::application::seal_section(store, version, bytes.data()));
     return bytes;
 }
 
@@ -42,14 +42,14 @@ void flip(Bytes& bytes, std::size_t bit) {
 
 // With the check sum that belongs to what is in it now: what an attacker can make without the key.
 void repair_checksum(Bytes& bytes) {
-    application::put_word(bytes.data(), section::checksum_at,
-                          application::crc32(bytes.data(), section::checksum_at));
+    rsi::application::put_word(bytes.data(), section::checksum_at,
+                               rsi::application::crc32(bytes.data(), section::checksum_at));
 }
 
-class SilentKeys final : public hal::KeyStore {
+class SilentKeys final : public rsi::hal::KeyStore {
  public:
-    bool authenticate(hal::KeySlot, const std::uint8_t*, std::size_t,
-                      hal::AuthenticationCode& code) noexcept override {
+    bool authenticate(rsi::hal::KeySlot, const std::uint8_t*, std::size_t,
+                      rsi::hal::AuthenticationCode& code) noexcept override {
         code.fill(0U);
         return false;
     }
@@ -69,8 +69,8 @@ class ASectionAuthority : public ::testing::Test {
         rsi::Parameters parameters{};
         std::memset(&parameters, 0x5A, sizeof parameters);
         const rsi::Parameters before = parameters;
-        const application::ParameterSectionAnswer answer =
-            application::read_parameter_section(bytes.data(), bytes.size(), *authority_, parameters);
+        const rsi::application::ParameterSectionAnswer answer =
+            rsi::application::read_parameter_section(bytes.data(), bytes.size(), *authority_, parameters);
         const bool refused = answer.refusal != ParametersRefusal::none;
         EXPECT_EQ(std::memcmp(&parameters, &before, sizeof parameters) == 0, refused);
         EXPECT_EQ(answer.validation.accepted, refused ? 0 : 1);
@@ -83,7 +83,7 @@ class ASectionAuthority : public ::testing::Test {
     }
 
     CutStorage storage_;
-    hal::SoftwareKeys keys_{own_keys};
+    rsi::hal::SoftwareKeys keys_{own_keys};
     std::optional<SectionAuthority> authority_;
 };
 
@@ -99,8 +99,8 @@ TEST_F(ASectionAuthority, FindsTheSealWhereThePageSaysItIs) {
     ASSERT_EQ(bytes.size(), 364U);
     const Bytes head{bytes.begin() + 340, bytes.begin() + 348};
     EXPECT_EQ(head, (Bytes{'R', 'S', 'I', 'A', 1U, 2U, 3U, 4U}));
-    hal::AuthenticationCode code{};
-    ASSERT_TRUE(hal::cmac(own_keys[2], bytes.data(), 348U, code));
+    rsi::hal::AuthenticationCode code{};
+    ASSERT_TRUE(rsi::hal::cmac(own_keys[2], bytes.data(), 348U, code));
     EXPECT_TRUE(std::equal(code.begin(), code.end(), bytes.begin() + 348));
 }
 
@@ -108,7 +108,7 @@ TEST_F(ASectionAuthority, FindsTheSealWhereThePageSaysItIs) {
 TEST_F(ASectionAuthority, IsNotNeededToReadASealedSection) {
     rsi::Parameters parameters{};
     const Bytes bytes = sealed_section(1U);
-    EXPECT_EQ(application::read_parameter_section(bytes.data(), bytes.size(), parameters).refusal,
+    EXPECT_EQ(rsi::application::read_parameter_section(bytes.data(), bytes.size(), parameters).refusal,
               ParametersRefusal::none);
 }
 
@@ -141,14 +141,14 @@ TEST_F(ASectionAuthority, RefusesEveryFlippedBitAlsoWithARepairedChecksum) {
 
 TEST_F(ASectionAuthority, RefusesTheSealOfAnotherKey) {
     for (std::size_t bit = 0U; bit < 128U; ++bit) {
-        hal::Keys others = own_keys;
+        rsi::hal::Keys others = own_keys;
         others[2][bit / 8U] = static_cast<std::uint8_t>(others[2][bit / 8U] ^ (1U << (bit % 8U)));
         EXPECT_EQ(check(sealed_section(7U, others)), SealFault::forged) << bit;
     }
-    hal::Keys swapped = own_keys;
+    rsi::hal::Keys swapped = own_keys;
     std::swap(swapped[1], swapped[2]);
     EXPECT_EQ(check(sealed_section(7U, swapped)), SealFault::forged);
-    EXPECT_EQ(refusal_of(sealed_section(7U, hal::test_keys)), ParametersRefusal::unauthentic);
+    EXPECT_EQ(refusal_of(sealed_section(7U, rsi::hal::test_keys)), ParametersRefusal::unauthentic);
 }
 
 // Memory of exactly that size, so that a sanitizer sees a read beyond it.
@@ -184,9 +184,9 @@ TEST_F(ASectionAuthority, RefusesAllWhenTheKeyStoreDoesNotAnswer) {
     Bytes bytes = sealed_section(7U);
     std::fill(bytes.begin() + seal::code_at, bytes.end(), std::uint8_t{0U});  // the result of a silent store
     EXPECT_EQ(authority.check(bytes.data(), bytes.size()), SealFault::forged);
-    EXPECT_FALSE(application::seal_section(silent, 7U, bytes.data()));
+    EXPECT_FALSE(rsi::application::seal_section(silent, 7U, bytes.data()));
     EXPECT_EQ(check(bytes), SealFault::missing);
-    EXPECT_EQ(application::word_at(bytes.data(), seal::magic_at), 0U);
+    EXPECT_EQ(rsi::application::word_at(bytes.data(), seal::magic_at), 0U);
 }
 
 TEST_F(ASectionAuthority, IsStartedAnewWithNothingOfBefore) {
@@ -232,7 +232,7 @@ TEST_F(ASectionAuthority, StaysWhereItWasWhenTheStorageDoesNotTakeTheVersion) {
 
 // After any part of the write, a version that was stored before stays the least.
 TEST_F(ASectionAuthority, NeverGoesBackWhenThePowerGoesAtAnyByteOfTheWrite) {
-    for (std::size_t bytes = 0U; bytes <= access_control::stored_count_length; ++bytes) {
+    for (std::size_t bytes = 0U; bytes <= rsi::access::stored_count_length; ++bytes) {
         storage_.cut_power_at({0, 0U});
         storage_.record().clear();
         restart();
@@ -261,25 +261,25 @@ TEST_F(ASectionAuthority, RefusesAllBeforeItsStart) {
     EXPECT_EQ(fresh.check(bytes.data(), bytes.size()), SealFault::version_lost);
 }
 
-can_dbc::RollObserver::Protection protection_of(const Cycle& cycle) {
-    for (const hal::CanFrame& frame : cycle.frames) {
-        if (frame.identifier == can_dbc::RollObserver::identifier) {
-            return can_dbc::decode<can_dbc::RollObserver>(frame.data).value.protection;
+rsi::can_dbc::RollObserver::Protection protection_of(const Cycle& cycle) {
+    for (const rsi::hal::CanFrame& frame : cycle.frames) {
+        if (frame.identifier == rsi::can_dbc::RollObserver::identifier) {
+            return rsi::can_dbc::decode<rsi::can_dbc::RollObserver>(frame.data).value.protection;
         }
     }
     ADD_FAILURE() << "no RollObserver";
     return {};
 }
 
-using Sent = can_dbc::RolloverWarning::ParametersRefusal;
-using SentProtection = can_dbc::RollObserver::Protection;
+using Sent = rsi::can_dbc::RolloverWarning::ParametersRefusal;
+using SentProtection = rsi::can_dbc::RollObserver::Protection;
 
 TEST_F(ASectionAuthority, LetsTheEcuRunOnASealedSectionAndRaisesTheVersion) {
     Bench bench;
     EXPECT_EQ(bench.start_with(sealed_section(7U), *authority_).refusal, ParametersRefusal::none);
     EXPECT_EQ(authority_->version(), 7U);
     bench.run_until_ready();
-    EXPECT_EQ(bench.state(), can_dbc::RolloverWarning::State::ready);
+    EXPECT_EQ(bench.state(), rsi::can_dbc::RolloverWarning::State::ready);
     EXPECT_EQ(bench.last().warning.value.parameters_refusal, Sent::none);
     EXPECT_EQ(protection_of(bench.last()), SentProtection::sealed);
 }
@@ -291,22 +291,24 @@ TEST_F(ASectionAuthority, KeepsTheEcuUnavailableOnAnyOtherAndTheBusIsTold) {
     changed[section::name_at] ^= 1U;
     repair_checksum(changed);
     const Bytes unsealed{rsi_parameter_section, rsi_parameter_section + section::length};
-    for (const Bytes& bytes : {changed, unsealed, sealed_section(6U), sealed_section(8U, hal::test_keys)}) {
+    for (const Bytes& bytes :
+         {changed, unsealed, sealed_section(6U), sealed_section(8U, rsi::hal::test_keys)}) {
         Bench bench;
         bench.run_until_ready();
-        ASSERT_EQ(bench.state(), can_dbc::RolloverWarning::State::ready);
+        ASSERT_EQ(bench.state(), rsi::can_dbc::RolloverWarning::State::ready);
         EXPECT_EQ(bench.start_with(bytes, *authority_).refusal, ParametersRefusal::unauthentic);
         EXPECT_EQ(authority_->version(), 7U);
         const std::size_t from = bench.cycles().size();
         bench.run_for(1.0);
         for (std::size_t index = from; index < bench.cycles().size(); ++index) {
             const Cycle& cycle = bench.cycles()[index];
-            ASSERT_EQ(cycle.state(), can_dbc::RolloverWarning::State::unavailable);
+            ASSERT_EQ(cycle.state(), rsi::can_dbc::RolloverWarning::State::unavailable);
             ASSERT_EQ(cycle.warning.value.parameters_refusal, Sent::unauthentic);
             ASSERT_TRUE(cycle.status.value.parameters_invalid);
             ASSERT_EQ(protection_of(cycle), SentProtection::sealed);
         }
-        EXPECT_EQ(bench.last().diagnosis.value.code, can_dbc::RolloverDiagnosis::Code::parameters_refused);
+        EXPECT_EQ(bench.last().diagnosis.value.code,
+                  rsi::can_dbc::RolloverDiagnosis::Code::parameters_refused);
     }
 }
 
@@ -316,7 +318,7 @@ TEST_F(ASectionAuthority, HasTheBusToldOfTestKeysAndOfSectionsThatNeedNoSeal) {
         return protection_of(bench.last());
     };
     const Bytes unsealed{rsi_parameter_section, rsi_parameter_section + section::length};
-    hal::SoftwareKeys everybodys{hal::test_keys};
+    rsi::hal::SoftwareKeys everybodys{rsi::hal::test_keys};
     {
         Bench bench;
         EXPECT_EQ(reported_by(bench), SentProtection::unsealed);
@@ -334,7 +336,7 @@ TEST_F(ASectionAuthority, HasTheBusToldOfTestKeysAndOfSectionsThatNeedNoSeal) {
     Bench bench;
     SectionAuthority authority{everybodys, storage_};
     authority.start();
-    EXPECT_EQ(bench.start_with(sealed_section(1U, hal::test_keys), authority).refusal,
+    EXPECT_EQ(bench.start_with(sealed_section(1U, rsi::hal::test_keys), authority).refusal,
               ParametersRefusal::none);
     EXPECT_EQ(reported_by(bench), SentProtection::sealed_test_keys);
     bench.start_with(large_suv());

@@ -9,9 +9,9 @@
 #include <limits>
 #include <vector>
 
-#include "monitoring/clock_check.hpp"
-#include "monitoring/output_check.hpp"
-#include "monitoring/parameter_guard.hpp"
+#include "rsi/ecu/monitoring/clock_check.hpp"
+#include "rsi/ecu/monitoring/output_check.hpp"
+#include "rsi/ecu/monitoring/parameter_guard.hpp"
 #include "rsi/model/critical_roll_angle.hpp"
 #include "rsi/output_table.hpp"
 #include "tests/application/bench.hpp"
@@ -20,14 +20,14 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
-using Code = can_dbc::RolloverDiagnosis::Code;
-using CodeStatus = can_dbc::RolloverDiagnosis::CodeStatus;
-using Degradation = can_dbc::RolloverDiagnosis::Degradation;
+using State = rsi::can_dbc::RolloverWarning::State;
+using Code = rsi::can_dbc::RolloverDiagnosis::Code;
+using CodeStatus = rsi::can_dbc::RolloverDiagnosis::CodeStatus;
+using Degradation = rsi::can_dbc::RolloverDiagnosis::Degradation;
 
 bool told(const Bench& bench, std::size_t from, Code code, CodeStatus status) {
     for (std::size_t index = from; index < bench.cycles().size(); ++index) {
-        const can_dbc::RolloverDiagnosis& diagnosis = bench.cycles()[index].diagnosis.value;
+        const rsi::can_dbc::RolloverDiagnosis& diagnosis = bench.cycles()[index].diagnosis.value;
         if (diagnosis.code == code && diagnosis.code_status == status) {
             return true;
         }
@@ -61,7 +61,7 @@ TEST_P(ADamagedParameter, IsAnInternalFaultWithin70MillisecondsAndStarvesTheWatc
     EXPECT_TRUE(told(bench, from, Code::parameters_damaged, CodeStatus::confirmed));
     EXPECT_EQ(bench.state(), State::unavailable);
     EXPECT_EQ(bench.last().diagnosis.value.degradation, Degradation::internal_fault);
-    EXPECT_EQ(bench.last().warning.status.warning_level, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(bench.last().warning.status.warning_level, rsi::can_dbc::SignalStatus::not_available);
 
     const int feeds = bench.watchdog_feeds();
     bench.run_for(2.0);
@@ -80,7 +80,7 @@ TEST(GoodParameters, FeedTheWatchdogOnceACycle) {
 
 TEST(TheParameterGuard, SeesTwoExchangedWords) {
     rsi::Parameters parameters = large_suv();
-    monitoring::ParameterGuard guard;
+    rsi::monitoring::ParameterGuard guard;
     guard.start(parameters);
     std::swap(parameters.imu_x_m, parameters.sprung_mass_kg);
     bool damaged = false;
@@ -230,8 +230,8 @@ TEST(TheOutputCheck, NoticesEveryNumberThatIsNone) {
     rsi::Outputs good{};
     good.state = RSI_STATE_READY;
     good.roll_source = RSI_ROLL_SENSOR;
-    ASSERT_TRUE(monitoring::outputs_are_sound(good));
-    ASSERT_TRUE(monitoring::estimate_is_in_range(good));
+    ASSERT_TRUE(rsi::monitoring::outputs_are_sound(good));
+    ASSERT_TRUE(rsi::monitoring::estimate_is_in_range(good));
     std::vector<float rsi::Outputs::*> numbers{
         &rsi::Outputs::warning_level, &rsi::Outputs::lateral_acceleration_mps2,
         &rsi::Outputs::lateral_acceleration_threshold_mps2, &rsi::Outputs::roll_centre_lateral_m};
@@ -243,7 +243,7 @@ TEST(TheOutputCheck, NoticesEveryNumberThatIsNone) {
              {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
             rsi::Outputs outputs = good;
             outputs.*number = bad;
-            EXPECT_FALSE(monitoring::outputs_are_sound(outputs));
+            EXPECT_FALSE(rsi::monitoring::outputs_are_sound(outputs));
         }
     }
     const auto with = [&good](auto member, auto value) {
@@ -257,21 +257,21 @@ TEST(TheOutputCheck, NoticesEveryNumberThatIsNone) {
         std::memcpy(&(outputs.*member), &code, sizeof code);
         return outputs;
     };
-    EXPECT_FALSE(monitoring::outputs_are_sound(with_code(&rsi::Outputs::state, 4U)));
-    EXPECT_FALSE(monitoring::outputs_are_sound(with_code(&rsi::Outputs::side, 3U)));
-    EXPECT_FALSE(monitoring::outputs_are_sound(with_code(&rsi::Outputs::roll_source, 3U)));
-    EXPECT_FALSE(monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_centre_vertical_m, -2.5F)));
+    EXPECT_FALSE(rsi::monitoring::outputs_are_sound(with_code(&rsi::Outputs::state, 4U)));
+    EXPECT_FALSE(rsi::monitoring::outputs_are_sound(with_code(&rsi::Outputs::side, 3U)));
+    EXPECT_FALSE(rsi::monitoring::outputs_are_sound(with_code(&rsi::Outputs::roll_source, 3U)));
+    EXPECT_FALSE(rsi::monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_centre_vertical_m, -2.5F)));
     EXPECT_FALSE(
-        monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_stiffness_deviation_nmprad, 2.0e10F)));
+        rsi::monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_stiffness_deviation_nmprad, 2.0e10F)));
     EXPECT_FALSE(
-        monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_damping_deviation_nmsprad, 2.0e5F)));
+        rsi::monitoring::estimate_is_in_range(with(&rsi::Outputs::roll_damping_deviation_nmsprad, 2.0e5F)));
 }
 
 TEST(TheClock, ThatJumpsIsReportedAndHeals) {
     Bench bench;
     bench.run_for(2.0);
     const std::size_t from = bench.cycles().size();
-    bench.move_clock(hal::Time::from_milliseconds(1000));
+    bench.move_clock(rsi::hal::Time::from_milliseconds(1000));
     bench.run_cycles(2);
     EXPECT_TRUE(told(bench, from, Code::clock_jump, CodeStatus::confirmed));
     bench.run_for(1.5);
@@ -280,7 +280,7 @@ TEST(TheClock, ThatJumpsIsReportedAndHeals) {
 }
 
 TEST(TheClock, ThatIsLateByMissedCyclesHasNotJumped) {
-    monitoring::ClockCheck check;
+    rsi::monitoring::ClockCheck check;
     EXPECT_FALSE(check.has_jumped(0, 0U));
     EXPECT_FALSE(check.has_jumped(10'000'000, 0U));
     EXPECT_FALSE(check.has_jumped(1'020'000'000, 100U));

@@ -1,5 +1,5 @@
 // The surplus of frames over those that one sender sends, at its limits.
-#include "application/sender_rate.hpp"
+#include "rsi/ecu/application/sender_rate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ class ASenderRate : public ::testing::Test {
         run_alone(200);
     }
 
-    application::SenderRate rate;
+    rsi::application::SenderRate rate;
 };
 
 TEST_F(ASenderRate, IsNotDoubledByOneSender) {

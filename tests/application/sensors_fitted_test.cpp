@@ -8,9 +8,9 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
-using Code = can_dbc::RolloverDiagnosis::Code;
-using Degradation = can_dbc::RolloverDiagnosis::Degradation;
+using State = rsi::can_dbc::RolloverWarning::State;
+using Code = rsi::can_dbc::RolloverDiagnosis::Code;
+using Degradation = rsi::can_dbc::RolloverDiagnosis::Degradation;
 
 rsi::Parameters without_roll_sensor() {
     rsi::Parameters suv = large_suv();
@@ -27,14 +27,14 @@ rsi::Parameters with_motion(rsi_vehicle_motion_sensors sensors) {
 void expect_no_complaint(const Bench& bench) {
     for (const Cycle& cycle : bench.cycles()) {
         ASSERT_EQ(cycle.diagnosis.value.code, Code::none);
-        const can_dbc::RolloverStatus& status = cycle.status.value;
+        const rsi::can_dbc::RolloverStatus& status = cycle.status.value;
         ASSERT_FALSE(status.roll_angle_timeout || status.roll_angle_signal_invalid ||
                      status.vehicle_motion_timeout || status.vehicle_motion_signal_invalid);
     }
     EXPECT_EQ(bench.state(), State::ready);
 }
 
-can_dbc::RolloverDiagnosis::Degradation degradation(const Bench& bench) {
+rsi::can_dbc::RolloverDiagnosis::Degradation degradation(const Bench& bench) {
     return bench.last().diagnosis.value.degradation;
 }
 
@@ -61,7 +61,7 @@ TEST(SensorsFitted, ReadNoFramesOfASensorThatIsNotThere) {
     Motion motion;
     motion.roll_angle = {80.0F, 40.0F};  // nonsense
     bench.drive(motion);
-    bench.tamper(Sensor::roll_angle, [](hal::CanFrame& frame) { frame.data[0] ^= 1U; });
+    bench.tamper(Sensor::roll_angle, [](rsi::hal::CanFrame& frame) { frame.data[0] ^= 1U; });
     bench.run_for(3.0);
     expect_no_complaint(bench);
     EXPECT_TRUE(std::isnan(bench.inputs().roll_angle_rad));
@@ -85,7 +85,7 @@ TEST(SensorsFitted, GoOnWithoutTheVehiclesMotion) {
 }
 
 TEST(SensorsFitted, GoOnWithoutSteering) {
-    for (const float sent_deg : {can_dbc::not_available, 20.0F}) {
+    for (const float sent_deg : {rsi::can_dbc::not_available, 20.0F}) {
         Bench bench{with_motion(RSI_MOTION_WITHOUT_STEERING)};
         Motion motion;
         motion.vehicle_motion.steering_wheel_angle_deg = sent_deg;
@@ -99,11 +99,11 @@ TEST(SensorsFitted, GoOnWithoutSteering) {
 }
 
 TEST(SensorsFitted, StillMissSpeedAndYawRateWithoutSteering) {
-    for (float can_dbc::VehicleMotion::* const missing :
-         {&can_dbc::VehicleMotion::speed_kmh, &can_dbc::VehicleMotion::yaw_rate_deg_per_s}) {
+    for (float rsi::can_dbc::VehicleMotion::* const missing :
+         {&rsi::can_dbc::VehicleMotion::speed_kmh, &rsi::can_dbc::VehicleMotion::yaw_rate_deg_per_s}) {
         Bench bench{with_motion(RSI_MOTION_WITHOUT_STEERING)};
         Motion motion;
-        motion.vehicle_motion.*missing = can_dbc::not_available;
+        motion.vehicle_motion.*missing = rsi::can_dbc::not_available;
         bench.drive(motion);
         bench.run_for(1.0);
         EXPECT_TRUE(bench.status().vehicle_motion_signal_invalid);
@@ -114,7 +114,7 @@ TEST(SensorsFitted, StillMissSpeedAndYawRateWithoutSteering) {
 TEST(SensorsFitted, GoOnWithoutAVerticalAccelerationThatWasNeverThere) {
     Bench bench;
     Motion motion;
-    motion.imu.vertical_acceleration_mps2 = can_dbc::not_available;
+    motion.imu.vertical_acceleration_mps2 = rsi::can_dbc::not_available;
     bench.drive(motion);
     bench.stop(Sensor::imu);
     bench.run_cycles(3);  // nothing is known yet
@@ -130,7 +130,7 @@ TEST(SensorsFitted, MissAVerticalAccelerationThatWasThere) {
     Bench bench;
     bench.run_for(1.0);
     Motion motion;
-    motion.imu.vertical_acceleration_mps2 = can_dbc::not_available;
+    motion.imu.vertical_acceleration_mps2 = rsi::can_dbc::not_available;
     bench.drive(motion);
     bench.run_for(1.0);
     EXPECT_TRUE(bench.status().imu_signal_invalid);
@@ -138,12 +138,12 @@ TEST(SensorsFitted, MissAVerticalAccelerationThatWasThere) {
 }
 
 TEST(SensorsFitted, MissTheOtherSignalsOfAnImuWithoutVerticalAcceleration) {
-    for (float can_dbc::Imu::* const missing :
-         {&can_dbc::Imu::lateral_acceleration_mps2, &can_dbc::Imu::roll_rate_deg_per_s}) {
+    for (float rsi::can_dbc::Imu::* const missing :
+         {&rsi::can_dbc::Imu::lateral_acceleration_mps2, &rsi::can_dbc::Imu::roll_rate_deg_per_s}) {
         Bench bench;
         Motion motion;
-        motion.imu.vertical_acceleration_mps2 = can_dbc::not_available;
-        motion.imu.*missing = can_dbc::not_available;
+        motion.imu.vertical_acceleration_mps2 = rsi::can_dbc::not_available;
+        motion.imu.*missing = rsi::can_dbc::not_available;
         bench.drive(motion);
         bench.run_for(1.0);
         EXPECT_TRUE(bench.status().imu_signal_invalid);
@@ -154,7 +154,7 @@ TEST(SensorsFitted, MissTheOtherSignalsOfAnImuWithoutVerticalAcceleration) {
 TEST(SensorsFitted, MissASteeringAngleThatIsSaidToBeThere) {
     Bench bench;
     Motion motion;
-    motion.vehicle_motion.steering_wheel_angle_deg = can_dbc::not_available;
+    motion.vehicle_motion.steering_wheel_angle_deg = rsi::can_dbc::not_available;
     bench.drive(motion);
     bench.run_for(1.0);
     EXPECT_TRUE(bench.status().vehicle_motion_signal_invalid);

@@ -31,13 +31,13 @@ std::vector<Cycle> eventful_run() {
 }
 
 TEST(EachCycle, SendsTheWarningFirstAndTheStatusLast) {
-    constexpr auto expected = can_dbc::MessagesFromRolloverEcu::identifiers;
-    ASSERT_EQ(expected.front(), can_dbc::RolloverWarning::identifier);
-    ASSERT_EQ(expected.back(), can_dbc::RolloverStatus::identifier);
+    constexpr auto expected = rsi::can_dbc::MessagesFromRolloverEcu::identifiers;
+    ASSERT_EQ(expected.front(), rsi::can_dbc::RolloverWarning::identifier);
+    ASSERT_EQ(expected.back(), rsi::can_dbc::RolloverStatus::identifier);
     for (const Cycle& cycle : eventful_run()) {
         ASSERT_EQ(cycle.frames.size(), expected.size());
         for (std::size_t index = 0U; index < expected.size(); ++index) {
-            const hal::CanFrame& frame = cycle.frames[index];
+            const rsi::hal::CanFrame& frame = cycle.frames[index];
             ASSERT_EQ(frame.identifier, expected[index]);
             ASSERT_EQ(frame.length, 8U);
             ASSERT_FALSE(frame.extended);
@@ -50,9 +50,9 @@ TEST(EachSentFrame, PassesAnIndependentEndToEndCheckAndCountsFrom0To14) {
     unsigned counter = 0U;
     for (const Cycle& cycle : eventful_run()) {
         std::size_t index = 0U;
-        can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+        rsi::can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
             using Message = typename decltype(type)::Type;
-            const hal::CanFrame& frame = cycle.frames.at(index++);
+            const rsi::hal::CanFrame& frame = cycle.frames.at(index++);
             ASSERT_TRUE(is_profile_11(frame, Message::e2e_data_id)) << Message::name;
             ASSERT_EQ(counter_of(frame), counter) << Message::name;
         });
@@ -62,30 +62,30 @@ TEST(EachSentFrame, PassesAnIndependentEndToEndCheckAndCountsFrom0To14) {
 
 // For a platform that shows or records what the cycle computed.
 TEST(EachCycle, LeavesWhatItHasSentToBeRead) {
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U> bus{clock};
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<2U> bus{clock};
     NoWatchdog watchdog;
-    application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
+    rsi::application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
     ASSERT_EQ(ecu.init(large_suv()).accepted, 1);
-    const can_dbc::Imu imu{0.5F, 9.80665F, 1.0F};
-    auto payload = can_dbc::encode(imu);
-    const can_dbc::RollAngle roll{1.0F, can_dbc::not_available};
-    auto roll_payload = can_dbc::encode(roll);
-    can_dbc::e2e::protect_profile_11(payload, can_dbc::Imu::e2e_data_id, 0U);
-    can_dbc::e2e::protect_profile_11(roll_payload, can_dbc::RollAngle::e2e_data_id, 0U);
-    for (const auto& [identifier, bytes] : {std::pair{can_dbc::Imu::identifier, payload},
-                                            std::pair{can_dbc::RollAngle::identifier, roll_payload}}) {
-        hal::CanFrame frame{};
+    const rsi::can_dbc::Imu imu{0.5F, 9.80665F, 1.0F};
+    auto payload = rsi::can_dbc::encode(imu);
+    const rsi::can_dbc::RollAngle roll{1.0F, rsi::can_dbc::not_available};
+    auto roll_payload = rsi::can_dbc::encode(roll);
+    rsi::can_dbc::e2e::protect_profile_11(payload, rsi::can_dbc::Imu::e2e_data_id, 0U);
+    rsi::can_dbc::e2e::protect_profile_11(roll_payload, rsi::can_dbc::RollAngle::e2e_data_id, 0U);
+    for (const auto& [identifier, bytes] : {std::pair{rsi::can_dbc::Imu::identifier, payload},
+                                            std::pair{rsi::can_dbc::RollAngle::identifier, roll_payload}}) {
+        rsi::hal::CanFrame frame{};
         frame.identifier = identifier;
         frame.length = 8U;
         std::copy(bytes.begin(), bytes.end(), frame.data.begin());
         bus.endpoint(1U).send(frame);
     }
     ecu.step(0U);
-    hal::CanFrame sent{};
+    rsi::hal::CanFrame sent{};
     bus.endpoint(1U).receive(sent);
-    ASSERT_EQ(sent.identifier, can_dbc::RolloverWarning::identifier);
-    const auto warning = can_dbc::decode<can_dbc::RolloverWarning>(sent.data);
+    ASSERT_EQ(sent.identifier, rsi::can_dbc::RolloverWarning::identifier);
+    const auto warning = rsi::can_dbc::decode<rsi::can_dbc::RolloverWarning>(sent.data);
     EXPECT_EQ(ecu.outputs().roll_source, RSI_ROLL_SENSOR);
     EXPECT_NEAR(warning.value.lateral_acceleration_mps2, ecu.outputs().lateral_acceleration_mps2, 0.005F);
     EXPECT_NE(ecu.outputs().lateral_acceleration_mps2, 0.0F);
@@ -114,11 +114,12 @@ TEST(TheLoadsFrame, CarriesWhatTheComponentHasLearnt) {
     turn.roll_angle.roll_angle_deg = 3.0F;
     bench.drive(turn);
     bench.run_for(2.0);
-    const auto sent = std::find_if(
-        bench.last().frames.begin(), bench.last().frames.end(),
-        [](const hal::CanFrame& frame) { return frame.identifier == can_dbc::LearntLoad::identifier; });
+    const auto sent = std::find_if(bench.last().frames.begin(), bench.last().frames.end(),
+                                   [](const rsi::hal::CanFrame& frame) {
+                                       return frame.identifier == rsi::can_dbc::LearntLoad::identifier;
+                                   });
     ASSERT_NE(sent, bench.last().frames.end());
-    const can_dbc::LearntLoad load = can_dbc::decode<can_dbc::LearntLoad>(sent->data).value;
+    const rsi::can_dbc::LearntLoad load = rsi::can_dbc::decode<rsi::can_dbc::LearntLoad>(sent->data).value;
     ASSERT_GT(std::fabs(bench.outputs().load_excess), 0.001F);
     EXPECT_NEAR(load.load_excess, bench.outputs().load_excess, 0.0006F);
     EXPECT_NEAR(load.load_excess_deviation, bench.outputs().load_excess_deviation, 0.0002F);
@@ -137,16 +138,16 @@ TEST(TheObserversFrame, SaysThatTheRollSensorContradictsTheObserver) {
     bench.run_for(4.0);
     int said = 0;
     for (const Cycle& cycle : bench.cycles()) {
-        for (const hal::CanFrame& frame : cycle.frames) {
-            if (frame.identifier == can_dbc::RollObserver::identifier) {
-                const auto observer = can_dbc::decode<can_dbc::RollObserver>(frame.data).value;
+        for (const rsi::hal::CanFrame& frame : cycle.frames) {
+            if (frame.identifier == rsi::can_dbc::RollObserver::identifier) {
+                const auto observer = rsi::can_dbc::decode<rsi::can_dbc::RollObserver>(frame.data).value;
                 said += observer.roll_sensor_disagrees ? 1 : 0;
             }
         }
     }
     EXPECT_GE(said, 1);
     EXPECT_EQ(bench.last().diagnosis.value.code,
-              can_dbc::RolloverDiagnosis::Code::roll_sensor_contradicts_observer);
+              rsi::can_dbc::RolloverDiagnosis::Code::roll_sensor_contradicts_observer);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
+using State = rsi::can_dbc::RolloverWarning::State;
 
 // A signal as the DBC file places it; the codes here are read from there, not from the codec.
 struct SignalCase {
@@ -29,13 +29,13 @@ struct SignalCase {
     // ECU may use: no vehicle gets to the others.
     std::vector<float> limit_values;
     std::vector<bool> limits_used;
-    float (*decoded)(const hal::CanFrame& frame);
+    float (*decoded)(const rsi::hal::CanFrame& frame);
     float rsi::Inputs::* input;
 };
 
 template <typename Message, float Message::* field>
-float decoded(const hal::CanFrame& frame) {
-    return can_dbc::decode<Message>(frame.data).value.*field;
+float decoded(const rsi::hal::CanFrame& frame) {
+    return rsi::can_dbc::decode<Message>(frame.data).value.*field;
 }
 
 // How a failing test shows a signal.
@@ -56,9 +56,9 @@ std::vector<SignalCase> signal_cases() {
     const std::vector<std::uint16_t> beyond_12000{code(-32768), code(-12001), code(12001), code(32767)};
     const std::vector<std::uint16_t> beyond_speed{0xFFFFU, 40001U, 0xFFFEU};
     const std::vector<bool> never{false, false};
-    using can_dbc::Imu;
-    using can_dbc::RollAngle;
-    using can_dbc::VehicleMotion;
+    using rsi::can_dbc::Imu;
+    using rsi::can_dbc::RollAngle;
+    using rsi::can_dbc::VehicleMotion;
     return {
         {"LateralAcceleration",
          Sensor::imu,
@@ -177,7 +177,7 @@ class Signal : public ::testing::TestWithParam<SignalCase> {
     // All further frames of the sensor carry this code, with a good checksum.
     void put(std::uint16_t raw) {
         const SignalCase& signal = GetParam();
-        bench.tamper(signal.sensor, [&signal, raw](hal::CanFrame& frame) {
+        bench.tamper(signal.sensor, [&signal, raw](rsi::hal::CanFrame& frame) {
             const std::size_t high = signal.first_byte + (signal.big_endian ? 0U : 1U);
             const std::size_t low = signal.first_byte + (signal.big_endian ? 1U : 0U);
             frame.data[high] = static_cast<std::uint8_t>(raw >> 8U);
@@ -187,7 +187,7 @@ class Signal : public ::testing::TestWithParam<SignalCase> {
     }
 
     bool flag(Sensor sensor) const {
-        const can_dbc::RolloverStatus& status = bench.status();
+        const rsi::can_dbc::RolloverStatus& status = bench.status();
         const bool flags[] = {status.imu_signal_invalid, status.roll_angle_signal_invalid,
                               status.vehicle_motion_signal_invalid};
         return flags[static_cast<std::size_t>(sensor)];
@@ -256,16 +256,16 @@ TEST(ANecessarySignal, ThatIsNotAvailableHidesEveryComputedNumber) {
     Bench bench;
     bench.run_until_ready();
     Motion motion;
-    motion.imu.lateral_acceleration_mps2 = can_dbc::not_available;
+    motion.imu.lateral_acceleration_mps2 = rsi::can_dbc::not_available;
     bench.drive(motion);
     bench.run_cycles(1);
     const auto& warning = bench.last().warning.status;
-    EXPECT_EQ(warning.warning_level, can_dbc::SignalStatus::not_available);
-    EXPECT_EQ(warning.lateral_acceleration_mps2, can_dbc::SignalStatus::not_available);
-    EXPECT_EQ(warning.lateral_acceleration_threshold_mps2, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(warning.warning_level, rsi::can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(warning.lateral_acceleration_mps2, rsi::can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(warning.lateral_acceleration_threshold_mps2, rsi::can_dbc::SignalStatus::not_available);
     const auto& estimate = bench.last().estimate.status;
-    EXPECT_EQ(estimate.roll_centre_vertical_m, can_dbc::SignalStatus::not_available);
-    EXPECT_EQ(estimate.roll_centre_lateral_m, can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(estimate.roll_centre_vertical_m, rsi::can_dbc::SignalStatus::not_available);
+    EXPECT_EQ(estimate.roll_centre_lateral_m, rsi::can_dbc::SignalStatus::not_available);
 }
 
 // Few vehicles send it: nothing is reported without it, and what is stale is not used.
@@ -283,7 +283,7 @@ TEST(TheVehiclesMass, ReachesTheComponentWhereItIsSent) {
     EXPECT_EQ(bench.inputs().vehicle_mass_kg, 2730.0F);
     bench.run_cycles(1);
     EXPECT_TRUE(std::isnan(bench.inputs().vehicle_mass_kg));
-    EXPECT_EQ(bench.last().diagnosis.value.code, can_dbc::RolloverDiagnosis::Code::none);
+    EXPECT_EQ(bench.last().diagnosis.value.code, rsi::can_dbc::RolloverDiagnosis::Code::none);
     EXPECT_EQ(bench.state(), State::ready);
 }
 
@@ -291,9 +291,9 @@ TEST(Signal, ReachesTheComponentInSiUnits) {
     constexpr float radians = 0.017453293F;
     Bench bench;
     Motion motion;
-    motion.imu = can_dbc::Imu{1.5F, 9.75F, 2.0F};
+    motion.imu = rsi::can_dbc::Imu{1.5F, 9.75F, 2.0F};
     motion.roll_angle.roll_angle_deg = 3.0F;
-    motion.vehicle_motion = can_dbc::VehicleMotion{72.0F, 4.0F, -90.0F};
+    motion.vehicle_motion = rsi::can_dbc::VehicleMotion{72.0F, 4.0F, -90.0F};
     bench.drive(motion);
     bench.run_until_ready();
     const rsi::Inputs& inputs = bench.inputs();

@@ -4,27 +4,27 @@
 #include <cstdint>
 #include <string>
 
-#include "application/frame_monitor.hpp"
+#include "rsi/ecu/application/frame_monitor.hpp"
 #include "tests/application/bench.hpp"
 
 namespace testing_application {
 namespace {
 
-using Diagnosis = can_dbc::RolloverDiagnosis;
+using Diagnosis = rsi::can_dbc::RolloverDiagnosis;
 
-using State = can_dbc::RolloverWarning::State;
+using State = rsi::can_dbc::RolloverWarning::State;
 
-constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
+constexpr rsi::hal::Time longest_silence = rsi::hal::Time::from_milliseconds(50);
 
 // Fails the test when the cycle has no such frame.
-can_dbc::RollObserver::RollSource roll_source(const Cycle& cycle) {
-    for (const hal::CanFrame& frame : cycle.frames) {
-        if (frame.identifier == can_dbc::RollObserver::identifier) {
-            return can_dbc::decode<can_dbc::RollObserver>(frame.data).value.roll_source;
+rsi::can_dbc::RollObserver::RollSource roll_source(const Cycle& cycle) {
+    for (const rsi::hal::CanFrame& frame : cycle.frames) {
+        if (frame.identifier == rsi::can_dbc::RollObserver::identifier) {
+            return rsi::can_dbc::decode<rsi::can_dbc::RollObserver>(frame.data).value.roll_source;
         }
     }
     ADD_FAILURE() << "no RollObserver frame";
-    return can_dbc::RollObserver::RollSource::none;
+    return rsi::can_dbc::RollObserver::RollSource::none;
 }
 
 // The parameter is the distance of the ECU's cycle from the sensor frames, in milliseconds.
@@ -39,12 +39,12 @@ class Silence : public ::testing::TestWithParam<int> {
             ++first;
         }
         ASSERT_LT(first, cycles.size()) << "never unavailable";
-        const hal::Time delay = cycles[first].time - silent_since;
+        const rsi::hal::Time delay = cycles[first].time - silent_since;
         EXPECT_FALSE(longest_silence < delay) << static_cast<double>(delay.nanoseconds) * 1.0e-6 << " ms";
         for (std::size_t index = first; index < cycles.size(); ++index) {
             ASSERT_EQ(cycles[index].state(), State::unavailable) << "cycle " << index;
-            ASSERT_EQ(cycles[index].warning.value.side, can_dbc::RolloverWarning::Side::none);
-            ASSERT_EQ(cycles[index].warning.status.warning_level, can_dbc::SignalStatus::not_available);
+            ASSERT_EQ(cycles[index].warning.value.side, rsi::can_dbc::RolloverWarning::Side::none);
+            ASSERT_EQ(cycles[index].warning.status.warning_level, rsi::can_dbc::SignalStatus::not_available);
         }
     }
 
@@ -56,8 +56,8 @@ class Silence : public ::testing::TestWithParam<int> {
         EXPECT_EQ(bench.state(), State::ready);
     }
 
-    Bench bench{large_suv(), hal::Time::from_milliseconds(GetParam())};
-    hal::Time silent_since{};
+    Bench bench{large_suv(), rsi::hal::Time::from_milliseconds(GetParam())};
+    rsi::hal::Time silent_since{};
 };
 
 TEST_P(Silence, OfAllSensorsIsUnavailableWithin50Milliseconds) {
@@ -107,7 +107,7 @@ TEST_P(Silence, OfRollSensorAndVehicleMotionIsUnavailableWithin50Milliseconds) {
 }
 
 TEST_P(Silence, OfTheRollSensorIsReportedAndTheObserverStandsIn) {
-    using RollSource = can_dbc::RollObserver::RollSource;
+    using RollSource = rsi::can_dbc::RollObserver::RollSource;
     bench.run_for(1.0);
     ASSERT_EQ(bench.state(), State::ready);
     ASSERT_EQ(roll_source(bench.last()), RollSource::sensor);
@@ -173,7 +173,7 @@ TEST_P(Silence, FromTheStartIsUnavailable) {
     bench.stop_all();
     bench.run_for(1.0);
     expect_unavailable_in_time_and_for_ever(0U);
-    const can_dbc::RolloverStatus& first = bench.cycles().front().status.value;
+    const rsi::can_dbc::RolloverStatus& first = bench.cycles().front().status.value;
     EXPECT_TRUE(first.imu_timeout);  // a frame that never came is not fresh, however young the clock is
     EXPECT_TRUE(first.roll_angle_timeout);
     EXPECT_TRUE(first.vehicle_motion_timeout);
@@ -183,8 +183,8 @@ TEST_P(Silence, IsNotBrokenByASensorThatRepeatsItsLastFrame) {
     bench.run_until_ready();
     const std::size_t from = bench.cycles().size();
     silent_since = bench.last_sensor_time();
-    const hal::CanFrame stuck = bench.last_frame(Sensor::imu);
-    bench.tamper(Sensor::imu, [&stuck](hal::CanFrame& frame) { frame = stuck; });
+    const rsi::hal::CanFrame stuck = bench.last_frame(Sensor::imu);
+    bench.tamper(Sensor::imu, [&stuck](rsi::hal::CanFrame& frame) { frame = stuck; });
     bench.run_for(1.0);
     expect_unavailable_in_time_and_for_ever(from);
     EXPECT_TRUE(bench.status().imu_timeout);
@@ -195,15 +195,15 @@ TEST_P(Silence, IsNotBrokenByASensorThatRepeatsItsLastFrame) {
 TEST(AFrame, IsFreshFrom10MillisecondsBeforeTo35MillisecondsAfterItsTime) {
     Bench bench;
     bench.run_cycles(1);
-    hal::CanFrame frame = bench.last_frame(Sensor::imu);
-    const hal::Time received = hal::Time::from_milliseconds(1000);
+    rsi::hal::CanFrame frame = bench.last_frame(Sensor::imu);
+    const rsi::hal::Time received = rsi::hal::Time::from_milliseconds(1000);
     frame.receive_time = received;
-    application::FrameMonitor<can_dbc::Imu> monitor;
-    EXPECT_FALSE(monitor.is_fresh(hal::Time{}));
+    rsi::application::FrameMonitor<rsi::can_dbc::Imu> monitor;
+    EXPECT_FALSE(monitor.is_fresh(rsi::hal::Time{}));
     monitor.begin_cycle();
     monitor.take(frame);
     const auto fresh_after_ns = [&monitor, received](std::int64_t age_ns) {
-        return monitor.is_fresh(received + hal::Time{age_ns});
+        return monitor.is_fresh(received + rsi::hal::Time{age_ns});
     };
     EXPECT_TRUE(fresh_after_ns(0));
     EXPECT_TRUE(fresh_after_ns(35'000'000));

@@ -6,7 +6,7 @@
 namespace testing_application {
 namespace {
 
-using State = can_dbc::RolloverWarning::State;
+using State = rsi::can_dbc::RolloverWarning::State;
 
 // The IMU far below the CG, so that a jump of the roll rate reaches far into the lateral force.
 rsi::Parameters with_imu_offset() {
@@ -51,26 +51,28 @@ TEST(AStalledCycle, OfTwoPeriodsIsBridged) {
 }
 
 // Takes every frame but those that it has to refuse.
-class RefusingBus final : public hal::CanBus {
+class RefusingBus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame&) noexcept override {
+        return rsi::hal::ReceiveResult::empty;
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         if (refuse) {
             ++failures_;
-            return hal::SendResult::full;
+            return rsi::hal::SendResult::full;
         }
         last = frame;
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override {
-        hal::BusStatistics statistics;
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override {
+        rsi::hal::BusStatistics statistics;
         statistics.send_failures = failures_;
         return statistics;
     }
 
     bool refuse{false};
-    hal::CanFrame last{};
+    rsi::hal::CanFrame last{};
 
  private:
     std::uint32_t failures_{0U};
@@ -78,16 +80,16 @@ class RefusingBus final : public hal::CanBus {
 
 TEST(ARefusedFrame, IsABusErrorInTheNextStatus) {
     RefusingBus bus;
-    const hal::VirtualClock clock;
+    const rsi::hal::VirtualClock clock;
     NoWatchdog watchdog;
-    application::RolloverEcu ecu{bus, clock, watchdog};
+    rsi::application::RolloverEcu ecu{bus, clock, watchdog};
     ASSERT_EQ(ecu.init(large_suv()).accepted, 1);
     const auto bus_error = [&bus] {
-        return can_dbc::decode<can_dbc::RolloverStatus>(bus.last.data).value.bus_error;
+        return rsi::can_dbc::decode<rsi::can_dbc::RolloverStatus>(bus.last.data).value.bus_error;
     };
 
     ecu.step(0U);
-    ASSERT_EQ(bus.last.identifier, can_dbc::RolloverStatus::identifier);
+    ASSERT_EQ(bus.last.identifier, rsi::can_dbc::RolloverStatus::identifier);
     EXPECT_FALSE(bus_error());
     bus.refuse = true;
     ecu.step(0U);

@@ -15,8 +15,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "can_dbc/e2e/profile_11.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "sil/simulation/simulation.hpp"
 #include "tests/can_dbc/byte_orders.hpp"
 #include "tests/can_dbc/can_fd.hpp"
@@ -97,14 +97,14 @@ std::string encoded(std::istream& arguments) {
     if (!values.empty()) {
         fail(std::string{Message::name} + " has no signal " + values.begin()->first);
     }
-    return hexadecimal_of(can_dbc::encode(message));
+    return hexadecimal_of(rsi::can_dbc::encode(message));
 }
 
 template <typename Message>
 std::string decoded(std::istream& arguments) {
     std::string hexadecimal;
     arguments >> hexadecimal;
-    const auto result = can_dbc::decode<Message>(array_of<Message::length>(hexadecimal));
+    const auto result = rsi::can_dbc::decode<Message>(array_of<Message::length>(hexadecimal));
     std::string text;
     Message::visit_signals([&](const char* name, const char*, auto member, auto status) {
         text += std::string{text.empty() ? "" : " "} + name + '=' + printed(result.value.*member) + ':' +
@@ -123,7 +123,7 @@ std::string answer_for_frame(const std::string& request, std::istream& arguments
             answer = request == "encode" ? encoded<Message>(arguments) : decoded<Message>(arguments);
         }
     };
-    can_dbc::visit_messages(try_message);
+    rsi::can_dbc::visit_messages(try_message);
     simulation_dbc::visit_messages(try_message);
     byte_orders::visit_messages(try_message);
     can_fd::visit_messages(try_message);
@@ -143,14 +143,14 @@ std::string answer_to(const std::string& line) {
         unsigned counter = 0U;
         arguments >> data_id >> counter >> hexadecimal;
         auto payload = array_of<8>(hexadecimal);
-        can_dbc::e2e::protect_profile_11(payload, static_cast<std::uint16_t>(data_id),
-                                         static_cast<std::uint8_t>(counter));
+        rsi::can_dbc::e2e::protect_profile_11(payload, static_cast<std::uint16_t>(data_id),
+                                              static_cast<std::uint8_t>(counter));
         return hexadecimal_of(payload);
     }
     if (request == "crc8") {
         arguments >> hexadecimal;
         const auto bytes = bytes_of(hexadecimal);
-        return std::to_string(can_dbc::e2e::Crc8SaeJ1850::checksum(bytes.data(), bytes.size()));
+        return std::to_string(rsi::can_dbc::e2e::Crc8SaeJ1850::checksum(bytes.data(), bytes.size()));
     }
     fail("unknown request: " + line);
 }

@@ -11,22 +11,22 @@
 #include <utility>
 #include <vector>
 
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "sil/simulation/simulation.hpp"
 
 namespace codec_test {
 namespace {
 
-using can_dbc::decode;
-using can_dbc::Decoded;
-using can_dbc::encode;
-using can_dbc::Imu;
-using can_dbc::RollAngle;
-using can_dbc::RollCentreEstimate;
-using can_dbc::RolloverStatus;
-using can_dbc::RolloverWarning;
-using can_dbc::SignalStatus;
-using can_dbc::VehicleMotion;
+using rsi::can_dbc::decode;
+using rsi::can_dbc::Decoded;
+using rsi::can_dbc::encode;
+using rsi::can_dbc::Imu;
+using rsi::can_dbc::RollAngle;
+using rsi::can_dbc::RollCentreEstimate;
+using rsi::can_dbc::RolloverStatus;
+using rsi::can_dbc::RolloverWarning;
+using rsi::can_dbc::SignalStatus;
+using rsi::can_dbc::VehicleMotion;
 using simulation_dbc::SimulationSync;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -189,23 +189,23 @@ TEST(Codec, TakesTheSignalsOfAMessageFromTheirSources) {
         std::int32_t roll_sensor_disagrees{1};
         std::int32_t estimate_frozen{0};
     } source;
-    can_dbc::RollObserver message;
-    message.reset_reason = can_dbc::RollObserver::ResetReason::interrupt;
+    rsi::can_dbc::RollObserver message;
+    message.reset_reason = rsi::can_dbc::RollObserver::ResetReason::interrupt;
     message.take(source);
     EXPECT_FLOAT_EQ(message.observed_roll_angle_deg, 28.64789F);
     EXPECT_FLOAT_EQ(message.observed_bank_angle_deg, -14.323945F);
     EXPECT_EQ(message.roll_centre_deviation_m, 0.125F);
-    EXPECT_EQ(message.roll_source, can_dbc::RollObserver::RollSource::observer);
+    EXPECT_EQ(message.roll_source, rsi::can_dbc::RollObserver::RollSource::observer);
     EXPECT_TRUE(message.roll_sensor_disagrees);
     EXPECT_FALSE(message.estimate_frozen);
-    EXPECT_EQ(message.reset_reason, can_dbc::RollObserver::ResetReason::interrupt);  // has no source
+    EXPECT_EQ(message.reset_reason, rsi::can_dbc::RollObserver::ResetReason::interrupt);  // has no source
 }
 
 TEST(Codec, ListsWhatANodeSendsInTheFilesOrder) {
     std::vector<std::string> names;
-    can_dbc::MessagesFromRolloverEcu::visit(
+    rsi::can_dbc::MessagesFromRolloverEcu::visit(
         [&names](auto type) { names.emplace_back(decltype(type)::Type::name); });
-    EXPECT_EQ(names.size(), can_dbc::MessagesFromRolloverEcu::size);
+    EXPECT_EQ(names.size(), rsi::can_dbc::MessagesFromRolloverEcu::size);
     EXPECT_EQ(names.front(), "RolloverWarning");  // it matters most
     EXPECT_EQ(names.back(), "RolloverStatus");    // with it the cycle is complete
     EXPECT_EQ(std::count(names.begin(), names.end(), "Imu"), 0);
@@ -226,7 +226,7 @@ TEST(Codec, NamesTheEnumeratorsAsTheDbcFileDoes) {
 TEST(Codec, KeepsDistinctIdentifiersAndDataIdentifiers) {
     std::vector<std::uint32_t> identifiers;
     std::vector<std::uint16_t> low_bytes_of_data_ids;
-    can_dbc::visit_messages([&](auto message) {
+    rsi::can_dbc::visit_messages([&](auto message) {
         using Message = typename decltype(message)::Type;
         EXPECT_EQ(std::count(identifiers.begin(), identifiers.end(), Message::identifier), 0);
         identifiers.push_back(Message::identifier);

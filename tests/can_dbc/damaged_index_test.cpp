@@ -3,15 +3,15 @@
 
 #include <cstddef>
 
-#include "can_dbc/e2e/state_machine.hpp"
+#include "rsi/can_dbc/e2e/state_machine.hpp"
 #include "tests/support/memory_damage.hpp"
 
 namespace {
 
-using can_dbc::e2e::CheckStatus;
+using rsi::can_dbc::e2e::CheckStatus;
 
-constexpr can_dbc::e2e::StateMachineSettings settings{6U, {1U, 1U}, {1U, 2U}, {3U, 1U}, true};
-using Machine = can_dbc::e2e::StateMachine<settings>;
+constexpr rsi::can_dbc::e2e::StateMachineSettings settings{6U, {1U, 1U}, {1U, 2U}, {3U, 1U}, true};
+using Machine = rsi::can_dbc::e2e::StateMachine<settings>;
 
 TEST(ADamagedIndex, OfTheReceiverStaysInItsWindow) {
     Machine sound;

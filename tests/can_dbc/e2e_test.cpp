@@ -4,16 +4,16 @@
 #include <array>
 #include <cstdint>
 
-#include "can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
 
 namespace e2e_test {
 namespace {
 
-using can_dbc::e2e::CheckError;
-using can_dbc::e2e::CheckResult;
-using can_dbc::e2e::CheckStatus;
-using can_dbc::e2e::Profile11Receiver;
-using can_dbc::e2e::Profile11Sender;
+using rsi::can_dbc::e2e::CheckError;
+using rsi::can_dbc::e2e::CheckResult;
+using rsi::can_dbc::e2e::CheckStatus;
+using rsi::can_dbc::e2e::Profile11Receiver;
+using rsi::can_dbc::e2e::Profile11Sender;
 
 using Payload = std::array<std::uint8_t, 8>;
 
@@ -21,7 +21,7 @@ constexpr std::uint16_t data_id = 0x3A7U;
 
 Payload frame(unsigned counter, std::uint16_t identifier = data_id) {
     Payload payload{0U, 0U, 0x11U, 0x22U, 0x33U, 0x44U, 0x55U, 0x66U};
-    can_dbc::e2e::protect_profile_11(payload, identifier, static_cast<std::uint8_t>(counter));
+    rsi::can_dbc::e2e::protect_profile_11(payload, identifier, static_cast<std::uint8_t>(counter));
     return payload;
 }
 
@@ -31,20 +31,20 @@ CheckResult check(Profile11Receiver& receiver, unsigned counter) {
 
 constexpr Payload protected_zeros() {
     Payload payload{};
-    can_dbc::e2e::protect_profile_11(payload, 0x123U, 0U);
+    rsi::can_dbc::e2e::protect_profile_11(payload, 0x123U, 0U);
     return payload;
 }
 
 TEST(Crc8SaeJ1850, GivesTheCatalogueCheckValue) {
     constexpr std::array<std::uint8_t, 9> digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-    static_assert(can_dbc::e2e::Crc8SaeJ1850::checksum(digits.data(), digits.size()) == 0x4BU);
-    EXPECT_EQ(can_dbc::e2e::Crc8SaeJ1850::checksum(digits.data(), digits.size()), 0x4BU);
+    static_assert(rsi::can_dbc::e2e::Crc8SaeJ1850::checksum(digits.data(), digits.size()) == 0x4BU);
+    EXPECT_EQ(rsi::can_dbc::e2e::Crc8SaeJ1850::checksum(digits.data(), digits.size()), 0x4BU);
 }
 
 TEST(Crc8SaeJ1850, HasATableThatIsTheDivisionBitByBit) {
     for (const unsigned polynomial : {0x1DU, 0x2FU}) {
         const std::array<std::uint8_t, 256> table =
-            can_dbc::e2e::detail::make_crc_table<std::uint8_t>(static_cast<std::uint8_t>(polynomial));
+            rsi::can_dbc::e2e::detail::make_crc_table<std::uint8_t>(static_cast<std::uint8_t>(polynomial));
         for (unsigned byte = 0U; byte < 256U; ++byte) {
             unsigned remainder = byte << 8U;
             for (unsigned bit = 15U; bit >= 8U; --bit) {
@@ -58,7 +58,7 @@ TEST(Crc8SaeJ1850, HasATableThatIsTheDivisionBitByBit) {
 TEST(Profile11, RefusesAPayloadTooShortForItsHeaderThoughThatIsWhatIsExpected) {
     const Payload payload{};
     for (const std::size_t length : {0U, 1U}) {
-        EXPECT_EQ(can_dbc::e2e::verify_profile_11(payload.data(), length, length, data_id),
+        EXPECT_EQ(rsi::can_dbc::e2e::verify_profile_11(payload.data(), length, length, data_id),
                   CheckError::length);
     }
 }
@@ -196,8 +196,8 @@ TEST(CheckStatus, OnlyFramesInSequenceAreUsable) {
 
 TEST(Profile11, ChecksAPayloadOfNothingButItsHeader) {
     std::array<std::uint8_t, 2> payload{};
-    can_dbc::e2e::protect_profile_11(payload, data_id, 3U);
-    EXPECT_EQ(can_dbc::e2e::verify_profile_11(payload.data(), 2U, 2U, data_id), CheckError::none);
+    rsi::can_dbc::e2e::protect_profile_11(payload, data_id, 3U);
+    EXPECT_EQ(rsi::can_dbc::e2e::verify_profile_11(payload.data(), 2U, 2U, data_id), CheckError::none);
 }
 
 }  // namespace

@@ -21,12 +21,12 @@ PAIRS = [
     ("rsi_state", RSI, "RSI_STATE_", "RolloverWarning", "State"),
     ("rsi_side", RSI, "RSI_SIDE_", "RolloverWarning", "Side"),
     ("rsi_roll_source", RSI, "RSI_ROLL_", "RollObserver", "RollSource"),
-    ("ParametersRefusal", "firmware/application/parameter_section.hpp", "", "RolloverWarning", "ParametersRefusal"),
-    ("Protection", "firmware/application/section_authority.hpp", "", "RollObserver", "Protection"),
-    ("ResetReason", "hal/interface/reset_reason.hpp", "", "RollObserver", "ResetReason"),
-    ("Degradation", "firmware/monitoring/degradation.hpp", "", "RolloverDiagnosis", "Degradation"),
-    ("EventStatus", "firmware/monitoring/diagnostic_event.hpp", "", "RolloverDiagnosis", "CodeStatus"),
-    ("DiagnosticCode", "firmware/monitoring/diagnostic_code.hpp", "", "RolloverDiagnosis", "Code"),
+    ("ParametersRefusal", "firmware/rsi/ecu/application/parameter_section.hpp", "", "RolloverWarning", "ParametersRefusal"),
+    ("Protection", "firmware/rsi/ecu/application/section_authority.hpp", "", "RollObserver", "Protection"),
+    ("ResetReason", "hal/interface/rsi/hal/reset_reason.hpp", "", "RollObserver", "ResetReason"),
+    ("Degradation", "firmware/rsi/ecu/monitoring/degradation.hpp", "", "RolloverDiagnosis", "Degradation"),
+    ("EventStatus", "firmware/rsi/ecu/monitoring/diagnostic_event.hpp", "", "RolloverDiagnosis", "CodeStatus"),
+    ("DiagnosticCode", "firmware/rsi/ecu/monitoring/diagnostic_code.hpp", "", "RolloverDiagnosis", "Code"),
 ]
 
 

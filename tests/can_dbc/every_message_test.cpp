@@ -13,28 +13,28 @@
 #include <string>
 #include <type_traits>
 
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "sil/simulation/simulation.hpp"
 #include "tests/can_dbc/byte_orders.hpp"
 
 namespace every_message_test {
 namespace {
 
-using can_dbc::Decoded;
-using can_dbc::SignalStatus;
+using rsi::can_dbc::Decoded;
+using rsi::can_dbc::SignalStatus;
 
 // Calls `check` with an instance of each message of these databases.
 template <typename Check>
 void for_every_message(Check check) {
     const auto of_type = [&check](auto type) { check(typename decltype(type)::Type{}); };
-    can_dbc::visit_messages(of_type);
+    rsi::can_dbc::visit_messages(of_type);
     simulation_dbc::visit_messages(of_type);
     byte_orders::visit_messages(of_type);
 }
 
 template <typename Message>
 Decoded<Message> decoded_from(const std::array<std::uint8_t, Message::length>& payload) {
-    return can_dbc::decode<Message>(payload);
+    return rsi::can_dbc::decode<Message>(payload);
 }
 
 template <typename Message>
@@ -79,7 +79,7 @@ TEST(EveryMessage, DecodedAndEncodedAgainSaysTheSame) {
         using Message = decltype(message);
         for (int draw = 0; draw < 2000; ++draw) {
             const auto received = decoded_from<Message>(random_payload<Message>(random));
-            const auto again = decoded_from<Message>(can_dbc::encode(received.value));
+            const auto again = decoded_from<Message>(rsi::can_dbc::encode(received.value));
             Message::visit_signals([&](const char* signal, const char*, auto value, auto status) {
                 if (received.status.*status == SignalStatus::valid) {
                     EXPECT_EQ(again.status.*status, SignalStatus::valid) << Message::name << "." << signal;
@@ -118,7 +118,7 @@ TEST(EveryMessage, GivesNoNumberForASignalThatIsNotValid) {
 TEST(EveryMessage, NeverSendsACodeOutOfRange) {
     const auto expect_in_range = [](const auto& message) {
         using Message = std::decay_t<decltype(message)>;
-        const auto received = decoded_from<Message>(can_dbc::encode(message));
+        const auto received = decoded_from<Message>(rsi::can_dbc::encode(message));
         Message::visit_signals([&](const char* signal, const char*, auto, auto status) {
             EXPECT_NE(received.status.*status, SignalStatus::out_of_range) << Message::name << "." << signal;
         });
@@ -203,7 +203,7 @@ int expect_names_of_dbc(const std::string& dbc) {
 
 TEST(EveryEnumeration, HasTheNamesOfTheDbcFile) {
     int enumerations = 0;
-    can_dbc::visit_messages([&enumerations](auto type) {
+    rsi::can_dbc::visit_messages([&enumerations](auto type) {
         enumerations += expect_names_of_dbc<typename decltype(type)::Type>("can_dbc/rollover_warning.dbc");
     });
     EXPECT_EQ(enumerations, 9);

@@ -14,7 +14,7 @@ GENERATOR = ROOT / "can_dbc/generator/generate.py"
 DBC = ROOT / "can_dbc/rollover_warning.dbc"
 SIMULATION = ROOT / "sil/simulation/simulation.dbc"
 CAN_FD = ROOT / "tests/can_dbc/can_fd.dbc"
-HEADER = ROOT / "can_dbc/generated/rollover_warning.hpp"
+HEADER = ROOT / "can_dbc/include/rsi/can_dbc/generated/rollover_warning.hpp"
 GUIDE = ROOT / "docs/can.md"
 PROTECTION = ("E2eCrc", "E2eCounter", "E2eDataIdNibble")  # described once, in the comment of the file
 

@@ -5,17 +5,17 @@
 #include <cmath>
 #include <cstdint>
 
-#include "can_dbc/codec/integer_signal.hpp"
-#include "can_dbc/codec/physical_signal.hpp"
+#include "rsi/can_dbc/codec/integer_signal.hpp"
+#include "rsi/can_dbc/codec/physical_signal.hpp"
 
 namespace signal_test {
 namespace {
 
-using can_dbc::ByteOrder;
-using can_dbc::EnumerationSignal;
-using can_dbc::IntegerSignal;
-using can_dbc::PhysicalSignal;
-using can_dbc::SignalStatus;
+using rsi::can_dbc::ByteOrder;
+using rsi::can_dbc::EnumerationSignal;
+using rsi::can_dbc::IntegerSignal;
+using rsi::can_dbc::PhysicalSignal;
+using rsi::can_dbc::SignalStatus;
 
 using Payload = std::array<std::uint8_t, 8>;
 
@@ -29,17 +29,17 @@ constexpr PhysicalSignal<std::int32_t> falling{
 float decoded(const PhysicalSignal<std::int32_t>& signal, int raw, SignalStatus& status) {
     Payload payload{static_cast<std::uint8_t>(raw & 0xFF)};
     float value = 0.0F;
-    can_dbc::read_signal(signal, payload.data(), value, status);
+    rsi::can_dbc::read_signal(signal, payload.data(), value, status);
     return value;
 }
 
 TEST(PhysicalSignal, IsNotRoundedToACodeBeyondARangeThatEndsBetweenTwo) {
-    EXPECT_EQ(can_dbc::raw_from_physical(narrow, 0.79F), 1);
-    EXPECT_EQ(can_dbc::raw_from_physical(narrow, -0.79F), -1);
-    EXPECT_EQ(can_dbc::raw_from_physical(falling, 0.79F), -1);
-    EXPECT_EQ(can_dbc::raw_from_physical(falling, -0.79F), 1);
-    EXPECT_EQ(can_dbc::raw_from_physical(narrow, 0.3F), 1);
-    EXPECT_EQ(can_dbc::raw_from_physical(narrow, 0.2F), 0);
+    EXPECT_EQ(rsi::can_dbc::raw_from_physical(narrow, 0.79F), 1);
+    EXPECT_EQ(rsi::can_dbc::raw_from_physical(narrow, -0.79F), -1);
+    EXPECT_EQ(rsi::can_dbc::raw_from_physical(falling, 0.79F), -1);
+    EXPECT_EQ(rsi::can_dbc::raw_from_physical(falling, -0.79F), 1);
+    EXPECT_EQ(rsi::can_dbc::raw_from_physical(narrow, 0.3F), 1);
+    EXPECT_EQ(rsi::can_dbc::raw_from_physical(narrow, 0.2F), 0);
 }
 
 TEST(PhysicalSignal, WithANegativeFactorHasItsRangeToo) {
@@ -55,8 +55,8 @@ TEST(PhysicalSignal, WithANegativeFactorHasItsRangeToo) {
 }
 
 TEST(PhysicalSignal, WithoutACodeForNotAvailableSendsItsStartValueForNan) {
-    EXPECT_EQ(can_dbc::raw_from_physical(falling, can_dbc::not_available), 0);
-    EXPECT_EQ(can_dbc::raw_from_physical(narrow, can_dbc::not_available), -128);
+    EXPECT_EQ(rsi::can_dbc::raw_from_physical(falling, rsi::can_dbc::not_available), 0);
+    EXPECT_EQ(rsi::can_dbc::raw_from_physical(narrow, rsi::can_dbc::not_available), -128);
     SignalStatus status{};
     decoded(falling, 0, status);
     EXPECT_EQ(status, SignalStatus::valid);
@@ -68,14 +68,14 @@ TEST(IntegerSignal, SaturatesAtBothEndsOfItsRangeAndTakesNothingBeyondThem) {
     constexpr IntegerSignal signal{{ByteOrder::little_endian, 0U, 8U, true}, -10, 20, 5};
     for (const auto& [value, sent] : {std::array{-11, -10}, {-10, -10}, {0, 0}, {20, 20}, {21, 20}}) {
         Payload payload{};
-        can_dbc::write_signal(signal, static_cast<std::int16_t>(value), payload.data());
+        rsi::can_dbc::write_signal(signal, static_cast<std::int16_t>(value), payload.data());
         EXPECT_EQ(static_cast<std::int8_t>(payload[0]), sent) << value;
     }
     for (const auto& [raw, value] : {std::array{-11, 5}, {-10, -10}, {20, 20}, {21, 5}}) {
         const Payload payload{static_cast<std::uint8_t>(raw & 0xFF)};
         std::int16_t read = 0;
         SignalStatus status{};
-        can_dbc::read_signal(signal, payload.data(), read, status);
+        rsi::can_dbc::read_signal(signal, payload.data(), read, status);
         EXPECT_EQ(read, value) << raw;
         EXPECT_EQ(status, raw == value ? SignalStatus::valid : SignalStatus::out_of_range) << raw;
     }
@@ -94,7 +94,7 @@ TEST(EnumerationSignal, KnowsItsOwnNotAvailableWhereItHasOne) {
             const Payload payload{static_cast<std::uint8_t>(gear)};
             Gear read{};
             SignalStatus status{};
-            can_dbc::read_enumeration(signal, &is_gear, payload.data(), read, status);
+            rsi::can_dbc::read_enumeration(signal, &is_gear, payload.data(), read, status);
             EXPECT_EQ(read, gear);
             EXPECT_EQ(status,
                       has && gear == Gear::not_available ? SignalStatus::not_available : SignalStatus::valid);

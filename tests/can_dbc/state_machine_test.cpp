@@ -1,5 +1,5 @@
 // The end-to-end receiver state machine: every transition, and what it makes of a bad channel.
-#include "can_dbc/e2e/state_machine.hpp"
+#include "rsi/can_dbc/e2e/state_machine.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 namespace state_machine_test {
 namespace {
 
-using can_dbc::e2e::are_consistent;
-using can_dbc::e2e::ChannelState;
-using can_dbc::e2e::CheckStatus;
-using can_dbc::e2e::StateMachine;
-using can_dbc::e2e::StateMachineSettings;
+using rsi::can_dbc::e2e::are_consistent;
+using rsi::can_dbc::e2e::ChannelState;
+using rsi::can_dbc::e2e::CheckStatus;
+using rsi::can_dbc::e2e::StateMachine;
+using rsi::can_dbc::e2e::StateMachineSettings;
 
 constexpr StateMachineSettings settings{6U, {2U, 1U}, {1U, 2U}, {3U, 1U}, false};
 constexpr StateMachineSettings at_once{6U, {1U, 1U}, {1U, 2U}, {3U, 1U}, true};

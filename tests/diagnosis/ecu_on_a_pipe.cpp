@@ -14,9 +14,9 @@
 #include <optional>
 #include <string>
 
-#include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "sil/apps/diagnosis_access.hpp"
 #include "tests/application/bench.hpp"
 
@@ -41,8 +41,8 @@ class EcuOnAPipe {
  private:
     void start(bool is_switched_on) {
         ecu_.reset();
-        diagnosis_.emplace(bus_.endpoint(0U), diagnosis::Addresses{}, access_.identification(), access_.one(),
-                           access_.other());
+        diagnosis_.emplace(bus_.endpoint(0U), rsi::diagnosis::Addresses{}, access_.identification(),
+                           access_.one(), access_.other());
         diagnosis_->use(access_.seed_and_key());
         diagnosis_->use(access_.store());
         diagnosis_->start(is_switched_on);
@@ -56,7 +56,7 @@ class EcuOnAPipe {
     }
 
     void send(const std::string& line) {
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.identifier = static_cast<std::uint32_t>(std::stoul(line.substr(0U, 3U), nullptr, 16));
         for (std::size_t at = 4U; at + 1U < line.size() && frame.length < 8U; at += 2U) {
             frame.data.at(frame.length) =
@@ -69,14 +69,14 @@ class EcuOnAPipe {
     void run(int cycles) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
             if (speed_kmh_) {
-                can_dbc::VehicleMotion motion{};
+                rsi::can_dbc::VehicleMotion motion{};
                 motion.speed_kmh = *speed_kmh_;
                 bus_.endpoint(1U).send(frame_of(motion, counter_));
                 counter_ = (counter_ + 1U) % 15U;
             }
             ecu_->step(0U);
             diagnosis_->step(*ecu_);
-            clock_.advance(hal::Time::from_milliseconds(10));
+            clock_.advance(rsi::hal::Time::from_milliseconds(10));
             print();
             if (diagnosis_->is_reset_requested()) {
                 start(false);
@@ -88,9 +88,9 @@ class EcuOnAPipe {
     }
 
     void print() {
-        hal::CanFrame frame{};
-        while (bus_.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
-            if (frame.identifier != diagnosis::Addresses{}.response) {
+        rsi::hal::CanFrame frame{};
+        while (bus_.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
+            if (frame.identifier != rsi::diagnosis::Addresses{}.response) {
                 continue;
             }
             std::printf("%03X#", frame.identifier);
@@ -102,11 +102,11 @@ class EcuOnAPipe {
     }
 
     sil::DiagnosisAccess access_;
-    hal::VirtualClock clock_{};
-    hal::MemoryBus<2U> bus_{clock_};
+    rsi::hal::VirtualClock clock_{};
+    rsi::hal::MemoryBus<2U> bus_{clock_};
     testing_application::NoWatchdog watchdog_{};
-    std::optional<diagnosis::Diagnosis> diagnosis_;
-    std::optional<application::RolloverEcu> ecu_;
+    std::optional<rsi::diagnosis::Diagnosis> diagnosis_;
+    std::optional<rsi::application::RolloverEcu> ecu_;
     std::optional<float> speed_kmh_;
     unsigned counter_{0U};
 };

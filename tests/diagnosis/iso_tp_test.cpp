@@ -1,5 +1,5 @@
 // ISO-TP: what is on its way is whole or is nothing, times end, and others' frames do not disturb.
-#include "diagnosis/iso_tp.hpp"
+#include "rsi/ecu/diagnosis/iso_tp.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 namespace testing_diagnosis {
 namespace {
 
-using diagnosis::IsoTp;
-using diagnosis::Request;
+using rsi::diagnosis::IsoTp;
+using rsi::diagnosis::Request;
 
 Bytes counted(std::size_t length) {
     Bytes bytes(length);
@@ -22,28 +22,30 @@ Bytes counted(std::size_t length) {
 }
 
 // A bus that takes so many frames in a cycle.
-class NarrowBus final : public hal::CanBus {
+class NarrowBus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame&) noexcept override {
+        return rsi::hal::ReceiveResult::empty;
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         if (room == 0) {
-            return hal::SendResult::full;
+            return rsi::hal::SendResult::full;
         }
         --room;
         sent.push_back(frame);
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 
     int room{1000};
-    std::vector<hal::CanFrame> sent{};
+    std::vector<rsi::hal::CanFrame> sent{};
 };
 
 class Transport : public ::testing::Test {
  protected:
     void take(const Bytes& payload, std::uint32_t identifier = Tester::physical) {
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.identifier = identifier;
         frame.length = static_cast<std::uint8_t>(payload.size());
         std::copy(payload.begin(), payload.end(), frame.data.begin());
@@ -103,7 +105,7 @@ class Transport : public ::testing::Test {
 
     NarrowBus bus_{};
     IsoTp transport_{bus_, {}};
-    diagnosis::Response response_{};
+    rsi::diagnosis::Response response_{};
     const Bytes continue_to_send_{0x30U, 0U, 0U, 0xCCU, 0xCCU, 0xCCU, 0xCCU, 0xCCU};
     const Bytes overflow_{0x32U, 0U, 0U, 0xCCU, 0xCCU, 0xCCU, 0xCCU, 0xCCU};
 };
@@ -173,7 +175,7 @@ TEST_F(Transport, IsActiveWhileAnythingWaitsOrIsOnItsWay) {
 }
 
 TEST_F(Transport, LeavesOthersFramesAlone) {
-    hal::CanFrame frame{};
+    rsi::hal::CanFrame frame{};
     frame.length = 2U;
     frame.data[0] = 1U;
     for (const std::uint32_t identifier : {0U, 0x120U, Tester::response, Tester::physical + 1U, 0x7FFU}) {
@@ -196,7 +198,7 @@ TEST_F(Transport, LeavesOthersFramesAlone) {
 TEST_F(Transport, AFrameWithoutAByteSaysNothing) {
     const Bytes message = counted(20U);
     take_first(message);
-    hal::CanFrame frame{};
+    rsi::hal::CanFrame frame{};
     frame.identifier = Tester::physical;
     frame.data[0] = 0x22U;
     transport_.take(frame);
@@ -377,7 +379,7 @@ TEST_F(Transport, ALongAnswerWaitsForFlowControlAndEveryFrameIsPadded) {
     cycles(20);
     Bytes received(message.begin(), message.begin() + 6);
     for (std::size_t number = 1U; number < bus_.sent.size(); ++number) {
-        const hal::CanFrame& frame = bus_.sent[number];
+        const rsi::hal::CanFrame& frame = bus_.sent[number];
         EXPECT_EQ(frame.length, 8U);
         EXPECT_EQ(frame.data[0], 0x20U | (number & 0x0FU));
         received.insert(received.end(), frame.data.begin() + 1, frame.data.begin() + 8);
@@ -390,7 +392,7 @@ TEST_F(Transport, ALongAnswerWaitsForFlowControlAndEveryFrameIsPadded) {
 
 // The length of the longest answer needs the lower half of the first byte.
 TEST_F(Transport, TheLongestAnswerTellsItsLength) {
-    const Bytes message = counted(diagnosis::Response::capacity);
+    const Bytes message = counted(rsi::diagnosis::Response::capacity);
     send(message);
     EXPECT_FALSE(response_.is_too_long());
     cycles(1);

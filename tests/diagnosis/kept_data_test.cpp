@@ -1,5 +1,5 @@
 // Data that outlive a loss of power: at any write, at most the newest entry is lost.
-#include "diagnosis/kept_data.hpp"
+#include "rsi/ecu/diagnosis/kept_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 namespace testing_diagnosis {
 namespace {
 
-using diagnosis::KeptData;
-using monitoring::CodeSet;
+using rsi::diagnosis::KeptData;
+using rsi::monitoring::CodeSet;
 using rsi_test::CutStorage;
 
 constexpr CodeSet bit_of(std::size_t row) {
@@ -35,8 +35,8 @@ struct Life {
     }
     std::set<std::size_t> known() {
         std::set<std::size_t> rows;
-        for (std::size_t row = 0U; row < diagnosis::trouble_code_count; ++row) {
-            if ((data.codes().state(row).status & diagnosis::status::confirmed) != 0U) {
+        for (std::size_t row = 0U; row < rsi::diagnosis::trouble_code_count; ++row) {
+            if ((data.codes().state(row).status & rsi::diagnosis::status::confirmed) != 0U) {
                 rows.insert(row);
             }
         }
@@ -61,7 +61,7 @@ TEST(KeptData, EntriesAndWrittenDataComeBack) {
         life.run(1, bit_of(3U));
         life.data.written().vehicle_number.fill('V');
         life.data.written().programming_date = {0x20U, 0x26U, 0x11U, 0x25U};
-        life.data.codes().request_storing(diagnosis::Storing::now);
+        life.data.codes().request_storing(rsi::diagnosis::Storing::now);
         life.run(200);
     }
     Life life{memories};
@@ -208,15 +208,15 @@ TEST(KeptData, EveryDamagedByteIsNoticedAndTheOtherRecordUsed) {
 
 TEST(KeptData, ARecordOfAnotherLayoutIsNotRead) {
     Memories memories;
-    diagnosis::AlternatingRecord<diagnosis::KeptPayload> record{memories.one, memories.other};
-    diagnosis::KeptPayload payload{};
-    payload.codes.states.fill({diagnosis::status::failure, 1U, 0U});
-    payload.layout = diagnosis::KeptPayload::present_layout + 1U;
+    rsi::diagnosis::AlternatingRecord<rsi::diagnosis::KeptPayload> record{memories.one, memories.other};
+    rsi::diagnosis::KeptPayload payload{};
+    payload.codes.states.fill({rsi::diagnosis::status::failure, 1U, 0U});
+    payload.layout = rsi::diagnosis::KeptPayload::present_layout + 1U;
     ASSERT_TRUE(record.write(payload));
     EXPECT_TRUE(Life{memories}.known().empty());
-    payload.layout = diagnosis::KeptPayload::present_layout;
+    payload.layout = rsi::diagnosis::KeptPayload::present_layout;
     ASSERT_TRUE(record.write(payload));
-    EXPECT_EQ(Life{memories}.known().size(), diagnosis::trouble_code_count);
+    EXPECT_EQ(Life{memories}.known().size(), rsi::diagnosis::trouble_code_count);
 }
 
 // An update that adds codes must not take away the vehicle's number, nor the codes that there were.
@@ -226,14 +226,14 @@ TEST(KeptData, ARecordDoesNotDependOnHowManyCodesThereAre) {
 
 // The sequence number may begin again at zero.
 TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
-    using Record = diagnosis::AlternatingRecord<std::uint8_t>;
+    using Record = rsi::diagnosis::AlternatingRecord<std::uint8_t>;
     Memories memories;
     const auto record_with = [](std::uint32_t sequence, std::uint8_t byte) {
         Bytes record(Record::length);
         record[0] = byte;
-        application::put_word(record.data(), 1U, 0x44495352U);
-        application::put_word(record.data(), 5U, sequence);
-        application::put_word(record.data(), 9U, application::crc32(record.data(), 9U));
+        rsi::application::put_word(record.data(), 1U, 0x44495352U);
+        rsi::application::put_word(record.data(), 5U, sequence);
+        rsi::application::put_word(record.data(), 9U, rsi::application::crc32(record.data(), 9U));
         return record;
     };
     const auto newest = [&](std::uint32_t one, std::uint32_t other) {
@@ -261,7 +261,7 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
 
 TEST(AlternatingRecord, AnEmptyMemoryLeavesThePayloadAsItWas) {
     Memories memories;
-    diagnosis::AlternatingRecord<std::uint8_t> record{memories.one, memories.other};
+    rsi::diagnosis::AlternatingRecord<std::uint8_t> record{memories.one, memories.other};
     std::uint8_t payload = 7U;
     EXPECT_FALSE(record.read(payload));
     EXPECT_EQ(payload, 7U);
@@ -269,10 +269,10 @@ TEST(AlternatingRecord, AnEmptyMemoryLeavesThePayloadAsItWas) {
 
 // Other data in such a memory may have a checksum of the same kind.
 TEST(AlternatingRecord, ARecordOfAnotherKindIsNotRead) {
-    using Record = diagnosis::AlternatingRecord<std::uint8_t>;
+    using Record = rsi::diagnosis::AlternatingRecord<std::uint8_t>;
     Memories memories;
     Bytes foreign(Record::length, 1U);
-    application::put_word(foreign.data(), 9U, application::crc32(foreign.data(), 9U));
+    rsi::application::put_word(foreign.data(), 9U, rsi::application::crc32(foreign.data(), 9U));
     memories.one.record() = foreign;
     Record record{memories.one, memories.other};
     std::uint8_t payload = 7U;
@@ -280,7 +280,7 @@ TEST(AlternatingRecord, ARecordOfAnotherKindIsNotRead) {
 }
 
 // A memory that has filled the bytes and then says that they are not to be trusted.
-class DoubtfulStorage final : public hal::Storage {
+class DoubtfulStorage final : public rsi::hal::Storage {
  public:
     bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
         std::copy_n(record.begin(), std::min(length, record.size()), bytes);
@@ -297,7 +297,7 @@ class DoubtfulStorage final : public hal::Storage {
 TEST(AlternatingRecord, AnUnreadableRecordIsNotTaken) {
     DoubtfulStorage one;
     DoubtfulStorage other;
-    diagnosis::AlternatingRecord<std::uint8_t> record{one, other};
+    rsi::diagnosis::AlternatingRecord<std::uint8_t> record{one, other};
     ASSERT_TRUE(record.write(3U));
     std::uint8_t payload = 7U;
     EXPECT_FALSE(record.read(payload));

@@ -1,5 +1,5 @@
 // Download of a parameter section: whole and good, or all is as it was.
-#include "diagnosis/section_download.hpp"
+#include "rsi/ecu/diagnosis/section_download.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 
 #include "tests/diagnosis/tester.hpp"
 
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace testing_diagnosis {
 namespace {
 
-constexpr std::size_t section_length = application::section::length;
+constexpr std::size_t section_length = rsi::application::section::length;
 
 Bytes good_section() {
     return {rsi_parameter_section, rsi_parameter_section + section_length};
@@ -45,7 +45,7 @@ class Download : public ::testing::Test {
         ASSERT_EQ(ask({0x37U}), (Bytes{0x77U}));
     }
     Bytes check() { return ask({0x31U, 0x01U, 0xFFU, 0x01U}); }
-    static Bytes result(application::ParametersRefusal refusal) {
+    static Bytes result(rsi::application::ParametersRefusal refusal) {
         return {0x71U, 0x01U, 0xFFU, 0x01U, static_cast<std::uint8_t>(refusal)};
     }
     const Bytes& stored() { return memories_.section.record(); }
@@ -59,9 +59,9 @@ TEST_F(Download, AGoodSectionIsStoredForTheNextStart) {
     transfer(good_section());
     EXPECT_TRUE(stored().empty()) << "not before it has been checked";
     EXPECT_FALSE(tester_.store().restore());
-    EXPECT_EQ(check(), result(application::ParametersRefusal::none));
+    EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::none));
     EXPECT_EQ(stored(), good_section());
-    diagnosis::SectionStore store{memories_.section};
+    rsi::diagnosis::SectionStore store{memories_.section};
     EXPECT_TRUE(store.restore());
     EXPECT_TRUE(std::equal(rsi_parameter_section, rsi_parameter_section + section_length, store.section()));
 }
@@ -70,7 +70,7 @@ TEST_F(Download, BlocksMayHaveAnyLength) {
     for (const std::size_t size : {std::size_t{1U}, std::size_t{7U}, std::size_t{128U}}) {
         memories_.section.record().clear();
         transfer(good_section(), size);
-        EXPECT_EQ(check(), result(application::ParametersRefusal::none));
+        EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::none));
         EXPECT_EQ(stored(), good_section());
     }
 }
@@ -78,25 +78,25 @@ TEST_F(Download, BlocksMayHaveAnyLength) {
 TEST_F(Download, ABadSectionIsRefusedWithItsReasonAndTheOldOneStays) {
     transfer(good_section());
     check();
-    const auto refused = [&](std::size_t byte, application::ParametersRefusal reason) {
+    const auto refused = [&](std::size_t byte, rsi::application::ParametersRefusal reason) {
         Bytes section = good_section();
         section[byte] ^= 0x01U;
         transfer(section);
         EXPECT_EQ(check(), result(reason));
         EXPECT_EQ(stored(), good_section());
     };
-    refused(0U, application::ParametersRefusal::missing);
-    refused(4U, application::ParametersRefusal::version);
-    refused(8U, application::ParametersRefusal::layout);
-    refused(12U, application::ParametersRefusal::length);
-    refused(100U, application::ParametersRefusal::checksum);
+    refused(0U, rsi::application::ParametersRefusal::missing);
+    refused(4U, rsi::application::ParametersRefusal::version);
+    refused(8U, rsi::application::ParametersRefusal::layout);
+    refused(12U, rsi::application::ParametersRefusal::length);
+    refused(100U, rsi::application::ParametersRefusal::checksum);
 
     Bytes section = good_section();
     std::fill_n(section.begin() + 64, 4, std::uint8_t{0U});  // no sprung mass
-    application::put_word(section.data(), section_length - 4U,
-                          application::crc32(section.data(), section_length - 4U));
+    rsi::application::put_word(section.data(), section_length - 4U,
+                               rsi::application::crc32(section.data(), section_length - 4U));
     transfer(section);
-    EXPECT_EQ(check(), result(application::ParametersRefusal::value));
+    EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::value));
     EXPECT_EQ(stored(), good_section());
 }
 
@@ -106,8 +106,8 @@ TEST_F(Download, NothingOfAnInterruptedOneIsStored) {
     check();
     Bytes other = good_section();
     other[16] = 'X';  // its name
-    application::put_word(other.data(), section_length - 4U,
-                          application::crc32(other.data(), section_length - 4U));
+    rsi::application::put_word(other.data(), section_length - 4U,
+                               rsi::application::crc32(other.data(), section_length - 4U));
     for (std::size_t sent = 0U; sent < section_length; ++sent) {
         ASSERT_EQ(request_download()[0], 0x74U);
         unsigned number = 1U;
@@ -189,7 +189,7 @@ TEST_F(Download, AMemoryThatIsBusyIsWaitedFor) {
     EXPECT_EQ(tester_.receive(20), no(0x31U, 0x78U));
     tester_.cycles(100);
     memories_.section.refuse(false);
-    EXPECT_EQ(tester_.receive(20), result(application::ParametersRefusal::none));
+    EXPECT_EQ(tester_.receive(20), result(rsi::application::ParametersRefusal::none));
     EXPECT_EQ(stored(), good_section());
 }
 
@@ -213,7 +213,7 @@ TEST_F(Download, TheReportOfASlowMemoryIsTrue) {
         EXPECT_EQ(tester_.receive(5), no(0x31U, 0x78U)) << "within P2";
         tester_.cycles(436 + late);
         memories_.section.refuse(false);
-        const bool is_good = (tester_.receive(20) == result(application::ParametersRefusal::none));
+        const bool is_good = (tester_.receive(20) == result(rsi::application::ParametersRefusal::none));
         EXPECT_EQ(is_good, stored() == good_section()) << late;
         stored_in_time += is_good ? 1 : 0;
     }
@@ -225,27 +225,27 @@ TEST_F(Download, ATornRecordIsNoSection) {
     transfer(good_section());
     memories_.section.cut_power_at({1, 200U});
     check();
-    diagnosis::SectionStore store{memories_.section};
+    rsi::diagnosis::SectionStore store{memories_.section};
     EXPECT_FALSE(store.restore());
 }
 
 TEST(SectionDownload, IsNotAcceptedWithoutATarget) {
-    diagnosis::SectionDownload download;
-    diagnosis::Response response;
+    rsi::diagnosis::SectionDownload download;
+    rsi::diagnosis::Response response;
     const Bytes request{0x34U, 0x00U, 0x11U, 0U, 1U};
     EXPECT_EQ(download.begin({request.data(), request.size(), false}, response), Nrc::download_not_accepted);
 }
 
 // A target that does what its interface says and no more.
-class CountingTarget final : public diagnosis::SectionTarget {
+class CountingTarget final : public rsi::diagnosis::SectionTarget {
  public:
     std::size_t length() const noexcept override { return 10U; }
     void put(std::size_t place, std::uint8_t byte) noexcept override {
         puts.push_back(static_cast<std::uint8_t>(place));
         puts.push_back(byte);
     }
-    diagnosis::SectionAnswer store(std::uint8_t&) noexcept override {
-        return diagnosis::SectionAnswer::stored;
+    rsi::diagnosis::SectionAnswer store(std::uint8_t&) noexcept override {
+        return rsi::diagnosis::SectionAnswer::stored;
     }
 
     Bytes puts{};
@@ -253,11 +253,11 @@ class CountingTarget final : public diagnosis::SectionTarget {
 
 TEST(SectionDownload, PutsEachByteOnceAndNoneBehindTheLast) {
     CountingTarget target;
-    diagnosis::SectionDownload download;
+    rsi::diagnosis::SectionDownload download;
     download.use(target);
-    diagnosis::Response response;
+    rsi::diagnosis::Response response;
     const auto ask = [](const Bytes& request) {
-        return diagnosis::Request{request.data(), request.size(), false};
+        return rsi::diagnosis::Request{request.data(), request.size(), false};
     };
     const Bytes request{0x34U, 0x00U, 0x11U, 0U, 10U};
     const Bytes first{0x36U, 1U, 10U, 11U, 12U, 13U, 14U, 15U};
@@ -276,13 +276,13 @@ TEST(SectionDownload, PutsEachByteOnceAndNoneBehindTheLast) {
 
 // With an authority a section needs its seal.
 TEST(SectionStore, TakesSealedSectionsOnlyWhereTheBuildWantsThem) {
-    hal::SoftwareKeys keys{hal::test_keys};
+    rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
     rsi_test::CutStorage newest;
-    application::SectionAuthority authority{keys, newest};
+    rsi::application::SectionAuthority authority{keys, newest};
     authority.start();
     rsi_test::CutStorage storage;
-    diagnosis::SectionStore store{storage, &authority};
-    ASSERT_EQ(store.length(), application::seal::sealed_length);
+    rsi::diagnosis::SectionStore store{storage, &authority};
+    ASSERT_EQ(store.length(), rsi::application::seal::sealed_length);
     Bytes section = good_section();
     section.resize(store.length());
     std::uint8_t reason = 0U;
@@ -292,13 +292,13 @@ TEST(SectionStore, TakesSealedSectionsOnlyWhereTheBuildWantsThem) {
         }
     };
     put();
-    EXPECT_EQ(store.store(reason), diagnosis::SectionAnswer::refused);
-    EXPECT_EQ(reason, static_cast<std::uint8_t>(application::ParametersRefusal::unauthentic));
-    ASSERT_TRUE(application::seal_section(keys, 1U, section.data()));
+    EXPECT_EQ(store.store(reason), rsi::diagnosis::SectionAnswer::refused);
+    EXPECT_EQ(reason, static_cast<std::uint8_t>(rsi::application::ParametersRefusal::unauthentic));
+    ASSERT_TRUE(rsi::application::seal_section(keys, 1U, section.data()));
     put();
-    EXPECT_EQ(store.store(reason), diagnosis::SectionAnswer::stored);
+    EXPECT_EQ(store.store(reason), rsi::diagnosis::SectionAnswer::stored);
     EXPECT_EQ(reason, 0U);
-    diagnosis::SectionStore again{storage, &authority};
+    rsi::diagnosis::SectionStore again{storage, &authority};
     EXPECT_TRUE(again.restore());
     storage.record()[350] ^= 1U;
     EXPECT_FALSE(again.restore());

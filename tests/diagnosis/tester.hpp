@@ -8,19 +8,19 @@
 #include <optional>
 #include <vector>
 
-#include "access/seed_and_key.hpp"
-#include "diagnosis/diagnosis.hpp"
-#include "diagnosis/section_store.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/access/seed_and_key.hpp"
+#include "rsi/ecu/diagnosis/diagnosis.hpp"
+#include "rsi/ecu/diagnosis/section_store.hpp"
 #include "tests/access/cut_storage.hpp"
 
 namespace testing_diagnosis {
 
 using Bytes = std::vector<std::uint8_t>;
-using diagnosis::Nrc;
-using monitoring::DiagnosticCode;
+using rsi::diagnosis::Nrc;
+using rsi::monitoring::DiagnosticCode;
 
 inline Bytes operator+(Bytes a, const Bytes& b) {
     a.insert(a.end(), b.begin(), b.end());
@@ -28,7 +28,7 @@ inline Bytes operator+(Bytes a, const Bytes& b) {
 }
 
 // Other bytes each time.
-class CountingRandom final : public hal::RandomSource {
+class CountingRandom final : public rsi::hal::RandomSource {
  public:
     bool fill(std::uint8_t* bytes, std::size_t length) noexcept override {
         ++calls_;
@@ -50,14 +50,14 @@ struct Memories {
 
 class Tester {
  public:
-    static constexpr std::uint32_t physical = diagnosis::Addresses{}.physical_request;
-    static constexpr std::uint32_t functional = diagnosis::Addresses{}.functional_request;
-    static constexpr std::uint32_t response = diagnosis::Addresses{}.response;
+    static constexpr std::uint32_t physical = rsi::diagnosis::Addresses{}.physical_request;
+    static constexpr std::uint32_t functional = rsi::diagnosis::Addresses{}.functional_request;
+    static constexpr std::uint32_t response = rsi::diagnosis::Addresses{}.response;
 
     explicit Tester(Memories& memories, bool is_new_cycle = true)
         : memories_{memories},
           store_{memories.section},
-          access_{keys_, hal::KeySlot::diagnosis, random_, memories.attempts} {
+          access_{keys_, rsi::hal::KeySlot::diagnosis, random_, memories.attempts} {
         inputs.speed_mps = 0.0F;
         access_.start();
         start(is_new_cycle);
@@ -65,7 +65,7 @@ class Tester {
 
     // The ECU starts anew; seed and key, which the platform has, do not.
     void start(bool is_new_cycle) {
-        diagnosis_.emplace(bus_.endpoint(0U), diagnosis::Addresses{}, identification_, memories_.one,
+        diagnosis_.emplace(bus_.endpoint(0U), rsi::diagnosis::Addresses{}, identification_, memories_.one,
                            memories_.other);
         diagnosis_->use(access_);
         diagnosis_->use(store_);
@@ -75,22 +75,22 @@ class Tester {
     // Parts of the ECU.
     rsi::Inputs inputs{};
     rsi::Outputs outputs{};
-    monitoring::Snapshot measured{};
+    rsi::monitoring::Snapshot measured{};
 
-    void fail(DiagnosticCode code) { failing_ |= monitoring::set_of(code); }
-    void heal(DiagnosticCode code) { failing_ &= ~monitoring::set_of(code); }
+    void fail(DiagnosticCode code) { failing_ |= rsi::monitoring::set_of(code); }
+    void heal(DiagnosticCode code) { failing_ &= ~rsi::monitoring::set_of(code); }
 
     void cycle() {
-        hal::CanFrame frame{};
-        while (bus_.endpoint(0U).receive(frame) == hal::ReceiveResult::frame) {
+        rsi::hal::CanFrame frame{};
+        while (bus_.endpoint(0U).receive(frame) == rsi::hal::ReceiveResult::frame) {
             diagnosis_->listener().take(frame);
         }
         monitoring_.begin_cycle(measured);
-        for (std::size_t code = 1U; code < monitoring::diagnostic_code_count; ++code) {
+        for (std::size_t code = 1U; code < rsi::monitoring::diagnostic_code_count; ++code) {
             monitoring_.report(static_cast<DiagnosticCode>(code), ((failing_ >> code) & 1U) != 0U);
         }
         diagnosis_->step(monitoring_, inputs, outputs);
-        clock_.set(clock_.now() + hal::Time::from_milliseconds(10));
+        clock_.set(clock_.now() + rsi::hal::Time::from_milliseconds(10));
     }
     void cycles(int count) {
         for (int turn = 0; turn < count; ++turn) {
@@ -99,17 +99,17 @@ class Tester {
     }
 
     void send_frame(std::uint32_t identifier, const Bytes& payload) {
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.identifier = identifier;
         frame.length = static_cast<std::uint8_t>(payload.size());
         std::copy(payload.begin(), payload.end(), frame.data.begin());
         send_frame(frame);
     }
-    void send_frame(const hal::CanFrame& frame) { bus_.endpoint(1U).send(frame); }
+    void send_frame(const rsi::hal::CanFrame& frame) { bus_.endpoint(1U).send(frame); }
     // The next frame that the ECU has sent; empty: none.
-    std::optional<hal::CanFrame> frame() {
-        hal::CanFrame frame{};
-        if (bus_.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+    std::optional<rsi::hal::CanFrame> frame() {
+        rsi::hal::CanFrame frame{};
+        if (bus_.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
             return frame;
         }
         return std::nullopt;
@@ -204,33 +204,34 @@ class Tester {
     }
     // The key that belongs to the answer to a request of a seed.
     static Bytes key_of(const Bytes& seed_answer) {
-        hal::SoftwareKeys keys{hal::test_keys};
-        hal::AuthenticationCode code{};
-        keys.authenticate(hal::KeySlot::diagnosis, seed_answer.data() + 2, 16U, code);
+        rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
+        rsi::hal::AuthenticationCode code{};
+        keys.authenticate(rsi::hal::KeySlot::diagnosis, seed_answer.data() + 2, 16U, code);
         return {code.begin(), code.end()};
     }
 
-    diagnosis::Diagnosis& diagnosis() { return *diagnosis_; }
-    diagnosis::SectionStore& store() { return store_; }
+    rsi::diagnosis::Diagnosis& diagnosis() { return *diagnosis_; }
+    rsi::diagnosis::SectionStore& store() { return store_; }
     Memories& memories() { return memories_; }
-    void set_bus_state(hal::BusState state) { bus_.endpoint(0U).set_state(state); }
+    void set_bus_state(rsi::hal::BusState state) { bus_.endpoint(0U).set_state(state); }
 
  private:
     Memories& memories_;
-    hal::VirtualClock clock_{};
-    hal::MemoryBus<2U> bus_{clock_};
-    hal::SoftwareKeys keys_{hal::test_keys};
+    rsi::hal::VirtualClock clock_{};
+    rsi::hal::MemoryBus<2U> bus_{clock_};
+    rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
     CountingRandom random_{};
-    diagnosis::SectionStore store_;
-    access_control::SeedAndKey access_;
-    diagnosis::Identification identification_{diagnosis::text_of<diagnosis::ShortText>("Rollover warning"),
-                                              diagnosis::text_of<diagnosis::ShortText>("0.2.0"),
-                                              diagnosis::text_of<diagnosis::LongText>("large_suv"),
-                                              diagnosis::text_of<diagnosis::ShortText>("none"),
-                                              diagnosis::text_of<diagnosis::ShortText>("4711")};
-    std::optional<diagnosis::Diagnosis> diagnosis_;
-    monitoring::DiagnosticMemory monitoring_{};
-    monitoring::CodeSet failing_{0U};
+    rsi::diagnosis::SectionStore store_;
+    rsi::access::SeedAndKey access_;
+    rsi::diagnosis::Identification identification_{
+        rsi::diagnosis::text_of<rsi::diagnosis::ShortText>("Rollover warning"),
+        rsi::diagnosis::text_of<rsi::diagnosis::ShortText>("0.2.0"),
+        rsi::diagnosis::text_of<rsi::diagnosis::LongText>("large_suv"),
+        rsi::diagnosis::text_of<rsi::diagnosis::ShortText>("none"),
+        rsi::diagnosis::text_of<rsi::diagnosis::ShortText>("4711")};
+    std::optional<rsi::diagnosis::Diagnosis> diagnosis_;
+    rsi::monitoring::DiagnosticMemory monitoring_{};
+    rsi::monitoring::CodeSet failing_{0U};
 };
 
 // A negative answer.

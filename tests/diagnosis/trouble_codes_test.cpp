@@ -1,5 +1,5 @@
 // The table of trouble codes: what a workshop's documents hold stays.
-#include "diagnosis/trouble_codes.hpp"
+#include "rsi/ecu/diagnosis/trouble_codes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 namespace testing_diagnosis {
 namespace {
 
-using diagnosis::trouble_code_count;
-using diagnosis::trouble_codes;
+using rsi::diagnosis::trouble_code_count;
+using rsi::diagnosis::trouble_codes;
 
 TEST(TroubleCodes, AreOfTheManufacturersRanges) {
-    for (const diagnosis::TroubleCode& each : trouble_codes) {
+    for (const rsi::diagnosis::TroubleCode& each : trouble_codes) {
         const std::uint32_t range = each.number >> 20U;
         EXPECT_TRUE(range == 0x5U || range == 0xDU) << std::hex << each.number;
         EXPECT_NE(each.number & 0xFFU, 0U) << "no type of failure: " << std::hex << each.number;
@@ -23,38 +23,40 @@ TEST(TroubleCodes, AreOfTheManufacturersRanges) {
 // The compiler's evaluation of the table, repeated at run time for the tests' coverage.
 TEST(TroubleCodes, AreOneRowACode) {
     auto table = trouble_codes;
-    EXPECT_TRUE(diagnosis::is_table_of_all(table));
+    EXPECT_TRUE(rsi::diagnosis::is_table_of_all(table));
     std::swap(table[3], table[7]);
-    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "another order";
+    EXPECT_FALSE(rsi::diagnosis::is_table_of_all(table)) << "another order";
     table = trouble_codes;
     table[7].number = table[3].number;
-    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "a number twice";
+    EXPECT_FALSE(rsi::diagnosis::is_table_of_all(table)) << "a number twice";
     table = trouble_codes;
     table[0].code = table[1].code;
-    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "another code in the first row";
+    EXPECT_FALSE(rsi::diagnosis::is_table_of_all(table)) << "another code in the first row";
     table = trouble_codes;
     table[7].number = table[0].number;
-    EXPECT_FALSE(diagnosis::is_table_of_all(table)) << "the number of the first row twice";
-    EXPECT_EQ(diagnosis::numbers_of_all(), diagnosis::trouble_numbers);
-    const auto judged = diagnosis::Judged::driving;
-    EXPECT_EQ(diagnosis::row(monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U, judged).number, 0xD12087U);
+    EXPECT_FALSE(rsi::diagnosis::is_table_of_all(table)) << "the number of the first row twice";
+    EXPECT_EQ(rsi::diagnosis::numbers_of_all(), rsi::diagnosis::trouble_numbers);
+    const auto judged = rsi::diagnosis::Judged::driving;
+    EXPECT_EQ(rsi::diagnosis::row(rsi::monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U, judged).number,
+              0xD12087U);
 }
 
 TEST(TroubleCodes, AreFoundByTheirNumbers) {
-    EXPECT_EQ(trouble_codes[diagnosis::row_of_number(0xD12087U)].code, monitoring::DiagnosticCode::imu_lost);
-    EXPECT_EQ(trouble_codes[diagnosis::row_of_number(0x521044U + 2U)].code,
-              monitoring::DiagnosticCode::parameters_damaged);
-    EXPECT_EQ(diagnosis::row_of_number(0x123456U), trouble_code_count);
-    EXPECT_EQ(diagnosis::row_of_number(0U), trouble_code_count);
+    EXPECT_EQ(trouble_codes[rsi::diagnosis::row_of_number(0xD12087U)].code,
+              rsi::monitoring::DiagnosticCode::imu_lost);
+    EXPECT_EQ(trouble_codes[rsi::diagnosis::row_of_number(0x521044U + 2U)].code,
+              rsi::monitoring::DiagnosticCode::parameters_damaged);
+    EXPECT_EQ(rsi::diagnosis::row_of_number(0x123456U), trouble_code_count);
+    EXPECT_EQ(rsi::diagnosis::row_of_number(0U), trouble_code_count);
 }
 
 TEST(TroubleCodes, EachIsJudgedInOneWay) {
-    monitoring::CodeSet always = diagnosis::codes_judged(diagnosis::Judged::always);
-    monitoring::CodeSet driving = diagnosis::codes_judged(diagnosis::Judged::driving);
+    rsi::monitoring::CodeSet always = rsi::diagnosis::codes_judged(rsi::diagnosis::Judged::always);
+    rsi::monitoring::CodeSet driving = rsi::diagnosis::codes_judged(rsi::diagnosis::Judged::driving);
     EXPECT_EQ(always & driving, 0U);
-    EXPECT_EQ(always | driving, (monitoring::CodeSet{2U} << trouble_code_count) - 2U);
-    EXPECT_NE(always & monitoring::set_of(monitoring::DiagnosticCode::imu_lost), 0U);
-    EXPECT_NE(driving & monitoring::set_of(monitoring::DiagnosticCode::roll_rate_stuck), 0U);
+    EXPECT_EQ(always | driving, (rsi::monitoring::CodeSet{2U} << trouble_code_count) - 2U);
+    EXPECT_NE(always & rsi::monitoring::set_of(rsi::monitoring::DiagnosticCode::imu_lost), 0U);
+    EXPECT_NE(driving & rsi::monitoring::set_of(rsi::monitoring::DiagnosticCode::roll_rate_stuck), 0U);
 }
 
 }  // namespace

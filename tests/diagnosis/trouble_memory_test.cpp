@@ -1,5 +1,5 @@
 // The trouble memory: status bytes of ISO 14229-1 over operation cycles, ageing, snapshots.
-#include "diagnosis/trouble_memory.hpp"
+#include "rsi/ecu/diagnosis/trouble_memory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +9,16 @@
 namespace testing_diagnosis {
 namespace {
 
-using diagnosis::FreezeFrame;
-using diagnosis::Storing;
-using diagnosis::trouble_code_count;
-using diagnosis::TroubleMemory;
-using diagnosis::TroubleSnapshots;
-using monitoring::CodeSet;
-using monitoring::DiagnosticCode;
-using monitoring::set_of;
-using monitoring::Snapshot;
-namespace status = diagnosis::status;
+using rsi::diagnosis::FreezeFrame;
+using rsi::diagnosis::Storing;
+using rsi::diagnosis::trouble_code_count;
+using rsi::diagnosis::TroubleMemory;
+using rsi::diagnosis::TroubleSnapshots;
+using rsi::monitoring::CodeSet;
+using rsi::monitoring::DiagnosticCode;
+using rsi::monitoring::set_of;
+using rsi::monitoring::Snapshot;
+namespace status = rsi::diagnosis::status;
 
 constexpr std::size_t row_of(DiagnosticCode code) {
     return static_cast<std::size_t>(code) - 1U;

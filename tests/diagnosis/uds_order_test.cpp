@@ -5,7 +5,7 @@
 #include <array>
 #include <random>
 
-#include "diagnosis/service_table.hpp"
+#include "rsi/ecu/diagnosis/service_table.hpp"
 #include "tests/diagnosis/tester.hpp"
 
 namespace testing_diagnosis {
@@ -22,8 +22,9 @@ class UdsOrder : public ::testing::Test {
 TEST_F(UdsOrder, UnknownServicesAreSaid) {
     for (unsigned id = 0U; id < 0x100U; ++id) {
         const auto service = static_cast<std::uint8_t>(id);
-        const bool is_known = std::any_of(diagnosis::services.begin(), diagnosis::services.end(),
-                                          [&](const diagnosis::Service& each) { return each.id == service; });
+        const bool is_known =
+            std::any_of(rsi::diagnosis::services.begin(), rsi::diagnosis::services.end(),
+                        [&](const rsi::diagnosis::Service& each) { return each.id == service; });
         if (!is_known) {
             EXPECT_EQ(ask({service}), no(service, 0x11U));
             EXPECT_EQ(tester_.ask_functional({service}), Bytes{});
@@ -105,13 +106,13 @@ TEST_F(UdsOrder, FunctionalRequestsGetPositiveAnswersOnly) {
     for (const std::uint8_t service : Bytes{0x27U, 0x2EU, 0x31U, 0x34U, 0x36U, 0x37U}) {
         EXPECT_EQ(tester_.ask_functional({service, 0x01U}), Bytes{}) << "asked of one alone";
     }
-    EXPECT_EQ(tester_.ask_functional({0x19U, 0x0AU}).size(), 3U + 4U * diagnosis::trouble_code_count);
+    EXPECT_EQ(tester_.ask_functional({0x19U, 0x0AU}).size(), 3U + 4U * rsi::diagnosis::trouble_code_count);
 }
 
 TEST_F(UdsOrder, APositiveAnswerMayBeSuppressedANegativeOneNot) {
     EXPECT_EQ(ask({0x3EU, 0x80U}), Bytes{});
     EXPECT_EQ(ask({0x10U, 0x83U}), Bytes{});
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
     EXPECT_EQ(ask({0x85U, 0x82U}), Bytes{});
     EXPECT_EQ(ask({0x19U, 0x81U, 0xFFU}), Bytes{});
     EXPECT_EQ(ask({0x10U, 0xD5U}), no(0x10U, 0x12U));

@@ -65,12 +65,12 @@ TEST_F(Uds, ASessionEndsFiveSecondsAfterTheLastRequest) {
     tester_.cycles(480);
     tester_.ask_functional({0x3EU, 0x80U}, 0);
     tester_.cycles(480);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
     ask({0x3EU, 0x00U});
     tester_.cycles(499);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
     tester_.cycles(1);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::standard);
 }
 
 // However long the answer is on its way: the five seconds begin behind it.
@@ -82,13 +82,13 @@ TEST_F(Uds, ALongAnswerKeepsTheSessionWhileItGoes) {
         tester_.send_frame(Tester::physical, {0x31U, 0U, 0U});
     }
     tester_.cycle();
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
     tester_.send_frame(Tester::physical, {0x30U, 0U, 0U});
     tester_.cycle();
     tester_.cycles(499);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
     tester_.cycles(1);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::standard);
 }
 
 TEST_F(Uds, ARequestThatWaitsForTheMemoryKeepsTheSession) {
@@ -97,9 +97,9 @@ TEST_F(Uds, ARequestThatWaitsForTheMemoryKeepsTheSession) {
     memories_.other.refuse(true);
     EXPECT_EQ(ask({0x14U, 0xFFU, 0xFFU, 0xFFU}), no(0x14U, 0x72U));
     tester_.cycles(490);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
     tester_.cycles(10);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::standard);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::standard);
 }
 
 TEST_F(Uds, ASessionThatTimesOutLocksAndRestores) {
@@ -120,7 +120,7 @@ TEST_F(Uds, ALongRequestKeepsTheSessionWhileItComes) {
     tester_.cycles(495);
     tester_.send_frame(Tester::physical, {0x10U, 20U, 0x22U, 0xF1U, 0x86U, 0U, 0U, 0U});
     tester_.cycles(90);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
 }
 
 TEST_F(Uds, EverySessionChangeLocks) {
@@ -159,15 +159,15 @@ TEST_F(Uds, AResetIsAskedForOnceItIsAnswered) {
 
 TEST_F(Uds, AResetWaitsUntilTheAnswerIsOut) {
     ask({0x10U, 0x03U});
-    hal::CanFrame frame{};
+    rsi::hal::CanFrame frame{};
     frame.identifier = Tester::physical;
     frame.length = 3U;
     frame.data = {0x02U, 0x11U, 0x01U};
     tester_.diagnosis().listener().take(frame);
-    tester_.set_bus_state(hal::BusState::bus_off);
+    tester_.set_bus_state(rsi::hal::BusState::bus_off);
     tester_.cycle();
     EXPECT_FALSE(tester_.diagnosis().is_reset_requested());
-    tester_.set_bus_state(hal::BusState::error_active);
+    tester_.set_bus_state(rsi::hal::BusState::error_active);
     tester_.cycle();
     EXPECT_TRUE(tester_.diagnosis().is_reset_requested());
 }
@@ -241,7 +241,7 @@ TEST_F(Uds, AnOrderlyEndStoresTheRest) {
 TEST_F(Uds, TellsHowManyAndWhichCodesByTheirStatus) {
     EXPECT_EQ(ask({0x19U, 0x01U, 0x0FU}), (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, 0x00U}));
     EXPECT_EQ(ask({0x19U, 0x01U, 0x10U}),
-              (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, diagnosis::trouble_code_count}));
+              (Bytes{0x59U, 0x01U, 0x7FU, 0x01U, 0x00U, rsi::diagnosis::trouble_code_count}));
     EXPECT_EQ(ask({0x19U, 0x02U, 0x0FU}), (Bytes{0x59U, 0x02U, 0x7FU}));
     tester_.fail(DiagnosticCode::imu_lost);
     tester_.fail(DiagnosticCode::own_identifier_received);
@@ -257,10 +257,10 @@ TEST_F(Uds, TellsHowManyAndWhichCodesByTheirStatus) {
 
 TEST_F(Uds, ListsEveryCode) {
     const Bytes answer = ask({0x19U, 0x0AU});
-    ASSERT_EQ(answer.size(), 3U + 4U * diagnosis::trouble_code_count);
-    for (std::size_t row = 0U; row < diagnosis::trouble_code_count; ++row) {
-        EXPECT_EQ(diagnosis::Request(answer.data(), answer.size(), false).three_bytes(3U + 4U * row),
-                  diagnosis::trouble_codes[row].number);
+    ASSERT_EQ(answer.size(), 3U + 4U * rsi::diagnosis::trouble_code_count);
+    for (std::size_t row = 0U; row < rsi::diagnosis::trouble_code_count; ++row) {
+        EXPECT_EQ(rsi::diagnosis::Request(answer.data(), answer.size(), false).three_bytes(3U + 4U * row),
+                  rsi::diagnosis::trouble_codes[row].number);
         EXPECT_EQ(answer[6U + 4U * row], 0x50U);
     }
 }
@@ -367,7 +367,7 @@ TEST_F(Uds, WhileItWaitsNoOtherRequestIsServed) {
     memories_.other.refuse(false);
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
     tester_.cycles(3);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
 }
 
 // The bus takes no frame while "later" is to be said.
@@ -377,12 +377,12 @@ TEST_F(Uds, AnAnswerWaitsUntilLaterHasBeenSaid) {
     memories_.one.refuse(true);
     memories_.other.refuse(true);
     tester_.send({0x14U, 0xFFU, 0xFFU, 0xFFU});
-    tester_.set_bus_state(hal::BusState::bus_off);
+    tester_.set_bus_state(rsi::hal::BusState::bus_off);
     tester_.cycles(10);
     memories_.one.refuse(false);
     memories_.other.refuse(false);
     tester_.cycles(10);
-    tester_.set_bus_state(hal::BusState::error_active);
+    tester_.set_bus_state(rsi::hal::BusState::error_active);
     EXPECT_EQ(tester_.receive(2), no(0x14U, 0x78U));
     EXPECT_EQ(tester_.receive(110), (Bytes{0x54U}));
 }
@@ -403,7 +403,7 @@ TEST_F(Uds, AFunctionalRequestMayClear) {
     tester_.cycle();
     EXPECT_EQ(tester_.receive(20).size(), 20U);
     tester_.cycles(3);
-    EXPECT_EQ(tester_.diagnosis().session(), diagnosis::Session::extended);
+    EXPECT_EQ(tester_.diagnosis().session(), rsi::diagnosis::Session::extended);
 }
 
 TEST_F(Uds, RecordingIsOffUntilItIsOnOrTheSessionEnds) {
@@ -455,20 +455,20 @@ TEST_F(Uds, TellsEveryOutputAndInput) {
             ask({0x22U, 0x11U, static_cast<std::uint8_t>(code)}),
             (Bytes{0x62U, 0x11U, static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code + 1U)}));
     }
-    for (std::size_t input = 0U; input < diagnosis::input_values.size(); ++input) {
-        tester_.inputs.*diagnosis::input_values[input].member = -1.25F * static_cast<float>(input);
+    for (std::size_t input = 0U; input < rsi::diagnosis::input_values.size(); ++input) {
+        tester_.inputs.*rsi::diagnosis::input_values[input].member = -1.25F * static_cast<float>(input);
         EXPECT_EQ(number_in(ask({0x22U, 0x12U, static_cast<std::uint8_t>(input)}), 3U),
                   -1.25F * static_cast<float>(input));
     }
     EXPECT_EQ(ask({0x22U, 0x10U, static_cast<std::uint8_t>(rsi::number_outputs.size())}), no(0x22U, 0x31U));
     EXPECT_EQ(ask({0x22U, 0x11U, static_cast<std::uint8_t>(rsi::code_outputs.size())}), no(0x22U, 0x31U));
-    EXPECT_EQ(ask({0x22U, 0x12U, static_cast<std::uint8_t>(diagnosis::input_values.size())}),
+    EXPECT_EQ(ask({0x22U, 0x12U, static_cast<std::uint8_t>(rsi::diagnosis::input_values.size())}),
               no(0x22U, 0x31U));
 }
 
 TEST(DataIdentifiers, TheMembersOfATableAreInItsOrder) {
     auto table = rsi::code_outputs;
-    const auto members = diagnosis::members_of<std::int32_t rsi::Outputs::*>(table);
+    const auto members = rsi::diagnosis::members_of<std::int32_t rsi::Outputs::*>(table);
     ASSERT_EQ(members.size(), table.size());
     for (std::size_t row = 0U; row < table.size(); ++row) {
         EXPECT_EQ(members[row], table[row].member);
@@ -541,14 +541,14 @@ TEST_F(Uds, WrongKeysCostTimeAlsoAfterARestart) {
 
 TEST(UdsWithoutAccess, NothingIsUnlockedAndNoSectionTaken) {
     Memories memories;
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U> bus{clock};
-    const diagnosis::Identification identification{};
-    diagnosis::Diagnosis diagnosis{bus.endpoint(0U), {}, identification, memories.one, memories.other};
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<2U> bus{clock};
+    const rsi::diagnosis::Identification identification{};
+    rsi::diagnosis::Diagnosis diagnosis{bus.endpoint(0U), {}, identification, memories.one, memories.other};
     diagnosis.start(true);
-    const monitoring::DiagnosticMemory memory{};
+    const rsi::monitoring::DiagnosticMemory memory{};
     const auto ask = [&](const Bytes& request) {
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.identifier = Tester::physical;
         frame.length = static_cast<std::uint8_t>(request.size() + 1U);
         frame.data[0] = static_cast<std::uint8_t>(request.size());
@@ -604,19 +604,19 @@ TEST_F(Uds, TheEcusFramesStayAwayAtRestOnly) {
 // With the ECU itself: while it is silent it goes on, and finds no fault of the bus.
 TEST(UdsBesideTheEcu, TakesItsFramesFromTheBusAndGivesThemBack) {
     Memories memories;
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U> bus{clock};
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<2U> bus{clock};
     testing_application::NoWatchdog watchdog;
-    const diagnosis::Identification identification{};
-    diagnosis::Diagnosis diagnosis{bus.endpoint(0U), {}, identification, memories.one, memories.other};
-    application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
+    const rsi::diagnosis::Identification identification{};
+    rsi::diagnosis::Diagnosis diagnosis{bus.endpoint(0U), {}, identification, memories.one, memories.other};
+    rsi::application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
     ASSERT_TRUE(ecu.listen(diagnosis.listener()));
     diagnosis.start(true);
     ecu.init(testing_application::large_suv());
     unsigned counter = 0U;
-    hal::Time now{};
+    rsi::hal::Time now{};
     const auto frames_after = [&](const Bytes& request) {
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.identifier = Tester::physical;
         frame.length = static_cast<std::uint8_t>(request.size() + 1U);
         frame.data[0] = static_cast<std::uint8_t>(request.size());
@@ -624,16 +624,16 @@ TEST(UdsBesideTheEcu, TakesItsFramesFromTheBusAndGivesThemBack) {
         bus.endpoint(1U).send(frame);
         std::size_t sent = 0U;
         for (int cycle = 0; cycle < 2; ++cycle) {  // the second is as the tester wants it
-            now = now + hal::Time::from_milliseconds(10);
+            now = now + rsi::hal::Time::from_milliseconds(10);
             clock.set(now);
-            can_dbc::VehicleMotion standing{};
+            rsi::can_dbc::VehicleMotion standing{};
             standing.speed_kmh = 0.0F;
             bus.endpoint(1U).send(testing_application::frame_of(standing, counter));
             counter = (counter + 1U) % 15U;
             ecu.step(0U);
             diagnosis.step(ecu);
             sent = 0U;
-            while (bus.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+            while (bus.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
                 sent += (frame.identifier == Tester::response) ? 0U : 1U;
             }
         }

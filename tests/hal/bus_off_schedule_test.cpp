@@ -1,9 +1,9 @@
 // BusOffSchedule: later each time, never later than the longest, and soon again once a frame was received.
-#include "hal/interface/bus_off_schedule.hpp"
+#include "rsi/hal/bus_off_schedule.hpp"
 
 #include <gtest/gtest.h>
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 TEST(BusOffSchedule, WaitsTwiceAsLongEachTimeUpToTheLongest) {
@@ -23,4 +23,4 @@ TEST(BusOffSchedule, StartsAnewWhenAFrameWasHeard) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

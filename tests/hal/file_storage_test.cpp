@@ -23,7 +23,7 @@ class FileStorage : public ::testing::Test {
 
     test_support::ScratchFolder folder_;
     std::filesystem::path path_ = folder_.path() / "record.bin";
-    hal::FileStorage storage_{path_.string()};
+    rsi::hal::FileStorage storage_{path_.string()};
 };
 
 TEST_F(FileStorage, HasNothingBeforeTheFirstRecord) {
@@ -35,7 +35,7 @@ TEST_F(FileStorage, GivesTheNewestRecordToAnotherProcessToo) {
     EXPECT_TRUE(write({1, 2, 3, 4}));
     EXPECT_TRUE(write({5, 6, 7, 8}));
     EXPECT_TRUE(reads({5, 6, 7, 8}));
-    hal::FileStorage other{path_.string()};
+    rsi::hal::FileStorage other{path_.string()};
     Record record{};
     EXPECT_TRUE(other.read(record.data(), record.size()));
     EXPECT_EQ(record, (Record{5, 6, 7, 8}));
@@ -60,7 +60,7 @@ TEST_F(FileStorage, ThatCannotBeWrittenKeepsTheOldRecord) {
     std::filesystem::create_directory(path_.string() + ".new");
     EXPECT_FALSE(write({5, 6, 7, 8}));
     EXPECT_TRUE(reads({1, 2, 3, 4}));
-    hal::FileStorage nowhere{(folder_.path() / "missing" / "record.bin").string()};
+    rsi::hal::FileStorage nowhere{(folder_.path() / "missing" / "record.bin").string()};
     const Record record{};
     EXPECT_FALSE(nowhere.write(record.data(), record.size()));
 }

@@ -8,7 +8,7 @@
 #include "hal/memory/memory_bus.hpp"
 #include "tests/hal/make_frame.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 using testing::make_frame_at;
@@ -94,4 +94,4 @@ TEST(VirtualClock, NeverGoesBack) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

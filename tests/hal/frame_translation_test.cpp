@@ -7,12 +7,12 @@
 
 #include <cstring>
 
-#include "hal/interface/well_formed.hpp"
 #include "hal/socketcan/error_frame.hpp"
 #include "hal/socketcan/receive_time.hpp"
+#include "rsi/hal/well_formed.hpp"
 #include "tests/hal/make_frame.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 using testing::make_frame;
@@ -188,4 +188,4 @@ TEST(WellFormedFrames, HaveIdentifiersOfElevenOrTwentyNineBits) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
-namespace hal::testing {
+namespace rsi::hal::testing {
 
 inline CanFrame make_frame(std::uint32_t identifier, std::initializer_list<std::uint8_t> payload = {}) {
     CanFrame frame;
@@ -23,4 +23,4 @@ inline CanFrame make_frame_at(Time time, std::uint32_t identifier) {
     return frame;
 }
 
-}  // namespace hal::testing
+}  // namespace rsi::hal::testing

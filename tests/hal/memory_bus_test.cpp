@@ -6,7 +6,7 @@
 #include "hal/memory/virtual_clock.hpp"
 #include "tests/hal/make_frame.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 using testing::make_frame;
@@ -151,4 +151,4 @@ TEST_F(MemoryBusTest, AClosedEndpointFailsBothWays) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

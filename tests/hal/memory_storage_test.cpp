@@ -8,7 +8,7 @@ namespace {
 using Record = std::array<std::uint8_t, 4>;
 
 TEST(MemoryStorage, HasNothingBeforeTheFirstWrite) {
-    hal::MemoryStorage<8U> storage;
+    rsi::hal::MemoryStorage<8U> storage;
     Record read{1U, 2U, 3U, 4U};
     EXPECT_FALSE(storage.read(read.data(), read.size()));
     EXPECT_EQ(read, (Record{1U, 2U, 3U, 4U}));
@@ -16,7 +16,7 @@ TEST(MemoryStorage, HasNothingBeforeTheFirstWrite) {
 }
 
 TEST(MemoryStorage, GivesBackWhatWasWrittenLast) {
-    hal::MemoryStorage<8U> storage;
+    rsi::hal::MemoryStorage<8U> storage;
     Record read{};
     for (const Record& record : {Record{1U, 2U, 3U, 4U}, Record{9U, 8U, 7U, 6U}}) {
         ASSERT_TRUE(storage.write(record.data(), record.size()));
@@ -28,7 +28,7 @@ TEST(MemoryStorage, GivesBackWhatWasWrittenLast) {
 }
 
 TEST(MemoryStorage, TakesNothingWhileBusyNorWhatIsTooLong) {
-    hal::MemoryStorage<4U> storage;
+    rsi::hal::MemoryStorage<4U> storage;
     const std::array<std::uint8_t, 5> longer{};
     EXPECT_FALSE(storage.write(longer.data(), longer.size()));
     storage.set_busy(true);
@@ -39,7 +39,7 @@ TEST(MemoryStorage, TakesNothingWhileBusyNorWhatIsTooLong) {
 }
 
 TEST(MemoryStorage, CanBeDamaged) {
-    hal::MemoryStorage<4U> storage;
+    rsi::hal::MemoryStorage<4U> storage;
     Record record{};
     ASSERT_TRUE(storage.write(record.data(), record.size()));
     storage.damage(2U);

@@ -12,7 +12,7 @@
 
 #include "hal/socketcan/socket_can_bus.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 using ::testing::AllOf;
@@ -128,4 +128,4 @@ TEST(ASocketCanBusThatIsNotOpen, FailsBothWaysAndSaysClosed) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

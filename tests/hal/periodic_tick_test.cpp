@@ -7,7 +7,7 @@
 
 #include "hal/linux/steady_clock.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace periodic_tick_test {
 namespace {
 
@@ -190,4 +190,4 @@ TEST(DurationHistogram, TakesNegativeDurationsAsZero) {
 
 }  // namespace
 }  // namespace periodic_tick_test
-}  // namespace hal
+}  // namespace rsi::hal

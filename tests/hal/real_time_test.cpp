@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 void give_up_every_privilege() {
@@ -74,4 +74,4 @@ TEST(RealTime, AskingForNothingIsGranted) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

@@ -7,14 +7,14 @@
 
 namespace {
 
-using Memory = hal::RetainedMemory<8U>;
+using Memory = rsi::hal::RetainedMemory<8U>;
 using Record = std::array<std::uint8_t, 4>;
 
 TEST(RetainedRecord, HasNothingInMemoryOfOneByteOverAndOver) {
     for (unsigned byte = 0U; byte <= 0xFFU; ++byte) {
         Memory memory;
         std::memset(&memory, static_cast<int>(byte), sizeof memory);
-        hal::RetainedRecord<8U> record{memory};
+        rsi::hal::RetainedRecord<8U> record{memory};
         Record read{1U, 2U, 3U, 4U};
         for (const std::size_t length : {std::size_t{0U}, read.size()}) {
             EXPECT_FALSE(record.read(read.data(), length)) << byte;
@@ -26,8 +26,8 @@ TEST(RetainedRecord, HasNothingInMemoryOfOneByteOverAndOver) {
 TEST(RetainedRecord, OutlivesTheObjectThatWroteIt) {
     Memory memory{};
     for (const Record& written : {Record{1U, 2U, 3U, 4U}, Record{9U, 8U, 7U, 6U}}) {
-        EXPECT_TRUE(hal::RetainedRecord<8U>{memory}.write(written.data(), written.size()));
-        hal::RetainedRecord<8U> after{memory};
+        EXPECT_TRUE(rsi::hal::RetainedRecord<8U>{memory}.write(written.data(), written.size()));
+        rsi::hal::RetainedRecord<8U> after{memory};
         Record read{};
         ASSERT_TRUE(after.read(read.data(), read.size()));
         EXPECT_EQ(read, written);
@@ -37,7 +37,7 @@ TEST(RetainedRecord, OutlivesTheObjectThatWroteIt) {
 
 TEST(RetainedRecord, TakesNothingThatIsTooLongAndReadsNoSuchLength) {
     Memory memory{};
-    hal::RetainedRecord<8U> record{memory};
+    rsi::hal::RetainedRecord<8U> record{memory};
     std::array<std::uint8_t, 9> bytes{};
     EXPECT_FALSE(record.write(bytes.data(), bytes.size()));
     EXPECT_TRUE(record.write(bytes.data(), 8U));

@@ -5,7 +5,7 @@
 
 #include "hal/memory/virtual_clock.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace software_watchdog_test {
 namespace {
 
@@ -58,4 +58,4 @@ TEST_F(SoftwareWatchdogTest, StaysExpired) {
 
 }  // namespace
 }  // namespace software_watchdog_test
-}  // namespace hal
+}  // namespace rsi::hal

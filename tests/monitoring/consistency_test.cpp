@@ -4,21 +4,21 @@
 #include <cmath>
 #include <limits>
 
-#include "monitoring/force_vote.hpp"
-#include "monitoring/inclination.hpp"
-#include "monitoring/roll_consistency.hpp"
-#include "monitoring/turn_consistency.hpp"
-#include "monitoring/vertical_offset.hpp"
+#include "rsi/ecu/monitoring/force_vote.hpp"
+#include "rsi/ecu/monitoring/inclination.hpp"
+#include "rsi/ecu/monitoring/roll_consistency.hpp"
+#include "rsi/ecu/monitoring/turn_consistency.hpp"
+#include "rsi/ecu/monitoring/vertical_offset.hpp"
 #include "tests/monitoring/leaning_body.hpp"
 #include "tests/support/large_suv.h"
 
 namespace monitoring_consistency_test {
 namespace {
 
-using monitoring::ForceVote;
-using monitoring::RollConsistency;
-using monitoring::TurnConsistency;
-using monitoring::VerticalOffset;
+using rsi::monitoring::ForceVote;
+using rsi::monitoring::RollConsistency;
+using rsi::monitoring::TurnConsistency;
+using rsi::monitoring::VerticalOffset;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -439,13 +439,13 @@ TEST_F(AVerticalForce, StartsAnewWhereItIsNotKnown) {
 
 TEST(AnInclination, IsTheArcSineOfWhatTheForceIsMoreThanTheTurnNeeds) {
     for (const float sign : {1.0F, -1.0F}) {
-        EXPECT_NEAR(monitoring::inclination_rad(sign * (2.0F + 0.3F * gravity), sign * 2.0F),
+        EXPECT_NEAR(rsi::monitoring::inclination_rad(sign * (2.0F + 0.3F * gravity), sign * 2.0F),
                     sign * std::asin(0.3F), 2e-4F);
-        EXPECT_NEAR(monitoring::inclination_rad(sign * 0.49F * gravity, 0.0F), sign * 0.49F * 1.04001667F,
-                    1e-6F);
-        EXPECT_TRUE(std::isnan(monitoring::inclination_rad(sign * 0.51F * gravity, 0.0F)));
+        EXPECT_NEAR(rsi::monitoring::inclination_rad(sign * 0.49F * gravity, 0.0F),
+                    sign * 0.49F * 1.04001667F, 1e-6F);
+        EXPECT_TRUE(std::isnan(rsi::monitoring::inclination_rad(sign * 0.51F * gravity, 0.0F)));
     }
-    EXPECT_TRUE(std::isnan(monitoring::inclination_rad(nan, 0.0F)));
+    EXPECT_TRUE(std::isnan(rsi::monitoring::inclination_rad(nan, 0.0F)));
 }
 
 // As ForceVote takes it: at 20 m/s the yaw rate is given by what it says of the lateral acceleration.

@@ -4,13 +4,13 @@
 
 #include <cstddef>
 
-#include "monitoring/parameter_guard.hpp"
-#include "monitoring/roll_consistency.hpp"
+#include "rsi/ecu/monitoring/parameter_guard.hpp"
+#include "rsi/ecu/monitoring/roll_consistency.hpp"
 #include "tests/support/memory_damage.hpp"
 
 namespace {
 
-using monitoring::RollConsistency;
+using rsi::monitoring::RollConsistency;
 
 void update(RollConsistency& consistency, int samples) {
     for (int sample = 0; sample < samples; ++sample) {
@@ -45,13 +45,13 @@ TEST(ADamagedIndex, OfTheRollConsistencyBeginsTheHistoryAnew) {
 TEST(ADamagedIndex, OfTheParameterGuardIsAWrongSumAtMost) {
     constexpr int two_passes = 8;
     rsi::Parameters parameters{};
-    monitoring::ParameterGuard sound;
+    rsi::monitoring::ParameterGuard sound;
     sound.start(parameters);
     constexpr std::size_t without_flag = sizeof sound - sizeof(std::size_t);
     for (std::size_t byte = 0U; byte < without_flag; ++byte) {
         for (unsigned bit = 0U; bit < 8U; ++bit) {
             rsi_test::Fenced<rsi::Parameters> fenced;
-            monitoring::ParameterGuard guard = sound;
+            rsi::monitoring::ParameterGuard guard = sound;
             rsi_test::flip(guard, byte, bit);
             rsi_test::flip(fenced.object, 5U, 3U);
             bool found = false;

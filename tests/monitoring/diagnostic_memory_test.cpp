@@ -1,7 +1,7 @@
 // The diagnostic memory: how long each code looks before it says so, how long it takes to heal, what it keeps
 // of its first occurrence, and in which order the codes are reported. The table is that of
 // docs/safety.md.
-#include "monitoring/diagnostic_memory.hpp"
+#include "rsi/ecu/monitoring/diagnostic_memory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 namespace monitoring_diagnostic_memory_test {
 namespace {
 
-using monitoring::DiagnosticCode;
-using monitoring::DiagnosticMemory;
-using monitoring::DiagnosticRecord;
-using monitoring::EventStatus;
+using rsi::monitoring::DiagnosticCode;
+using rsi::monitoring::DiagnosticMemory;
+using rsi::monitoring::DiagnosticRecord;
+using rsi::monitoring::EventStatus;
 
 // In cycles; `confirmed` with the fault in each of them, `healed` without it in any.
 struct StatedDebounce {
@@ -109,7 +109,7 @@ TEST_F(ADiagnosticMemory, ConfirmsAndHealsEachCodeAfterTheStatedCycles) {
         EXPECT_EQ(memory.status(stated.code), EventStatus::healed);
         EXPECT_FALSE(memory.confirmed(stated.code));
     }
-    EXPECT_EQ(codes.size(), monitoring::diagnostic_code_count - 1U);  // all but `none`
+    EXPECT_EQ(codes.size(), rsi::monitoring::diagnostic_code_count - 1U);  // all but `none`
 }
 
 TEST_F(ADiagnosticMemory, KeepsEachCodeConfirmedAsLongAsTheFaultIsThere) {
@@ -143,7 +143,8 @@ TEST_F(ADiagnosticMemory, ReportsAnEntryThatItHasWhateverBitOfItHasChanged) {
             DiagnosticMemory damaged = memory;
             rsi_test::flip(damaged, byte, bit);
             for (int cycle = 0; cycle < 3; ++cycle) {
-                EXPECT_LT(static_cast<std::size_t>(damaged.next().code), monitoring::diagnostic_code_count)
+                EXPECT_LT(static_cast<std::size_t>(damaged.next().code),
+                          rsi::monitoring::diagnostic_code_count)
                     << byte << ' ' << bit;
             }
         }
@@ -155,21 +156,21 @@ TEST_F(ADiagnosticMemory, KnowsTheSetsOfActiveAndConfirmedCodes) {
     constexpr DiagnosticCode last = DiagnosticCode::lateral_acceleration_gain;
     EXPECT_EQ(memory.active_codes(), 0U);
     memory.report(slow, true);
-    EXPECT_EQ(memory.active_codes(), monitoring::set_of(slow));
+    EXPECT_EQ(memory.active_codes(), rsi::monitoring::set_of(slow));
     EXPECT_EQ(memory.confirmed_codes(), 0U);
     EXPECT_TRUE(memory.active(slow));
     EXPECT_FALSE(memory.active(last));
     memory.report(slow, true);
     memory.report(slow, true);
     memory.report(last, true);
-    EXPECT_EQ(memory.active_codes(), monitoring::set_of(slow, last));
-    EXPECT_EQ(memory.confirmed_codes(), monitoring::set_of(slow, last));
+    EXPECT_EQ(memory.active_codes(), rsi::monitoring::set_of(slow, last));
+    EXPECT_EQ(memory.confirmed_codes(), rsi::monitoring::set_of(slow, last));
     for (int cycle = 0; cycle < 5; ++cycle) {
         memory.report(slow, false);
     }
     EXPECT_FALSE(memory.active(slow));
-    EXPECT_EQ(memory.active_codes(), monitoring::set_of(last));
-    EXPECT_EQ(memory.confirmed_codes(), monitoring::set_of(last));
+    EXPECT_EQ(memory.active_codes(), rsi::monitoring::set_of(last));
+    EXPECT_EQ(memory.confirmed_codes(), rsi::monitoring::set_of(last));
 }
 
 TEST_F(ADiagnosticMemory, ForgetsASightingAfterTwiceAsManyGoodCycles) {
@@ -262,11 +263,11 @@ TEST_F(ADiagnosticMemory, TellsAllEntriesRoundAndRound) {
         confirm(entry.code);
     }
     std::set<DiagnosticCode> unreported;
-    for (std::size_t cycle = 1U; cycle < monitoring::diagnostic_code_count; ++cycle) {
+    for (std::size_t cycle = 1U; cycle < rsi::monitoring::diagnostic_code_count; ++cycle) {
         EXPECT_TRUE(unreported.insert(memory.next().code).second);
     }
     for (int round = 0; round < 2; ++round) {
-        for (std::size_t code = 1U; code < monitoring::diagnostic_code_count; ++code) {
+        for (std::size_t code = 1U; code < rsi::monitoring::diagnostic_code_count; ++code) {
             EXPECT_EQ(memory.next().code, static_cast<DiagnosticCode>(code));
         }
     }

@@ -1,7 +1,7 @@
 // An accelerometer that is wrong by a factor, against what yaw rate and roll motion say of the same force.
 #include <gtest/gtest.h>
 
-#include "monitoring/force_gain.hpp"
+#include "rsi/ecu/monitoring/force_gain.hpp"
 
 namespace monitoring_force_gain_test {
 namespace {
@@ -42,7 +42,7 @@ class AForceGain : public ::testing::Test {
         }
     }
 
-    monitoring::ForceGain gain;
+    rsi::monitoring::ForceGain gain;
 };
 
 TEST_F(AForceGain, FindsHalfOfTheForceInASecondOfTurningAt2MetresPerSecondSquaredToEachSide) {

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "monitoring/input_monitor.hpp"
+#include "rsi/ecu/monitoring/input_monitor.hpp"
 #include "tests/monitoring/leaning_body.hpp"
 #include "tests/support/large_suv.h"
 
 namespace monitoring_input_monitor_test {
 namespace {
 
-using monitoring::DiagnosticCode;
+using rsi::monitoring::DiagnosticCode;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
@@ -52,7 +52,7 @@ class AnInputMonitor : public ::testing::Test {
 
     void run(int cycles) {
         for (int cycle = 0; cycle < cycles; ++cycle) {
-            monitoring::FreshFrames fresh{true, true, true};
+            rsi::monitoring::FreshFrames fresh{true, true, true};
             rsi::Inputs received = inputs;
             if (angle_is_held_back) {
                 fresh.roll_angle = false;
@@ -73,8 +73,8 @@ class AnInputMonitor : public ::testing::Test {
     static constexpr DiagnosticCode reference_code = DiagnosticCode::roll_angle_reference_wrong;
     static constexpr DiagnosticCode roll_code = DiagnosticCode::roll_rate_contradicts_roll_angle;
 
-    monitoring::InputMonitor monitor;
-    monitoring::DiagnosticMemory memory;
+    rsi::monitoring::InputMonitor monitor;
+    rsi::monitoring::DiagnosticMemory memory;
     rsi::Inputs inputs{};
     rsi::Outputs before{};
     rsi::Inputs qualified{};

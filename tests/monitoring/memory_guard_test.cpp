@@ -1,5 +1,5 @@
 // The memory guard: no bit of an object can change unseen, and none stays changed.
-#include "monitoring/memory_guard.hpp"
+#include "rsi/ecu/monitoring/memory_guard.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 namespace {
 
-using monitoring::MemoryGuard;
+using rsi::monitoring::MemoryGuard;
 
 // Numbers that all differ, so that an exchanged or repeated block shows.
 template <typename Object>

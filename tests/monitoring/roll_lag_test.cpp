@@ -1,6 +1,6 @@
 // How far the roll angle is behind the roll rate in time: what counts as in time, how much the body must have
 // rolled before anything is said, and what does not matter.
-#include "monitoring/roll_lag.hpp"
+#include "rsi/ecu/monitoring/roll_lag.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace monitoring_roll_lag_test {
 namespace {
 
-using monitoring::RollLag;
+using rsi::monitoring::RollLag;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -1,5 +1,5 @@
 // Whether the roll angle is seen to be measured against the other of road and horizon.
-#include "monitoring/roll_reference_check.hpp"
+#include "rsi/ecu/monitoring/roll_reference_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-monitoring::RollReferenceCheck check_of(rsi_roll_angle_reference reference) {
+rsi::monitoring::RollReferenceCheck check_of(rsi_roll_angle_reference reference) {
     rsi_parameters parameters = rsi_test_large_suv();
     parameters.roll_angle_reference = reference;
-    monitoring::RollReferenceCheck check;
+    rsi::monitoring::RollReferenceCheck check;
     check.start(parameters);
     return check;
 }
@@ -26,7 +26,7 @@ struct Sample {
     float bank_rad;
 };
 
-bool repeat(monitoring::RollReferenceCheck& check, int samples, const Sample& sample) {
+bool repeat(rsi::monitoring::RollReferenceCheck& check, int samples, const Sample& sample) {
     for (int k = 0; k < samples; ++k) {
         check.update(sample.sensor_rad, sample.observed_roll_rad, sample.bank_rad);
     }
@@ -41,30 +41,30 @@ constexpr Sample against_horizon_mirrored{-0.12F, -0.02F, -0.1F};
 
 TEST(RollReferenceCheck, NeedsFiveSecondsOfTheOtherMeaning) {
     for (const Sample& other : {against_horizon, against_horizon_mirrored}) {
-        monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
+        rsi::monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
         EXPECT_FALSE(repeat(check, 499, other));
         EXPECT_TRUE(repeat(check, 1, other));
         EXPECT_TRUE(repeat(check, 1000, other));
         EXPECT_TRUE(repeat(check, 1, other));
     }
     for (const Sample& other : {against_road, against_road_mirrored}) {
-        monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_HORIZON);
+        rsi::monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_HORIZON);
         EXPECT_FALSE(repeat(check, 499, other));
         EXPECT_TRUE(repeat(check, 1, other));
     }
 }
 
 TEST(RollReferenceCheck, IsContentWithTheMeaningThatIsSet) {
-    monitoring::RollReferenceCheck road = check_of(RSI_ROLL_AGAINST_ROAD);
+    rsi::monitoring::RollReferenceCheck road = check_of(RSI_ROLL_AGAINST_ROAD);
     EXPECT_FALSE(repeat(road, 5000, against_road));
     EXPECT_TRUE(road.known());
-    monitoring::RollReferenceCheck horizon = check_of(RSI_ROLL_AGAINST_HORIZON);
+    rsi::monitoring::RollReferenceCheck horizon = check_of(RSI_ROLL_AGAINST_HORIZON);
     EXPECT_FALSE(repeat(horizon, 5000, against_horizon));
     EXPECT_TRUE(horizon.known());
 }
 
 TEST(RollReferenceCheck, TakesOffTheTimeInWhichItAgreed) {
-    monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
+    rsi::monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
     EXPECT_FALSE(repeat(check, 400, against_horizon));
     EXPECT_FALSE(repeat(check, 100, against_road));
     EXPECT_FALSE(repeat(check, 199, against_horizon));
@@ -92,25 +92,25 @@ TEST(RollReferenceCheck, SeesNothingWithoutAClearBankOrWithAnAngleBetweenBoth) {
     };
     for (const Sample& sample : nothing) {
         for (const auto reference : {RSI_ROLL_AGAINST_ROAD, RSI_ROLL_AGAINST_HORIZON}) {
-            monitoring::RollReferenceCheck check = check_of(reference);
+            rsi::monitoring::RollReferenceCheck check = check_of(reference);
             EXPECT_FALSE(repeat(check, 5000, sample)) << sample.sensor_rad << ' ' << sample.bank_rad;
             EXPECT_FALSE(check.known()) << sample.sensor_rad << ' ' << sample.bank_rad;
         }
     }
     for (const Sample& sample : {Sample{0.051F, 0.0F, 0.051F}, Sample{0.149F, 0.049F, 0.1F},
                                  Sample{0.091F, 0.02F, 0.1F}, Sample{0.149F, 0.02F, 0.1F}}) {
-        monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
+        rsi::monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
         EXPECT_TRUE(repeat(check, 500, sample)) << sample.sensor_rad << ' ' << sample.bank_rad;
     }
     for (const Sample& sample : {Sample{0.049F, 0.02F, 0.1F}, Sample{-0.009F, 0.02F, 0.1F},
                                  Sample{-0.049F, -0.049F, 0.1F}, Sample{0.0F, 0.0F, 0.051F}}) {
-        monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_HORIZON);
+        rsi::monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_HORIZON);
         EXPECT_TRUE(repeat(check, 500, sample)) << sample.sensor_rad << ' ' << sample.bank_rad;
     }
 }
 
 TEST(RollReferenceCheck, AStartForgetsWhatWasSeen) {
-    monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
+    rsi::monitoring::RollReferenceCheck check = check_of(RSI_ROLL_AGAINST_ROAD);
     repeat(check, 500, against_horizon);
     check.start(rsi_test_large_suv());
     EXPECT_FALSE(check.contradicts());

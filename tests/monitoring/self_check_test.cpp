@@ -9,18 +9,18 @@
 #include <limits>
 #include <vector>
 
-#include "monitoring/clock_check.hpp"
-#include "monitoring/degradation.hpp"
-#include "monitoring/output_check.hpp"
-#include "monitoring/parameter_guard.hpp"
+#include "rsi/ecu/monitoring/clock_check.hpp"
+#include "rsi/ecu/monitoring/degradation.hpp"
+#include "rsi/ecu/monitoring/output_check.hpp"
+#include "rsi/ecu/monitoring/parameter_guard.hpp"
 #include "tests/support/large_suv.h"
 
 namespace monitoring_self_check_test {
 namespace {
 
-using monitoring::ClockCheck;
-using monitoring::Degradation;
-using monitoring::ParameterGuard;
+using rsi::monitoring::ClockCheck;
+using rsi::monitoring::Degradation;
+using rsi::monitoring::ParameterGuard;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -157,14 +157,14 @@ TEST(AnEstimate, IsInRangeUpToItsLimits) {
         for (const float sign : {1.0F, -1.0F}) {
             rsi::Outputs outputs{};
             outputs.*limit.number = sign * limit.largest;
-            EXPECT_TRUE(monitoring::estimate_is_in_range(outputs));
+            EXPECT_TRUE(rsi::monitoring::estimate_is_in_range(outputs));
             outputs.*limit.number = sign * limit.largest * 1.001F;
-            EXPECT_FALSE(monitoring::estimate_is_in_range(outputs));
+            EXPECT_FALSE(rsi::monitoring::estimate_is_in_range(outputs));
         }
         for (const float none : {nan, infinity}) {
             rsi::Outputs outputs{};
             outputs.*limit.number = none;
-            EXPECT_FALSE(monitoring::estimate_is_in_range(outputs));
+            EXPECT_FALSE(rsi::monitoring::estimate_is_in_range(outputs));
         }
     }
 }
@@ -174,7 +174,7 @@ TEST(AnEstimate, IsOutOfRangeWithALoadThatCannotHaveBeenLearnt) {
         rsi::Outputs outputs{};
         outputs.load_excess = excess;
         outputs.load_excess_deviation = deviation;
-        return monitoring::estimate_is_in_range(outputs);
+        return rsi::monitoring::estimate_is_in_range(outputs);
     };
     EXPECT_TRUE(is_in_range(-0.45F, 0.01F));
     EXPECT_TRUE(is_in_range(1.0F, 0.25F));
@@ -191,16 +191,16 @@ TEST(AnOutput, IsSoundWithEveryStateSideAndSourceThatThereIs) {
     for (const rsi_state state :
          {RSI_STATE_UNAVAILABLE, RSI_STATE_READY, RSI_STATE_ADVISORY, RSI_STATE_WARNING}) {
         outputs.state = state;
-        EXPECT_TRUE(monitoring::outputs_are_sound(outputs));
+        EXPECT_TRUE(rsi::monitoring::outputs_are_sound(outputs));
     }
     for (const rsi_side side : {RSI_SIDE_NONE, RSI_SIDE_LEFT, RSI_SIDE_RIGHT}) {
         outputs.side = side;
-        EXPECT_TRUE(monitoring::outputs_are_sound(outputs));
+        EXPECT_TRUE(rsi::monitoring::outputs_are_sound(outputs));
     }
     for (const rsi_roll_source source : {RSI_ROLL_NONE, RSI_ROLL_SENSOR, RSI_ROLL_OBSERVER}) {
         outputs.roll_source = source;
-        EXPECT_TRUE(monitoring::outputs_are_sound(outputs));
-        EXPECT_EQ(monitoring::has_computed(outputs), source != RSI_ROLL_NONE);
+        EXPECT_TRUE(rsi::monitoring::outputs_are_sound(outputs));
+        EXPECT_EQ(rsi::monitoring::has_computed(outputs), source != RSI_ROLL_NONE);
     }
 }
 
@@ -208,7 +208,7 @@ TEST(AnOutput, ThatIsWithdrawnSaysNothingOfTheRisk) {
     rsi::Outputs outputs{};
     outputs.state = RSI_STATE_WARNING;
     outputs.side = RSI_SIDE_LEFT;
-    monitoring::withdraw(outputs);
+    rsi::monitoring::withdraw(outputs);
     EXPECT_EQ(outputs.state, RSI_STATE_UNAVAILABLE);
     EXPECT_EQ(outputs.side, RSI_SIDE_NONE);
     EXPECT_TRUE(std::isnan(outputs.warning_level));
@@ -225,7 +225,7 @@ class ADegradation : public ::testing::Test {
     }
 
     Degradation degradation(bool internal_fault = false) const {
-        return monitoring::degradation_of(inputs, outputs, internal_fault);
+        return rsi::monitoring::degradation_of(inputs, outputs, internal_fault);
     }
 
     rsi::Inputs inputs{};

@@ -1,7 +1,7 @@
 // Each signal by itself, at the limits that docs/safety.md states: range, jump, noise, and the
 // witnesses against which it counts as stuck; what is used in its place meanwhile; what a failing signal is
 // not asked about.
-#include "monitoring/signal_check.hpp"
+#include "rsi/ecu/monitoring/signal_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,15 +9,15 @@
 #include <limits>
 #include <string>
 
-#include "monitoring/input_monitor.hpp"
+#include "rsi/ecu/monitoring/input_monitor.hpp"
 #include "tests/support/large_suv.h"
 
 namespace monitoring_signal_check_test {
 namespace {
 
-using monitoring::DiagnosticCode;
-using monitoring::EventStatus;
-using monitoring::FreshFrames;
+using rsi::monitoring::DiagnosticCode;
+using rsi::monitoring::EventStatus;
+using rsi::monitoring::FreshFrames;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -57,8 +57,8 @@ class ASignalOfTheInputMonitor : public ::testing::Test {
     static constexpr FreshFrames all{true, true, true};
 
     rsi::Parameters vehicle{rsi_test_large_suv()};
-    monitoring::InputMonitor monitor;
-    monitoring::DiagnosticMemory memory;
+    rsi::monitoring::InputMonitor monitor;
+    rsi::monitoring::DiagnosticMemory memory;
     rsi::Inputs inputs{};
     rsi::Inputs qualified{};
     rsi::Outputs before{};
@@ -297,9 +297,9 @@ class ASignalCheck : public ::testing::Test {
         return answer;
     }
 
-    monitoring::SignalCheck check{
+    rsi::monitoring::SignalCheck check{
         {-10.0F, 10.0F, 2.0F, 1.0F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
-    monitoring::DiagnosticMemory memory;
+    rsi::monitoring::DiagnosticMemory memory;
 };
 
 TEST_F(ASignalCheck, KnowsNothingBeforeItsFirstGoodValue) {
@@ -338,7 +338,7 @@ TEST_F(ASignalCheck, HasNoJumpInTheFirstValueInsideTheRangeAgain) {
 }
 
 TEST_F(ASignalCheck, NeedsThreeValuesForTheChangeOfAChange) {
-    check = monitoring::SignalCheck{
+    check = rsi::monitoring::SignalCheck{
         {-10.0F, 10.0F, 100.0F, 1.0F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
     EXPECT_EQ(qualify(10.0F), 10.0F);  // whatever it has in memory
     EXPECT_EQ(qualify(-10.0F), -10.0F);
@@ -352,7 +352,7 @@ TEST_F(ASignalCheck, NeedsThreeValuesForTheChangeOfAChange) {
 TEST_F(ASignalCheck, BridgesASingleValueThatIsOffHoweverFar) {
     for (const float next : {1.3F, 1.6F}) {
         memory = {};
-        check = monitoring::SignalCheck{
+        check = rsi::monitoring::SignalCheck{
             {-10.0F, 10.0F, 100.0F, 1.0F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
         for (const float value : {0.0F, 0.0F, 9.0F, 0.0F, 0.0F}) {
             EXPECT_EQ(qualify(value), value);

@@ -1,5 +1,5 @@
 // The tables by which a sensor is accused: that they are complete, and how one row is read.
-#include "monitoring/signatures.hpp"
+#include "rsi/ecu/monitoring/signatures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,18 +9,18 @@
 namespace monitoring_signatures_test {
 namespace {
 
-using monitoring::accuses;
-using monitoring::CodeSet;
-using monitoring::Consequence;
-using monitoring::DiagnosticCode;
-using monitoring::Fact;
-using monitoring::facts;
-using monitoring::Pattern;
-using monitoring::set_of;
-using monitoring::Signature;
-using monitoring::signatures;
+using rsi::monitoring::accuses;
+using rsi::monitoring::CodeSet;
+using rsi::monitoring::Consequence;
+using rsi::monitoring::DiagnosticCode;
+using rsi::monitoring::Fact;
+using rsi::monitoring::facts;
+using rsi::monitoring::Pattern;
+using rsi::monitoring::set_of;
+using rsi::monitoring::Signature;
+using rsi::monitoring::signatures;
 
-using monitoring::Verdict;
+using rsi::monitoring::Verdict;
 
 TEST(ASignature, FitsWhereAllOfItIsSeenAndNoExcuse) {
     const Signature row =
@@ -36,15 +36,15 @@ TEST(ASignature, FitsWhereAllOfItIsSeenAndNoExcuse) {
 TEST(ASignature, SaysByItsVerdictWhatItIs) {
     for (const DiagnosticCode code : {DiagnosticCode::speed_stuck, DiagnosticCode::yaw_rate_stuck}) {
         for (const Fact fact : {Fact::turn_valid, Fact::roll_valid}) {
-            for (const Signature& row :
-                 {accuses(code, fact), monitoring::keeps(code, fact), monitoring::acquits(code, fact)}) {
+            for (const Signature& row : {accuses(code, fact), rsi::monitoring::keeps(code, fact),
+                                         rsi::monitoring::acquits(code, fact)}) {
                 EXPECT_EQ(row.code, code);
                 EXPECT_TRUE(row.pattern.fits(facts(fact)));
                 EXPECT_FALSE(row.pattern.fits(facts(Fact::spinning)));
             }
             EXPECT_EQ(accuses(code, fact).verdict, Verdict::accuses);
-            EXPECT_EQ(monitoring::keeps(code, fact).verdict, Verdict::keeps);
-            EXPECT_EQ(monitoring::acquits(code, fact).verdict, Verdict::acquits);
+            EXPECT_EQ(rsi::monitoring::keeps(code, fact).verdict, Verdict::keeps);
+            EXPECT_EQ(rsi::monitoring::acquits(code, fact).verdict, Verdict::acquits);
             EXPECT_FALSE(accuses(code, fact).with(Fact::gain_valid).pattern.fits(facts(fact)));
             EXPECT_FALSE(
                 accuses(code, fact).unless(Fact::gain_valid).pattern.fits(facts(fact, Fact::gain_valid)));
@@ -78,8 +78,8 @@ TEST(TheSignatures, HoldEachCodeOnceWithAnAccusationAndAnAcquittal) {
 }
 
 TEST(TheSignatures, TakeOutASignalForEachCode) {
-    CodeSet taken_out = monitoring::roll_contradictions;
-    for (const Consequence& each : monitoring::consequences) {
+    CodeSet taken_out = rsi::monitoring::roll_contradictions;
+    for (const Consequence& each : rsi::monitoring::consequences) {
         taken_out |= each.not_used;
     }
     for (const Signature& row : signatures) {
@@ -88,20 +88,21 @@ TEST(TheSignatures, TakeOutASignalForEachCode) {
 }
 
 TEST(TheSignatures, AreSummedUpAsACompilerDoes) {
-    EXPECT_EQ(monitoring::find_accusing_facts(), monitoring::accusing_facts);
-    EXPECT_EQ(monitoring::find_judged_codes(), monitoring::judged_codes);
-    EXPECT_EQ(monitoring::find_no_witness_codes(), monitoring::no_witness_codes);
+    EXPECT_EQ(rsi::monitoring::find_accusing_facts(), rsi::monitoring::accusing_facts);
+    EXPECT_EQ(rsi::monitoring::find_judged_codes(), rsi::monitoring::judged_codes);
+    EXPECT_EQ(rsi::monitoring::find_no_witness_codes(), rsi::monitoring::no_witness_codes);
     for (const Signature& row : signatures) {
-        EXPECT_NE(monitoring::judged_codes & set_of(row.code), 0U);
+        EXPECT_NE(rsi::monitoring::judged_codes & set_of(row.code), 0U);
     }
-    EXPECT_EQ(monitoring::no_witness_codes & set_of(DiagnosticCode::speed_jump, DiagnosticCode::speed_stuck),
-              set_of(DiagnosticCode::speed_jump));
+    EXPECT_EQ(
+        rsi::monitoring::no_witness_codes & set_of(DiagnosticCode::speed_jump, DiagnosticCode::speed_stuck),
+        set_of(DiagnosticCode::speed_jump));
 }
 
 TEST(TheSignatures, AccuseByAFactThatAccusesAlone) {
     for (const Signature& row : signatures) {
         if (row.verdict == Verdict::accuses) {
-            EXPECT_NE(row.pattern.needed & monitoring::accusing_facts, 0U) << static_cast<int>(row.code);
+            EXPECT_NE(row.pattern.needed & rsi::monitoring::accusing_facts, 0U) << static_cast<int>(row.code);
         }
     }
 }
@@ -112,8 +113,8 @@ TEST(TheSignatures, AccuseNobodyForWhatIsWithinOrCannotBeJudged) {
               Fact::roll_force_valid, Fact::roll_force_within, Fact::lateral_suspect, Fact::gain_valid,
               Fact::roll_valid, Fact::roll_angle_frozen, Fact::roll_rate_frozen, Fact::leans_into_turn,
               Fact::observer_valid, Fact::observer_within, Fact::vertical_within, Fact::reference_valid);
-    EXPECT_EQ(monitoring::accusing_facts & innocent, 0U);
-    EXPECT_EQ(monitoring::accusing_facts | innocent, facts(Fact::count) - 1U);
+    EXPECT_EQ(rsi::monitoring::accusing_facts & innocent, 0U);
+    EXPECT_EQ(rsi::monitoring::accusing_facts | innocent, facts(Fact::count) - 1U);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "monitoring/slow_vehicle.hpp"
+#include "rsi/ecu/monitoring/slow_vehicle.hpp"
 
 namespace monitoring_slow_vehicle_test {
 namespace {
@@ -23,7 +23,7 @@ class ASlowVehicle : public ::testing::Test {
         return vehicle.lateral_acceleration_is_impossible();
     }
 
-    monitoring::SlowVehicle vehicle;
+    rsi::monitoring::SlowVehicle vehicle;
 };
 
 TEST_F(ASlowVehicle, HasNoMoreThan8500MillimetresPerSecondSquared) {

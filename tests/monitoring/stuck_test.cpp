@@ -3,14 +3,14 @@
 
 #include <limits>
 
-#include "monitoring/steering_check.hpp"
-#include "monitoring/stuck_check.hpp"
+#include "rsi/ecu/monitoring/steering_check.hpp"
+#include "rsi/ecu/monitoring/stuck_check.hpp"
 
 namespace monitoring_stuck_test {
 namespace {
 
-using monitoring::SteeringCheck;
-using monitoring::StuckCheck;
+using rsi::monitoring::SteeringCheck;
+using rsi::monitoring::StuckCheck;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -1,6 +1,6 @@
 // Lateral acceleration, yaw rate and roll angle of a turn: which of them has another sign than the two
 // others, how far beyond zero each must be, and for how long.
-#include "monitoring/turn_signs.hpp"
+#include "rsi/ecu/monitoring/turn_signs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace monitoring_turn_signs_test {
 namespace {
 
-using monitoring::TurnSigns;
+using rsi::monitoring::TurnSigns;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 

@@ -5,14 +5,14 @@
 #include <limits>
 #include <string>
 
-#include "monitoring/input_monitor.hpp"
+#include "rsi/ecu/monitoring/input_monitor.hpp"
 #include "tests/support/large_suv.h"
 
 namespace monitoring_witness_test {
 namespace {
 
-using monitoring::DiagnosticCode;
-using monitoring::EventStatus;
+using rsi::monitoring::DiagnosticCode;
+using rsi::monitoring::EventStatus;
 
 // A steady turn to the left of 9 m/s^2 at 30 m/s, seen by ideal sensors, which do repeat themselves.
 class ASteadyTurn : public ::testing::Test {
@@ -42,15 +42,15 @@ class ASteadyTurn : public ::testing::Test {
     }
 
     void expect_no_code_but(DiagnosticCode own) const {
-        for (std::size_t index = 1U; index < monitoring::diagnostic_code_count; ++index) {
+        for (std::size_t index = 1U; index < rsi::monitoring::diagnostic_code_count; ++index) {
             const auto code = static_cast<DiagnosticCode>(index);
             EXPECT_EQ(memory.status(code), code == own ? EventStatus::confirmed : EventStatus::none)
                 << "code " << index;
         }
     }
 
-    monitoring::InputMonitor monitor;
-    monitoring::DiagnosticMemory memory;
+    rsi::monitoring::InputMonitor monitor;
+    rsi::monitoring::DiagnosticMemory memory;
     rsi::Inputs inputs{};
     rsi::Inputs qualified{};
     rsi::Outputs before{};
@@ -104,7 +104,7 @@ TEST_P(AFailingSignal, ThatFailsNowAndThenAccusesNoOther) {
         run(1);
         ASSERT_FALSE(memory.confirmed(failing.invalid));
     }
-    for (std::size_t index = 1U; index < monitoring::diagnostic_code_count; ++index) {
+    for (std::size_t index = 1U; index < rsi::monitoring::diagnostic_code_count; ++index) {
         EXPECT_FALSE(memory.confirmed(static_cast<DiagnosticCode>(index))) << "code " << index;
     }
 }

@@ -138,7 +138,7 @@ class BusOff(unittest.TestCase):
 
         self.assertEqual(exit_status, 0)
         self.assertEqual(self.adapter.times_bus_off(), 3)
-        # The schedule of hal::BusOffSchedule: 100 ms; 200 ms, because nothing was received in between; 100 ms.
+        # The schedule of rsi::hal::BusOffSchedule: 100 ms; 200 ms, because nothing was received in between; 100 ms.
         self.assertEqual([silence >= least for silence, least in zip(silences, (0.1, 0.2, 0.1))], 3 * [True])
         self.assertIn(f"{self.adapter.interface} is error-passive", ecu.output)
         self.assertIn(f"{self.adapter.interface} is bus-off", ecu.output)

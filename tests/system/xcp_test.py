@@ -13,7 +13,7 @@ import programs
 COMMAND, ANSWER = 0x6F0, 0x6F1
 ERROR, EVENT, FIRST_ANSWER = 0xFE, 0xFD, 0xFC
 OVERLOAD = bytes((EVENT, 0x06))
-MAP = (programs.PROJECT / "firmware/application/calibration_pages.hpp").read_text()
+MAP = (programs.PROJECT / "firmware/rsi/ecu/application/calibration_pages.hpp").read_text()
 PARAMETERS_AT, OUTPUTS_AT, CHANGE_AT = (
     int(re.search(rf"{name} = (0x\w+)U;", MAP)[1], 16) for name in ("parameters_at", "outputs_at", "change_at")
 )

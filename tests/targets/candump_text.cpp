@@ -39,7 +39,7 @@ std::size_t parse_decimal(const char*& text, std::size_t most, std::int64_t& val
     return digits;
 }
 
-bool parse_time(const char*& text, hal::Time& time) {
+bool parse_time(const char*& text, rsi::hal::Time& time) {
     std::int64_t seconds = 0;
     std::int64_t microseconds = 0;
     const bool good = accept(text, '(') && (parse_decimal(text, most_digits_of_seconds, seconds) > 0U) &&
@@ -59,7 +59,7 @@ bool parse_interface(const char*& text, char* name) {
     return length > 0U;
 }
 
-bool parse_payload(const char*& text, hal::CanFrame& frame) {
+bool parse_payload(const char*& text, rsi::hal::CanFrame& frame) {
     frame.length = 0U;
     std::uint32_t byte = 0U;
     while ((frame.length < most_bytes) && parse_hexadecimal(text, 2U, byte)) {

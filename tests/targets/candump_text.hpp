@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
 namespace target {
 
@@ -15,7 +15,7 @@ inline constexpr std::size_t longest_interface_name = 15U;  // of Linux
 inline constexpr std::size_t longest_line = 80U;
 
 struct CandumpLine {
-    hal::CanFrame frame;  // receive_time is the time of the line
+    rsi::hal::CanFrame frame;  // receive_time is the time of the line
     char interface[longest_interface_name + 1U];
 };
 

@@ -6,8 +6,8 @@
 
 namespace {
 
-constexpr hal::Key key{0x2BU, 0x7EU, 0x15U, 0x16U, 0x28U, 0xAEU, 0xD2U, 0xA6U,
-                       0xABU, 0xF7U, 0x15U, 0x88U, 0x09U, 0xCFU, 0x4FU, 0x3CU};
+constexpr rsi::hal::Key key{0x2BU, 0x7EU, 0x15U, 0x16U, 0x28U, 0xAEU, 0xD2U, 0xA6U,
+                            0xABU, 0xF7U, 0x15U, 0x88U, 0x09U, 0xCFU, 0x4FU, 0x3CU};
 
 constexpr std::uint8_t message[]{0x6BU, 0xC1U, 0xBEU, 0xE2U, 0x2EU, 0x40U, 0x9FU, 0x96U, 0xE9U, 0x3DU, 0x7EU,
                                  0x11U, 0x73U, 0x93U, 0x17U, 0x2AU, 0xAEU, 0x2DU, 0x8AU, 0x57U, 0x1EU, 0x03U,
@@ -18,7 +18,7 @@ constexpr std::uint8_t message[]{0x6BU, 0xC1U, 0xBEU, 0xE2U, 0x2EU, 0x40U, 0x9FU
 
 struct Example {
     std::size_t length;
-    hal::AuthenticationCode code;
+    rsi::hal::AuthenticationCode code;
 };
 
 constexpr Example examples[]{{0U,
@@ -39,8 +39,8 @@ constexpr Example examples[]{{0U,
 int target::run(int, const char* const*) {
     int wrong = 0;
     for (const Example& example : examples) {
-        hal::AuthenticationCode code{};
-        wrong += hal::cmac(key, message, example.length, code) && code == example.code ? 0 : 1;
+        rsi::hal::AuthenticationCode code{};
+        wrong += rsi::hal::cmac(key, message, example.length, code) && code == example.code ? 0 : 1;
     }
     print(wrong == 0 ? "cmac: as RFC 4493 says\n" : "cmac: wrong\n");
     return wrong;

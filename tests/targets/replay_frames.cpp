@@ -9,10 +9,10 @@
 // connected. The ECU then starts with the section that is linked, that of large_suv; PARAMETERS is only read.
 #include <cstring>
 
-#include "application/rollover_ecu.hpp"
 #include "hal/memory/frame_replay.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "tests/targets/bit_digest.hpp"
 #include "tests/targets/candump_text.hpp"
 #include "tests/targets/support/program.hpp"
@@ -24,18 +24,18 @@
 
 namespace {
 
-constexpr hal::Time cycle_time = hal::Time::from_milliseconds(10);
+constexpr rsi::hal::Time cycle_time = rsi::hal::Time::from_milliseconds(10);
 constexpr std::size_t most_frames = 12000U;  // 40 s of three frames
 constexpr std::size_t parameter_words = sizeof(rsi::Parameters) / sizeof(std::uint32_t);
 static_assert(sizeof(rsi::Parameters) == parameter_words * sizeof(std::uint32_t));
 
 struct Recording {
-    hal::CanFrame frames[most_frames];
+    rsi::hal::CanFrame frames[most_frames];
     std::size_t count;
     target::CandumpLine first;  // says the interface
 };
 
-class NoWatchdog final : public hal::Watchdog {
+class NoWatchdog final : public rsi::hal::Watchdog {
  public:
     void feed() noexcept override {}
 };
@@ -107,33 +107,33 @@ using Ecu = budgets::EcuWithAccesses;
 // The ECU alone.
 class Ecu {
  public:
-    Ecu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
+    Ecu(rsi::hal::CanBus& bus, const rsi::hal::Clock& clock, rsi::hal::Watchdog& watchdog) noexcept
         : ecu_{bus, clock, watchdog} {}
     bool init(const rsi::Parameters& parameters) noexcept { return ecu_.init(parameters).accepted != 0; }
     void cycle() noexcept { ecu_.step(0U); }
     const rsi::Outputs& outputs() const noexcept { return ecu_.outputs(); }
 
  private:
-    application::RolloverEcu ecu_;
+    rsi::application::RolloverEcu ecu_;
 };
 #endif
 
 std::uint64_t answer(const Recording& recording, const rsi::Parameters& parameters, target::TextWriter& out) {
-    static hal::VirtualClock clock;
-    static hal::MemoryBus<2U> bus{clock};
+    static rsi::hal::VirtualClock clock;
+    static rsi::hal::MemoryBus<2U> bus{clock};
     static NoWatchdog watchdog;
     static Ecu ecu{bus.endpoint(0U), clock, watchdog};
     ecu.init(parameters);
-    hal::CanBus& world = bus.endpoint(1U);
-    hal::FrameReplay player{recording.frames, recording.count, clock, world};
+    rsi::hal::CanBus& world = bus.endpoint(1U);
+    rsi::hal::FrameReplay player{recording.frames, recording.count, clock, world};
     target::BitDigest digest;
     target::CandumpLine line = recording.first;
     char text[target::longest_line];
-    for (hal::Time time = recording.frames[0].receive_time;; time = time + cycle_time) {
+    for (rsi::hal::Time time = recording.frames[0].receive_time;; time = time + cycle_time) {
         player.run_until(time);
         ecu.cycle();
         add_outputs(ecu.outputs(), digest);
-        while (world.receive(line.frame) == hal::ReceiveResult::frame) {
+        while (world.receive(line.frame) == rsi::hal::ReceiveResult::frame) {
             out.put(text, target::format_line(line, text));
         }
         if (player.finished()) {

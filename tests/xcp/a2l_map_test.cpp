@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string>
 
-#include "application/calibration_epk.hpp"
+#include "rsi/ecu/application/calibration_epk.hpp"
 #include "tests/xcp/bench.hpp"
 
 namespace testing_xcp {
@@ -24,7 +24,7 @@ TEST(Epk, HasVersionAndBothLayoutsAndIsFilledUp) {
     ASSERT_EQ(text.substr(0U, begin.size()), begin);
     const std::string words = text.substr(begin.size(), 17U);
     char layout[9];
-    std::snprintf(layout, sizeof layout, "%08X", static_cast<unsigned>(application::section::layout));
+    std::snprintf(layout, sizeof layout, "%08X", static_cast<unsigned>(rsi::application::section::layout));
     EXPECT_EQ(words.substr(0U, 8U), layout);
     EXPECT_EQ(words[8], ' ');
     EXPECT_TRUE(
@@ -32,16 +32,17 @@ TEST(Epk, HasVersionAndBothLayoutsAndIsFilledUp) {
     EXPECT_EQ(text.substr(begin.size() + 17U), std::string(32U - begin.size() - 17U, '\0'));
     // The compiler's evaluation, repeated here.
     std::array<std::uint8_t, 32> again{};
-    again = application::make_calibration_epk();
+    again = rsi::application::make_calibration_epk();
     EXPECT_EQ(std::string(again.begin(), again.end()), text);
 }
 
 TEST(Identifiers, AreNoFramesAndLowerInPriority) {
-    for (const std::uint32_t xcp : {xcp::default_identifiers.command, xcp::default_identifiers.answer}) {
-        for (const std::uint32_t frame : application::sent_identifiers) {
+    for (const std::uint32_t xcp :
+         {rsi::xcp::default_identifiers.command, rsi::xcp::default_identifiers.answer}) {
+        for (const std::uint32_t frame : rsi::application::sent_identifiers) {
             EXPECT_LT(frame, xcp);
         }
-        for (const std::uint32_t frame : application::received_identifiers) {
+        for (const std::uint32_t frame : rsi::application::received_identifiers) {
             EXPECT_LT(frame, xcp);
         }
     }

@@ -14,7 +14,7 @@
 namespace testing_xcp {
 namespace {
 
-constexpr std::size_t field_count = application::section::value_count;
+constexpr std::size_t field_count = rsi::application::section::value_count;
 
 std::uint32_t bits_of(float value) {
     std::uint32_t word = 0U;

@@ -13,7 +13,7 @@ bool CountingRandom::fill(std::uint8_t* bytes, std::size_t length) noexcept {
 }
 
 void Bench::restart() {
-    access_.emplace(keys_, hal::KeySlot::calibration, random, attempts_);
+    access_.emplace(keys_, rsi::hal::KeySlot::calibration, random, attempts_);
     access_->start();
     ecu_.emplace(bus_.endpoint(0U), clock_, watchdog_, *access_, reference.data(), reference.size(),
                  has_memory ? &storage_ : nullptr);
@@ -21,7 +21,7 @@ void Bench::restart() {
 }
 
 void Bench::cycle(std::uint32_t missed_cycles) {
-    now_ = now_ + hal::Time::from_milliseconds(10);
+    now_ = now_ + rsi::hal::Time::from_milliseconds(10);
     clock_.set(now_);
     const testing_application::Motion motion;
     bus_.endpoint(1U).send(testing_application::frame_of(motion.imu, counter_));
@@ -32,16 +32,16 @@ void Bench::cycle(std::uint32_t missed_cycles) {
     answers.clear();
     samples.clear();
     others.clear();
-    hal::CanFrame frame;
-    while (bus_.endpoint(2U).receive(frame) == hal::ReceiveResult::frame) {
-        if (frame.identifier == xcp::default_identifiers.answer) {
+    rsi::hal::CanFrame frame;
+    while (bus_.endpoint(2U).receive(frame) == rsi::hal::ReceiveResult::frame) {
+        if (frame.identifier == rsi::xcp::default_identifiers.answer) {
             const Bytes bytes{frame.data.begin(), frame.data.begin() + frame.length};
             (bytes.at(0U) >= 0xFCU ? answers : samples).push_back(bytes);
         } else if ((frame.identifier & 0x7F0U) != 0x120U) {
             others.push_back(frame);
         }
     }
-    while (bus_.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+    while (bus_.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
     }
 }
 
@@ -52,8 +52,8 @@ void Bench::cycles(int count) {
 }
 
 Bytes Bench::command(const Bytes& bytes) {
-    hal::CanFrame frame;
-    frame.identifier = xcp::default_identifiers.command;
+    rsi::hal::CanFrame frame;
+    frame.identifier = rsi::xcp::default_identifiers.command;
     frame.length = static_cast<std::uint8_t>(bytes.size());
     std::copy(bytes.begin(), bytes.end(), frame.data.begin());
     send(frame);
@@ -62,7 +62,7 @@ Bytes Bench::command(const Bytes& bytes) {
 }
 
 Bytes Bench::unlock(bool with_good_key) {
-    access_control::Block seed{};
+    rsi::access::Block seed{};
     std::size_t got = 0U;
     while (got < seed.size()) {
         const Bytes answer = command({0xF8, static_cast<std::uint8_t>(got == 0U ? 0U : 1U), 0x01});
@@ -72,8 +72,8 @@ Bytes Bench::unlock(bool with_good_key) {
         std::copy(answer.begin() + 2, answer.end(), seed.begin() + static_cast<std::ptrdiff_t>(got));
         got += answer.size() - 2U;
     }
-    access_control::Block key{};
-    static_cast<void>(keys_.authenticate(hal::KeySlot::calibration, seed.data(), seed.size(), key));
+    rsi::access::Block key{};
+    static_cast<void>(keys_.authenticate(rsi::hal::KeySlot::calibration, seed.data(), seed.size(), key));
     key[15] = static_cast<std::uint8_t>(key[15] ^ (with_good_key ? 0U : 1U));
     Bytes answer;
     for (std::size_t at = 0U; at < key.size(); at += 6U) {

@@ -6,27 +6,27 @@
 #include <optional>
 #include <vector>
 
-#include "application/calibrated_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/memory_storage.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/application/calibrated_ecu.hpp"
 #include "tests/application/bench.hpp"
 
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace testing_xcp {
 
 using Bytes = std::vector<std::uint8_t>;
-namespace map = application::calibration_map;
+namespace map = rsi::application::calibration_map;
 
 // Those of the image's section.
 inline rsi::Parameters image_parameters() {
-    return application::section::values_of(rsi_parameter_section);
+    return rsi::application::section::values_of(rsi_parameter_section);
 }
 
 // Other numbers each time.
-class CountingRandom final : public hal::RandomSource {
+class CountingRandom final : public rsi::hal::RandomSource {
  public:
     bool fill(std::uint8_t* bytes, std::size_t length) noexcept override;
     bool is_empty{false};
@@ -48,7 +48,7 @@ class Bench {
 
     // A command and the cycle in which it is answered; empty: not at all.
     Bytes command(const Bytes& bytes);
-    void send(const hal::CanFrame& frame) { bus_.endpoint(2U).send(frame); }
+    void send(const rsi::hal::CanFrame& frame) { bus_.endpoint(2U).send(frame); }
 
     Bytes connect() { return command({0xFF, 0x00}); }
     // The answer to the last piece of the key. Without an unlocked slave: wrong by one bit.
@@ -71,31 +71,31 @@ class Bench {
     static Bytes with_word(Bytes bytes, std::uint32_t word);
 
     const rsi::Parameters& used() { return ecu_->ecu().parameters(); }
-    application::CalibratedEcu& ecu() { return *ecu_; }
-    hal::Storage& storage() { return storage_; }
+    rsi::application::CalibratedEcu& ecu() { return *ecu_; }
+    rsi::hal::Storage& storage() { return storage_; }
 
     std::vector<Bytes> answers;  // answers, errors, events
     std::vector<Bytes> samples;
-    std::vector<hal::CanFrame> others;  // of the ECU
+    std::vector<rsi::hal::CanFrame> others;  // of the ECU
     rsi::ParameterField field_of(const char* name) const;
     static std::uint32_t address_of(const char* name);
 
     CountingRandom random;
     bool has_memory{true};  // to store in, from the next restart on
-    hal::MemoryStorage<application::section::length> storage_;
-    hal::MemoryBus<3U>::Endpoint& ecu_bus() { return bus_.endpoint(0U); }
-    Bytes reference{rsi_parameter_section, rsi_parameter_section + application::section::length};
+    rsi::hal::MemoryStorage<rsi::application::section::length> storage_;
+    rsi::hal::MemoryBus<3U>::Endpoint& ecu_bus() { return bus_.endpoint(0U); }
+    Bytes reference{rsi_parameter_section, rsi_parameter_section + rsi::application::section::length};
 
  private:
-    hal::VirtualClock clock_;
-    hal::MemoryBus<3U> bus_{clock_};
+    rsi::hal::VirtualClock clock_;
+    rsi::hal::MemoryBus<3U> bus_{clock_};
     testing_application::NoWatchdog watchdog_;
-    hal::MemoryStorage<64U> attempts_;
-    hal::SoftwareKeys keys_{hal::test_keys};
-    std::optional<access_control::SeedAndKey> access_;
-    std::optional<application::CalibratedEcu> ecu_;
+    rsi::hal::MemoryStorage<64U> attempts_;
+    rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
+    std::optional<rsi::access::SeedAndKey> access_;
+    std::optional<rsi::application::CalibratedEcu> ecu_;
     unsigned counter_{0U};
-    hal::Time now_{};
+    rsi::hal::Time now_{};
 };
 
 }  // namespace testing_xcp

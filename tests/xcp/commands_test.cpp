@@ -33,23 +33,23 @@ TEST(Slave, HearsNothingButConnectWithoutAConnection) {
 
 TEST(Slave, TakesItsOwnFramesOnly) {
     Bench bench;
-    hal::CanFrame frame;
-    frame.identifier = xcp::default_identifiers.command;
+    rsi::hal::CanFrame frame;
+    frame.identifier = rsi::xcp::default_identifiers.command;
     frame.length = 2U;
     frame.data[0] = 0xFFU;
-    const auto is_answered = [&](const hal::CanFrame& sent) {
+    const auto is_answered = [&](const rsi::hal::CanFrame& sent) {
         bench.send(sent);
         bench.cycle();
         return !bench.answers.empty();
     };
-    hal::CanFrame other = frame;
+    rsi::hal::CanFrame other = frame;
     other.extended = true;
     EXPECT_FALSE(is_answered(other));
     other = frame;
     other.flexible_data_rate = true;
     EXPECT_FALSE(is_answered(other));
     other = frame;
-    other.identifier = xcp::default_identifiers.answer;
+    other.identifier = rsi::xcp::default_identifiers.answer;
     EXPECT_FALSE(is_answered(other));
     other = frame;
     other.length = 0U;
@@ -65,7 +65,7 @@ TEST(Slave, LeavesTheEcusFramesAlone) {
     Bench bench;
     bench.connect();
     EXPECT_EQ(bench.others.size(), testing_application::frames_per_cycle);
-    EXPECT_EQ(bench.others.front().identifier, can_dbc::RolloverWarning::identifier);
+    EXPECT_EQ(bench.others.front().identifier, rsi::can_dbc::RolloverWarning::identifier);
 }
 
 // Each in turn, in one session.
@@ -168,12 +168,12 @@ TEST(Slave, ChecksumsAreThoseOfZipAndMoveOn) {
     Bench bench;
     bench.connect_and_unlock();
     ASSERT_TRUE(bench.set_address(map::parameters_at));
-    const std::uint8_t* const values = rsi_parameter_section + application::section::values_at;
+    const std::uint8_t* const values = rsi_parameter_section + rsi::application::section::values_at;
     const Bytes first = bench.command(Bench::with_word({0xF3, 0, 0, 0}, 8U));
-    EXPECT_EQ(first, Bench::with_word({0xFF, 0x09, 0, 0}, application::crc32(values, 8U)));
+    EXPECT_EQ(first, Bench::with_word({0xFF, 0x09, 0, 0}, rsi::application::crc32(values, 8U)));
     const std::uint32_t rest = map::parameters_length - 8U;
     EXPECT_EQ(bench.command(Bench::with_word({0xF3, 0, 0, 0}, rest)),
-              Bench::with_word({0xFF, 0x09, 0, 0}, application::crc32(values + 8U, rest)));
+              Bench::with_word({0xFF, 0x09, 0, 0}, rsi::application::crc32(values + 8U, rest)));
     EXPECT_EQ(bench.command(Bench::with_word({0xF3, 0, 0, 0}, 1U)), (Bytes{0xFE, 0x24}));
     ASSERT_TRUE(bench.set_address(map::parameters_at));
     EXPECT_EQ(bench.command(Bench::with_word({0xF3, 0, 0, 0}, 0xFFFFFFFFU)), (Bytes{0xFE, 0x24}));

@@ -125,10 +125,10 @@ TEST_F(Lists, BeginAtOnceWhenTheyAreStartedAgain) {
 TEST_F(Lists, LeaveNoEventToAnotherSession) {
     two_lists();
     ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
-    bench.ecu_bus().set_state(hal::BusState::bus_off);
+    bench.ecu_bus().set_state(rsi::hal::BusState::bus_off);
     bench.cycle();
     bench.command({0xF9, 0x01});
-    bench.ecu_bus().set_state(hal::BusState::error_active);
+    bench.ecu_bus().set_state(rsi::hal::BusState::error_active);
     bench.connect();
     EXPECT_EQ(bench.answers.size(), 1U);
 }
@@ -190,10 +190,10 @@ TEST_F(Lists, SayThatSamplesAreMissing) {
 TEST_F(Lists, SayThatTheBusTookNothing) {
     two_lists();
     ASSERT_EQ(start(0U), (Bytes{0xFF, 0}));
-    bench.ecu_bus().set_state(hal::BusState::bus_off);
+    bench.ecu_bus().set_state(rsi::hal::BusState::bus_off);
     bench.cycles(3);
     EXPECT_TRUE(bench.answers.empty());
-    bench.ecu_bus().set_state(hal::BusState::error_active);
+    bench.ecu_bus().set_state(rsi::hal::BusState::error_active);
     bench.cycle();
     EXPECT_EQ(bench.answers, std::vector<Bytes>{(Bytes{0xFD, 0x06})});
     EXPECT_EQ(bench.samples.size(), 1U);

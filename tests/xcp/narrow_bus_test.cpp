@@ -9,20 +9,22 @@ namespace testing_xcp {
 namespace {
 
 // Bus with room for a number of frames in each cycle.
-class NarrowBus final : public hal::CanBus {
+class NarrowBus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
-    hal::SendResult send(const hal::CanFrame&) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame&) noexcept override {
+        return rsi::hal::ReceiveResult::empty;
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame&) noexcept override {
         if ((room == 0) || (refused > 0)) {
             --refused;
             ++statistics_.send_failures;
-            return hal::SendResult::full;
+            return rsi::hal::SendResult::full;
         }
         --room;
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_passive; }
-    hal::BusStatistics statistics() const noexcept override {
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_passive; }
+    rsi::hal::BusStatistics statistics() const noexcept override {
         ++questions;
         return statistics_;
     }
@@ -31,12 +33,12 @@ class NarrowBus final : public hal::CanBus {
     int refused{0};  // so many at first
 
  private:
-    hal::BusStatistics statistics_{7U, 6U, 5U, 4U, 3U};
+    rsi::hal::BusStatistics statistics_{7U, 6U, 5U, 4U, 3U};
 };
 
-hal::CanFrame command_frame(const Bytes& bytes) {
-    hal::CanFrame frame;
-    frame.identifier = xcp::default_identifiers.command;
+rsi::hal::CanFrame command_frame(const Bytes& bytes) {
+    rsi::hal::CanFrame frame;
+    frame.identifier = rsi::xcp::default_identifiers.command;
     frame.length = static_cast<std::uint8_t>(bytes.size());
     std::copy(bytes.begin(), bytes.end(), frame.data.begin());
     return frame;
@@ -46,40 +48,40 @@ hal::CanFrame command_frame(const Bytes& bytes) {
 TEST(DaqLists, SayThatAnyFrameWasNotTaken) {
     Bench bench;
     NarrowBus narrow;
-    application::RolloverEcu& ecu = bench.ecu().ecu();
-    application::CalibrationPages pages{ecu, nullptr, 0U, nullptr};
-    xcp::DaqLists lists{pages};
-    ASSERT_EQ(lists.allot_lists(1U), xcp::Error::none);
-    ASSERT_EQ(lists.allot_parts(0U, 2U), xcp::Error::none);
-    ASSERT_EQ(lists.start(0U), xcp::Error::none);
+    rsi::application::RolloverEcu& ecu = bench.ecu().ecu();
+    rsi::application::CalibrationPages pages{ecu, nullptr, 0U, nullptr};
+    rsi::xcp::DaqLists lists{pages};
+    ASSERT_EQ(lists.allot_lists(1U), rsi::xcp::Error::none);
+    ASSERT_EQ(lists.allot_parts(0U, 2U), rsi::xcp::Error::none);
+    ASSERT_EQ(lists.start(0U), rsi::xcp::Error::none);
     for (int room = 0; room <= 2; ++room) {
         narrow.room = room;
-        EXPECT_EQ(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U), room == 2) << room;
+        EXPECT_EQ(lists.sample(narrow, 0x6F1U, rsi::hal::Time{}, 0U), room == 2) << room;
     }
     narrow.room = 2;
     narrow.refused = 1;
-    EXPECT_FALSE(lists.sample(narrow, 0x6F1U, hal::Time{}, 0U));
+    EXPECT_FALSE(lists.sample(narrow, 0x6F1U, rsi::hal::Time{}, 0U));
 }
 
 // A control unit with memory at every address, which remembers what was read last.
-class EndlessTarget final : public xcp::Target {
+class EndlessTarget final : public rsi::xcp::Target {
  public:
-    bool read(std::uint32_t address, xcp::Page, std::uint8_t* bytes,
+    bool read(std::uint32_t address, rsi::xcp::Page, std::uint8_t* bytes,
               std::size_t count) const noexcept override {
         last_address = address;
         std::fill_n(bytes, count, std::uint8_t{0x5AU});
         return true;
     }
-    bool checksum(std::uint32_t, xcp::Page, std::size_t, std::uint32_t&) const noexcept override {
+    bool checksum(std::uint32_t, rsi::xcp::Page, std::size_t, std::uint32_t&) const noexcept override {
         return false;
     }
-    xcp::Error write(std::uint32_t, const std::uint8_t*, std::size_t) noexcept override {
-        return xcp::Error::access_denied;
+    rsi::xcp::Error write(std::uint32_t, const std::uint8_t*, std::size_t) noexcept override {
+        return rsi::xcp::Error::access_denied;
     }
-    xcp::Error select(xcp::Page) noexcept override { return xcp::Error::page_not_valid; }
-    xcp::Page selected() const noexcept override { return xcp::Page::working; }
-    xcp::Error copy_reference() noexcept override { return xcp::Error::access_denied; }
-    xcp::Error store() noexcept override { return xcp::Error::none; }
+    rsi::xcp::Error select(rsi::xcp::Page) noexcept override { return rsi::xcp::Error::page_not_valid; }
+    rsi::xcp::Page selected() const noexcept override { return rsi::xcp::Page::working; }
+    rsi::xcp::Error copy_reference() noexcept override { return rsi::xcp::Error::access_denied; }
+    rsi::xcp::Error store() noexcept override { return rsi::xcp::Error::none; }
     Range calibration() const noexcept override { return {0U, 0U}; }
     Range name() const noexcept override { return {0U, 0U}; }
 
@@ -91,26 +93,26 @@ class EndlessTarget final : public xcp::Target {
 TEST(DaqLists, MeasureBelow16MiB) {
     const EndlessTarget target;
     NarrowBus bus;
-    xcp::DaqLists lists{target};
+    rsi::xcp::DaqLists lists{target};
     EXPECT_FALSE(lists.is_running());
-    EXPECT_EQ(lists.write(0U, 1U), xcp::Error::sequence);
-    ASSERT_EQ(lists.allot_lists(1U), xcp::Error::none);
-    ASSERT_EQ(lists.allot_parts(0U, 1U), xcp::Error::none);
+    EXPECT_EQ(lists.write(0U, 1U), rsi::xcp::Error::sequence);
+    ASSERT_EQ(lists.allot_lists(1U), rsi::xcp::Error::none);
+    ASSERT_EQ(lists.allot_parts(0U, 1U), rsi::xcp::Error::none);
     EXPECT_EQ(lists.first_part(0U), 0U);
-    ASSERT_EQ(lists.allot_entries(0U, 0U, 1U), xcp::Error::none);
-    ASSERT_EQ(lists.point_to(0U, 0U, 0U), xcp::Error::none);
-    EXPECT_EQ(lists.write(0x01000000U, 7U), xcp::Error::access_denied);
-    EXPECT_EQ(lists.write(0xFFFFFFFFU, 7U), xcp::Error::access_denied);
-    EXPECT_EQ(lists.write(0x00FFFFFFU, 7U), xcp::Error::none);
-    ASSERT_EQ(lists.start(0U), xcp::Error::none);
+    ASSERT_EQ(lists.allot_entries(0U, 0U, 1U), rsi::xcp::Error::none);
+    ASSERT_EQ(lists.point_to(0U, 0U, 0U), rsi::xcp::Error::none);
+    EXPECT_EQ(lists.write(0x01000000U, 7U), rsi::xcp::Error::access_denied);
+    EXPECT_EQ(lists.write(0xFFFFFFFFU, 7U), rsi::xcp::Error::access_denied);
+    EXPECT_EQ(lists.write(0x00FFFFFFU, 7U), rsi::xcp::Error::none);
+    ASSERT_EQ(lists.start(0U), rsi::xcp::Error::none);
     bus.room = 1;
-    EXPECT_TRUE(lists.sample(bus, 0x6F1U, hal::Time{}, 0U));
+    EXPECT_TRUE(lists.sample(bus, 0x6F1U, rsi::hal::Time{}, 0U));
     EXPECT_EQ(target.last_address, 0x00FFFFFFU);
     EXPECT_EQ(bus.room, 0);
 }
 
 TEST(Packet, EndsWithItsFrame) {
-    xcp::Packet packet{0xFFU};
+    rsi::xcp::Packet packet{0xFFU};
     packet.add_word(0x04030201U).add_word(0x08070605U);
     EXPECT_EQ(packet.length(), 8U);
     EXPECT_EQ(packet.bytes(), (std::array<std::uint8_t, 8>{0xFFU, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
@@ -120,13 +122,13 @@ TEST(Packet, EndsWithItsFrame) {
 TEST(Slave, LeavesNoEventToAnotherSession) {
     EndlessTarget target;
     NarrowBus narrow;
-    hal::VirtualClock clock;
+    rsi::hal::VirtualClock clock;
     CountingRandom random;
-    hal::SoftwareKeys keys{hal::test_keys};
-    hal::MemoryStorage<64U> attempts;
-    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, random, attempts};
+    rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
+    rsi::hal::MemoryStorage<64U> attempts;
+    rsi::access::SeedAndKey access{keys, rsi::hal::KeySlot::calibration, random, attempts};
     access.start();
-    xcp::Slave slave{target, access, xcp::default_identifiers};
+    rsi::xcp::Slave slave{target, access, rsi::xcp::default_identifiers};
     const auto command = [&](const Bytes& bytes, int room) {
         slave.take(command_frame(bytes));
         narrow.room = room;
@@ -134,11 +136,11 @@ TEST(Slave, LeavesNoEventToAnotherSession) {
         return room - narrow.room;  // frames sent
     };
     const auto unlock = [&] {
-        access_control::Block seed{};
-        access_control::Block key{};
+        rsi::access::Block seed{};
+        rsi::access::Block key{};
         return access.give_seed(seed) &&
-               keys.authenticate(hal::KeySlot::calibration, seed.data(), seed.size(), key) &&
-               access.take_key(key) == access_control::KeyAnswer::unlocked;
+               keys.authenticate(rsi::hal::KeySlot::calibration, seed.data(), seed.size(), key) &&
+               access.take_key(key) == rsi::access::KeyAnswer::unlocked;
     };
     ASSERT_EQ(command({0xFF, 0x00}, 9), 1);
     ASSERT_TRUE(unlock());
@@ -154,12 +156,12 @@ TEST(Slave, LeavesNoEventToAnotherSession) {
 TEST(Slave, LeavesTheBusAloneWithoutAConnection) {
     EndlessTarget target;
     NarrowBus narrow;
-    hal::VirtualClock clock;
+    rsi::hal::VirtualClock clock;
     CountingRandom random;
-    hal::SoftwareKeys keys{hal::test_keys};
-    hal::MemoryStorage<64U> attempts;
-    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, random, attempts};
-    xcp::Slave slave{target, access, xcp::default_identifiers};
+    rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
+    rsi::hal::MemoryStorage<64U> attempts;
+    rsi::access::SeedAndKey access{keys, rsi::hal::KeySlot::calibration, random, attempts};
+    rsi::xcp::Slave slave{target, access, rsi::xcp::default_identifiers};
     const auto failures_of_a_cycle = [&] { return slave.end_cycle(narrow, clock, 0U); };
     EXPECT_EQ(failures_of_a_cycle(), 0U);
     EXPECT_EQ(narrow.questions, 0);
@@ -177,75 +179,77 @@ TEST(Slave, LeavesTheBusAloneWithoutAConnection) {
 // An extended or an FD frame of the same number is no command.
 TEST(Slave, TakesStandardClassicFramesOnly) {
     Bench bench;
-    hal::VirtualClock clock;
-    hal::MemoryBus<1U> bus{clock};
-    hal::SoftwareKeys keys{hal::test_keys};
-    hal::MemoryStorage<64U> attempts;
-    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
-    application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
-    xcp::Slave slave{pages, access, xcp::default_identifiers};
-    hal::CanFrame connect{};
-    connect.identifier = xcp::default_identifiers.command;
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<1U> bus{clock};
+    rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
+    rsi::hal::MemoryStorage<64U> attempts;
+    rsi::access::SeedAndKey access{keys, rsi::hal::KeySlot::calibration, bench.random, attempts};
+    rsi::application::CalibrationPages pages{bench.ecu().ecu(), nullptr, 0U, nullptr};
+    rsi::xcp::Slave slave{pages, access, rsi::xcp::default_identifiers};
+    rsi::hal::CanFrame connect{};
+    connect.identifier = rsi::xcp::default_identifiers.command;
     connect.length = 2U;
     connect.data[0] = 0xFFU;
-    const auto is_connected_by = [&](const hal::CanFrame& frame) {
+    const auto is_connected_by = [&](const rsi::hal::CanFrame& frame) {
         slave.take(frame);
         static_cast<void>(slave.end_cycle(bus.endpoint(0U), clock, 0U));
         return slave.is_connected();
     };
-    hal::CanFrame extended = connect;
+    rsi::hal::CanFrame extended = connect;
     extended.extended = true;
     EXPECT_FALSE(is_connected_by(extended));
-    hal::CanFrame flexible = connect;
+    rsi::hal::CanFrame flexible = connect;
     flexible.flexible_data_rate = true;
     EXPECT_FALSE(is_connected_by(flexible));
-    hal::CanFrame other = connect;
+    rsi::hal::CanFrame other = connect;
     ++other.identifier;
     EXPECT_FALSE(is_connected_by(other));
     EXPECT_TRUE(is_connected_by(connect));
 }
 
 // Takes no frames from a lowest identifier on.
-class RefusingBus final : public hal::CanBus {
+class RefusingBus final : public rsi::hal::CanBus {
  public:
-    explicit RefusingBus(hal::CanBus& bus) : bus_{bus} {}
-    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override { return bus_.receive(frame); }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    explicit RefusingBus(rsi::hal::CanBus& bus) : bus_{bus} {}
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame& frame) noexcept override {
+        return bus_.receive(frame);
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         if (frame.identifier >= refused_from) {
             ++failures_;
-            return hal::SendResult::full;
+            return rsi::hal::SendResult::full;
         }
         return bus_.send(frame);
     }
-    hal::BusState state() const noexcept override { return bus_.state(); }
-    hal::BusStatistics statistics() const noexcept override {
-        hal::BusStatistics statistics = bus_.statistics();
+    rsi::hal::BusState state() const noexcept override { return bus_.state(); }
+    rsi::hal::BusStatistics statistics() const noexcept override {
+        rsi::hal::BusStatistics statistics = bus_.statistics();
         statistics.send_failures = failures_;
         return statistics;
     }
-    std::uint32_t refused_from{xcp::default_identifiers.answer};
+    std::uint32_t refused_from{rsi::xcp::default_identifiers.answer};
 
  private:
-    hal::CanBus& bus_;
+    rsi::hal::CanBus& bus_;
     std::uint32_t failures_{0U};
 };
 
 // The ECU reports a fault of the bus when its own frames are not taken, and none when those of XCP are not.
 TEST(CalibratedEcu, XcpFramesThatTheBusDoesNotTakeAreNoFaultOfTheBus) {
-    using monitoring::DiagnosticCode;
+    using rsi::monitoring::DiagnosticCode;
     Bench bench;
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U> bus{clock};
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<2U> bus{clock};
     RefusingBus refusing{bus.endpoint(0U)};
     testing_application::NoWatchdog watchdog;
-    hal::SoftwareKeys keys{hal::test_keys};
-    hal::MemoryStorage<64U> attempts;
-    access_control::SeedAndKey access{keys, hal::KeySlot::calibration, bench.random, attempts};
-    application::CalibratedEcu ecu{
+    rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
+    rsi::hal::MemoryStorage<64U> attempts;
+    rsi::access::SeedAndKey access{keys, rsi::hal::KeySlot::calibration, bench.random, attempts};
+    rsi::application::CalibratedEcu ecu{
         refusing, clock, watchdog, access, bench.reference.data(), bench.reference.size(), nullptr};
     static_cast<void>(ecu.init());
-    hal::CanFrame connect{};
-    connect.identifier = xcp::default_identifiers.command;
+    rsi::hal::CanFrame connect{};
+    connect.identifier = rsi::xcp::default_identifiers.command;
     connect.length = 2U;
     connect.data[0] = 0xFFU;
     const auto cycles = [&](int count) {

@@ -345,16 +345,16 @@ TEST(Store, ThatIsDamagedGivesWayToTheReference) {
 }
 
 // A memory that could not be read, whatever it has left in the buffer.
-class UnreadableStorage final : public hal::Storage {
+class UnreadableStorage final : public rsi::hal::Storage {
  public:
     bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
         rsi::Parameters parameters = image_parameters();
         parameters.warning_on = 0.85F;
         std::memcpy(bytes, rsi_parameter_section, length);
-        std::memcpy(
-            bytes + application::section::values_at + (Bench::address_of("warning_on") - map::parameters_at),
-            &parameters.warning_on, sizeof parameters.warning_on);
-        application::section::put_checksum(bytes);
+        std::memcpy(bytes + rsi::application::section::values_at +
+                        (Bench::address_of("warning_on") - map::parameters_at),
+                    &parameters.warning_on, sizeof parameters.warning_on);
+        rsi::application::section::put_checksum(bytes);
         return false;
     }
     bool write(const std::uint8_t*, std::size_t) noexcept override { return false; }
@@ -363,9 +363,9 @@ class UnreadableStorage final : public hal::Storage {
 TEST(Store, ThatCannotBeReadGivesWayToTheReference) {
     Bench bench;
     UnreadableStorage storage;
-    application::CalibrationPages pages{bench.ecu().ecu(), rsi_parameter_section,
-                                        application::section::length, &storage};
-    EXPECT_EQ(pages.init().refusal, application::ParametersRefusal::none);
+    rsi::application::CalibrationPages pages{bench.ecu().ecu(), rsi_parameter_section,
+                                             rsi::application::section::length, &storage};
+    EXPECT_EQ(pages.init().refusal, rsi::application::ParametersRefusal::none);
     EXPECT_EQ(bench.used().warning_on, image_parameters().warning_on);
 }
 
@@ -373,9 +373,9 @@ TEST(Store, ThatCannotBeReadGivesWayToTheReference) {
 TEST(Reference, WhoseValuesAreRefusedCanBeCorrected) {
     Bench bench;
     const std::size_t at =
-        application::section::values_at + Bench::address_of("warning_on") - map::parameters_at;
+        rsi::application::section::values_at + Bench::address_of("warning_on") - map::parameters_at;
     bench.reference[at + 3U] = 0x40U;  // 3.x
-    application::section::put_checksum(bench.reference.data());
+    rsi::application::section::put_checksum(bench.reference.data());
     bench.restart();
     bench.cycles(100);
     EXPECT_EQ(bench.ecu().ecu().outputs().state, RSI_STATE_UNAVAILABLE);

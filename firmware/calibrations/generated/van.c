@@ -1,5 +1,5 @@
 /* Parameter section of the calibration "van", made by `rsi-sil parameters --format c`; do not edit.
- * firmware/application/parameter_section.hpp says what is where, docs/calibration.md how to change it. */
+ * firmware/rsi/ecu/application/parameter_section.hpp says what is where, docs/calibration.md how to change it. */
 __attribute__((section(".parameters"), used, aligned(4)))
 const unsigned char rsi_parameter_section[340] = {
     0x52, 0x53, 0x49, 0x50, 0x01, 0x00, 0x44, 0x00, 0x08, 0x37, 0x75, 0xB9, 0x54, 0x01, 0x00, 0x00,

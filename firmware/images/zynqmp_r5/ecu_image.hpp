@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-#include "application/rollover_ecu.hpp"
 #include "hal/zynqmp_r5/can_controller.hpp"
 #include "hal/zynqmp_r5/cycle_tick.hpp"
 #include "hal/zynqmp_r5/policy.hpp"
@@ -11,8 +10,9 @@
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "hal/zynqmp_r5/timer_clock.hpp"
 #include "images/zynqmp_r5/warning_recorder.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 
-namespace image {
+namespace rsi::image {
 
 using hal::zynqmp_r5::MemoryMappedRegisters;
 using hal::zynqmp_r5::Policy;
@@ -86,4 +86,4 @@ class EcuImage {
     Ecu ecu_{bus_, clock_, watchdog_};
 };
 
-}  // namespace image
+}  // namespace rsi::image

@@ -1,10 +1,10 @@
 // The image's part in the reaction to a fault: one warning frame "unavailable".
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/e2e/profile_11.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/zynqmp_r5/startup/exceptions.hpp"
 #include "images/zynqmp_r5/ecu_image.hpp"
 #include "images/zynqmp_r5/warning_recorder.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 
 namespace {
 

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 
-#include "can_dbc/e2e/profile_11.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
-#include "hal/interface/can_bus.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/hal/can_bus.hpp"
 
-namespace image {
+namespace rsi::image {
 
 // State that a fault may find half done: it can come between any two instructions. Hence one volatile byte,
 // which the compiler writes in program order, and not after the registers of the controller.
@@ -60,4 +60,4 @@ class WarningRecorder final : public hal::CanBus {
     LastWarning& last_;
 };
 
-}  // namespace image
+}  // namespace rsi::image

@@ -3,7 +3,7 @@
 
 #include "hal/zynqmp_r5/can_frame_layout.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 // QEMU 7.2 passes on the words of Linux' can_frame: identifier in the lowest bits, extension in bit 31,
 // remote request in 30, error in 29; the first byte of data in the lowest bits.
@@ -28,4 +28,4 @@ struct EmulatorCanFrameLayout {
     static constexpr std::uint32_t error{1U << 29U};
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

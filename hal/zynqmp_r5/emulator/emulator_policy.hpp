@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include "hal/interface/clock.hpp"
 #include "hal/zynqmp_r5/emulator/emulator_can_frame_layout.hpp"
 #include "hal/zynqmp_r5/emulator/supervisor.hpp"
+#include "rsi/hal/clock.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 struct EmulatorPolicy {
     static constexpr std::uint32_t timer_clock_hz{133'000'000U};
@@ -28,4 +28,4 @@ struct EmulatorPolicy {
     }
 };
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

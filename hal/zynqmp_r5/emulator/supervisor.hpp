@@ -8,11 +8,11 @@
 
 #include <cstdint>
 
-#include "hal/interface/watchdog.hpp"
 #include "hal/zynqmp_r5/emulator/supervisor_words.h"
 #include "hal/zynqmp_r5/registers.hpp"
+#include "rsi/hal/watchdog.hpp"
 
-namespace hal::zynqmp_r5::emulator {
+namespace rsi::hal::zynqmp_r5::emulator {
 
 inline constexpr RegisterAddress countdown{RSI_SUPERVISOR_COUNTDOWN};
 
@@ -33,4 +33,4 @@ struct SupervisorReset {
     static void request(Registers registers) noexcept { registers.write(countdown, 1U); }
 };
 
-}  // namespace hal::zynqmp_r5::emulator
+}  // namespace rsi::hal::zynqmp_r5::emulator

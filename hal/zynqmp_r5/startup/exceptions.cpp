@@ -5,7 +5,7 @@
 #include "hal/zynqmp_r5/policy.hpp"
 #include "hal/zynqmp_r5/registers.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 namespace {
 
 // As start.S numbers them.
@@ -77,11 +77,11 @@ void reset_now() noexcept {
     }
 }
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5
 
 extern "C" [[noreturn]] void zynqmp_r5_on_exception(std::uint32_t exception, std::uint32_t instruction,
                                                     std::uint32_t program_status) {
-    using namespace hal::zynqmp_r5;
+    using namespace rsi::hal::zynqmp_r5;
     if (!is_handling) {
         is_handling = true;
         Fault fault = describe(static_cast<Exception>(exception));

@@ -3,7 +3,7 @@
 
 #include "hal/zynqmp_r5/fault_record.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 
 // The image's record, in memory that no start clears.
 FaultRecord& fault_record() noexcept;
@@ -15,4 +15,4 @@ void on_fault(const Fault& fault) noexcept;
 // Resets the controller.
 [[noreturn]] void reset_now() noexcept;
 
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

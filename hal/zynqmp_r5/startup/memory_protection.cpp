@@ -3,7 +3,7 @@
 
 namespace {
 
-using namespace hal::zynqmp_r5;
+using namespace rsi::hal::zynqmp_r5;
 
 void set_region(std::uint32_t number, std::uint32_t start, std::uint32_t access, std::uint32_t size) {
     asm volatile("mcr p15, 0, %0, c6, c2, 0" : : "r"(number));

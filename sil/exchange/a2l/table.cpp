@@ -8,16 +8,16 @@
 #include <cstring>
 #include <string>
 
-#include "application/calibration_epk.hpp"
-#include "application/calibration_pages.hpp"
+#include "rsi/ecu/application/calibration_epk.hpp"
+#include "rsi/ecu/application/calibration_pages.hpp"
+#include "rsi/ecu/xcp/daq.hpp"
+#include "rsi/ecu/xcp/identifiers.hpp"
 #include "rsi/parameters.hpp"
 #include "rsi/rsi_outputs.h"
-#include "xcp/daq.hpp"
-#include "xcp/identifiers.hpp"
 
 namespace {
 
-namespace map = application::calibration_map;
+namespace map = rsi::application::calibration_map;
 
 template <typename Value>
 void constant(const char* name, Value value) {
@@ -26,18 +26,18 @@ void constant(const char* name, Value value) {
 
 void constants() {
     const auto* const letters =
-        static_cast<const char*>(static_cast<const void*>(application::calibration_epk.data()));
-    constant("epk", std::string{letters, ::strnlen(letters, application::calibration_epk.size())});
+        static_cast<const char*>(static_cast<const void*>(rsi::application::calibration_epk.data()));
+    constant("epk", std::string{letters, ::strnlen(letters, rsi::application::calibration_epk.size())});
     constant("epk_at", map::epk_at);
     constant("parameters_at", map::parameters_at);
     constant("parameters_length", map::parameters_length);
     constant("change_at", map::change_at);
-    constant("command_identifier", xcp::default_identifiers.command);
-    constant("answer_identifier", xcp::default_identifiers.answer);
-    constant("most_lists", xcp::most_lists);
-    constant("most_parts", xcp::most_parts);
-    constant("largest_entry", xcp::largest_entry);
-    constant("packet_length", xcp::packet_length);
+    constant("command_identifier", rsi::xcp::default_identifiers.command);
+    constant("answer_identifier", rsi::xcp::default_identifiers.answer);
+    constant("most_lists", rsi::xcp::most_lists);
+    constant("most_parts", rsi::xcp::most_parts);
+    constant("largest_entry", rsi::xcp::largest_entry);
+    constant("packet_length", rsi::xcp::packet_length);
 }
 
 void parameters() {

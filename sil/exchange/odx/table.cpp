@@ -9,30 +9,30 @@
 //   sub        SERVICE NUMBER
 #include <fmt/format.h>
 
-#include "application/parameter_section.hpp"
-#include "diagnosis/data_identifiers.hpp"
-#include "diagnosis/service_table.hpp"
-#include "diagnosis/trouble_report.hpp"
-#include "diagnosis/uds_server.hpp"
+#include "rsi/ecu/application/parameter_section.hpp"
+#include "rsi/ecu/diagnosis/data_identifiers.hpp"
+#include "rsi/ecu/diagnosis/service_table.hpp"
+#include "rsi/ecu/diagnosis/trouble_report.hpp"
+#include "rsi/ecu/diagnosis/uds_server.hpp"
 
 namespace {
 
 void constants() {
-    constexpr diagnosis::Addresses addresses{};
+    constexpr rsi::diagnosis::Addresses addresses{};
     fmt::print("constant\tphysical_request\t{}\n", addresses.physical_request);
     fmt::print("constant\tfunctional_request\t{}\n", addresses.functional_request);
     fmt::print("constant\tresponse\t{}\n", addresses.response);
-    fmt::print("constant\tself_test_routine\t{}\n", diagnosis::self_test_routine);
-    fmt::print("constant\tcheck_section_routine\t{}\n", diagnosis::check_section_routine);
-    fmt::print("constant\tfreeze_frame_identifier\t{}\n", diagnosis::freeze_frame_identifier);
-    fmt::print("constant\tvehicle_number_identifier\t{}\n", diagnosis::vehicle_number_identifier);
-    fmt::print("constant\tprogramming_date_identifier\t{}\n", diagnosis::programming_date_identifier);
-    fmt::print("constant\tactive_session_identifier\t{}\n", diagnosis::active_session_identifier);
-    fmt::print("constant\tsection_length\t{}\n", application::section::length);
+    fmt::print("constant\tself_test_routine\t{}\n", rsi::diagnosis::self_test_routine);
+    fmt::print("constant\tcheck_section_routine\t{}\n", rsi::diagnosis::check_section_routine);
+    fmt::print("constant\tfreeze_frame_identifier\t{}\n", rsi::diagnosis::freeze_frame_identifier);
+    fmt::print("constant\tvehicle_number_identifier\t{}\n", rsi::diagnosis::vehicle_number_identifier);
+    fmt::print("constant\tprogramming_date_identifier\t{}\n", rsi::diagnosis::programming_date_identifier);
+    fmt::print("constant\tactive_session_identifier\t{}\n", rsi::diagnosis::active_session_identifier);
+    fmt::print("constant\tsection_length\t{}\n", rsi::application::section::length);
 }
 
 void codes() {
-    for (const diagnosis::TroubleCode& each : diagnosis::trouble_codes) {
+    for (const rsi::diagnosis::TroubleCode& each : rsi::diagnosis::trouble_codes) {
         fmt::print("code\t{}\t{}\n", static_cast<unsigned>(each.code), each.number);
     }
 }
@@ -42,31 +42,31 @@ void text(std::uint32_t identifier, std::size_t length, const char* name) {
 }
 
 void data() {
-    const diagnosis::Identification all{};
-    text(diagnosis::calibration_name_identifier, all.calibration_name.size(), "calibration name");
-    text(diagnosis::serial_number_identifier, all.serial_number.size(), "serial number");
-    text(diagnosis::hardware_identifier, all.hardware.size(), "hardware");
-    text(diagnosis::software_version_identifier, all.software_version.size(), "software version");
-    text(diagnosis::system_name_identifier, all.system_name.size(), "system name");
-    std::uint32_t identifier = diagnosis::first_number_identifier;
+    const rsi::diagnosis::Identification all{};
+    text(rsi::diagnosis::calibration_name_identifier, all.calibration_name.size(), "calibration name");
+    text(rsi::diagnosis::serial_number_identifier, all.serial_number.size(), "serial number");
+    text(rsi::diagnosis::hardware_identifier, all.hardware.size(), "hardware");
+    text(rsi::diagnosis::software_version_identifier, all.software_version.size(), "software version");
+    text(rsi::diagnosis::system_name_identifier, all.system_name.size(), "system name");
+    std::uint32_t identifier = rsi::diagnosis::first_number_identifier;
     for (const rsi::NumberOutput& each : rsi::number_outputs) {
         fmt::print("number\t{}\t{}\t{}\n", identifier++, each.name, each.unit);
     }
-    identifier = diagnosis::first_input_identifier;
-    for (const diagnosis::InputValue& each : diagnosis::input_values) {
+    identifier = rsi::diagnosis::first_input_identifier;
+    for (const rsi::diagnosis::InputValue& each : rsi::diagnosis::input_values) {
         fmt::print("number\t{}\t{}\t{}\n", identifier++, each.name, each.unit);
     }
-    identifier = diagnosis::first_code_identifier;
+    identifier = rsi::diagnosis::first_code_identifier;
     for (const rsi::CodeOutput& each : rsi::code_outputs) {
         fmt::print("choice\t{}\t{}\t{}\n", identifier++, each.name, each.largest);
     }
 }
 
 void services() {
-    for (const diagnosis::Service& each : diagnosis::services) {
+    for (const rsi::diagnosis::Service& each : rsi::diagnosis::services) {
         fmt::print("service\t{}\n", unsigned{each.id});
     }
-    for (const diagnosis::ListedSubFunction& each : diagnosis::sub_functions) {
+    for (const rsi::diagnosis::ListedSubFunction& each : rsi::diagnosis::sub_functions) {
         fmt::print("sub\t{}\t{}\n", unsigned{each.service}, unsigned{each.number});
     }
 }

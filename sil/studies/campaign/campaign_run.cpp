@@ -29,8 +29,8 @@ class CampaignWorld::IndexRecorder final : public RunObserver {
     void cycle(const Truth& truth, const SensorSample& sensors, const EcuFrames& ecu,
                const RunEvents& events) override {
         also_.cycle(truth, sensors, ecu, events);
-        const can_dbc::RolloverDiagnosis& diagnosis = ecu.diagnosis();
-        if (diagnosis.code_status == can_dbc::RolloverDiagnosis::CodeStatus::confirmed) {
+        const rsi::can_dbc::RolloverDiagnosis& diagnosis = ecu.diagnosis();
+        if (diagnosis.code_status == rsi::can_dbc::RolloverDiagnosis::CodeStatus::confirmed) {
             codes_ |= std::uint64_t{1U} << static_cast<unsigned>(diagnosis.code);
         }
         const rsi::Outputs& outputs = run_.outputs();

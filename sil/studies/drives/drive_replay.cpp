@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "can_dbc/generated/rollover_warning.hpp"
-#include "hal/interface/can_bus.hpp"
 #include "hal/memory/frame_replay.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/hal/can_bus.hpp"
 #include "sil/files/sensor_frame.hpp"
 #include "sil/simulation/ecu_frames.hpp"
 #include "sil/simulation/in_process_ecu.hpp"
@@ -44,29 +44,31 @@ SensorSample sensor_sample(const DriveSample& sample) {
 
 // Takes over what a sensor frame says; other frames change nothing. Its end-to-end protection is not checked:
 // that is the firmware's business.
-void take_frame(const hal::CanFrame& frame, DriveSample& sample) {
+void take_frame(const rsi::hal::CanFrame& frame, DriveSample& sample) {
     if (!is_sensor_frame(frame)) {
         return;
     }
-    if (frame.identifier == can_dbc::Imu::identifier && frame.length == can_dbc::Imu::length) {
-        const can_dbc::Imu imu = can_dbc::decode<can_dbc::Imu>(frame.data).value;
+    if (frame.identifier == rsi::can_dbc::Imu::identifier && frame.length == rsi::can_dbc::Imu::length) {
+        const rsi::can_dbc::Imu imu = rsi::can_dbc::decode<rsi::can_dbc::Imu>(frame.data).value;
         sample.lateral_specific_force_mps2 = static_cast<double>(imu.lateral_acceleration_mps2);
         sample.vertical_specific_force_mps2 = static_cast<double>(imu.vertical_acceleration_mps2);
         sample.roll_rate_radps = radians(imu.roll_rate_deg_per_s);
-    } else if (frame.identifier == can_dbc::RollAngle::identifier &&
-               frame.length == can_dbc::RollAngle::length) {
-        const can_dbc::RollAngle roll = can_dbc::decode<can_dbc::RollAngle>(frame.data).value;
+    } else if (frame.identifier == rsi::can_dbc::RollAngle::identifier &&
+               frame.length == rsi::can_dbc::RollAngle::length) {
+        const rsi::can_dbc::RollAngle roll = rsi::can_dbc::decode<rsi::can_dbc::RollAngle>(frame.data).value;
         sample.roll_angle_rad = radians(roll.roll_angle_deg);
         sample.bank_angle_rad = radians(roll.bank_angle_deg);
-    } else if (frame.identifier == can_dbc::VehicleMotion::identifier &&
-               frame.length == can_dbc::VehicleMotion::length) {
-        const can_dbc::VehicleMotion motion = can_dbc::decode<can_dbc::VehicleMotion>(frame.data).value;
+    } else if (frame.identifier == rsi::can_dbc::VehicleMotion::identifier &&
+               frame.length == rsi::can_dbc::VehicleMotion::length) {
+        const rsi::can_dbc::VehicleMotion motion =
+            rsi::can_dbc::decode<rsi::can_dbc::VehicleMotion>(frame.data).value;
         sample.speed_mps = static_cast<double>(motion.speed_kmh) / kmh_per_mps;
         sample.yaw_rate_radps = radians(motion.yaw_rate_deg_per_s);
         sample.steering_wheel_angle_rad = radians(motion.steering_wheel_angle_deg);
-    } else if (frame.identifier == can_dbc::VehicleMass::identifier &&
-               frame.length == can_dbc::VehicleMass::length) {
-        const can_dbc::VehicleMass mass = can_dbc::decode<can_dbc::VehicleMass>(frame.data).value;
+    } else if (frame.identifier == rsi::can_dbc::VehicleMass::identifier &&
+               frame.length == rsi::can_dbc::VehicleMass::length) {
+        const rsi::can_dbc::VehicleMass mass =
+            rsi::can_dbc::decode<rsi::can_dbc::VehicleMass>(frame.data).value;
         sample.vehicle_mass_kg = static_cast<double>(mass.mass_kg);
     }
 }
@@ -97,8 +99,8 @@ class Recorder {
         }
         ecu_.step();
         bool has_answer = false;
-        hal::CanFrame frame;
-        while (ecu_.world_bus().receive(frame) == hal::ReceiveResult::frame) {
+        rsi::hal::CanFrame frame;
+        while (ecu_.world_bus().receive(frame) == rsi::hal::ReceiveResult::frame) {
             const EcuFrameKind kind = frames_.take(frame);
             has_answer = has_answer || kind == EcuFrameKind::warning;
             if (kind == EcuFrameKind::diagnosis) {
@@ -184,7 +186,7 @@ class Recorder {
     DriveReplay result_;
 };
 
-double seconds(hal::Time time) {
+double seconds(rsi::hal::Time time) {
     return static_cast<double>(time.nanoseconds) * 1.0e-9;
 }
 
@@ -194,7 +196,7 @@ DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
                          const Interruption& interrupted) {
     Recorder recorder{parameters, interrupted};
     SensorFrames sensors;
-    hal::Time time{};
+    rsi::hal::Time time{};
     for (const DriveCycle& cycle : to_cycles(drive)) {
         recorder.ecu().clock().set(time);
         if (cycle.has_frames) {
@@ -208,12 +210,13 @@ DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
 
 DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Parameters& parameters,
                          const Interruption& interrupted) {
-    const std::vector<hal::CanFrame> frames = replayable_frames(log);
+    const std::vector<rsi::hal::CanFrame> frames = replayable_frames(log);
     Recorder recorder{parameters, interrupted};
-    hal::FrameReplay player{frames.data(), frames.size(), recorder.ecu().clock(), recorder.ecu().world_bus()};
-    const hal::Time start = frames.front().receive_time;
+    rsi::hal::FrameReplay player{frames.data(), frames.size(), recorder.ecu().clock(),
+                                 recorder.ecu().world_bus()};
+    const rsi::hal::Time start = frames.front().receive_time;
     std::size_t taken = 0U;
-    for (hal::Time time = start; !player.finished(); time = time + cycle_time) {
+    for (rsi::hal::Time time = start; !player.finished(); time = time + cycle_time) {
         player.run_until(time);
         DriveSample sample;
         sample.time_s = seconds(time - start);

@@ -37,7 +37,8 @@ constexpr CsvColumn<Cycle> input_columns[] = {
 constexpr const char* word_columns[] = {"state", "side", "degradation", "codes_set", "codes_confirmed"};
 
 const char* degradation(const Cycle& cycle) {
-    return can_dbc::RolloverDiagnosis::name_of(cycle.ecu.of<can_dbc::RolloverDiagnosis>().degradation);
+    return rsi::can_dbc::RolloverDiagnosis::name_of(
+        cycle.ecu.of<rsi::can_dbc::RolloverDiagnosis>().degradation);
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ std::vector<std::string> remarks(const std::vector<std::string>& columns, const 
 std::vector<PageDiagnosis> diagnosis_of(const DriveReplay& replay) {
     std::vector<PageDiagnosis> changes;
     for (const ReplayCycle& cycle : replay.cycles) {
-        const auto degradation = cycle.ecu.of<can_dbc::RolloverDiagnosis>().degradation;
+        const auto degradation = cycle.ecu.of<rsi::can_dbc::RolloverDiagnosis>().degradation;
         if (changes.empty() || changes.back().degradation != degradation ||
             !(changes.back().codes == cycle.codes)) {
             changes.push_back({cycle.sample.time_s, degradation, cycle.codes});

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <map>
 
-#include "monitoring/diagnostic_code.hpp"
+#include "rsi/ecu/monitoring/diagnostic_code.hpp"
 #include "sil/files/csv_writer.hpp"
 #include "sil/studies/drives/verdict.hpp"
 
@@ -24,7 +24,7 @@ std::optional<double> time_of(const std::optional<EventMoment>& event) {
 }
 
 constexpr std::uint64_t wrong_roll_reference =
-    std::uint64_t{1U} << static_cast<unsigned>(monitoring::DiagnosticCode::roll_angle_reference_wrong);
+    std::uint64_t{1U} << static_cast<unsigned>(rsi::monitoring::DiagnosticCode::roll_angle_reference_wrong);
 
 std::string advice(const std::vector<ReplayRow>& rows) {
     std::string drives;

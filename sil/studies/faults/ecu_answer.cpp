@@ -2,13 +2,13 @@
 
 #include <array>
 
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
 
 namespace sil {
 namespace {
 
-using Status = can_dbc::RolloverStatus;
+using Status = rsi::can_dbc::RolloverStatus;
 
 struct Flag {
     bool Status::* value;
@@ -35,7 +35,7 @@ constexpr std::array flags{
 constexpr std::size_t roll_sensor_disagrees_bit = flags.size();
 
 constexpr std::size_t first_code_bit = roll_sensor_disagrees_bit + 1U;
-using Diagnosis = can_dbc::RolloverDiagnosis;
+using Diagnosis = rsi::can_dbc::RolloverDiagnosis;
 
 }  // namespace
 
@@ -62,38 +62,38 @@ std::vector<std::string> diagnostic_names(DiagnosticCodes codes) {
 // A code that the DBC file does not define is decoded as the start value or as "not available", so it does
 // not come back.
 template <typename Message>
-void EcuAnswerReader::take(const hal::CanFrame& frame, EcuAnswer& answer) {
+void EcuAnswerReader::take(const rsi::hal::CanFrame& frame, EcuAnswer& answer) {
     ++answer.frames;
-    if (can_dbc::e2e::verify_profile_11(frame.data.data(), frame.length, Message::length,
-                                        Message::e2e_data_id) != can_dbc::e2e::CheckError::none) {
+    if (rsi::can_dbc::e2e::verify_profile_11(frame.data.data(), frame.length, Message::length,
+                                             Message::e2e_data_id) != rsi::can_dbc::e2e::CheckError::none) {
         answer.complete = false;
         return;
     }
-    const Message message = can_dbc::decode<Message>(frame.data).value;
-    const auto again = can_dbc::encode(message);
-    for (std::size_t index = can_dbc::e2e::profile_11_header_length; index < again.size(); ++index) {
+    const Message message = rsi::can_dbc::decode<Message>(frame.data).value;
+    const auto again = rsi::can_dbc::encode(message);
+    for (std::size_t index = rsi::can_dbc::e2e::profile_11_header_length; index < again.size(); ++index) {
         answer.defined = answer.defined && again[index] == frame.data[index];
     }
     keep(message, answer);
 }
 
-void EcuAnswerReader::keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const {
+void EcuAnswerReader::keep(const rsi::can_dbc::RolloverWarning& message, EcuAnswer& answer) const {
     answer.state = message.state;
     answer.side = message.side;
 }
 
-void EcuAnswerReader::keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const {
+void EcuAnswerReader::keep(const rsi::can_dbc::RollObserver& message, EcuAnswer& answer) const {
     answer.roll_source = message.roll_source;
     answer.codes.set(roll_sensor_disagrees_bit, message.roll_sensor_disagrees);
 }
 
-void EcuAnswerReader::keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const {
+void EcuAnswerReader::keep(const rsi::can_dbc::RolloverStatus& message, EcuAnswer& answer) const {
     for (std::size_t index = 0U; index < flags.size(); ++index) {
         answer.codes.set(index, message.*(flags[index].value));
     }
 }
 
-void EcuAnswerReader::keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer) {
+void EcuAnswerReader::keep(const rsi::can_dbc::RolloverDiagnosis& message, EcuAnswer& answer) {
     answer.degradation = message.degradation;
     if (message.code == Diagnosis::Code::none) {
         confirmed_.reset();
@@ -103,14 +103,14 @@ void EcuAnswerReader::keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer&
     }
 }
 
-EcuAnswer EcuAnswerReader::read(hal::CanBus& world) {
+EcuAnswer EcuAnswerReader::read(rsi::hal::CanBus& world) {
     EcuAnswer answer;
     answer.complete = true;
     std::uint32_t seen = 0U;  // one bit a message
-    hal::CanFrame frame;
-    while (world.receive(frame) == hal::ReceiveResult::frame) {
+    rsi::hal::CanFrame frame;
+    while (world.receive(frame) == rsi::hal::ReceiveResult::frame) {
         std::uint32_t message_bit = 1U;
-        can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+        rsi::can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
             using Message = typename decltype(type)::Type;
             if (frame.identifier == Message::identifier) {
                 answer.complete = answer.complete && (seen & message_bit) == 0U;
@@ -121,7 +121,7 @@ EcuAnswer EcuAnswerReader::read(hal::CanBus& world) {
         });
     }
     answer.codes |= confirmed_;
-    answer.complete = answer.complete && seen == (1U << can_dbc::MessagesFromRolloverEcu::size) - 1U;
+    answer.complete = answer.complete && seen == (1U << rsi::can_dbc::MessagesFromRolloverEcu::size) - 1U;
     return answer;
 }
 

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "can_dbc/generated/rollover_warning.hpp"
-#include "hal/interface/can_bus.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/hal/can_bus.hpp"
 #include "sil/results/ecu_output.hpp"
 
 namespace sil {
 
 // Remaining abilities of the component.
-using Degradation = can_dbc::RolloverDiagnosis::Degradation;
+using Degradation = rsi::can_dbc::RolloverDiagnosis::Degradation;
 
 // A set, one bit each: the flags of RolloverStatus, the observer's contradiction of the roll sensor, and the
 // codes of RolloverDiagnosis that are confirmed. A bit that it has no room for is an exception.
@@ -41,15 +41,15 @@ struct EcuAnswer {
 class EcuAnswerReader {
  public:
     // Reads what waits on the world's end of the bus.
-    EcuAnswer read(hal::CanBus& world);
+    EcuAnswer read(rsi::hal::CanBus& world);
 
  private:
     template <typename Message>
-    void take(const hal::CanFrame& frame, EcuAnswer& answer);
-    void keep(const can_dbc::RolloverWarning& message, EcuAnswer& answer) const;
-    void keep(const can_dbc::RollObserver& message, EcuAnswer& answer) const;
-    void keep(const can_dbc::RolloverStatus& message, EcuAnswer& answer) const;
-    void keep(const can_dbc::RolloverDiagnosis& message, EcuAnswer& answer);
+    void take(const rsi::hal::CanFrame& frame, EcuAnswer& answer);
+    void keep(const rsi::can_dbc::RolloverWarning& message, EcuAnswer& answer) const;
+    void keep(const rsi::can_dbc::RollObserver& message, EcuAnswer& answer) const;
+    void keep(const rsi::can_dbc::RolloverStatus& message, EcuAnswer& answer) const;
+    void keep(const rsi::can_dbc::RolloverDiagnosis& message, EcuAnswer& answer);
     template <typename Message>
     void keep(const Message&, EcuAnswer&) const {}
 

@@ -27,7 +27,7 @@
 
 namespace {
 
-using can_dbc::RolloverDiagnosis;
+using rsi::can_dbc::RolloverDiagnosis;
 
 struct Finding {
     int runs{0};

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/e2e/profile_11.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
-#include "hal/interface/can_bus.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/hal/can_bus.hpp"
 #include "sil/simulation/pace.hpp"
 #include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/faults/fault.hpp"
@@ -18,45 +18,47 @@ namespace sil {
 namespace {
 
 template <typename Message>
-hal::CanFrame protected_frame(const Message& message, std::uint8_t counter) {
-    auto payload = can_dbc::encode(message);
-    can_dbc::e2e::protect_profile_11(payload, Message::e2e_data_id, counter);
+rsi::hal::CanFrame protected_frame(const Message& message, std::uint8_t counter) {
+    auto payload = rsi::can_dbc::encode(message);
+    rsi::can_dbc::e2e::protect_profile_11(payload, Message::e2e_data_id, counter);
     return to_frame<Message>(payload);
 }
 
-can_dbc::Imu imu(bool calm) {
-    can_dbc::Imu message;
+rsi::can_dbc::Imu imu(bool calm) {
+    rsi::can_dbc::Imu message;
     message.lateral_acceleration_mps2 = calm ? 0.0F : 8.0F;
     message.vertical_acceleration_mps2 = 9.81F;
     message.roll_rate_deg_per_s = calm ? 0.0F : 20.0F;
     return message;
 }
 
-can_dbc::RollAngle roll_angle(bool calm) {
-    can_dbc::RollAngle message;
+rsi::can_dbc::RollAngle roll_angle(bool calm) {
+    rsi::can_dbc::RollAngle message;
     message.roll_angle_deg = calm ? 0.0F : 9.0F;
     return message;
 }
 
-can_dbc::VehicleMotion motion(bool calm) {
-    can_dbc::VehicleMotion message;
+rsi::can_dbc::VehicleMotion motion(bool calm) {
+    rsi::can_dbc::VehicleMotion message;
     message.speed_kmh = 100.0F;
     message.yaw_rate_deg_per_s = calm ? 0.0F : 20.0F;
     message.steering_wheel_angle_deg = calm ? 0.0F : 200.0F;
     return message;
 }
 
-can_dbc::RolloverWarning warning(bool calm) {
-    can_dbc::RolloverWarning message;
-    message.state = calm ? can_dbc::RolloverWarning::State::ready : can_dbc::RolloverWarning::State::warning;
-    message.side = calm ? can_dbc::RolloverWarning::Side::none : can_dbc::RolloverWarning::Side::right;
+rsi::can_dbc::RolloverWarning warning(bool calm) {
+    rsi::can_dbc::RolloverWarning message;
+    message.state =
+        calm ? rsi::can_dbc::RolloverWarning::State::ready : rsi::can_dbc::RolloverWarning::State::warning;
+    message.side =
+        calm ? rsi::can_dbc::RolloverWarning::Side::none : rsi::can_dbc::RolloverWarning::Side::right;
     return message;
 }
 
 // Identifier of a sensor frame, or of the ECU's warning. Its content depends on the sign of `magnitude`.
 // Negative: calm, a vehicle that goes straight ahead at 100 km/h, and `ready`. Else: alarming, one that is
 // about to roll over to the right, and `warning`.
-hal::CanFrame second_senders_frame(FaultPlace place, double magnitude, std::uint8_t counter) {
+rsi::hal::CanFrame second_senders_frame(FaultPlace place, double magnitude, std::uint8_t counter) {
     const bool calm = magnitude < 0.0;
     switch (place) {
         case FaultPlace::imu_frame:
@@ -80,10 +82,11 @@ struct SensorFrame {
     std::uint16_t data_id;
 };
 constexpr std::array<SensorFrame, 3> protected_frames{
-    {{FaultPlace::imu_frame, can_dbc::Imu::identifier, can_dbc::Imu::e2e_data_id},
-     {FaultPlace::roll_angle_frame, can_dbc::RollAngle::identifier, can_dbc::RollAngle::e2e_data_id},
-     {FaultPlace::vehicle_motion_frame, can_dbc::VehicleMotion::identifier,
-      can_dbc::VehicleMotion::e2e_data_id}}};
+    {{FaultPlace::imu_frame, rsi::can_dbc::Imu::identifier, rsi::can_dbc::Imu::e2e_data_id},
+     {FaultPlace::roll_angle_frame, rsi::can_dbc::RollAngle::identifier,
+      rsi::can_dbc::RollAngle::e2e_data_id},
+     {FaultPlace::vehicle_motion_frame, rsi::can_dbc::VehicleMotion::identifier,
+      rsi::can_dbc::VehicleMotion::e2e_data_id}}};
 
 const SensorFrame* find_frame(std::uint32_t identifier) {
     for (const SensorFrame& frame : protected_frames) {
@@ -106,27 +109,27 @@ std::uint32_t exchanged(std::uint32_t identifier, FaultPlace place) {
     return identifier;
 }
 
-void protect_again(hal::CanFrame& frame, std::uint8_t counter) {
+void protect_again(rsi::hal::CanFrame& frame, std::uint8_t counter) {
     const SensorFrame* const known = find_frame(frame.identifier);
     if (known == nullptr) {
         return;
     }
     std::array<std::uint8_t, 8> payload{};
     std::copy_n(frame.data.begin(), payload.size(), payload.begin());
-    can_dbc::e2e::protect_profile_11(payload, known->data_id, counter);
+    rsi::can_dbc::e2e::protect_profile_11(payload, known->data_id, counter);
     std::copy_n(payload.begin(), payload.size(), frame.data.begin());
 }
 
-std::uint8_t counter_of(const hal::CanFrame& frame) {
-    return can_dbc::e2e::profile_11_counter(frame.data.data());
+std::uint8_t counter_of(const rsi::hal::CanFrame& frame) {
+    return rsi::can_dbc::e2e::profile_11_counter(frame.data.data());
 }
 
 std::uint8_t after(std::uint8_t counter, unsigned step = 1U) {
-    return static_cast<std::uint8_t>((counter + step) % (can_dbc::e2e::profile_11_largest_counter + 1U));
+    return static_cast<std::uint8_t>((counter + step) % (rsi::can_dbc::e2e::profile_11_largest_counter + 1U));
 }
 
 // The signal's code replaced, and the frame protected as if its sender had sent that.
-void write_code(hal::CanFrame& frame, const SensorSignal& signal) {
+void write_code(rsi::hal::CanFrame& frame, const SensorSignal& signal) {
     const std::uint16_t code = signal.code_out_of_range;
     const auto low = static_cast<std::uint8_t>(code & 0xFFU);
     const auto high = static_cast<std::uint8_t>(code >> 8U);
@@ -139,7 +142,7 @@ void write_code(hal::CanFrame& frame, const SensorSignal& signal) {
 
 void FaultyBus::begin_cycle(bool active) {
     if (active_ && !active) {  // frames that were held back arrive now
-        for (const hal::CanFrame& frame : held_) {
+        for (const rsi::hal::CanFrame& frame : held_) {
             bus_.send(frame);
         }
         held_.clear();
@@ -157,8 +160,9 @@ void FaultyBus::send_flood() {
     if (fault_.kind != FaultKind::flood_foreign && fault_.kind != FaultKind::flood_own) {
         return;
     }
-    hal::CanFrame frame;
-    frame.identifier = fault_.kind == FaultKind::flood_own ? can_dbc::Imu::identifier : foreign_identifier;
+    rsi::hal::CanFrame frame;
+    frame.identifier =
+        fault_.kind == FaultKind::flood_own ? rsi::can_dbc::Imu::identifier : foreign_identifier;
     frame.length = 8U;
     frame.data.fill(0x55U);
     for (int count = 0; count < static_cast<int>(fault_.magnitude); ++count) {
@@ -180,7 +184,7 @@ void FaultyBus::send_as_ecu() {
 }
 
 // The genuine frame, and those of the second sender.
-hal::SendResult FaultyBus::send_beside(const hal::CanFrame& frame) {
+rsi::hal::SendResult FaultyBus::send_beside(const rsi::hal::CanFrame& frame) {
     const auto send_another = [&](std::uint8_t counter) {
         bus_.send(second_senders_frame(fault_.place, fault_.magnitude, counter));
     };
@@ -188,7 +192,7 @@ hal::SendResult FaultyBus::send_beside(const hal::CanFrame& frame) {
         send_another(counter_of(frame));
         return bus_.send(frame);
     }
-    const hal::SendResult result = bus_.send(frame);
+    const rsi::hal::SendResult result = bus_.send(frame);
     if (fault_.kind == FaultKind::sender_after) {
         send_another(after(counter_of(frame)));
         return result;
@@ -204,7 +208,7 @@ std::uint8_t FaultyBus::next_counter() {
     return counter_;
 }
 
-bool FaultyBus::is_concerned(const hal::CanFrame& frame) const {
+bool FaultyBus::is_concerned(const rsi::hal::CanFrame& frame) const {
     if (fault_.place == FaultPlace::all_sensor_frames) {
         return true;
     }
@@ -219,14 +223,14 @@ bool FaultyBus::is_concerned(const hal::CanFrame& frame) const {
     return known != nullptr && known->place == fault_.place;
 }
 
-hal::SendResult FaultyBus::send(const hal::CanFrame& frame) noexcept {
+rsi::hal::SendResult FaultyBus::send(const rsi::hal::CanFrame& frame) noexcept {
     if (!active_ || !is_concerned(frame)) {
         return bus_.send(frame);
     }
     visible_ = true;
     switch (fault_.kind) {
         case FaultKind::lost:
-            return hal::SendResult::sent;
+            return rsi::hal::SendResult::sent;
         case FaultKind::delayed:
             return send_delayed(frame);
         case FaultKind::doubled:
@@ -241,19 +245,19 @@ hal::SendResult FaultyBus::send(const hal::CanFrame& frame) noexcept {
     }
 }
 
-hal::SendResult FaultyBus::send_delayed(const hal::CanFrame& frame) {
+rsi::hal::SendResult FaultyBus::send_delayed(const rsi::hal::CanFrame& frame) {
     held_.push_back(frame);
     const auto cycles = static_cast<std::size_t>(std::lround(fault_.magnitude * 1.0e-3 / cycle_time_s));
     if (held_.size() <= cycles) {
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    const hal::CanFrame oldest = held_.front();
+    const rsi::hal::CanFrame oldest = held_.front();
     held_.pop_front();
     return bus_.send(oldest);
 }
 
-hal::CanFrame FaultyBus::changed(const hal::CanFrame& frame) {
-    hal::CanFrame faulty = frame;
+rsi::hal::CanFrame FaultyBus::changed(const rsi::hal::CanFrame& frame) {
+    rsi::hal::CanFrame faulty = frame;
     switch (fault_.kind) {
         case FaultKind::bad_crc:
             faulty.data[0] ^= 0xFFU;

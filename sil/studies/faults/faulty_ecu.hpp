@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "application/rollover_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "sil/files/require_accepted.hpp"
 #include "sil/simulation/pace.hpp"
 #include "sil/studies/faults/fault.hpp"
@@ -23,7 +23,7 @@ class FaultyEcu {
     // The fault of the cycles that begin_cycle() calls active; to be called while none is.
     void inject(const Fault& fault) { fault_ = fault; }
 
-    hal::CanBus& world_bus() { return bus_.endpoint(1U); }
+    rsi::hal::CanBus& world_bus() { return bus_.endpoint(1U); }
 
     // Before the sensor frames of a cycle. `active`: whether the fault is there in this cycle.
     void begin_cycle(std::size_t number, bool active);
@@ -38,21 +38,21 @@ class FaultyEcu {
 
  private:
     // Unlike a VirtualClock it can also jump back, which no clock should.
-    struct JumpingClock final : hal::Clock {
-        hal::Time now() const noexcept override { return time; }
-        hal::Time time{};
+    struct JumpingClock final : rsi::hal::Clock {
+        rsi::hal::Time now() const noexcept override { return time; }
+        rsi::hal::Time time{};
     };
-    struct CountingWatchdog final : hal::Watchdog {
+    struct CountingWatchdog final : rsi::hal::Watchdog {
         void feed() noexcept override { ++feeds; }
         int feeds{0};
     };
 
     Fault fault_{};
     JumpingClock clock_{};
-    hal::MemoryBus<2U> bus_{clock_};
+    rsi::hal::MemoryBus<2U> bus_{clock_};
     CountingWatchdog watchdog_{};
-    application::RolloverEcu ecu_;
-    hal::Time jumped_{};
+    rsi::application::RolloverEcu ecu_;
+    rsi::hal::Time jumped_{};
     std::size_t stopped_cycles_{0U};
     std::uint32_t missed_cycles_{0U};
     bool jumps_{false};
@@ -70,9 +70,10 @@ inline void FaultyEcu::begin_cycle(std::size_t number, bool active) {
         case FaultKind::bus_off:
         case FaultKind::error_passive:
             if (begins || ends) {
-                const hal::BusState faulty =
-                    fault_.kind == FaultKind::bus_off ? hal::BusState::bus_off : hal::BusState::error_passive;
-                bus_.endpoint(0U).set_state(active ? faulty : hal::BusState::error_active);
+                const rsi::hal::BusState faulty = fault_.kind == FaultKind::bus_off
+                                                      ? rsi::hal::BusState::bus_off
+                                                      : rsi::hal::BusState::error_passive;
+                bus_.endpoint(0U).set_state(active ? faulty : rsi::hal::BusState::error_active);
             }
             // Off the bus, the ECU can say nothing until it is back.
             visible_ = fault_.kind == FaultKind::bus_off ? ends : active;
@@ -88,7 +89,7 @@ inline void FaultyEcu::begin_cycle(std::size_t number, bool active) {
         default:
             break;
     }
-    clock_.time = hal::Time{static_cast<std::int64_t>(number) * cycle_time.nanoseconds} + jumped_;
+    clock_.time = rsi::hal::Time{static_cast<std::int64_t>(number) * cycle_time.nanoseconds} + jumped_;
 }
 
 inline bool FaultyEcu::step() {
@@ -98,7 +99,8 @@ inline bool FaultyEcu::step() {
         return false;
     }
     if (jumps_) {  // the frames that wait were stamped before
-        const hal::Time jump = hal::Time::from_milliseconds(static_cast<std::int64_t>(fault_.magnitude));
+        const rsi::hal::Time jump =
+            rsi::hal::Time::from_milliseconds(static_cast<std::int64_t>(fault_.magnitude));
         jumped_ = jumped_ + jump;
         clock_.time = clock_.time + jump;
         visible_ = true;

@@ -9,8 +9,8 @@
 #include <numeric>
 #include <type_traits>
 
-#include "application/rollover_ecu.hpp"
-#include "hal/interface/clock.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
+#include "rsi/hal/clock.hpp"
 #include "sil/files/require_accepted.hpp"
 #include "sil/random.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
@@ -24,7 +24,7 @@
 namespace sil {
 namespace {
 
-using application::RolloverEcu;
+using rsi::application::RolloverEcu;
 // Its state is copied byte by byte: nothing in it owns anything.
 static_assert(std::is_trivially_destructible_v<RolloverEcu>);
 
@@ -34,64 +34,69 @@ constexpr std::uint64_t noise_seed = 5U;
 constexpr std::size_t first_flip = 100U;  // cycle: the ECU has started
 
 // The ECU's end of a bus on which one cycle's frames wait, and on which it sends to the world's end.
-class CycleBus final : public hal::CanBus {
+class CycleBus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override { return take(waiting_, frame); }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
-        sent_.push_back(frame);
-        return hal::SendResult::sent;
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame& frame) noexcept override {
+        return take(waiting_, frame);
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
+        sent_.push_back(frame);
+        return rsi::hal::SendResult::sent;
+    }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 
-    void put(const std::vector<hal::CanFrame>& frames) {
+    void put(const std::vector<rsi::hal::CanFrame>& frames) {
         waiting_.assign(frames.begin(), frames.end());
         sent_.clear();
     }
-    hal::ReceiveResult take_sent(hal::CanFrame& frame) noexcept { return take(sent_, frame); }
+    rsi::hal::ReceiveResult take_sent(rsi::hal::CanFrame& frame) noexcept { return take(sent_, frame); }
 
  private:
-    static hal::ReceiveResult take(std::deque<hal::CanFrame>& frames, hal::CanFrame& frame) noexcept {
+    static rsi::hal::ReceiveResult take(std::deque<rsi::hal::CanFrame>& frames,
+                                        rsi::hal::CanFrame& frame) noexcept {
         if (frames.empty()) {
-            return hal::ReceiveResult::empty;
+            return rsi::hal::ReceiveResult::empty;
         }
         frame = frames.front();
         frames.pop_front();
-        return hal::ReceiveResult::frame;
+        return rsi::hal::ReceiveResult::frame;
     }
 
-    std::deque<hal::CanFrame> waiting_{};
-    std::deque<hal::CanFrame> sent_{};
+    std::deque<rsi::hal::CanFrame> waiting_{};
+    std::deque<rsi::hal::CanFrame> sent_{};
 };
 
 // The other end of it: keeps what the sensors send, gives out what the ECU has sent.
-class WorldEnd final : public hal::CanBus {
+class WorldEnd final : public rsi::hal::CanBus {
  public:
     explicit WorldEnd(CycleBus& bus) : bus_{bus} {}
-    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override { return bus_.take_sent(frame); }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame& frame) noexcept override {
+        return bus_.take_sent(frame);
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         kept.push_back(frame);
         kept.back().receive_time = now;
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 
-    hal::Time now{};
-    std::vector<hal::CanFrame> kept{};
+    rsi::hal::Time now{};
+    std::vector<rsi::hal::CanFrame> kept{};
 
  private:
     CycleBus& bus_;
 };
 
-class CountingWatchdog final : public hal::Watchdog {
+class CountingWatchdog final : public rsi::hal::Watchdog {
  public:
     void feed() noexcept override { ++feeds; }
     int feeds{0};
 };
 
-hal::Time time_of(std::size_t cycle) {
-    return hal::Time{static_cast<std::int64_t>(cycle) * cycle_time.nanoseconds};
+rsi::hal::Time time_of(std::size_t cycle) {
+    return rsi::hal::Time{static_cast<std::int64_t>(cycle) * cycle_time.nanoseconds};
 }
 
 using EcuBytes = std::array<unsigned char, sizeof(RolloverEcu)>;
@@ -102,7 +107,7 @@ struct Moment {
     EcuAnswerReader reader;
 };
 
-using Frames = std::vector<std::vector<hal::CanFrame>>;  // one vector a cycle
+using Frames = std::vector<std::vector<rsi::hal::CanFrame>>;  // one vector a cycle
 
 class Line {
  public:
@@ -131,7 +136,7 @@ class Line {
         bytes[byte] = static_cast<unsigned char>(bytes[byte] ^ (1U << bit));
     }
 
-    Statement cycle(std::size_t number, const std::vector<hal::CanFrame>& frames) {
+    Statement cycle(std::size_t number, const std::vector<rsi::hal::CanFrame>& frames) {
         clock_.now_ = time_of(number);
         bus_.put(frames);
         const int feeds = watchdog_.feeds;
@@ -144,9 +149,9 @@ class Line {
 
  private:
     // Goes back as well, with the ECU.
-    struct SteeredClock final : hal::Clock {
-        hal::Time now() const noexcept override { return now_; }
-        hal::Time now_{};
+    struct SteeredClock final : rsi::hal::Clock {
+        rsi::hal::Time now() const noexcept override { return now_; }
+        rsi::hal::Time now_{};
     };
 
     CycleBus bus_{};

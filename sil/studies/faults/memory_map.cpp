@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "application/rollover_ecu.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 
 namespace sil {
 namespace {
@@ -44,16 +44,16 @@ constexpr Member platform{"platform", 3U * sizeof(void*), alignof(void*), true};
 constexpr std::array ecu_members{
     member<rsi::Parameters>("parameters"),
     Member{"listeners", 2U * sizeof(void*), alignof(void*), true},
-    Member{"reception", sizeof(application::SensorReception) - 2U * sizeof(void*),
-           alignof(application::SensorReception)},
-    member<application::WarningTransmission>("transmission"),
-    member<monitoring::DiagnosticMemory>("diagnostic memory"),
-    member<monitoring::InputMonitor>("input monitor"),
-    member<monitoring::ParameterGuard>("parameter guard"),
-    member<monitoring::MemoryGuard<rsi::Component>>("memory guard"),
-    member<monitoring::ClockCheck>("clock check"),
-    address<hal::Storage>("storage"),
-    Member{"load keeper", sizeof(application::LoadKeeper) - sizeof(void*), alignof(std::uint32_t)},
+    Member{"reception", sizeof(rsi::application::SensorReception) - 2U * sizeof(void*),
+           alignof(rsi::application::SensorReception)},
+    member<rsi::application::WarningTransmission>("transmission"),
+    member<rsi::monitoring::DiagnosticMemory>("diagnostic memory"),
+    member<rsi::monitoring::InputMonitor>("input monitor"),
+    member<rsi::monitoring::ParameterGuard>("parameter guard"),
+    member<rsi::monitoring::MemoryGuard<rsi::Component>>("memory guard"),
+    member<rsi::monitoring::ClockCheck>("clock check"),
+    address<rsi::hal::Storage>("storage"),
+    Member{"load keeper", sizeof(rsi::application::LoadKeeper) - sizeof(void*), alignof(std::uint32_t)},
     member<rsi::Inputs>("inputs"),
     member<rsi::Outputs>("outputs"),
     member<std::array<std::uint32_t, 6>>("health")};
@@ -73,8 +73,8 @@ constexpr std::size_t end_of(const std::array<Member, count>& members, std::size
 constexpr std::size_t component_end = platform.length + sizeof(rsi::Component);
 
 static_assert(end_of(component_members, 0U) == sizeof(rsi::Component), "as in rsi/component.hpp");
-static_assert(after(end_of(ecu_members, component_end), platform) == sizeof(application::RolloverEcu),
-              "as in application/rollover_ecu.hpp");
+static_assert(after(end_of(ecu_members, component_end), platform) == sizeof(rsi::application::RolloverEcu),
+              "as in rsi/ecu/application/rollover_ecu.hpp");
 
 void add(std::vector<MemoryPart>& parts, const Member& next, std::size_t& end) {
     const std::size_t begin = after(end, next);
@@ -97,7 +97,7 @@ std::vector<MemoryPart> memory_map() {
     for (const Member& one : ecu_members) {
         add(parts, one, end);
     }
-    parts.back().length = sizeof(application::RolloverEcu) - parts.back().begin;
+    parts.back().length = sizeof(rsi::application::RolloverEcu) - parts.back().begin;
     return parts;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "sil/units.hpp"
 
 namespace sil {
@@ -16,22 +16,23 @@ constexpr std::uint16_t beyond_unsigned = 0xFFFEU;
 }  // namespace
 
 const std::array<SensorSignal, sensor_signal_count> sensor_signals{{
-    {FaultPlace::lateral_acceleration, &SensorSample::lateral_acceleration_mps2, can_dbc::Imu::identifier, 2U,
-     true, beyond_signed, "m/s^2", 1.0, 1.0, 2.0, 0.5, 2.0, 0.2},
-    {FaultPlace::vertical_acceleration, &SensorSample::vertical_acceleration_mps2, can_dbc::Imu::identifier,
-     4U, true, beyond_signed, "m/s^2", 1.0, 1.0, 2.0, 0.5, 2.0, 0.2},
-    {FaultPlace::roll_rate, &SensorSample::roll_rate_radps, can_dbc::Imu::identifier, 6U, true, beyond_signed,
-     "deg/s", degree, 5.0, 10.0, 3.0, 10.0, 0.3},
-    {FaultPlace::roll_angle, &SensorSample::roll_angle_rad, can_dbc::RollAngle::identifier, 2U, false,
+    {FaultPlace::lateral_acceleration, &SensorSample::lateral_acceleration_mps2,
+     rsi::can_dbc::Imu::identifier, 2U, true, beyond_signed, "m/s^2", 1.0, 1.0, 2.0, 0.5, 2.0, 0.2},
+    {FaultPlace::vertical_acceleration, &SensorSample::vertical_acceleration_mps2,
+     rsi::can_dbc::Imu::identifier, 4U, true, beyond_signed, "m/s^2", 1.0, 1.0, 2.0, 0.5, 2.0, 0.2},
+    {FaultPlace::roll_rate, &SensorSample::roll_rate_radps, rsi::can_dbc::Imu::identifier, 6U, true,
+     beyond_signed, "deg/s", degree, 5.0, 10.0, 3.0, 10.0, 0.3},
+    {FaultPlace::roll_angle, &SensorSample::roll_angle_rad, rsi::can_dbc::RollAngle::identifier, 2U, false,
      beyond_signed, "deg", degree, 2.0, 4.0, 1.0, 3.0, 0.2},
-    {FaultPlace::bank_angle, &SensorSample::bank_angle_rad, can_dbc::RollAngle::identifier, 4U, false,
+    {FaultPlace::bank_angle, &SensorSample::bank_angle_rad, rsi::can_dbc::RollAngle::identifier, 4U, false,
      beyond_signed, "deg", degree, 3.0, 6.0, 2.0, 4.0, 0.2},
-    {FaultPlace::speed, &SensorSample::speed_mps, can_dbc::VehicleMotion::identifier, 2U, true,
+    {FaultPlace::speed, &SensorSample::speed_mps, rsi::can_dbc::VehicleMotion::identifier, 2U, true,
      beyond_unsigned, "km/h", kmh, 15.0, 30.0, 10.0, 20.0, 0.1},
-    {FaultPlace::yaw_rate, &SensorSample::yaw_rate_radps, can_dbc::VehicleMotion::identifier, 4U, true,
+    {FaultPlace::yaw_rate, &SensorSample::yaw_rate_radps, rsi::can_dbc::VehicleMotion::identifier, 4U, true,
      beyond_signed, "deg/s", degree, 5.0, 10.0, 3.0, 10.0, 0.3},
     {FaultPlace::steering_wheel_angle, &SensorSample::steering_wheel_angle_rad,
-     can_dbc::VehicleMotion::identifier, 6U, true, beyond_signed, "deg", degree, 30.0, 60.0, 20.0, 60.0, 0.1},
+     rsi::can_dbc::VehicleMotion::identifier, 6U, true, beyond_signed, "deg", degree, 30.0, 60.0, 20.0, 60.0,
+     0.1},
 }};
 
 const SensorSignal* find_signal(FaultPlace place) {

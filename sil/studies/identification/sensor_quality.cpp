@@ -11,7 +11,7 @@ namespace {
 
 // A filtered accelerometer stays below it on a rough road.
 constexpr double quiet_mps2 = 0.3;
-// As `largest_fine_step_mps` of the monitoring (firmware/monitoring/input_monitor.cpp).
+// As `largest_fine_step_mps` of the monitoring (firmware/rsi/ecu/monitoring/input_monitor.cpp).
 constexpr double fine_step_mps = 0.05;
 // Digits of a text file.
 constexpr double rounding_mps = 1.0e-4;

@@ -21,7 +21,7 @@ struct CompareOptions {
     // Differences shown; all are counted.
     std::size_t differences_shown{10U};
     // Meaning of a frame ("RolloverWarning state=warning ..."), appended to its line; may be empty.
-    std::function<std::string(const hal::CanFrame&)> describe;
+    std::function<std::string(const rsi::hal::CanFrame&)> describe;
 };
 
 struct LogComparison {

@@ -70,7 +70,7 @@ Log cycles(int count) {
         for (const std::uint32_t identifier : {0x0D0U, 0x230U, 0x231U}) {
             sil::LoggedFrame logged;
             logged.interface = "sil";
-            logged.frame.receive_time = hal::Time::from_milliseconds(10 * cycle);
+            logged.frame.receive_time = rsi::hal::Time::from_milliseconds(10 * cycle);
             logged.frame.identifier = identifier;
             logged.frame.length = 8U;
             logged.frame.data[1] = static_cast<std::uint8_t>(cycle % 15);
@@ -96,7 +96,7 @@ TEST(CompareLogs, AChangedPayloadIsShownWithContextMeaningAndMarkedBytes) {
     actual[2].frame.data[3] = 0xEE;
     sil::CompareOptions options;
     options.context_frames = 1U;
-    options.describe = [](const hal::CanFrame& frame) {
+    options.describe = [](const rsi::hal::CanFrame& frame) {
         return frame.identifier == 0x0D0U ? std::string("RolloverWarning") : std::string();
     };
     const sil::LogComparison comparison = sil::compare_logs(expected, actual, options);

@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "sil/simulation/simulation.hpp"
 
 namespace sil {
@@ -20,20 +20,20 @@ std::string value_text(Value value) {
 }
 
 template <typename Message>
-std::string describe_message(const hal::CanFrame& frame) {
-    const auto decoded = can_dbc::decode<Message>(frame.data);
+std::string describe_message(const rsi::hal::CanFrame& frame) {
+    const auto decoded = rsi::can_dbc::decode<Message>(frame.data);
     std::string text = Message::name;
     Message::visit_signals([&](const char* name, const char* unit, auto member, auto status) {
         text += fmt::format(" {}=", name);
         switch (decoded.status.*status) {
-            case can_dbc::SignalStatus::valid:
+            case rsi::can_dbc::SignalStatus::valid:
                 text += value_text<Message>(decoded.value.*member);
                 text += (unit[0] != '\0' && unit[0] != '-') ? fmt::format(" {}", unit) : "";
                 break;
-            case can_dbc::SignalStatus::not_available:
+            case rsi::can_dbc::SignalStatus::not_available:
                 text += "(not available)";
                 break;
-            case can_dbc::SignalStatus::out_of_range:
+            case rsi::can_dbc::SignalStatus::out_of_range:
                 text += "(out of range)";
                 break;
         }
@@ -43,7 +43,7 @@ std::string describe_message(const hal::CanFrame& frame) {
 
 }  // namespace
 
-std::string describe_frame(const hal::CanFrame& frame) {
+std::string describe_frame(const rsi::hal::CanFrame& frame) {
     std::string text;
     const auto describe_if_it_is = [&](auto type) {
         using Message = typename decltype(type)::Type;
@@ -52,7 +52,7 @@ std::string describe_frame(const hal::CanFrame& frame) {
             text = describe_message<Message>(frame);
         }
     };
-    can_dbc::visit_messages(describe_if_it_is);
+    rsi::can_dbc::visit_messages(describe_if_it_is);
     simulation_dbc::visit_messages(describe_if_it_is);
     return text;
 }

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <string>
 
-#include "application/sensor_reception.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/ecu/application/sensor_reception.hpp"
 #include "sil/files/require_accepted.hpp"
 #include "sil/files/sensor_frame.hpp"
 
 namespace frame_description_test {
 namespace {
 
-hal::CanFrame frame_of(std::uint32_t identifier, std::uint8_t length) {
-    hal::CanFrame frame;
+rsi::hal::CanFrame frame_of(std::uint32_t identifier, std::uint8_t length) {
+    rsi::hal::CanFrame frame;
     frame.identifier = identifier;
     frame.length = length;
     return frame;
@@ -23,15 +23,16 @@ hal::CanFrame frame_of(std::uint32_t identifier, std::uint8_t length) {
 
 // 500 of 0.002 m/s^2; the raw value that stands for "not available"; one beyond the range.
 TEST(FrameDescription, HasEachSignalWithItsUnit) {
-    hal::CanFrame imu = frame_of(0x120U, 8U);
+    rsi::hal::CanFrame imu = frame_of(0x120U, 8U);
     imu.data = {0x00U, 0x00U, 0xF4U, 0x01U, 0x00U, 0x80U, 0xFFU, 0x7FU};
     EXPECT_EQ(sil::describe_frame(imu),
               "Imu LateralAcceleration=1 m/s^2 VerticalAcceleration=(not available) RollRate=(out of range)");
 }
 
 TEST(FrameDescription, HasNamesOfStatesAndNoUnitWhereThereIsNone) {
-    const auto warning = can_dbc::RolloverWarning{}.encode();
-    hal::CanFrame frame = frame_of(can_dbc::RolloverWarning::identifier, can_dbc::RolloverWarning::length);
+    const auto warning = rsi::can_dbc::RolloverWarning{}.encode();
+    rsi::hal::CanFrame frame =
+        frame_of(rsi::can_dbc::RolloverWarning::identifier, rsi::can_dbc::RolloverWarning::length);
     std::copy(warning.begin(), warning.end(), frame.data.begin());
     const std::string text = sil::describe_frame(frame);
     EXPECT_EQ(text.substr(0U, text.find(" ParametersRefusal")),
@@ -47,14 +48,14 @@ TEST(FrameDescription, OfAnythingElseIsEmpty) {
     EXPECT_EQ(sil::describe_frame(frame_of(0x7FFU, 8U)), "");
     EXPECT_EQ(sil::describe_frame(frame_of(0x120U, 7U)), "");
     EXPECT_EQ(sil::describe_frame(frame_of(0x7F0U, 8U)), "");
-    hal::CanFrame extended = frame_of(0x120U, 8U);
+    rsi::hal::CanFrame extended = frame_of(0x120U, 8U);
     extended.extended = true;
     EXPECT_EQ(sil::describe_frame(extended), "");
 }
 
 TEST(SensorFrame, IsOneThatTheEcuReceives) {
-    for (const std::uint32_t identifier : application::received_identifiers) {
-        hal::CanFrame frame = frame_of(identifier, 8U);
+    for (const std::uint32_t identifier : rsi::application::received_identifiers) {
+        rsi::hal::CanFrame frame = frame_of(identifier, 8U);
         EXPECT_TRUE(sil::is_sensor_frame(frame)) << identifier;
         frame.extended = true;
         EXPECT_FALSE(sil::is_sensor_frame(frame)) << identifier;

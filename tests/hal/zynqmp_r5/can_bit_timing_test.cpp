@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 namespace {
 
 constexpr std::uint32_t clock_hz = 100'000'000U;
@@ -79,4 +79,4 @@ TEST(CanBitTiming, TheJumpIsNeverWiderThanTheSegmentAfterTheSamplePoint) {
 }
 
 }  // namespace
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

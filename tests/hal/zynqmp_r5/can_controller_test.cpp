@@ -12,10 +12,10 @@
 #include "tests/hal/make_frame.hpp"
 #include "tests/hal/zynqmp_r5/can_device.hpp"
 
-namespace hal::zynqmp_r5::testing {
+namespace rsi::hal::zynqmp_r5::testing {
 namespace {
 
-using hal::testing::make_frame;
+using rsi::hal::testing::make_frame;
 using Controller = CanController<FakeRegisters, SiliconCanFrameLayout>;
 
 CanSettings three_acceptances() {
@@ -571,4 +571,4 @@ TEST_F(CanControllerTest, TheLastFrameIsNotTriedWhenTheControllerIsNotOnTheBus) 
 }
 
 }  // namespace
-}  // namespace hal::zynqmp_r5::testing
+}  // namespace rsi::hal::zynqmp_r5::testing

@@ -14,7 +14,7 @@
 #include "hal/zynqmp_r5/can_registers.hpp"
 #include "tests/hal/zynqmp_r5/register_fake.hpp"
 
-namespace hal::zynqmp_r5::testing {
+namespace rsi::hal::zynqmp_r5::testing {
 
 // Meaning of the event "transmit FIFO empty". The manual can be read in all these ways.
 enum class EmptyEvent {
@@ -242,4 +242,4 @@ class CanDevice final : public Device {
     CanFrameWords current_{};
 };
 
-}  // namespace hal::zynqmp_r5::testing
+}  // namespace rsi::hal::zynqmp_r5::testing

@@ -6,10 +6,10 @@
 #include "hal/zynqmp_r5/emulator/emulator_can_frame_layout.hpp"
 #include "tests/hal/make_frame.hpp"
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 namespace {
 
-using hal::testing::make_frame;
+using rsi::hal::testing::make_frame;
 
 CanFrame extended_frame() {
     CanFrame frame = make_frame(0x1234'5678U, {0xAAU});
@@ -116,4 +116,4 @@ TYPED_TEST(CanFrameLayoutTest, LengthCodesAboveEightStandForEightBytes) {
 }
 
 }  // namespace
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

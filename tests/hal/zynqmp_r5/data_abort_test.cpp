@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 namespace {
 
 constexpr std::uint32_t in_guard = RSI_MAIN_STACK_BOTTOM - 4U;
@@ -46,4 +46,4 @@ TEST(DataAbort, OneThatComesLateHasNoAddressAndIsNoStackOverflow) {
 }
 
 }  // namespace
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 namespace {
 
 // Memory after power-on holds anything.
@@ -102,4 +102,4 @@ TEST(FaultRecord, TheCountOfResetsStaysAtItsLargestValue) {
 }
 
 }  // namespace
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace hal::zynqmp_r5 {
+namespace rsi::hal::zynqmp_r5 {
 namespace {
 
 constexpr std::uint32_t nothing = 0U;
@@ -112,4 +112,4 @@ TEST(MemoryProtection, OneImpossibleRegionIsEnough) {
 }
 
 }  // namespace
-}  // namespace hal::zynqmp_r5
+}  // namespace rsi::hal::zynqmp_r5

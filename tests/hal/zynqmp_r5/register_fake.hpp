@@ -6,7 +6,7 @@
 
 #include "hal/zynqmp_r5/registers.hpp"
 
-namespace hal::zynqmp_r5::testing {
+namespace rsi::hal::zynqmp_r5::testing {
 
 struct Write {
     RegisterAddress address;
@@ -42,4 +42,4 @@ struct FakeRegisters {
     }
 };
 
-}  // namespace hal::zynqmp_r5::testing
+}  // namespace rsi::hal::zynqmp_r5::testing

@@ -8,7 +8,7 @@
 #include "hal/zynqmp_r5/system_reset.hpp"
 #include "tests/hal/zynqmp_r5/register_fake.hpp"
 
-namespace hal::zynqmp_r5::testing {
+namespace rsi::hal::zynqmp_r5::testing {
 namespace {
 
 constexpr std::uint32_t clock_hz = 100'000'000U;
@@ -111,4 +111,4 @@ TEST(Supervisor, IsFedWithTheTimeLimitInItsPeriodsAndAskedForAResetByOne) {
 }
 
 }  // namespace
-}  // namespace hal::zynqmp_r5::testing
+}  // namespace rsi::hal::zynqmp_r5::testing

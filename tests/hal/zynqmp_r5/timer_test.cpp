@@ -8,7 +8,7 @@
 #include "hal/zynqmp_r5/timer_clock.hpp"
 #include "tests/hal/zynqmp_r5/register_fake.hpp"
 
-namespace hal::zynqmp_r5::testing {
+namespace rsi::hal::zynqmp_r5::testing {
 namespace {
 
 // Counts 1024 periods of its clock as one, from the last restart on.
@@ -174,4 +174,4 @@ TEST(CycleTick, ALeapOfTheClockIsCountedUpToABound) {
 }
 
 }  // namespace
-}  // namespace hal::zynqmp_r5::testing
+}  // namespace rsi::hal::zynqmp_r5::testing

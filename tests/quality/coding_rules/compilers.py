@@ -14,7 +14,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 WARNINGS = tomllib.loads((HERE / "warnings.toml").read_text(encoding="utf-8"))
 _EIGEN = ["-isystem", "/usr/include/eigen3", "-DEIGEN_DONT_VECTORIZE"]
 _COMMON = ["-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-ffp-contract=off",
-           "-fno-math-errno", f"-I{PROJECT}", f"-I{PROJECT}/firmware", *_EIGEN]
+           "-fno-math-errno", f"-I{PROJECT}", f"-I{PROJECT}/firmware", f"-I{PROJECT}/hal/interface", f"-I{PROJECT}/can_dbc/include", *_EIGEN]
 
 
 @dataclasses.dataclass(frozen=True)

@@ -26,50 +26,59 @@ const std::vector<std::string> freestanding{"array",    "cfloat",   "climits",  
                                             "limits",   "new",      "type_traits", "float.h",    "limits.h",
                                             "stddef.h", "stdint.h", "stdbool.h",   "stdalign.h", "iso646.h"};
 
-std::vector<std::string> freestanding_and(const std::vector<std::string>& further) {
-    std::vector<std::string> headers = freestanding;
-    headers.insert(headers.end(), further.begin(), further.end());
-    return headers;
+// The project's folders as they stand in an include. The longest that fits is the one that counts.
+const std::vector<std::string> component{"rsi/"};
+const std::vector<std::string> ecu{"rsi/",
+                                   "rsi/hal/",
+                                   "rsi/can_dbc/",
+                                   "rsi/ecu/access/",
+                                   "rsi/ecu/xcp/",
+                                   "rsi/ecu/monitoring/",
+                                   "rsi/ecu/application/"};
+const std::vector<std::string> images{"rsi/",
+                                      "rsi/selftest/",
+                                      "rsi/hal/",
+                                      "rsi/can_dbc/",
+                                      "rsi/ecu/access/",
+                                      "rsi/ecu/xcp/",
+                                      "rsi/ecu/monitoring/",
+                                      "rsi/ecu/application/",
+                                      "rsi/ecu/diagnosis/",
+                                      "hal/",
+                                      "images/"};
+
+std::vector<std::string> together(std::vector<std::string> folders, const std::vector<std::string>& further) {
+    folders.insert(folders.end(), further.begin(), further.end());
+    return folders;
 }
 
 const std::vector<Rule>& rules() {
     static const std::vector<Rule> all{
         {"firmware/rsi/numeric/matrix.hpp", {}, Rule::Others::listed, {"Eigen/"}},
-        {"firmware/rsi/", {"rsi/"}, Rule::Others::listed, freestanding},
-        {"firmware/calibrations/", {"rsi/"}, Rule::Others::listed, {}},
-        {"firmware/selftest/",
-         {"rsi/"},
+        {"firmware/rsi/selftest/",
+         {"rsi/", "rsi/selftest/"},
          Rule::Others::listed,
-         freestanding_and({"math.h", "string.h", "calibrations/", "selftest/"})},
-        {"firmware/monitoring/", {"rsi/", "monitoring/"}, Rule::Others::standard, {}},
-        {"firmware/access/", {"hal/interface/", "access/"}, Rule::Others::standard, {}},
-        {"firmware/xcp/", {"hal/interface/", "access/", "xcp/"}, Rule::Others::standard, {}},
-        {"firmware/application/",
-         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/interface/", "application/"},
+         together(freestanding, {"math.h", "string.h", "calibrations/"})},
+        {"firmware/rsi/ecu/monitoring/", {"rsi/", "rsi/ecu/monitoring/"}, Rule::Others::standard, {}},
+        {"firmware/rsi/ecu/access/", {"rsi/hal/", "rsi/ecu/access/"}, Rule::Others::standard, {}},
+        {"firmware/rsi/ecu/xcp/",
+         {"rsi/hal/", "rsi/ecu/access/", "rsi/ecu/xcp/"},
          Rule::Others::standard,
          {}},
-        {"firmware/diagnosis/",
-         {"rsi/", "monitoring/", "access/", "hal/interface/", "application/", "diagnosis/"},
+        {"firmware/rsi/ecu/application/", ecu, Rule::Others::standard, {}},
+        {"firmware/rsi/ecu/diagnosis/",
+         {"rsi/", "rsi/hal/", "rsi/ecu/access/", "rsi/ecu/monitoring/", "rsi/ecu/application/",
+          "rsi/ecu/diagnosis/"},
          Rule::Others::standard,
          {}},
-        {"can_dbc/", {"can_dbc/"}, Rule::Others::standard, {}},
-        {"hal/interface/", {"hal/interface/"}, Rule::Others::standard, {}},
-        {"hal/", {"hal/"}, Rule::Others::any, {}},
-        {"firmware/images/",
-         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
-          "images/"},
-         Rule::Others::any,
-         {}},
-        {"sil/",
-         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
-          "images/", "sil/"},
-         Rule::Others::any,
-         {}},
-        {"tests/",
-         {"rsi/", "monitoring/", "access/", "xcp/", "can_dbc/", "hal/", "application/", "diagnosis/",
-          "images/", "sil/", "tests/"},
-         Rule::Others::any,
-         {}},
+        {"firmware/rsi/", component, Rule::Others::listed, freestanding},
+        {"firmware/calibrations/", component, Rule::Others::listed, {}},
+        {"can_dbc/", {"rsi/can_dbc/"}, Rule::Others::standard, {}},
+        {"hal/interface/", {"rsi/hal/"}, Rule::Others::standard, {}},
+        {"hal/", {"rsi/hal/", "hal/"}, Rule::Others::any, {}},
+        {"firmware/images/", images, Rule::Others::any, {}},
+        {"sil/", together(images, {"sil/"}), Rule::Others::any, {}},
+        {"tests/", together(images, {"sil/", "tests/"}), Rule::Others::any, {}},
     };
     return all;
 }
@@ -97,15 +106,15 @@ bool starts_with(const std::string& text, const std::string& beginning) {
 
 // The project's folder that a header is in, as it is written in an include; empty for all others.
 std::string project_folder(const std::string& header) {
-    static const std::vector<std::string> folders{"rsi/",         "monitoring/", "access/",   "xcp/",
-                                                  "application/", "diagnosis/",  "firmware/", "can_dbc/",
-                                                  "hal/",         "images/",     "sil/",      "tests/"};
+    static const std::vector<std::string> folders =
+        together(images, {"rsi/ecu/", "firmware/", "can_dbc/", "sil/", "tests/"});
+    std::string longest;
     for (const std::string& folder : folders) {
-        if (starts_with(header, folder)) {
-            return folder;
+        if (starts_with(header, folder) && (folder.size() > longest.size())) {
+            longest = folder;
         }
     }
-    return {};
+    return longest;
 }
 
 // Standard headers of C++ have neither a folder nor an ending; those of C end in .h and are named here.
@@ -182,7 +191,8 @@ void visit_lines(const fs::path& root, const Visitor& visit) {
 
 // The project's file that an include in `path` names; empty for all others.
 fs::path included_file(const fs::path& root, const fs::path& path, const std::string& header) {
-    for (const fs::path& folder : {fs::path{}, fs::path{"firmware"}, path.parent_path()}) {
+    for (const fs::path& folder : {fs::path{}, fs::path{"firmware"}, fs::path{"hal/interface"},
+                                   fs::path{"can_dbc/include"}, path.parent_path()}) {
         if (!header.empty() && fs::is_regular_file(root / folder / header)) {
             return (folder / header).lexically_normal();
         }
@@ -236,11 +246,10 @@ std::string objection(const std::string& path, const std::string& header) {
     if (header.find("../") != std::string::npos) {
         return "include \"" + header + "\" by its path from the project, without ..";
     }
+    const std::string folder = project_folder(header);
     const bool allowed =
-        project_folder(header).empty()
-            ? may_include_other(*rule, header)
-            : std::any_of(rule->project.begin(), rule->project.end(),
-                          [&header](const std::string& folder) { return starts_with(header, folder); });
+        folder.empty() ? may_include_other(*rule, header)
+                       : std::find(rule->project.begin(), rule->project.end(), folder) != rule->project.end();
     return allowed ? std::string{} : rule->folder + " may not include " + header;
 }
 

@@ -8,7 +8,7 @@ import dataclasses
 import re
 import subprocess
 
-SOURCES = ("firmware/rsi/", "firmware/monitoring/", "firmware/access/", "firmware/xcp/", "firmware/application/", "firmware/diagnosis/", "can_dbc/codec/", "can_dbc/e2e/", "can_dbc/generated/")
+SOURCES = ("firmware/rsi/", "firmware/rsi/ecu/monitoring/", "firmware/rsi/ecu/access/", "firmware/rsi/ecu/xcp/", "firmware/rsi/ecu/application/", "firmware/rsi/ecu/diagnosis/", "can_dbc/include/rsi/can_dbc/codec/", "can_dbc/include/rsi/can_dbc/e2e/", "can_dbc/include/rsi/can_dbc/generated/")
 BRANCH, CONDITION = 4, 6  # kinds of llvm's branch regions; a condition is a branch within a decision
 
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/interface/well_formed.hpp"
+#include "rsi/hal/well_formed.hpp"
 #include "sil/files/candump_log.hpp"
 #include "sil/input_error.hpp"
 #include "tests/quality/fuzz/support/memory_file.hpp"
@@ -33,7 +33,7 @@ bool check_line(std::string_view line) {
                 "an error's column lies in the line or behind it");
         return false;
     }
-    require(hal::is_well_formed(parsed.frame->frame), "a frame is one that a bus can carry");
+    require(rsi::hal::is_well_formed(parsed.frame->frame), "a frame is one that a bus can carry");
     const std::string written = sil::format_candump_line(*parsed.frame);
     const sil::ParsedCandumpLine again = sil::parse_candump_line(written);
     require(again.frame && same(*again.frame, *parsed.frame), "a frame that was written reads as the same");

@@ -10,19 +10,19 @@
 #include <type_traits>
 #include <vector>
 
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
 #include "tests/quality/fuzz/support/dbc_file.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
 
 namespace {
 
-using can_dbc::SignalStatus;
 using fuzz::ByteReader;
 using fuzz::DbcMessage;
 using fuzz::DbcSignal;
 using fuzz::require;
+using rsi::can_dbc::SignalStatus;
 
 const std::map<std::string, DbcMessage>& database() {
     static const std::map<std::string, DbcMessage> read = fuzz::read_dbc(RSI_DBC_FILE);
@@ -72,7 +72,7 @@ void check_decoded(Value value, const DbcSignal& signal, std::int64_t raw, Signa
 
 template <typename Message>
 void check_decoding(const std::array<std::uint8_t, 8>& payload) {
-    const can_dbc::Decoded<Message> decoded = can_dbc::decode<Message>(payload);
+    const rsi::can_dbc::Decoded<Message> decoded = rsi::can_dbc::decode<Message>(payload);
     auto signal = signals_of<Message>().begin();
     bool all_valid = true;
     Message::visit_signals([&](const char*, const char*, auto member, auto status_member) {
@@ -123,7 +123,7 @@ void check_encoded(Value value, const DbcSignal& signal, std::int64_t raw) {
 // it and sends it on sends the same.
 template <typename Message>
 void check_encoding(const Message& message) {
-    const auto payload = can_dbc::encode(message);
+    const auto payload = rsi::can_dbc::encode(message);
     auto signal = signals_of<Message>().begin();
     std::uint64_t mask = 0U;
     Message::visit_signals([&](const char*, const char*, auto member, auto) {
@@ -137,12 +137,12 @@ void check_encoding(const Message& message) {
     }
     require((bits & ~mask) == 0U, "every bit that belongs to no signal is zero");
 
-    const can_dbc::Decoded<Message> decoded = can_dbc::decode<Message>(payload);
+    const rsi::can_dbc::Decoded<Message> decoded = rsi::can_dbc::decode<Message>(payload);
     Message::visit_signals([&](const char*, const char*, auto, auto status_member) {
         require(decoded.status.*status_member != SignalStatus::out_of_range,
                 "nothing undefined is ever sent");
     });
-    require(can_dbc::encode(decoded.value) == payload,
+    require(rsi::can_dbc::encode(decoded.value) == payload,
             "what was sent and received is sent again as the same");
 }
 
@@ -173,7 +173,7 @@ void check(ByteReader& bytes) {
     std::array<std::uint8_t, 8> payload{};
     bytes.take_into(payload.data(), Message::length);
     check_decoding<Message>(payload);
-    check_encoding(can_dbc::decode<Message>(payload).value);
+    check_encoding(rsi::can_dbc::decode<Message>(payload).value);
 
     Message message{};
     auto signal = signals_of<Message>().begin();
@@ -190,7 +190,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ByteReader bytes{data, size};
     const unsigned chosen = bytes.below(16U);
     unsigned index = 0U;
-    can_dbc::visit_messages([&](auto type) {
+    rsi::can_dbc::visit_messages([&](auto type) {
         // The numbers left over mean "all of them".
         if (index++ == chosen || chosen >= 10U) {
             check<typename decltype(type)::Type>(bytes);

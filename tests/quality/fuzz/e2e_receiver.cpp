@@ -4,18 +4,18 @@
 #include <cstdint>
 #include <optional>
 
-#include "can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
 #include "tests/application/end_to_end.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
 
 namespace {
 
-using can_dbc::e2e::CheckError;
-using can_dbc::e2e::CheckResult;
-using can_dbc::e2e::CheckStatus;
 using fuzz::ByteReader;
 using fuzz::require;
+using rsi::can_dbc::e2e::CheckError;
+using rsi::can_dbc::e2e::CheckResult;
+using rsi::can_dbc::e2e::CheckStatus;
 
 using Payload = std::array<std::uint8_t, 64>;
 
@@ -114,7 +114,7 @@ class Channel {
  private:
     // With the right check sum; the counter goes on as it should, or, for one kind, anywhere.
     void good_frame(unsigned kind) {
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.length = static_cast<std::uint8_t>(setting_.length);
         frame.data[2] = bytes_.take<std::uint8_t>();
         counter_ = kind == 4U ? bytes_.below(16U) : (counter_ + 1U) % 15U;
@@ -140,7 +140,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     setting.data_id = bytes.take<std::uint16_t>() & 0x0FFFU;
     setting.length = 2U + bytes.below(63U);
     setting.largest_step = static_cast<std::uint8_t>(1U + bytes.below(14U));
-    can_dbc::e2e::Profile11Receiver receiver{setting.data_id, setting.length, setting.largest_step};
+    rsi::can_dbc::e2e::Profile11Receiver receiver{setting.data_id, setting.length, setting.largest_step};
     Reference reference{setting};
     Channel channel{setting, bytes};
     while (!bytes.empty()) {
@@ -148,12 +148,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const CheckResult result = receiver.check(channel.payload, channel.length);
         require(same(result, reference.check(channel.payload, channel.length)),
                 "the receiver judges as the profile's description says");
-        const bool usable = can_dbc::e2e::is_usable(result.status);
+        const bool usable = rsi::can_dbc::e2e::is_usable(result.status);
         require((result.error != CheckError::none) == (result.status == CheckStatus::error),
                 "an error has a reason, and nothing else has one");
         require(!usable || result.lost_frames < setting.largest_step,
                 "not usable after more lost frames than tolerated");
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.data = channel.payload;
         frame.length = static_cast<std::uint8_t>(channel.length);
         require(

@@ -11,11 +11,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "application/rollover_ecu.hpp"
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "tests/application/end_to_end.hpp"
 #include "tests/quality/fuzz/support/any_calibration.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
@@ -27,10 +27,10 @@ extern "C" const unsigned char rsi_parameter_section[];
 
 namespace {
 
-using can_dbc::RolloverStatus;
-using can_dbc::RolloverWarning;
 using fuzz::ByteReader;
 using fuzz::require;
+using rsi::can_dbc::RolloverStatus;
+using rsi::can_dbc::RolloverWarning;
 using testing_application::protect;
 
 constexpr int most_cycles = 64;
@@ -38,10 +38,10 @@ constexpr int most_cycles = 64;
 // for so long.
 constexpr int longest_recovery = 3000;
 constexpr int lasting = 100;
-constexpr hal::Time longest_silence = hal::Time::from_milliseconds(50);
-constexpr hal::Time never = hal::Time::from_milliseconds(-1'000'000);
+constexpr rsi::hal::Time longest_silence = rsi::hal::Time::from_milliseconds(50);
+constexpr rsi::hal::Time never = rsi::hal::Time::from_milliseconds(-1'000'000);
 
-struct NoWatchdog final : hal::Watchdog {
+struct NoWatchdog final : rsi::hal::Watchdog {
     void feed() noexcept override {}
 };
 
@@ -51,22 +51,22 @@ struct SensorFrame {
     std::uint16_t data_id;
 };
 constexpr std::array<SensorFrame, 3> sensor_frames{
-    {{can_dbc::Imu::identifier, can_dbc::Imu::e2e_data_id},
-     {can_dbc::RollAngle::identifier, can_dbc::RollAngle::e2e_data_id},
-     {can_dbc::VehicleMotion::identifier, can_dbc::VehicleMotion::e2e_data_id}}};
+    {{rsi::can_dbc::Imu::identifier, rsi::can_dbc::Imu::e2e_data_id},
+     {rsi::can_dbc::RollAngle::identifier, rsi::can_dbc::RollAngle::e2e_data_id},
+     {rsi::can_dbc::VehicleMotion::identifier, rsi::can_dbc::VehicleMotion::e2e_data_id}}};
 
 // Straight on at 80 km/h: f_z 9.806 m/s^2; bank not available; the rest zero.
 constexpr std::array<std::array<std::uint8_t, 8>, 3> calm_payloads{{{0U, 0U, 0U, 0U, 0x27U, 0x13U, 0U, 0U},
                                                                     {0U, 0U, 0U, 0U, 0x80U, 0U, 0U, 0U},
                                                                     {0U, 0U, 0x40U, 0x1FU, 0U, 0U, 0U, 0U}}};
 
-std::int16_t little_endian_at(const hal::CanFrame& frame, std::size_t at) {
+std::int16_t little_endian_at(const rsi::hal::CanFrame& frame, std::size_t at) {
     return static_cast<std::int16_t>(frame.data[at] | (frame.data[at + 1U] << 8U));
 }
 
 // An Imu frame that a receiver may use, read without the codec: undamaged, and with the two signals without
 // which there is no warning (60 m/s^2 and 300 deg/s are code 30000).
-bool is_good_imu(const hal::CanFrame& frame) {
+bool is_good_imu(const rsi::hal::CanFrame& frame) {
     return !frame.extended && !frame.flexible_data_rate && frame.identifier == 0x120U && frame.length == 8U &&
            testing_application::is_profile_11(frame, 0x3A7U) &&
            testing_application::counter_of(frame) <= 14U &&
@@ -74,7 +74,7 @@ bool is_good_imu(const hal::CanFrame& frame) {
            std::abs(int{little_endian_at(frame, 6U)}) <= 30000;
 }
 
-using Section = std::array<std::uint8_t, application::section::length>;
+using Section = std::array<std::uint8_t, rsi::application::section::length>;
 
 // A good one, of which some bytes have changed.
 Section any_section(ByteReader& bytes) {
@@ -119,8 +119,8 @@ class World {
         switch (bytes_.below(4U)) {
             case 0U: {
                 const Section section = any_section(bytes_);
-                accepted_ =
-                    ecu_.init(section.data(), section.size()).refusal == application::ParametersRefusal::none;
+                accepted_ = ecu_.init(section.data(), section.size()).refusal ==
+                            rsi::application::ParametersRefusal::none;
                 break;
             }
             case 1U:  // not started at all
@@ -158,13 +158,14 @@ class World {
                 send_any();
                 break;
             case 7U:
-                clock_.advance(hal::Time::from_milliseconds(static_cast<std::int64_t>(bytes_.below(256U))));
+                clock_.advance(
+                    rsi::hal::Time::from_milliseconds(static_cast<std::int64_t>(bytes_.below(256U))));
                 break;
             case 8U:
                 cycle(10, bytes_.one_in(2U) ? bytes_.take<std::uint32_t>() : bytes_.below(8U));
                 break;
             case 9U:
-                set_bus_state(static_cast<hal::BusState>(bytes_.below(4U)));
+                set_bus_state(static_cast<rsi::hal::BusState>(bytes_.below(4U)));
                 break;
             case 10U:
                 flood(bytes_.below(256U), (control >> 4U) % 4U);
@@ -185,7 +186,7 @@ class World {
 
     // The ECU must find back to "ready" from anything, once all is well, and stay there.
     void recover() {
-        set_bus_state(hal::BusState::error_active);
+        set_bus_state(rsi::hal::BusState::error_active);
         payloads_ = calm_payloads;
         // With a bank: where the roll angle is against the horizon, an accelerometer that was found wrong
         // cannot be found right without.
@@ -241,16 +242,16 @@ class World {
         }
     }
 
-    void send(const hal::CanFrame& frame) {
+    void send(const rsi::hal::CanFrame& frame) {
         const bool heard =
-            bus_state_ == hal::BusState::error_active || bus_state_ == hal::BusState::error_passive;
-        if (world().send(frame) == hal::SendResult::sent && heard && is_good_imu(frame)) {
+            bus_state_ == rsi::hal::BusState::error_active || bus_state_ == rsi::hal::BusState::error_passive;
+        if (world().send(frame) == rsi::hal::SendResult::sent && heard && is_good_imu(frame)) {
             last_good_imu_ = clock_.now();
         }
     }
 
-    hal::CanFrame good_frame(unsigned sensor) {
-        hal::CanFrame frame{};
+    rsi::hal::CanFrame good_frame(unsigned sensor) {
+        rsi::hal::CanFrame frame{};
         frame.identifier = sensor_frames[sensor].identifier;
         frame.length = 8U;
         std::copy(payloads_[sensor].begin(), payloads_[sensor].end(), frame.data.begin());
@@ -268,7 +269,7 @@ class World {
 
     // A good frame with something wrong: a bit, the length, the format, another frame's identifier.
     void send_damaged(unsigned sensor) {
-        hal::CanFrame frame = good_frame(sensor);
+        rsi::hal::CanFrame frame = good_frame(sensor);
         const unsigned change = bytes_.below(128U);
         if (change < 64U) {
             frame.data[change / 8U] =
@@ -287,7 +288,7 @@ class World {
     }
 
     void send_any() {
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         const unsigned kind = bytes_.below(8U);
         frame.identifier =
             kind < 3U ? sensor_frames[kind].identifier : bytes_.take<std::uint32_t>() & 0x1FFFFFFFU;
@@ -300,7 +301,7 @@ class World {
 
     // More than is read in one cycle, and more than the bus holds.
     void flood(unsigned count, unsigned kind) {
-        hal::CanFrame foreign{};
+        rsi::hal::CanFrame foreign{};
         foreign.identifier = 0x3FFU;
         for (; count > 0U; --count) {
             if (kind < 3U) {
@@ -311,24 +312,24 @@ class World {
         }
     }
 
-    void set_bus_state(hal::BusState state) {
+    void set_bus_state(rsi::hal::BusState state) {
         bus_state_ = state;
         bus_.endpoint(0U).set_state(state);
     }
 
     void cycle(std::int64_t milliseconds, std::uint32_t missed) {
-        clock_.advance(hal::Time::from_milliseconds(milliseconds));
+        clock_.advance(rsi::hal::Time::from_milliseconds(milliseconds));
         ecu_.step(missed);
         ++cycles_;
         missed_cycles_ = std::min<std::uint64_t>(missed_cycles_ + missed, 0xFFFFFFFFU);
         frames_.clear();
-        hal::CanFrame frame{};
-        while (world().receive(frame) == hal::ReceiveResult::frame) {
+        rsi::hal::CanFrame frame{};
+        while (world().receive(frame) == rsi::hal::ReceiveResult::frame) {
             require(find(frame.identifier) == nullptr, "no frame is sent twice in a cycle");
             frames_.push_back(frame);
         }
         const bool can_send =
-            bus_state_ == hal::BusState::error_active || bus_state_ == hal::BusState::error_passive;
+            bus_state_ == rsi::hal::BusState::error_active || bus_state_ == rsi::hal::BusState::error_passive;
         if (!can_send) {
             require(frames_.empty(), "nothing comes from an ECU that cannot send");
             counters_known_ = false;
@@ -341,7 +342,7 @@ class World {
     void judge(std::uint32_t missed) {
         RolloverWarning warning;
         RolloverStatus status;
-        can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+        rsi::can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
             using Message = typename decltype(type)::Type;
             [[maybe_unused]] const Message message = judged<Message>();
             if constexpr (std::is_same_v<Message, RolloverWarning>) {
@@ -378,8 +379,8 @@ class World {
     }
 
     // The frame with this identifier that the last cycle sent, if there is one.
-    const hal::CanFrame* find(std::uint32_t identifier) const {
-        for (const hal::CanFrame& frame : frames_) {
+    const rsi::hal::CanFrame* find(std::uint32_t identifier) const {
+        for (const rsi::hal::CanFrame& frame : frames_) {
             if (frame.identifier == identifier) {
                 return &frame;
             }
@@ -390,17 +391,17 @@ class World {
     // The message, after its frame was found to be whole.
     template <typename Message>
     Message judged() {
-        const hal::CanFrame* const found = find(Message::identifier);
+        const rsi::hal::CanFrame* const found = find(Message::identifier);
         require(found != nullptr, "every frame is sent in every cycle");
-        const hal::CanFrame& frame = *found;
+        const rsi::hal::CanFrame& frame = *found;
         require(!frame.extended && !frame.flexible_data_rate && frame.length == Message::length,
                 "a frame has its format");
         require(testing_application::is_profile_11(frame, Message::e2e_data_id), "a frame is protected");
         judge_counter(Message::identifier, testing_application::counter_of(frame));
 
-        const can_dbc::Decoded<Message> decoded = can_dbc::decode<Message>(frame.data);
+        const rsi::can_dbc::Decoded<Message> decoded = rsi::can_dbc::decode<Message>(frame.data);
         Message::visit_signals([&](const char*, const char*, auto, auto status) {
-            require(decoded.status.*status != can_dbc::SignalStatus::out_of_range,
+            require(decoded.status.*status != rsi::can_dbc::SignalStatus::out_of_range,
                     "no undefined signal is sent");
         });
         if constexpr (std::is_same_v<Message, RolloverWarning>) {
@@ -419,23 +420,23 @@ class World {
         before = counter;
     }
 
-    hal::MemoryBus<2U, 80U>::Endpoint& world() { return bus_.endpoint(1U); }
+    rsi::hal::MemoryBus<2U, 80U>::Endpoint& world() { return bus_.endpoint(1U); }
 
     ByteReader& bytes_;
-    hal::VirtualClock clock_;
-    hal::MemoryBus<2U, 80U> bus_{clock_};
+    rsi::hal::VirtualClock clock_;
+    rsi::hal::MemoryBus<2U, 80U> bus_{clock_};
     NoWatchdog watchdog_;
-    application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
-    hal::BusState bus_state_{hal::BusState::error_active};
+    rsi::application::RolloverEcu ecu_{bus_.endpoint(0U), clock_, watchdog_};
+    rsi::hal::BusState bus_state_{rsi::hal::BusState::error_active};
 
     std::array<std::array<std::uint8_t, 8>, 3> payloads_{calm_payloads};
     std::array<unsigned, 3> counters_{};
-    hal::Time last_good_imu_{never};
+    rsi::hal::Time last_good_imu_{never};
 
     bool accepted_{false};
     int cycles_{0};
     std::uint64_t missed_cycles_{0U};
-    std::vector<hal::CanFrame> frames_{};          // of the last cycle, in the order of sending
+    std::vector<rsi::hal::CanFrame> frames_{};     // of the last cycle, in the order of sending
     std::array<unsigned, 0x800> sent_counters_{};  // by identifier, of 11 bits
     bool counters_known_{false};
     RolloverWarning::State state_{};

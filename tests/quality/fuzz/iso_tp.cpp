@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "diagnosis/iso_tp.hpp"
+#include "rsi/ecu/diagnosis/iso_tp.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
 
@@ -14,23 +14,25 @@ namespace {
 using fuzz::ByteReader;
 using fuzz::require;
 
-constexpr diagnosis::Addresses addresses{};
+constexpr rsi::diagnosis::Addresses addresses{};
 
-class Bus final : public hal::CanBus {
+class Bus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame&) noexcept override {
+        return rsi::hal::ReceiveResult::empty;
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         require(frame.identifier == addresses.response && !frame.extended && frame.length == 8U,
                 "its frames");
         if (room == 0U) {
-            return hal::SendResult::full;
+            return rsi::hal::SendResult::full;
         }
         --room;
         ++sent;
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 
     unsigned room{8U};
     unsigned sent{0U};
@@ -40,7 +42,7 @@ class Bus final : public hal::CanBus {
 class Reassembly {
  public:
     // Nothing new is taken while a request waits or an answer goes out.
-    void take(const hal::CanFrame& frame, bool was_waiting, bool was_sending) {
+    void take(const rsi::hal::CanFrame& frame, bool was_waiting, bool was_sending) {
         const unsigned kind = frame.data[0] >> 4U;
         if (frame.length == 0U || was_waiting || (was_sending && kind != 2U)) {
             return;
@@ -59,7 +61,7 @@ class Reassembly {
             bytes_.assign(frame.data.begin() + 1, frame.data.begin() + 8);
         }
     }
-    bool begins_with(const diagnosis::Request& request) const {
+    bool begins_with(const rsi::diagnosis::Request& request) const {
         bool same = request.length() <= bytes_.size();
         for (std::size_t place = 0U; same && place < request.length(); ++place) {
             same = (request.byte(place) == bytes_[place]);
@@ -71,10 +73,10 @@ class Reassembly {
     std::vector<std::uint8_t> bytes_;
 };
 
-hal::CanFrame frame_from(ByteReader& reader) {
+rsi::hal::CanFrame frame_from(ByteReader& reader) {
     constexpr std::array<std::uint32_t, 4> identifiers{addresses.physical_request, addresses.physical_request,
                                                        addresses.functional_request, 0x120U};
-    hal::CanFrame frame{};
+    rsi::hal::CanFrame frame{};
     frame.identifier = identifiers[reader.below(4U)];
     frame.length = static_cast<std::uint8_t>(reader.one_in(8U) ? reader.below(65U) : 8U);
     frame.extended = reader.one_in(32U);
@@ -87,9 +89,9 @@ hal::CanFrame frame_from(ByteReader& reader) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     ByteReader reader{bytes, size};
     Bus bus;
-    diagnosis::IsoTp transport{bus, addresses};
+    rsi::diagnosis::IsoTp transport{bus, addresses};
     Reassembly reassembly;
-    diagnosis::Response response;
+    rsi::diagnosis::Response response;
     while (!reader.empty()) {
         switch (reader.below(8U)) {
             case 0U: {
@@ -109,14 +111,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                 }
                 break;
             case 2U: {
-                const diagnosis::Request request = transport.request();
+                const rsi::diagnosis::Request request = transport.request();
                 if (request.length() != 0U) {
                     transport.finish(request);
                 }
                 break;
             }
             default: {
-                const hal::CanFrame frame = frame_from(reader);
+                const rsi::hal::CanFrame frame = frame_from(reader);
                 const bool was_waiting = transport.request().length() != 0U;
                 const bool was_sending = transport.is_sending();
                 transport.take(frame);
@@ -127,8 +129,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                     require(transport.request().length() <= 7U, "length of a functional request");
                     transport.finish(transport.request());
                 }
-                const diagnosis::Request request = transport.request();
-                require(request.length() <= diagnosis::IsoTp::longest_request, "length of a request");
+                const rsi::diagnosis::Request request = transport.request();
+                require(request.length() <= rsi::diagnosis::IsoTp::longest_request, "length of a request");
                 if (!was_waiting && request.length() != 0U && !request.is_functional()) {
                     require(reassembly.begins_with(request), "bytes of a request");
                 }

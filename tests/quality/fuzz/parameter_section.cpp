@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "access/stored_count.hpp"
-#include "application/parameter_section.hpp"
-#include "application/section_authority.hpp"
 #include "hal/memory/memory_storage.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/access/stored_count.hpp"
+#include "rsi/ecu/application/parameter_section.hpp"
+#include "rsi/ecu/application/section_authority.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/parameter_section_file.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
@@ -21,10 +21,10 @@
 
 namespace {
 
-namespace section = application::section;
-using application::ParametersRefusal;
+namespace section = rsi::application::section;
 using fuzz::ByteReader;
 using fuzz::require;
+using rsi::application::ParametersRefusal;
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -107,7 +107,7 @@ void check_written_again(const Bytes& bytes, const rsi::Parameters& parameters) 
     require(again == expected, "the tool writes the same section");
 }
 
-constexpr hal::Key key{1U, 2U, 3U};
+constexpr rsi::hal::Key key{1U, 2U, 3U};
 
 // Sealed with the key, with another or not at all, with or without a change behind it; then the version that
 // was in use before.
@@ -118,7 +118,7 @@ void check_seal(ByteReader& reader, const Bytes& any, ParametersRefusal refusal)
     if (good) {
         bytes.resize(section::length);
         const bool is_own = reader.below(4U) != 0U;
-        bytes = sil::sealed(bytes, version, is_own ? key : hal::Key{});
+        bytes = sil::sealed(bytes, version, is_own ? key : rsi::hal::Key{});
         const std::size_t at = reader.take<std::uint16_t>() % bytes.size();
         const auto change =
             static_cast<std::uint8_t>(reader.below(2U) == 0U ? 0U : reader.take<std::uint8_t>());
@@ -126,20 +126,20 @@ void check_seal(ByteReader& reader, const Bytes& any, ParametersRefusal refusal)
         good = is_own && change == 0U;
     }
     bytes.shrink_to_fit();
-    hal::Keys keys{};
-    keys[static_cast<std::size_t>(hal::KeySlot::parameters)] = key;
-    hal::SoftwareKeys store{keys};
-    hal::MemoryStorage<access_control::stored_count_length> newest;
-    application::SectionAuthority authority{store, newest};
+    rsi::hal::Keys keys{};
+    keys[static_cast<std::size_t>(rsi::hal::KeySlot::parameters)] = key;
+    rsi::hal::SoftwareKeys store{keys};
+    rsi::hal::MemoryStorage<rsi::access::stored_count_length> newest;
+    rsi::application::SectionAuthority authority{store, newest};
     const auto before = reader.take<std::uint32_t>();
-    Bytes used(application::seal::sealed_length);
-    require(application::seal_section(store, before, used.data()), "the store answers");
+    Bytes used(rsi::application::seal::sealed_length);
+    require(rsi::application::seal_section(store, before, used.data()), "the store answers");
     authority.start();
     require(authority.raise(used.data()) && authority.version() == before, "the storage takes the version");
 
     rsi::Parameters parameters{};
     const ParametersRefusal answer =
-        application::read_parameter_section(bytes.data(), bytes.size(), authority, parameters).refusal;
+        rsi::application::read_parameter_section(bytes.data(), bytes.size(), authority, parameters).refusal;
     const bool accepted = answer == ParametersRefusal::none;
     require(accepted == (good && version >= before && refusal == ParametersRefusal::none),
             "what is sealed and new is taken, and nothing else");
@@ -154,8 +154,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rsi::Parameters parameters;
     std::memset(&parameters, 0x55, sizeof parameters);
     const rsi::Parameters before = parameters;
-    const application::ParameterSectionAnswer answer =
-        application::read_parameter_section(bytes.data(), bytes.size(), parameters);
+    const rsi::application::ParameterSectionAnswer answer =
+        rsi::application::read_parameter_section(bytes.data(), bytes.size(), parameters);
 
     require(answer.refusal == refusal_of(bytes), "the first thing that is wrong is the reason");
     const bool accepted = answer.refusal == ParametersRefusal::none;

@@ -79,8 +79,9 @@ class Drive {
     }
 
  private:
-    monitoring::DiagnosticCode code() {
-        return static_cast<monitoring::DiagnosticCode>(1U + reader_.below(diagnosis::trouble_code_count));
+    rsi::monitoring::DiagnosticCode code() {
+        return static_cast<rsi::monitoring::DiagnosticCode>(
+            1U + reader_.below(rsi::diagnosis::trouble_code_count));
     }
     Bytes payload(std::size_t length) {
         Bytes bytes(length);

@@ -7,33 +7,33 @@
 #include <cstdint>
 #include <cstring>
 
-#include "application/calibrated_ecu.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/memory_storage.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/ecu/application/calibrated_ecu.hpp"
 #include "rsi/parameters.hpp"
 #include "tests/quality/fuzz/support/byte_reader.hpp"
 #include "tests/quality/fuzz/support/require.hpp"
 
 // Length of firmware/calibrations/generated/large_suv.c.
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace {
 
 using fuzz::ByteReader;
 using fuzz::require;
-namespace map = application::calibration_map;
+namespace map = rsi::application::calibration_map;
 
 // Two changes of the vehicle and what is sent around them; more would find little and take long.
 constexpr int most_cycles = 500;
 constexpr int cycles_of_a_change = 210;
-constexpr unsigned frames_of_the_ecu = application::sent_identifiers.size();
+constexpr unsigned frames_of_the_ecu = rsi::application::sent_identifiers.size();
 
-struct NoWatchdog final : hal::Watchdog {
+struct NoWatchdog final : rsi::hal::Watchdog {
     void feed() noexcept override {}
 };
 
-struct CountingRandom final : hal::RandomSource {
+struct CountingRandom final : rsi::hal::RandomSource {
     bool fill(std::uint8_t* bytes, std::size_t length) noexcept override {
         std::fill_n(bytes, length, ++calls);
         return true;
@@ -42,9 +42,9 @@ struct CountingRandom final : hal::RandomSource {
 };
 
 // The answer is the seed with each bit turned over: AES is not what is searched.
-struct PlainKeys final : hal::KeyStore {
-    bool authenticate(hal::KeySlot, const std::uint8_t* bytes, std::size_t length,
-                      hal::AuthenticationCode& code) noexcept override {
+struct PlainKeys final : rsi::hal::KeyStore {
+    bool authenticate(rsi::hal::KeySlot, const std::uint8_t* bytes, std::size_t length,
+                      rsi::hal::AuthenticationCode& code) noexcept override {
         for (std::size_t at = 0U; at < code.size(); ++at) {
             code[at] = static_cast<std::uint8_t>(~bytes[at % length]);
         }
@@ -57,7 +57,7 @@ class Session {
  public:
     Session() {
         access_.start();
-        require(ecu_.init().refusal == application::ParametersRefusal::none, "the section is good");
+        require(ecu_.init().refusal == rsi::application::ParametersRefusal::none, "the section is good");
         start_ = ecu_.ecu().parameters();
     }
 
@@ -77,8 +77,8 @@ class Session {
                 cycle(bytes.below(4U));
                 break;
             case 2U:
-                bus_.endpoint(0U).set_state(bytes.one_in(3U) ? hal::BusState::bus_off
-                                                             : hal::BusState::error_active);
+                bus_.endpoint(0U).set_state(bytes.one_in(3U) ? rsi::hal::BusState::bus_off
+                                                             : rsi::hal::BusState::error_active);
                 cycle(0U);
                 break;
             case 3U:
@@ -97,8 +97,8 @@ class Session {
     }
 
     void send(const std::uint8_t* bytes, std::size_t length) {
-        hal::CanFrame frame;
-        frame.identifier = xcp::default_identifiers.command;
+        rsi::hal::CanFrame frame;
+        frame.identifier = rsi::xcp::default_identifiers.command;
         frame.length = static_cast<std::uint8_t>(length);
         std::copy_n(bytes, length, frame.data.begin());
         bus_.endpoint(1U).send(frame);
@@ -151,45 +151,49 @@ class Session {
     }
 
     void cycle(std::uint32_t missed) {
-        now_ = now_ + hal::Time::from_milliseconds(10);
+        now_ = now_ + rsi::hal::Time::from_milliseconds(10);
         clock_.set(now_);
         ecu_.step(missed);
         ++cycles_;
         unsigned own = 0U;
         unsigned answers = 0U;
         unsigned samples = 0U;
-        hal::CanFrame frame;
-        while (bus_.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
-            if (frame.identifier != xcp::default_identifiers.answer) {
+        rsi::hal::CanFrame frame;
+        while (bus_.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
+            if (frame.identifier != rsi::xcp::default_identifiers.answer) {
                 ++own;
             } else {
                 require(frame.length >= 1U && frame.length <= 8U, "a packet has one to eight bytes");
                 (frame.data[0] >= 0xFEU ? answers : samples) += (frame.data[0] == 0xFDU) ? 0U : 1U;
             }
         }
-        const bool on_bus = bus_.endpoint(0U).state() == hal::BusState::error_active;
+        const bool on_bus = bus_.endpoint(0U).state() == rsi::hal::BusState::error_active;
         require(own == (on_bus ? frames_of_the_ecu : 0U), "the ECU sends its frames in every cycle");
         require(answers <= 1U, "at most one answer a cycle");
-        require(samples <= xcp::most_parts, "no more samples than parts");
+        require(samples <= rsi::xcp::most_parts, "no more samples than parts");
         const rsi::Parameters& used = ecu_.ecu().parameters();
         require(rsi::validate(used).accepted == 1, "the component runs on accepted parameters");
         require(was_unlocked_ || std::memcmp(&used, &start_, sizeof used) == 0,
                 "nothing changes without the key");
     }
 
-    hal::VirtualClock clock_;
-    hal::MemoryBus<2U> bus_{clock_};
+    rsi::hal::VirtualClock clock_;
+    rsi::hal::MemoryBus<2U> bus_{clock_};
     NoWatchdog watchdog_;
-    hal::MemoryStorage<64U> attempts_;
-    hal::MemoryStorage<application::section::length> stored_;
+    rsi::hal::MemoryStorage<64U> attempts_;
+    rsi::hal::MemoryStorage<rsi::application::section::length> stored_;
     PlainKeys keys_;
     CountingRandom random_;
-    access_control::SeedAndKey access_{keys_, hal::KeySlot::calibration, random_, attempts_};
-    application::CalibratedEcu ecu_{
-        bus_.endpoint(0U), clock_, watchdog_, access_, rsi_parameter_section, application::section::length,
-        &stored_};
+    rsi::access::SeedAndKey access_{keys_, rsi::hal::KeySlot::calibration, random_, attempts_};
+    rsi::application::CalibratedEcu ecu_{bus_.endpoint(0U),
+                                         clock_,
+                                         watchdog_,
+                                         access_,
+                                         rsi_parameter_section,
+                                         rsi::application::section::length,
+                                         &stored_};
     rsi::Parameters start_{};
-    hal::Time now_{};
+    rsi::hal::Time now_{};
     int cycles_{0};
     bool was_unlocked_{false};
 };

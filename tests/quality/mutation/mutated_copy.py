@@ -26,7 +26,7 @@ ARGUMENTS = ["-x", "c++", "-std=c++17", "-DEIGEN_DONT_VECTORIZE", "-resource-dir
 
 def declarations_of(names, project, generated=()):
     """Declarations of each file, as clang reads them. `generated`: folders of headers that the build writes."""
-    arguments = ARGUMENTS + [part for folder in (project, project / "firmware", *generated) for part in ("-I", str(folder))]
+    arguments = ARGUMENTS + [part for folder in (project, project / "firmware", project / "hal/interface", project / "can_dbc/include", *generated) for part in ("-I", str(folder))]
     folders = {}
     for name in names:
         folders.setdefault(str(pathlib.Path(name).parent), []).append(project / name)

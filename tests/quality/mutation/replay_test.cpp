@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "application/rollover_ecu.hpp"
 #include "hal/memory/frame_replay.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace mutation {
 extern int active;
@@ -24,13 +24,13 @@ extern int active;
 
 namespace {
 
-struct NoWatchdog final : hal::Watchdog {
+struct NoWatchdog final : rsi::hal::Watchdog {
     void feed() noexcept override {}
 };
 
-std::vector<hal::CanFrame> sensor_frames(const std::string& drive) {
+std::vector<rsi::hal::CanFrame> sensor_frames(const std::string& drive) {
     std::ifstream file{std::string{RSI_REGRESSION_LOGS} + "/" + drive + ".sensors.log"};
-    std::vector<hal::CanFrame> frames;
+    std::vector<rsi::hal::CanFrame> frames;
     double time_s = 0.0;
     unsigned identifier = 0U;
     char data[17] = "";
@@ -38,7 +38,7 @@ std::vector<hal::CanFrame> sensor_frames(const std::string& drive) {
         if (std::sscanf(line.c_str(), "(%lf) %*s %3x#%16s", &time_s, &identifier, data) != 3) {
             std::abort();
         }
-        hal::CanFrame frame{};
+        rsi::hal::CanFrame frame{};
         frame.identifier = identifier;
         const std::string digits{data};
         frame.length = static_cast<std::uint8_t>(digits.size() / 2U);
@@ -46,25 +46,25 @@ std::vector<hal::CanFrame> sensor_frames(const std::string& drive) {
             frame.data[byte] =
                 static_cast<std::uint8_t>(std::strtoul(digits.substr(2U * byte, 2U).c_str(), nullptr, 16));
         }
-        frame.receive_time = hal::Time{static_cast<std::int64_t>(time_s * 1.0e6 + 0.5) * 1000};
+        frame.receive_time = rsi::hal::Time{static_cast<std::int64_t>(time_s * 1.0e6 + 0.5) * 1000};
         frames.push_back(frame);
     }
     return frames;
 }
 
-std::string answers(const std::vector<hal::CanFrame>& frames) {
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U> bus{clock};
+std::string answers(const std::vector<rsi::hal::CanFrame>& frames) {
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<2U> bus{clock};
     NoWatchdog watchdog;
-    application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
-    ecu.init(rsi_parameter_section, application::section::length);
-    hal::FrameReplay replay{frames.data(), frames.size(), clock, bus.endpoint(1U)};
+    rsi::application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
+    ecu.init(rsi_parameter_section, rsi::application::section::length);
+    rsi::hal::FrameReplay replay{frames.data(), frames.size(), clock, bus.endpoint(1U)};
     std::string sent;
     for (std::int64_t cycle = 0; !replay.finished() && cycle < 6000; ++cycle) {
-        replay.run_until(hal::Time::from_milliseconds(10 * cycle + 1));
+        replay.run_until(rsi::hal::Time::from_milliseconds(10 * cycle + 1));
         ecu.step(0U);
-        hal::CanFrame frame{};
-        while (bus.endpoint(1U).receive(frame) == hal::ReceiveResult::frame) {
+        rsi::hal::CanFrame frame{};
+        while (bus.endpoint(1U).receive(frame) == rsi::hal::ReceiveResult::frame) {
             sent.append(reinterpret_cast<const char*>(frame.data.data()), frame.length);
         }
     }
@@ -75,7 +75,7 @@ constexpr const char* drives[] = {"j-turn-110", "banked-straight-bank-sensor", "
                                   "bus-faults-noise", "double-lane-change-noise"};
 
 struct Reference {
-    std::vector<hal::CanFrame> frames;
+    std::vector<rsi::hal::CanFrame> frames;
     std::string answers;
 };
 

@@ -28,7 +28,8 @@ class Scope:
 
     def asked_about(self, file):
         """The programs whose tests a mutant of this file is tried on."""
-        return set().union(*(programs for place, programs in self.asked.items() if _is_within(file, place)))
+        place = max((place for place in self.asked if _is_within(file, place)), key=len, default=None)
+        return self.asked.get(place, set())
 
     def sources(self, project=PROJECT):
         """All that is mutated, in the order of the names."""
@@ -44,11 +45,11 @@ FIRMWARE = Scope(
     name="firmware", work="build/mutation", programs=FIRMWARE_PROGRAMS,
     # A test of the frames seldom sees in the algorithm what its own tests and a drive do not.
     asked={"firmware/rsi": {"rsi_tests", "monitoring_tests", "replay_test"},
-           "firmware/monitoring": {"rsi_tests", "monitoring_tests", "application_test", "replay_test"},
-           "firmware/access": {"access_test", "application_test"},
-           "firmware/diagnosis": {"diagnosis_test"},
-           "firmware/xcp": {"xcp_test"},
-           "firmware/application": set(FIRMWARE_PROGRAMS), "can_dbc/e2e": set(FIRMWARE_PROGRAMS)},
+           "firmware/rsi/ecu/monitoring": {"rsi_tests", "monitoring_tests", "application_test", "replay_test"},
+           "firmware/rsi/ecu/access": {"access_test", "application_test"},
+           "firmware/rsi/ecu/diagnosis": {"diagnosis_test"},
+           "firmware/rsi/ecu/xcp": {"xcp_test"},
+           "firmware/rsi/ecu/application": set(FIRMWARE_PROGRAMS), "can_dbc/include/rsi/can_dbc/e2e": set(FIRMWARE_PROGRAMS)},
     left_out={},
     headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF",), title="The firmware",
     goal=0.9, goal_of_able=0.93, longest_ms=900, every_survivor_explained=True, all_executed=True)

@@ -1,20 +1,20 @@
-// Signature page: prints the tables of firmware/monitoring/signatures.hpp, from which it is compiled, as a
-// page of docs/reports/safety.
+// Signature page: prints the tables of firmware/rsi/ecu/monitoring/signatures.hpp, from which it is compiled,
+// as a page of docs/reports/safety.
 #include <array>
 #include <cstddef>
 #include <iostream>
 #include <string>
 
-#include "can_dbc/generated/rollover_warning.hpp"
-#include "monitoring/signatures.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/ecu/monitoring/signatures.hpp"
 
 namespace {
 
-using monitoring::CodeSet;
-using monitoring::Fact;
-using monitoring::Facts;
-using monitoring::SensorSignal;
-using monitoring::Verdict;
+using rsi::monitoring::CodeSet;
+using rsi::monitoring::Fact;
+using rsi::monitoring::Facts;
+using rsi::monitoring::SensorSignal;
+using rsi::monitoring::Verdict;
 
 constexpr auto fact_count = static_cast<std::size_t>(Fact::count);
 
@@ -94,7 +94,7 @@ const char* name_of(SensorSignal signal) {
 }
 
 std::string code_name(std::size_t number) {
-    using can_dbc::RolloverDiagnosis;
+    using rsi::can_dbc::RolloverDiagnosis;
     return RolloverDiagnosis::name_of(static_cast<RolloverDiagnosis::Code>(number));
 }
 
@@ -105,7 +105,7 @@ std::string joined(const std::string& list, const std::string& next) {
 std::string fact_names(Facts facts) {
     std::string all;
     for (const FactText& each : fact_texts) {
-        if ((facts & monitoring::facts(each.fact)) != 0U) {
+        if ((facts & rsi::monitoring::facts(each.fact)) != 0U) {
             all = joined(all, each.name);
         }
     }
@@ -114,7 +114,7 @@ std::string fact_names(Facts facts) {
 
 std::string code_names(CodeSet codes) {
     std::string all;
-    for (std::size_t code = 0U; code < monitoring::diagnostic_code_count; ++code) {
+    for (std::size_t code = 0U; code < rsi::monitoring::diagnostic_code_count; ++code) {
         if (((codes >> code) & 1U) != 0U) {
             all = joined(all, code_name(code));
         }
@@ -122,8 +122,8 @@ std::string code_names(CodeSet codes) {
     return all;
 }
 
-const char* name_of(monitoring::OfRoll wrong) {
-    return wrong == monitoring::OfRoll::rate ? "roll rate" : "roll angle";
+const char* name_of(rsi::monitoring::OfRoll wrong) {
+    return wrong == rsi::monitoring::OfRoll::rate ? "roll rate" : "roll angle";
 }
 
 const char* name_of(Verdict verdict) {
@@ -147,7 +147,7 @@ void print_signatures() {
            "only a code that\nis confirmed. *Acquits*: only one that is active. How many cycles it takes: "
            "[safety](../../safety.md#diagnostic-codes).\n\n"
            "| code | | when | unless |\n|---|---|---|---|\n";
-    for (const monitoring::Signature& each : monitoring::signatures) {
+    for (const rsi::monitoring::Signature& each : rsi::monitoring::signatures) {
         std::cout << "| " << code_name(static_cast<std::size_t>(each.code)) << " | " << name_of(each.verdict)
                   << " | " << fact_names(each.pattern.needed) << " | " << fact_names(each.pattern.excuses)
                   << " |\n";
@@ -159,24 +159,25 @@ void print_suspicions() {
         << "\n## Roll rate against roll angle\n"
            "Which of the two is wrong: the first row that fits, when they begin to contradict each other.\n\n"
            "| when | unless | wrong |\n|---|---|---|\n";
-    for (const monitoring::Suspicion& each : monitoring::suspicions) {
+    for (const rsi::monitoring::Suspicion& each : rsi::monitoring::suspicions) {
         std::cout << "| " << fact_names(each.pattern.needed) << " | " << fact_names(each.pattern.excuses)
                   << " | " << name_of(each.wrong) << " |\n";
     }
-    std::cout << "| otherwise | | " << name_of(monitoring::otherwise_wrong) << " |\n";
+    std::cout << "| otherwise | | " << name_of(rsi::monitoring::otherwise_wrong) << " |\n";
 }
 
 void print_consequences() {
     std::cout
         << "\n## Consequences\n"
            "| signal | no witness against others while active | not used while confirmed |\n|---|---|---|\n";
-    for (const monitoring::Consequence& each : monitoring::consequences) {
+    for (const rsi::monitoring::Consequence& each : rsi::monitoring::consequences) {
         const bool is_of_roll =
             each.signal == &rsi::Inputs::roll_rate_radps || each.signal == &rsi::Inputs::roll_angle_rad;
         std::cout << "| " << name_of(each.signal) << " | " << code_names(each.no_witness) << " | "
                   << code_names(each.not_used);
         if (is_of_roll) {
-            std::cout << ", " << code_names(monitoring::roll_contradictions) << " if it is the wrong one";
+            std::cout << ", " << code_names(rsi::monitoring::roll_contradictions)
+                      << " if it is the wrong one";
         }
         std::cout << " |\n";
     }
@@ -186,7 +187,8 @@ void print_consequences() {
 
 int main() {
     std::cout
-        << "<!-- Written by tests/quality/safety/trace --document from firmware/monitoring/signatures.hpp; "
+        << "<!-- Written by tests/quality/safety/trace --document from "
+           "firmware/rsi/ecu/monitoring/signatures.hpp; "
            "do not edit. -->\n"
            "# Which sensor is accused\n\n"
            "The relations between the sensors, and the tables by which the ECU decides which of them is "

@@ -14,7 +14,7 @@ from text import Source, page_sentences, syntax_of  # noqa: E402
 
 PAGES = re.compile(r"(?:README|CONTRIBUTING|CHANGELOG|SECURITY)\.md|docs/[^/]+\.md")
 # Written by commands, or the rules themselves.
-LEFT_OUT = re.compile(r"can_dbc/generated/|firmware/calibrations/generated/|tests/can_dbc/(?:byte_orders|can_fd)\.hpp"
+LEFT_OUT = re.compile(r"can_dbc/include/rsi/can_dbc/generated/|firmware/calibrations/generated/|tests/can_dbc/(?:byte_orders|can_fd)\.hpp"
                       r"|docs/reports/|tests/quality/words/|tests/quality/mutation/survivors|.*\.zip")
 CLAUSES = {
     "of": "begin with the subject",

@@ -20,8 +20,8 @@ class Collector final : public sil::RunObserver {
         result_.states.push_back(ecu.output().state());
         result_.sides.push_back(ecu.output().side());
         result_.truths.push_back(truth);
-        const can_dbc::RolloverDiagnosis& told = ecu.diagnosis();
-        if (told.code_status == can_dbc::RolloverDiagnosis::CodeStatus::confirmed) {
+        const rsi::can_dbc::RolloverDiagnosis& told = ecu.diagnosis();
+        if (told.code_status == rsi::can_dbc::RolloverDiagnosis::CodeStatus::confirmed) {
             result_.confirmed_codes.insert(told.code);
         }
         if (static_cast<double>(ecu.output().warning().warning_level) > result_.largest_rsi) {

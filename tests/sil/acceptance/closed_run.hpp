@@ -38,7 +38,7 @@ struct RunResult {
     std::vector<sil::WarningSide> sides;    // one a cycle
     std::vector<sil::Truth> truths;         // one a cycle
     double largest_rsi{0.0};
-    std::set<can_dbc::RolloverDiagnosis::Code> confirmed_codes{};  // at any time
+    std::set<rsi::can_dbc::RolloverDiagnosis::Code> confirmed_codes{};  // at any time
 
     bool reached(sil::WarningState state) const;
 };

@@ -9,7 +9,7 @@ namespace rsi_test {
 namespace good_sensors_test {
 namespace {
 
-using Code = can_dbc::RolloverDiagnosis::Code;
+using Code = rsi::can_dbc::RolloverDiagnosis::Code;
 
 // The bank comes and goes within so many metres, at 80 km/h.
 RunSettings on_a_twisting_road(const std::string& vehicle, double bank_deg, double transition_m) {
@@ -77,7 +77,7 @@ TEST_P(GoodSensors, SetNoCodeWhereTheRoadTwistsOrBumps) {
             settings.changes = kind.calibration;
             const RunResult run = drive(settings);
             for (const Code code : run.confirmed_codes) {
-                ADD_FAILURE() << can_dbc::RolloverDiagnosis::name_of(code);
+                ADD_FAILURE() << rsi::can_dbc::RolloverDiagnosis::name_of(code);
             }
             EXPECT_EQ(run.events.judgement.unavailable_s, 0.0);
             EXPECT_EQ(run.events.judgement.warnings, 0U);

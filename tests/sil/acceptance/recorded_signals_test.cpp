@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "application/sensor_reception.hpp"
 #include "hal/memory/frame_replay.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "rsi/component.hpp"
+#include "rsi/ecu/application/sensor_reception.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_log.hpp"
 
@@ -84,25 +84,25 @@ class RecordedSignals : public testing::TestWithParam<const char*> {};
 
 TEST_P(RecordedSignals, GiveTheEstimatesOfTheDoublePrecisionReference) {
     const std::string source{RSI_SOURCE_DIR};
-    std::vector<hal::CanFrame> frames;
+    std::vector<rsi::hal::CanFrame> frames;
     for (const sil::LoggedFrame& logged : sil::read_candump_log(
              source + "/tests/application/regression/logs/" + GetParam() + ".sensors.log")) {
         frames.push_back(logged.frame);
     }
     const rsi::Parameters parameters =
         sil::load_calibration(source + "/firmware/calibrations/large_suv.toml", {"estimator=published"});
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U> bus{clock};
-    hal::FrameReplay player{frames.data(), frames.size(), clock, bus.endpoint(0U)};
-    application::SensorReception reception;
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<2U> bus{clock};
+    rsi::hal::FrameReplay player{frames.data(), frames.size(), clock, bus.endpoint(0U)};
+    rsi::application::SensorReception reception;
     rsi::Component component;
     ASSERT_EQ(component.init(parameters).accepted, 1);
     Reference reference{parameters};
 
     double largest_theta = 0.0;
     int compared = 0;
-    for (hal::Time time = frames.front().receive_time; !player.finished();
-         time = time + hal::Time::from_milliseconds(10)) {
+    for (rsi::hal::Time time = frames.front().receive_time; !player.finished();
+         time = time + rsi::hal::Time::from_milliseconds(10)) {
         player.run_until(time);
         reception.receive(bus.endpoint(1U), 0U);
         const rsi::Inputs inputs = reception.inputs(reception.report(clock.now()));

@@ -9,7 +9,7 @@ namespace rsi_test {
 namespace roll_reference_test {
 namespace {
 
-using Code = can_dbc::RolloverDiagnosis::Code;
+using Code = rsi::can_dbc::RolloverDiagnosis::Code;
 
 RunSettings with_noise(const std::string& manoeuvre, const std::string& vehicle) {
     RunSettings settings;

@@ -180,10 +180,10 @@ TEST_F(HardTurn, TellsCodesDegradationAndUnavailableTime) {
     EXPECT_THAT(sil::code_names(replay.cycles[44].codes.confirmed), testing::HasSubstr("imu lost"));
     EXPECT_THAT(sil::code_names(replay.confirmed_codes), testing::HasSubstr("imu lost"));
     const auto degradation = [&](std::size_t cycle) {
-        return replay.cycles[cycle].ecu.of<can_dbc::RolloverDiagnosis>().degradation;
+        return replay.cycles[cycle].ecu.of<rsi::can_dbc::RolloverDiagnosis>().degradation;
     };
-    EXPECT_EQ(degradation(29U), can_dbc::RolloverDiagnosis::Degradation::full);
-    EXPECT_EQ(degradation(44U), can_dbc::RolloverDiagnosis::Degradation::unavailable);
+    EXPECT_EQ(degradation(29U), rsi::can_dbc::RolloverDiagnosis::Degradation::full);
+    EXPECT_EQ(degradation(44U), rsi::can_dbc::RolloverDiagnosis::Degradation::unavailable);
     // Frames that come again heal the code.
     EXPECT_EQ(sil::code_names(replay.cycles[99].codes.confirmed).find("imu lost"), std::string::npos);
     const sil::DriveReplay whole = sil::replay_drive(*drive, large_suv_calibration());

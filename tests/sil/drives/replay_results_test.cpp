@@ -30,7 +30,8 @@ sil::ReplayCycle cycle(double time_s, WarningState state, WarningSide side) {
     result.outputs.side = static_cast<std::int32_t>(side);
     result.outputs.rsi = 0.75F;
     result.outputs.lateral_acceleration_mps2 = std::numeric_limits<float>::quiet_NaN();
-    result.ecu.of<can_dbc::RolloverDiagnosis>().degradation = can_dbc::RolloverDiagnosis::Degradation::full;
+    result.ecu.of<rsi::can_dbc::RolloverDiagnosis>().degradation =
+        rsi::can_dbc::RolloverDiagnosis::Degradation::full;
     return result;
 }
 
@@ -39,11 +40,11 @@ sil::DriveReplay three_cycles() {
     replay.cycles = {cycle(0.0, WarningState::ready, WarningSide::none),
                      cycle(0.01, WarningState::ready, WarningSide::none),
                      cycle(0.02, WarningState::warning, WarningSide::right)};
-    const auto bit = [](can_dbc::RolloverDiagnosis::Code code) {
+    const auto bit = [](rsi::can_dbc::RolloverDiagnosis::Code code) {
         return std::uint64_t{1U} << static_cast<unsigned>(code);
     };
-    const std::uint64_t lost = bit(can_dbc::RolloverDiagnosis::Code::imu_lost);
-    const std::uint64_t stuck = bit(can_dbc::RolloverDiagnosis::Code::speed_stuck);
+    const std::uint64_t lost = bit(rsi::can_dbc::RolloverDiagnosis::Code::imu_lost);
+    const std::uint64_t stuck = bit(rsi::can_dbc::RolloverDiagnosis::Code::speed_stuck);
     replay.cycles[2].codes = {lost | stuck, stuck};
     replay.confirmed_codes = stuck;
     replay.events.warning = sil::EventMoment{0.02, 6.0, 0.1};
@@ -213,7 +214,7 @@ TEST(ReplayTable, SaysWhichDrivesShowThatTheRollAngleIsNotWhatTheCalibrationSays
     const sil::ReplayRow good = sil::replay_row("x.csv", "x", replay);
     EXPECT_THAT(sil::table_text({good}), testing::Not(testing::HasSubstr("roll_angle_reference")));
     replay.confirmed_codes = std::uint64_t{1U} << static_cast<unsigned>(
-                                 can_dbc::RolloverDiagnosis::Code::roll_angle_reference_wrong);
+                                 rsi::can_dbc::RolloverDiagnosis::Code::roll_angle_reference_wrong);
     EXPECT_THAT(
         sil::table_text({good, sil::replay_row("y.csv", "y", replay), sil::replay_row("z.csv", "z", replay)}),
         testing::HasSubstr("\ny, z: on banked road the roll angle is not what roll_angle_reference "

@@ -7,21 +7,21 @@
 #include <type_traits>
 #include <vector>
 
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/e2e/profile_11.hpp"
-#include "monitoring/diagnostic_code.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
+#include "rsi/ecu/monitoring/diagnostic_code.hpp"
 #include "sil/simulation/sensor_frames.hpp"
 #include "tests/sil/faults/recorded_frames.hpp"
 
 namespace faults_test {
 namespace {
 
-using Diagnosis = can_dbc::RolloverDiagnosis;
+using Diagnosis = rsi::can_dbc::RolloverDiagnosis;
 
 template <typename Message>
-hal::CanFrame frame_of(const Message& message) {
-    auto payload = can_dbc::encode(message);
-    can_dbc::e2e::protect_profile_11(payload, Message::e2e_data_id, 0U);
+rsi::hal::CanFrame frame_of(const Message& message) {
+    auto payload = rsi::can_dbc::encode(message);
+    rsi::can_dbc::e2e::protect_profile_11(payload, Message::e2e_data_id, 0U);
     return sil::to_frame<Message>(payload);
 }
 
@@ -32,9 +32,9 @@ Diagnosis diagnosis(Diagnosis::Code code, Diagnosis::CodeStatus status) {
     return message;
 }
 
-std::vector<hal::CanFrame> all_frames(const Diagnosis& message = {}) {
-    std::vector<hal::CanFrame> frames;
-    can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
+std::vector<rsi::hal::CanFrame> all_frames(const Diagnosis& message = {}) {
+    std::vector<rsi::hal::CanFrame> frames;
+    rsi::can_dbc::MessagesFromRolloverEcu::visit([&](auto type) {
         using Message = typename decltype(type)::Type;
         if constexpr (std::is_same_v<Message, Diagnosis>) {
             frames.push_back(frame_of(message));
@@ -45,13 +45,13 @@ std::vector<hal::CanFrame> all_frames(const Diagnosis& message = {}) {
     return frames;
 }
 
-sil::EcuAnswer answer_to(sil::EcuAnswerReader& reader, const std::vector<hal::CanFrame>& frames) {
+sil::EcuAnswer answer_to(sil::EcuAnswerReader& reader, const std::vector<rsi::hal::CanFrame>& frames) {
     RecordedFrames bus;
     bus.frames = frames;
     return reader.read(bus);
 }
 
-sil::EcuAnswer answer_to(const std::vector<hal::CanFrame>& frames) {
+sil::EcuAnswer answer_to(const std::vector<rsi::hal::CanFrame>& frames) {
     sil::EcuAnswerReader reader;
     return answer_to(reader, frames);
 }
@@ -65,30 +65,30 @@ TEST(EcuAnswerReader, ReadsACompleteCycle) {
 
 TEST(EcuAnswerReader, NoticesAMissingADoubledAndADamagedFrame) {
     for (std::size_t index = 0U; index < all_frames().size(); ++index) {
-        std::vector<hal::CanFrame> missing = all_frames();
+        std::vector<rsi::hal::CanFrame> missing = all_frames();
         missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(index));
         EXPECT_FALSE(answer_to(missing).complete) << index;
-        std::vector<hal::CanFrame> doubled = all_frames();
+        std::vector<rsi::hal::CanFrame> doubled = all_frames();
         doubled.push_back(doubled[index]);
         EXPECT_FALSE(answer_to(doubled).complete) << index;
-        std::vector<hal::CanFrame> damaged = all_frames();
+        std::vector<rsi::hal::CanFrame> damaged = all_frames();
         damaged[index].data[5] ^= 1U;
         EXPECT_FALSE(answer_to(damaged).complete) << index;
     }
 }
 
 TEST(EcuAnswerReader, NoticesAnUndefinedCode) {
-    auto payload = can_dbc::encode(can_dbc::RolloverWarning{});
+    auto payload = rsi::can_dbc::encode(rsi::can_dbc::RolloverWarning{});
     payload[2] = static_cast<std::uint8_t>(payload[2] | 0x07U);  // State 7
-    can_dbc::e2e::protect_profile_11(payload, can_dbc::RolloverWarning::e2e_data_id, 0U);
-    std::vector<hal::CanFrame> frames = all_frames();
-    frames[0] = sil::to_frame<can_dbc::RolloverWarning>(payload);
+    rsi::can_dbc::e2e::protect_profile_11(payload, rsi::can_dbc::RolloverWarning::e2e_data_id, 0U);
+    std::vector<rsi::hal::CanFrame> frames = all_frames();
+    frames[0] = sil::to_frame<rsi::can_dbc::RolloverWarning>(payload);
     EXPECT_TRUE(answer_to(frames).complete);
     EXPECT_FALSE(answer_to(frames).defined);
 }
 
 TEST(EcuAnswerReader, TellsEachCodeByItsName) {
-    const auto last = static_cast<unsigned>(monitoring::diagnostic_code_count);
+    const auto last = static_cast<unsigned>(rsi::monitoring::diagnostic_code_count);
     for (unsigned raw = 1U; raw < last; ++raw) {
         const auto code = static_cast<Diagnosis::Code>(raw);
         const sil::EcuAnswer answer =

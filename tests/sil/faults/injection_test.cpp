@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
 #include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/faults/faulty_bus.hpp"
 #include "sil/studies/faults/sensor_signal.hpp"
@@ -14,7 +14,7 @@
 namespace faults_test {
 namespace {
 
-using can_dbc::e2e::CheckError;
+using rsi::can_dbc::e2e::CheckError;
 using sil::Fault;
 using sil::FaultKind;
 using sil::FaultPlace;
@@ -33,9 +33,10 @@ sil::SensorSample sample_of(double scale) {
     return sample;
 }
 
-std::vector<hal::CanFrame> of_identifier(const std::vector<hal::CanFrame>& frames, std::uint32_t identifier) {
-    std::vector<hal::CanFrame> found;
-    for (const hal::CanFrame& frame : frames) {
+std::vector<rsi::hal::CanFrame> of_identifier(const std::vector<rsi::hal::CanFrame>& frames,
+                                              std::uint32_t identifier) {
+    std::vector<rsi::hal::CanFrame> found;
+    for (const rsi::hal::CanFrame& frame : frames) {
         if (frame.identifier == identifier) {
             found.push_back(frame);
         }
@@ -43,12 +44,12 @@ std::vector<hal::CanFrame> of_identifier(const std::vector<hal::CanFrame>& frame
     return found;
 }
 
-CheckError imu_error(const hal::CanFrame& frame) {
-    return can_dbc::e2e::verify_profile_11(frame.data.data(), frame.length, can_dbc::Imu::length,
-                                           can_dbc::Imu::e2e_data_id);
+CheckError imu_error(const rsi::hal::CanFrame& frame) {
+    return rsi::can_dbc::e2e::verify_profile_11(frame.data.data(), frame.length, rsi::can_dbc::Imu::length,
+                                                rsi::can_dbc::Imu::e2e_data_id);
 }
 
-unsigned counter_of(const hal::CanFrame& frame) {
+unsigned counter_of(const rsi::hal::CanFrame& frame) {
     return frame.data[1] & 0x0FU;
 }
 
@@ -65,13 +66,13 @@ class Injection {
     }
 
     // Those that went on the bus in this cycle.
-    std::vector<hal::CanFrame> cycle(std::size_t number) const {
+    std::vector<rsi::hal::CanFrame> cycle(std::size_t number) const {
         const std::size_t begin = number == 0U ? 0U : counts_[number - 1U];
         return {recorded_.frames.begin() + static_cast<std::ptrdiff_t>(begin),
                 recorded_.frames.begin() + static_cast<std::ptrdiff_t>(counts_[number])};
     }
-    std::vector<hal::CanFrame> imu() const {
-        return of_identifier(recorded_.frames, can_dbc::Imu::identifier);
+    std::vector<rsi::hal::CanFrame> imu() const {
+        return of_identifier(recorded_.frames, rsi::can_dbc::Imu::identifier);
     }
 
  private:
@@ -207,7 +208,7 @@ TEST(FaultyBus, DelaysFramesAndLosesNone) {
     EXPECT_EQ(injection.cycle(2U).size(), 2U);
     EXPECT_EQ(injection.cycle(3U).size(), 2U);
     EXPECT_EQ(injection.cycle(4U).size(), 3U);
-    EXPECT_EQ(counter_of(of_identifier(injection.cycle(4U), can_dbc::Imu::identifier).at(0)), 2U);
+    EXPECT_EQ(counter_of(of_identifier(injection.cycle(4U), rsi::can_dbc::Imu::identifier).at(0)), 2U);
     EXPECT_EQ(injection.cycle(8U).size(), 5U) << "what was held back arrives at the end";
     ASSERT_EQ(injection.imu().size(), 12U);
     for (std::size_t index = 0U; index < 12U; ++index) {
@@ -238,8 +239,8 @@ TEST(FaultyBus, HoldsOrMovesTheCounterUnderARightCrc) {
 
 TEST(FaultyBus, ExchangesIdentifiersWithTheNextFrame) {
     const Injection injection{{FaultKind::swapped, FaultPlace::imu_frame, 0.0}};
-    const std::vector<hal::CanFrame> right = injection.cycle(1U);
-    const std::vector<hal::CanFrame> faulty = injection.cycle(2U);
+    const std::vector<rsi::hal::CanFrame> right = injection.cycle(1U);
+    const std::vector<rsi::hal::CanFrame> faulty = injection.cycle(2U);
     ASSERT_EQ(faulty.size(), 3U);
     EXPECT_EQ(faulty[0].identifier, right[1].identifier);
     EXPECT_EQ(faulty[1].identifier, right[0].identifier);
@@ -249,38 +250,40 @@ TEST(FaultyBus, ExchangesIdentifiersWithTheNextFrame) {
 
 TEST(FaultyBus, DoublesFrames) {
     const Injection injection{{FaultKind::doubled, FaultPlace::imu_frame, 0.0}};
-    const std::vector<hal::CanFrame> twice = of_identifier(injection.cycle(4U), can_dbc::Imu::identifier);
+    const std::vector<rsi::hal::CanFrame> twice =
+        of_identifier(injection.cycle(4U), rsi::can_dbc::Imu::identifier);
     ASSERT_EQ(twice.size(), 2U);
     EXPECT_EQ(twice[0].data, twice[1].data);
 }
 
 // Imu frames of a second sender among them; the genuine one says 1 m/s^2.
 TEST(FaultyBus, ASecondSenderComesBeforeOrAfterTheGenuineOneWithAGoodCounter) {
-    const auto lateral = [](const hal::CanFrame& frame) {
-        return can_dbc::decode<can_dbc::Imu>(frame.data).value.lateral_acceleration_mps2;
+    const auto lateral = [](const rsi::hal::CanFrame& frame) {
+        return rsi::can_dbc::decode<rsi::can_dbc::Imu>(frame.data).value.lateral_acceleration_mps2;
     };
     const auto in_cycle_4 = [](FaultKind kind, double content) {
         const Injection injection{{kind, FaultPlace::imu_frame, content}};
         EXPECT_EQ(injection.cycle(4U).size(), kind == FaultKind::sender_tenfold ? 13U : 4U);
-        std::vector<hal::CanFrame> frames = of_identifier(injection.cycle(4U), can_dbc::Imu::identifier);
-        for (const hal::CanFrame& frame : frames) {
+        std::vector<rsi::hal::CanFrame> frames =
+            of_identifier(injection.cycle(4U), rsi::can_dbc::Imu::identifier);
+        for (const rsi::hal::CanFrame& frame : frames) {
             EXPECT_EQ(imu_error(frame), CheckError::none);
         }
         return frames;
     };
-    const std::vector<hal::CanFrame> before = in_cycle_4(FaultKind::sender_before, 1.0);
+    const std::vector<rsi::hal::CanFrame> before = in_cycle_4(FaultKind::sender_before, 1.0);
     ASSERT_EQ(before.size(), 2U);
     EXPECT_NEAR(lateral(before[0]), 8.0F, 0.01F);
     EXPECT_NEAR(lateral(before[1]), 1.0F, 0.01F);
     EXPECT_EQ(counter_of(before[0]), 4U);
     EXPECT_EQ(counter_of(before[1]), 4U);
-    const std::vector<hal::CanFrame> after = in_cycle_4(FaultKind::sender_after, -1.0);
+    const std::vector<rsi::hal::CanFrame> after = in_cycle_4(FaultKind::sender_after, -1.0);
     ASSERT_EQ(after.size(), 2U);
     EXPECT_NEAR(lateral(after[0]), 1.0F, 0.01F);
     EXPECT_NEAR(lateral(after[1]), 0.0F, 0.01F);
     EXPECT_EQ(counter_of(after[0]), 4U);
     EXPECT_EQ(counter_of(after[1]), 5U);
-    const std::vector<hal::CanFrame> tenfold = in_cycle_4(FaultKind::sender_tenfold, 1.0);
+    const std::vector<rsi::hal::CanFrame> tenfold = in_cycle_4(FaultKind::sender_tenfold, 1.0);
     ASSERT_EQ(tenfold.size(), 11U);
     for (std::size_t index = 2U; index < tenfold.size(); ++index) {
         EXPECT_EQ(counter_of(tenfold[index]), (counter_of(tenfold[index - 1U]) + 1U) % 15U);
@@ -294,31 +297,33 @@ TEST(FaultyBus, ASecondSenderSpeaksForTheOtherSensorsAndForTheEcu) {
     };
     for (const double content : {1.0, -1.0}) {
         const bool alarming = content > 0.0;
-        const auto roll = frames(FaultPlace::roll_angle_frame, can_dbc::RollAngle::identifier, content);
+        const auto roll = frames(FaultPlace::roll_angle_frame, rsi::can_dbc::RollAngle::identifier, content);
         ASSERT_EQ(roll.size(), 2U);
-        EXPECT_NEAR(can_dbc::decode<can_dbc::RollAngle>(roll[0].data).value.roll_angle_deg,
+        EXPECT_NEAR(rsi::can_dbc::decode<rsi::can_dbc::RollAngle>(roll[0].data).value.roll_angle_deg,
                     alarming ? 9.0F : 0.0F, 0.01F);
         const auto motion =
-            frames(FaultPlace::vehicle_motion_frame, can_dbc::VehicleMotion::identifier, content);
+            frames(FaultPlace::vehicle_motion_frame, rsi::can_dbc::VehicleMotion::identifier, content);
         ASSERT_EQ(motion.size(), 2U);
-        EXPECT_NEAR(can_dbc::decode<can_dbc::VehicleMotion>(motion[0].data).value.yaw_rate_deg_per_s,
-                    alarming ? 20.0F : 0.0F, 0.01F);
-        const auto warning = frames(FaultPlace::warning_frame, can_dbc::RolloverWarning::identifier, content);
+        EXPECT_NEAR(
+            rsi::can_dbc::decode<rsi::can_dbc::VehicleMotion>(motion[0].data).value.yaw_rate_deg_per_s,
+            alarming ? 20.0F : 0.0F, 0.01F);
+        const auto warning =
+            frames(FaultPlace::warning_frame, rsi::can_dbc::RolloverWarning::identifier, content);
         ASSERT_EQ(warning.size(), 1U);
-        using Warning = can_dbc::RolloverWarning;
-        EXPECT_EQ(can_dbc::decode<Warning>(warning[0].data).value.state,
+        using Warning = rsi::can_dbc::RolloverWarning;
+        EXPECT_EQ(rsi::can_dbc::decode<Warning>(warning[0].data).value.state,
                   alarming ? Warning::State::warning : Warning::State::ready);
     }
     const Injection tenfold{{FaultKind::sender_tenfold, FaultPlace::warning_frame, 1.0}};
-    EXPECT_EQ(of_identifier(tenfold.cycle(4U), can_dbc::RolloverWarning::identifier).size(), 10U);
+    EXPECT_EQ(of_identifier(tenfold.cycle(4U), rsi::can_dbc::RolloverWarning::identifier).size(), 10U);
 }
 
 TEST(FaultyBus, FloodsBeforeTheSensorFrames) {
     const Injection foreign{{FaultKind::flood_foreign, FaultPlace::bus, 40.0}};
     EXPECT_EQ(foreign.cycle(4U).size(), 43U);
-    EXPECT_EQ(foreign.cycle(4U).back().identifier, can_dbc::VehicleMotion::identifier);
+    EXPECT_EQ(foreign.cycle(4U).back().identifier, rsi::can_dbc::VehicleMotion::identifier);
     const Injection own{{FaultKind::flood_own, FaultPlace::bus, 40.0}};
-    EXPECT_EQ(of_identifier(own.cycle(4U), can_dbc::Imu::identifier).size(), 41U);
+    EXPECT_EQ(of_identifier(own.cycle(4U), rsi::can_dbc::Imu::identifier).size(), 41U);
     EXPECT_EQ(imu_error(own.cycle(4U).at(0)), CheckError::crc);
 }
 
@@ -327,18 +332,19 @@ TEST(FaultyBus, SendsACodeOutOfRangeUnderARightCrc) {
         SCOPED_TRACE(to_string(signal.place));
         const Injection injection{{FaultKind::out_of_range, signal.place, 0.0}};
         int out_of_range = 0;
-        for (const hal::CanFrame& frame : injection.cycle(4U)) {
-            can_dbc::visit_messages([&](auto type) {
+        for (const rsi::hal::CanFrame& frame : injection.cycle(4U)) {
+            rsi::can_dbc::visit_messages([&](auto type) {
                 using Message = typename decltype(type)::Type;
                 if (frame.identifier != Message::identifier) {
                     return;
                 }
-                EXPECT_EQ(can_dbc::e2e::verify_profile_11(frame.data.data(), frame.length, Message::length,
-                                                          Message::e2e_data_id),
+                EXPECT_EQ(rsi::can_dbc::e2e::verify_profile_11(frame.data.data(), frame.length,
+                                                               Message::length, Message::e2e_data_id),
                           CheckError::none);
                 Message::visit_signals([&](const char*, const char*, auto, auto status) {
-                    const auto decoded = can_dbc::decode<Message>(frame.data);
-                    out_of_range += decoded.status.*status == can_dbc::SignalStatus::out_of_range ? 1 : 0;
+                    const auto decoded = rsi::can_dbc::decode<Message>(frame.data);
+                    out_of_range +=
+                        decoded.status.*status == rsi::can_dbc::SignalStatus::out_of_range ? 1 : 0;
                 });
             });
         }

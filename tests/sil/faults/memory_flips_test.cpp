@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "application/rollover_ecu.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 
@@ -28,7 +28,7 @@ TEST(TheMemoryMap, CoversTheEcuWithoutAGap) {
         EXPECT_GT(part.length, 0U) << part.name;
         end = part.begin + part.length;
     }
-    EXPECT_EQ(end, sizeof(application::RolloverEcu));
+    EXPECT_EQ(end, sizeof(rsi::application::RolloverEcu));
 }
 
 TEST(TheMemoryMap, HasTheComponentsParametersWhereTheEcuHasThem) {

@@ -3,27 +3,27 @@
 
 #include <vector>
 
-#include "hal/interface/can_bus.hpp"
+#include "rsi/hal/can_bus.hpp"
 
 namespace faults_test {
 
-class RecordedFrames final : public hal::CanBus {
+class RecordedFrames final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame& frame) noexcept override {
         if (next_ == frames.size()) {
-            return hal::ReceiveResult::empty;
+            return rsi::hal::ReceiveResult::empty;
         }
         frame = frames[next_++];
-        return hal::ReceiveResult::frame;
+        return rsi::hal::ReceiveResult::frame;
     }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         frames.push_back(frame);
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 
-    std::vector<hal::CanFrame> frames{};
+    std::vector<rsi::hal::CanFrame> frames{};
 
  private:
     std::size_t next_{0U};

@@ -21,7 +21,7 @@ class KeyFile : public ::testing::Test {
     void write(const std::string& text) { std::ofstream{path_} << text; }
     std::string refusal() {
         try {
-            sil::load_key(path_, hal::KeySlot::parameters);
+            sil::load_key(path_, rsi::hal::KeySlot::parameters);
         } catch (const sil::InputError& error) {
             return error.what();
         }
@@ -35,17 +35,17 @@ TEST_F(KeyFile, GivesTheKeyOfTheSlot) {
     write(
         "diagnosis = \"000102030405060708090a0b0c0d0e0f\"\n"
         "parameters = \"F0E1D2C3B4A5968778695a4b3c2d1e0f\"\n");
-    EXPECT_EQ(sil::load_key(path_, hal::KeySlot::diagnosis),
-              (hal::Key{0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U, 14U, 15U}));
-    EXPECT_EQ(sil::load_key(path_, hal::KeySlot::parameters),
-              (hal::Key{0xF0U, 0xE1U, 0xD2U, 0xC3U, 0xB4U, 0xA5U, 0x96U, 0x87U, 0x78U, 0x69U, 0x5AU, 0x4BU,
-                        0x3CU, 0x2DU, 0x1EU, 0x0FU}));
-    EXPECT_THROW(sil::load_key(path_, hal::KeySlot::calibration), sil::InputError);
+    EXPECT_EQ(sil::load_key(path_, rsi::hal::KeySlot::diagnosis),
+              (rsi::hal::Key{0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U, 14U, 15U}));
+    EXPECT_EQ(sil::load_key(path_, rsi::hal::KeySlot::parameters),
+              (rsi::hal::Key{0xF0U, 0xE1U, 0xD2U, 0xC3U, 0xB4U, 0xA5U, 0x96U, 0x87U, 0x78U, 0x69U, 0x5AU,
+                             0x4BU, 0x3CU, 0x2DU, 0x1EU, 0x0FU}));
+    EXPECT_THROW(sil::load_key(path_, rsi::hal::KeySlot::calibration), sil::InputError);
 }
 
 TEST_F(KeyFile, NeedNotBeThereForTheTestKey) {
-    EXPECT_EQ(sil::load_key("test", hal::KeySlot::calibration), hal::test_keys[0]);
-    EXPECT_EQ(sil::load_key("test", hal::KeySlot::parameters), hal::test_keys[2]);
+    EXPECT_EQ(sil::load_key("test", rsi::hal::KeySlot::calibration), rsi::hal::test_keys[0]);
+    EXPECT_EQ(sil::load_key("test", rsi::hal::KeySlot::parameters), rsi::hal::test_keys[2]);
 }
 
 TEST_F(KeyFile, IsRefusedWithItsLineAndWithoutTheKey) {

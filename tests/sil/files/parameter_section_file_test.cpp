@@ -19,7 +19,7 @@
 
 namespace {
 
-using application::ParametersRefusal;
+using rsi::application::ParametersRefusal;
 
 std::string calibration_file(const std::string& vehicle) {
     return RSI_SOURCE_DIR "/firmware/calibrations/" + vehicle + ".toml";
@@ -37,8 +37,8 @@ class ParameterSectionOf : public testing::TestWithParam<std::string> {
 
 TEST_P(ParameterSectionOf, IsTakenByTheFirmwareBitForBit) {
     rsi::Parameters taken{};
-    const application::ParameterSectionAnswer answer =
-        application::read_parameter_section(section_.data(), section_.size(), taken);
+    const rsi::application::ParameterSectionAnswer answer =
+        rsi::application::read_parameter_section(section_.data(), section_.size(), taken);
     EXPECT_EQ(answer.refusal, ParametersRefusal::none) << sil::explain(answer);
     EXPECT_TRUE(same(taken, calibration_));
     EXPECT_EQ(sil::section_name(section_), GetParam());
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Calibrations, ParameterSectionOf, testing::ValuesIn(cal
 TEST(AParameterSection, CarriesEachValueInAPlaceOfItsOwn) {
     const rsi::Parameters base = sil::load_calibration(calibration_file("large_suv"));
     const std::vector<std::uint8_t> before = sil::parameter_section(base, "");
-    std::size_t at = application::section::values_at;
+    std::size_t at = rsi::application::section::values_at;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
         rsi::Parameters changed = base;
         changed.*field.member = 1.5F * base.*field.member + 0.125F;
@@ -186,7 +186,7 @@ TEST(IntelHex, HasSixteenBytesARecord) {
 }
 
 TEST(IntelHex, EndsAtTheLastAddress) {
-    const std::vector<std::uint8_t> section(application::section::length);
+    const std::vector<std::uint8_t> section(rsi::application::section::length);
     const auto last = static_cast<std::uint32_t>(0x1'0000'0000U - section.size());
     EXPECT_NO_THROW(sil::intel_hex(section, last));
     EXPECT_THROW(sil::intel_hex(section, last + 1U), sil::InputError);

@@ -88,7 +88,7 @@ TEST(PageRecording, TellsOfTheMomentsThatWere) {
 }
 
 TEST(DiagnosisWatch, TellsTheFirstAndEachChange) {
-    using Diagnosis = can_dbc::RolloverDiagnosis;
+    using Diagnosis = rsi::can_dbc::RolloverDiagnosis;
     sil::DiagnosisWatch watch;
     Diagnosis diagnosis;
     diagnosis.degradation = Diagnosis::Degradation::full;

@@ -64,11 +64,11 @@ sil::EcuOutput respond(const sil::Truth& truth) {
     const double t = (track_width_m / 2.0 - side * roll_arm_m * std::tan(truth.roll_angle_rad)) / height_m;
     const double level =
         std::min(std::fabs(truth.lateral_acceleration_mps2) / std::max(t * g_mps2, 0.05), 1.0);
-    can_dbc::RolloverWarning& warning = output.warning();
+    rsi::can_dbc::RolloverWarning& warning = output.warning();
     warning.lateral_acceleration_mps2 = static_cast<float>(truth.lateral_acceleration_mps2);
     warning.lateral_acceleration_threshold_mps2 = static_cast<float>(side * t * g_mps2);
     warning.warning_level = static_cast<float>(level);
-    output.of<can_dbc::RollIndicesClassic>().rsi = static_cast<float>(level);
+    output.of<rsi::can_dbc::RollIndicesClassic>().rsi = static_cast<float>(level);
     warning.state = level >= 1.0   ? sil::WarningState::warning
                     : level >= 0.8 ? sil::WarningState::advisory
                                    : sil::WarningState::ready;

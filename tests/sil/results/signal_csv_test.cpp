@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "tests/support/full_disk.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -46,7 +46,7 @@ std::string field(const std::string& row, const std::string& column) {
 // The words, and the columns of the signals that have no unit in the DBC file.
 std::set<std::string> columns_without_unit() {
     std::set<std::string> names{"ecu_state", "ecu_side"};
-    can_dbc::MessagesFromRolloverEcu::visit([&names](auto type) {
+    rsi::can_dbc::MessagesFromRolloverEcu::visit([&names](auto type) {
         using Message = typename decltype(type)::Type;
         if constexpr (Message::has_sources) {
             Message::visit_sources([&names](const char* field, const char*, auto member) {
@@ -128,7 +128,7 @@ TEST(SignalCsv, EveryValueStandsInItsOwnColumn) {
     output.warning().side = sil::WarningSide::right;
     output.warning().warning_level = 0.75F;
     output.warning().lateral_acceleration_threshold_mps2 = 8.0F;
-    output.of<can_dbc::RollCentreEstimate>().roll_centre_vertical_m = -0.0625F;
+    output.of<rsi::can_dbc::RollCentreEstimate>().roll_centre_vertical_m = -0.0625F;
     const std::string row = sil::signal_csv_row(truth, sample, output);
     const auto number = [&row](const char* column) {
         return std::strtod(field(row, column).c_str(), nullptr);

@@ -13,7 +13,7 @@ sil::LoggedFrame frame(std::uint32_t identifier, std::int64_t time_us) {
     sil::LoggedFrame logged;
     logged.frame.identifier = identifier;
     logged.frame.length = 8U;
-    logged.frame.receive_time = hal::Time{time_us * 1000};
+    logged.frame.receive_time = rsi::hal::Time{time_us * 1000};
     logged.interface = "vcan0";
     return logged;
 }

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "tests/sil/simulation/recorded_run.hpp"
 
@@ -18,9 +18,9 @@ using sil::WarningState;
 
 // The identifiers of a cycle's frames, in their order: the sensors', then the ECU's.
 std::vector<std::uint32_t> frames_of_a_cycle() {
-    std::vector<std::uint32_t> frames{can_dbc::Imu::identifier, can_dbc::RollAngle::identifier,
-                                      can_dbc::VehicleMotion::identifier};
-    constexpr auto answers = can_dbc::MessagesFromRolloverEcu::identifiers;
+    std::vector<std::uint32_t> frames{rsi::can_dbc::Imu::identifier, rsi::can_dbc::RollAngle::identifier,
+                                      rsi::can_dbc::VehicleMotion::identifier};
+    constexpr auto answers = rsi::can_dbc::MessagesFromRolloverEcu::identifiers;
     frames.insert(frames.end(), answers.begin(), answers.end());
     return frames;
 }

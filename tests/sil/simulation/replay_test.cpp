@@ -15,7 +15,7 @@ TEST(AReplay, OfARunGivesTheFramesThatTheEcuSentByteForByte) {
     settings.noise = true;
     const RecordedRun run = run_and_record(hard_turn(), settings);
     const std::vector<sil::LoggedFrame> answers = sil::replay(run.log, large_suv_calibration());
-    ASSERT_EQ(answers.size(), can_dbc::MessagesFromRolloverEcu::size * run.ecu_outputs.size());
+    ASSERT_EQ(answers.size(), rsi::can_dbc::MessagesFromRolloverEcu::size * run.ecu_outputs.size());
     EXPECT_EQ(ecu_payloads(answers), ecu_payloads(run.log));
 }
 
@@ -25,8 +25,9 @@ TEST(AReplay, BearsTheTimesOfTheRunAndItsInterface) {
     const RecordedRun run = run_and_record(hard_turn(), settings);
     const std::vector<sil::LoggedFrame> answers = sil::replay(run.log, large_suv_calibration());
     for (std::size_t index = 0U; index < answers.size(); ++index) {
-        ASSERT_EQ(answers[index].frame.receive_time.nanoseconds,
-                  static_cast<std::int64_t>(index / can_dbc::MessagesFromRolloverEcu::size) * 10'000'000);
+        ASSERT_EQ(
+            answers[index].frame.receive_time.nanoseconds,
+            static_cast<std::int64_t>(index / rsi::can_dbc::MessagesFromRolloverEcu::size) * 10'000'000);
         ASSERT_EQ(answers[index].interface, "vcan0");
     }
 }
@@ -38,7 +39,7 @@ TEST(AReplay, DoesNotDependOnWhenTheLogWasRecorded) {
     RecordedRun run = run_and_record(hard_turn(), settings);
     const std::vector<std::string> expected = ecu_payloads(run.log);
     for (sil::LoggedFrame& logged : run.log) {
-        logged.frame.receive_time = logged.frame.receive_time + hal::Time{1'700'000'000'000'000'000};
+        logged.frame.receive_time = logged.frame.receive_time + rsi::hal::Time{1'700'000'000'000'000'000};
     }
     EXPECT_EQ(ecu_payloads(sil::replay(run.log, large_suv_calibration())), expected);
 }
@@ -47,7 +48,7 @@ sil::LoggedFrame frame_at(std::uint32_t identifier, std::int64_t time_ms, std::s
     sil::LoggedFrame logged;
     logged.frame.identifier = identifier;
     logged.frame.length = 8U;
-    logged.frame.receive_time = hal::Time::from_milliseconds(time_ms);
+    logged.frame.receive_time = rsi::hal::Time::from_milliseconds(time_ms);
     logged.line = line;
     return logged;
 }
@@ -104,7 +105,8 @@ TEST(AReplay, OfALogForWhichThereIsNotEnoughMemoryIsRefusedNamingTheLine) {
 TEST(AReplay, AcceptsEqualTimesAndDisorderedFramesThatAreNotForTheFirmware) {
     const std::vector<sil::LoggedFrame> log{frame_at(0x120U, 10, 1U), frame_at(0x121U, 10, 2U),
                                             frame_at(0x0D0U, 0, 3U), frame_at(0x120U, 20, 4U)};
-    EXPECT_EQ(sil::replay(log, large_suv_calibration()).size(), 2U * can_dbc::MessagesFromRolloverEcu::size);
+    EXPECT_EQ(sil::replay(log, large_suv_calibration()).size(),
+              2U * rsi::can_dbc::MessagesFromRolloverEcu::size);
 }
 
 TEST(AReplay, WithRefusedParametersSaysWhichFieldIsWrong) {

@@ -11,7 +11,7 @@
 #include "tests/hal/make_frame.hpp"
 #include "tests/system/vcan/interface_fixture.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 using ::testing::AllOf;
@@ -263,4 +263,4 @@ TEST_F(BusStateTest, ABusCanBeOpenedAgainAndCountsFromZero) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

@@ -73,7 +73,7 @@ class Sender {
     std::array<mmsghdr, largest_batch> messages_{};
 };
 
-std::int64_t due(std::int64_t rate, hal::Time elapsed) {
+std::int64_t due(std::int64_t rate, rsi::hal::Time elapsed) {
     return rate * (elapsed.nanoseconds / 1000) / 1'000'000;
 }
 
@@ -85,12 +85,13 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::int64_t rate = std::atoll(argv[2]);
-    const hal::Time duration = hal::Time::from_milliseconds(1000 * std::atoll(argv[3]));
+    const rsi::hal::Time duration = rsi::hal::Time::from_milliseconds(1000 * std::atoll(argv[3]));
     Sender sender{argv[1]};
-    const hal::SteadyClock clock;
-    const hal::Time start = clock.now();
-    hal::Time elapsed{};
-    for (hal::Time next = start; elapsed < duration; next = next + hal::Time::from_milliseconds(1)) {
+    const rsi::hal::SteadyClock clock;
+    const rsi::hal::Time start = clock.now();
+    rsi::hal::Time elapsed{};
+    for (rsi::hal::Time next = start; elapsed < duration;
+         next = next + rsi::hal::Time::from_milliseconds(1)) {
         clock.wait_until(next);
         elapsed = clock.now() - start;
         const std::int64_t end = due(rate, elapsed < duration ? elapsed : duration);

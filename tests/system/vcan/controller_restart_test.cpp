@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 void configure(const char* command) {
@@ -48,4 +48,4 @@ TEST(ControllerRestart, AnInterfaceThatIsNotThereIsRefused) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace hal::testing {
+namespace rsi::hal::testing {
 namespace {
 
 [[noreturn]] void give_up(const char* action) {
@@ -105,4 +105,4 @@ ReceiveResult InterfaceTest::receive_soon(SocketCanBus& bus, CanFrame& frame) {
     return bus.receive(frame);
 }
 
-}  // namespace hal::testing
+}  // namespace rsi::hal::testing

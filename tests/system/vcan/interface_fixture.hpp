@@ -8,7 +8,7 @@
 #include "hal/linux/steady_clock.hpp"
 #include "hal/socketcan/socket_can_bus.hpp"
 
-namespace hal::testing {
+namespace rsi::hal::testing {
 
 // From the environment variable RSI_CAN_INTERFACE; vcan0 when it is not set.
 std::string interface_name();
@@ -42,4 +42,4 @@ class InterfaceTest : public ::testing::Test {
     CanFrame frame;
 };
 
-}  // namespace hal::testing
+}  // namespace rsi::hal::testing

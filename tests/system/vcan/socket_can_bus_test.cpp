@@ -10,7 +10,7 @@
 #include "tests/hal/make_frame.hpp"
 #include "tests/system/vcan/interface_fixture.hpp"
 
-namespace hal {
+namespace rsi::hal {
 namespace {
 
 using testing::make_frame;
@@ -213,4 +213,4 @@ TEST_F(SocketCanBusTest, TheReceiveBufferIsAsLargeAsAskedFor) {
 }
 
 }  // namespace
-}  // namespace hal
+}  // namespace rsi::hal

@@ -30,11 +30,11 @@ MANOEUVRES = ("j-turn-110", "fishhook-1a")
 LOGS = PROJECT / "tests/application/regression/logs"
 FAULTY_LOG = "bus-faults-noise"
 CALIBRATION = PROJECT / "firmware/calibrations/large_suv.toml"
-CYCLE = "application::RolloverEcu::step"
+CYCLE = "rsi::application::RolloverEcu::step"
 # The same with XCP and diagnosis linked and not connected; code executed only in a cycle in which a trouble code
 # changes or the trouble memory is stored.
 CYCLE_WITH_ACCESSES = "budgets::EcuWithAccesses::cycle"
-EVENTS = ["diagnosis::TroubleMemory::take_change", "diagnosis::KeptData::store"]
+EVENTS = ["rsi::diagnosis::TroubleMemory::take_change", "rsi::diagnosis::KeptData::store"]
 ECU_LIBRARIES = ("librsi.a", "librsi_application.a")
 ACCESS_LIBRARIES = {
     "XCP": ("librsi_xcp.a", "librsi_calibration_pages.a"),

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "application/sensor_reception.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "rsi/component.hpp"
+#include "rsi/ecu/application/sensor_reception.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/candump_log.hpp"
 #include "sil/files/sensor_frame.hpp"
@@ -51,9 +51,9 @@ std::vector<budgets::Record> manoeuvre(const std::string& name, const rsi::Param
     run.run();
     log.close();
 
-    hal::VirtualClock clock;
-    hal::MemoryBus<2U> bus{clock};
-    application::SensorReception reception;
+    rsi::hal::VirtualClock clock;
+    rsi::hal::MemoryBus<2U> bus{clock};
+    rsi::application::SensorReception reception;
     std::vector<budgets::Record> records;
     const auto end_cycle = [&] {
         reception.receive(bus.endpoint(0U), 0U);

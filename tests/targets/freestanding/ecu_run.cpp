@@ -2,37 +2,37 @@
 //
 // The same proof as component_run.cpp, for the application, the generated codec and the end-to-end
 // protection. The platform below is also the least that a port has to write.
-#include "application/rollover_ecu.hpp"
-#include "can_dbc/codec/message.hpp"
-#include "can_dbc/e2e/profile_11.hpp"
-#include "can_dbc/generated/rollover_warning.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/e2e/profile_11.hpp"
+#include "rsi/can_dbc/generated/rollover_warning.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 #include "tests/support/large_suv.h"
 #include "tests/targets/freestanding/start.hpp"
 
 namespace {
 
 constexpr unsigned sensor_frames = 3U;
-constexpr unsigned ecu_frames = can_dbc::MessagesFromRolloverEcu::size;
+constexpr unsigned ecu_frames = rsi::can_dbc::MessagesFromRolloverEcu::size;
 
 // The frames of one cycle; the test refills and reads them between two cycles.
-class Bus final : public hal::CanBus {
+class Bus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame& frame) noexcept override {
         if (taken_ == sensor_frames) {
-            return hal::ReceiveResult::empty;
+            return rsi::hal::ReceiveResult::empty;
         }
         frame = to_ecu[taken_++];
-        return hal::ReceiveResult::frame;
+        return rsi::hal::ReceiveResult::frame;
     }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         if (sent_ == ecu_frames) {
-            return hal::SendResult::full;
+            return rsi::hal::SendResult::full;
         }
         from_ecu[sent_++] = frame;
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 
     void begin_cycle() {
         taken_ = 0U;
@@ -40,21 +40,21 @@ class Bus final : public hal::CanBus {
     }
     unsigned sent() const { return sent_; }
 
-    hal::CanFrame to_ecu[sensor_frames]{};
-    hal::CanFrame from_ecu[ecu_frames]{};
+    rsi::hal::CanFrame to_ecu[sensor_frames]{};
+    rsi::hal::CanFrame from_ecu[ecu_frames]{};
 
  private:
     unsigned taken_{0U};
     unsigned sent_{0U};
 };
 
-class Clock final : public hal::Clock {
+class Clock final : public rsi::hal::Clock {
  public:
-    hal::Time now() const noexcept override { return time; }
-    hal::Time time{};
+    rsi::hal::Time now() const noexcept override { return time; }
+    rsi::hal::Time time{};
 };
 
-class Watchdog final : public hal::Watchdog {
+class Watchdog final : public rsi::hal::Watchdog {
  public:
     void feed() noexcept override { ++feeds; }
     int feeds{0};
@@ -63,8 +63,8 @@ class Watchdog final : public hal::Watchdog {
 template <typename Message>
 class SensorLine {
  public:
-    void put(const Message& message, hal::Time time, hal::CanFrame& frame) {
-        auto payload = can_dbc::encode(message);
+    void put(const Message& message, rsi::hal::Time time, rsi::hal::CanFrame& frame) {
+        auto payload = rsi::can_dbc::encode(message);
         sender_.protect(payload);
         frame.identifier = Message::identifier;
         frame.length = Message::length;
@@ -75,34 +75,35 @@ class SensorLine {
     }
 
  private:
-    can_dbc::e2e::Profile11Sender sender_{Message::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender sender_{Message::e2e_data_id};
 };
 
 // A frame's values, if it is this message and undamaged; its counter must follow the one before.
 template <typename Message>
 class Ear {
  public:
-    bool hear(const hal::CanFrame& frame) {
-        const bool good = (frame.identifier == Message::identifier) &&
-                          (receiver_.check(frame.data, frame.length).status == can_dbc::e2e::CheckStatus::ok);
+    bool hear(const rsi::hal::CanFrame& frame) {
+        const bool good =
+            (frame.identifier == Message::identifier) &&
+            (receiver_.check(frame.data, frame.length).status == rsi::can_dbc::e2e::CheckStatus::ok);
         if (good) {
-            latest = can_dbc::decode<Message>(frame.data);
+            latest = rsi::can_dbc::decode<Message>(frame.data);
         }
         return good;
     }
-    can_dbc::Decoded<Message> latest{};
+    rsi::can_dbc::Decoded<Message> latest{};
 
  private:
-    can_dbc::e2e::Profile11Receiver receiver_{Message::e2e_data_id, Message::length, 1U};
+    rsi::can_dbc::e2e::Profile11Receiver receiver_{Message::e2e_data_id, Message::length, 1U};
 };
 
 // An ear for each frame of the ECU, in the order in which they are sent.
 template <typename List>
 class Ears;
 template <typename... Messages>
-class Ears<can_dbc::MessageList<Messages...>> : private Ear<Messages>... {
+class Ears<rsi::can_dbc::MessageList<Messages...>> : private Ear<Messages>... {
  public:
-    bool hear(const hal::CanFrame (&frames)[sizeof...(Messages)]) {
+    bool hear(const rsi::hal::CanFrame (&frames)[sizeof...(Messages)]) {
         unsigned index = 0U;
         return (Ear<Messages>::hear(frames[index++]) && ...);
     }
@@ -116,18 +117,18 @@ struct World {
     Bus bus{};
     Clock clock{};
     Watchdog watchdog{};
-    application::RolloverEcu ecu{bus, clock, watchdog};
-    SensorLine<can_dbc::Imu> imu{};
-    SensorLine<can_dbc::RollAngle> roll_angle{};
-    SensorLine<can_dbc::VehicleMotion> vehicle_motion{};
-    Ears<can_dbc::MessagesFromRolloverEcu> ears{};
+    rsi::application::RolloverEcu ecu{bus, clock, watchdog};
+    SensorLine<rsi::can_dbc::Imu> imu{};
+    SensorLine<rsi::can_dbc::RollAngle> roll_angle{};
+    SensorLine<rsi::can_dbc::VehicleMotion> vehicle_motion{};
+    Ears<rsi::can_dbc::MessagesFromRolloverEcu> ears{};
 
     // One cycle; whether the ECU sent its frames as it should.
     bool cycle(float lateral_acceleration_mps2, float roll_angle_deg) {
-        clock.time = clock.time + hal::Time::from_milliseconds(10);
+        clock.time = clock.time + rsi::hal::Time::from_milliseconds(10);
         bus.begin_cycle();
         imu.put({lateral_acceleration_mps2, 9.80665F, 0.0F}, clock.time, bus.to_ecu[0]);
-        roll_angle.put({roll_angle_deg, can_dbc::not_available}, clock.time, bus.to_ecu[1]);
+        roll_angle.put({roll_angle_deg, rsi::can_dbc::not_available}, clock.time, bus.to_ecu[1]);
         vehicle_motion.put({80.0F, 0.0F, 0.0F}, clock.time, bus.to_ecu[2]);
         ecu.step(0U);
         return (bus.sent() == ecu_frames) && ears.hear(bus.from_ecu);
@@ -145,7 +146,7 @@ struct World {
 }  // namespace
 
 extern "C" long run() {
-    using can_dbc::RolloverWarning;
+    using rsi::can_dbc::RolloverWarning;
     World world;
     if (world.ecu.init(rsi_test_large_suv()).accepted == 0) {
         return 1;
@@ -164,7 +165,7 @@ extern "C" long run() {
         (warning.side != RolloverWarning::Side::right)) {
         return 5;
     }
-    if (world.ears.latest<can_dbc::RolloverStatus>().imu_timeout || (world.watchdog.feeds != 200)) {
+    if (world.ears.latest<rsi::can_dbc::RolloverStatus>().imu_timeout || (world.watchdog.feeds != 200)) {
         return 6;
     }
     return 0;

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <functional>
 
-namespace image {
+namespace rsi::image {
 namespace {
 
-using can_dbc::RolloverWarning;
-using Receiver = can_dbc::e2e::Profile11Receiver;
+using rsi::can_dbc::RolloverWarning;
+using Receiver = rsi::can_dbc::e2e::Profile11Receiver;
 
-hal::CanFrame warning(std::uint8_t counter) {
-    auto payload = can_dbc::encode(RolloverWarning{});
-    can_dbc::e2e::protect_profile_11(payload, RolloverWarning::e2e_data_id, counter);
-    hal::CanFrame frame{};
+rsi::hal::CanFrame warning(std::uint8_t counter) {
+    auto payload = rsi::can_dbc::encode(RolloverWarning{});
+    rsi::can_dbc::e2e::protect_profile_11(payload, RolloverWarning::e2e_data_id, counter);
+    rsi::hal::CanFrame frame{};
     frame.identifier = RolloverWarning::identifier;
     frame.length = RolloverWarning::length;
     std::copy(payload.begin(), payload.end(), frame.data.begin());
@@ -23,27 +23,29 @@ hal::CanFrame warning(std::uint8_t counter) {
 }
 
 // Delivers what it takes, and lets a fault come in front of that or behind.
-class Bus final : public hal::CanBus {
+class Bus final : public rsi::hal::CanBus {
  public:
     Receiver receiver{RolloverWarning::e2e_data_id, RolloverWarning::length, 3U};
-    hal::SendResult result{hal::SendResult::sent};
+    rsi::hal::SendResult result{rsi::hal::SendResult::sent};
     std::function<void()> before{[] {}};
     std::function<void()> after{[] {}};
 
-    bool deliver(const hal::CanFrame& frame) {
-        return can_dbc::e2e::is_usable(receiver.check(frame.data, frame.length).status);
+    bool deliver(const rsi::hal::CanFrame& frame) {
+        return rsi::can_dbc::e2e::is_usable(receiver.check(frame.data, frame.length).status);
     }
-    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame&) noexcept override {
+        return rsi::hal::ReceiveResult::empty;
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         before();
-        if (result == hal::SendResult::sent) {
+        if (result == rsi::hal::SendResult::sent) {
             EXPECT_TRUE(deliver(frame));
         }
         after();
         return result;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 };
 
 class WarningRecorderTest : public ::testing::Test {
@@ -92,7 +94,7 @@ TEST_F(WarningRecorderTest, AFaultWithinASendIsHeardWhetherTheFrameWasTakenOrNot
 
 TEST_F(WarningRecorderTest, FramesThatWereNotTakenDoNotCount) {
     send_cycles(5U);
-    bus.result = hal::SendResult::full;
+    bus.result = rsi::hal::SendResult::full;
     send_cycles(8U);
     EXPECT_EQ(last.next_counter(), 5U);
     EXPECT_TRUE(fault_is_heard());
@@ -100,13 +102,13 @@ TEST_F(WarningRecorderTest, FramesThatWereNotTakenDoNotCount) {
 
 TEST_F(WarningRecorderTest, OtherFramesDoNotCount) {
     send_cycles(5U);
-    hal::CanFrame other = warning(11U);
-    other.identifier = can_dbc::RolloverStatus::identifier;
+    rsi::hal::CanFrame other = warning(11U);
+    other.identifier = rsi::can_dbc::RolloverStatus::identifier;
     bus.before = [this] { EXPECT_EQ(last.counter(), 4U); };
-    bus.result = hal::SendResult::failed;
+    bus.result = rsi::hal::SendResult::failed;
     recorder.send(other);
     EXPECT_EQ(last.next_counter(), 5U);
 }
 
 }  // namespace
-}  // namespace image
+}  // namespace rsi::image

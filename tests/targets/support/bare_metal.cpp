@@ -4,7 +4,7 @@
 #include "hal/semihosting/semihosting.hpp"
 #include "tests/targets/support/program.hpp"
 
-namespace semihosting = hal::semihosting;
+namespace semihosting = rsi::hal::semihosting;
 
 namespace target {
 

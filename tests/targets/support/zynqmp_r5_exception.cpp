@@ -10,6 +10,6 @@ constexpr int fault_status = 120;  // exit status of the emulator, unlike any th
 }  // namespace
 
 extern "C" [[noreturn]] void zynqmp_r5_on_exception(std::uint32_t, std::uint32_t, std::uint32_t) {
-    hal::semihosting::print("zynqmp_r5: an exception ended the program\n");
-    hal::semihosting::exit(fault_status);
+    rsi::hal::semihosting::print("zynqmp_r5: an exception ended the program\n");
+    rsi::hal::semihosting::exit(fault_status);
 }

@@ -16,13 +16,13 @@
 #include <string>
 #include <vector>
 
-#include "application/calibrated_ecu.hpp"
-#include "application/crc32.hpp"
 #include "hal/linux/system_random.hpp"
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/memory_storage.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "hal/software_keys/software_keys.hpp"
+#include "rsi/ecu/application/calibrated_ecu.hpp"
+#include "rsi/ecu/application/crc32.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/parameter_section_file.hpp"
 #include "sil/simulation/closed_loop.hpp"
@@ -34,17 +34,17 @@ namespace {
 
 const std::string project_folder = RSI_PROJECT_FOLDER;
 
-class NoWatchdog final : public hal::Watchdog {
+class NoWatchdog final : public rsi::hal::Watchdog {
  public:
     void feed() noexcept override {}
 };
 
 // State that outlives the ECU.
 struct Permanent {
-    hal::SoftwareKeys keys{hal::test_keys};
-    hal::SystemRandom random;
-    hal::MemoryStorage<64U> attempts;
-    hal::MemoryStorage<application::section::length> parameters;
+    rsi::hal::SoftwareKeys keys{rsi::hal::test_keys};
+    rsi::hal::SystemRandom random;
+    rsi::hal::MemoryStorage<64U> attempts;
+    rsi::hal::MemoryStorage<rsi::application::section::length> parameters;
     std::vector<std::uint8_t> section = sil::parameter_section(
         sil::load_calibration(project_folder + "/firmware/calibrations/large_suv.toml"), "large_suv");
 };
@@ -52,7 +52,7 @@ struct Permanent {
 class Drive final : private sil::Pace {
  public:
     Drive(Permanent& permanent, const std::string& manoeuvre, double seconds)
-        : access_{permanent.keys, hal::KeySlot::calibration, permanent.random, permanent.attempts},
+        : access_{permanent.keys, rsi::hal::KeySlot::calibration, permanent.random, permanent.attempts},
           ecu_{bus_.endpoint(0U),
                clock_,
                watchdog_,
@@ -67,7 +67,7 @@ class Drive final : private sil::Pace {
         static_cast<void>(ecu_.init());
     }
 
-    void send(const hal::CanFrame& frame) { bus_.endpoint(2U).send(frame); }
+    void send(const rsi::hal::CanFrame& frame) { bus_.endpoint(2U).send(frame); }
 
     // False after the last cycle.
     bool cycle() {
@@ -85,7 +85,7 @@ class Drive final : private sil::Pace {
     }
 
     void begin_cycle(std::uint32_t number) override {
-        clock_.set(hal::Time{number * sil::cycle_time.nanoseconds});
+        clock_.set(rsi::hal::Time{number * sil::cycle_time.nanoseconds});
         number_ = number;
         stepped_ = false;
     }
@@ -98,16 +98,16 @@ class Drive final : private sil::Pace {
         stepped_ = true;
         return true;
     }
-    double reception_time_s(const hal::CanFrame& frame) const override {
+    double reception_time_s(const rsi::hal::CanFrame& frame) const override {
         return static_cast<double>(frame.receive_time.nanoseconds) * 1.0e-9;
     }
 
     void report() {
         std::string answers;
         unsigned frames = 0U;
-        hal::CanFrame frame;
-        while (bus_.endpoint(2U).receive(frame) == hal::ReceiveResult::frame) {
-            if (frame.identifier == xcp::default_identifiers.answer) {
+        rsi::hal::CanFrame frame;
+        while (bus_.endpoint(2U).receive(frame) == rsi::hal::ReceiveResult::frame) {
+            if (frame.identifier == rsi::xcp::default_identifiers.answer) {
                 answers += "xcp ";
                 for (std::size_t at = 0U; at < frame.length; ++at) {
                     answers += fmt::format("{:02X}", frame.data[at]);
@@ -124,14 +124,14 @@ class Drive final : private sil::Pace {
         numbers.side = 0;
         const auto* const bytes = static_cast<const std::uint8_t*>(static_cast<const void*>(&numbers));
         fmt::print("cycle {} {} {} {} {:08X}\n{}", number_, state, side, frames,
-                   application::crc32(bytes, sizeof numbers), answers);
+                   rsi::application::crc32(bytes, sizeof numbers), answers);
     }
 
-    hal::VirtualClock clock_;
-    hal::MemoryBus<3U> bus_{clock_};
+    rsi::hal::VirtualClock clock_;
+    rsi::hal::MemoryBus<3U> bus_{clock_};
     NoWatchdog watchdog_;
-    access_control::SeedAndKey access_;
-    application::CalibratedEcu ecu_;
+    rsi::access::SeedAndKey access_;
+    rsi::application::CalibratedEcu ecu_;
     sil::VehicleParameters vehicle_ = sil::load_vehicle(project_folder + "/sil/vehicles/large_suv.toml");
     sil::ManoeuvreRun plant_;
     sil::SensorSuite sensors_;
@@ -140,9 +140,9 @@ class Drive final : private sil::Pace {
     bool stepped_{false};
 };
 
-hal::CanFrame frame_of(const std::string& hex) {
-    hal::CanFrame frame;
-    frame.identifier = xcp::default_identifiers.command;
+rsi::hal::CanFrame frame_of(const std::string& hex) {
+    rsi::hal::CanFrame frame;
+    frame.identifier = rsi::xcp::default_identifiers.command;
     for (std::size_t at = 0U; at + 1U < hex.size() && frame.length < 8U; at += 2U) {
         std::uint8_t byte = 0U;
         std::from_chars(hex.data() + at, hex.data() + at + 2U, byte, 16);

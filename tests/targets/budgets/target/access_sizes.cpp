@@ -2,10 +2,10 @@
 //   access_sizes ANSWER    words: bytes of XCP with its calibration pages, of diagnosis with the place for a
 //   section, of
 //                          the seed and key that each of them has
-#include "access/seed_and_key.hpp"
-#include "application/calibrated_ecu.hpp"
-#include "diagnosis/diagnosis.hpp"
-#include "diagnosis/section_store.hpp"
+#include "rsi/ecu/access/seed_and_key.hpp"
+#include "rsi/ecu/application/calibrated_ecu.hpp"
+#include "rsi/ecu/diagnosis/diagnosis.hpp"
+#include "rsi/ecu/diagnosis/section_store.hpp"
 #include "tests/targets/budgets/target/answer_writer.hpp"
 
 namespace {
@@ -20,8 +20,8 @@ int target::run(int argc, const char* const* argv) {
     if (argc != 2) {
         return bad_arguments;
     }
-    answer.add(sizeof(application::CalibratedEcu) - sizeof(application::RolloverEcu));
-    answer.add(sizeof(diagnosis::Diagnosis) + sizeof(diagnosis::SectionStore));
-    answer.add(sizeof(access_control::SeedAndKey));
+    answer.add(sizeof(rsi::application::CalibratedEcu) - sizeof(rsi::application::RolloverEcu));
+    answer.add(sizeof(rsi::diagnosis::Diagnosis) + sizeof(rsi::diagnosis::SectionStore));
+    answer.add(sizeof(rsi::access::SeedAndKey));
     return answer.save(argv[1]) ? 0 : bad_answer;
 }

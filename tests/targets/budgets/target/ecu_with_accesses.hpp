@@ -5,24 +5,25 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "access/seed_and_key.hpp"
-#include "access/stored_count.hpp"
-#include "application/calibrated_ecu.hpp"
-#include "diagnosis/diagnosis.hpp"
-#include "diagnosis/section_store.hpp"
-#include "hal/interface/key_store.hpp"
-#include "hal/interface/random_source.hpp"
 #include "hal/memory/memory_storage.hpp"
+#include "rsi/ecu/access/seed_and_key.hpp"
+#include "rsi/ecu/access/stored_count.hpp"
+#include "rsi/ecu/application/calibrated_ecu.hpp"
+#include "rsi/ecu/diagnosis/diagnosis.hpp"
+#include "rsi/ecu/diagnosis/section_store.hpp"
+#include "rsi/hal/key_store.hpp"
+#include "rsi/hal/random_source.hpp"
 
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace budgets {
 
 class EcuWithAccesses {
  public:
     // All must outlive the ECU.
-    EcuWithAccesses(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
-        : diagnosis_{bus, diagnosis::Addresses{}, identification_, one_, other_},
+    EcuWithAccesses(rsi::hal::CanBus& bus, const rsi::hal::Clock& clock,
+                    rsi::hal::Watchdog& watchdog) noexcept
+        : diagnosis_{bus, rsi::diagnosis::Addresses{}, identification_, one_, other_},
           ecu_{bus,
                clock,
                watchdog,
@@ -39,7 +40,7 @@ class EcuWithAccesses {
         diagnosis_.use(store_);
         diagnosis_.start(true);
         static_cast<void>(ecu_.ecu().listen(diagnosis_.listener()));
-        return ecu_.init().refusal == application::ParametersRefusal::none;
+        return ecu_.init().refusal == rsi::application::ParametersRefusal::none;
     }
 
     // A function of its own, so that its calls are found in a trace.
@@ -51,34 +52,34 @@ class EcuWithAccesses {
     const rsi::Outputs& outputs() noexcept { return ecu_.ecu().outputs(); }
 
  private:
-    class NoKeys final : public hal::KeyStore {
+    class NoKeys final : public rsi::hal::KeyStore {
      public:
-        bool authenticate(hal::KeySlot, const std::uint8_t*, std::size_t,
-                          hal::AuthenticationCode&) noexcept override {
+        bool authenticate(rsi::hal::KeySlot, const std::uint8_t*, std::size_t,
+                          rsi::hal::AuthenticationCode&) noexcept override {
             return false;
         }
         bool has_test_keys() const noexcept override { return false; }
     };
-    class NoRandom final : public hal::RandomSource {
+    class NoRandom final : public rsi::hal::RandomSource {
      public:
         bool fill(std::uint8_t*, std::size_t) noexcept override { return false; }
     };
 
-    hal::MemoryStorage<diagnosis::KeptData::record_length> one_{};
-    hal::MemoryStorage<diagnosis::KeptData::record_length> other_{};
-    hal::MemoryStorage<application::section::length> section_{};
-    hal::MemoryStorage<access_control::stored_count_length> calibration_attempts_{};
-    hal::MemoryStorage<access_control::stored_count_length> diagnosis_attempts_{};
+    rsi::hal::MemoryStorage<rsi::diagnosis::KeptData::record_length> one_{};
+    rsi::hal::MemoryStorage<rsi::diagnosis::KeptData::record_length> other_{};
+    rsi::hal::MemoryStorage<rsi::application::section::length> section_{};
+    rsi::hal::MemoryStorage<rsi::access::stored_count_length> calibration_attempts_{};
+    rsi::hal::MemoryStorage<rsi::access::stored_count_length> diagnosis_attempts_{};
     NoKeys keys_{};
     NoRandom random_{};
-    access_control::SeedAndKey calibration_access_{keys_, hal::KeySlot::calibration, random_,
-                                                   calibration_attempts_};
-    access_control::SeedAndKey diagnosis_access_{keys_, hal::KeySlot::diagnosis, random_,
-                                                 diagnosis_attempts_};
-    diagnosis::SectionStore store_{section_};
-    diagnosis::Identification identification_{};
-    diagnosis::Diagnosis diagnosis_;
-    application::CalibratedEcu ecu_;
+    rsi::access::SeedAndKey calibration_access_{keys_, rsi::hal::KeySlot::calibration, random_,
+                                                calibration_attempts_};
+    rsi::access::SeedAndKey diagnosis_access_{keys_, rsi::hal::KeySlot::diagnosis, random_,
+                                              diagnosis_attempts_};
+    rsi::diagnosis::SectionStore store_{section_};
+    rsi::diagnosis::Identification identification_{};
+    rsi::diagnosis::Diagnosis diagnosis_;
+    rsi::application::CalibratedEcu ecu_;
 };
 
 }  // namespace budgets

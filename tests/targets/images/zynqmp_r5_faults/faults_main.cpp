@@ -63,29 +63,29 @@ void provoke(Provocation provocation) {
     }
 }
 
-class FaultyBus final : public hal::CanBus {
+class FaultyBus final : public rsi::hal::CanBus {
  public:
-    FaultyBus(hal::CanBus& bus, image::LastWarning& last) noexcept : bus_{bus, last} {}
+    FaultyBus(rsi::hal::CanBus& bus, rsi::image::LastWarning& last) noexcept : bus_{bus, last} {}
 
-    hal::ReceiveResult receive(hal::CanFrame& frame) noexcept override {
-        const hal::ReceiveResult result = bus_.receive(frame);
-        if (result == hal::ReceiveResult::frame && frame.identifier == fault_identifier) {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame& frame) noexcept override {
+        const rsi::hal::ReceiveResult result = bus_.receive(frame);
+        if (result == rsi::hal::ReceiveResult::frame && frame.identifier == fault_identifier) {
             provoke(static_cast<Provocation>(frame.data[0]));
         }
         return result;
     }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override { return bus_.send(frame); }
-    hal::BusState state() const noexcept override { return bus_.state(); }
-    hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override { return bus_.send(frame); }
+    rsi::hal::BusState state() const noexcept override { return bus_.state(); }
+    rsi::hal::BusStatistics statistics() const noexcept override { return bus_.statistics(); }
 
  private:
-    image::WarningRecorder bus_;
+    rsi::image::WarningRecorder bus_;
 };
 
-image::EcuImage<FaultyBus> ecu;
+rsi::image::EcuImage<FaultyBus> ecu;
 
 }  // namespace
 
 int main() {
-    ecu.run(image::unfiltered_can_settings());
+    ecu.run(rsi::image::unfiltered_can_settings());
 }

@@ -3,37 +3,39 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "application/rollover_ecu.hpp"
-#include "can_dbc/codec/message.hpp"
+#include "rsi/can_dbc/codec/message.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
 
-extern "C" const unsigned char rsi_parameter_section[application::section::length];
+extern "C" const unsigned char rsi_parameter_section[rsi::application::section::length];
 
 namespace {
 
-using can_dbc::RolloverWarning;
+using rsi::can_dbc::RolloverWarning;
 
-class Bus final : public hal::CanBus {
+class Bus final : public rsi::hal::CanBus {
  public:
-    hal::ReceiveResult receive(hal::CanFrame&) noexcept override { return hal::ReceiveResult::empty; }
-    hal::SendResult send(const hal::CanFrame& frame) noexcept override {
+    rsi::hal::ReceiveResult receive(rsi::hal::CanFrame&) noexcept override {
+        return rsi::hal::ReceiveResult::empty;
+    }
+    rsi::hal::SendResult send(const rsi::hal::CanFrame& frame) noexcept override {
         if (frame.identifier == RolloverWarning::identifier) {
-            warning = can_dbc::decode<RolloverWarning>(frame.data).value;
+            warning = rsi::can_dbc::decode<RolloverWarning>(frame.data).value;
         }
         ++frames;
-        return hal::SendResult::sent;
+        return rsi::hal::SendResult::sent;
     }
-    hal::BusState state() const noexcept override { return hal::BusState::error_active; }
-    hal::BusStatistics statistics() const noexcept override { return {}; }
+    rsi::hal::BusState state() const noexcept override { return rsi::hal::BusState::error_active; }
+    rsi::hal::BusStatistics statistics() const noexcept override { return {}; }
 
     RolloverWarning warning{};
     int frames{0};
 };
 
-struct Clock final : hal::Clock {
-    hal::Time now() const noexcept override { return {}; }
+struct Clock final : rsi::hal::Clock {
+    rsi::hal::Time now() const noexcept override { return {}; }
 };
 
-struct Watchdog final : hal::Watchdog {
+struct Watchdog final : rsi::hal::Watchdog {
     void feed() noexcept override {}
 };
 
@@ -41,7 +43,7 @@ void start_with(std::size_t length) {
     Bus bus;
     const Clock clock;
     Watchdog watchdog;
-    application::RolloverEcu ecu{bus, clock, watchdog};
+    rsi::application::RolloverEcu ecu{bus, clock, watchdog};
     ecu.init(rsi_parameter_section, length);
     ecu.step(0U);
     std::printf("%d frames, state %s, parameters refused: %s\n", bus.frames,

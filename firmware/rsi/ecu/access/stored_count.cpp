@@ -1,0 +1,51 @@
+#include "rsi/ecu/access/stored_count.hpp"
+
+#include <array>
+
+namespace rsi::access {
+namespace {
+
+constexpr std::size_t count_at = 4U;
+constexpr std::size_t inverted_at = 8U;
+
+using Record = std::array<std::uint8_t, stored_count_length>;
+
+std::uint32_t word_at(const Record& record, std::size_t place) {
+    std::uint32_t word = 0U;
+    for (std::size_t byte = 0U; byte < 4U; ++byte) {
+        word |= static_cast<std::uint32_t>(record[place + byte]) << (8U * byte);
+    }
+    return word;
+}
+
+void put_word(Record& record, std::size_t place, std::uint32_t word) {
+    for (std::size_t byte = 0U; byte < 4U; ++byte) {
+        record[place + byte] = static_cast<std::uint8_t>((word >> (8U * byte)) & 0xFFU);
+    }
+}
+
+}  // namespace
+
+CountState read_count(hal::Storage& storage, CountOf what, std::uint32_t& count) noexcept {
+    Record record{};
+    if (!storage.read(record.data(), record.size())) {
+        return CountState::absent;
+    }
+    const std::uint32_t read = word_at(record, count_at);
+    if ((word_at(record, 0U) != static_cast<std::uint32_t>(what)) ||
+        (word_at(record, inverted_at) != ~read)) {
+        return CountState::damaged;
+    }
+    count = read;
+    return CountState::good;
+}
+
+bool write_count(hal::Storage& storage, CountOf what, std::uint32_t count) noexcept {
+    Record record{};
+    put_word(record, 0U, static_cast<std::uint32_t>(what));
+    put_word(record, count_at, count);
+    put_word(record, inverted_at, ~count);
+    return storage.write(record.data(), record.size());
+}
+
+}  // namespace rsi::access

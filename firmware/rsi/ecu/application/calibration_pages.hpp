@@ -1,0 +1,92 @@
+// Calibration pages: the parameters as a master of XCP sees and changes them, and the outputs as he measures
+// them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "rsi/ecu/application/parameter_section.hpp"
+#include "rsi/ecu/application/rollover_ecu.hpp"
+#include "rsi/ecu/xcp/target.hpp"
+#include "rsi/hal/storage.hpp"
+#include "rsi/parameter_change.hpp"
+
+namespace rsi::application {
+
+// Addresses of XCP. They are a map of its own, so that an A2L is of a version of the firmware and not of a
+// link: the values of a parameter section in their order, the outputs in theirs, and what is said of a
+// change. All are words of four bytes, little-endian.
+namespace calibration_map {
+
+inline constexpr std::uint32_t parameters_at = 0x10000U;
+inline constexpr std::uint32_t parameters_length = 4U * section::value_count;
+inline constexpr std::uint32_t outputs_at = 0x20000U;
+inline constexpr std::uint32_t outputs_length = sizeof(rsi::Outputs);
+inline constexpr std::uint32_t change_at = 0x30000U;
+inline constexpr std::uint32_t change_length = 8U;
+inline constexpr std::uint32_t epk_at = 0x40000U;
+inline constexpr std::uint32_t name_at = 0x50000U;
+
+}  // namespace calibration_map
+
+// The working page is a parameter section in RAM, the reference page that of the image. Whole values only get
+// into the working page: of one that arrives in two pieces the first waits for the second. While the control
+// unit works with it, each change is validated as a whole and taken over between two cycles; what is refused
+// stays on the page to be corrected, the control unit goes on with what it had, and `refused field` says why.
+// To change several values at once, select the reference page before and the working page after.
+class CalibrationPages final : public xcp::Target {
+ public:
+    // All must outlive the pages. `reference`: a section, of whose memory `length` bytes may be read. Without
+    // a storage nothing can be stored.
+    CalibrationPages(RolloverEcu& ecu, const std::uint8_t* reference, std::size_t length,
+                     hal::Storage* storage) noexcept
+        : ecu_{ecu}, reference_{reference}, reference_length_{length}, storage_{storage} {}
+
+    // Once, in place of RolloverEcu::init: with the stored section if there is a good one, else with the
+    // reference.
+    ParameterSectionAnswer init() noexcept;
+
+    // Between two cycles: prepares a change, or hands it to the control unit.
+    void begin_cycle() noexcept {
+        if (is_changing_) {
+            go_on();
+        }
+    }
+
+    bool read(std::uint32_t address, xcp::Page page, std::uint8_t* bytes,
+              std::size_t count) const noexcept override;
+    bool checksum(std::uint32_t address, xcp::Page page, std::size_t count,
+                  std::uint32_t& sum) const noexcept override;
+    xcp::Error write(std::uint32_t address, const std::uint8_t* bytes, std::size_t count) noexcept override;
+    xcp::Error select(xcp::Page page) noexcept override;
+    xcp::Page selected() const noexcept override { return selected_; }
+    xcp::Error copy_reference() noexcept override;
+    xcp::Error store() noexcept override;
+    Range calibration() const noexcept override;
+    Range name() const noexcept override;
+
+ private:
+    using Section = std::array<std::uint8_t, section::length>;
+
+    [[gnu::cold]] void go_on() noexcept;
+    bool begin_change(const std::uint8_t* section) noexcept;
+    std::uint8_t byte_at(std::uint32_t address, xcp::Page page) const noexcept;
+    std::uint8_t change_byte(std::uint32_t place) const noexcept;
+    std::uint8_t output_byte(std::uint32_t place) const noexcept;
+
+    RolloverEcu& ecu_;
+    const std::uint8_t* reference_;
+    std::size_t reference_length_;
+    hal::Storage* storage_;
+    Section working_{};
+    bool is_usable_{false};  // the reference is a section, though perhaps with values that are refused
+    xcp::Page selected_{xcp::Page::working};
+    rsi::ParameterChange change_{};
+    bool is_changing_{false};
+    std::uint8_t refused_field_{0U};       // 0: none, else its number in the tables, from 1
+    std::uint32_t changes_{0U};            // taken over since the start
+    std::array<std::uint8_t, 4> piece_{};  // of a value that is not whole yet
+    std::uint32_t piece_ends_at_{0U};      // an offset; a multiple of 4: there is none
+};
+
+}  // namespace rsi::application

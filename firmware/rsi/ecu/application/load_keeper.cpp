@@ -1,0 +1,49 @@
+#include "rsi/ecu/application/load_keeper.hpp"
+
+#include "rsi/ecu/application/load_record.hpp"
+#include "rsi/hal/saturating_count.hpp"
+#include "rsi/numeric/bounded.hpp"
+
+namespace rsi::application {
+namespace {
+
+constexpr std::uint32_t least_cycles_between_stores = 6000U;  // a minute
+constexpr float worth_storing = 0.03F;
+constexpr float known_deviation = 0.05F;
+
+}  // namespace
+
+void LoadKeeper::restore(const rsi::Parameters& parameters, rsi::Component& component,
+                         bool doubted) noexcept {
+    parameters_check_word_ = check_word_of(parameters);
+    cycles_since_store_ = 0U;
+    stored_ = component.learnt_load();
+    LoadRecord record{};
+    rsi::LearntLoad read{};
+    if ((storage_ != nullptr) && storage_->read(record.data(), record.size()) &&
+        read_load_record(record, parameters_check_word_, read) && component.restore_load(read, doubted)) {
+        stored_ = read;
+    }
+}
+
+void LoadKeeper::follow(const rsi::Parameters& parameters) noexcept {
+    parameters_check_word_ = check_word_of(parameters);
+}
+
+// A load known less well than the stored one is not new.
+void LoadKeeper::keep(const rsi::LearntLoad& learnt) noexcept {
+    hal::count_up(cycles_since_store_);
+    const bool is_other = rsi::absolute(learnt.excess - stored_.excess) > worth_storing;
+    const bool is_known = learnt.excess_deviation < known_deviation;
+    if ((storage_ == nullptr) || (cycles_since_store_ < least_cycles_between_stores) || !is_other ||
+        !is_known) {
+        return;
+    }
+    const LoadRecord record = write_load_record(learnt, parameters_check_word_);
+    if (storage_->write(record.data(), record.size())) {
+        stored_ = learnt;
+        cycles_since_store_ = 0U;
+    }
+}
+
+}  // namespace rsi::application

@@ -1,0 +1,33 @@
+// Load record: what the component has learnt of the load, as bytes for a memory that outlives a loss of
+// power.
+//
+//   offset  bytes
+//        0      4  magic, "RSIL"
+//        4      4  CRC-32 of the parameters: what was learnt holds for them alone
+//        8     12  excess, its deviation, offset: floats (IEEE 754, binary32)
+//       20      4  CRC-32 of every byte before
+//
+// Every number is little-endian, whatever the target.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "rsi/types.hpp"
+
+namespace rsi::application {
+
+inline constexpr std::size_t load_record_length = 24U;
+using LoadRecord = std::array<std::uint8_t, load_record_length>;
+
+// The check word over parameters that a record names.
+[[gnu::cold]] std::uint32_t check_word_of(const rsi::Parameters& parameters) noexcept;
+
+LoadRecord write_load_record(const rsi::LearntLoad& learnt, std::uint32_t parameters_check_word) noexcept;
+
+// False where the record is damaged, erased or of other parameters; `learnt` is then left as it was.
+[[gnu::cold]] bool read_load_record(const LoadRecord& record, std::uint32_t parameters_check_word,
+                                    rsi::LearntLoad& learnt) noexcept;
+
+}  // namespace rsi::application

@@ -1,0 +1,220 @@
+#include "rsi/ecu/application/rollover_ecu.hpp"
+
+#include "rsi/ecu/monitoring/output_check.hpp"
+#include "rsi/hal/saturating_count.hpp"
+
+namespace rsi::application {
+namespace {
+
+constexpr std::uint32_t most_missed_cycles = 2U;
+
+// A sensor that has not yet sent anything is no fault for so long after the start.
+constexpr std::uint32_t start_cycles = 100U;
+
+constexpr monitoring::CodeSet of_rare_faults = monitoring::set_of(
+    monitoring::DiagnosticCode::imu_two_senders, monitoring::DiagnosticCode::roll_angle_two_senders,
+    monitoring::DiagnosticCode::vehicle_motion_two_senders,
+    monitoring::DiagnosticCode::own_identifier_received, monitoring::DiagnosticCode::imu_held_back);
+
+// True when `count` is not what it was at the last call.
+bool has_changed(std::uint32_t count, std::uint32_t& previous) {
+    const bool changed = (count != previous);
+    previous = count;
+    return changed;
+}
+
+}  // namespace
+
+rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
+    const rsi::Validation answer = component_.init(parameters);
+    parameters_ = parameters;
+    start_checks();
+    refusal_ = (answer.accepted != 0) ? ParametersRefusal::none : ParametersRefusal::value;
+    protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
+    return answer;
+}
+
+ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
+    parameters_ = rsi::Parameters{};  // which the component refuses, unless the section replaces them
+    const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
+    start_with(answer);
+    protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
+    return answer;
+}
+
+ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length,
+                                         SectionAuthority& authority) noexcept {
+    parameters_ = rsi::Parameters{};
+    const ParameterSectionAnswer answer = read_parameter_section(section, length, authority, parameters_);
+    start_with(answer);
+    if (answer.refusal == ParametersRefusal::none) {
+        static_cast<void>(authority.raise(section));  // else at the next start
+    }
+    protection_ = authority.keys().has_test_keys() ? Protection::sealed_test_keys : Protection::sealed;
+    return answer;
+}
+
+void RolloverEcu::start_with(const ParameterSectionAnswer& answer) noexcept {
+    static_cast<void>(component_.init(parameters_));
+    start_checks();
+    refusal_ = answer.refusal;
+}
+
+void RolloverEcu::start_checks() noexcept {
+    restore_load();
+    component_guard_.keep(component_);
+    parameter_guard_.start(parameters_);
+    input_monitor_.start(parameters_);
+    reception_.start(parameters_);
+}
+
+void RolloverEcu::change(const rsi::ParameterChange& change) noexcept {
+    if (refusal_ != ParametersRefusal::none) {
+        static_cast<void>(init(change.parameters()));
+        return;
+    }
+    const bool other_checks = change.is_another_vehicle() || change.has_other_sensors();
+    parameters_ = change.parameters();
+    component_.change(change);
+    component_guard_.keep(component_);
+    parameter_guard_.start(parameters_);
+    if (other_checks) {
+        input_monitor_.start(parameters_);
+    }
+    reception_.start(parameters_);
+    load_keeper_.follow(parameters_);
+}
+
+// After a warm reset the load is unchanged; after power-on it may have changed.
+void RolloverEcu::restore_load() noexcept {
+    load_keeper_.restore(parameters_, component_, reset_reason_ == hal::ResetReason::power_on);
+}
+
+void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
+    reception_.receive(bus_, missed_cycles);
+    const hal::Time now = clock_.now();
+    Health report = health(now, missed_cycles);
+    const rsi::Inputs inputs = reception_.inputs(report.reception);
+    hal::count_up(cycles_);
+    memory_.begin_cycle(monitoring::Snapshot{inputs.lateral_specific_force_mps2, inputs.roll_rate_radps,
+                                             inputs.roll_angle_rad, inputs.speed_mps});
+    report_reception(report.reception);
+    report_platform(report, now, missed_cycles);
+
+    inputs_ = qualified(inputs, report.reception, missed_cycles);
+    memory_.report(monitoring::DiagnosticCode::memory_restored, component_guard_.restore(component_));
+    component_.step(inputs_, outputs_);
+    const bool healthy = check_itself();
+    component_guard_.keep(component_);
+    if (healthy) {
+        load_keeper_.keep(component_.learnt_load());
+    }
+
+    report.degradation = monitoring::degradation_of(inputs_, outputs_, internal_fault());
+    report.diagnosis = memory_.next();
+    if (is_sending_) {
+        transmission_.send(bus_, outputs_, report);
+    }
+    if (healthy) {
+        watchdog_.feed();
+    }
+}
+
+// After a stall neither the component's models nor the checks know what was in between.
+rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionReport& reception,
+                                   std::uint32_t missed_cycles) noexcept {
+    if (missed_cycles > most_missed_cycles) {
+        input_monitor_.start(parameters_);
+        return no_inputs;
+    }
+    const monitoring::FreshFrames fresh{reception.imu.is_fresh(), reception.roll_angle.is_fresh(),
+                                        reception.vehicle_motion.is_fresh(),
+                                        reception.vertical_acceleration_sent, reception.late_roll_angle_rad};
+    return input_monitor_.qualify(inputs, fresh, outputs_, memory_);
+}
+
+// False when this cycle has found the parameters, the component's memory, the estimate or an output damaged;
+// as long as one of these codes is confirmed there is no statement on the risk.
+bool RolloverEcu::check_itself() noexcept {
+    using monitoring::DiagnosticCode;
+    const bool parameters_good = !parameter_guard_.is_damaged(parameters_) && !component_guard_.is_failing();
+    const bool computed = monitoring::has_computed(outputs_);
+    const bool estimate_good = !computed || monitoring::estimate_is_in_range(outputs_);
+    const bool outputs_good = !computed || monitoring::outputs_are_sound(outputs_);
+    memory_.report(DiagnosticCode::parameters_damaged, !parameters_good);
+    memory_.report(DiagnosticCode::estimate_out_of_range, !estimate_good);
+    memory_.report(DiagnosticCode::output_not_finite, !outputs_good);
+    if (!estimate_good || !outputs_good) {
+        component_.reset(parameters_);  // all anew, from the parameters that are watched
+    }
+    if (internal_fault()) {
+        monitoring::withdraw(outputs_);
+    }
+    return parameters_good && estimate_good && outputs_good;
+}
+
+bool RolloverEcu::internal_fault() const noexcept {
+    using monitoring::DiagnosticCode;
+    return memory_.confirmed(DiagnosticCode::parameters_damaged) ||
+           memory_.confirmed(DiagnosticCode::estimate_out_of_range) ||
+           memory_.confirmed(DiagnosticCode::output_not_finite);
+}
+
+void RolloverEcu::report_reception(const ReceptionReport& reception) noexcept {
+    using monitoring::DiagnosticCode;
+    const auto report = [this](const FrameFaults& faults, DiagnosticCode lost, DiagnosticCode damaged) {
+        if (faults.received || (cycles_ > start_cycles)) {
+            memory_.report(lost, faults.timeout);
+        }
+        memory_.report(damaged, faults.checksum_error || faults.counter_error);
+    };
+    report(reception.imu, DiagnosticCode::imu_lost, DiagnosticCode::imu_damaged);
+    report(reception.roll_angle, DiagnosticCode::roll_angle_lost, DiagnosticCode::roll_angle_damaged);
+    report(reception.vehicle_motion, DiagnosticCode::vehicle_motion_lost,
+           DiagnosticCode::vehicle_motion_damaged);
+    if (reception.has_rare_fault() || ((memory_.active_codes() & of_rare_faults) != 0U)) {
+        memory_.report(DiagnosticCode::imu_two_senders, reception.imu.two_senders);
+        memory_.report(DiagnosticCode::roll_angle_two_senders, reception.roll_angle.two_senders);
+        memory_.report(DiagnosticCode::vehicle_motion_two_senders, reception.vehicle_motion.two_senders);
+        memory_.report(DiagnosticCode::own_identifier_received, reception.own_identifier);
+        memory_.report(DiagnosticCode::imu_held_back, reception.imu_held_back);
+    }
+}
+
+void RolloverEcu::report_platform(const Health& health, hal::Time now, std::uint32_t missed_cycles) noexcept {
+    using monitoring::DiagnosticCode;
+    memory_.report(DiagnosticCode::parameters_refused, health.parameters_refusal != ParametersRefusal::none);
+    memory_.report(DiagnosticCode::cycle_overrun, missed_cycles > 0U);
+    memory_.report(DiagnosticCode::cycle_stall, missed_cycles > most_missed_cycles);
+    memory_.report(DiagnosticCode::clock_jump, clock_check_.has_jumped(now.nanoseconds, missed_cycles));
+    memory_.report(DiagnosticCode::bus_error, health.bus_error);
+    memory_.report(DiagnosticCode::receive_overflow, health.receive_overflow);
+}
+
+Health RolloverEcu::health(hal::Time now, std::uint32_t missed_cycles) noexcept {
+    hal::count_up(cycle_overruns_, missed_cycles);
+    const hal::BusStatistics statistics = bus_.statistics();
+    return Health{refusal_,
+                  receive_overflow(statistics),
+                  bus_error(statistics),
+                  missed_cycles > 0U,
+                  cycle_overruns_,
+                  reset_reason_,
+                  protection_,
+                  reception_.report(now),
+                  {},
+                  {}};
+}
+
+// The bus is not error-active, or did not take a frame in the last cycle.
+bool RolloverEcu::bus_error(const hal::BusStatistics& statistics) noexcept {
+    const bool failed = has_changed(statistics.send_failures, send_failure_count_);
+    return failed || (bus_.state() != hal::BusState::error_active);
+}
+
+// True in the cycle that follows a loss.
+bool RolloverEcu::receive_overflow(const hal::BusStatistics& statistics) noexcept {
+    return has_changed(statistics.frames_lost, overflow_count_);
+}
+
+}  // namespace rsi::application

@@ -1,0 +1,92 @@
+// Alternating record: bytes kept in two places in turn, so that a loss of power while one is written leaves
+// the other.
+//
+//   offset  bytes
+//        0      n  payload
+//        n      4  magic, "RSID"
+//    n + 4      4  sequence number: the larger one is the newer record
+//    n + 8      4  CRC-32 of every byte before
+//
+// Little-endian, whatever the target.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include "rsi/ecu/application/crc32.hpp"
+#include "rsi/ecu/application/little_endian.hpp"
+#include "rsi/hal/storage.hpp"
+
+namespace rsi::diagnosis {
+
+// `Payload` consists of bytes alone, so that it has no gaps and is the same on every target.
+template <typename Payload>
+class AlternatingRecord {
+    static_assert(std::is_trivially_copyable<Payload>::value && (alignof(Payload) == 1U));
+
+ public:
+    static constexpr std::size_t length = sizeof(Payload) + 12U;
+
+    // Both must outlive this object, which owns them exclusively.
+    AlternatingRecord(hal::Storage& one, hal::Storage& other) noexcept : places_{&one, &other} {}
+
+    // The newest good record; false where there is none, and `payload` is then left as it was.
+    [[gnu::cold]] bool read(Payload& payload) noexcept {
+        bool found = false;
+        for (std::size_t place = 0U; place < places_.size(); ++place) {
+            Record record{};
+            const bool good = places_[place]->read(record.data(), record.size()) && is_good(record);
+            const std::uint32_t sequence = application::word_at(record.data(), sequence_at);
+            if (good && (!found || is_newer(sequence, sequence_))) {
+                found = true;
+                sequence_ = sequence;
+                next_ = 1U - place;
+                std::memcpy(&payload, record.data(), sizeof payload);
+            }
+        }
+        return found;
+    }
+
+    // False where the place cannot take it now: again later. The caller leaves the place the time that it
+    // needs in the background before the next record goes to the other one.
+    bool write(const Payload& payload) noexcept {
+        Record record{};
+        application::put_word(record.data(), magic_at, magic);
+        application::put_word(record.data(), sequence_at, sequence_ + 1U);
+        std::memcpy(record.data(), &payload, sizeof payload);
+        application::put_word(record.data(), checksum_at, application::crc32(record.data(), checksum_at));
+        const bool taken = places_[next_]->write(record.data(), record.size());
+        if (taken) {
+            ++sequence_;
+            next_ = 1U - next_;
+        }
+        return taken;
+    }
+
+ private:
+    using Record = std::array<std::uint8_t, length>;
+    static constexpr std::uint32_t magic = 0x44495352U;  // "RSID"
+    static constexpr std::size_t magic_at = sizeof(Payload);
+    static constexpr std::size_t sequence_at = magic_at + 4U;
+    static constexpr std::size_t checksum_at = sequence_at + 4U;
+
+    static bool is_good(const Record& record) noexcept {
+        return (application::word_at(record.data(), magic_at) == magic) &&
+               (application::word_at(record.data(), checksum_at) ==
+                application::crc32(record.data(), checksum_at));
+    }
+
+    // Also where the numbers have begun again at zero.
+    static bool is_newer(std::uint32_t sequence, std::uint32_t than) noexcept {
+        return (sequence - than) < 0x8000'0000U;
+    }
+
+    std::array<hal::Storage*, 2> places_;
+    std::uint32_t sequence_{0U};
+    std::size_t next_{0U};
+};
+
+}  // namespace rsi::diagnosis

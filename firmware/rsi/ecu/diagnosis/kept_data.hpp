@@ -1,0 +1,75 @@
+// Kept data: trouble memory and written identification in the memory that outlives a loss of power.
+#pragma once
+
+#include <cstdint>
+
+#include "rsi/ecu/diagnosis/alternating_record.hpp"
+#include "rsi/ecu/diagnosis/data_identifiers.hpp"
+#include "rsi/ecu/diagnosis/trouble_memory.hpp"
+
+namespace rsi::diagnosis {
+
+// Other software reads it as well, as long as the layout has this number and codes keep theirs.
+struct KeptPayload {
+    static constexpr std::uint8_t present_layout = 1U;
+
+    std::uint8_t layout{present_layout};
+    TroubleMemory::Stored codes{};
+    WrittenData written{};
+};
+
+class KeptData {
+ public:
+    // Bytes of each of the two places.
+    static constexpr std::size_t record_length = AlternatingRecord<KeptPayload>::length;
+
+    // The places are used by this object only, take record_length bytes each, and outlive this object.
+    KeptData(hal::Storage& one, hal::Storage& other) noexcept : record_{one, other} {}
+
+    // Before the first cycle.
+    [[gnu::cold]] void restore() noexcept;
+
+    // Once a cycle: stores what is to be stored. New entries at once, though a second after the last record,
+    // which may still be on its way in the background; what only counts further once a minute.
+    void end_cycle() noexcept {
+        if (cycles_to_wait_ > 0U) {
+            --cycles_to_wait_;
+        }
+        const Storing storing = codes_.storing();
+        if ((storing != Storing::not_needed) && (cycles_to_wait_ <= longest_wait(storing))) {
+            store();
+        }
+    }
+
+    TroubleMemory& codes() noexcept { return codes_; }
+    WrittenData& written() noexcept { return written_; }
+    // Before the control unit is switched off in an orderly way: what is to be stored sooner or later.
+    void store_the_rest() noexcept {
+        if (codes_.storing() != Storing::not_needed) {
+            store();
+        }
+    }
+
+    // All that was to be stored at once has been taken by the memory.
+    bool is_stored() const noexcept { return codes_.storing() != Storing::now; }
+
+ private:
+    using Record = AlternatingRecord<KeptPayload>;
+
+    static constexpr std::uint32_t least_cycles_between_records = 100U;
+    static constexpr std::uint32_t cycles_to_store_counts = 6000U;
+    static constexpr std::uint32_t wait_of_new_entries =
+        cycles_to_store_counts - least_cycles_between_records;
+
+    static std::uint32_t longest_wait(Storing storing) noexcept {
+        return (storing == Storing::now) ? wait_of_new_entries : 0U;
+    }
+    void store() noexcept;
+
+    Record record_;
+    TroubleMemory codes_{};
+    WrittenData written_{};
+    std::uint32_t cycles_to_wait_{wait_of_new_entries};  // until what only counts is stored
+};
+
+}  // namespace rsi::diagnosis

@@ -1,0 +1,154 @@
+// Trouble memory: what a workshop finds of each diagnostic code, in the terms of ISO 14229-1, over operation
+// cycles and losses of power.
+//
+// The monitoring (monitoring/diagnostic_memory.hpp) decides when a code has failed and when it is good again;
+// a code that it has confirmed is a failed test here. It starts with every start of the ECU; this memory is
+// stored.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "rsi/ecu/diagnosis/trouble_codes.hpp"
+#include "rsi/ecu/monitoring/diagnostic_memory.hpp"
+#include "rsi/hal/saturating_count.hpp"
+
+namespace rsi::diagnosis {
+
+// The status byte of ISO 14229-1.
+namespace status {
+inline constexpr std::uint8_t test_failed = 0x01U;
+inline constexpr std::uint8_t failed_this_cycle = 0x02U;
+inline constexpr std::uint8_t pending = 0x04U;
+inline constexpr std::uint8_t confirmed = 0x08U;
+inline constexpr std::uint8_t not_completed_since_clear = 0x10U;
+inline constexpr std::uint8_t failed_since_clear = 0x20U;
+inline constexpr std::uint8_t not_completed_this_cycle = 0x40U;
+// Bit 7, warningIndicatorRequested, is not available: this control unit requests no indicator for a code.
+inline constexpr std::uint8_t available = 0x7FU;
+inline constexpr std::uint8_t failure = 0x2FU;  // bits set by a failed test
+inline constexpr std::uint8_t cleared = 0x50U;  // not completed, neither way
+}  // namespace status
+
+// Measurements at a code's failure, as stored and sent: numbers of two bytes, the most significant
+// first.
+//   0  lateral acceleration, 0.01 m/s2        4  roll angle, 0.001 rad
+//   2  roll rate, 0.001 rad/s                 6  speed, 0.01 m/s
+//   8  seconds since the start, without a sign; 65535: later
+// 0x8000: not available.
+using FreezeFrame = std::array<std::uint8_t, 10>;
+
+struct TroubleState {
+    std::uint8_t status{status::cleared};
+    std::uint8_t occurrences{0U};  // since it was cleared; 255: more
+    std::uint8_t ageing{0U};       // operation cycles in which it was tested and never failed
+};
+
+struct TroubleSnapshots {
+    std::uint8_t code{0U};  // number of the diagnostic code; 0: free
+    FreezeFrame first{};
+    FreezeFrame last{};
+};
+
+// How soon it is to be stored.
+enum class Storing : std::uint8_t { not_needed, later, now };
+
+class TroubleMemory {
+ public:
+    static constexpr std::size_t snapshot_places = 8U;
+    static constexpr std::uint8_t ageing_cycles = 40U;  // a confirmed code is forgotten after so many
+
+    // Before the first cycle, after what was stored has been restored. `is_new_cycle`: an operation cycle
+    // begins, so the one before is counted; false after a reset within one.
+    void start(bool is_new_cycle) noexcept;
+
+    // One cycle. `failed`: the codes that the monitoring has confirmed. `speed_mps` NaN: not known.
+    void update(monitoring::CodeSet failed, const monitoring::Snapshot& measured, float speed_mps) noexcept {
+        hal::count_up(cycles_);
+        if (is_recording_) {
+            if ((failed | failed_) == 0U) {
+                count_good_cycle(speed_mps);
+            } else if (failed != failed_) {
+                take_change(failed, measured, speed_mps);
+            } else {
+                // as it was
+            }
+        }
+    }
+
+    // Off: nothing is recorded (ControlDTCSetting). A code that still fails when it is on again is recorded
+    // then.
+    void set_recording(bool is_on) noexcept { is_recording_ = is_on; }
+
+    void clear_all() noexcept;
+    void clear(std::size_t row) noexcept;
+
+    // By the rows of trouble_codes.
+    const TroubleState& state(std::size_t row) const noexcept { return data_.states[row]; }
+    // nullptr where there is none: never failed, or displaced by newer ones.
+    const TroubleSnapshots* snapshots(std::size_t row) const noexcept;
+
+    Storing storing() const noexcept { return storing_; }
+    void request_storing(Storing how) noexcept { storing_ = (how > storing_) ? how : storing_; }
+    void stored() noexcept { storing_ = Storing::not_needed; }
+
+    // Stored form: bytes without gaps, the same on every target. With room for all codes that a CodeSet
+    // can hold, so that software with another one more reads what this one has stored.
+    static constexpr std::size_t most_codes = 63U;
+    static_assert(trouble_code_count <= most_codes);
+    struct Stored {
+        std::array<TroubleState, most_codes> states{};
+        std::array<TroubleSnapshots, snapshot_places> snapshots{};
+    };
+    static_assert(sizeof(Stored) == 3U * most_codes + 21U * snapshot_places);
+
+    const Stored& stored_data() const noexcept { return data_; }
+    // Accepts any content: unknown codes are left out.
+    [[gnu::cold]] void restore(const Stored& stored) noexcept;
+
+ private:
+    // Longer than any code that is always judged takes to be confirmed, the time for the sensors to start
+    // included.
+    static constexpr std::uint32_t cycles_to_judge = 300U;
+    // The monitoring does not say which of its conditions has been met. After so long at such a speed all
+    // that ordinary driving can meet have been.
+    static constexpr std::uint32_t driven_cycles_to_judge = 6000U;
+    static constexpr float driving_speed_mps = 10.0F;
+
+    void count_cycle(TroubleState& state, std::size_t row) noexcept;
+    void take_change(monitoring::CodeSet failed, const monitoring::Snapshot& measured,
+                     float speed_mps) noexcept;
+    void fail(std::size_t row) noexcept;
+    [[gnu::cold]] void complete(Judged how) noexcept;
+
+    // Not while a code fails: what a check needs may be what is missing.
+    void count_good_cycle(float speed_mps) noexcept {
+        if (good_cycles_ < cycles_to_judge) {
+            ++good_cycles_;
+            if (good_cycles_ == cycles_to_judge) {
+                complete(Judged::always);
+            }
+        }
+        if ((driven_cycles_ < driven_cycles_to_judge) && (speed_mps > driving_speed_mps)) {
+            ++driven_cycles_;
+            if (driven_cycles_ == driven_cycles_to_judge) {
+                complete(Judged::driving);
+            }
+        }
+    }
+    void keep_snapshot(std::size_t row) noexcept;
+    TroubleSnapshots* place_for(std::size_t row) noexcept;
+    void forget_snapshots(std::size_t row) noexcept;
+
+    Stored data_{};
+    FreezeFrame measured_{};           // in this cycle
+    monitoring::CodeSet failed_{0U};   // in the cycle before
+    std::uint32_t cycles_{0U};         // since the start
+    std::uint32_t good_cycles_{0U};    // in which nothing failed, as far as they count
+    std::uint32_t driven_cycles_{0U};  // of these
+    bool is_recording_{true};
+    Storing storing_{Storing::not_needed};
+};
+
+}  // namespace rsi::diagnosis

@@ -1,0 +1,108 @@
+// Diagnostic codes: what the component can find wrong, and how long it looks before it says so.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rsi::monitoring {
+
+// docs/safety.md has the table of them: condition, threshold, reaction.
+enum class DiagnosticCode : std::uint8_t {
+    none,
+
+    // Frames
+    imu_lost,
+    imu_damaged,
+    roll_angle_lost,
+    roll_angle_damaged,
+    vehicle_motion_lost,
+    vehicle_motion_damaged,
+
+    // Signals, each by itself: invalid (not available, or beyond what is physical), jump (faster than
+    // anything that moves a vehicle, or shaken by noise), stuck (the very same value while others say that it
+    // must move)
+    lateral_acceleration_invalid,
+    lateral_acceleration_jump,
+    lateral_acceleration_stuck,
+    vertical_acceleration_invalid,
+    vertical_acceleration_jump,
+    vertical_acceleration_stuck,
+    vertical_acceleration_offset,
+    roll_rate_invalid,
+    roll_rate_jump,
+    roll_rate_stuck,
+    roll_angle_invalid,
+    roll_angle_jump,
+    roll_angle_stuck,
+    bank_angle_invalid,
+    yaw_rate_invalid,
+    yaw_rate_jump,
+    yaw_rate_stuck,
+    speed_invalid,
+    speed_jump,
+    speed_stuck,
+    steering_invalid,
+    steering_jump,
+    steering_stuck,
+
+    // Signals against each other
+    roll_rate_contradicts_roll_angle,
+    roll_rate_offset,
+    lateral_acceleration_contradicts_yaw_rate,
+    roll_sensor_contradicts_observer,
+    yaw_rate_contradicts_lateral_acceleration,
+
+    // The control unit itself
+    parameters_refused,
+    parameters_damaged,
+    estimate_out_of_range,
+    output_not_finite,
+    cycle_overrun,
+    cycle_stall,
+    clock_jump,
+    bus_error,
+    receive_overflow,
+
+    // Later than the numbers above were fixed, which service tools know: the calibration against the sensors
+    roll_angle_reference_wrong,
+
+    // A sensor against the others, over turns
+    lateral_acceleration_gain,
+
+    // The control unit's own memory
+    memory_restored,
+
+    // A frame of which more come than its sender sends
+    imu_two_senders,
+    roll_angle_two_senders,
+    vehicle_motion_two_senders,
+
+    // A frame that only this control unit sends comes from elsewhere
+    own_identifier_received,
+
+    // Frames that are as old as their counters say, in order and late all the time
+    imu_held_back,
+};
+
+inline constexpr std::size_t diagnostic_code_count =
+    static_cast<std::size_t>(DiagnosticCode::imu_held_back) + 1U;
+
+// A set: the bit of each code is its number.
+using CodeSet = std::uint64_t;
+static_assert(diagnostic_code_count <= 64U);
+
+template <typename... Codes>
+constexpr CodeSet set_of(Codes... codes) noexcept {
+    return (CodeSet{0U} | ... | (CodeSet{1U} << static_cast<unsigned>(codes)));
+}
+
+// In cycles of 10 ms. Confirmed after so many cycles with the fault (with good ones between them: after more,
+// as DiagnosticEvent says); healed after so many good ones in a row.
+struct Debounce {
+    std::uint16_t confirm{1U};
+    std::uint16_t heal{1U};
+};
+
+Debounce debounce_of(DiagnosticCode code) noexcept;
+
+}  // namespace rsi::monitoring

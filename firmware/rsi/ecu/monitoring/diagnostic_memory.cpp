@@ -1,0 +1,62 @@
+#include "rsi/ecu/monitoring/diagnostic_memory.hpp"
+
+namespace rsi::monitoring {
+namespace {
+
+// Safe for a damaged set in memory: a code has an entry.
+constexpr CodeSet all_codes = (CodeSet{1U} << diagnostic_code_count) - 1U;
+
+// The number of the lowest bit; at least one is set. In halves, for which controllers have an instruction.
+std::size_t lowest_bit(std::uint64_t bits) noexcept {
+    const auto low = static_cast<std::uint32_t>(bits);
+    const auto high = static_cast<std::uint32_t>(bits >> 32U);
+    return static_cast<std::size_t>((low != 0U) ? __builtin_ctz(low) : 32 + __builtin_ctz(high));
+}
+
+CodeSet with_or_without(CodeSet codes, CodeSet bit, bool with) noexcept {
+    return with ? (codes | bit) : (codes & ~bit);
+}
+
+}  // namespace
+
+void DiagnosticMemory::update(DiagnosticCode code, bool failed) noexcept {
+    Entry& entry = entries_[index_of(code)];
+    const bool first = (entry.event.occurrences() == 0U);
+    const CodeSet bit = CodeSet{1U} << index_of(code);
+    if (entry.event.update(failed, debounce_of(code))) {
+        unreported_ |= bit;
+        entry.first = first ? snapshot_ : entry.first;
+    }
+    seen_ = with_or_without(seen_, bit, entry.event.status() != EventStatus::none);
+    active_ = with_or_without(active_, bit, !entry.event.is_inactive());
+    confirmed_ = with_or_without(confirmed_, bit, entry.event.confirmed());
+}
+
+DiagnosticRecord DiagnosticMemory::next() noexcept {
+    const std::size_t index = next_to_report();
+    const Entry& entry = entries_[index];
+    return DiagnosticRecord{static_cast<DiagnosticCode>(index), entry.event.status(),
+                            entry.event.occurrences(), entry.first};
+}
+
+// 0, the empty entry of `none`, when no other has something to report.
+std::size_t DiagnosticMemory::next_to_report() noexcept {
+    const CodeSet unreported = unreported_ & all_codes;
+    if (unreported != 0U) {
+        const std::size_t index = next_of(unreported);
+        unreported_ &= ~(CodeSet{1U} << index);
+        return index;
+    }
+    const CodeSet seen = seen_ & all_codes;
+    last_reported_ = (seen != 0U) ? next_of(seen) : 0U;
+    return last_reported_;
+}
+
+// The first of them after the one that was reported last, round and round. `codes` has at least one.
+std::size_t DiagnosticMemory::next_of(CodeSet codes) const noexcept {
+    const std::size_t last = (last_reported_ < diagnostic_code_count) ? last_reported_ : 0U;
+    const CodeSet later = codes & ~((CodeSet{2U} << last) - 1U);
+    return lowest_bit((later != 0U) ? later : codes);
+}
+
+}  // namespace rsi::monitoring

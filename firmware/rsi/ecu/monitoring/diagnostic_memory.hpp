@@ -1,0 +1,79 @@
+// Diagnostic memory: one entry a code, with what was measured when it was confirmed for the first time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "rsi/ecu/monitoring/diagnostic_code.hpp"
+#include "rsi/ecu/monitoring/diagnostic_event.hpp"
+#include "rsi/numeric/bounded.hpp"
+
+namespace rsi::monitoring {
+
+// As the sensors say it, unqualified; NaN where they say nothing.
+struct Snapshot {
+    float lateral_acceleration_mps2{rsi::not_available};
+    float roll_rate_radps{rsi::not_available};
+    float roll_angle_rad{rsi::not_available};
+    float speed_mps{rsi::not_available};
+};
+
+// An entry as it is reported.
+struct DiagnosticRecord {
+    DiagnosticCode code{DiagnosticCode::none};
+    EventStatus status{EventStatus::none};
+    std::uint8_t occurrences{0U};
+    Snapshot first{};
+};
+
+class DiagnosticMemory {
+ public:
+    // Snapshot for the entries confirmed in this cycle.
+    void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
+    const Snapshot& snapshot() const noexcept { return snapshot_; }
+
+    // One cycle in which the code's condition could be judged; a code that is not reported stays as it is.
+    // In nearly every cycle nearly every code is good and inactive; this is the path that must be cheap.
+    void report(DiagnosticCode code, bool failed) noexcept {
+        if (failed || !entries_[index_of(code)].event.is_inactive()) {
+            update(code, failed);
+        }
+    }
+
+    // No code fails or waits to heal: another good cycle of any code would change nothing.
+    bool no_active_codes() const noexcept { return active_ == 0U; }
+    CodeSet active_codes() const noexcept { return active_; }
+    CodeSet confirmed_codes() const noexcept { return confirmed_; }
+    bool active(DiagnosticCode code) const noexcept { return !entries_[index_of(code)].event.is_inactive(); }
+    EventStatus status(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.status(); }
+    bool confirmed(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.confirmed(); }
+
+    // An entry that was confirmed since the last call, if there is one: the others must not delay it; else
+    // the next entry that has something to report, round and round; code `none` when there is none.
+    DiagnosticRecord next() noexcept;
+
+ private:
+    struct Entry {
+        DiagnosticEvent event{};
+        Snapshot first{};
+    };
+
+    void update(DiagnosticCode code, bool failed) noexcept;
+    std::size_t next_to_report() noexcept;
+    std::size_t next_of(CodeSet codes) const noexcept;
+
+    static constexpr std::size_t index_of(DiagnosticCode code) noexcept {
+        return static_cast<std::size_t>(code);
+    }
+
+    std::array<Entry, diagnostic_code_count> entries_{};  // that of `none` stays empty
+    Snapshot snapshot_{};
+    std::size_t last_reported_{0U};
+    CodeSet active_{0U};  // set or confirmed
+    CodeSet confirmed_{0U};
+    CodeSet seen_{0U};        // that have something to report
+    CodeSet unreported_{0U};  // confirmed, and not yet reported
+};
+
+}  // namespace rsi::monitoring

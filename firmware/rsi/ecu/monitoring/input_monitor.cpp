@@ -1,0 +1,307 @@
+#include "rsi/ecu/monitoring/input_monitor.hpp"
+
+#include "rsi/ecu/monitoring/inclination.hpp"
+#include "rsi/ecu/monitoring/signatures.hpp"
+#include "rsi/numeric/bounded.hpp"
+
+namespace rsi::monitoring {
+namespace {
+
+// State of the observer: reliable again within half of what the component's own check tolerates.
+constexpr float agreement_rad = 0.025F;
+
+// No road is as steep (45 %, several times what is built), and the sensor ends at 0.785 rad.
+constexpr float steepest_bank_rad = 0.42F;
+
+// The body leans out of the turn; below this the sign of the force says nothing.
+constexpr float clear_force_mps2 = 2.0F;
+
+constexpr float sure_excess_deviation = 0.06F;
+
+// A speed in larger steps repeats its value in turns at a constant speed.
+constexpr float largest_fine_step_mps = 0.05F;
+constexpr float further_than_any_witness = 1.0e6F;
+
+// Bank of the road: measured, or as the observer has it.
+float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+    const bool measured = rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad);
+    return measured ? inputs.bank_angle_rad : before.observed_bank_angle_rad;
+}
+
+// Results of minutes of driving. An accelerometer that has just failed looks like a load, but not like
+// one that is known so well. NaN while the component makes no statement.
+float sure_load_excess(const rsi::Outputs& before) noexcept {
+    return (before.load_excess_deviation >= sure_excess_deviation) ? 0.0F : before.load_excess;
+}
+
+// Skips rows that cannot change the code's status.
+bool concerns(const Signature& row, const DiagnosticMemory& memory) noexcept {
+    switch (row.verdict) {
+        case Verdict::keeps:
+            return memory.confirmed(row.code);
+        case Verdict::acquits:
+            return memory.active(row.code);
+        default:
+            return true;
+    }
+}
+
+OfRoll wrong_of(Facts seen) noexcept {
+    for (const Suspicion& each : suspicions) {
+        if (each.pattern.fits(seen)) {
+            return each.wrong;
+        }
+    }
+    return otherwise_wrong;
+}
+
+// Without the signals that fail by themselves: they say nothing of the others.
+rsi::Inputs witnesses_of(const rsi::Inputs& inputs, CodeSet active) noexcept {
+    rsi::Inputs witnesses = inputs;
+    for (const Consequence& each : consequences) {
+        if ((active & each.no_witness) != 0U) {
+            witnesses.*each.signal = rsi::not_available;
+        }
+    }
+    return witnesses;
+}
+
+}  // namespace
+
+void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
+    // A code outlives a stall, and so must what it was set for.
+    const OfRoll wrong_of_roll = wrong_of_roll_;
+    const ForceGain force_gain = force_gain_;
+    *this = InputMonitor{};
+    wrong_of_roll_ = wrong_of_roll;
+    force_gain_ = force_gain;
+    against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
+    steering_fitted_ = (parameters.vehicle_motion_sensors == RSI_MOTION_WITH_STEERING);
+    if (parameters.speed_resolution_mps > largest_fine_step_mps) {
+        speed_stuck_ = StuckCheck{further_than_any_witness};
+    }
+    lateral_.admit_noise(parameters.accelerometer_noise_mps2);
+    vertical_.admit_noise(parameters.accelerometer_noise_mps2);
+    roll_reference_.start(parameters);
+    force_vote_.start(parameters);
+}
+
+rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
+                                  const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
+    rsi::Inputs qualified = check_each(inputs, fresh, memory);
+    const bool all_are_witnesses = (memory.active_codes() & no_witness_codes) == 0U;
+    const rsi::Inputs witnesses = all_are_witnesses ? inputs : witnesses_of(inputs, memory.active_codes());
+    check_stuck(witnesses, memory);
+    const bool contradicted = (memory.confirmed_codes() & roll_contradictions) != 0U;
+    Facts seen = roll_facts(witnesses, contradicted ? fresh.late_roll_angle_rad : rsi::not_available);
+    seen |= turn_facts(witnesses, before);
+    seen |= vertical_facts(witnesses, before);
+    seen |= reference_facts(witnesses, before);
+    seen |= observer_facts(inputs, before);
+    judge(seen, memory);
+    const CodeSet confirmed = memory.confirmed_codes();
+    if (confirmed != 0U) {
+        if (!contradicted && ((confirmed & roll_contradictions) != 0U)) {
+            wrong_of_roll_ = wrong_of(suspicion_facts(witnesses));
+        }
+        take_out(qualified, confirmed);
+    }
+    return qualified;
+}
+
+// A frame that is lost has its own code; its signals are not judged.
+rsi::Inputs InputMonitor::check_each(const rsi::Inputs& inputs, const FreshFrames& fresh,
+                                     DiagnosticMemory& memory) noexcept {
+    rsi::Inputs qualified = inputs;
+    if (fresh.imu) {
+        qualified.lateral_specific_force_mps2 = lateral_.qualify(inputs.lateral_specific_force_mps2, memory);
+        if (fresh.vertical_acceleration) {
+            qualified.vertical_specific_force_mps2 =
+                vertical_.qualify(inputs.vertical_specific_force_mps2, memory);
+        }
+        qualified.roll_rate_radps = roll_rate_.qualify(inputs.roll_rate_radps, memory);
+    } else {
+        lateral_.forget();
+        vertical_.forget();
+        roll_rate_.forget();
+    }
+    if (fresh.roll_angle) {
+        const float turned =
+            rsi::is_finite(qualified.roll_rate_radps) ? rsi::sample_time_s * qualified.roll_rate_radps : 0.0F;
+        qualified.roll_angle_rad = roll_angle_.qualify(inputs.roll_angle_rad, memory, turned);
+        // Most vehicles have no bank sensor.
+        memory.report(DiagnosticCode::bank_angle_invalid,
+                      rsi::is_finite(inputs.bank_angle_rad) &&
+                          !rsi::is_within_magnitude(inputs.bank_angle_rad, steepest_bank_rad));
+    } else {
+        roll_angle_.forget();
+    }
+    if (fresh.vehicle_motion) {
+        qualified.yaw_rate_radps = yaw_rate_.qualify(inputs.yaw_rate_radps, memory);
+        qualified.speed_mps = speed_.qualify(inputs.speed_mps, memory);
+        if (steering_fitted_) {
+            qualified.steering_wheel_angle_rad = steering_.qualify(inputs.steering_wheel_angle_rad, memory);
+        }
+    } else {
+        yaw_rate_.forget();
+        speed_.forget();
+        steering_.forget();
+    }
+    return qualified;
+}
+
+void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept {
+    const float turn = inputs.yaw_rate_radps * inputs.speed_mps;
+    const float lateral = inputs.lateral_specific_force_mps2;
+    // NaN when it begins anew: no reference has jumped then.
+    const float sum = turned_rad_ + rsi::sample_time_s * inputs.roll_rate_radps;
+    const float turned = rsi::is_within_magnitude(sum, 5.0F) ? sum : rsi::not_available;
+    turned_rad_ = rsi::is_finite(turned) ? turned : 0.0F;
+    const auto report = [&memory](DiagnosticCode code, auto& check, auto... signals) noexcept {
+        const bool stuck = check.is_stuck(signals...);
+        // An inactive or missing reference does not clear a value that repeats itself.
+        if (stuck || check.moves()) {
+            memory.report(code, stuck);
+        }
+    };
+    report(DiagnosticCode::lateral_acceleration_stuck, lateral_stuck_, lateral, turn);
+    report(DiagnosticCode::vertical_acceleration_stuck, vertical_stuck_, inputs.vertical_specific_force_mps2,
+           lateral);
+    report(DiagnosticCode::roll_rate_stuck, roll_rate_stuck_, inputs.roll_rate_radps,
+           inputs.roll_angle_rad - turned);
+    report(DiagnosticCode::roll_angle_stuck, roll_angle_stuck_, inputs.roll_angle_rad, turned);
+    report(DiagnosticCode::yaw_rate_stuck, yaw_rate_stuck_, inputs.yaw_rate_radps, lateral);
+    report(DiagnosticCode::speed_stuck, speed_stuck_, inputs.speed_mps, turn);
+    report(DiagnosticCode::steering_stuck, steering_stuck_, inputs.steering_wheel_angle_rad, lateral, turn);
+}
+
+// An angle that is held back cannot show a contradiction, but only with it can one be over.
+Facts InputMonitor::roll_facts(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept {
+    const bool there = rsi::is_finite(inputs.roll_angle_rad);
+    roll_consistency_.update(
+        there ? inputs.roll_angle_rad : late_roll_angle_rad, inputs.roll_rate_radps,
+        inclination_rad(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps * inputs.speed_mps));
+    // An angle that does not fit the force points to the sensor, not the road; and a stationary vehicle sees
+    // no change of bank.
+    const bool may_twist = turn_consistency_.known() && force_vote_.roll_motion_agrees();
+    return fact_if(roll_consistency_.known(), Fact::roll_valid) |
+           fact_if(roll_consistency_.contradicts(may_twist), Fact::roll_beyond_short) |
+           fact_if(roll_consistency_.has_offset(may_twist), Fact::roll_beyond_long);
+}
+
+Facts InputMonitor::suspicion_facts(const rsi::Inputs& inputs) const noexcept {
+    const float force = inputs.lateral_specific_force_mps2;
+    const bool clear = !rsi::is_within_magnitude(force, clear_force_mps2);
+    return fact_if(roll_angle_stuck_.seems_frozen(), Fact::roll_angle_frozen) |
+           fact_if(roll_rate_stuck_.seems_frozen(), Fact::roll_rate_frozen) |
+           fact_if(clear && (force * roll_against_road(inputs) < 0.0F), Fact::leans_into_turn);
+}
+
+// The force depends so little on the roll angle that the observer's will do where the sensor's contains a
+// bank.
+Facts InputMonitor::vertical_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+    vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
+                            against_horizon_ ? before.observed_roll_angle_rad : inputs.roll_angle_rad);
+    const bool calm = (before.state == RSI_STATE_READY) || (before.state == RSI_STATE_ADVISORY);
+    return fact_if(vertical_offset_.is_within(), Fact::vertical_within) |
+           fact_if(vertical_offset_.is_beyond(!calm), Fact::vertical_beyond);
+}
+
+Facts InputMonitor::turn_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+    turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
+    const float yaw_acceleration =
+        turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
+    rsi::Inputs against_road = inputs;
+    against_road.roll_angle_rad = roll_against_road(inputs);
+    turn_signs_.update(inputs.lateral_specific_force_mps2, yaw_acceleration, against_road.roll_angle_rad);
+    force_vote_.assume_load(sure_load_excess(before));
+    force_vote_.update(against_road);
+    slow_vehicle_.update(inputs);
+    return gain_facts(before) | fact_if(turn_consistency_.known(), Fact::turn_valid) |
+           fact_if(turn_consistency_.agrees(), Fact::turn_within) |
+           fact_if(turn_consistency_.suspicious(), Fact::turn_beyond_banks) |
+           fact_if(turn_consistency_.contradicts(), Fact::turn_beyond_slides) |
+           fact_if(turn_consistency_.spins(), Fact::spinning) |
+           fact_if(turn_signs_.lateral_acceleration_is_alone(), Fact::lateral_sign_alone) |
+           fact_if(turn_signs_.yaw_rate_is_alone(), Fact::yaw_sign_alone) |
+           fact_if(force_vote_.known(), Fact::roll_force_valid) |
+           fact_if(force_vote_.roll_motion_agrees(), Fact::roll_force_within) |
+           fact_if(force_vote_.accelerometer_is_alone(), Fact::lateral_alone) |
+           fact_if(force_vote_.accelerometer_is_suspect(), Fact::lateral_suspect) |
+           fact_if(slow_vehicle_.lateral_acceleration_is_impossible(), Fact::slow_vehicle_beyond);
+}
+
+// Ignores an invalidated roll angle, and wheel speed during a slide, as at the end of a spin.
+Facts InputMonitor::gain_facts(const rsi::Outputs& before) noexcept {
+    const bool both_are_witnesses = turn_consistency_.known() && (before.roll_source != RSI_ROLL_OBSERVER);
+    if (!force_vote_.known() || !both_are_witnesses) {
+        return facts();
+    }
+    force_gain_.update(force_vote_.forces(), before.state == RSI_STATE_WARNING);
+    return facts(Fact::gain_valid) | fact_if(force_gain_.is_wrong(), Fact::gain_beyond);
+}
+
+// The angle against the road that is a reference for the other sensors. One against the horizon needs the
+// bank of a sensor: the observer's is made of the very signals that are to be checked.
+float InputMonitor::roll_against_road(const rsi::Inputs& inputs) const noexcept {
+    return against_horizon_ ? inputs.roll_angle_rad - inputs.bank_angle_rad : inputs.roll_angle_rad;
+}
+
+// Excess of the sensor over the roll angle that the observer finds without it.
+float InputMonitor::roll_beyond_observed(const rsi::Inputs& inputs,
+                                         const rsi::Outputs& before) const noexcept {
+    const float beyond_road = inputs.roll_angle_rad - before.observed_roll_angle_rad;
+    return against_horizon_ ? beyond_road - known_bank_rad(inputs, before) : beyond_road;
+}
+
+// A wrong calibration does not show on a level road; once it has shown, no angle is what it is taken for.
+Facts InputMonitor::reference_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+    roll_reference_.update(inputs.roll_angle_rad, before.observed_roll_angle_rad,
+                           known_bank_rad(inputs, before));
+    const bool known = roll_reference_.known();
+    return fact_if(known, Fact::reference_valid) |
+           fact_if(known && roll_reference_.contradicts(), Fact::reference_beyond);
+}
+
+// The observer makes the roll angle of the lateral force and the roll rate. The component's own check,
+// confirmed for 0.3 s, decides when it is reliable.
+Facts InputMonitor::observer_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept {
+    const float difference = roll_beyond_observed(inputs, before);
+    if (!rsi::is_finite(difference)) {
+        return facts();
+    }
+    const bool out = (before.roll_source == RSI_ROLL_OBSERVER);
+    const bool far = !rsi::is_within_magnitude(difference, 2.0F * agreement_rad);
+    return facts(Fact::observer_valid) |
+           fact_if(rsi::is_within_magnitude(difference, agreement_rad), Fact::observer_within) |
+           fact_if(!out && (before.roll_sensor_disagrees != 0), Fact::observer_beyond) |
+           fact_if(out && far, Fact::observer_far);
+}
+
+// Nothing to set or clear.
+void InputMonitor::judge(Facts seen, DiagnosticMemory& memory) noexcept {
+    if (((memory.active_codes() & judged_codes) == 0U) && ((seen & accusing_facts) == 0U)) {
+        return;
+    }
+    DiagnosticCode judged = DiagnosticCode::none;
+    for (const Signature& each : signatures) {
+        if (each.pattern.fits(seen) && (each.code != judged) && concerns(each, memory)) {
+            memory.report(each.code, each.verdict != Verdict::acquits);
+            judged = each.code;
+        }
+    }
+}
+
+void InputMonitor::take_out(rsi::Inputs& qualified, CodeSet confirmed) const noexcept {
+    for (const Consequence& each : consequences) {
+        if ((confirmed & each.not_used) != 0U) {
+            qualified.*each.signal = rsi::not_available;
+        }
+    }
+    if ((confirmed & roll_contradictions) != 0U) {
+        const bool rate = (wrong_of_roll_ == OfRoll::rate);
+        (rate ? qualified.roll_rate_radps : qualified.roll_angle_rad) = rsi::not_available;
+    }
+}
+
+}  // namespace rsi::monitoring

@@ -1,0 +1,103 @@
+// Input monitor: which of the sensors' values may be used.
+#pragma once
+
+#include "rsi/ecu/monitoring/diagnostic_memory.hpp"
+#include "rsi/ecu/monitoring/force_gain.hpp"
+#include "rsi/ecu/monitoring/force_vote.hpp"
+#include "rsi/ecu/monitoring/roll_consistency.hpp"
+#include "rsi/ecu/monitoring/roll_reference_check.hpp"
+#include "rsi/ecu/monitoring/signal_check.hpp"
+#include "rsi/ecu/monitoring/signatures.hpp"
+#include "rsi/ecu/monitoring/slow_vehicle.hpp"
+#include "rsi/ecu/monitoring/steering_check.hpp"
+#include "rsi/ecu/monitoring/stuck_check.hpp"
+#include "rsi/ecu/monitoring/turn_consistency.hpp"
+#include "rsi/ecu/monitoring/turn_signs.hpp"
+#include "rsi/ecu/monitoring/vertical_offset.hpp"
+#include "rsi/types.hpp"
+
+namespace rsi::monitoring {
+
+// Which frames have fresh values.
+struct FreshFrames {
+    bool imu{false};
+    bool roll_angle{false};
+    bool vehicle_motion{false};
+    bool vertical_acceleration{true};  // the IMU has sent one before; of one that has none nothing is missed
+    // Roll angle that is not fresh because its frames are held back; else NaN.
+    float late_roll_angle_rad{rsi::not_available};
+};
+
+class InputMonitor {
+ public:
+    // Starts anew, for a vehicle with these accepted parameters.
+    void start(const rsi::Parameters& parameters) noexcept;
+
+    // One cycle. `inputs` as received, NaN where there is nothing; `before` is what the component made of the
+    // cycle before. The answer has NaN in place of what must not be used.
+    rsi::Inputs qualify(const rsi::Inputs& inputs, const FreshFrames& fresh, const rsi::Outputs& before,
+                        DiagnosticMemory& memory) noexcept;
+
+ private:
+    rsi::Inputs check_each(const rsi::Inputs& inputs, const FreshFrames& fresh,
+                           DiagnosticMemory& memory) noexcept;
+    void check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
+    Facts roll_facts(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept;
+    Facts suspicion_facts(const rsi::Inputs& inputs) const noexcept;
+    Facts turn_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Facts gain_facts(const rsi::Outputs& before) noexcept;
+    Facts vertical_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Facts reference_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Facts observer_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
+    static void judge(Facts seen, DiagnosticMemory& memory) noexcept;
+    void take_out(rsi::Inputs& qualified, CodeSet confirmed) const noexcept;
+    float roll_against_road(const rsi::Inputs& inputs) const noexcept;
+    float roll_beyond_observed(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
+
+    bool against_horizon_{false};  // the roll sensor's angle, as calibrated
+    bool steering_fitted_{true};
+
+    // Ranges: beyond what a vehicle does, and below the end of the sensor's range, so that a saturated sensor
+    // counts as failed. Jumps: half as much again as the largest change within a cycle over 2,900 drawn runs
+    // of three vehicles, impacts of wheels that come down again among them, is still allowed.
+    SignalCheck lateral_{{-40.0F, 40.0F, 12.0F, 3.0F, DiagnosticCode::lateral_acceleration_invalid,
+                          DiagnosticCode::lateral_acceleration_jump}};
+    SignalCheck vertical_{{-40.0F, 55.0F, 12.0F, 2.2F, DiagnosticCode::vertical_acceleration_invalid,
+                           DiagnosticCode::vertical_acceleration_jump}};
+    SignalCheck roll_rate_{
+        {-5.22F, 5.22F, 0.5F, 0.1F, DiagnosticCode::roll_rate_invalid, DiagnosticCode::roll_rate_jump}};
+    // Jump: against the change that the roll rate leads to.
+    SignalCheck roll_angle_{
+        {-1.9F, 1.9F, 0.044F, 0.04F, DiagnosticCode::roll_angle_invalid, DiagnosticCode::roll_angle_jump}};
+    SignalCheck yaw_rate_{
+        {-4.0F, 4.0F, 0.2F, 0.1F, DiagnosticCode::yaw_rate_invalid, DiagnosticCode::yaw_rate_jump}};
+    SignalCheck speed_{{0.0F, 97.0F, 1.5F, 0.5F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
+    SignalCheck steering_{
+        {-15.0F, 15.0F, 2.0F, 0.3F, DiagnosticCode::steering_invalid, DiagnosticCode::steering_jump}};
+
+    // Spans of the reference: at least one and a half times what ideal sensors, which do repeat themselves,
+    // came to.
+    StuckCheck lateral_stuck_{1.0F};   // m/s^2 of yaw rate times speed
+    StuckCheck vertical_stuck_{1.5F};  // m/s^2 of the lateral one
+    // rad of the roll angle less the integrated roll rate, and of that; a gyro's offset up to 0.55 deg/s is
+    // none
+    StuckCheck roll_rate_stuck_{0.02F, 0.0001F};
+    StuckCheck roll_angle_stuck_{0.015F, 0.0001F};
+    StuckCheck yaw_rate_stuck_{1.5F};  // m/s^2 of the lateral acceleration
+    StuckCheck speed_stuck_{4.5F};     // m/s^2 of yaw rate times this very speed
+    SteeringCheck steering_stuck_{};
+
+    RollConsistency roll_consistency_{};
+    RollReferenceCheck roll_reference_{};
+    TurnConsistency turn_consistency_{};
+    TurnSigns turn_signs_{};
+    ForceVote force_vote_{};
+    ForceGain force_gain_{};
+    SlowVehicle slow_vehicle_{};
+    VerticalOffset vertical_offset_{};
+    float turned_rad_{0.0F};  // integral of the roll rate, as a reference
+    // The faulty one of roll rate and roll angle, as long as they contradict each other.
+    OfRoll wrong_of_roll_{otherwise_wrong};
+};
+
+}  // namespace rsi::monitoring
