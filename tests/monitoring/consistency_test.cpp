@@ -87,7 +87,7 @@ TEST_F(ARollAngle, AgreesWithTheRateThatTurnsItAndNotWithOneThatDoesNot) {
     EXPECT_TRUE(check.contradicts(false));
 }
 
-// What was found before a gap says nothing after it.
+// Findings before a gap do not count after it.
 TEST_F(ARollAngle, StartsAnewAfterASampleThatIsNotFinite) {
     for (const bool of_angle : {true, false}) {
         for (const float bad : {nan, infinity}) {
@@ -222,14 +222,14 @@ class ATurn : public ::testing::Test {
         }
     }
 
-    void expect_no_accusation() const {
+    void expect_no_code() const {
         EXPECT_FALSE(check.known());
         EXPECT_FALSE(check.suspicious());
         EXPECT_FALSE(check.contradicts());
     }
 
     void expect_no_statement() const {
-        expect_no_accusation();
+        expect_no_code();
         EXPECT_FALSE(check.agrees());
     }
 
@@ -241,9 +241,9 @@ TEST_F(ATurn, IsNotJudgedBeforeItsFirstSample) {
     EXPECT_FALSE(check.spins());
 }
 
-TEST_F(ATurn, AccusesNobodyUpTo5MetresASecond) {
+TEST_F(ATurn, SetsNoCodeUpTo5MetresASecond) {
     check.update(1.0F, 0.1F, 5.0F);
-    expect_no_accusation();
+    expect_no_code();
     EXPECT_TRUE(check.agrees());
     check.update(3.0F, 0.1F, 5.0F);
     EXPECT_FALSE(check.agrees());
@@ -460,7 +460,7 @@ rsi::Inputs sample_of(float accelerometer_mps2, float by_yaw_mps2, float roll_an
     return inputs;
 }
 
-// Three witnesses of the lateral force; the roll angle is given as the force under which the body takes it.
+// Three estimates of the lateral force; the roll angle is given as the force under which the body takes it.
 class AForceVote : public ::testing::Test {
  protected:
     void SetUp() override { vote.start(parameters()); }
@@ -493,8 +493,8 @@ TEST_F(AForceVote, TakesAMeanOver300Milliseconds) {
     EXPECT_TRUE(alone_after(1, 10.0F, 0.0F, 0.0F));
 }
 
-// The body of a vehicle that is loaded so rolls under the same force as much further; what no load does is
-// not believed, and what is known stays.
+// The body of a vehicle that is loaded so rolls under the same force as much further; an impossible load is
+// not used, and the known one stays.
 TEST_F(AForceVote, TakesTheForceOfTheLoadedBody) {
     struct Load {
         float excess;
@@ -525,7 +525,7 @@ TEST_F(AForceVote, KnowsWhatTheAccelerometerShows80MillisecondsLater) {
     EXPECT_NEAR(vote.forces().shown_soon_mps2 - vote.forces().shown_mps2, 1.6F, 0.02F);
 }
 
-// Where the IMU sits a steady turn adds nothing.
+// At the IMU a steady turn adds nothing.
 TEST_F(AForceVote, KnowsItOfAnImuAheadOfTheCentreOfGravityToo) {
     rsi::Parameters suv = parameters();
     suv.imu_x_m = 2.0F;
@@ -608,7 +608,7 @@ TEST_F(AForceVote, TakesTheYawRateOfASlowVehicleForATurnToEitherSide) {
     }
 }
 
-// Which way it rolls nobody knows: what the accelerometer shows is right up to the turn to either side.
+// The direction of rolling is not known: the accelerometer's value is right up to the turn to either side.
 TEST_F(AForceVote, TakesATurnToTheRightForOneToEitherSideAsWell) {
     rsi::Inputs inputs = sample_of(3.9F, 0.0F, 0.0F);
     inputs.speed_mps = 5.0F;
@@ -629,7 +629,7 @@ TEST_F(AForceVote, NeedsASpeedAndAYawRateHoweverSlowTheVehicleIs) {
     }
 }
 
-TEST_F(AForceVote, StartsAnewFarOverAndWithoutAWitness) {
+TEST_F(AForceVote, StartsAnewFarOverAndWithoutAReference) {
     struct Gap {
         float lateral;
         float by_yaw;
@@ -647,7 +647,7 @@ TEST_F(AForceVote, StartsAnewFarOverAndWithoutAWitness) {
     }
 }
 
-// Of each pair of witnesses: 10 m/s^2 are 3 after 0.11 s.
+// For each pair of references: 10 m/s^2 are 3 after 0.11 s.
 TEST_F(AForceVote, TakesThatMeanFromItsStartAndAfterAGapWhicheverOtherIsNearer) {
     struct Others {
         float by_yaw;
@@ -697,7 +697,7 @@ class AForceVoteOfASwingingTruck : public ::testing::Test {
         truck_.imu_z_m = -0.6F;
     }
 
-    // What the vote has to say of the last two of five seconds, every sample of them; `gain`: of the
+    // The vote's demanded result for the last two of five seconds, in every sample; `gain`: of the
     // accelerometer.
     struct Said {
         int alone{0};
@@ -783,7 +783,7 @@ TEST_F(AForceVoteOfASwingingTruck, HasNoAccelerationWhileTheRollRateStays) {
 }
 
 // An accelerometer that is off by 4 m/s^2, far in front of a vehicle that begins to yaw at 1 rad/s^2.
-TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothWitnesses) {
+TEST_F(AForceVoteOfASwingingTruck, TakesTheYawAccelerationAtTheIMUFromBothReferences) {
     ForceVote vote;
     vote.start(truck_);
     for (int sample = 1; sample <= 100; ++sample) {

@@ -18,8 +18,7 @@ void update(RollConsistency& consistency, int samples) {
     }
 }
 
-// Whatever bit of it has changed; where it is the index and that is now beyond the history, the history
-// begins anew.
+// For any changed bit of it; if it is the index and now beyond the history, the history begins anew.
 TEST(ADamagedIndex, OfTheRollConsistencyBeginsTheHistoryAnew) {
     constexpr int whole_history = 130;
     RollConsistency sound;
@@ -41,7 +40,7 @@ TEST(ADamagedIndex, OfTheRollConsistencyBeginsTheHistoryAnew) {
     EXPECT_GT(begun_anew, 50U);
 }
 
-// Whatever bit of its sums or of its place has changed: it goes on, and finds a change of the parameters.
+// For any changed bit of its sums or its place: it goes on, and finds a change of the parameters.
 TEST(ADamagedIndex, OfTheParameterGuardIsAWrongSumAtMost) {
     constexpr int two_passes = 8;
     rsi::Parameters parameters{};

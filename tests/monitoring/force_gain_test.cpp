@@ -28,16 +28,16 @@ class AForceGain : public ::testing::Test {
         float by_roll_mps2;
     };
 
-    // To either side: five samples of the one do not accuse the sensor, nor do four of the other, but five
+    // To either side: five samples of the one do not set the code, nor do four of the other, but five
     // do.
-    void expect_accused_at_once_between(const Turn& admitted, const Turn& accused) {
+    void expect_code_at_once_between(const Turn& admitted, const Turn& with_code) {
         for (const float side : {1.0F, -1.0F}) {
             gain = {};
             turn(5, side * admitted.shown_mps2, side * admitted.by_yaw_mps2, side * admitted.by_roll_mps2);
             EXPECT_FALSE(gain.is_wrong());
-            turn(4, side * accused.shown_mps2, side * accused.by_yaw_mps2, side * accused.by_roll_mps2);
+            turn(4, side * with_code.shown_mps2, side * with_code.by_yaw_mps2, side * with_code.by_roll_mps2);
             EXPECT_FALSE(gain.is_wrong());
-            turn(1, side * accused.shown_mps2, side * accused.by_yaw_mps2, side * accused.by_roll_mps2);
+            turn(1, side * with_code.shown_mps2, side * with_code.by_yaw_mps2, side * with_code.by_roll_mps2);
             EXPECT_TRUE(gain.is_wrong());
         }
     }
@@ -128,7 +128,7 @@ TEST_F(AForceGain, NeedsTurnsToBothSides) {
     }
 }
 
-TEST_F(AForceGain, NeedsBothWitnessesBeyond1MetrePerSecondSquaredOnOneSide) {
+TEST_F(AForceGain, NeedsBothReferencesBeyond1MetrePerSecondSquaredOnOneSide) {
     for (const float small : {0.99F, -2.0F}) {
         for (int number = 0; number < 100; ++number) {
             const float side = (number % 2 == 0) ? 1.0F : -1.0F;
@@ -148,19 +148,19 @@ TEST_F(AForceGain, NeedsBothWitnessesBeyond1MetrePerSecondSquaredOnOneSide) {
 TEST_F(AForceGain, NeedsNoSecondTurnForLessThan58PerCentAndMoreThan1500MillimetresPerSecondSquared) {
     const Turn by_586_per_mille{2.93F, 5.0F, 6.0F};
     const Turn by_574_per_mille{2.87F, 5.0F, 6.0F};
-    expect_accused_at_once_between(by_586_per_mille, by_574_per_mille);
+    expect_code_at_once_between(by_586_per_mille, by_574_per_mille);
     const Turn by_1490_mmps2{1.51F, 3.0F, 3.0F};
     const Turn by_1520_mmps2{1.48F, 3.0F, 3.0F};
-    expect_accused_at_once_between(by_1490_mmps2, by_1520_mmps2);
+    expect_code_at_once_between(by_1490_mmps2, by_1520_mmps2);
 }
 
 TEST_F(AForceGain, NeedsNoSecondTurnForMoreThan180PerCentAndMoreThan1500MillimetresPerSecondSquared) {
     const Turn by_178_per_cent{7.12F, 3.0F, 4.0F};
     const Turn by_181_per_cent{7.24F, 3.0F, 4.0F};
-    expect_accused_at_once_between(by_178_per_cent, by_181_per_cent);
+    expect_code_at_once_between(by_178_per_cent, by_181_per_cent);
     const Turn by_1490_mmps2{3.29F, 1.8F, 1.8F};
     const Turn by_1520_mmps2{3.32F, 1.8F, 1.8F};
-    expect_accused_at_once_between(by_1490_mmps2, by_1520_mmps2);
+    expect_code_at_once_between(by_1490_mmps2, by_1520_mmps2);
 }
 
 TEST_F(AForceGain, TakesNoFourSamplesForFive) {
@@ -223,7 +223,7 @@ TEST_F(AForceGain, StaysWrongThroughTurnsThatShowIt) {
     EXPECT_TRUE(gain.is_wrong());
 }
 
-TEST_F(AForceGain, IsBelievedAfterEightSecondsOfCalmStraights) {
+TEST_F(AForceGain, IsAcceptedAfterEightSecondsOfCalmStraights) {
     for (const float shown : {2.0F, 10.0F}) {
         gain = {};
         turn(5, shown, 5.0F, 5.0F);
@@ -234,8 +234,8 @@ TEST_F(AForceGain, IsBelievedAfterEightSecondsOfCalmStraights) {
     }
 }
 
-// It is noise that shows a force where there is none; a contradiction between the witnesses shows nothing.
-TEST_F(AForceGain, IsBelievedOnlyIfTheWholeOfThatWasCalm) {
+// It is noise that shows a force where there is none; a contradiction between the references shows nothing.
+TEST_F(AForceGain, IsAcceptedOnlyIfTheWholeOfThatWasCalm) {
     turn(799, 0.0F, 0.0F, 0.0F);
     turn(5, 2.0F, 5.0F, 5.0F);
     turn(799, 0.0F, 0.0F, 0.0F);
@@ -277,7 +277,7 @@ TEST_F(AForceGain, NeedsLittleToBeWrongAgain) {
     }
 }
 
-// What has shown nothing is not suspected of it.
+// A sensor without a symptom has no code.
 TEST_F(AForceGain, ThatWasTooWeakIsNotOnProbationForTooStrong) {
     turn(5, 2.0F, 5.0F, 5.0F);
     turn(800, 0.0F, 0.0F, 0.0F);

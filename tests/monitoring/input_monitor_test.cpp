@@ -1,4 +1,4 @@
-// Which sensor the input monitor blames when two of them contradict each other, and what it then takes out.
+// Isolation by the input monitor when two sensors contradict each other, and the signals that it invalidates.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,7 +82,7 @@ class AnInputMonitor : public ::testing::Test {
     bool angle_is_held_back{false};
 };
 
-TEST_F(AnInputMonitor, PassesOnWhatContradictsNobody) {
+TEST_F(AnInputMonitor, PassesOnSignalsWithoutAContradiction) {
     run(1000);
     EXPECT_EQ(qualified.lateral_specific_force_mps2, inputs.lateral_specific_force_mps2);
     EXPECT_EQ(qualified.vertical_specific_force_mps2, inputs.vertical_specific_force_mps2);
@@ -151,8 +151,8 @@ TEST_F(AnInputMonitor, AdmitsAVerticalAccelerationThatChangesBy12MetresPerSecond
     EXPECT_TRUE(std::isnan(qualified.vertical_specific_force_mps2));
 }
 
-// Yaw rate and roll angle agree against the accelerometer; but in a spin the yaw rate is no witness.
-TEST_F(AnInputMonitor, AccusesNoAccelerometerInASpin) {
+// Yaw rate and roll angle agree against the accelerometer; but in a spin the yaw rate is no reference.
+TEST_F(AnInputMonitor, SetsNoCodeOfTheAccelerometerInASpin) {
     const rsi::Parameters suv = rsi_test_large_suv();
     inputs.lateral_specific_force_mps2 = 0.0F;
     angle_rad = inputs.roll_angle_rad = monitoring_test::held_roll_angle_rad(suv, 8.5F);
@@ -166,7 +166,7 @@ TEST_F(AnInputMonitor, AccusesNoAccelerometerInASpin) {
 }
 
 // 9 m/s^2 of yaw rate times speed while the vehicle goes straight: with a lag of 4 s, 7 m/s^2 after 6.0 s.
-TEST_F(AnInputMonitor, TakesOutAYawRateThatNoSlideExplains) {
+TEST_F(AnInputMonitor, InvalidatesAYawRateThatNoSlideExplains) {
     inputs.yaw_rate_radps = 0.3F;
     run(595);
     EXPECT_FALSE(confirmed(yaw_code));
@@ -208,7 +208,7 @@ TEST_F(AnInputMonitor, BlamesTheAccelerometerWhenTheYawRateContradictsItToo) {
     EXPECT_EQ(qualified.roll_angle_rad, 0.0F);
 }
 
-TEST_F(AnInputMonitor, BlamesNobodyForASuspicionOfTheYawRateAlone) {
+TEST_F(AnInputMonitor, SetsNoCodeForASymptomOfTheYawRateAlone) {
     inputs.lateral_specific_force_mps2 = 2.5F;
     run(1000);
     EXPECT_FALSE(confirmed(lateral_code));
@@ -216,7 +216,7 @@ TEST_F(AnInputMonitor, BlamesNobodyForASuspicionOfTheYawRateAlone) {
     EXPECT_FALSE(confirmed(yaw_code));
 }
 
-TEST_F(AnInputMonitor, DoesNotBelieveTheObserverInASpin) {
+TEST_F(AnInputMonitor, DoesNotUseTheObserverInASpin) {
     turn_at(10.6F);
     before.roll_sensor_disagrees = 1;
     run(100);
@@ -281,7 +281,7 @@ TEST_F(AnInputMonitor, DoesNotJudgeTheRollSensorWhileEitherSaysNothing) {
     EXPECT_FALSE(confirmed(roll_sensor_code));
 }
 
-// Of a roll angle and a roll rate that come apart by 4.6 deg in 0.2 s, in a turn to the left.
+// Inputs of a roll angle and a roll rate that come apart by 4.6 deg in 0.2 s, in a turn to the left.
 TEST_F(AnInputMonitor, BlamesARollAngleThatLeansIntoTheTurn) {
     turn_at(3.0F);
     roll(40, -0.004F, 0.0F);
@@ -403,7 +403,7 @@ TEST_F(AnInputMonitor, CountsTheSignsOfATurnAbove5MetresASecondOnly) {
     EXPECT_TRUE(confirmed(lateral_code));
 }
 
-// The observer's model is no witness against the accelerometer in the moment in which the roll sensor
+// The observer's model is no reference for the accelerometer in the moment in which the roll sensor
 // returns.
 TEST_F(AnInputMonitor, BlamesOnlyARollSensorThatComesBackForWhatTheObserverContradicts) {
     inputs.lateral_specific_force_mps2 = 2.1F;
@@ -519,7 +519,7 @@ TEST_F(AnInputMonitor, DoesNotHealByAnAngleThatIsHeldBackAndContradicts) {
     EXPECT_TRUE(std::isnan(qualified.roll_rate_radps));
 }
 
-TEST_F(AnInputMonitor, BlamesNobodyForAnAngleThatIsHeldBack) {
+TEST_F(AnInputMonitor, SetsNoCodeForAnAngleThatIsHeldBack) {
     turn_at(3.0F);
     hold_back_the_angle();
     roll(500, 0.004F, 0.0F);
@@ -553,7 +553,7 @@ TEST_F(AnInputMonitor, KeepsToWhomItHasBlamedOverAStart) {
     EXPECT_EQ(qualified.roll_angle_rad, inputs.roll_angle_rad);
 }
 
-// Whatever else is wrong then.
+// With any other fault.
 TEST_F(AnInputMonitor, TakesTheRollRateBackOnceTheContradictionHasHealed) {
     turn_at(3.0F);
     roll(40, 0.004F, 0.0F);
@@ -567,9 +567,9 @@ TEST_F(AnInputMonitor, TakesTheRollRateBackOnceTheContradictionHasHealed) {
     EXPECT_TRUE(confirmed(DiagnosticCode::steering_invalid));
 }
 
-// While the yaw rate alone is ahead, as in a weave near the limit, an accelerometer that was blamed is shown
+// While the yaw rate alone is ahead, as in a weave near the limit, an accelerometer with a code is shown
 // to be neither good nor bad: its second is interrupted and goes on. A roll angle that contradicts it as well
-// by more than half of what would blame it lets the second begin anew.
+// by more than half of the limit lets the second begin anew.
 TEST_F(AnInputMonitor, LetsAnAccelerometersSecondWaitWhileTheYawRateAloneIsAhead) {
     const rsi::Parameters suv = rsi_test_large_suv();
     const auto cycles_to_heal = [this, &suv](float roll_contradicts_by_mps2, int ahead_cycles) {
@@ -601,7 +601,7 @@ TEST_F(AnInputMonitor, LetsAnAccelerometersSecondWaitWhileTheYawRateAloneIsAhead
 }
 
 // On a bank of 0.1 rad, the body upright on it.
-TEST_F(AnInputMonitor, TakesOutARollAngleWhoseReferenceIsWrongAndTakesItBackAfterFiveSecondsOfTheRightOne) {
+TEST_F(AnInputMonitor, InvalidatesARollAngleWithAWrongReferenceUntilItIsRightForFiveSeconds) {
     before.observed_bank_angle_rad = 0.1F;
     inputs.roll_angle_rad = 0.1F;
     run(499);
@@ -661,7 +661,7 @@ TEST_F(AnInputMonitorWithAWeakAccelerometer, TakesItOutAfterTurnsToBothSides) {
     EXPECT_FALSE(confirmed(lateral_code));
     turn_with_half(0.0F, 800);  // on a straight it is as good as any
     EXPECT_TRUE(confirmed(gain_code));
-    turn_with_half(0.0F, 200);  // and nobody knows that it is not
+    turn_with_half(0.0F, 200);  // and it is not known to be wrong
     EXPECT_FALSE(confirmed(gain_code));
 }
 
@@ -699,7 +699,7 @@ TEST_F(AnInputMonitorWithAWeakAccelerometer, TakesItBackAfterRightTurns) {
     EXPECT_EQ(qualified.lateral_specific_force_mps2, 4.0F);
 }
 
-TEST_F(AnInputMonitorWithAWeakAccelerometer, AccusesNobodyInAWarningNorByARollAngleThatIsNotUsed) {
+TEST_F(AnInputMonitorWithAWeakAccelerometer, SetsNoCodeInAWarningNorByARollAngleThatIsNotUsed) {
     before.state = RSI_STATE_WARNING;
     turn_with_half(4.0F, 1000);
     EXPECT_FALSE(confirmed(gain_code));
@@ -725,7 +725,7 @@ TEST_F(AnInputMonitorWithAWeakAccelerometer, TakesNoVehicleThatSlidesSlowlyForOn
     }
 }
 
-// 18 km/h or less: whoever stands upright has no force.
+// 18 km/h or less: an upright body shows no force.
 class AnInputMonitorOfASlowVehicle : public AnInputMonitor {
  protected:
     AnInputMonitorOfASlowVehicle() { inputs.speed_mps = 2.0F; }
@@ -773,7 +773,7 @@ TEST_F(AnInputMonitorOfASlowVehicle, StandsOnTheSteepestRoad) {
     EXPECT_EQ(qualified.lateral_specific_force_mps2, 4.3F);
 }
 
-// Where it cannot be judged, a good second has to come without a break.
+// If it cannot be judged, a good second has to come without a break.
 TEST_F(AnInputMonitorOfASlowVehicle, DoesNotJudgeALateralAccelerationWithoutASpeed) {
     inputs.lateral_specific_force_mps2 = 6.0F;
     run(50);
@@ -849,9 +849,9 @@ TEST_F(AnInputMonitorOfAnAttitudeSensor, ComparesItWithTheObserverLessTheBank) {
     EXPECT_FALSE(confirmed(roll_sensor_code));
 }
 
-// The angle of the suspension is a witness of the lateral force; one against the horizon only together with
-// the bank that a sensor has measured.
-TEST_F(AnInputMonitorOfAnAttitudeSensor, IsAWitnessOfATurnOnlyWithABankSensor) {
+// The angle of the suspension is a reference for the lateral force; one against the horizon only together
+// with the bank that a sensor has measured.
+TEST_F(AnInputMonitorOfAnAttitudeSensor, IsAReferenceOfATurnOnlyWithABankSensor) {
     turn_at(2.1F);
     inputs.lateral_specific_force_mps2 = -2.1F;
     inputs.roll_angle_rad = 0.03F;
@@ -865,7 +865,7 @@ TEST_F(AnInputMonitorOfAnAttitudeSensor, IsAWitnessOfATurnOnlyWithABankSensor) {
 }
 
 // On a bank of 0.1 rad the body leans by 0.02 rad to the left, and by as much to the right.
-TEST_F(AnInputMonitorOfAnAttitudeSensor, IsAWitnessOfATurnByWhatIsMoreThanTheBank) {
+TEST_F(AnInputMonitorOfAnAttitudeSensor, IsAReferenceOfATurnByItsExcessOverTheBank) {
     turn_at(2.1F);
     inputs.lateral_specific_force_mps2 = -2.1F;
     inputs.bank_angle_rad = 0.1F;

@@ -81,7 +81,7 @@ TYPED_TEST(AMemoryGuard, KeepsWhatTheOwnerHasMadeOfIt) {
     EXPECT_EQ(object, made);
 }
 
-// Whatever bit of the guard itself has changed, the object stays as it is.
+// For any changed bit of the guard itself, the object stays as it is.
 TYPED_TEST(AMemoryGuard, DoesNoHarmWhereItIsItselfDamaged) {
     const TypeParam before = filled<TypeParam>();
     const MemoryGuard<TypeParam> sound{before};

@@ -125,7 +125,7 @@ TEST_F(ALateRollAngle, ForgetsAJumpOfTheAngle) {
     }
 }
 
-// What was found before a gap says nothing after it.
+// Findings before a gap do not count after it.
 TEST_F(ALateRollAngle, StartsAnewAfterASampleThatIsNotFinite) {
     for (const bool of_angle : {true, false}) {
         for (const float bad : {nan, infinity}) {

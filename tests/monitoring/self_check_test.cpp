@@ -1,5 +1,5 @@
-// What the control unit checks of itself - clock, parameters, estimate, outputs - each at its limits, and
-// what it says it can still do.
+// Self-checks of the control unit - clock, parameters, estimate, outputs - each at its limits, and the
+// degradation that follows.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Each signal by itself, at the limits that docs/safety.md states: range, jump, noise, and the
-// witnesses against which it counts as stuck; what is used in its place meanwhile; what a failing signal is
+// references by which it counts as stuck; the value used in its place meanwhile; what a failing signal is
 // not asked about.
 #include "rsi/ecu/monitoring/signal_check.hpp"
 
@@ -179,7 +179,7 @@ TEST_P(ASignal, IsShakenByTheMeanOver100Milliseconds) {
     EXPECT_EQ(status(limits.jumps), EventStatus::set);
 }
 
-TEST_P(ASignal, IsBridgedByItsLastGoodValueForTwoCyclesThenTakenOut) {
+TEST_P(ASignal, IsBridgedByItsLastGoodValueForTwoCyclesThenInvalidated) {
     run(5);
     const float beyond = 1.01F * limits.maximum;
     for (int cycle = 0; cycle < 2; ++cycle) {
@@ -317,7 +317,7 @@ TEST_F(ASignalCheck, TakesUpTheSignalWhereItIsOnceItsJumpHasHealed) {
     EXPECT_EQ(qualify(7.1F), 5.0F);  // is compared with that from now on
 }
 
-// What it said beyond its range is nothing to compare with.
+// A value beyond its range is no base for a comparison.
 TEST_F(ASignalCheck, DoesNotCallTheReturnIntoTheRangeAJump) {
     qualify(0.0F, 5);
     qualify(40.0F, 100);
@@ -340,7 +340,7 @@ TEST_F(ASignalCheck, HasNoJumpInTheFirstValueInsideTheRangeAgain) {
 TEST_F(ASignalCheck, NeedsThreeValuesForTheChangeOfAChange) {
     check = rsi::monitoring::SignalCheck{
         {-10.0F, 10.0F, 100.0F, 1.0F, DiagnosticCode::speed_invalid, DiagnosticCode::speed_jump}};
-    EXPECT_EQ(qualify(10.0F), 10.0F);  // whatever it has in memory
+    EXPECT_EQ(qualify(10.0F), 10.0F);  // for any content of its memory
     EXPECT_EQ(qualify(-10.0F), -10.0F);
     EXPECT_EQ(qualify(10.0F), 10.0F);  // 0.35 of the change of the change
     EXPECT_EQ(qualify(-10.0F), -10.0F);
@@ -411,33 +411,33 @@ TEST_F(ASignalOfTheInputMonitor, BankAngleIsNoFaultWhenItIsNotThere) {
     EXPECT_EQ(status(DiagnosticCode::bank_angle_invalid), EventStatus::none);
 }
 
-// A signal that stands while its witness moves by so much; what it is replaced by.
-struct StatedWitness {
+// A signal that stands while its reference moves by a span; its substitute.
+struct StatedReference {
     const char* name;
     DiagnosticCode code;
     Member signal;
-    Member witness;
-    float moved;  // by which the witness has just not moved enough
+    Member reference;
+    float moved;  // by which the reference has just not moved enough
     int cycles;   // over which it moves so, and stays there
 };
 
-void PrintTo(const StatedWitness& stuck, std::ostream* out) {
+void PrintTo(const StatedReference& stuck, std::ostream* out) {
     *out << stuck.name;
 }
 
-class AStuckSignal : public ASignalOfTheInputMonitor, public ::testing::WithParamInterface<StatedWitness> {
+class AStuckSignal : public ASignalOfTheInputMonitor, public ::testing::WithParamInterface<StatedReference> {
  protected:
-    // The first of equal values, then so many of which the witness moves in the first ones.
+    // The first of equal values, then a number of them; the reference moves in the first ones.
     void repeat(int times, float share_of_limit) {
-        const StatedWitness& stuck = GetParam();
+        const StatedReference& stuck = GetParam();
         start();
         run(1);
-        const float usual = inputs.*stuck.witness;
-        inputs.*stuck.witness = usual + share_of_limit * stuck.moved;
+        const float usual = inputs.*stuck.reference;
+        inputs.*stuck.reference = usual + share_of_limit * stuck.moved;
         for (int cycle = 1; cycle <= times; ++cycle) {
             run(1);
             if (cycle == stuck.cycles) {
-                inputs.*stuck.witness = usual;
+                inputs.*stuck.reference = usual;
             }
         }
     }
@@ -449,8 +449,8 @@ class AStuckSignal : public ASignalOfTheInputMonitor, public ::testing::WithPara
     }
 };
 
-TEST_P(AStuckSignal, IsFoundAtThe21stEqualValueIfItsWitnessHasMovedEnough) {
-    const StatedWitness& stuck = GetParam();
+TEST_P(AStuckSignal, IsFoundAtThe21stEqualValueIfItsReferenceHasMovedEnough) {
+    const StatedReference& stuck = GetParam();
     for (const float sign : {1.0F, -1.0F}) {
         repeat(100, sign * 0.99F);
         EXPECT_EQ(status(stuck.code), EventStatus::none);
@@ -464,7 +464,7 @@ TEST_P(AStuckSignal, IsFoundAtThe21stEqualValueIfItsWitnessHasMovedEnough) {
 }
 
 TEST_P(AStuckSignal, ComesBackWhenItHasMoved20Times) {
-    const StatedWitness& stuck = GetParam();
+    const StatedReference& stuck = GetParam();
     repeat(20, 1.01F);
     ASSERT_EQ(status(stuck.code), EventStatus::confirmed);
     move(19);
@@ -476,20 +476,20 @@ TEST_P(AStuckSignal, ComesBackWhenItHasMoved20Times) {
     EXPECT_FALSE(std::isnan(qualified.*stuck.signal));
 }
 
-TEST_P(AStuckSignal, IsNotClearedByAWitnessThatIsMissing) {
-    const StatedWitness& stuck = GetParam();
+TEST_P(AStuckSignal, IsNotClearedByAMissingReference) {
+    const StatedReference& stuck = GetParam();
     repeat(20, 1.01F);
     ASSERT_EQ(status(stuck.code), EventStatus::confirmed);
-    inputs.*stuck.witness = nan;
+    inputs.*stuck.reference = nan;
     run(500);
     EXPECT_EQ(status(stuck.code), EventStatus::confirmed);
-    inputs.*stuck.witness = 0.0F;
+    inputs.*stuck.reference = 0.0F;
     run(500);
     EXPECT_EQ(status(stuck.code), EventStatus::confirmed);
 }
 
 TEST_P(AStuckSignal, IsNotClearedByValuesThatAreNone) {
-    const StatedWitness& stuck = GetParam();
+    const StatedReference& stuck = GetParam();
     repeat(20, 1.01F);
     ASSERT_EQ(status(stuck.code), EventStatus::confirmed);
     const float value = inputs.*stuck.signal;
@@ -503,7 +503,7 @@ TEST_P(AStuckSignal, IsNotClearedByValuesThatAreNone) {
 }
 
 TEST_P(AStuckSignal, IsNotClearedByAStart) {
-    const StatedWitness& stuck = GetParam();
+    const StatedReference& stuck = GetParam();
     repeat(20, 1.01F);
     ASSERT_EQ(status(stuck.code), EventStatus::confirmed);
     monitor.start(rsi_test_large_suv());
@@ -513,21 +513,21 @@ TEST_P(AStuckSignal, IsNotClearedByAStart) {
 
 INSTANTIATE_TEST_SUITE_P(
     OfEachSensor, AStuckSignal,
-    ::testing::Values(StatedWitness{"LateralAcceleration", DiagnosticCode::lateral_acceleration_stuck,
-                                    &rsi::Inputs::lateral_specific_force_mps2, &rsi::Inputs::yaw_rate_radps,
-                                    1.0F / 30.0F, 1},
-                      StatedWitness{"VerticalAcceleration", DiagnosticCode::vertical_acceleration_stuck,
-                                    &rsi::Inputs::vertical_specific_force_mps2,
-                                    &rsi::Inputs::lateral_specific_force_mps2, 1.5F, 1},
-                      StatedWitness{"RollRate", DiagnosticCode::roll_rate_stuck,
-                                    &rsi::Inputs::roll_rate_radps, &rsi::Inputs::roll_angle_rad, 0.02F, 1},
-                      StatedWitness{"RollAngle", DiagnosticCode::roll_angle_stuck,
-                                    &rsi::Inputs::roll_angle_rad, &rsi::Inputs::roll_rate_radps, 0.15F,
-                                    10},  // 0.015 rad in ten cycles
-                      StatedWitness{"YawRate", DiagnosticCode::yaw_rate_stuck, &rsi::Inputs::yaw_rate_radps,
-                                    &rsi::Inputs::lateral_specific_force_mps2, 1.5F, 1},
-                      StatedWitness{"Speed", DiagnosticCode::speed_stuck, &rsi::Inputs::speed_mps,
-                                    &rsi::Inputs::yaw_rate_radps, 4.5F / 30.0F, 1}),
+    ::testing::Values(StatedReference{"LateralAcceleration", DiagnosticCode::lateral_acceleration_stuck,
+                                      &rsi::Inputs::lateral_specific_force_mps2, &rsi::Inputs::yaw_rate_radps,
+                                      1.0F / 30.0F, 1},
+                      StatedReference{"VerticalAcceleration", DiagnosticCode::vertical_acceleration_stuck,
+                                      &rsi::Inputs::vertical_specific_force_mps2,
+                                      &rsi::Inputs::lateral_specific_force_mps2, 1.5F, 1},
+                      StatedReference{"RollRate", DiagnosticCode::roll_rate_stuck,
+                                      &rsi::Inputs::roll_rate_radps, &rsi::Inputs::roll_angle_rad, 0.02F, 1},
+                      StatedReference{"RollAngle", DiagnosticCode::roll_angle_stuck,
+                                      &rsi::Inputs::roll_angle_rad, &rsi::Inputs::roll_rate_radps, 0.15F,
+                                      10},  // 0.015 rad in ten cycles
+                      StatedReference{"YawRate", DiagnosticCode::yaw_rate_stuck, &rsi::Inputs::yaw_rate_radps,
+                                      &rsi::Inputs::lateral_specific_force_mps2, 1.5F, 1},
+                      StatedReference{"Speed", DiagnosticCode::speed_stuck, &rsi::Inputs::speed_mps,
+                                      &rsi::Inputs::yaw_rate_radps, 4.5F / 30.0F, 1}),
     [](const auto& tested) { return std::string{tested.param.name}; });
 
 // A speed in large steps stays the same through any turn.

@@ -15,13 +15,13 @@ using rsi::monitoring::StuckCheck;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// A value of 1 against a witness that must span 2 before the value counts as stuck.
+// A value of 1 against a reference that must span 2 before the value counts as stuck.
 class AStuckCheck : public ::testing::Test {
  protected:
-    bool run(int samples, float value, float witness) {
+    bool run(int samples, float value, float reference) {
         bool stuck = false;
         for (int sample = 0; sample < samples; ++sample) {
-            stuck = check.is_stuck(value, witness);
+            stuck = check.is_stuck(value, reference);
         }
         return stuck;
     }
@@ -35,10 +35,10 @@ TEST_F(AStuckCheck, Wants21EqualValues) {
     EXPECT_TRUE(run(1, 1.0F, 3.0F));
     EXPECT_TRUE(run(1000, 1.0F, 3.0F));
     EXPECT_FALSE(run(1, 1.001F, 3.0F));
-    EXPECT_FALSE(run(100, 1.001F, 3.0F));  // the witness has not moved since
+    EXPECT_FALSE(run(100, 1.001F, 3.0F));  // the reference has not moved since
 }
 
-TEST_F(AStuckCheck, WantsAWitnessThatMovesByMoreThanItsSpanInEitherDirection) {
+TEST_F(AStuckCheck, WantsAReferenceThatMovesByMoreThanItsSpanInEitherDirection) {
     for (const float sign : {1.0F, -1.0F}) {
         check = StuckCheck{2.0F};
         run(1, 1.0F, 0.0F);
@@ -52,7 +52,7 @@ TEST_F(AStuckCheck, WantsAWitnessThatMovesByMoreThanItsSpanInEitherDirection) {
     EXPECT_TRUE(run(1, 1.0F, 0.0F));  // highest less lowest, wherever it is now
 }
 
-TEST_F(AStuckCheck, AllowsAWitnessItsDriftInEachCycleBeyondASecond) {
+TEST_F(AStuckCheck, AllowsAReferenceItsDriftInEachCycleBeyondASecond) {
     check = StuckCheck{2.0F, 0.01F};
     run(1, 1.0F, 0.0F);
     EXPECT_FALSE(run(99, 1.0F, 1.99F));
@@ -84,13 +84,13 @@ TEST_F(AStuckCheck, CountsAValueThatGoesUpOrDownAsMoved) {
 TEST_F(AStuckCheck, StartsAnewWhenEitherIsNotFinite) {
     struct Gap {
         float value;
-        float witness;
+        float reference;
     };
     for (const Gap gap : {Gap{nan, 3.0F}, Gap{infinity, 3.0F}, Gap{1.0F, nan}}) {
         run(1, 1.0F, 0.0F);
         ASSERT_TRUE(run(20, 1.0F, 3.0F));
         ASSERT_TRUE(check.seems_frozen());
-        EXPECT_FALSE(run(1, gap.value, gap.witness));
+        EXPECT_FALSE(run(1, gap.value, gap.reference));
         EXPECT_FALSE(check.seems_frozen());
         EXPECT_FALSE(run(19, 1.0F, 0.0F));
         EXPECT_FALSE(run(1, 1.0F, 0.0F));
@@ -105,7 +105,7 @@ TEST_F(AStuckCheck, DoesNotJudgeWhatIsNotFinite) {
     }
 }
 
-TEST_F(AStuckCheck, SeemsFrozenFromTheSixthEqualValueOnWhateverTheWitnessDoes) {
+TEST_F(AStuckCheck, SeemsFrozenFromTheSixthEqualValueOnForAnyMotionOfTheReference) {
     run(5, 1.0F, 0.0F);
     EXPECT_FALSE(check.seems_frozen());
     run(1, 1.0F, 0.0F);
@@ -158,7 +158,7 @@ TEST_F(ASteeringCheck, WantsToHaveGoneStraightFor200MillisecondsSinceTheWheelMov
     EXPECT_TRUE(run(10, 5.0F, 5.0F));
 }
 
-// Nobody knows how it got there.
+// The way there is not known.
 TEST_F(ASteeringCheck, SaysNothingInATurnInWhichItStarts) {
     EXPECT_FALSE(run(100, 5.0F, 5.0F, 0.0F));
     EXPECT_FALSE(run(100, 5.0F, 5.0F));
@@ -196,7 +196,7 @@ TEST_F(ASteeringCheck, WantsTheStraightWithoutABreak) {
     EXPECT_TRUE(run(1, 5.0F, 5.0F));
 }
 
-TEST_F(ASteeringCheck, BelievesAWheelThatMoves) {
+TEST_F(ASteeringCheck, AcceptsAWheelThatMoves) {
     for (const float moved_rad : {0.101F, 0.099F}) {
         go_straight(20);
         ASSERT_TRUE(run(1, 5.0F, 5.0F));

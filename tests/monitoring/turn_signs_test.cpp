@@ -35,7 +35,7 @@ class TheSignsOfATurn : public ::testing::Test {
     }
 
     // After as long as either takes.
-    void expect_nobody_alone(const Turn& turn) {
+    void expect_none_alone(const Turn& turn) {
         for (const float side : {1.0F, -1.0F}) {
             signs = {};
             run(200, turn, side);
@@ -74,7 +74,7 @@ TEST_F(TheSignsOfATurn, LeaveTheYawRateAloneAfter1200Milliseconds) {
     }
 }
 
-TEST_F(TheSignsOfATurn, CountAnewAfterOneSampleThatContradictsNobody) {
+TEST_F(TheSignsOfATurn, CountAnewAfterOneSampleWithoutAContradiction) {
     const Turn good{5.0F, 5.0F, 0.05F};
     run(lateral_samples - 1, lateral_lies);
     run(1, good);
@@ -95,20 +95,20 @@ TEST_F(TheSignsOfATurn, CountAnewAfterOneSampleThatContradictsNobody) {
     EXPECT_FALSE(signs.yaw_rate_is_alone());
 }
 
-TEST_F(TheSignsOfATurn, OfAllThreeTheSameContradictNobody) {
-    expect_nobody_alone({5.0F, 5.0F, 0.05F});
+TEST_F(TheSignsOfATurn, OfAllThreeTheSameContradictNone) {
+    expect_none_alone({5.0F, 5.0F, 0.05F});
 }
 
 // A body that leans into a turn whose accelerations agree is the roll sensor's matter.
 TEST_F(TheSignsOfATurn, DoNotJudgeTheRollAngle) {
-    expect_nobody_alone({5.0F, 5.0F, -0.05F});
+    expect_none_alone({5.0F, 5.0F, -0.05F});
 }
 
 TEST_F(TheSignsOfATurn, SayNothingBelow2MetresPerSecondSquared) {
-    expect_nobody_alone({-2.0F, 5.0F, 0.05F});
-    expect_nobody_alone({-5.0F, 2.0F, 0.05F});
-    expect_nobody_alone({2.0F, -5.0F, 0.05F});
-    expect_nobody_alone({5.0F, -2.0F, 0.05F});
+    expect_none_alone({-2.0F, 5.0F, 0.05F});
+    expect_none_alone({-5.0F, 2.0F, 0.05F});
+    expect_none_alone({2.0F, -5.0F, 0.05F});
+    expect_none_alone({5.0F, -2.0F, 0.05F});
     run(lateral_samples, {-2.001F, 5.0F, 0.05F});
     EXPECT_TRUE(signs.lateral_acceleration_is_alone());
     signs = {};
@@ -117,8 +117,8 @@ TEST_F(TheSignsOfATurn, SayNothingBelow2MetresPerSecondSquared) {
 }
 
 TEST_F(TheSignsOfATurn, SayNothingOfABodyThatHardlyRolls) {
-    expect_nobody_alone({-5.0F, 5.0F, 0.015F});
-    expect_nobody_alone({5.0F, -5.0F, 0.015F});
+    expect_none_alone({-5.0F, 5.0F, 0.015F});
+    expect_none_alone({5.0F, -5.0F, 0.015F});
     run(lateral_samples, {-5.0F, 5.0F, 0.0151F});
     EXPECT_TRUE(signs.lateral_acceleration_is_alone());
     run(yaw_samples, {5.0F, -5.0F, 0.0151F});
@@ -126,9 +126,9 @@ TEST_F(TheSignsOfATurn, SayNothingOfABodyThatHardlyRolls) {
 }
 
 TEST_F(TheSignsOfATurn, SayNothingOfWhatIsNotFinite) {
-    expect_nobody_alone({nan, 5.0F, 0.05F});
-    expect_nobody_alone({5.0F, nan, 0.05F});
-    expect_nobody_alone({-5.0F, 5.0F, nan});
+    expect_none_alone({nan, 5.0F, 0.05F});
+    expect_none_alone({5.0F, nan, 0.05F});
+    expect_none_alone({-5.0F, 5.0F, nan});
 }
 
 }  // namespace

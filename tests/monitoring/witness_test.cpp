@@ -8,7 +8,7 @@
 #include "rsi/ecu/monitoring/input_monitor.hpp"
 #include "tests/support/large_suv.h"
 
-namespace monitoring_witness_test {
+namespace monitoring_reference_test {
 namespace {
 
 using rsi::monitoring::DiagnosticCode;
@@ -81,7 +81,7 @@ class AFailingSignal : public ASteadyTurn, public ::testing::WithParamInterface<
     const float usual{signal};
 };
 
-TEST_P(AFailingSignal, ThatIsOutOfRangeAccusesNoOther) {
+TEST_P(AFailingSignal, ThatIsOutOfRangeSetsNoOtherCode) {
     for (int cycle = 0; cycle < 1000; ++cycle) {
         signal = failing.beyond_range + 0.001F * static_cast<float>(cycle % 3);
         run(1);
@@ -89,7 +89,7 @@ TEST_P(AFailingSignal, ThatIsOutOfRangeAccusesNoOther) {
     expect_no_code_but(failing.invalid);
 }
 
-TEST_P(AFailingSignal, ThatJumpsAccusesNoOther) {
+TEST_P(AFailingSignal, ThatJumpsSetsNoOtherCode) {
     for (int cycle = 0; cycle < 1000; ++cycle) {
         signal = usual + failing.beyond_jump * static_cast<float>((cycle + 1) % 3);
         run(1);
@@ -98,7 +98,7 @@ TEST_P(AFailingSignal, ThatJumpsAccusesNoOther) {
 }
 
 // From the first cycle in which it is seen: it need not be confirmed.
-TEST_P(AFailingSignal, ThatFailsNowAndThenAccusesNoOther) {
+TEST_P(AFailingSignal, ThatFailsNowAndThenSetsNoOtherCode) {
     for (int cycle = 0; cycle < 1000; ++cycle) {
         signal = (cycle % 4 == 1) ? failing.beyond_range : usual;
         run(1);
@@ -224,4 +224,4 @@ TEST_F(ASteadyTurn, AllowsMoreOfTheVerticalAccelerationInAWarningThanBefore) {
 }
 
 }  // namespace
-}  // namespace monitoring_witness_test
+}  // namespace monitoring_reference_test

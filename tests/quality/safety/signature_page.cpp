@@ -10,57 +10,64 @@
 
 namespace {
 
+using rsi::monitoring::Action;
 using rsi::monitoring::CodeSet;
-using rsi::monitoring::Fact;
-using rsi::monitoring::Facts;
 using rsi::monitoring::SensorSignal;
-using rsi::monitoring::Verdict;
+using rsi::monitoring::Symptom;
+using rsi::monitoring::Symptoms;
 
-constexpr auto fact_count = static_cast<std::size_t>(Fact::count);
+constexpr auto symptom_count = static_cast<std::size_t>(Symptom::count);
 
-struct FactText {
-    Fact fact;
+struct SymptomText {
+    Symptom symptom;
     const char* name;
     const char* meaning;
 };
 
 // In the order of the enumeration.
-constexpr std::array<FactText, fact_count> fact_texts{{
-    {Fact::turn_valid, "turn valid", "faster than 18 km/h, with lateral acceleration, yaw rate and speed"},
-    {Fact::turn_within, "turn within", "lateral acceleration agrees with yaw rate times speed in this cycle"},
-    {Fact::turn_beyond_banks, "turn beyond banks", "they differ by more than most roads' bank, over 0.3 s"},
-    {Fact::turn_beyond_slides, "turn beyond slides", "they differ by more than any slide, over 4 s"},
-    {Fact::spinning, "spinning", "yaws faster than tyres can turn it, or did within a second"},
-    {Fact::lateral_sign_alone, "lateral sign alone", "yaw rate and roll angle show a turn to the other side"},
-    {Fact::yaw_sign_alone, "yaw sign alone",
+constexpr std::array<SymptomText, symptom_count> symptom_texts{{
+    {Symptom::turn_valid, "turn valid", "faster than 18 km/h, with lateral acceleration, yaw rate and speed"},
+    {Symptom::turn_within, "turn within",
+     "lateral acceleration agrees with yaw rate times speed in this cycle"},
+    {Symptom::turn_beyond_banks, "turn beyond banks",
+     "they differ by more than most roads' bank, over 0.3 s"},
+    {Symptom::turn_beyond_slides, "turn beyond slides", "they differ by more than any slide, over 4 s"},
+    {Symptom::spinning, "spinning", "yaws faster than tyres can turn it, or did within a second"},
+    {Symptom::lateral_sign_alone, "lateral sign alone",
+     "yaw rate and roll angle show a turn to the other side"},
+    {Symptom::yaw_sign_alone, "yaw sign alone",
      "lateral acceleration and roll angle show a turn to the other side"},
-    {Fact::roll_force_valid, "roll force valid", "the force that rolls the body is known, no wheel far up"},
-    {Fact::roll_force_within, "roll force within", "lateral acceleration agrees with it"},
-    {Fact::lateral_alone, "lateral alone", "yaw rate times speed and roll force agree against it"},
-    {Fact::lateral_suspect, "lateral suspect", "both are against it, by half as much"},
-    {Fact::gain_valid, "gain valid", "turn and roll force valid, roll angle in use"},
-    {Fact::gain_beyond, "gain beyond", "too weak or too strong for both, in turns to both sides or clearly"},
-    {Fact::slow_vehicle_beyond, "slow vehicle beyond", "more than turn, road and sway of a slow vehicle"},
-    {Fact::roll_valid, "roll valid", "roll angle and roll rate for 0.2 s"},
-    {Fact::roll_beyond_short, "roll beyond, short", "they come apart within 0.2 s, and no road twists so"},
-    {Fact::roll_beyond_long, "roll beyond, long", "they come apart within 1 s, and no road twists so"},
-    {Fact::roll_angle_frozen, "roll angle frozen", "repeats its value"},
-    {Fact::roll_rate_frozen, "roll rate frozen", "repeats its value"},
-    {Fact::leans_into_turn, "leans into turn", "of a clear lateral acceleration, by the roll angle"},
-    {Fact::observer_valid, "observer valid", "roll angle of the sensor and of the observer are known"},
-    {Fact::observer_within, "observer within", "they agree clearly"},
-    {Fact::observer_beyond, "observer beyond", "the component's check contradicts a sensor in use"},
-    {Fact::observer_far, "observer far", "they differ, and the sensor is out for another reason"},
-    {Fact::vertical_within, "vertical within", "vertical acceleration is that of a body that does not heave"},
-    {Fact::vertical_beyond, "vertical beyond", "it is not, by a larger bound while wheels may lift"},
-    {Fact::reference_valid, "reference valid", "a clear bank under a body that hardly rolls"},
-    {Fact::reference_beyond, "reference beyond",
+    {Symptom::roll_force_valid, "roll force valid",
+     "the force that rolls the body is known, no wheel far up"},
+    {Symptom::roll_force_within, "roll force within", "lateral acceleration agrees with it"},
+    {Symptom::lateral_alone, "lateral alone", "yaw rate times speed and roll force agree against it"},
+    {Symptom::lateral_suspect, "lateral suspect", "both are against it, by half as much"},
+    {Symptom::gain_valid, "gain valid", "turn and roll force valid, roll angle in use"},
+    {Symptom::gain_beyond, "gain beyond",
+     "too weak or too strong for both, in turns to both sides or clearly"},
+    {Symptom::slow_vehicle_beyond, "slow vehicle beyond", "more than turn, road and sway of a slow vehicle"},
+    {Symptom::roll_valid, "roll valid", "roll angle and roll rate for 0.2 s"},
+    {Symptom::roll_beyond_short, "roll beyond, short", "they come apart within 0.2 s, and no road twists so"},
+    {Symptom::roll_beyond_long, "roll beyond, long", "they come apart within 1 s, and no road twists so"},
+    {Symptom::roll_angle_frozen, "roll angle frozen", "repeats its value"},
+    {Symptom::roll_rate_frozen, "roll rate frozen", "repeats its value"},
+    {Symptom::leans_into_turn, "leans into turn", "of a clear lateral acceleration, by the roll angle"},
+    {Symptom::observer_valid, "observer valid", "roll angle of the sensor and of the observer are known"},
+    {Symptom::observer_within, "observer within", "they agree clearly"},
+    {Symptom::observer_beyond, "observer beyond", "the component's check contradicts a sensor in use"},
+    {Symptom::observer_far, "observer far", "they differ, and the sensor is out for another reason"},
+    {Symptom::vertical_within, "vertical within",
+     "vertical acceleration is that of a body that does not heave"},
+    {Symptom::vertical_beyond, "vertical beyond", "it is not, by a larger bound while wheels may lift"},
+    {Symptom::reference_valid, "reference valid", "a clear bank under a body that hardly rolls"},
+    {Symptom::reference_beyond, "reference beyond",
      "the angle has long been against what the calibration says that it is not"},
 }};
 
 constexpr bool are_in_order() {
-    for (std::size_t index = 0U; index < fact_count; ++index) {
-        if (static_cast<std::size_t>(fact_texts[index].fact) != index || fact_texts[index].name == nullptr) {
+    for (std::size_t index = 0U; index < symptom_count; ++index) {
+        if (static_cast<std::size_t>(symptom_texts[index].symptom) != index ||
+            symptom_texts[index].name == nullptr) {
             return false;
         }
     }
@@ -102,10 +109,10 @@ std::string joined(const std::string& list, const std::string& next) {
     return list.empty() ? next : list + ", " + next;
 }
 
-std::string fact_names(Facts facts) {
+std::string symptom_names(Symptoms symptoms) {
     std::string all;
-    for (const FactText& each : fact_texts) {
-        if ((facts & rsi::monitoring::facts(each.fact)) != 0U) {
+    for (const SymptomText& each : symptom_texts) {
+        if ((symptoms & rsi::monitoring::symptoms(each.symptom)) != 0U) {
             all = joined(all, each.name);
         }
     }
@@ -126,15 +133,16 @@ const char* name_of(rsi::monitoring::OfRoll wrong) {
     return wrong == rsi::monitoring::OfRoll::rate ? "roll rate" : "roll angle";
 }
 
-const char* name_of(Verdict verdict) {
-    constexpr std::array names{"accuses", "keeps", "acquits"};
-    return names[static_cast<std::size_t>(verdict)];
+const char* name_of(Action action) {
+    constexpr std::array names{"sets", "holds", "clears"};
+    return names[static_cast<std::size_t>(action)];
 }
 
-void print_facts() {
-    std::cout << "\n## Facts\nWhat the relations show in one cycle. The first word is the relation.\n\n"
-                 "| fact | shown when |\n|---|---|\n";
-    for (const FactText& each : fact_texts) {
+void print_symptoms() {
+    std::cout << "\n## Symptoms\nSymptoms of one cycle, from the residuals between sensors. The first word "
+                 "is the residual.\n\n"
+                 "| symptom | shown when |\n|---|---|\n";
+    for (const SymptomText& each : symptom_texts) {
         std::cout << "| " << each.name << " | " << each.meaning << " |\n";
     }
 }
@@ -142,26 +150,26 @@ void print_facts() {
 void print_signatures() {
     std::cout
         << "\n## Signatures\n"
-           "Of each code the first row that fits counts; where none does, it neither comes nor goes. "
-           "*Keeps*: "
-           "only a code that\nis confirmed. *Acquits*: only one that is active. How many cycles it takes: "
+           "The first row of each code that fits counts; if none does, it is neither set nor cleared. "
+           "*Holds*: "
+           "only a code that\nis confirmed. *Clears*: only one that is active. How many cycles it takes: "
            "[safety](../../safety.md#diagnostic-codes).\n\n"
            "| code | | when | unless |\n|---|---|---|---|\n";
     for (const rsi::monitoring::Signature& each : rsi::monitoring::signatures) {
-        std::cout << "| " << code_name(static_cast<std::size_t>(each.code)) << " | " << name_of(each.verdict)
-                  << " | " << fact_names(each.pattern.needed) << " | " << fact_names(each.pattern.excuses)
-                  << " |\n";
+        std::cout << "| " << code_name(static_cast<std::size_t>(each.code)) << " | " << name_of(each.action)
+                  << " | " << symptom_names(each.pattern.needed) << " | "
+                  << symptom_names(each.pattern.excuses) << " |\n";
     }
 }
 
-void print_suspicions() {
+void print_roll_fault_isolation() {
     std::cout
         << "\n## Roll rate against roll angle\n"
            "Which of the two is wrong: the first row that fits, when they begin to contradict each other.\n\n"
            "| when | unless | wrong |\n|---|---|---|\n";
-    for (const rsi::monitoring::Suspicion& each : rsi::monitoring::suspicions) {
-        std::cout << "| " << fact_names(each.pattern.needed) << " | " << fact_names(each.pattern.excuses)
-                  << " | " << name_of(each.wrong) << " |\n";
+    for (const rsi::monitoring::RollFaultIsolation& each : rsi::monitoring::roll_fault_isolation) {
+        std::cout << "| " << symptom_names(each.pattern.needed) << " | "
+                  << symptom_names(each.pattern.excuses) << " | " << name_of(each.wrong) << " |\n";
     }
     std::cout << "| otherwise | | " << name_of(rsi::monitoring::otherwise_wrong) << " |\n";
 }
@@ -169,11 +177,11 @@ void print_suspicions() {
 void print_consequences() {
     std::cout
         << "\n## Consequences\n"
-           "| signal | no witness against others while active | not used while confirmed |\n|---|---|---|\n";
+           "| signal | no reference for others while active | not used while confirmed |\n|---|---|---|\n";
     for (const rsi::monitoring::Consequence& each : rsi::monitoring::consequences) {
         const bool is_of_roll =
             each.signal == &rsi::Inputs::roll_rate_radps || each.signal == &rsi::Inputs::roll_angle_rad;
-        std::cout << "| " << name_of(each.signal) << " | " << code_names(each.no_witness) << " | "
+        std::cout << "| " << name_of(each.signal) << " | " << code_names(each.no_reference) << " | "
                   << code_names(each.not_used);
         if (is_of_roll) {
             std::cout << ", " << code_names(rsi::monitoring::roll_contradictions)
@@ -190,11 +198,11 @@ int main() {
         << "<!-- Written by tests/quality/safety/trace --document from "
            "firmware/rsi/ecu/monitoring/signatures.hpp; "
            "do not edit. -->\n"
-           "# Which sensor is accused\n\n"
+           "# Fault signatures\n\n"
            "The relations between the sensors, and the tables by which the ECU decides which of them is "
            "wrong. Bounds and reasons:\n[safety](../../safety.md#diagnostic-codes).\n";
-    print_facts();
+    print_symptoms();
     print_signatures();
-    print_suspicions();
+    print_roll_fault_isolation();
     print_consequences();
 }

@@ -20,7 +20,7 @@ constexpr float sure_excess_deviation = 0.06F;
 
 // A speed in larger steps repeats its value in turns at a constant speed.
 constexpr float largest_fine_step_mps = 0.05F;
-constexpr float further_than_any_witness = 1.0e6F;
+constexpr float further_than_any_reference = 1.0e6F;
 
 // Bank of the road: measured, or as the observer has it.
 float known_bank_rad(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
@@ -36,18 +36,18 @@ float sure_load_excess(const rsi::Outputs& before) noexcept {
 
 // Skips rows that cannot change the code's status.
 bool concerns(const Signature& row, const DiagnosticMemory& memory) noexcept {
-    switch (row.verdict) {
-        case Verdict::keeps:
+    switch (row.action) {
+        case Action::holds:
             return memory.confirmed(row.code);
-        case Verdict::acquits:
+        case Action::clears:
             return memory.active(row.code);
         default:
             return true;
     }
 }
 
-OfRoll wrong_of(Facts seen) noexcept {
-    for (const Suspicion& each : suspicions) {
+OfRoll wrong_of(Symptoms seen) noexcept {
+    for (const RollFaultIsolation& each : roll_fault_isolation) {
         if (each.pattern.fits(seen)) {
             return each.wrong;
         }
@@ -56,14 +56,14 @@ OfRoll wrong_of(Facts seen) noexcept {
 }
 
 // Without the signals that fail by themselves: they say nothing of the others.
-rsi::Inputs witnesses_of(const rsi::Inputs& inputs, CodeSet active) noexcept {
-    rsi::Inputs witnesses = inputs;
+rsi::Inputs references_of(const rsi::Inputs& inputs, CodeSet active) noexcept {
+    rsi::Inputs references = inputs;
     for (const Consequence& each : consequences) {
-        if ((active & each.no_witness) != 0U) {
-            witnesses.*each.signal = rsi::not_available;
+        if ((active & each.no_reference) != 0U) {
+            references.*each.signal = rsi::not_available;
         }
     }
-    return witnesses;
+    return references;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
     against_horizon_ = (parameters.roll_angle_reference == RSI_ROLL_AGAINST_HORIZON);
     steering_fitted_ = (parameters.vehicle_motion_sensors == RSI_MOTION_WITH_STEERING);
     if (parameters.speed_resolution_mps > largest_fine_step_mps) {
-        speed_stuck_ = StuckCheck{further_than_any_witness};
+        speed_stuck_ = StuckCheck{further_than_any_reference};
     }
     lateral_.admit_noise(parameters.accelerometer_noise_mps2);
     vertical_.admit_noise(parameters.accelerometer_noise_mps2);
@@ -89,22 +89,22 @@ void InputMonitor::start(const rsi::Parameters& parameters) noexcept {
 rsi::Inputs InputMonitor::qualify(const rsi::Inputs& inputs, const FreshFrames& fresh,
                                   const rsi::Outputs& before, DiagnosticMemory& memory) noexcept {
     rsi::Inputs qualified = check_each(inputs, fresh, memory);
-    const bool all_are_witnesses = (memory.active_codes() & no_witness_codes) == 0U;
-    const rsi::Inputs witnesses = all_are_witnesses ? inputs : witnesses_of(inputs, memory.active_codes());
-    check_stuck(witnesses, memory);
+    const bool all_are_references = (memory.active_codes() & no_reference_codes) == 0U;
+    const rsi::Inputs references = all_are_references ? inputs : references_of(inputs, memory.active_codes());
+    check_stuck(references, memory);
     const bool contradicted = (memory.confirmed_codes() & roll_contradictions) != 0U;
-    Facts seen = roll_facts(witnesses, contradicted ? fresh.late_roll_angle_rad : rsi::not_available);
-    seen |= turn_facts(witnesses, before);
-    seen |= vertical_facts(witnesses, before);
-    seen |= reference_facts(witnesses, before);
-    seen |= observer_facts(inputs, before);
+    Symptoms seen = roll_symptoms(references, contradicted ? fresh.late_roll_angle_rad : rsi::not_available);
+    seen |= turn_symptoms(references, before);
+    seen |= vertical_symptoms(references, before);
+    seen |= reference_symptoms(references, before);
+    seen |= observer_symptoms(inputs, before);
     judge(seen, memory);
     const CodeSet confirmed = memory.confirmed_codes();
     if (confirmed != 0U) {
         if (!contradicted && ((confirmed & roll_contradictions) != 0U)) {
-            wrong_of_roll_ = wrong_of(suspicion_facts(witnesses));
+            wrong_of_roll_ = wrong_of(isolation_symptoms(references));
         }
-        take_out(qualified, confirmed);
+        invalidate(qualified, confirmed);
     }
     return qualified;
 }
@@ -176,7 +176,7 @@ void InputMonitor::check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memo
 }
 
 // An angle that is held back cannot show a contradiction, but only with it can one be over.
-Facts InputMonitor::roll_facts(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept {
+Symptoms InputMonitor::roll_symptoms(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept {
     const bool there = rsi::is_finite(inputs.roll_angle_rad);
     roll_consistency_.update(
         there ? inputs.roll_angle_rad : late_roll_angle_rad, inputs.roll_rate_radps,
@@ -184,30 +184,30 @@ Facts InputMonitor::roll_facts(const rsi::Inputs& inputs, float late_roll_angle_
     // An angle that does not fit the force points to the sensor, not the road; and a stationary vehicle sees
     // no change of bank.
     const bool may_twist = turn_consistency_.known() && force_vote_.roll_motion_agrees();
-    return fact_if(roll_consistency_.known(), Fact::roll_valid) |
-           fact_if(roll_consistency_.contradicts(may_twist), Fact::roll_beyond_short) |
-           fact_if(roll_consistency_.has_offset(may_twist), Fact::roll_beyond_long);
+    return symptom_if(roll_consistency_.known(), Symptom::roll_valid) |
+           symptom_if(roll_consistency_.contradicts(may_twist), Symptom::roll_beyond_short) |
+           symptom_if(roll_consistency_.has_offset(may_twist), Symptom::roll_beyond_long);
 }
 
-Facts InputMonitor::suspicion_facts(const rsi::Inputs& inputs) const noexcept {
+Symptoms InputMonitor::isolation_symptoms(const rsi::Inputs& inputs) const noexcept {
     const float force = inputs.lateral_specific_force_mps2;
     const bool clear = !rsi::is_within_magnitude(force, clear_force_mps2);
-    return fact_if(roll_angle_stuck_.seems_frozen(), Fact::roll_angle_frozen) |
-           fact_if(roll_rate_stuck_.seems_frozen(), Fact::roll_rate_frozen) |
-           fact_if(clear && (force * roll_against_road(inputs) < 0.0F), Fact::leans_into_turn);
+    return symptom_if(roll_angle_stuck_.seems_frozen(), Symptom::roll_angle_frozen) |
+           symptom_if(roll_rate_stuck_.seems_frozen(), Symptom::roll_rate_frozen) |
+           symptom_if(clear && (force * roll_against_road(inputs) < 0.0F), Symptom::leans_into_turn);
 }
 
 // The force depends so little on the roll angle that the observer's will do where the sensor's contains a
 // bank.
-Facts InputMonitor::vertical_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+Symptoms InputMonitor::vertical_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     vertical_offset_.update(inputs.vertical_specific_force_mps2, inputs.lateral_specific_force_mps2,
                             against_horizon_ ? before.observed_roll_angle_rad : inputs.roll_angle_rad);
     const bool calm = (before.state == RSI_STATE_READY) || (before.state == RSI_STATE_ADVISORY);
-    return fact_if(vertical_offset_.is_within(), Fact::vertical_within) |
-           fact_if(vertical_offset_.is_beyond(!calm), Fact::vertical_beyond);
+    return symptom_if(vertical_offset_.is_within(), Symptom::vertical_within) |
+           symptom_if(vertical_offset_.is_beyond(!calm), Symptom::vertical_beyond);
 }
 
-Facts InputMonitor::turn_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+Symptoms InputMonitor::turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     turn_consistency_.update(inputs.lateral_specific_force_mps2, inputs.yaw_rate_radps, inputs.speed_mps);
     const float yaw_acceleration =
         turn_consistency_.known() ? inputs.yaw_rate_radps * inputs.speed_mps : rsi::not_available;
@@ -217,28 +217,28 @@ Facts InputMonitor::turn_facts(const rsi::Inputs& inputs, const rsi::Outputs& be
     force_vote_.assume_load(sure_load_excess(before));
     force_vote_.update(against_road);
     slow_vehicle_.update(inputs);
-    return gain_facts(before) | fact_if(turn_consistency_.known(), Fact::turn_valid) |
-           fact_if(turn_consistency_.agrees(), Fact::turn_within) |
-           fact_if(turn_consistency_.suspicious(), Fact::turn_beyond_banks) |
-           fact_if(turn_consistency_.contradicts(), Fact::turn_beyond_slides) |
-           fact_if(turn_consistency_.spins(), Fact::spinning) |
-           fact_if(turn_signs_.lateral_acceleration_is_alone(), Fact::lateral_sign_alone) |
-           fact_if(turn_signs_.yaw_rate_is_alone(), Fact::yaw_sign_alone) |
-           fact_if(force_vote_.known(), Fact::roll_force_valid) |
-           fact_if(force_vote_.roll_motion_agrees(), Fact::roll_force_within) |
-           fact_if(force_vote_.accelerometer_is_alone(), Fact::lateral_alone) |
-           fact_if(force_vote_.accelerometer_is_suspect(), Fact::lateral_suspect) |
-           fact_if(slow_vehicle_.lateral_acceleration_is_impossible(), Fact::slow_vehicle_beyond);
+    return gain_symptoms(before) | symptom_if(turn_consistency_.known(), Symptom::turn_valid) |
+           symptom_if(turn_consistency_.agrees(), Symptom::turn_within) |
+           symptom_if(turn_consistency_.suspicious(), Symptom::turn_beyond_banks) |
+           symptom_if(turn_consistency_.contradicts(), Symptom::turn_beyond_slides) |
+           symptom_if(turn_consistency_.spins(), Symptom::spinning) |
+           symptom_if(turn_signs_.lateral_acceleration_is_alone(), Symptom::lateral_sign_alone) |
+           symptom_if(turn_signs_.yaw_rate_is_alone(), Symptom::yaw_sign_alone) |
+           symptom_if(force_vote_.known(), Symptom::roll_force_valid) |
+           symptom_if(force_vote_.roll_motion_agrees(), Symptom::roll_force_within) |
+           symptom_if(force_vote_.accelerometer_is_alone(), Symptom::lateral_alone) |
+           symptom_if(force_vote_.accelerometer_is_suspect(), Symptom::lateral_suspect) |
+           symptom_if(slow_vehicle_.lateral_acceleration_is_impossible(), Symptom::slow_vehicle_beyond);
 }
 
 // Ignores an invalidated roll angle, and wheel speed during a slide, as at the end of a spin.
-Facts InputMonitor::gain_facts(const rsi::Outputs& before) noexcept {
-    const bool both_are_witnesses = turn_consistency_.known() && (before.roll_source != RSI_ROLL_OBSERVER);
-    if (!force_vote_.known() || !both_are_witnesses) {
-        return facts();
+Symptoms InputMonitor::gain_symptoms(const rsi::Outputs& before) noexcept {
+    const bool both_are_references = turn_consistency_.known() && (before.roll_source != RSI_ROLL_OBSERVER);
+    if (!force_vote_.known() || !both_are_references) {
+        return symptoms();
     }
     force_gain_.update(force_vote_.forces(), before.state == RSI_STATE_WARNING);
-    return facts(Fact::gain_valid) | fact_if(force_gain_.is_wrong(), Fact::gain_beyond);
+    return symptoms(Symptom::gain_valid) | symptom_if(force_gain_.is_wrong(), Symptom::gain_beyond);
 }
 
 // The angle against the road that is a reference for the other sensors. One against the horizon needs the
@@ -255,44 +255,45 @@ float InputMonitor::roll_beyond_observed(const rsi::Inputs& inputs,
 }
 
 // A wrong calibration does not show on a level road; once it has shown, no angle is what it is taken for.
-Facts InputMonitor::reference_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
+Symptoms InputMonitor::reference_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept {
     roll_reference_.update(inputs.roll_angle_rad, before.observed_roll_angle_rad,
                            known_bank_rad(inputs, before));
     const bool known = roll_reference_.known();
-    return fact_if(known, Fact::reference_valid) |
-           fact_if(known && roll_reference_.contradicts(), Fact::reference_beyond);
+    return symptom_if(known, Symptom::reference_valid) |
+           symptom_if(known && roll_reference_.contradicts(), Symptom::reference_beyond);
 }
 
 // The observer makes the roll angle of the lateral force and the roll rate. The component's own check,
 // confirmed for 0.3 s, decides when it is reliable.
-Facts InputMonitor::observer_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept {
+Symptoms InputMonitor::observer_symptoms(const rsi::Inputs& inputs,
+                                         const rsi::Outputs& before) const noexcept {
     const float difference = roll_beyond_observed(inputs, before);
     if (!rsi::is_finite(difference)) {
-        return facts();
+        return symptoms();
     }
     const bool out = (before.roll_source == RSI_ROLL_OBSERVER);
     const bool far = !rsi::is_within_magnitude(difference, 2.0F * agreement_rad);
-    return facts(Fact::observer_valid) |
-           fact_if(rsi::is_within_magnitude(difference, agreement_rad), Fact::observer_within) |
-           fact_if(!out && (before.roll_sensor_disagrees != 0), Fact::observer_beyond) |
-           fact_if(out && far, Fact::observer_far);
+    return symptoms(Symptom::observer_valid) |
+           symptom_if(rsi::is_within_magnitude(difference, agreement_rad), Symptom::observer_within) |
+           symptom_if(!out && (before.roll_sensor_disagrees != 0), Symptom::observer_beyond) |
+           symptom_if(out && far, Symptom::observer_far);
 }
 
 // Nothing to set or clear.
-void InputMonitor::judge(Facts seen, DiagnosticMemory& memory) noexcept {
-    if (((memory.active_codes() & judged_codes) == 0U) && ((seen & accusing_facts) == 0U)) {
+void InputMonitor::judge(Symptoms seen, DiagnosticMemory& memory) noexcept {
+    if (((memory.active_codes() & judged_codes) == 0U) && ((seen & setting_symptoms) == 0U)) {
         return;
     }
     DiagnosticCode judged = DiagnosticCode::none;
     for (const Signature& each : signatures) {
         if (each.pattern.fits(seen) && (each.code != judged) && concerns(each, memory)) {
-            memory.report(each.code, each.verdict != Verdict::acquits);
+            memory.report(each.code, each.action != Action::clears);
             judged = each.code;
         }
     }
 }
 
-void InputMonitor::take_out(rsi::Inputs& qualified, CodeSet confirmed) const noexcept {
+void InputMonitor::invalidate(rsi::Inputs& qualified, CodeSet confirmed) const noexcept {
     for (const Consequence& each : consequences) {
         if ((confirmed & each.not_used) != 0U) {
             qualified.*each.signal = rsi::not_available;

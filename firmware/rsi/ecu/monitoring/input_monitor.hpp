@@ -42,15 +42,15 @@ class InputMonitor {
     rsi::Inputs check_each(const rsi::Inputs& inputs, const FreshFrames& fresh,
                            DiagnosticMemory& memory) noexcept;
     void check_stuck(const rsi::Inputs& inputs, DiagnosticMemory& memory) noexcept;
-    Facts roll_facts(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept;
-    Facts suspicion_facts(const rsi::Inputs& inputs) const noexcept;
-    Facts turn_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
-    Facts gain_facts(const rsi::Outputs& before) noexcept;
-    Facts vertical_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
-    Facts reference_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
-    Facts observer_facts(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
-    static void judge(Facts seen, DiagnosticMemory& memory) noexcept;
-    void take_out(rsi::Inputs& qualified, CodeSet confirmed) const noexcept;
+    Symptoms roll_symptoms(const rsi::Inputs& inputs, float late_roll_angle_rad) noexcept;
+    Symptoms isolation_symptoms(const rsi::Inputs& inputs) const noexcept;
+    Symptoms turn_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Symptoms gain_symptoms(const rsi::Outputs& before) noexcept;
+    Symptoms vertical_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Symptoms reference_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) noexcept;
+    Symptoms observer_symptoms(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
+    static void judge(Symptoms seen, DiagnosticMemory& memory) noexcept;
+    void invalidate(rsi::Inputs& qualified, CodeSet confirmed) const noexcept;
     float roll_against_road(const rsi::Inputs& inputs) const noexcept;
     float roll_beyond_observed(const rsi::Inputs& inputs, const rsi::Outputs& before) const noexcept;
 

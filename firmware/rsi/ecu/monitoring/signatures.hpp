@@ -6,48 +6,48 @@
 #include <cstdint>
 
 #include "rsi/ecu/monitoring/diagnostic_code.hpp"
-#include "rsi/ecu/monitoring/fact.hpp"
+#include "rsi/ecu/monitoring/symptom.hpp"
 #include "rsi/types.hpp"
 
 namespace rsi::monitoring {
 
 using SensorSignal = float rsi::Inputs::*;
 
-enum class Verdict : std::uint8_t {
-    accuses,
-    keeps,    // a code that is confirmed stays so
-    acquits,  // a code that is active is shown to be over
+enum class Action : std::uint8_t {
+    sets,
+    holds,   // a code that is confirmed stays so
+    clears,  // a code that is active is shown to be over
 };
 
 // Fits when all of `needed` is seen and none of `excuses`.
 struct Pattern {
-    Facts needed;
-    Facts excuses;
+    Symptoms needed;
+    Symptoms excuses;
 
-    constexpr bool fits(Facts seen) const noexcept { return (seen & (needed | excuses)) == needed; }
+    constexpr bool fits(Symptoms seen) const noexcept { return (seen & (needed | excuses)) == needed; }
 };
 
 struct Signature {
     DiagnosticCode code;
-    Verdict verdict;
+    Action action;
     Pattern pattern;
 
-    constexpr Signature with(Fact other) const noexcept {
-        return {code, verdict, {pattern.needed | facts(other), pattern.excuses}};
+    constexpr Signature with(Symptom other) const noexcept {
+        return {code, action, {pattern.needed | symptoms(other), pattern.excuses}};
     }
-    constexpr Signature unless(Fact excuse) const noexcept {
-        return {code, verdict, {pattern.needed, pattern.excuses | facts(excuse)}};
+    constexpr Signature unless(Symptom excuse) const noexcept {
+        return {code, action, {pattern.needed, pattern.excuses | symptoms(excuse)}};
     }
 };
 
-constexpr Signature accuses(DiagnosticCode code, Fact fact) noexcept {
-    return {code, Verdict::accuses, {facts(fact), facts()}};
+constexpr Signature sets(DiagnosticCode code, Symptom symptom) noexcept {
+    return {code, Action::sets, {symptoms(symptom), symptoms()}};
 }
-constexpr Signature keeps(DiagnosticCode code, Fact fact) noexcept {
-    return {code, Verdict::keeps, {facts(fact), facts()}};
+constexpr Signature holds(DiagnosticCode code, Symptom symptom) noexcept {
+    return {code, Action::holds, {symptoms(symptom), symptoms()}};
 }
-constexpr Signature acquits(DiagnosticCode code, Fact fact) noexcept {
-    return {code, Verdict::acquits, {facts(fact), facts()}};
+constexpr Signature clears(DiagnosticCode code, Symptom symptom) noexcept {
+    return {code, Action::clears, {symptoms(symptom), symptoms()}};
 }
 
 namespace row {
@@ -65,57 +65,57 @@ inline constexpr DiagnosticCode reference = DiagnosticCode::roll_angle_reference
 
 // The first row of each code that fits counts. If none does, the code is neither set nor cleared.
 inline constexpr std::array<Signature, 26> signatures{{
-    accuses(row::lateral, Fact::lateral_sign_alone),
-    accuses(row::lateral, Fact::slow_vehicle_beyond),
-    accuses(row::lateral, Fact::lateral_alone).unless(Fact::spinning),
+    sets(row::lateral, Symptom::lateral_sign_alone),
+    sets(row::lateral, Symptom::slow_vehicle_beyond),
+    sets(row::lateral, Symptom::lateral_alone).unless(Symptom::spinning),
     // The observer is made of it, and something else contradicts it too.
-    accuses(row::lateral, Fact::observer_beyond).with(Fact::turn_beyond_banks).unless(Fact::spinning),
-    accuses(row::lateral, Fact::observer_beyond).with(Fact::lateral_suspect).unless(Fact::spinning),
-    acquits(row::lateral, Fact::turn_within),
+    sets(row::lateral, Symptom::observer_beyond).with(Symptom::turn_beyond_banks).unless(Symptom::spinning),
+    sets(row::lateral, Symptom::observer_beyond).with(Symptom::lateral_suspect).unless(Symptom::spinning),
+    clears(row::lateral, Symptom::turn_within),
     // A yaw rate that alone is ahead, as in a weave near the limit, shows nothing.
-    keeps(row::lateral, Fact::turn_valid).unless(Fact::roll_force_within),
-    keeps(row::lateral, Fact::roll_force_valid).unless(Fact::roll_force_within),
+    holds(row::lateral, Symptom::turn_valid).unless(Symptom::roll_force_within),
+    holds(row::lateral, Symptom::roll_force_valid).unless(Symptom::roll_force_within),
 
-    accuses(row::gain, Fact::gain_beyond),
-    acquits(row::gain, Fact::gain_valid),
+    sets(row::gain, Symptom::gain_beyond),
+    clears(row::gain, Symptom::gain_valid),
 
-    acquits(row::yaw_rate, Fact::turn_within),
-    keeps(row::yaw_rate, Fact::turn_valid),
-    accuses(row::yaw_rate, Fact::turn_beyond_slides),
-    accuses(row::yaw_rate, Fact::yaw_sign_alone),
+    clears(row::yaw_rate, Symptom::turn_within),
+    holds(row::yaw_rate, Symptom::turn_valid),
+    sets(row::yaw_rate, Symptom::turn_beyond_slides),
+    sets(row::yaw_rate, Symptom::yaw_sign_alone),
 
-    acquits(row::roll_sensor, Fact::observer_within),
-    keeps(row::roll_sensor, Fact::observer_valid),
+    clears(row::roll_sensor, Symptom::observer_within),
+    holds(row::roll_sensor, Symptom::observer_valid),
     // In a spin the observer, whose tyres roll, is no reference.
-    accuses(row::roll_sensor, Fact::observer_far).unless(Fact::spinning),
-    accuses(row::roll_sensor, Fact::observer_beyond)
-        .unless(Fact::spinning)
-        .unless(Fact::turn_beyond_banks)
-        .unless(Fact::lateral_suspect),
+    sets(row::roll_sensor, Symptom::observer_far).unless(Symptom::spinning),
+    sets(row::roll_sensor, Symptom::observer_beyond)
+        .unless(Symptom::spinning)
+        .unless(Symptom::turn_beyond_banks)
+        .unless(Symptom::lateral_suspect),
 
-    accuses(row::roll_short, Fact::roll_beyond_short),
-    acquits(row::roll_short, Fact::roll_valid),
-    accuses(row::roll_long, Fact::roll_beyond_long),
-    acquits(row::roll_long, Fact::roll_valid),
+    sets(row::roll_short, Symptom::roll_beyond_short),
+    clears(row::roll_short, Symptom::roll_valid),
+    sets(row::roll_long, Symptom::roll_beyond_long),
+    clears(row::roll_long, Symptom::roll_valid),
 
-    accuses(row::vertical, Fact::vertical_beyond),
-    acquits(row::vertical, Fact::vertical_within),
+    sets(row::vertical, Symptom::vertical_beyond),
+    clears(row::vertical, Symptom::vertical_within),
 
-    accuses(row::reference, Fact::reference_beyond),
-    acquits(row::reference, Fact::reference_valid),
+    sets(row::reference, Symptom::reference_beyond),
+    clears(row::reference, Symptom::reference_valid),
 }};
 
 // Each of these symptoms sets the code by itself; without one of them no code is set anew.
-constexpr Facts find_accusing_facts() noexcept {
-    Facts all = 0U;
+constexpr Symptoms find_setting_symptoms() noexcept {
+    Symptoms all = 0U;
     for (const Signature& each : signatures) {
-        const Facts needed = each.pattern.needed;
+        const Symptoms needed = each.pattern.needed;
         const bool is_alone = (needed & (needed - 1U)) == 0U;
-        all |= (is_alone && (each.verdict == Verdict::accuses)) ? needed : Facts{0U};
+        all |= (is_alone && (each.action == Action::sets)) ? needed : Symptoms{0U};
     }
     return all;
 }
-inline constexpr Facts accusing_facts = find_accusing_facts();
+inline constexpr Symptoms setting_symptoms = find_setting_symptoms();
 
 constexpr CodeSet find_judged_codes() noexcept {
     CodeSet all = 0U;
@@ -129,14 +129,16 @@ inline constexpr CodeSet judged_codes = find_judged_codes();
 // Isolation of roll rate and roll angle that contradict each other: the first row that fits names the faulty
 // one; if none does, it is the roll rate, without which there is no statement on the risk.
 enum class OfRoll : std::uint8_t { rate, angle };
-struct Suspicion {
+struct RollFaultIsolation {
     Pattern pattern;
     OfRoll wrong;
 };
-inline constexpr std::array<Suspicion, 3> suspicions{{
-    Suspicion{{facts(Fact::roll_angle_frozen), facts(Fact::roll_rate_frozen)}, OfRoll::angle},
-    Suspicion{{facts(Fact::roll_rate_frozen), facts(Fact::roll_angle_frozen)}, OfRoll::rate},
-    Suspicion{{facts(Fact::leans_into_turn), facts()}, OfRoll::angle},
+inline constexpr std::array<RollFaultIsolation, 3> roll_fault_isolation{{
+    RollFaultIsolation{{symptoms(Symptom::roll_angle_frozen), symptoms(Symptom::roll_rate_frozen)},
+                       OfRoll::angle},
+    RollFaultIsolation{{symptoms(Symptom::roll_rate_frozen), symptoms(Symptom::roll_angle_frozen)},
+                       OfRoll::rate},
+    RollFaultIsolation{{symptoms(Symptom::leans_into_turn), symptoms()}, OfRoll::angle},
 }};
 inline constexpr OfRoll otherwise_wrong = OfRoll::rate;
 inline constexpr CodeSet roll_contradictions = set_of(row::roll_short, row::roll_long);
@@ -146,7 +148,7 @@ inline constexpr CodeSet roll_contradictions = set_of(row::roll_short, row::roll
 // gives no value.
 struct Consequence {
     SensorSignal signal;
-    CodeSet no_witness;
+    CodeSet no_reference;
     CodeSet not_used;
 };
 inline constexpr std::array<Consequence, 8> consequences{{
@@ -175,13 +177,13 @@ inline constexpr std::array<Consequence, 8> consequences{{
     Consequence{&rsi::Inputs::bank_angle_rad, set_of(), set_of(DiagnosticCode::bank_angle_invalid)},
 }};
 
-constexpr CodeSet find_no_witness_codes() noexcept {
+constexpr CodeSet find_no_reference_codes() noexcept {
     CodeSet all = 0U;
     for (const Consequence& each : consequences) {
-        all |= each.no_witness;
+        all |= each.no_reference;
     }
     return all;
 }
-inline constexpr CodeSet no_witness_codes = find_no_witness_codes();
+inline constexpr CodeSet no_reference_codes = find_no_reference_codes();
 
 }  // namespace rsi::monitoring

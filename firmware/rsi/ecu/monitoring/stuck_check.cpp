@@ -2,18 +2,18 @@
 
 namespace rsi::monitoring {
 
-bool StuckCheck::is_stuck(float value, float witness) noexcept {
-    if (!value_.repeats(value) || !rsi::is_finite(witness)) {
+bool StuckCheck::is_stuck(float value, float reference) noexcept {
+    if (!value_.repeats(value) || !rsi::is_finite(reference)) {
         repetitions_ = 0U;
-        lowest_ = witness;
-        highest_ = witness;
+        lowest_ = reference;
+        highest_ = reference;
         return false;
     }
     repetitions_ += (repetitions_ < most_repetitions) ? 1U : 0U;
-    lowest_ = rsi::smaller(lowest_, witness);
-    highest_ = rsi::larger(highest_, witness);
+    lowest_ = rsi::smaller(lowest_, reference);
+    highest_ = rsi::larger(highest_, reference);
     const std::uint32_t drifting = (repetitions_ > without_drift) ? repetitions_ - without_drift : 0U;
-    const float least = witness_span_ + drift_ * static_cast<float>(drifting);
+    const float least = reference_span_ + drift_ * static_cast<float>(drifting);
     return (repetitions_ >= fewest_repetitions) && ((highest_ - lowest_) > least);
 }
 

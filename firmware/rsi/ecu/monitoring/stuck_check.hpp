@@ -10,13 +10,13 @@ namespace rsi::monitoring {
 
 class StuckCheck {
  public:
-    // `witness_span`: how far the reference has to move while the value does not; `drift`: how much further
+    // `reference_span`: how far the reference has to move while the value does not; `drift`: how much further
     // for each cycle that the value repeats itself beyond a second, because the reference goes on by itself.
-    constexpr explicit StuckCheck(float witness_span, float drift = 0.0F) noexcept
-        : witness_span_{witness_span}, drift_{drift} {}
+    constexpr explicit StuckCheck(float reference_span, float drift = 0.0F) noexcept
+        : reference_span_{reference_span}, drift_{drift} {}
 
     // One cycle; false when either is not finite.
-    bool is_stuck(float value, float witness) noexcept;
+    bool is_stuck(float value, float reference) noexcept;
 
     // The value has changed in the last cycle, for any motion of the reference.
     bool moves() const noexcept { return value_.moves(); }
@@ -30,7 +30,7 @@ class StuckCheck {
     static constexpr std::uint32_t without_drift = 100U;
     static constexpr std::uint32_t most_repetitions = 1'000'000U;  // a float has a number for each
 
-    float witness_span_;
+    float reference_span_;
     float drift_;
     Repetition value_{};
     float lowest_{rsi::not_available};

@@ -1,4 +1,4 @@
-// Facts: what the relations between the sensors show in one cycle, one bit each.
+// Symptoms: what the relations between the sensors show in one cycle, one bit each.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@ namespace rsi::monitoring {
 
 // State of a residual: valid, it can be judged; within, it is small; beyond, it is not. Its own header has
 // the bounds, and what makes them wider.
-enum class Fact : std::uint8_t {
+enum class Symptom : std::uint8_t {
     // Lateral acceleration, yaw rate times speed: turn_consistency.hpp, turn_signs.hpp
     turn_valid,
     turn_within,
@@ -54,16 +54,16 @@ enum class Fact : std::uint8_t {
     count,
 };
 
-using Facts = std::uint32_t;
-static_assert(static_cast<unsigned>(Fact::count) <= 32U);
+using Symptoms = std::uint32_t;
+static_assert(static_cast<unsigned>(Symptom::count) <= 32U);
 
 template <typename... Each>
-constexpr Facts facts(Each... each) noexcept {
-    return (Facts{0U} | ... | (Facts{1U} << static_cast<unsigned>(each)));
+constexpr Symptoms symptoms(Each... each) noexcept {
+    return (Symptoms{0U} | ... | (Symptoms{1U} << static_cast<unsigned>(each)));
 }
 
-constexpr Facts fact_if(bool is_so, Fact fact) noexcept {
-    return is_so ? facts(fact) : Facts{0U};
+constexpr Symptoms symptom_if(bool is_so, Symptom symptom) noexcept {
+    return is_so ? symptoms(symptom) : Symptoms{0U};
 }
 
 }  // namespace rsi::monitoring
