@@ -39,7 +39,8 @@ int main(void) {
     unsigned cycle;
 
     if (selftest != RSI_SELFTEST_PASSED) {
-        fprintf(stderr, "this build does not compute as it should: %d, see rsi/selftest/selftest.h\n", selftest);
+        fprintf(stderr, "this build does not compute as it should: %d, see rsi/selftest/selftest.h\n",
+                selftest);
         return 1;
     }
     if (!answer.accepted) {
