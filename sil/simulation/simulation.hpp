@@ -44,7 +44,7 @@ struct SimulationSync {
             {ByteOrder::little_endian, 0U, 32U, false}, 0, 4294967295LL, 0};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::cycle_number, cycle_number, payload.data());
@@ -72,7 +72,7 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<SimulationSync>{});
 }
 
-// Frames of Simulator, in the file's order.
+// What Simulator sends, in the file's order.
 using MessagesFromSimulator = MessageList<SimulationSync>;
 
 }  // namespace simulation_dbc

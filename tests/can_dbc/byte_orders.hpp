@@ -189,7 +189,7 @@ struct IntelScaledShort {
             -524267, 524287, -524288, true};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::length21, length21, payload.data());
@@ -367,7 +367,7 @@ struct IntelScaledLong {
             2, 536870909, 2, false};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::length32, length32, payload.data());
@@ -572,7 +572,7 @@ struct IntelPlainShort {
             {ByteOrder::little_endian, 265U, 6U, false}, 0, 63, 0};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::length18, length18, payload.data());
@@ -741,7 +741,7 @@ struct IntelPlainLong {
             {ByteOrder::little_endian, 258U, 28U, false}, 0, 268435455, 0};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::length26, length26, payload.data());
@@ -965,7 +965,7 @@ struct MotorolaScaledShort {
             {ByteOrder::big_endian, 273U, 2U, false}, 0, 3, 0};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::length08, length08, payload.data());
@@ -1143,7 +1143,7 @@ struct MotorolaScaledLong {
             1, 268435454, 2, false};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::length31, length31, payload.data());
@@ -1348,7 +1348,7 @@ struct MotorolaPlainShort {
             {ByteOrder::big_endian, 248U, 12U, true}, -2048, 2047, 0};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::length08, length08, payload.data());
@@ -1517,7 +1517,7 @@ struct MotorolaPlainLong {
             {ByteOrder::big_endian, 248U, 31U, false}, 0, 2147483647, 0};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::length24, length24, payload.data());
@@ -1663,7 +1663,7 @@ struct MixedOrders {
         return "unknown";
     }
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::intel_crossing_deg, intel_crossing_deg, payload.data());
@@ -1737,7 +1737,7 @@ struct Unaligned32 {
             -8000800, 7999200, -8388608, true};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::motorola_word, motorola_word, payload.data());

@@ -72,7 +72,7 @@ struct CornerForces {
             -2000000000, 2000000000, 0, false};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::front_left_n, front_left_n, payload.data());
@@ -157,7 +157,7 @@ struct BodyMotion {
             -24000, 24000, -32768, true};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::yaw_rate_deg_per_s, yaw_rate_deg_per_s, payload.data());
@@ -219,7 +219,7 @@ struct PlainFd {
             -40, 120, -128, true};
     };
 
-    // See rsi::can_dbc::encode and rsi::can_dbc::decode.
+    // See rsi::can_dbc::encode and decode.
     constexpr std::array<std::uint8_t, length> encode() const {
         std::array<std::uint8_t, length> payload{};
         write_signal(Signals::temperature_deg_c, temperature_deg_c, payload.data());
