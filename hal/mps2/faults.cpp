@@ -15,8 +15,8 @@ extern "C" {
 extern std::uint32_t stack_top[];  // linker script
 
 [[noreturn]] __attribute__((used)) void report_fault() {
-    hal::semihosting::print("mps2: a fault or an unexpected exception ended the program\n");
-    hal::semihosting::exit(fault_status);
+    rsi::hal::semihosting::print("mps2: a fault or an unexpected exception ended the program\n");
+    rsi::hal::semihosting::exit(fault_status);
 }
 
 // The stack may be what is broken: begin it anew.

@@ -58,5 +58,5 @@ extern "C" void reset() {
     for (const Constructor* constructor = init_array_begin; constructor != init_array_end; ++constructor) {
         (*constructor)();
     }
-    hal::semihosting::exit(program());
+    rsi::hal::semihosting::exit(program());
 }

@@ -72,7 +72,7 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<SimulationSync>{});
 }
 
-// What Simulator sends, in the file's order.
+// Frames of Simulator, in the file's order.
 using MessagesFromSimulator = MessageList<SimulationSync>;
 
 }  // namespace simulation_dbc

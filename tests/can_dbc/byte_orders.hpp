@@ -1777,7 +1777,7 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<Unaligned32>{});
 }
 
-// What Tester sends, in the file's order.
+// Frames of Tester, in the file's order.
 using MessagesFromTester = MessageList<IntelScaledShort, IntelScaledLong, IntelPlainShort, IntelPlainLong, MotorolaScaledShort, MotorolaScaledLong, MotorolaPlainShort, MotorolaPlainLong, MixedOrders, Unaligned32>;
 
 }  // namespace byte_orders

@@ -249,7 +249,7 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<PlainFd>{});
 }
 
-// What Tester sends, in the file's order.
+// Frames of Tester, in the file's order.
 using MessagesFromTester = MessageList<CornerForces, BodyMotion, PlainFd>;
 
 }  // namespace can_fd

@@ -4,10 +4,10 @@
 
 namespace {
 
-image::EcuImage<image::WarningRecorder> ecu;
+rsi::image::EcuImage<rsi::image::WarningRecorder> ecu;
 
 }  // namespace
 
 int main() {
-    ecu.run(image::can_settings());
+    ecu.run(rsi::image::can_settings());
 }

@@ -3,6 +3,6 @@
 extern "C" const std::uint8_t parameters_start[];
 extern "C" const std::uint8_t parameters_end[];
 
-image::ParameterMemory image::parameter_memory() noexcept {
+rsi::image::ParameterMemory rsi::image::parameter_memory() noexcept {
     return ParameterMemory{parameters_start, static_cast<std::size_t>(parameters_end - parameters_start)};
 }

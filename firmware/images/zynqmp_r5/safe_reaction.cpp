@@ -12,19 +12,19 @@ namespace {
 // 500 kbit/s.
 constexpr std::uint32_t most_polls = 200'000U;
 
-hal::CanFrame unavailable() {
-    using can_dbc::RolloverWarning;
+rsi::hal::CanFrame unavailable() {
+    using rsi::can_dbc::RolloverWarning;
     RolloverWarning message{};
     message.state = RolloverWarning::State::unavailable;
     message.side = RolloverWarning::Side::none;
-    message.warning_level = can_dbc::not_available;
-    message.lateral_acceleration_mps2 = can_dbc::not_available;
-    message.lateral_acceleration_threshold_mps2 = can_dbc::not_available;
-    auto payload = can_dbc::encode(message);
-    can_dbc::e2e::protect_profile_11(payload, RolloverWarning::e2e_data_id,
-                                     image::last_warning().next_counter());
+    message.warning_level = rsi::can_dbc::not_available;
+    message.lateral_acceleration_mps2 = rsi::can_dbc::not_available;
+    message.lateral_acceleration_threshold_mps2 = rsi::can_dbc::not_available;
+    auto payload = rsi::can_dbc::encode(message);
+    rsi::can_dbc::e2e::protect_profile_11(payload, RolloverWarning::e2e_data_id,
+                                     rsi::image::last_warning().next_counter());
 
-    hal::CanFrame frame{};
+    rsi::hal::CanFrame frame{};
     frame.identifier = RolloverWarning::identifier;
     frame.length = RolloverWarning::length;
     for (std::size_t byte = 0U; byte < payload.size(); ++byte) {
@@ -33,14 +33,14 @@ hal::CanFrame unavailable() {
     return frame;
 }
 
-image::LastWarning last;
+rsi::image::LastWarning last;
 
 }  // namespace
 
-image::LastWarning& image::last_warning() noexcept {
+rsi::image::LastWarning& rsi::image::last_warning() noexcept {
     return last;
 }
 
-void hal::zynqmp_r5::on_fault(const Fault&) noexcept {
-    static_cast<void>(image::Controller::send_last(MemoryMappedRegisters{}, unavailable(), most_polls));
+void rsi::hal::zynqmp_r5::on_fault(const Fault&) noexcept {
+    static_cast<void>(rsi::image::Controller::send_last(MemoryMappedRegisters{}, unavailable(), most_polls));
 }

@@ -40,10 +40,10 @@ class Model:
 
 
 ECU = Model("rsi_ecu", "Rollover-warning ECU component",
-            "warns of a rollover before two wheels lift; steps every 10 ms, physical signals", True, ("fmu/libfmu_ecu.a",),
+            "warns of a rollover before two wheels lift; steps every 10 ms, physical signals", True, ("exchange/fmu/libfmu_ecu.a",),
             (PROJECT / "firmware/rsi/rsi.h",))
 VEHICLE = Model("rsi_vehicle", "Simulated vehicle", "14 degrees of freedom, with driver, road and sensors", False,
-                ("fmu/libfmu_vehicle.a", *(f"world/{room}/libsil_{room}.a" for room in ("manoeuvres", "sensors", "vehicle"))),
+                ("exchange/fmu/libfmu_vehicle.a", *(f"world/{room}/libsil_{room}.a" for room in ("manoeuvres", "sensors", "vehicle"))),
                 (PROJECT / "sil/world/vehicle/parameters.hpp",))
 
 

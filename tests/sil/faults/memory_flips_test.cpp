@@ -93,7 +93,7 @@ TEST_F(TheStudyOfFlips, NamesThePlaceOfEachSilentFlip) {
     sil::MemoryFlips one = result;
     one.flips = {sil::Flip{1U, 250U, sil::component_memory().begin + 5U, 3U, sil::FlipEffect::late}};
     EXPECT_EQ(sil::silent_flips(one),
-              "late: byte 1 of component: carried over, bit 3, before 2.50 s of the fishhook\n");
+              "late: byte 1 of component: derived numbers, bit 3, before 2.50 s of the fishhook\n");
     EXPECT_EQ(sil::silent(sil::count_flips(one)), 1U);
     EXPECT_NE(sil::memory_flips_table(one).find("1000.00"), std::string::npos);
 }

@@ -131,7 +131,7 @@ TEST(KnownBodyTest, WithoutWheelLoadsUsesNothingAbove85PerCentOfTheStaticStabili
     const double limit_mps2 = 0.85 * 9.80665 * body.track_width_m / (2.0 * body.sprung_cg_height_m);
     EXPECT_LT(drive.largest_parallel_mps2, limit_mps2);
     EXPECT_GT(drive.largest_parallel_mps2, 0.97 * limit_mps2);
-    EXPECT_THAT(drive.cut_reason, HasSubstr("a first wheel has lifted before"));
+    EXPECT_THAT(drive.cut_reason, HasSubstr("a first wheel may have lifted before"));
 }
 
 TEST(KnownBodyTest, UsesNothingAfterAWheelHasLifted) {

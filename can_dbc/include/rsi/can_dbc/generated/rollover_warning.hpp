@@ -1827,16 +1827,16 @@ constexpr void visit_messages(Visitor&& visitor) {
     visitor(MessageType<RolloverStatus>{});
 }
 
-// What ImuSensor sends, in the file's order.
+// Frames of ImuSensor, in the file's order.
 using MessagesFromImuSensor = MessageList<Imu>;
 
-// What RollAngleSensor sends, in the file's order.
+// Frames of RollAngleSensor, in the file's order.
 using MessagesFromRollAngleSensor = MessageList<RollAngle>;
 
-// What VehicleGateway sends, in the file's order.
+// Frames of VehicleGateway, in the file's order.
 using MessagesFromVehicleGateway = MessageList<VehicleMotion, VehicleMass>;
 
-// What RolloverEcu sends, in the file's order.
+// Frames of RolloverEcu, in the file's order.
 using MessagesFromRolloverEcu = MessageList<RolloverWarning, RollCentreEstimate, RollIndicesAhead, RollIndicesClassic, RollObserver, RolloverDiagnosis, LearntLoad, RolloverStatus>;
 
 }  // namespace rsi::can_dbc
