@@ -30,8 +30,8 @@ set(header_patterns FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(TARGETS ${rsi_installed} EXPORT rsiTargets INCLUDES DESTINATION ${headers})
 install(DIRECTORY firmware/rsi can_dbc/include/rsi hal/interface/rsi DESTINATION ${headers} ${header_patterns})
 install(DIRECTORY firmware/calibrations DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)
-install(DIRECTORY firmware/calibrations DESTINATION ${headers} ${header_patterns})
-install(FILES firmware/rsi/selftest/selftest.c can_dbc/rollover_warning.dbc LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)
+install(DIRECTORY firmware/selftest firmware/calibrations DESTINATION ${headers} ${header_patterns})
+install(FILES firmware/selftest/selftest.c can_dbc/rollover_warning.dbc LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/rsi)
 
 install(EXPORT rsiTargets NAMESPACE rsi:: DESTINATION ${package})
 configure_package_config_file(cmake/rsiConfig.cmake.in ${PROJECT_BINARY_DIR}/rsiConfig.cmake

@@ -2,7 +2,7 @@
  * checked.
  *
  * A compiler does not announce every such flag: contraction (-ffp-contract=fast, the default of GCC outside
- * -std=c99) is never announced, and clang announces few of the others. rsi/selftest/selftest.c finds them
+ * -std=c99) is never announced, and clang announces few of the others. selftest/selftest.c finds them
  * when it runs. */
 #ifndef RSI_FLOAT_RULES_H
 #define RSI_FLOAT_RULES_H

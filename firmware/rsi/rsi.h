@@ -20,7 +20,7 @@
  * Rate: always 100 Hz. Sensors at 50 Hz: step at 100 Hz with the held value. A missed cycle is not made up
  * for by calling twice; after more than two, step once with every input NaN. With an RTOS one task steps one
  * component, and no writer of its inputs may preempt the step.
- * rsi/selftest/selftest.c shows whether compiler, flags and FPU of a build are right.
+ * selftest/selftest.c shows whether compiler, flags and FPU of a build are right.
  *
  * No field has the type of an enumeration, so that a caller and a library that were compiled with other sizes
  * of enumerations (-fshort-enums) agree on every structure. The enumeration that names the values of an

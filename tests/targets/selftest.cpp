@@ -1,5 +1,5 @@
 // The exported self-test on every target; the exit status is its result.
-#include "rsi/selftest/selftest.h"
+#include "selftest/selftest.h"
 
 #include "tests/targets/support/program.hpp"
 

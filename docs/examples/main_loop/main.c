@@ -6,7 +6,7 @@
 
 #include "calibrations/generated/large_suv.h"
 #include "rsi/rsi.h"
-#include "rsi/selftest/selftest.h"
+#include "selftest/selftest.h"
 
 /* A left turn that is too hard: straight on at 108 km/h for a second, then 9 m/s^2 within three quarters of
  * one. */
@@ -39,8 +39,7 @@ int main(void) {
     unsigned cycle;
 
     if (selftest != RSI_SELFTEST_PASSED) {
-        fprintf(stderr, "this build does not compute as it should: %d, see rsi/selftest/selftest.h\n",
-                selftest);
+        fprintf(stderr, "this build does not compute as it should: %d, see selftest/selftest.h\n", selftest);
         return 1;
     }
     if (!answer.accepted) {

@@ -22,7 +22,7 @@ rsi::hal::CanFrame unavailable() {
     message.lateral_acceleration_threshold_mps2 = rsi::can_dbc::not_available;
     auto payload = rsi::can_dbc::encode(message);
     rsi::can_dbc::e2e::protect_profile_11(payload, RolloverWarning::e2e_data_id,
-                                     rsi::image::last_warning().next_counter());
+                                          rsi::image::last_warning().next_counter());
 
     rsi::hal::CanFrame frame{};
     frame.identifier = RolloverWarning::identifier;

@@ -36,7 +36,7 @@ const std::vector<std::string> ecu{"rsi/",
                                    "rsi/ecu/monitoring/",
                                    "rsi/ecu/application/"};
 const std::vector<std::string> images{"rsi/",
-                                      "rsi/selftest/",
+                                      "selftest/",
                                       "rsi/hal/",
                                       "rsi/can_dbc/",
                                       "rsi/ecu/access/",
@@ -55,8 +55,8 @@ std::vector<std::string> together(std::vector<std::string> folders, const std::v
 const std::vector<Rule>& rules() {
     static const std::vector<Rule> all{
         {"firmware/rsi/numeric/matrix.hpp", {}, Rule::Others::listed, {"Eigen/"}},
-        {"firmware/rsi/selftest/",
-         {"rsi/", "rsi/selftest/"},
+        {"firmware/selftest/",
+         {"rsi/", "selftest/"},
          Rule::Others::listed,
          together(freestanding, {"math.h", "string.h", "calibrations/"})},
         {"firmware/rsi/ecu/monitoring/", {"rsi/", "rsi/ecu/monitoring/"}, Rule::Others::standard, {}},

@@ -47,8 +47,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Include{"firmware/rsi/model/a.cpp", "cmath"},
                       Include{"firmware/rsi/component.cpp", "Eigen/Core"},
                       Include{"firmware/calibrations/generated/a.h", "math.h"},
-                      Include{"firmware/rsi/selftest/selftest.c", "stdio.h"},
-                      Include{"firmware/rsi/selftest/selftest.c", "rsi/ecu/application/rollover_ecu.hpp"},
+                      Include{"firmware/selftest/selftest.c", "stdio.h"},
+                      Include{"firmware/selftest/selftest.c", "rsi/ecu/application/rollover_ecu.hpp"},
                       Include{"firmware/rsi/model/a.cpp", "vector"}, Include{"firmware/rsi/rsi.h", "math.h"},
                       Include{"firmware/rsi/model/a.cpp", "../component.hpp"},
                       Include{"can_dbc/include/rsi/can_dbc/codec.hpp", "rsi/rsi.h"},
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
     IncludeRules, Allowed,
     ::testing::Values(Include{"firmware/rsi/component.cpp", "rsi/rsi.h"},
                       Include{"firmware/rsi/numeric/matrix.hpp", "Eigen/Core"},
-                      Include{"firmware/rsi/selftest/selftest.c", "math.h"},
+                      Include{"firmware/selftest/selftest.c", "math.h"},
                       Include{"firmware/rsi/component.cpp", "limits"},
                       Include{"firmware/rsi/rsi.h", "stdint.h"},
                       Include{"can_dbc/include/rsi/can_dbc/codec.hpp", "rsi/can_dbc/e2e/profile11.hpp"},
@@ -163,7 +163,7 @@ TEST(IncludeRules, APlantedPathInACMakeFileIsFoundByFileAndLine) {
 // Code that only tests use belongs to them.
 TEST(IncludeRules, EveryHeaderOfTheProductHasAUserInIt) {
     const std::vector<std::string> exceptions{
-        "firmware/rsi/selftest/selftest.h",    // exported
+        "firmware/selftest/selftest.h",        // exported
         "hal/software_keys/mbedtls_config.h",  // named by a compile definition
         // Parts of a procedure that its source runs and a test takes one by one.
         "sil/studies/procedures/sine_with_dwell.hpp", "sil/studies/procedures/steady_circle.hpp",

@@ -29,7 +29,7 @@ def sources():
 def is_for_users_build(path):
     """C99 that is never flashed with the ECU: a calibration as a header, and the self-test of a build. Their tests compile
     them, with warnings."""
-    return path.startswith("firmware/rsi/selftest/") or (
+    return path.startswith("firmware/selftest/") or (
         path.startswith("firmware/calibrations/generated/") and path.endswith(".h"))
 
 

@@ -1,6 +1,6 @@
 /* The exit status is what rsi_selftest returns; with an argument it prints the header selftest_digest.h
  * instead. */
-#include "rsi/selftest/selftest.h"
+#include "selftest/selftest.h"
 
 #include <stdio.h>
 

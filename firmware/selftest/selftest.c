@@ -1,11 +1,11 @@
 /* C99; nothing of the C library but memcpy, memset and the macro isnan. See selftest.h. */
-#include "rsi/selftest/selftest.h"
+#include "selftest/selftest.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "calibrations/generated/large_suv.h"
-#include "rsi/selftest/selftest_digest.h"
+#include "selftest/selftest_digest.h"
 
 enum { steps = 480, steps_without_sensors = 10 };
 
