@@ -89,7 +89,7 @@ def sources_of_ecu(folder):
     files = {}
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix().removeprefix("eigen3/")
-        around = name.startswith(("rsi/ecu/", "rsi/can_dbc/", "rsi/hal/", "selftest/"))
+        around = name.startswith(("rsi/ecu/", "rsi/can_dbc/", "rsi/hal/"))
         if path.is_file() and not around and name.startswith(("rsi/", "Eigen/", "rsi_unit.cpp")):
             files[name] = path.read_bytes()
     own = ["ecu_model.cpp", *INTERFACE] + [path.name for path in (PROJECT / "sil/exchange/fmu").glob("*.h*")]
