@@ -6,7 +6,7 @@ import tempfile
 import unittest
 
 ROOM = pathlib.Path(__file__).resolve().parents[2] / "firmware/rsi"
-# What to change in which file; every one makes the two differ.
+# Edits to plant, each by file: every one makes header and table differ.
 DIFFERENCES = [
     ("rsi.h", "    float warning_level; ", "    double warning_level;"),
     ("rsi.h", "[m/s^2] a_y: horizontal", "[m/s^2] a_y: vertical"),
