@@ -70,7 +70,7 @@ class Component {
     [[gnu::noinline]] void take_load();
 
     bool initialised_{false};
-    Derived derived_{};
+    Derived derived_;
     State state_{};
 };
 

@@ -38,18 +38,18 @@ struct Derived {
     float static_stability_factor{};
     float observer_weight{};  // of the level, while the observer stands in for the roll sensor
     float load_transfer_inertial_weight{};
-    Vehicle vehicle{};
-    MeasurementStage::Constants measurement{};
-    RollMotionFilter::Constants motion_filter{};
-    RollCentreEstimator::Constants estimator{};
-    SteeringDemand steering_demand{};
-    LateralResponse lateral_response{};
-    MomentArmError::Constants moment_arm_error{};
-    RollPredictor predictor{};
-    LoadAdaptation::Constants load_adaptation{};
-    ClassicIndices comparison{};
-    WarningIndicator warning_indicator{};
-    WarningStateMachine::Constants warning{};
+    Vehicle vehicle;
+    MeasurementStage::Constants measurement;
+    RollMotionFilter::Constants motion_filter;
+    RollCentreEstimator::Constants estimator;
+    SteeringDemand steering_demand;
+    LateralResponse lateral_response;
+    MomentArmError::Constants moment_arm_error;
+    RollPredictor predictor;
+    LoadAdaptation::Constants load_adaptation;
+    ClassicIndices comparison;
+    WarningIndicator warning_indicator;
+    WarningStateMachine::Constants warning;
 };
 
 }  // namespace rsi

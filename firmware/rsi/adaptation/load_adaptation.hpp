@@ -22,7 +22,7 @@ class LoadAdaptation {
         float used_share{};      // of what has been learnt
         float margin{};          // of the level for each unit of the deviation
         float largest_factor{};  // of m_s H that the springs hold up
-        LoadRegression::Constants regression{};
+        LoadRegression::Constants regression;
     };
 
     // One sample; `load` is that of `motion`. Learns only from a `measured_angle`: the observer's comes from
@@ -60,7 +60,7 @@ class LoadAdaptation {
     bool mass_known_{false};
     float learnt_at_mass_factor_{1.0F};  // mass of the learnt load
     LongStop stop_{};
-    LoadRegression regression_{};
+    LoadRegression regression_;
 };
 
 }  // namespace rsi

@@ -24,7 +24,7 @@ class ClassicIndices {
     float rollover_index(const Measurement& measured) const;
     float time_to_rollover_s(const Measurement& measured) const;
 
-    EnergyMargin energy_{};
+    EnergyMargin energy_;
     float static_stability_factor_{};  // c_w / (2 h)
     float static_stability_gain_{};    // 1 / (g SSF)
     float inertia_share_s2prad_{};     // Ixx / (m_s g h)

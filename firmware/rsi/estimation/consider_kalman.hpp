@@ -20,7 +20,7 @@ class ConsiderKalman {
         Constants() = default;
         [[gnu::cold]] explicit Constants(const Parameters& parameters);
 
-        FilteredRollEquation::Constants equation{};
+        FilteredRollEquation::Constants equation;
         float prior_variance_m2{};
         float reversion{};         // of dh over one sample without excitation
         float steady_reversion{};  // and in a steady turn

@@ -17,8 +17,8 @@ class RollCentreEstimator {
               consider_kalman(parameters) {}
 
         rsi_estimator in_use{RSI_ESTIMATOR_PUBLISHED};
-        RobustLeastSquares::Constants published{};
-        ConsiderKalman::Constants consider_kalman{};
+        RobustLeastSquares::Constants published;
+        ConsiderKalman::Constants consider_kalman;
     };
 
     // Forgets everything.

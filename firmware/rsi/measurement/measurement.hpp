@@ -56,9 +56,9 @@ class MeasurementStage {
         float imu_x_m{};
         float imu_y_m{};
         float imu_z_m{};
-        DerivativeLag lag{};
-        RollBankObserver::Constants observer{};
-        RollSensorCheck::Constants check{};
+        DerivativeLag lag;
+        RollBankObserver::Constants observer;
+        RollSensorCheck::Constants check;
     };
 
     void reset();

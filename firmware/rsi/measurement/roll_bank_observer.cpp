@@ -71,14 +71,13 @@ UprightRoll upright_roll(const Parameters& parameters) {
 }
 
 RollBankObserver::Constants::Constants(const Parameters& parameters, const ObserverGains& settled_gains)
-    : gains(settled_gains) {
+    : tipping_force_mps2(gravity_mps2 * static_stability_factor(parameters)), gains(settled_gains) {
     const float H = roll_arm_m(parameters);
     const float inverse_inertia = 1.0F / parameters.roll_inertia_kgm2;
     stiffness_over_inertia = RollStiffnessCurve{parameters, inverse_inertia};
     movement_to_acceleration = parameters.sprung_mass_kg * inverse_inertia;
     force_to_acceleration = movement_to_acceleration * H;
     damping_over_inertia = parameters.roll_damping_nmsprad * inverse_inertia;
-    tipping_force_mps2 = gravity_mps2 * static_stability_factor(parameters);
 }
 
 void RollBankObserver::update(const Constants& constants, const Signals& signals, float vertical_movement_m) {

@@ -32,10 +32,10 @@ class RollBankObserver {
         // `gains`: the settled ones, for the same parameters.
         [[gnu::cold]] Constants(const Parameters& parameters, const ObserverGains& gains);
 
-        RollStiffnessCurve stiffness_over_inertia{};  // M / Ixx
-        float force_to_acceleration{};                // m_s H / Ixx
-        float movement_to_acceleration{};             // m_s / Ixx
-        float damping_over_inertia{};                 // c_f / Ixx
+        RollStiffnessCurve stiffness_over_inertia;  // M / Ixx
+        float force_to_acceleration{};              // m_s H / Ixx
+        float movement_to_acceleration{};           // m_s / Ixx
+        float damping_over_inertia{};               // c_f / Ixx
         float tipping_force_mps2{};
         ObserverGains gains{};
     };

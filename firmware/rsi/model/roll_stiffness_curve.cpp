@@ -30,8 +30,8 @@ RollStiffnessCurve::RollStiffnessCurve(const Parameters& parameters, float facto
       // The same range whatever the factor.
       curved_to_rad_(square_root(first_zero((1.0F - least_slope_share) * parameters.roll_stiffness_nmprad,
                                             3.0F * parameters.roll_stiffness_cubic_nmprad3,
-                                            5.0F * parameters.roll_stiffness_quintic_nmprad5))) {
-    line_slope_ = slope_nmprad(curved_to_rad_);
-}
+                                            5.0F * parameters.roll_stiffness_quintic_nmprad5))),
+      line_slope_(linear_ + curved_to_rad_ * curved_to_rad_ *
+                                (slope_cubic_ + curved_to_rad_ * curved_to_rad_ * slope_quintic_)) {}
 
 }  // namespace rsi

@@ -27,7 +27,7 @@ struct Suspension {
     Suspension() = default;
     [[gnu::cold]] explicit Suspension(const Parameters& parameters);
 
-    RollStiffnessCurve springs{};
+    RollStiffnessCurve springs;
     float stiffness_nmprad{};      // K_f
     float damping_nmsprad{};       // c_f
     float damping_inverse{};       // 1 / c_f
@@ -64,7 +64,7 @@ struct Vehicle {
         return suspension.springs.moment_nm(roll_angle_rad) + suspension.damping_nmsprad * roll_rate_radps;
     }
 
-    Suspension suspension{};
+    Suspension suspension;
     LoadedBody loaded{};
 };
 

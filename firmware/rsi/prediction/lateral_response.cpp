@@ -13,11 +13,11 @@ constexpr float return_weight = 3.0F * sample_time_s / 5.0F;
 
 }  // namespace
 
-LateralResponse::LateralResponse(const Parameters& parameters) {
+LateralResponse::LateralResponse(const Parameters& parameters)
+    : largest_mps2_(parameters.largest_lateral_acceleration_mps2) {
     const float w = parameters.lateral_response_frequency_radps;
     const float zeta = parameters.lateral_response_damping;
     is_known_ = (w > 0.0F);
-    largest_mps2_ = parameters.largest_lateral_acceleration_mps2;
     lead_s_ = is_known_ ? 2.0F * zeta / w : 0.0F;
     // The trapezoidal rule over half a step, which is accurate enough; its divisor is at least 1.
     const float quarter = 0.25F * step_s;

@@ -21,12 +21,12 @@ float suspension_moment_nm(const Vehicle& vehicle, const RollSpring& springs, fl
 
 RollPredictor::RollPredictor(const Parameters& parameters)
     : trend_horizon_s_(parameters.prediction_horizon_s),
+      // Validated to 0 .. 0.5 s: at most 13 steps.
+      response_steps_(static_cast<std::uint32_t>(
+          parameters.response_horizon_s * (1.0F / LateralResponse::step_s) + 0.5F)),
       margin_per_step_(parameters.response_margin_per_s * LateralResponse::step_s) {
     const float trend_s = parameters.acceleration_trend_s;
     trend_after_horizon_s_ = trend_s * (1.0F - decaying_exponential(trend_horizon_s_ / trend_s));
-    // Validated to 0 .. 0.5 s: at most 13 steps.
-    response_steps_ =
-        static_cast<std::uint32_t>(parameters.response_horizon_s * (1.0F / LateralResponse::step_s) + 0.5F);
 }
 
 // How far A follows its trend: not past what the steering asks for, nor past where it is; without a demand,

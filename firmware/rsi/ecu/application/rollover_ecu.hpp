@@ -100,7 +100,7 @@ class RolloverEcu {
     hal::CanBus& bus_;
     const hal::Clock& clock_;
     hal::Watchdog& watchdog_;
-    rsi::Component component_{};
+    rsi::Component component_;
     rsi::Parameters parameters_{};  // as started with, watched by the guard
     SensorReception reception_{};
     WarningTransmission transmission_{};
