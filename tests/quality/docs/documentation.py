@@ -21,7 +21,7 @@ PAGES = 18
 # The page that explains a file, and the first cell of the header of its tables of keys.
 KEYS = {
     "docs/calibration.md": ("firmware/calibrations/large_suv.toml", "field"),
-    "docs/vehicle_file.md": ("sil/vehicles/large_suv.toml", "key"),
+    "docs/drives.md": ("sil/vehicles/large_suv.toml", "key"),
 }
 
 OUTPUTS, THEORY = "firmware/rsi/rsi_outputs.h", "docs/theory.md"

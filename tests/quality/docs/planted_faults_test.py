@@ -62,7 +62,7 @@ FILES = {
                             "  apps/ vehicles/\n"
                             "                 programs, and a file a vehicle\n"
                             "tests/           unit/\n```\n",
-    "docs/vehicle_file.md": "# Vehicle\n`name`.\n## `[mass]`\n| key | meaning |\n|---|---|\n"
+    "docs/drives.md": "# Vehicle\n`name`.\n## `[mass]`\n| key | meaning |\n|---|---|\n"
                             "| `sprung_kg` `m_s` | `h` |\n",
     "sil/vehicles/large_suv.toml": 'name = "car"\n[mass]\nsprung_kg = 1.0\n',
     "sil/run": "# docs/page.md says more\n",
@@ -263,15 +263,15 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_key_that_its_page_does_not_name(self):
         self.plant("sprung_kg = 1.0", "sprung_kg = 1.0\nunsprung_kg = 1.0", "sil/vehicles/large_suv.toml")
-        self.expect("docs/vehicle_file.md", "unsprung_kg")
+        self.expect("docs/drives.md", "unsprung_kg")
 
     def test_a_key_that_its_file_does_not_have(self):
         for before, after, key in (("`[mass]`", "`[mass]` and `[weight]`", "weight"),
                                    ("| `sprung_kg` ", "| `sprung_kg`, `unsprung_kg` ", "unsprung_kg")):
             with self.subTest(key):
-                self.plant(before, after, "docs/vehicle_file.md")
-                self.expect("docs/vehicle_file.md", f"has no {key}")
-                self.plant(after, before, "docs/vehicle_file.md")
+                self.plant(before, after, "docs/drives.md")
+                self.expect("docs/drives.md", f"has no {key}")
+                self.plant(after, before, "docs/drives.md")
 
     def test_an_index_without_an_equation(self):
         self.plant('INDEX(energy, "-")', 'INDEX(energy, "-")\n    INDEX(force, "-")', "firmware/rsi/rsi_outputs.h")
