@@ -1,4 +1,6 @@
-"""The table of coverage and its goals."""
+"""The tables of coverage and its goals."""
+
+import itertools
 
 GOALS = {"line": 1.0, "branch": 1.0, "MC/DC": 0.95}
 
@@ -16,9 +18,26 @@ def _cell(figures):
     return f"{reached}/{there}" if there else ""
 
 
+def _folder(file):
+    return file.name.rpartition("/")[0]
+
+
+def data(files):
+    """Each file's figures, as CSV."""
+    heads = [f"{what}_{how}" for what in ("lines", "branches", "conditions") for how in ("reached", "there")]
+    rows = [",".join(["file", *heads])]
+    rows += [",".join([file.name, *(str(figure) for pair in _figures(file) for figure in pair)]) for file in files]
+    return "\n".join(rows) + "\n"
+
+
 def table(files):
-    rows = ["| file | lines | branches | conditions (MC/DC) |", "|---|---:|---:|---:|"]
-    rows += [f"| {file.name} | " + " | ".join(map(_cell, _figures(file))) + " |" for file in files]
+    """By folder; a file stands by itself only if something of it is not reached."""
+    rows = ["| folder, file not reached in full | lines | branches | conditions (MC/DC) |", "|---|---:|---:|---:|"]
+    for folder, there in itertools.groupby(sorted(files, key=_folder), key=_folder):
+        there = list(there)
+        rows.append(f"| {folder} | " + " | ".join(map(_cell, _total(there))) + " |")
+        rows += [f"| {file.name} | " + " | ".join(map(_cell, _figures(file))) + " |" for file in there
+                 if any(reached < count for reached, count in _figures(file))]
     total = _total(files)
     rows.append("| **all** | " + " | ".join(f"**{_cell(figures)}**" for figures in total) + " |")
     shares = ", ".join(f"{name} {100 * reached / there:.2f} %" for name, (reached, there) in zip(GOALS, total))

@@ -83,6 +83,12 @@ class Planted(unittest.TestCase):
     def test_a_decision_that_clang_does_not_count_is_a_problem_and_not_passed_over(self):
         self.assertTrue([problem for problem in self.file.unmeasured() if "within(a && b)" in problem])
 
+    def test_the_table_names_a_file_that_is_not_reached_in_full_beside_its_folder(self):
+        text, name = table.table([self.file]), self.file.name
+        self.assertIn(f"| {name} | ", text)
+        self.assertIn(f"| {name.rpartition('/')[0]} | ", text)
+        self.assertIn(f"\n{name},", table.data([self.file]))
+
     def test_a_missed_goal_is_reported(self):
         self.assertEqual(len(table.missed_goals([self.file])), 3)
 

@@ -65,12 +65,17 @@ def rows(asked, mutants, wanted, results, record, known):
 
 def _table(heading, counts):
     """`counts`: name, mutants, killed, equivalent."""
-    lines = [f"| {heading} | mutants | killed | survive | equivalent | score | without equivalent |",
-             "|---|---:|---:|---:|---:|---:|---:|"]
+    heads = [heading, "mutants", "survive", "score"]
+    reviewed = any(equivalent for _, _, _, equivalent in counts)
+    if reviewed:
+        heads += ["equivalent", "score without"]
+    lines = [f"| {' | '.join(heads)} |", "|---" + "|---:" * (len(heads) - 1) + "|"]
     for name, mutants, killed, equivalent in counts:
-        able = mutants - equivalent
-        lines.append(f"| {name} | {mutants} | {killed} | {mutants - killed} | {equivalent} | {_share(killed, mutants)} | "
-                     f"{_share(killed, able) if able else ''} |")
+        cells = [name, str(mutants), str(mutants - killed), _share(killed, mutants)]
+        if reviewed:
+            able = mutants - equivalent
+            cells += [str(equivalent), _share(killed, able) if able else ""]
+        lines.append(f"| {' | '.join(cells)} |")
     return lines + [""]
 
 

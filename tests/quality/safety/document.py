@@ -74,11 +74,8 @@ def trace(argument, evidence):
     text += "\n## Verified within a limit\n"
     text += table(["", "limit"], [[i, r["limit"]] for i, r in argument.limited().items()])
     text += "\n## Goals\n"
-    rows = []
-    for identifier, goal in argument.goals.items():
-        serving = [i + (" (open)" if r.get("open") else "") for i, r in argument.requirements.items() if identifier in r["goals"]]
-        rows.append([identifier, goal["text"], joined(goal["hazards"]), joined(serving)])
-    text += table(["goal", "", "against", "served by"], rows)
+    text += "Each requirement below names the goals that it serves.\n\n"
+    text += table(["goal", "", "against"], [[i, goal["text"], joined(goal["hazards"])] for i, goal in argument.goals.items()])
     for theme in dict.fromkeys(r["theme"] for r in argument.requirements.values()):
         text += f"\n## {theme}\n"
         rows = []
