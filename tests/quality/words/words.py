@@ -54,11 +54,6 @@ class Fault:
         return f"{self.path}:{self.line}: {self.rule}: \"{shown}\"; write {self.instead}"
 
 
-def room(path):
-    """The folder that the faults of a file are counted for. Folders below it may move without a change of the counts."""
-    return path.split("/")[0] if "/" in path and not PAGES.fullmatch(path) else "pages"
-
-
 class Words:
     def __init__(self, path=HERE / "words.toml"):
         tables = tomllib.loads(path.read_text(encoding="utf-8"))
