@@ -17,7 +17,7 @@ EVERYDAY = pathlib.Path(__file__).resolve().parent / "everyday.txt"
 README_LINES = 120
 COLUMNS = 120
 PAGE_WORDS = 4000
-PAGES = 18
+PAGES = 14
 # The page that explains a file, and the first cell of the header of its tables of keys.
 KEYS = {
     "docs/calibration.md": ("firmware/calibrations/large_suv.toml", "field"),
