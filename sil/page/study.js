@@ -1,6 +1,6 @@
 // Study: the report of a campaign, an identification or the like; sections of texts, tables and charts.
 class SortedTable {
-  // `table`: as StudyTable (study_page.hpp) says it.
+  // `table`: as Table (table.hpp) says it.
   constructor(parent, table) {
     Object.assign(this, table);
     this.order = { column: -1, descending: false };
@@ -65,13 +65,12 @@ class SortedTable {
         const { digits } = this.columns[place];
         const cell = line.insertCell();
         cell.className = digits < 0 ? "words" : "";
-        if (value === null || digits < 0) {
-          cell.textContent = value === null ? "\u2013" : value;
+        if (value === null || typeof value === "string") {
+          cell.textContent = value ?? "\u2013";
           return;
         }
         const [number, ...interval] = [value].flat().map((each) => numberText(each, digits));
         cell.textContent = number + (interval.length > 0 ? ` (${interval.join(" to ")})` : "");
-        cell.dataset.value = String([value].flat()[0]);
       });
       return line;
     }));

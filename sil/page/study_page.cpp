@@ -28,6 +28,9 @@ Json json_of(const TableCell& cell) {
                    ? Json{number(share->value), number(share->lowest), number(share->highest)}
                    : Json(nullptr);
     }
+    if (const auto* count = std::get_if<std::size_t>(&cell)) {
+        return std::to_string(*count);
+    }
     return std::holds_alternative<double>(cell) ? number(std::get<double>(cell))
                                                 : Json(std::get<std::string>(cell));
 }

@@ -13,6 +13,9 @@ std::string text_of(const TableCell& cell, int digits) {
     if (const auto* words = std::get_if<std::string>(&cell)) {
         return *words;
     }
+    if (const auto* count = std::get_if<std::size_t>(&cell)) {
+        return fmt::format("{}", *count);
+    }
     if (const auto* share = std::get_if<TableShare>(&cell)) {
         return std::isfinite(share->value) ? fmt::format("{} ({} to {})", number(share->value),
                                                          number(share->lowest), number(share->highest))
@@ -30,7 +33,7 @@ std::string markdown(const Table& table) {
     for (const TableColumn& column : table.columns) {
         if (!column.on_page_only) {
             head += fmt::format(" {}{} |", column.name, column.unit.empty() ? "" : ", " + column.unit);
-            rule += "---|";
+            rule += table.numbers_right && column.digits >= 0 ? "---:|" : "---|";
         }
     }
     std::string text = head + "\n" + rule + "\n";

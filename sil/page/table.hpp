@@ -1,6 +1,7 @@
 // Table: a report's table, filled once and shown on a page (study_page.hpp) or in Markdown.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,8 +25,8 @@ struct TableShare {
     double highest;
 };
 
-// A number that is not finite is shown as not known.
-using TableCell = std::variant<std::string, double, TableShare>;
+// A count has no decimals, whatever its column has. A number that is not finite is shown as not known.
+using TableCell = std::variant<std::string, std::size_t, double, TableShare>;
 
 struct Table {
     std::string name{};  // by which tests and links find it
@@ -33,6 +34,7 @@ struct Table {
     std::vector<TableColumn> columns{};
     std::vector<std::vector<TableCell>> rows{};
     std::string note{};
+    bool numbers_right{false};  // in Markdown
 };
 
 // Columns and rows; heading and note are the page's.

@@ -1,5 +1,5 @@
-// Prints how well the component knows roll and bank without a roll sensor, over every manoeuvre, as a table
-// of docs/reports/validation.md.
+// Prints how well the component knows roll and bank without a roll sensor, over every manoeuvre:
+// docs/reports/data/validation_observer.csv.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "sil/files/csv_writer.hpp"
 #include "sil/files/standard_streams.hpp"
 #include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 #include "sil/units.hpp"
@@ -56,16 +57,19 @@ Accuracy accuracy(const RecordedDrive& drive, double stiffness_factor) {
 
 void print(const RecordedDrive& drive) {
     const Accuracy nominal = accuracy(drive, 1.0);
-    fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} / {:.2f} |\n", drive.manoeuvre, nominal.roll_rms_deg,
-               nominal.bank_rms_deg, accuracy(drive, 0.9).roll_rms_deg, accuracy(drive, 1.1).roll_rms_deg);
+    sil::CsvRow row;
+    row.text(drive.vehicle).text(drive.manoeuvre).fixed(nominal.roll_rms_deg, 2);
+    row.fixed(nominal.bank_rms_deg, 2).fixed(accuracy(drive, 0.9).roll_rms_deg, 2);
+    fmt::print("{}\n", row.fixed(accuracy(drive, 1.1).roll_rms_deg, 2).line());
 }
 
 }  // namespace
 
 int main() try {
+    fmt::print("{}\n",
+               sil::csv_header({"vehicle", "manoeuvre", "roll", "bank", "roll with K 10 % low / high, low",
+                                "roll with K 10 % low / high, high"}));
     for (const char* vehicle : {"large_suv", "ordinary_suv"}) {
-        fmt::print("\n{}\n\n| manoeuvre | roll | bank | roll with K 10 % low / high |\n|---|---|---|---|\n",
-                   vehicle);
         for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
             print(sil::accuracy::record(manoeuvre.name, vehicle));
         }

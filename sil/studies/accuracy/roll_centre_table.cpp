@@ -1,10 +1,11 @@
-// Prints the accuracy of the roll centre's height and of the compensated roll angle over every manoeuvre, as
-// the table of docs/theory.md.
+// Prints the RMS error of h_rc against (24), mm, and of the compensated roll angle, deg, over every
+// manoeuvre, with sensor noise and biases of the accelerometer: docs/reports/data/validation_estimator.csv.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
 
+#include "sil/files/csv_writer.hpp"
 #include "sil/files/standard_streams.hpp"
 #include "sil/studies/accuracy/roll_centre_accuracy.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
@@ -23,24 +24,15 @@ RollCentreAccuracy accuracy(const RecordedDrive& drive, const rsi::Parameters& p
                                                parameters);
 }
 
-struct Row {
-    std::string height{};
-    std::string roll{};
-    std::string statistics{};
-};
-
-Row row(const RecordedDrive& drive, rsi_estimator estimator, float forgetting_factor) {
+std::vector<RollCentreAccuracy> for_each_bias(const RecordedDrive& drive, rsi_estimator estimator,
+                                              float forgetting_factor) {
     rsi::Parameters parameters = sil::accuracy::calibration_of(drive, estimator);
     parameters.forgetting_factor = forgetting_factor;
-    Row row;
+    std::vector<RollCentreAccuracy> found;
     for (const double bias_g : biases_g) {
-        const RollCentreAccuracy result = accuracy(drive, parameters, bias_g);
-        const char* separator = row.height.empty() ? "" : " / ";
-        row.height += fmt::format("{}{:.1f}", separator, 1000.0 * result.estimate_rms_m);
-        row.roll += fmt::format("{}{:.2f}", separator, result.compensated_roll_rms_deg);
-        row.statistics = fmt::format("{:.1f} %", 100.0 * result.within_three_deviations);
+        found.push_back(accuracy(drive, parameters, bias_g));
     }
-    return row;
+    return found;
 }
 
 void print(const RecordedDrive& drive) {
@@ -49,25 +41,47 @@ void print(const RecordedDrive& drive) {
     if (nominal.cycles == 0) {
         return;
     }
-    const Row fast = row(drive, RSI_ESTIMATOR_PUBLISHED, 0.99F);
-    const Row slow = row(drive, RSI_ESTIMATOR_PUBLISHED, 0.999F);
-    const Row second = row(drive, RSI_ESTIMATOR_CONSIDER_KALMAN, 0.999F);
-    fmt::print("| {} | {} | {:.1f} | {} | {} | {} | {} | {} | {} |\n", drive.manoeuvre, nominal.cycles,
-               1000.0 * nominal.constant_rms_m, fast.height, slow.height, second.height, second.statistics,
-               slow.roll, second.roll);
+    const auto fast = for_each_bias(drive, RSI_ESTIMATOR_PUBLISHED, 0.99F);
+    const auto slow = for_each_bias(drive, RSI_ESTIMATOR_PUBLISHED, 0.999F);
+    const auto second = for_each_bias(drive, RSI_ESTIMATOR_CONSIDER_KALMAN, 0.999F);
+    sil::CsvRow row;
+    row.text(drive.vehicle).text(drive.manoeuvre).number(nominal.cycles, 9);
+    row.fixed(1000.0 * nominal.constant_rms_m, 1);
+    for (const auto& results : {fast, slow, second}) {
+        for (const RollCentreAccuracy& result : results) {
+            row.fixed(1000.0 * result.estimate_rms_m, 1);
+        }
+    }
+    row.text(fmt::format("{:.1f} %", 100.0 * second.back().within_three_deviations));
+    for (const auto& results : {slow, second}) {
+        for (const RollCentreAccuracy& result : results) {
+            row.fixed(result.compensated_roll_rms_deg, 2);
+        }
+    }
+    fmt::print("{}\n", row.line());
+}
+
+std::string header() {
+    std::vector<std::string> names{"vehicle", "manoeuvre", "cycles", "constant"};
+    const auto add = [&names](const char* name) {
+        for (const double bias_g : biases_g) {
+            names.push_back(fmt::format("{}, {:g} g", name, bias_g));
+        }
+    };
+    add("published, 0.99");
+    add("published, 0.999");
+    add("consider-Kalman");
+    names.emplace_back("within 3 deviations");
+    add("roll, published");
+    add("roll, consider-Kalman");
+    return sil::csv_header(names);
 }
 
 }  // namespace
 
 int main() try {
+    fmt::print("{}\n", header());
     for (const char* vehicle : {"large_suv", "ordinary_suv"}) {
-        fmt::print(
-            "\n{}: RMS error of h_rc against (24), mm, and of the compensated roll angle, deg; sensor noise "
-            "with\naccelerometer bias 0 / 0.005 / 0.03 g\n\n"
-            "| manoeuvre | cycles | constant | published, 0.99 | published, 0.999 | consider-Kalman | within "
-            "3 "
-            "deviations | roll, published | roll, consider-Kalman |\n|---|---|---|---|---|---|---|---|---|\n",
-            vehicle);
         for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
             if (manoeuvre.name != "straight") {
                 print(sil::accuracy::record(manoeuvre.name, vehicle));

@@ -124,9 +124,8 @@ Table table_of_runs(const std::string& name, const std::string& heading, const R
             continue;
         }
         table.rows.push_back(
-            {static_cast<double>(run.number), run.vehicle.text(), run.manoeuvre.text(),
-             or_not_known(run.two_wheel_lift_time_s), or_not_known(run.lead_s), run.largest_ltr,
-             static_cast<double>(run.warnings),
+            {run.number, run.vehicle.text(), run.manoeuvre.text(), or_not_known(run.two_wheel_lift_time_s),
+             or_not_known(run.lead_s), run.largest_ltr, run.warnings,
              fmt::format("(cd {} && {} campaign one {} --settings {} --output {})",
                          quoted(call.working_folder.string()), quoted(call.program.string()), run.number,
                          quoted((call.output / "campaign.toml").string()), quoted(call.output.string()))});

@@ -114,10 +114,10 @@ Table table_of_groups(const std::string& name, const std::string& key, const std
     for (const RunGroup& group : groups) {
         const Detection& warning = group.judgements.front().detection;
         std::vector<TableCell> row{group.name,
-                                   static_cast<double>(group.runs),
-                                   static_cast<double>(group.lifted),
-                                   static_cast<double>(group.brief_lifts),
-                                   static_cast<double>(warning.warned.total - warning.warned.count),
+                                   group.runs,
+                                   group.lifted,
+                                   group.brief_lifts,
+                                   warning.warned.total - warning.warned.count,
                                    percent(warning.warned),
                                    percent(warning.warned_100ms),
                                    percent(warning.warned_200ms),
@@ -125,7 +125,7 @@ Table table_of_groups(const std::string& name, const std::string& key, const std
                                    percent(warning.false_alarms),
                                    group.time.wrong_side_s,
                                    group.time.unavailable_s,
-                                   static_cast<double>(group.time.coded_runs)};
+                                   group.time.coded_runs};
         add_alarms(row, warning);
         table.rows.push_back(row);
     }
@@ -140,13 +140,14 @@ Table table_of_ordinary_driving(const TimeAccount& time) {
                 {{"event", of_words, ""}, {"in all", 2, ""}, {"per hour", 3, ""}, {"per 1,000 km", 3, ""}},
                 {},
                 {}};
-    const auto add = [&](const char* name, double value) {
-        table.rows.push_back({std::string{name}, value, value / hours, value / thousand_km});
+    const auto add = [&](const char* name, const auto value) {
+        const auto number = static_cast<double>(value);
+        table.rows.push_back({name, value, number / hours, number / thousand_km});
     };
-    add("alarms", static_cast<double>(time.alarms));
-    add("advisories", static_cast<double>(time.advisories));
+    add("alarms", time.alarms);
+    add("advisories", time.advisories);
     add("unavailable, s", time.unavailable_s);
-    add("drives with a diagnostic code", static_cast<double>(time.coded_runs));
+    add("drives with a diagnostic code", time.coded_runs);
     return table;
 }
 

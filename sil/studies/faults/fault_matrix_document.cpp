@@ -84,7 +84,7 @@ std::string scene_list(const FaultMatrix& matrix) {
     return text;
 }
 
-std::string table(const FaultMatrix& matrix, std::string_view heading,
+std::string table(const FaultMatrix& matrix, const char* heading,
                   const std::function<std::string(const Injection&)>& group_of) {
     GroupedReactions grouped;
     for (const FaultRow& row : matrix.rows) {
@@ -94,16 +94,16 @@ std::string table(const FaultMatrix& matrix, std::string_view heading,
             }
         }
     }
-    return grouped.table(heading);
+    return markdown(grouped.table(heading));
 }
 
 // The worst of all.
-std::string row_of_size(const FaultCell& cell) {
+std::vector<TableCell> row_of_size(const FaultCell& cell) {
     const Fault& fault = cell.front().fault;
     std::optional<int> latest;
     std::optional<int> least_lead;
     std::optional<int> code;
-    int silence = 0;
+    std::size_t silence = 0U;
     bool always_a_code = true;
     bool missed = false;
     std::size_t unavailable = 0U;
@@ -117,14 +117,17 @@ std::string row_of_size(const FaultCell& cell) {
         least_lead = least_lead ? std::min(*least_lead, reaction.lead.value_or(*least_lead)) : reaction.lead;
         code = std::max(code, reaction.code);
         always_a_code = always_a_code && reaction.code.has_value();
-        silence = std::max(silence, reaction.silence);
+        silence = std::max(silence, static_cast<std::size_t>(reaction.silence));
         missed = missed || reaction.warning_missed;
     }
     const auto number = [](const std::optional<int>& time) { return time ? fmt::format("{}", *time) : ""; };
-    return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", describe(fault), to_string(fault.place),
-                       unavailable, missed ? "never" : fmt::format("{:+}", latest.value_or(0)),
-                       missed ? "" : number(least_lead), silence,
-                       always_a_code ? number(code) : (code ? number(code) + ", or none" : "none"));
+    return {describe(fault),
+            to_string(fault.place),
+            unavailable,
+            missed ? "never" : fmt::format("{:+}", latest.value_or(0)),
+            missed ? "" : number(least_lead),
+            silence,
+            always_a_code ? number(code) : (code ? number(code) + ", or none" : "none")};
 }
 
 // Later than a warning may be, or silent, without saying that it is unavailable.
@@ -138,14 +141,20 @@ bool is_late(const FaultCell& cell) {
 }
 
 std::string known_undetected_table(const FaultMatrix& matrix) {
-    std::string text =
-        "| error | of | `unavailable` in time, of 4 | due warning, ms later | before two-wheel lift-off, ms "
-        "| `ready` without a code, ms | "
-        "first code, ms after the error |\n|---|---|---|---|---|---|---|\n";
+    Table table;
+    table.columns = {{"error"},
+                     {"of"},
+                     {"`unavailable` in time, of 4"},
+                     {"due warning, ms later"},
+                     {"before two-wheel lift-off, ms"},
+                     {"`ready` without a code, ms"},
+                     {"first code, ms after the error"}};
     for (const FaultCell& cell : matrix.sizes) {
-        text += is_late(cell) ? row_of_size(cell) : "";
+        if (is_late(cell)) {
+            table.rows.push_back(row_of_size(cell));
+        }
     }
-    text += "\n";
+    std::string text = markdown(table) + "\n";
     for (const KnownUndetected& each : known_undetected_errors()) {
         const char* const sign = each.sign == 0 ? "" : (each.sign < 0 ? ", negative" : ", positive");
         text +=

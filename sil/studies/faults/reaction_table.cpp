@@ -12,7 +12,7 @@ std::string cell_of(const std::optional<int>& time) {
     return time ? fmt::format("{}", *time) : "";
 }
 
-std::string row_of(std::string_view name, const std::vector<Reaction>& reactions) {
+std::vector<TableCell> row_of(const std::string& name, const std::vector<Reaction>& reactions) {
     std::size_t invisible = 0U;
     std::size_t with_code = 0U;
     std::size_t due = 0U;
@@ -27,8 +27,14 @@ std::string row_of(std::string_view name, const std::vector<Reaction>& reactions
         slowest = std::max(slowest, reaction.code);
         latest = std::max(latest, reaction.lead_loss);
     }
-    return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", name, reactions.size(), invisible,
-                       with_code, cell_of(slowest), due, missed, latest ? fmt::format("{:+}", *latest) : "");
+    return {name,
+            reactions.size(),
+            invisible,
+            with_code,
+            cell_of(slowest),
+            due,
+            missed,
+            latest ? fmt::format("{:+}", *latest) : ""};
 }
 
 }  // namespace
@@ -67,16 +73,16 @@ void GroupedReactions::add(std::string_view group, const Reaction& reaction) {
     found->second.push_back(reaction);
 }
 
-std::string GroupedReactions::table(std::string_view heading) const {
-    std::string text = fmt::format(
-        "| {} | runs | never visible | with a code | slowest code, ms | warning due | not given | latest, ms "
-        "|\n"
-        "|---|---:|---:|---:|---:|---:|---:|---:|\n",
-        heading);
+Table GroupedReactions::table(std::string heading) const {
+    Table table;
+    table.columns = {
+        {std::move(heading)},      {"runs", 0},        {"never visible", 0}, {"with a code", 0},
+        {"slowest code", 0, "ms"}, {"warning due", 0}, {"not given", 0},     {"latest", 0, "ms"}};
+    table.numbers_right = true;
     for (const auto& [name, reactions] : groups_) {
-        text += row_of(name, reactions);
+        table.rows.push_back(row_of(name, reactions));
     }
-    return text;
+    return table;
 }
 
 }  // namespace sil

@@ -1,4 +1,4 @@
-// Reactions of many runs: the rows of a data file, and a summary for a page.
+// Reactions of many runs: the rows of a data file, and a summary.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sil/files/csv_writer.hpp"
+#include "sil/page/table.hpp"
 #include "sil/studies/faults/judgement.hpp"
 
 namespace sil {
@@ -20,8 +21,8 @@ void add_reaction(CsvRow& row, const Reaction& reaction);
 class GroupedReactions {
  public:
     void add(std::string_view group, const Reaction& reaction);
-    // In Markdown; `heading` names the first column.
-    std::string table(std::string_view heading) const;
+    // `heading` names the first column.
+    Table table(std::string heading) const;
 
  private:
     std::vector<std::pair<std::string, std::vector<Reaction>>> groups_{};

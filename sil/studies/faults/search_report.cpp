@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "page_templates.hpp"
+#include "sil/page/table.hpp"
 #include "sil/studies/faults/page_template.hpp"
 
 namespace sil {
@@ -87,23 +88,22 @@ std::vector<std::string> vanished_findings(const std::vector<SearchReport>& repo
 std::string search_section(const SearchReport& report) {
     std::size_t missed = 0U;
     std::size_t false_warnings = 0U;
-    std::string rows;
+    Table table;
+    table.columns = {{"finding"}, {"fault"}, {"of"}, {"scenarios"}, {"the first of them"}};
     for (const FoundClass& each : report.found) {
         const bool misses = each.found.kind == FindingKind::missed_warning;
         (misses ? missed : false_warnings) += each.scenarios.size();
-        rows += fmt::format("| {} | {} | {} | {} | {} |\n", to_string(each.found.kind),
-                            to_string(each.found.fault), to_string(each.found.place), each.scenarios.size(),
-                            numbers(each));
+        table.rows.push_back({to_string(each.found.kind), to_string(each.found.fault),
+                              to_string(each.found.place), each.scenarios.size(), numbers(each)});
     }
     return fmt::format(
         "### {} scenarios, seed {}\n"
         "In {} the fault was visible, {} were reported; in {} a warning was due. Missed warnings: {}, {:.1f} "
         "in 1,000 "
-        "of the\ndue ones. False warnings: {}, {:.1f} in 1,000 scenarios.\n\n"
-        "| finding | fault | of | scenarios | the first of them |\n|---|---|---|---|---|\n{}\n",
+        "of the\ndue ones. False warnings: {}, {:.1f} in 1,000 scenarios.\n\n{}\n",
         report.scenarios, report.seed, report.visible, report.told, report.due, missed,
         share_in_1000(missed, report.due), false_warnings, share_in_1000(false_warnings, report.scenarios),
-        rows);
+        markdown(table));
 }
 
 std::string search_document(const std::string& sections) {

@@ -23,7 +23,7 @@ std::string list_states(const std::vector<DrivingState>& states, std::size_t beg
 
 using Name = std::function<std::string(const StateRow& row, const DrivingState& state)>;
 
-std::string table(std::string_view heading, const std::vector<StateRow>& rows,
+std::string table(const char* heading, const std::vector<StateRow>& rows,
                   const std::vector<DrivingState>& states, const Name& group_of) {
     GroupedReactions grouped;
     for (const StateRow& row : rows) {
@@ -33,7 +33,7 @@ std::string table(std::string_view heading, const std::vector<StateRow>& rows,
             }
         }
     }
-    return grouped.table(heading);
+    return markdown(grouped.table(heading));
 }
 
 std::string name_of_kind(const StateRow& row, const DrivingState& /*state*/) {
@@ -70,14 +70,15 @@ std::string lines_of(const std::vector<StateRow>& rows, const std::vector<Drivin
 }
 
 std::string known_table() {
-    std::string text = "| finding | where | why |\n|---|---|---|\n";
+    Table table;
+    table.columns = {{"finding"}, {"where"}, {"why"}};
     for (const KnownFinding& each : known_findings()) {
-        text += fmt::format("| {} | {} | {} |\n", describe(each.found),
-                            each.cells.empty() ? "only in the [search](fault_search.md)"
-                                               : fmt::format("{} cells", each.cells.size()),
-                            each.why);
+        table.rows.push_back({describe(each.found),
+                              each.cells.empty() ? "only in the [search](fault_search.md)"
+                                                 : fmt::format("{} cells", each.cells.size()),
+                              each.why});
     }
-    return text;
+    return markdown(table);
 }
 
 std::string headline_of(const StateMatrix& matrix) {

@@ -6,6 +6,7 @@ import pathlib
 import sys
 
 import least_squares
+import markdown
 from results import G, Run, largest, mean, rms
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "cmake/environment"))
@@ -61,11 +62,6 @@ def ms(later_s, earlier_s):
     return f"{1000.0 * (later_s - earlier_s):.0f}"
 
 
-def table_rows(cells):
-    """Rows of a table: the first cell, and the others."""
-    return "\n".join("| " + " | ".join([first, *others]) + " |" for first, others in cells.items())
-
-
 def load(folder):
     names = ["j-turn-45", "j-turn-110", "j-turn-banked", "fishhook-1a", "roll-centre-moving", "roll-centre-fixed"]
     return {f"{name}-{kind}": Run(folder / f"{name}-{kind}") for name in names for kind in ("published", "default")}
@@ -101,14 +97,10 @@ def fig_2(runs, folder, claims):
         }
     over = {key: roll > 60.0 for key, roll in ablation.items()}
     speeds = sorted({key[0] for key in ablation}, key=float)
-    kinds = [(centre, springs) for centre in ("moving", "fixed") for springs in ("as it is", "without stops", "linear")]
+    springs = ("as it is", "without stops", "linear")
+    kinds = [(centre, each) for centre in ("moving", "fixed") for each in springs]
     words = {True: "rolls over", False: "{:.1f} deg"}
-    rows = "\n".join(
-        f"| {speed} | "
-        + " | ".join(words[over[(speed, *kind)]].format(ablation[(speed, *kind)]) for kind in kinds)
-        + " |"
-        for speed in speeds
-    )
+    rows = [[speed, *(words[over[(speed, *kind)]].format(ablation[(speed, *kind)]) for kind in kinds)] for speed in speeds]
     claims.hold("Fig. 2: the fixed one rolls over, the moving one stays up", fixed.two_wheels() and not moving.two_wheels())
     fast = [speed for speed in speeds if float(speed) >= 64]
     claims.hold("Fig. 2: from 64 km/h on every vehicle without stops rolls over",
@@ -126,7 +118,7 @@ def fig_2(runs, folder, claims):
         "fig2_moving_ltr": f"{largest(moving.within(moving['true_load_transfer_ratio'])):.3f}",
         "fig2_moving_one_wheel": "no wheel lifts" if moving.one_wheel() is None else f"one wheel lifts at {seconds(moving.one_wheel())} s",
         "fig2_moving_rsi": cycle(moving.first(moving["level_published"])),
-        "fig2_table": rows,
+        "fig2_table": markdown.table(["", "moving roll centre", "", "", "fixed roll centre", "", ""], [["km/h", *springs, *springs], *rows]),
     }
 
 
@@ -175,7 +167,8 @@ def figs_5_to_8(runs, claims):
                              ("compensated, second estimator's estimates", second, "compensated_roll_angle_deg")):
         difference = [a - b for a, b in zip(of[column], roll)]
         errors[name] = [rms(of.within(difference, *span)) for span in spans]
-    values["fig7_table"] = table_rows({name: [f"{error:.2f}" for error in row] for name, row in errors.items()})
+    values["fig7_table"] = markdown.table(["", "whole run", "transient", "steady"],
+                                          [[name, *(f"{error:.2f}" for error in row)] for name, row in errors.items()])
     simple, *compensated = errors.values()
     claims.hold("Fig. 7: both compensated models are better than the simple one, in transient and steady state",
                 all(row[k] < simple[k] for row in compensated for k in (1, 2)))
@@ -242,7 +235,7 @@ def fishhook(runs, claims):
         source, levels = level(runs, "fishhook-1a", column)
         first = source.first(levels, end_s=turn)
         second[column] = source.first(levels, begin_s=turn)
-        rows.append(f"| {name} | {cycle(first)} | {max(source.within(levels, end_s=turn)):.2f} | {cycle(second[column])} |")
+        rows.append([name, cycle(first), f"{max(source.within(levels, end_s=turn)):.2f}", cycle(second[column])])
     claims.hold("the runs have each index of INDICES", {column for column, *_ in INDICES} <= set(levels_of(runs)))
     named = {"published": "RSI", "energy": "energy", "rollover_index": "RI", "dynamic_stability": "DSI with the physical sign",
              "dynamic_stability_late": "DSI with the printed one", "static_stability_factor": "SSF"}
@@ -274,7 +267,7 @@ def fishhook(runs, claims):
         "fish_first_begin": seconds(begin),
         "fish_first_ms": ms(end, begin),
         "fish_first_ltr": f"{max(run.within(ltr, end_s=turn)):.2f}",
-        "fish_table": "\n".join(rows),
+        "fish_table": markdown.table(["index", "first turn", "largest there", "counter-steer"], rows),
         "fish_order": ", ".join(f"{name} {time}" for _, name, time in moments),
         "fish_rsi_ltr": f"{mean([abs(d) for d in differences]):.2f}",
         "fish_rsi_ltr_counter": f"{mean([abs(d) for d in counter]):.2f}",
@@ -292,7 +285,7 @@ def lead_table(runs, calibration):
     chosen = (calibration["warning_indicator"], f"**the default warning's: `{calibration['warning_indicator']}` at {warning_on:g}**")
     for column, name in [*indices(runs), chosen]:
         wanted = warning_on if name is chosen[1] else 1.0
-        cells = []
+        cells = [name]
         for case in names:
             run, levels = level(runs, case, column)
             begin = second_turn_s(run) if case == "fishhook-1a" else START_S[case]
@@ -302,8 +295,9 @@ def lead_table(runs, calibration):
         for case in calm:
             run, levels = level(runs, case, column)
             cells.append(f"{max(run.within(levels)):.2f}")
-        rows.append(f"| {name} | " + " | ".join(cells) + " |")
-    return "\n".join(rows)
+        rows.append(cells)
+    return markdown.table(["index", "J-turn 110", "banked J-turn", "fishhook 1a, counter-steer", "J-turn 45, largest",
+                           "Fig. 2 moving, largest"], rows)
 
 
 # The indices of the paper's Fig. 15, in the order that it finds in the counter-steer.
@@ -313,7 +307,7 @@ OF_FIG_15 = {"energy": "energy", "rollover_index": "RI", "published": "RSI", "dy
 
 def nearest(runs, claims):
     """Fig. 15 (a): which index says "warn" nearest to two-wheel lift-off, before or after it."""
-    cells, closest = {}, {}
+    rows, closest = [], {}
     names = {"fishhook-1a": "fishhook 1a, counter-steer", "j-turn-110": "J-turn 110", "j-turn-banked": "banked J-turn"}
     for case, name in names.items():
         distances = {}
@@ -323,11 +317,10 @@ def nearest(runs, claims):
             first = run.first(levels, begin_s=begin)
             distances[index] = math.inf if first is None else abs(run.two_wheels(begin) - first)
         closest[case] = min(distances, key=distances.get)
-        cells[name] = ["never" if math.isinf(d) else f"{d:.2f}" for d in distances.values()] + [closest[case]]
+        rows.append([name, *("never" if math.isinf(d) else f"{d:.2f}" for d in distances.values()), closest[case]])
     claims.hold("Fig. 15 (a): the RSI is nearest in the fishhook, the energy in both J-turns",
                 closest == {"fishhook-1a": "RSI", "j-turn-110": "energy", "j-turn-banked": "energy"})
-    head = {"apart from two-wheel lift-off, s": [*OF_FIG_15.values(), "nearest"], "---": ["---"] * (len(OF_FIG_15) + 1)}
-    return {"fig15_nearest": table_rows({**head, **cells})}
+    return {"fig15_nearest": markdown.table(["apart from two-wheel lift-off, s", *OF_FIG_15.values(), "nearest"], rows)}
 
 
 def acceleration_alone(runs, claims):
@@ -385,7 +378,8 @@ def least_squares_table(runs, calibration, claims):
             rows.append([name, f"{added_nm:.0f}", *(f"{1000 * error:.0f}" for error in row.values())])
         left = [row["both"] / row["normalisation"] for row in errors.values()]
         claims.hold(f"least squares, {case}: the observer gains more where there is a disturbance", left[1] < left[0])
-    return {"least_squares_table": "\n".join("| " + " | ".join(cells) + " |" for cells in rows)}
+    return {"least_squares_table": markdown.table(["", "added moment, N m", "alone", "normalisation", "disturbance observer", "both",
+                                                    "constant"], rows)}
 
 
 def margins(runs):
@@ -426,14 +420,14 @@ def warning_table(runs):
     for case, name in [("j-turn-45", "J-turn 45 km/h"), ("j-turn-110", "J-turn 110 km/h"), ("j-turn-banked", "banked J-turn"),
                        ("fishhook-1a", "fishhook 1a"), ("roll-centre-moving", "Fig. 2, moving"), ("roll-centre-fixed", "Fig. 2, fixed")]:
         run, default = runs[f"{case}-published"], runs[f"{case}-default"]
-        cells = [seconds(run.one_wheel()), seconds(run.two_wheels())]
+        cells = [name, seconds(run.one_wheel()), seconds(run.two_wheels())]
         for one in (run, default):
             warning, lead = one.summary["warning_time_s"], one.summary["lead_time_s"]
             cells.append("never" if warning is None else f"{cycle(warning)}, {one.summary['warning_side']}")
             lifted = one.summary["two_wheel_lift_time_s"] is not None
             cells.append(f"{lead:.3f}" if lead is not None else "none" if lifted else "-")
-        rows.append(f"| {name} | " + " | ".join(cells) + " |")
-    return "\n".join(rows)
+        rows.append(cells)
+    return markdown.table(["case", "one wheel lifts", "two wheels lift", "published", "its lead", "default", "its lead"], rows)
 
 
 def measure(folder, calibration):

@@ -169,8 +169,8 @@ TEST(Report, OrdinaryDrivingCountsByHourAndKilometreAlone) {
     EXPECT_EQ(json["unavailable_s_per_1000_km"], 60.0);
     EXPECT_EQ(json["runs_with_diagnostic_code"], 1);
     EXPECT_THAT(sil::report_markdown(report),
-                HasSubstr("| drives with a diagnostic code | 1.00 | 1.000 | 20.000 |\n"));
-    EXPECT_THAT(sil::report_markdown(report), HasSubstr("| alarms | 2.00 | 2.000 | 40.000 |\n"));
+                HasSubstr("| drives with a diagnostic code | 1 | 1.000 | 20.000 |\n"));
+    EXPECT_THAT(sil::report_markdown(report), HasSubstr("| alarms | 2 | 2.000 | 40.000 |\n"));
 }
 
 TEST(Report, SaysWhenTheCampaignHasNotFinished) {

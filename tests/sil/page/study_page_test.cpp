@@ -61,15 +61,19 @@ TEST(StudyPage, HasNoNumberThatIsNotFinite) {
 sil::Table table_of_cells() {
     sil::Table table;
     table.columns = {{"name"}, {"share", 1, "%"}, {"count", 0, "", true}, {"lead", 2, "s"}};
-    table.rows = {{std::string{"a"}, sil::TableShare{50.0, 41.26, 58.74}, 3.0, 0.125},
-                  {std::string{"b"}, sil::TableShare{std::nan(""), 0.0, 100.0}, 0.0, std::nan("")}};
+    table.rows = {{"a", sil::TableShare{50.0, 41.26, 58.74}, 3.0, 0.125},
+                  {"b", sil::TableShare{std::nan(""), 0.0, 100.0}, 0.0, std::nan("")},
+                  {"c", 2.25, std::size_t{4}, std::size_t{12}}};
     return table;
 }
 
 TEST(Table, IsShownInMarkdownWithUnitsAndIntervals) {
     EXPECT_EQ(sil::markdown(table_of_cells()),
               "| name | share, % | lead, s |\n|---|---|---|\n"
-              "| a | 50.0 (41.3 to 58.7) | 0.12 |\n| b | - | - |\n");
+              "| a | 50.0 (41.3 to 58.7) | 0.12 |\n| b | - | - |\n| c | 2.2 | 12 |\n");
+    sil::Table table = table_of_cells();
+    table.numbers_right = true;
+    EXPECT_NE(sil::markdown(table).find("\n|---|---:|---:|\n"), std::string::npos);
 }
 
 TEST(Table, IsShownOnAPageWithAllColumns) {
@@ -78,7 +82,8 @@ TEST(Table, IsShownOnAPageWithAllColumns) {
     page.table(table_of_cells());
     const json table = held_by(page.html())["sections"][0]["blocks"][0];
     EXPECT_EQ(table["columns"][2], json::parse(R"({"words":"count","digits":0,"unit":""})"));
-    EXPECT_EQ(table["rows"], json::parse(R"([["a",[50,41.26,58.74],3,0.125],["b",null,0,null]])"));
+    EXPECT_EQ(table["rows"],
+              json::parse(R"([["a",[50,41.26,58.74],3,0.125],["b",null,0,null],["c",2.25,"4","12"]])"));
 }
 
 TEST(StudyPage, ThinsOutOnlyWhatIsLong) {
