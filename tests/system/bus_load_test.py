@@ -51,16 +51,12 @@ def dropped_by_kernel():
     return json.loads(shown.stdout)[0]["stats64"]["rx"]["dropped"]
 
 
-class EcuEnded(Exception):
-    """An ECU whose watchdog expired, because the machine stood still."""
-
-
 class EcuReport:
     """The figures that rsi-ecu prints at its end."""
 
     def __init__(self, output):
         if "the watchdog expired" in output:
-            raise EcuEnded(output)
+            raise programs.EcuEnded(output)
         self.cycles, self.missed = map(int, re.search(r"(\d+) cycles, \d+ overruns, (\d+) missed", output).groups())
         self.received, self.sent, self.lost = map(
             int, re.search(r"(\d+) frames received, (\d+) sent, (\d+) lost", output).groups()
@@ -130,7 +126,7 @@ def flooded_run(*ecu_options, good=lambda run: True, most=10):
     for _ in range(most):
         try:
             run = FloodedRun(*ecu_options)
-        except EcuEnded as ended:
+        except programs.EcuEnded as ended:
             tries.append(str(ended))
             continue
         tries.append(run.describe())

@@ -135,6 +135,7 @@ class Diagnosis(unittest.TestCase):
         self.addCleanup(tester.socket.close)
         return tester
 
+    @programs.repeated_if_machine_stands_still
     def test_reads_and_clears_codes_with_the_key_and_keeps_what_is_written(self):
         with programs.Ecu(*self.options):
             self.assertEqual(programs.protection(), "unsealed test keys")
@@ -153,6 +154,7 @@ class Diagnosis(unittest.TestCase):
         with programs.Ecu(*self.options):
             self.assertEqual(self.workshop().ask(0x22, b"\xF1\x90"), b"\x62\xF1\x90" + VEHICLE_NUMBER)
 
+    @programs.repeated_if_machine_stands_still
     def test_understands_the_kernels_iso_tp(self):
         many = b"\xF1\x82\xF1\x91\xF1\x95\xF1\x97"
         with programs.Ecu(*self.options):
@@ -165,6 +167,7 @@ class Diagnosis(unittest.TestCase):
             self.assertEqual(tester.ask(0x2E, b"\xF1\x90" + VEHICLE_NUMBER), b"\x6E\xF1\x90")
             self.assertEqual(tester.ask(0x22, b"\xF1\x90"), b"\x62\xF1\x90" + VEHICLE_NUMBER)
 
+    @programs.repeated_if_machine_stands_still
     def test_a_reset_by_the_tester_ends_his_session(self):
         with programs.Ecu(*self.options) as ecu:
             tester = self.workshop()
@@ -175,6 +178,7 @@ class Diagnosis(unittest.TestCase):
             self.assertEqual(ecu.stop(), 0)
         self.assertIn("a tester resets it", ecu.output)
 
+    @programs.repeated_if_machine_stands_still
     def test_without_the_option_no_request_is_answered(self):
         with programs.Ecu():
             tester = self.workshop()

@@ -1,5 +1,6 @@
 """The programs under test and what listens to them: started, watched and ended by the tests of this folder."""
 
+import functools
 import os
 import pathlib
 import re
@@ -43,6 +44,25 @@ def run_manoeuvre(name, output, *options, timeout=LONGEST_S):
     )
 
 
+class EcuEnded(Exception):
+    """An ECU whose watchdog expired, because the machine stood still."""
+
+
+def repeated_if_machine_stands_still(test):
+    """For a test in which the watchdog of an ECU must not expire: again, at most four times, if it did and the test failed."""
+
+    @functools.wraps(test)
+    def repeat(self):
+        for _ in range(4):
+            try:
+                return test(self)
+            except EcuEnded as ended:
+                print(f"again, because the machine stood still: {ended}", flush=True)
+        return test(self)
+
+    return repeat
+
+
 class Ecu:
     """rsi-ecu on the interface, from the moment it listens to the end of the `with` block."""
 
@@ -66,7 +86,7 @@ class Ecu:
     def __enter__(self):
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, failure, *_):
         # Asked first: a launcher that is killed would leave its emulator behind, which goes on sending.
         if self.process.poll() is None:
             self.process.terminate()
@@ -74,7 +94,9 @@ class Ecu:
                 self.process.wait(timeout=LONGEST_S)
             except subprocess.TimeoutExpired:
                 self.process.kill()
-        self.process.communicate()
+        self.output += self.process.communicate()[0] or ""
+        if failure is not None and "the watchdog expired" in self.output:
+            raise EcuEnded(self.output)
 
 
 def test_key(slot, seed):

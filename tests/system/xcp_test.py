@@ -119,6 +119,7 @@ class Xcp(unittest.TestCase):
     def ecu(self):
         return programs.Ecu("--xcp", "--xcp-storage", self.folder.name)
 
+    @programs.repeated_if_machine_stands_still
     def test_changes_stores_and_finds_it_after_a_restart(self):
         with self.ecu():
             master = self.master()
@@ -137,6 +138,7 @@ class Xcp(unittest.TestCase):
             master.demand(0xFF, 0)
             self.assertAlmostEqual(master.read_float("warning_on"), LOWER, places=6)
 
+    @programs.repeated_if_machine_stands_still
     def test_measures_beside_the_warning(self):
         with self.ecu():
             master = self.master()
@@ -144,6 +146,7 @@ class Xcp(unittest.TestCase):
             master.measure(19)
         check_samples(self, master, least=50 * MEASURED_S)
 
+    @programs.repeated_if_machine_stands_still
     def test_without_the_option_no_request_is_answered(self):
         with programs.Ecu():
             self.assertEqual(programs.protection(), "unsealed")
