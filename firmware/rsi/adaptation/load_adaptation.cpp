@@ -6,13 +6,15 @@
 namespace rsi {
 namespace {
 
-// From an emptied truck to one that carries twice its own sprung mass; another mass is not this vehicle's.
+// Plausible range of the sprung mass over the calibrated one: from an emptied truck to a load of twice the
+// sprung mass. A mass outside is ignored.
 constexpr float least_mass_factor = 0.6F;
 constexpr float largest_mass_factor = 3.0F;
-// The springs must hold up more than gravity pulls down.
+// Least ratio of roll stiffness to the overturning stiffness m_s g H: at 1 the body would tip over on its
+// springs.
 constexpr float least_stiffness_reserve = 1.1F;
 constexpr float largest_load_margin = 0.1F;
-// Share of m_s: less is fuel, or an axle's noise.
+// Share of the calibrated sprung mass: smaller changes are fuel or measurement noise.
 constexpr float clear_change_of_mass = 0.05F;
 
 }  // namespace
@@ -22,9 +24,9 @@ LoadAdaptation::Constants::Constants(const Parameters& parameters)
       unsprung_mass_kg(parameters.unsprung_mass_kg),
       used_share(parameters.load_adaptation),
       margin(used_share * parameters.load_margin),
-      // Validated: at least 1.2 / 1.1.
-      largest_factor(parameters.roll_stiffness_nmprad /
-                     (least_stiffness_reserve * gravity_mps2 * calibrated.moment_arm_kgm())),
+      // The validation of the parameters makes it 1.2 / 1.1 or more.
+      largest_moment_factor(parameters.roll_stiffness_nmprad /
+                            (least_stiffness_reserve * gravity_mps2 * calibrated.moment_arm_kgm())),
       regression(parameters) {}
 
 void LoadAdaptation::update(const Constants& constants, const Inputs& inputs, const RollMotion& motion,
@@ -42,8 +44,9 @@ void LoadAdaptation::update(const Constants& constants, const Inputs& inputs, co
     }
 }
 
-// The last mass stays while none is available. Until driving shows more, a load is taken to be as high as the
-// body's CG: the first mass says what the calibration did not know, a later one that the load has changed.
+// Keeps the last mass while none is available. A change of mass is assumed at the height of the body's CG
+// until driving shows otherwise. The first mass corrects the calibration's; a clearly different later one is
+// a change of load.
 void LoadAdaptation::follow_mass(const Constants& constants, float vehicle_mass_kg) {
     const float factor = (vehicle_mass_kg - constants.unsprung_mass_kg) / constants.calibrated.mass_kg;
     if (is_within(factor, least_mass_factor, largest_mass_factor)) {
@@ -55,27 +58,27 @@ void LoadAdaptation::follow_mass(const Constants& constants, float vehicle_mass_
             regression_.add_load(change);
             learnt_at_mass_factor_ = factor;
         } else {
-            // The learnt excess belongs to this load.
+            // Same load: the learnt excess stays.
         }
         mass_factor_ = factor;
         mass_known_ = true;
     }
 }
 
-// Only the mass of the load is known.
+// Starts from the excess that the received mass suggests.
 void LoadAdaptation::reset_learnt() {
     regression_.reset();
     regression_.expect_change(mass_factor_ - 1.0F);
 }
 
-// The load may be another.
+// The load may have changed.
 void LoadAdaptation::doubt() {
     regression_.doubt(mass_factor_ - 1.0F);
 }
 
 SprungBody LoadAdaptation::body(const Constants& constants) const {
     const float moment_factor =
-        smaller(1.0F + constants.used_share * regression_.excess(), constants.largest_factor);
+        smaller(1.0F + constants.used_share * regression_.excess(), constants.largest_moment_factor);
     const float mass_factor = mass_known_ ? known_mass_factor(constants) : assumed_mass_factor(moment_factor);
     return with_load(constants.calibrated, moment_factor, mass_factor);
 }

@@ -1,4 +1,5 @@
-// Load adaptation: the body for the rest of the component, learnt from ordinary driving.
+// Load adaptation: estimates the sprung body (mass, CG height, inertia) under the present load from ordinary
+// driving.
 #pragma once
 
 #include "rsi/adaptation/load_regression.hpp"
@@ -8,9 +9,10 @@
 
 namespace rsi {
 
-// A calibration is one of one load. Another load shows in how far the vehicle rolls (LoadRegression);
-// only the vehicle's mass, if other control units send it, shows its shares of mass and height
-// (load_split.hpp). It lasts through gaps and is doubted after a long stop and a restart.
+// A calibration describes one load. The roll response shows by how much another load changes the product m_s
+// H (sprung mass times roll arm, LoadRegression). Its split into mass and height needs the vehicle's mass, if
+// another control unit sends it (load_split.hpp). The estimate is kept over gaps in the inputs; its variance
+// is raised after a long stop and after power-on, because the load may have changed.
 class LoadAdaptation {
  public:
     struct Constants {
@@ -19,46 +21,45 @@ class LoadAdaptation {
 
         SprungBody calibrated{};
         float unsprung_mass_kg{};
-        float used_share{};      // of what has been learnt
-        float margin{};          // of the level for each unit of the deviation
-        float largest_factor{};  // of m_s H that the springs hold up
+        float used_share{};             // of the learnt load, 0 to 1: parameter load_adaptation
+        float margin{};                 // of the warning level, per unit of excess_deviation()
+        float largest_moment_factor{};  // of m_s H: beyond it the calibrated roll stiffness is too low
         LoadRegression::Constants regression;
     };
 
-    // One sample; `load` is that of `motion`. Learns only from a `measured_angle`: the observer's comes from
-    // the calibrated equation itself.
+    // One sample. `load`: load transfer of the same sample as `motion`. `measured_angle`: the roll angle is
+    // the sensor's; nothing is learnt from the observer's, which follows from the calibrated equation itself.
     void update(const Constants& constants, const Inputs& inputs, const RollMotion& motion,
                 const TransferredLoad& load, bool measured_angle);
 
-    // Forgets what driving has shown, not the mass.
+    // Discards the learnt load; keeps the received mass.
     [[gnu::cold]] void reset_learnt();
 
-    // With as much of what has been learnt as the calibration wants to be used: none leaves the calibrated
-    // body.
+    // The calibrated body, corrected by used_share of the learnt load.
     SprungBody body(const Constants& constants) const;
 
-    // m_s over the calibrated one, as the vehicle's mass says and as far as it is used; 1 where it is not
-    // known.
+    // Sprung mass over the calibrated one, from the received vehicle mass, weighted by used_share; 1 if none
+    // was received.
     float known_mass_factor(const Constants& constants) const {
         return 1.0F + constants.used_share * (mass_factor_ - 1.0F);
     }
 
-    // Factor on the warning's level for the uncertainty, 1 to 1.1.
+    // Factor on the warning level for the uncertainty of the load, 1 to 1.1.
     float level_weight(const Constants& constants) const;
 
-    // The learnt load, used or not.
+    // The learnt load, regardless of used_share.
     LearntLoad learnt() const { return regression_.learnt(); }
-    // After a restart; `doubted`: in between the load may have changed. False where it cannot be what was
-    // learnt.
+    // Restores a load learnt before a restart. `doubted`: the load may have changed since, so the variance is
+    // raised. False, with nothing restored, for values out of range.
     [[gnu::cold]] bool restore(const LearntLoad& learnt, bool doubted);
 
  private:
     void follow_mass(const Constants& constants, float vehicle_mass_kg);
     void doubt();
 
-    float mass_factor_{1.0F};  // m_s over the calibrated one, as the vehicle's mass says
+    float mass_factor_{1.0F};  // sprung mass over the calibrated one, from the received vehicle mass
     bool mass_known_{false};
-    float learnt_at_mass_factor_{1.0F};  // mass of the learnt load
+    float learnt_at_mass_factor_{1.0F};  // mass_factor_ to which the learnt load belongs
     LongStop stop_{};
     LoadRegression regression_;
 };

@@ -1,12 +1,13 @@
-// Load bounds: range of a learnt load, for learning and for its check.
+// Load bounds: plausible range of a learnt load, for the estimator and for the output check.
 #pragma once
 
 namespace rsi {
 
-// x, the share by which m_s H is larger than calibrated.
+// Load excess: share by which m_s H exceeds the calibrated one.
 inline constexpr float least_load_excess = -0.45F;  // of a truck that has been emptied
 inline constexpr float largest_load_excess = 1.0F;
-// Its standard deviation before anything is learnt: cars carry up to a fifth more m_s H, trucks twice it.
+// Standard deviation of the excess before anything is learnt: loads add up to 20 % to a car's m_s H, 100 % to
+// a truck's.
 inline constexpr float largest_load_excess_deviation = 0.25F;
 
 }  // namespace rsi

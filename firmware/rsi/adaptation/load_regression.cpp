@@ -18,25 +18,26 @@ constexpr float ordinary_load_transfer = 0.7F;
 constexpr float excess_prior = largest_load_excess_deviation;
 constexpr float load_offset_prior_mps2 = 0.5F;
 constexpr float largest_load_offset_mps2 = 2.0F;
-// No drive shows x better: the calibration's springs are not known to so little.
+// Lower bounds of the deviations: the calibrated springs are not more accurate, and the filter must keep
+// adapting.
 constexpr float least_excess_deviation = 0.01F;
 constexpr float least_load_offset_deviation_mps2 = 0.01F;
-// x and d wander so much in the root of a second: fuel, passengers at a short stop, a sensor that warms up.
+// Random walk of x and d: fuel, passengers at a short stop, a sensor that warms up.
 constexpr float excess_drift_per_root_s = 0.002F;
 constexpr float load_offset_drift_mps2_per_root_s = 0.005F;
-// Share of x that a doubt keeps, and the deviation that it adds.
+// After a possible change of load: share of the estimate that is kept, and deviation that is added.
 constexpr float kept_share = 0.5F;
 constexpr float doubted_deviation = 0.15F;
 
-// Noise model of one sample's equation: sensors, the road and the movement of the roll centre, and the
-// calibration's damping and inertia. It stays alike for about two seconds, so that as many samples count as
-// one.
+// Noise model of one sample's equation: sensors, road and movement of the roll centre, plus the relative
+// errors of the calibrated damping and inertia. The noise is correlated over about 2 s, so the samples of
+// that time count as one.
 constexpr float equation_noise_mps2 = 0.03F * gravity_mps2;
 constexpr float unknown_damping = 0.25F;
 constexpr float unknown_inertia = 0.3F;
 constexpr float samples_alike = 2.0F / sample_time_s;
-// Beyond three standard deviations of one sample it loses weight with the square of its size: a kerb, a
-// pothole.
+// Outliers such as kerbs and potholes: beyond three standard deviations the weight falls with the innovation
+// squared.
 constexpr float usual_variances = 9.0F;
 
 bool is_ordinary_turn(const RollMotion& motion, const TransferredLoad& load) {
@@ -46,7 +47,7 @@ bool is_ordinary_turn(const RollMotion& motion, const TransferredLoad& load) {
 
 }  // namespace
 
-// Validated: H is at least 0.01 m.
+// The validation of the parameters makes H 0.01 m or more.
 LoadRegression::Constants::Constants(const Parameters& parameters)
     : moment_to_force(1.0F / (parameters.sprung_mass_kg * roll_arm_m(parameters))),
       inertia_to_force_m(parameters.roll_inertia_kgm2 * moment_to_force),
@@ -83,7 +84,7 @@ void LoadRegression::pass_time() {
     offset_variance = smaller(offset_variance + offset_drift, square(load_offset_prior_mps2));
 }
 
-// (9) and (10) in units in which one sample's noise has the variance that stands in the divisor.
+// Equations (9) and (10), with the measurement variance in place of 1.
 void LoadRegression::learn(const Vector2& psi, float output_mps2, float noise_mps4) {
     const Vector2 g = covariance_ * psi;
     const float spread = absolute(psi.dot(g));  // negative only by rounding
@@ -91,14 +92,14 @@ void LoadRegression::learn(const Vector2& psi, float output_mps2, float noise_mp
     const float size = square(innovation);
     const float usual = usual_variances * (spread + noise_mps4);
     const float weight = (size > usual) ? usual / size : 1.0F;
-    // Divided by at least the noise, which is positive.
+    // The divisor is positive, because the noise is.
     const float gain = weight / (spread + samples_alike * noise_mps4);
     theta_ += g * (gain * innovation);
-    // The part taken off P is symmetric to the last bit, and so P stays.
+    // The update is symmetric to the last bit, so P stays symmetric.
     covariance_ -= (g * g.transpose()) * gain;
 }
 
-// Every signal of the equation moves theta. Raising a variance leaves the covariance one.
+// A value that is not finite in any signal shows in theta or P. Raising a variance keeps P positive definite.
 bool LoadRegression::keep_in_bounds() {
     const bool sound = is_finite(theta_.sum() + covariance_.sum());
     if (!sound) {

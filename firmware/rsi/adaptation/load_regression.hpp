@@ -1,4 +1,5 @@
-// Load regression: by how much m_s H differs from the calibration, learnt from ordinary driving.
+// Load regression: recursive estimate of the load excess x, the share by which m_s H exceeds the calibrated
+// one.
 #pragma once
 
 #include "rsi/indicator/load_transfer.hpp"
@@ -10,14 +11,14 @@ namespace rsi {
 
 // The roll equation of a vehicle that carries a load, divided by the calibrated m_s H:
 //   [M(phi) + c_f phi' + Ixx phi''] / (m_s H) - f = x f + d,   f = A + N tan phi.
-// A load leaves the springs as they are, so the suspension's moment shows by how much it makes m_s H larger.
-// d is what the offsets of the sensors and a load off the middle do. It is the paper's regression (5), Y =
-// psi^T theta with psi = [f; 1] and theta = [x; d], with what a drive can tell apart alone, and its recursion
-// (9), (10) without forgetting: theta is taken to wander slowly instead, so that P cannot grow without bound.
-// Slow, because only what lasts is a load: the roll centre moves within every turn.
+// A load does not change the springs, so the suspension moment shows the increase of m_s H. d is the effect
+// of sensor offsets and an off-centre load. This is the paper's regression (5), Y = psi^T theta, reduced to
+// what ordinary driving can identify, psi = [f; 1] and theta = [x; d], and its recursion (9), (10) with a
+// slow random walk of theta instead of forgetting, so that P stays bounded. The walk is slow because a load
+// is constant, whereas the roll centre moves within every turn.
 class LoadRegression {
  public:
-    // With the calibrated body.
+    // From the calibrated body.
     struct Constants {
         Constants() = default;
         [[gnu::cold]] explicit Constants(const Parameters& parameters);
@@ -31,28 +32,28 @@ class LoadRegression {
 
     [[gnu::cold, gnu::noinline]] void reset();
 
-    // One sample; `load` is that of `motion`. Learns only in ordinary turns, 0.8 < |A| < 4 m/s^2. False when
-    // a number was none and everything has been forgotten.
+    // One sample. `load`: load transfer of the same sample as `motion`. Learns only in ordinary turns, 0.8 <
+    // |A| < 4 m/s^2. False when a value was not finite and the estimate has been reset.
     bool update(const Constants& constants, const RollMotion& motion, const TransferredLoad& load);
 
-    // As update() where there is nothing to learn from.
+    // A sample without a measurement: only the random walk raises the variances.
     void pass_time();
 
-    // The load may have changed: half of it is kept, and it is known less well. `expected`: the excess that
-    // is likeliest without any driving.
+    // The load may have changed: moves the excess halfway to `expected`, the excess from the received mass
+    // alone, and raises the variances.
     [[gnu::cold, gnu::noinline]] void doubt(float expected);
 
-    // Moves x by what a new expectation says, as far as driving has not shown it.
+    // Adds `change` to the prior of x: x moves by the share of it that driving has not replaced yet.
     void expect_change(float change);
 
-    // A load has been put on, or taken off: x changes as much, give or take half of it.
+    // A load was added or removed: x changes by `change`, with a standard deviation of half of it.
     [[gnu::cold, gnu::noinline]] void add_load(float change);
 
     float excess() const { return theta_(excess_at); }
     float excess_deviation() const;
 
     LearntLoad learnt() const;  // x, its deviation and d
-    // False, and nothing is taken over, where a number cannot be one that was learnt.
+    // False, with nothing restored, for values out of range.
     [[gnu::cold, gnu::noinline]] bool restore(const LearntLoad& learnt);
 
  private:

@@ -6,17 +6,18 @@
 namespace rsi {
 namespace {
 
-// A mass that asks for more contradicts the roll angle: it is not that of this vehicle.
+// Plausible range of H over the calibrated one. A mass that needs more contradicts the roll angle and is
+// adjusted.
 constexpr float least_height_factor = 0.6F;
 constexpr float largest_height_factor = 1.7F;
-// Share of H if the mass is not known.
+// The same, lower bound if the mass is not known.
 constexpr float least_assumed_height_factor = 0.93F;
-// As the calibrations'.
+// Lower bound of the validation of the parameters, too.
 constexpr float least_cg_height_m = 0.2F;
 
 }  // namespace
 
-// Both factors are above 0.5.
+// Precondition: both factors are above 0.5, so the divisions are safe.
 SprungBody with_load(const SprungBody& calibrated, float moment_factor, float mass_factor) {
     const float plausible_mass_factor =
         clamp(mass_factor, moment_factor / largest_height_factor, moment_factor / least_height_factor);
@@ -24,7 +25,7 @@ SprungBody with_load(const SprungBody& calibrated, float moment_factor, float ma
     SprungBody loaded;
     loaded.mass_kg = plausible_mass_factor * calibrated.mass_kg;
     loaded.roll_arm_m = height_factor * calibrated.roll_arm_m;
-    // The roll centre stays.
+    // A load does not move the roll centre.
     loaded.cg_height_m =
         larger(calibrated.cg_height_m + (height_factor - 1.0F) * calibrated.roll_arm_m, least_cg_height_m);
     loaded.roll_inertia_kgm2 = moment_factor * calibrated.roll_inertia_kgm2;

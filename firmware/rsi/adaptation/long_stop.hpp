@@ -1,4 +1,4 @@
-// Long stop: after one the vehicle may carry something else.
+// Long stop: detects a stop that is long enough for the load to change.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace rsi {
 
-// Slower than 0.5 m/s for more than 60 s. A speed that is not available neither begins nor ends a stop.
+// A long stop is slower than 0.5 m/s for more than 60 s. An unavailable speed neither starts nor ends a stop.
 class LongStop {
  public:
-    // One sample. True once in each long stop.
+    // One sample. True once in each long stop, when its 60 s have passed.
     bool begins(float speed_mps) {
         if (!is_within_magnitude(speed_mps, largest_speed_mps)) {
             return false;
