@@ -13,8 +13,7 @@
 
 namespace sil {
 
-// Sees each cycle of a run, and each step of the vehicle if it wants to; this one looks away, and changes
-// nothing.
+// Observer of a run: called in each cycle and each step of the vehicle. The defaults do nothing.
 class RunObserver {
  public:
     RunObserver() = default;
@@ -22,7 +21,7 @@ class RunObserver {
     RunObserver& operator=(const RunObserver&) = delete;
     virtual ~RunObserver() = default;
 
-    // Before it is sent: what the sensors report instead, such as one that is broken.
+    // Before the sample is sent: returns the sample to send instead, for example with a sensor fault.
     virtual SensorSample reported(const SensorSample& sample) { return sample; }
 
     virtual void cycle(const Truth& /*truth*/, const SensorSample& /*sample*/, const EcuFrames& /*ecu*/,
@@ -31,7 +30,7 @@ class RunObserver {
     // After every step of the vehicle, ten a cycle.
     virtual void step(const Truth& /*truth*/) {}
 
-    // Asked after each cycle: whether what the run was for is known. True ends it.
+    // After each cycle: true ends the run, because its purpose is reached.
     virtual bool settled() const { return false; }
 };
 
@@ -44,12 +43,12 @@ class ClosedLoop {
     // std::runtime_error when the bus or the ECU fails.
     void run(RunObserver& observer);
 
-    // One cycle of it, for the caller that sets the pace; false after the last one. Throws the same.
+    // One cycle of run(), for a caller that sets the pace; false after the last one. Throws as run() does.
     bool cycle(RunObserver& observer);
 
-    // The parts of a cycle, for who steps the vehicle himself: all but the first begin with `steps_per_cycle`
-    // steps of the vehicle, each seen, and every one ends with the exchange. That is false after the last
-    // one, and throws as run() does.
+    // The parts of a cycle, for a caller that steps the vehicle itself (RunBatch). Every cycle but the first
+    // begins with `steps_per_cycle` steps of the vehicle, each followed by see_step(), and every cycle ends
+    // with exchange(), which is false after the last one and throws as run() does.
     static constexpr int steps_per_cycle = 10;
     void see_step(RunObserver& observer);
     bool exchange(RunObserver& observer);

@@ -1,4 +1,4 @@
-// ECU frames: what the firmware answers on the bus, checked and decoded.
+// ECU frames: receiver of the ECU's frames, with end-to-end check and decoding.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ enum class EcuFrameKind : std::uint8_t {
 
 class EcuFrames {
  public:
-    // Judges one frame and takes over its values. `refused`: an ECU frame that its end-to-end check does not
-    // accept.
+    // Checks and decodes one frame. `foreign`: not a frame of the ECU; `refused`: its end-to-end check
+    // failed.
     EcuFrameKind take(const rsi::hal::CanFrame& frame);
 
     const EcuOutput& output() const { return output_; }

@@ -39,7 +39,7 @@ class InProcessRun {
         return run(no_observer);
     }
 
-    // For who drives it with others instead of run().
+    // For a caller that drives several runs together (RunBatch) instead of run().
     ManoeuvreRun& plant() { return plant_; }
     ClosedLoop& loop() { return *loop_; }
 

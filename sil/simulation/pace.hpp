@@ -21,8 +21,8 @@ class Pace {
     // After they were sent.
     virtual void frames_sent(std::uint32_t number) = 0;
 
-    // When nothing waits on the bus and the ECU has not finished its answer to this cycle. True: look again.
-    // False: go on without.
+    // Called when no frame waits and the ECU's status frame of this cycle has not arrived. True: read the bus
+    // again; false: end the cycle without it.
     virtual bool wait_for_answer(std::uint32_t number) = 0;
 
     // Simulated time at which a frame was received.

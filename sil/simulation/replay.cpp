@@ -11,8 +11,7 @@
 namespace sil {
 namespace {
 
-// A longer silence is no drive, but two recordings on clocks of their own; stepping through it could take for
-// ever.
+// A longer gap means two recordings on different clocks; stepping through it could take arbitrarily long.
 constexpr rsi::hal::Time longest_gap = rsi::hal::Time::from_milliseconds(3'600'000);
 // More do not fit into the memory of every machine.
 constexpr rsi::hal::Time longest_log = rsi::hal::Time::from_milliseconds(12 * 3'600'000);

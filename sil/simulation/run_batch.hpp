@@ -16,12 +16,12 @@ class RunBatch {
  public:
     static constexpr std::size_t lane_count = VehicleBatch::lane_count;
 
-    // The first cycle of a new run; it goes on in this lane, which must be empty. Both
-    // must stay where they are until the run has ended. False when it already has. Throws what run() throws.
+    // First cycle of a new run in `lane`, which must be empty. `run` and `observer` must outlive the run.
+    // False when the run has already ended. Throws as run() does.
     bool begin(std::size_t lane, InProcessRun& run, RunObserver& observer);
 
-    // The next cycle of every run; true for the lanes that are empty by it, their run having ended. Throws
-    // the same; the runs are then not to be driven on.
+    // Next cycle of every run; true for the lanes whose run has ended, which are then empty. Throws as run()
+    // does; after that no run may be continued.
     std::array<bool, lane_count> cycle();
 
     // The lane in which cycle() has thrown.

@@ -1,4 +1,4 @@
-// Sensor frames: what the car's sensors put on the bus, protected end to end.
+// Sensor frames: the frames of the vehicle's sensors, with end-to-end protection.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ void send_or_throw(rsi::hal::CanBus& bus, const rsi::hal::CanFrame& frame);
 
 class SensorFrames {
  public:
-    // Sends one sample as three frames, and a fourth where the vehicle's mass is known. Throws
-    // std::runtime_error when the bus does not take one.
+    // Sends one sample as the frames Imu, RollAngle and VehicleMotion, and VehicleMass if the sample has a
+    // mass. A NaN is sent as "not available". Throws std::runtime_error when the bus does not take a frame.
     void send(rsi::hal::CanBus& bus, const SensorSample& sample);
 
     std::uint64_t frames_sent() const { return frames_sent_; }
@@ -39,10 +39,10 @@ class SensorFrames {
     void send_protected(rsi::hal::CanBus& bus, const Message& message,
                         rsi::can_dbc::e2e::Profile11Sender& sender);
 
-    rsi::can_dbc::e2e::Profile11Sender imu_{rsi::can_dbc::Imu::e2e_data_id};
-    rsi::can_dbc::e2e::Profile11Sender roll_angle_{rsi::can_dbc::RollAngle::e2e_data_id};
-    rsi::can_dbc::e2e::Profile11Sender vehicle_motion_{rsi::can_dbc::VehicleMotion::e2e_data_id};
-    rsi::can_dbc::e2e::Profile11Sender vehicle_mass_{rsi::can_dbc::VehicleMass::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender imu_sender_{rsi::can_dbc::Imu::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender roll_angle_sender_{rsi::can_dbc::RollAngle::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender vehicle_motion_sender_{rsi::can_dbc::VehicleMotion::e2e_data_id};
+    rsi::can_dbc::e2e::Profile11Sender vehicle_mass_sender_{rsi::can_dbc::VehicleMass::e2e_data_id};
     std::uint64_t frames_sent_{0U};
 };
 

@@ -8,18 +8,23 @@
 namespace rsi_test {
 namespace {
 
-// The frame is due from `begin_ms` on, and before `end_ms`.
-bool is_due(const rsi::hal::CanFrame& frame, std::int64_t begin_ms, std::int64_t end_ms) {
+// Within [begin_ms, end_ms) of the recording's time.
+bool is_received_within(const rsi::hal::CanFrame& frame, std::int64_t begin_ms, std::int64_t end_ms) {
     return !(frame.receive_time < rsi::hal::Time::from_milliseconds(begin_ms)) &&
            frame.receive_time < rsi::hal::Time::from_milliseconds(end_ms);
 }
 
-bool is_missing(const rsi::hal::CanFrame& frame) {
+constexpr std::int64_t end_of_recording_ms = INT32_MAX;
+
+// Times and faults are listed in bus_faults.hpp.
+bool is_dropped(const rsi::hal::CanFrame& frame) {
     switch (frame.identifier) {
         case rsi::can_dbc::Imu::identifier:
-            return is_due(frame, 1000, 1010) || is_due(frame, 1500, 1600) || is_due(frame, 3000, 3300);
+            return is_received_within(frame, 1000, 1010) || is_received_within(frame, 1500, 1600) ||
+                   is_received_within(frame, 3000, 3300);
         case rsi::can_dbc::RollAngle::identifier:
-            return is_due(frame, 3000, 3300) || is_due(frame, 4000, INT32_MAX);
+            return is_received_within(frame, 3000, 3300) ||
+                   is_received_within(frame, 4000, end_of_recording_ms);
         default:
             return false;
     }
@@ -29,20 +34,21 @@ bool is_missing(const rsi::hal::CanFrame& frame) {
 
 std::vector<sil::LoggedFrame> with_bus_faults(const std::vector<sil::LoggedFrame>& frames) {
     std::vector<sil::LoggedFrame> faulty;
-    rsi::hal::CanFrame motion;
+    rsi::hal::CanFrame last_motion;
     for (sil::LoggedFrame logged : frames) {
         rsi::hal::CanFrame& frame = logged.frame;
-        if (is_missing(frame)) {
+        if (is_dropped(frame)) {
             continue;
         }
-        if (frame.identifier == rsi::can_dbc::RollAngle::identifier && is_due(frame, 2000, 2100)) {
-            frame.data[3] ^= 0x10U;
+        if (frame.identifier == rsi::can_dbc::RollAngle::identifier &&
+            is_received_within(frame, 2000, 2100)) {
+            frame.data[3] ^= 0x10U;  // of the roll angle, behind the CRC: the end-to-end check must detect it
         }
         if (frame.identifier == rsi::can_dbc::VehicleMotion::identifier) {
-            if (is_due(frame, 2500, 2600)) {
-                frame.data = motion.data;
+            if (is_received_within(frame, 2500, 2600)) {
+                frame.data = last_motion.data;
             }
-            motion = frame;
+            last_motion = frame;
         }
         faulty.push_back(logged);
     }

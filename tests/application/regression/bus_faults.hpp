@@ -1,5 +1,4 @@
-// Bus faults planted into a recording, one kind after the other: what the firmware answers to them is
-// recorded too.
+// Bus faults: modifies a recording of sensor frames, one kind of fault after the other.
 #pragma once
 
 #include <vector>
@@ -8,7 +7,7 @@
 
 namespace rsi_test {
 
-// Frames go missing, are damaged, or are sent again:
+// Drops, damages and repeats frames, from the times below on:
 //     1.00 s  Imu: one frame missing
 //     1.50 s  Imu: missing for 0.1 s
 //     2.00 s  RollAngle: one bit of each frame damaged for 0.1 s
