@@ -1,11 +1,11 @@
-// Comparison of authentication codes in a time that says nothing of where they differ.
+// Constant-time comparison of authentication codes.
 #pragma once
 
 #include "rsi/hal/key_store.hpp"
 
 namespace rsi::access {
 
-// Every byte is looked at, whatever those before were.
+// Compares every byte, so that the time does not reveal the position of the first difference.
 inline bool is_same_code(const hal::AuthenticationCode& a, const hal::AuthenticationCode& b) noexcept {
     std::uint32_t difference = 0U;
     for (std::size_t byte = 0U; byte < a.size(); ++byte) {

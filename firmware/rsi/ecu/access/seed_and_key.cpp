@@ -6,9 +6,9 @@
 namespace rsi::access {
 namespace {
 
-// From the third wrong key on the next seed is given 10 s later, then after twice as long each time. A guess
-// has a chance of 2^-128: the delay keeps the bus and the memory of the count from being worn out rather than
-// the key from being found, and more than ten minutes would only help who wants to keep others out.
+// The third wrong key starts a delay of 10 s; each further one doubles it, up to 640 s at the ninth. A guess
+// succeeds with a probability of 2^-128, so the delay is there to limit bus load and wear of the memory.
+// Longer delays would only ease a denial of service.
 constexpr std::uint32_t first_delayed_count = 3U;
 constexpr std::uint32_t most_counted = 9U;
 constexpr std::uint32_t first_delay_cycles = 1000U;
@@ -24,8 +24,8 @@ constexpr std::uint32_t one_more(std::uint32_t wrong_keys) {
 
 }  // namespace
 
-// A count that is damaged, or larger than any that is written here, is taken for the largest: who can disturb
-// its memory gains nothing.
+// A damaged count, or one above the largest that is ever written, counts as the largest, so that disturbing
+// the memory gains nothing.
 void SeedAndKey::start() noexcept {
     stored_count_ = 0U;
     const CountState state = read_count(attempts_, CountOf::wrong_keys, stored_count_);
@@ -41,9 +41,8 @@ void SeedAndKey::lock() noexcept {
     has_seed_ = false;
 }
 
-// The attempt is stored as a wrong one before it can be made: cutting the power in time to spare it is then
-// of no use. Seeds that are not answered write no more than once, so asking for them does not wear the memory
-// out.
+// Stores the attempt as a wrong key before the seed is given, so that cutting the power afterwards does not
+// save an attempt. Further seeds without a key write nothing, so requesting them does not wear the memory.
 bool SeedAndKey::give_seed(Block& seed) noexcept {
     has_seed_ = false;
     if (!is_started_ || (delay_cycles_ > 0U)) {
@@ -65,7 +64,7 @@ KeyAnswer SeedAndKey::take_key(const Block& key) noexcept {
     }
     lock();
     Block expected{};
-    // A store that does not answer unlocks nothing.
+    // A key store that fails unlocks nothing.
     if (!keys_.authenticate(slot_, seed_.data(), seed_.size(), expected) || !is_same_code(key, expected)) {
         wrong_keys_ = one_more(wrong_keys_);
         delay_cycles_ = delay_cycles_after(wrong_keys_);
@@ -74,7 +73,7 @@ KeyAnswer SeedAndKey::take_key(const Block& key) noexcept {
     is_unlocked_ = true;
     wrong_keys_ = 0U;
     static_cast<void>(
-        store(0U));  // else the next attempt counts from what is stored: too strict, not too lax
+        store(0U));  // if it fails, the stored count stays too high, which errs on the safe side
     return KeyAnswer::unlocked;
 }
 

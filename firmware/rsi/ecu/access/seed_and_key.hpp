@@ -1,6 +1,7 @@
-// Seed and key: who knows the key may change something. For XCP (GET_SEED, UNLOCK) and UDS (service 27).
+// Seed and key: unlocks the protected services of XCP (GET_SEED, UNLOCK) and UDS (SecurityAccess, 0x27).
 //
-// The seed is a random block, the key its AES-128-CMAC (RFC 4493), computed by the key store.
+// The seed is a random block. The expected key is the AES-128-CMAC (RFC 4493) of the seed under a secret key
+// in the key store.
 #pragma once
 
 #include <array>
@@ -17,37 +18,37 @@ using Block = std::array<std::uint8_t, 16>;
 enum class KeyAnswer : std::uint8_t {
     unlocked,
     wrong_key,
-    no_seed,            // none was given, or it is used up
-    too_many_attempts,  // wrong, and a delay has begun in which no seed is given
+    no_seed,            // no seed was given, or a key has consumed it
+    too_many_attempts,  // wrong key, and the delay has begun
 };
 
 class SeedAndKey {
  public:
-    // All three must outlive this object. `attempts` takes a record of stored_count_length bytes and is
-    // used by this object only. A record that it has taken must be safe from a loss of power before the next
-    // frame is answered.
+    // All references must outlive this object. `attempts` stores a record of stored_count_length bytes for
+    // this object alone; a write that it accepts must survive a loss of power from the next received frame
+    // on, or an attacker could reset the count.
     SeedAndKey(hal::KeyStore& keys, hal::KeySlot slot, hal::RandomSource& random,
                hal::Storage& attempts) noexcept
         : keys_{keys}, slot_{slot}, random_{random}, attempts_{attempts} {}
 
-    // Before the first cycle: reads how many wrong keys there have been. Until then no seed is given.
+    // Before the first cycle: reads the stored number of wrong keys. No seed is given before.
     [[gnu::cold]] void start() noexcept;
 
-    // False while the delay after wrong keys runs, without random numbers, and where the attempt cannot be
-    // stored; `seed` is then left as it was. A seed that was given before is of no use any more.
+    // False, with `seed` unchanged: start() has not been called, the delay runs, the random source fails, or
+    // the storage does not take the attempt. Invalidates any earlier seed, even then.
     bool give_seed(Block& seed) noexcept;
 
-    // Consumes the seed, whatever the answer. A wrong key locks again.
+    // Consumes the seed, whatever the result, and locks unless the key is right.
     KeyAnswer take_key(const Block& key) noexcept;
 
     void lock() noexcept;
 
     bool is_unlocked() const noexcept { return is_unlocked_; }
 
-    // After wrong keys: no seed is given for a while.
+    // The delay after wrong keys runs: no seed is given.
     bool is_delayed() const noexcept { return delay_cycles_ > 0U; }
 
-    // Counts the delay down, once a cycle of 10 ms.
+    // Once in each cycle of 10 ms; counts the delay down.
     void end_cycle() noexcept {
         if (is_delayed()) {
             --delay_cycles_;
@@ -65,9 +66,9 @@ class SeedAndKey {
     bool has_seed_{false};
     bool is_started_{false};
     bool is_unlocked_{false};
-    std::uint32_t wrong_keys_{0U};    // since the last good one
-    std::uint32_t stored_count_{0U};  // in `attempts`: one more while a seed waits for its key
-    std::uint32_t delay_cycles_{0U};
+    std::uint32_t wrong_keys_{0U};    // since the last right one; saturates
+    std::uint32_t stored_count_{0U};  // in attempts_; counts a seed that waits for its key as a wrong key
+    std::uint32_t delay_cycles_{0U};  // left
 };
 
 }  // namespace rsi::access

@@ -10,7 +10,7 @@ constexpr std::size_t inverted_at = 8U;
 
 using Record = std::array<std::uint8_t, stored_count_length>;
 
-std::uint32_t word_at(const Record& record, std::size_t place) {
+std::uint32_t u32_at(const Record& record, std::size_t place) {
     std::uint32_t word = 0U;
     for (std::size_t byte = 0U; byte < 4U; ++byte) {
         word |= static_cast<std::uint32_t>(record[place + byte]) << (8U * byte);
@@ -18,7 +18,7 @@ std::uint32_t word_at(const Record& record, std::size_t place) {
     return word;
 }
 
-void put_word(Record& record, std::size_t place, std::uint32_t word) {
+void put_u32(Record& record, std::size_t place, std::uint32_t word) {
     for (std::size_t byte = 0U; byte < 4U; ++byte) {
         record[place + byte] = static_cast<std::uint8_t>((word >> (8U * byte)) & 0xFFU);
     }
@@ -31,9 +31,8 @@ CountState read_count(hal::Storage& storage, CountOf what, std::uint32_t& count)
     if (!storage.read(record.data(), record.size())) {
         return CountState::absent;
     }
-    const std::uint32_t read = word_at(record, count_at);
-    if ((word_at(record, 0U) != static_cast<std::uint32_t>(what)) ||
-        (word_at(record, inverted_at) != ~read)) {
+    const std::uint32_t read = u32_at(record, count_at);
+    if ((u32_at(record, 0U) != static_cast<std::uint32_t>(what)) || (u32_at(record, inverted_at) != ~read)) {
         return CountState::damaged;
     }
     count = read;
@@ -42,9 +41,9 @@ CountState read_count(hal::Storage& storage, CountOf what, std::uint32_t& count)
 
 bool write_count(hal::Storage& storage, CountOf what, std::uint32_t count) noexcept {
     Record record{};
-    put_word(record, 0U, static_cast<std::uint32_t>(what));
-    put_word(record, count_at, count);
-    put_word(record, inverted_at, ~count);
+    put_u32(record, 0U, static_cast<std::uint32_t>(what));
+    put_u32(record, count_at, count);
+    put_u32(record, inverted_at, ~count);
     return storage.write(record.data(), record.size());
 }
 

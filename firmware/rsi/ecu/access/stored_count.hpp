@@ -1,7 +1,7 @@
-// Stored count: a number that outlives a loss of power, in a record of its own.
+// Stored count: a number in non-volatile memory, in a record of its own.
 //
 //   offset  bytes
-//        0      4  what is counted
+//        0      4  magic, CountOf
 //        4      4  the count
 //        8      4  the count with every bit inverted
 //
@@ -17,22 +17,22 @@ namespace rsi::access {
 
 inline constexpr std::size_t stored_count_length = 12U;
 
-// Their numbers are in the record.
+// Quantity that a record counts, by its magic.
 enum class CountOf : std::uint32_t {
     wrong_keys = 0x4B49'5352U,       // "RSIK"
     section_versions = 0x5649'5352U  // "RSIV"
 };
 
 enum class CountState : std::uint8_t {
-    absent,   // nothing has been stored yet, or it cannot be read
-    damaged,  // or of another count
+    absent,   // never stored, or not readable
+    damaged,  // inconsistent, or the record of another quantity
     good,
 };
 
 // `count` is written only when the state is `good`.
 [[gnu::cold]] CountState read_count(hal::Storage& storage, CountOf what, std::uint32_t& count) noexcept;
 
-// False where the storage does not take it now.
+// False if the storage is busy.
 bool write_count(hal::Storage& storage, CountOf what, std::uint32_t count) noexcept;
 
 }  // namespace rsi::access
