@@ -124,7 +124,7 @@ TEST_F(ADiagnosticMemory, KeepsEachCodeConfirmedAsLongAsTheFaultIsThere) {
 
 // A cycle with the fault counts two, a good one takes one away: two, one, three, two, four, three, five,
 // four, and the ninth cycle, the fifth with the fault, makes six.
-TEST_F(ADiagnosticMemory, ConfirmsAFaultOfEverySecondCycleAfterHalfAsMuchTimeAgain) {
+TEST_F(ADiagnosticMemory, ConfirmsAFaultOfEverySecondCycleInTheNinthCycle) {
     constexpr DiagnosticCode code = DiagnosticCode::bus_error;
     for (int cycle = 1; cycle < 9; ++cycle) {
         memory.report(code, cycle % 2 == 1);

@@ -1,4 +1,4 @@
-// Clock check: whether the clock goes forward by about a cycle each cycle.
+// Clock check: detects a platform clock that jumps.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,9 @@ namespace rsi::monitoring {
 
 class ClockCheck {
  public:
-    // One cycle at this time; `missed_cycles` were left out before it. True when the clock has gone back, or
-    // forward by a quarter of a second more than the cycles explain: a late cycle is an overrun, no jump.
+    // One cycle. `missed_cycles`: number of cycles missed before it. True when the clock went back, or
+    // forward by 0.25 s more than the cycles explain; the tolerance leaves a late cycle to the code
+    // cycle_overrun.
     bool has_jumped(std::int64_t now_ns, std::uint32_t missed_cycles) noexcept {
         const std::int64_t expected = cycle_ns * (std::int64_t{missed_cycles} + 1);
         const bool jumped =

@@ -1,4 +1,4 @@
-// Degradation: what the component can still do.
+// Degradation: the function that is left in the current fault state.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 namespace rsi::monitoring {
 
 enum class Degradation : std::uint8_t {
-    unavailable,       // no statement on the risk
-    full,              // all that matters is there
-    roll_sensor_lost,  // the observer stands in for the roll sensor
-    motion_lost,       // without speed or yaw rate: nothing stands in for the roll sensor if it fails too
-    internal_fault,    // the control unit has found itself faulty; no statement on the risk
+    unavailable,       // no warning function
+    full,              // no restriction
+    roll_sensor_lost,  // the observer replaces the roll sensor
+    motion_lost,       // no speed or yaw rate: nothing would replace a failing roll sensor
+    internal_fault,    // a self-check has failed; no warning function
 };
 
 // Degradation of a cycle with these inputs and outputs.

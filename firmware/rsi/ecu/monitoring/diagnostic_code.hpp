@@ -1,4 +1,4 @@
-// Diagnostic codes: what the component can find wrong, and how long it looks before it says so.
+// Diagnostic codes: faults that the monitoring detects, and their debouncing.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,8 @@ enum class DiagnosticCode : std::uint8_t {
     vehicle_motion_lost,
     vehicle_motion_damaged,
 
-    // Signals, each by itself: invalid (not available, or beyond what is physical), jump (faster than
-    // anything that moves a vehicle, or shaken by noise), stuck (the very same value while others say that it
-    // must move)
+    // Single signals: invalid (not available, or outside its physical range), jump (gradient or noise beyond
+    // any vehicle motion), stuck (constant although other signals show motion)
     lateral_acceleration_invalid,
     lateral_acceleration_jump,
     lateral_acceleration_stuck,
@@ -63,7 +62,8 @@ enum class DiagnosticCode : std::uint8_t {
     bus_error,
     receive_overflow,
 
-    // Later than the numbers above were fixed, which service tools know: the calibration against the sensors
+    // From here on in the order of their introduction, because service tools rely on the numbers above.
+    // Calibration against the sensors
     roll_angle_reference_wrong,
 
     // A sensor against the others, over turns
@@ -72,22 +72,22 @@ enum class DiagnosticCode : std::uint8_t {
     // The control unit's own memory
     memory_restored,
 
-    // A frame of which more come than its sender sends
+    // A frame rate beyond that of one sender
     imu_two_senders,
     roll_angle_two_senders,
     vehicle_motion_two_senders,
 
-    // A frame that only this control unit sends comes from elsewhere
+    // A frame of this control unit, sent by another node
     own_identifier_received,
 
-    // Frames that are as old as their counters say, in order and late all the time
+    // Frames in order, but with a constant delay
     imu_held_back,
 };
 
 inline constexpr std::size_t diagnostic_code_count =
     static_cast<std::size_t>(DiagnosticCode::imu_held_back) + 1U;
 
-// A set: the bit of each code is its number.
+// Set of codes: bit n stands for the code with number n.
 using CodeSet = std::uint64_t;
 static_assert(diagnostic_code_count <= 64U);
 
@@ -96,8 +96,8 @@ constexpr CodeSet set_of(Codes... codes) noexcept {
     return (CodeSet{0U} | ... | (CodeSet{1U} << static_cast<unsigned>(codes)));
 }
 
-// In cycles of 10 ms. Confirmed after so many cycles with the fault (with good ones between them: after more,
-// as DiagnosticEvent says); healed after so many good ones in a row.
+// Cycles of 10 ms: consecutive failed ones until a code is confirmed (DiagnosticEvent has the rule for
+// interrupted faults), and consecutive passed ones until it heals.
 struct Debounce {
     std::uint16_t confirm{1U};
     std::uint16_t heal{1U};

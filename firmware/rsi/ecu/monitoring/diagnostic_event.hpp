@@ -1,4 +1,4 @@
-// Diagnostic event: from a condition that comes and goes to a code that is set, confirmed and healed.
+// Diagnostic event: counter-based debouncing and healing of one diagnostic code.
 #pragma once
 
 #include <cstdint>
@@ -8,61 +8,61 @@
 namespace rsi::monitoring {
 
 enum class EventStatus : std::uint8_t {
-    none,       // never confirmed, and nothing to be seen
-    set,        // seen, but not for long enough
-    confirmed,  // reacted to
-    healed,     // was confirmed, and is good again
+    none,       // never confirmed, count is zero
+    set,        // the debounce count is running ("prefailed" in AUTOSAR)
+    confirmed,  // debounced; the reaction is active
+    healed,     // was confirmed, passes now
 };
 
-// A cycle with the fault fills the count by two, a good one takes one away: a fault that shows in every
-// second cycle is confirmed too, after half as much time again, one in every third never. A confirmed one
-// heals only by good cycles without a break.
+// Asymmetric up-down counter: a failed cycle counts up by two, a passed one down by one. A fault in every
+// second cycle is therefore confirmed too, after 4 n - 3 cycles instead of n (`Debounce::confirm`), and one
+// in every third cycle never, unless n is 1. A confirmed code heals only after consecutive passed cycles.
 class DiagnosticEvent {
  public:
-    // One cycle in which the condition could be judged. True when it is confirmed by this one.
+    // One cycle in which the condition could be judged. True in the cycle that confirms the code.
     constexpr bool update(bool failed, const Debounce& debounce) noexcept {
         if (status_ == EventStatus::confirmed) {
             heal(failed, debounce.heal);
             return false;
         }
-        fill(failed);
-        if (count_ < filled_by_fault * debounce.confirm) {
+        count_cycle(failed);
+        if (count_ < failed_step * debounce.confirm) {
             status_ = (count_ > 0U) ? EventStatus::set : inactive_status();
             return false;
         }
         status_ = EventStatus::confirmed;
         count_ = 0U;
-        occurrences_ = (occurrences_ < most_occurrences) ? static_cast<std::uint8_t>(occurrences_ + 1U)
-                                                         : most_occurrences;
+        occurrences_ = (occurrences_ < largest_occurrences) ? static_cast<std::uint8_t>(occurrences_ + 1U)
+                                                            : largest_occurrences;
         return true;
     }
 
-    // A good cycle changes nothing.
+    // A passed cycle would change nothing, so it need not be reported.
     constexpr bool is_inactive() const noexcept {
         return (status_ == EventStatus::none) || (status_ == EventStatus::healed);
     }
     constexpr EventStatus status() const noexcept { return status_; }
     constexpr bool confirmed() const noexcept { return status_ == EventStatus::confirmed; }
-    // How often it was confirmed; stays at 31, the largest that the bus can carry.
+    // Number of confirmations; saturates at 31, the range of the signal Occurrences.
     constexpr std::uint8_t occurrences() const noexcept { return occurrences_; }
 
  private:
-    static constexpr std::uint32_t filled_by_fault = 2U;
-    static constexpr std::uint8_t most_occurrences = 31U;
+    static constexpr std::uint32_t failed_step = 2U;
+    static constexpr std::uint8_t largest_occurrences = 31U;
 
     constexpr EventStatus inactive_status() const noexcept {
         return (occurrences_ > 0U) ? EventStatus::healed : EventStatus::none;
     }
 
-    constexpr void fill(bool failed) noexcept {
+    constexpr void count_cycle(bool failed) noexcept {
         if (failed) {
-            count_ += filled_by_fault;
+            count_ += failed_step;
         } else {
             count_ -= (count_ > 0U) ? 1U : 0U;
         }
     }
 
-    // While confirmed, count_ counts the good cycles.
+    // While confirmed, count_ is the number of consecutive passed cycles.
     constexpr void heal(bool failed, std::uint32_t cycles) noexcept {
         count_ = failed ? 0U : count_ + 1U;
         if (count_ >= cycles) {

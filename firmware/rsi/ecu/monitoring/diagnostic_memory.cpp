@@ -3,10 +3,11 @@
 namespace rsi::monitoring {
 namespace {
 
-// Safe for a damaged set in memory: a code has an entry.
+// Mask against bits without an entry, in case the memory of a set is damaged.
 constexpr CodeSet all_codes = (CodeSet{1U} << diagnostic_code_count) - 1U;
 
-// The number of the lowest bit; at least one is set. In halves, for which controllers have an instruction.
+// Index of the lowest set bit. Precondition: bits != 0. In halves, because 32-bit controllers have an
+// instruction for these.
 std::size_t lowest_bit(std::uint64_t bits) noexcept {
     const auto low = static_cast<std::uint32_t>(bits);
     const auto high = static_cast<std::uint32_t>(bits >> 32U);
@@ -39,7 +40,7 @@ DiagnosticRecord DiagnosticMemory::next() noexcept {
                             entry.event.occurrences(), entry.first};
 }
 
-// 0, the empty entry of `none`, when no other has something to report.
+// 0, the entry of `none`, if there is nothing to report.
 std::size_t DiagnosticMemory::next_to_report() noexcept {
     const CodeSet unreported = unreported_ & all_codes;
     if (unreported != 0U) {
@@ -52,7 +53,7 @@ std::size_t DiagnosticMemory::next_to_report() noexcept {
     return last_reported_;
 }
 
-// The first of them after the one that was reported last, round and round. `codes` has at least one.
+// First code of `codes` after last_reported_, round robin. Precondition: codes != 0.
 std::size_t DiagnosticMemory::next_of(CodeSet codes) const noexcept {
     const std::size_t last = (last_reported_ < diagnostic_code_count) ? last_reported_ : 0U;
     const CodeSet later = codes & ~((CodeSet{2U} << last) - 1U);

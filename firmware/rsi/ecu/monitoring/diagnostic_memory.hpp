@@ -1,4 +1,4 @@
-// Diagnostic memory: one entry a code, with what was measured when it was confirmed for the first time.
+// Diagnostic memory: one event for each code, with the measurements at its first confirmation.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace rsi::monitoring {
 
-// As the sensors say it, unqualified; NaN where they say nothing.
+// Received values before plausibility checks; NaN if not available.
 struct Snapshot {
     float lateral_acceleration_mps2{rsi::not_available};
     float roll_rate_radps{rsi::not_available};
@@ -33,15 +33,15 @@ class DiagnosticMemory {
     void begin_cycle(const Snapshot& snapshot) noexcept { snapshot_ = snapshot; }
     const Snapshot& snapshot() const noexcept { return snapshot_; }
 
-    // One cycle in which the code's condition could be judged; a code that is not reported stays as it is.
-    // In nearly every cycle nearly every code is good and inactive; this is the path that must be cheap.
+    // One cycle in which the code's condition could be judged; without a report the code keeps its status.
+    // Nearly every report is a passed one of an inactive code, so that path is kept cheap.
     void report(DiagnosticCode code, bool failed) noexcept {
         if (failed || !entries_[index_of(code)].event.is_inactive()) {
             update(code, failed);
         }
     }
 
-    // No code fails or waits to heal: another good cycle of any code would change nothing.
+    // No code is set or confirmed, so a passed cycle of any code would change nothing.
     bool no_active_codes() const noexcept { return active_ == 0U; }
     CodeSet active_codes() const noexcept { return active_; }
     CodeSet confirmed_codes() const noexcept { return confirmed_; }
@@ -49,8 +49,8 @@ class DiagnosticMemory {
     EventStatus status(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.status(); }
     bool confirmed(DiagnosticCode code) const noexcept { return entries_[index_of(code)].event.confirmed(); }
 
-    // An entry that was confirmed since the last call, if there is one: the others must not delay it; else
-    // the next entry that has something to report, round and round; code `none` when there is none.
+    // Entry to send in this cycle: a code confirmed since the last call has priority; else the codes whose
+    // status is not `none` take turns (round robin); code `none` if there are none.
     DiagnosticRecord next() noexcept;
 
  private:
@@ -72,7 +72,7 @@ class DiagnosticMemory {
     std::size_t last_reported_{0U};
     CodeSet active_{0U};  // set or confirmed
     CodeSet confirmed_{0U};
-    CodeSet seen_{0U};        // that have something to report
+    CodeSet seen_{0U};        // status other than `none`
     CodeSet unreported_{0U};  // confirmed, and not yet reported
 };
 

@@ -1,9 +1,9 @@
-// Driving speed: from which on a vehicle drives forwards, and yaw rate times speed shows its turn.
+// Driving speed: lower limit for checks that use yaw rate times speed as lateral acceleration.
 #pragma once
 
 namespace rsi::monitoring {
 
-// The speed has no sign, and below it the vehicle may be rolling backwards.
+// The speed signal is unsigned: below this limit the vehicle may be rolling backwards.
 inline constexpr float driving_speed_mps = 5.0F;
 
 }  // namespace rsi::monitoring

@@ -1,4 +1,4 @@
-// Memory guard: an object that nothing but its owner may change, and a copy of it to restore it from.
+// Memory guard: detects bit errors in an object by a sum, and restores it from a copy.
 #pragma once
 
 #include <array>
@@ -11,21 +11,21 @@
 
 namespace rsi::monitoring {
 
-// Goes by the sum of the object's words as they stand in memory, which any one changed bit changes. It takes
-// them all, so no member can be forgotten.
+// The sum over all words of the object detects any single bit error, and covers every member, whatever is
+// added.
 template <typename Object>
 class MemoryGuard {
  public:
     explicit MemoryGuard(const Object& object) noexcept { keep(object); }
 
-    // Takes the object's present content as right, until its owner changes it.
+    // Saves the object's content as the reference. Call it after each intended change.
     void keep(const Object& object) noexcept {
         copy(bytes_of(object), bytes_of(kept_));
         sum_ = sum_of(object);
     }
 
-    // Before the object is used again. True when a bit of it has changed since it was kept, or one of the
-    // sum: the object is again what it was.
+    // Call it before each use. True when object or sum have changed since keep(); the object is then
+    // restored.
     bool restore(Object& object) noexcept {
         const bool changed = (sum_of(object) != sum_);
         is_failing_ = changed && restored_;
@@ -36,7 +36,7 @@ class MemoryGuard {
         return changed;
     }
 
-    // It had to be restored twice running: the memory does not hold what is written to it.
+    // Two consecutive calls had to restore the object: a permanent fault of the memory.
     bool is_failing() const noexcept { return is_failing_; }
 
  private:
@@ -47,7 +47,7 @@ class MemoryGuard {
     static_assert(sizeof(Object) % sizeof(Word) == 0U, "the guard takes whole words");
     static_assert(alignof(Object) % alignof(Word) == 0U);
 
-    // In bytes: a loop over single words would be half of the work.
+    // Bytes. Unrolled, because the overhead of a loop over words would double the run time.
     static constexpr std::size_t copied_at_once = 64U;
     static constexpr std::size_t summed_at_once = 128U;
 

@@ -1,4 +1,4 @@
-// Output check: whether what the component has computed can be published.
+// Output check: plausibility of the component's outputs before they are sent.
 #pragma once
 
 #include "rsi/adaptation/load_bounds.hpp"
@@ -8,14 +8,14 @@
 
 namespace rsi::monitoring {
 
-// A cycle without a roll angle has computed nothing, and says "unavailable".
+// Without a roll angle the component computes nothing and reports "unavailable".
 inline bool has_computed(const rsi::Outputs& outputs) noexcept {
     return outputs.roll_source != RSI_ROLL_NONE;
 }
 
-// No suspension moves its roll centre by 2 m or has ten times the damping of a heavy one; the stiffness is
-// that of the bump stops too, which grow with the fourth power of the angle. The load has its own bounds. A
-// number that is not finite is out of range.
+// Bounds beyond any suspension: 2 m of roll centre movement, ten times the damping of a heavy vehicle. The
+// stiffness is wide because it includes the bump stops, which grow with the fourth power of the angle. NaN is
+// out of range.
 inline bool estimate_is_in_range(const rsi::Outputs& outputs) noexcept {
     return rsi::is_within_magnitude(outputs.roll_centre_vertical_m, 2.0F) &&
            rsi::is_within_magnitude(outputs.roll_stiffness_deviation_nmprad, 1.0e10F) &&
@@ -24,12 +24,12 @@ inline bool estimate_is_in_range(const rsi::Outputs& outputs) noexcept {
            rsi::is_within(outputs.load_excess_deviation, 0.0F, rsi::largest_load_excess_deviation);
 }
 
-// Everything that the table of outputs says is always there.
+// The codes and numbers that output_table.hpp declares as always available are valid.
 inline bool outputs_are_sound(const rsi::Outputs& outputs) noexcept {
     return rsi::are_codes_known_and_numbers_finite(outputs);
 }
 
-// Takes back the statement on the risk.
+// Invalidates the warning outputs.
 inline void withdraw(rsi::Outputs& outputs) noexcept {
     rsi::reset_statement(outputs);
 }

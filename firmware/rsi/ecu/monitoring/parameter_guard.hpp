@@ -1,4 +1,4 @@
-// Parameter guard: a check word over the parameters in memory, computed anew a slice a cycle.
+// Parameter guard: checks the parameters in RAM by a checksum, a quarter of them in each cycle.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,11 @@
 
 namespace rsi::monitoring {
 
-// Two sums, as Fletcher's: the second weighs each word by its place, so any one changed bit shows, and two
-// that were exchanged show. A pass takes four cycles; a change is seen in the cycle that ends the pass after
-// it, 30 to 70 ms later.
+// Fletcher checksum: the second sum depends on the order, so it detects exchanged words too. A pass takes
+// four cycles, so a change is detected after 30 to 70 ms.
 class ParameterGuard {
  public:
-    // Takes these parameters as right from now on.
+    // Takes these parameters as the reference.
     void start(const rsi::Parameters& parameters) noexcept {
         expected_ = Sums{};
         for (std::size_t slice = 0U; slice < slice_count; ++slice) {
@@ -27,7 +26,7 @@ class ParameterGuard {
 
     // One cycle; true from the first pass that found a change.
     bool is_damaged(const rsi::Parameters& parameters) noexcept {
-        // A number that memory has changed makes a wrong sum, and no more.
+        // Keeps the index in range even if its memory is damaged; the sum is then wrong, which is detected.
         const std::size_t slice = (next_ < slice_count) ? next_ : 0U;
         add(parameters, slice, sums_);
         next_ = slice + 1U;
@@ -57,7 +56,7 @@ class ParameterGuard {
                  std::make_index_sequence<words_of_slice>{});
     }
 
-    // Without a loop, which would be half of the work.
+    // Unrolled, because the overhead of a loop would double the run time.
     template <std::size_t... index>
     static void add_each(const unsigned char* bytes, Sums& sums, std::index_sequence<index...>) noexcept {
         Sums now = sums;

@@ -1,5 +1,5 @@
-// Repetition: whether a signal says the very same again. The equality of floats is meant: a sensor that lives
-// has noise, and a frozen one repeats its code.
+// Repetition: detects a sample that equals the one before, exactly: a working sensor has noise, a frozen one
+// repeats its raw value.
 #pragma once
 
 #include "rsi/numeric/bounded.hpp"
@@ -8,7 +8,7 @@ namespace rsi::monitoring {
 
 class Repetition {
  public:
-    // One sample: true when it is the one before; never of one that is not finite.
+    // One sample; true when it is finite and equals the previous one.
     bool repeats(float value) noexcept {
         const bool repeated = (value <= value_) && (value >= value_);
         moves_ = !repeated && rsi::is_finite(value - value_);
@@ -16,7 +16,7 @@ class Repetition {
         return repeated && rsi::is_finite(value);
     }
 
-    // The latest sample is another one than the one before, and both are finite.
+    // The last two samples are finite and differ.
     bool moves() const noexcept { return moves_; }
 
  private:

@@ -1,4 +1,4 @@
-// Stuck check: the very same value again and again, while another signal shows that it must move.
+// Stuck check: detects a constant signal while a reference signal shows motion.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,26 @@ namespace rsi::monitoring {
 
 class StuckCheck {
  public:
-    // `reference_span`: how far the reference has to move while the value does not; `drift`: how much further
-    // for each cycle that the value repeats itself beyond a second, because the reference goes on by itself.
+    // `reference_span`: least movement of the reference, in its unit, while the value is constant. `drift`:
+    // increase of that for each cycle beyond the first second, for a reference that drifts by itself (an
+    // integral).
     constexpr explicit StuckCheck(float reference_span, float drift = 0.0F) noexcept
         : reference_span_{reference_span}, drift_{drift} {}
 
-    // One cycle; false when either is not finite.
+    // One cycle; false, and restarted, when either is not finite.
     bool is_stuck(float value, float reference) noexcept;
 
-    // The value has changed in the last cycle, for any motion of the reference.
+    // The value has changed in the last cycle, whatever the reference did.
     bool moves() const noexcept { return value_.moves(); }
 
-    // It has not moved for longer than the noise of a living sensor allows; no proof by itself.
+    // Constant for longer than a noisy sensor would be; supports an isolation, but is no proof by itself.
     bool seems_frozen() const noexcept { return repetitions_ >= suspicious_repetitions; }
 
  private:
     static constexpr std::uint32_t fewest_repetitions = 20U;
     static constexpr std::uint32_t suspicious_repetitions = 5U;
-    static constexpr std::uint32_t without_drift = 100U;
-    static constexpr std::uint32_t most_repetitions = 1'000'000U;  // a float has a number for each
+    static constexpr std::uint32_t without_drift = 100U;           // cycles
+    static constexpr std::uint32_t most_repetitions = 1'000'000U;  // exactly representable as float
 
     float reference_span_;
     float drift_;
