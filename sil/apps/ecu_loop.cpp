@@ -78,17 +78,17 @@ class Ecu {
         if (access != nullptr) {
             calibrated_.emplace(bus, clock, watchdog, access->seed_and_key(), access->section().data(),
                                 access->section().size(), &access->stored_section());
-            calibrated_->ecu().use_keys(access->keys());
+            calibrated_->ecu().report_test_keys(access->keys());
             start_calibrated(parameters);
         } else {
             plain_.emplace(bus, clock, watchdog);
             if (accesses.diagnosis != nullptr) {
-                plain_->use_keys(accesses.diagnosis->keys());
+                plain_->report_test_keys(accesses.diagnosis->keys());
             }
             start_plain(parameters, accesses.diagnosis);
         }
         if (diagnosis_) {
-            static_cast<void>(ecu().listen(diagnosis_->listener()));
+            static_cast<void>(ecu().add_listener(diagnosis_->listener()));
         }
     }
     void step(std::uint32_t missed_cycles) {

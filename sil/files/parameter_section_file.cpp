@@ -105,7 +105,7 @@ bool is_sealed(const std::vector<std::uint8_t>& section) {
 }
 
 std::uint32_t sealed_version(const std::vector<std::uint8_t>& section) {
-    return rsi::application::word_at(section.data(), rsi::application::seal::version_at);
+    return rsi::application::u32_at(section.data(), rsi::application::seal::version_at);
 }
 
 rsi::application::SealFault seal_fault(const std::vector<std::uint8_t>& section, const rsi::hal::Key& key) {

@@ -77,8 +77,8 @@ class BenchEcu {
         ecu_.emplace(bus_, clock_, watchdog_, calibration_access_, section, length, &section_);
         rsi::application::RolloverEcu& ecu = ecu_->ecu();
         ecu.set_reset_reason(reset_reason_);
-        ecu.use_keys(keys_);
-        static_cast<void>(ecu.listen(diagnosis_.listener()));
+        ecu.report_test_keys(keys_);
+        static_cast<void>(ecu.add_listener(diagnosis_.listener()));
         return ecu_->init();
     }
 

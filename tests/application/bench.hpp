@@ -100,7 +100,7 @@ class Bench {
     void change(const rsi::ParameterChange& change) { ecu_.change(change); }
 
     // Before the start: what XCP or UDS ask for.
-    void use_keys(const rsi::hal::KeyStore& keys) { ecu_.use_keys(keys); }
+    void report_test_keys(const rsi::hal::KeyStore& keys) { ecu_.report_test_keys(keys); }
 
     // Why the ECU's controller started.
     void start_after(rsi::hal::ResetReason reason) { ecu_.set_reset_reason(reason); }

@@ -42,8 +42,8 @@ class Listeners : public ::testing::Test {
 TEST_F(Listeners, HearWhatIsNoSensorsInTheOrderOfTheBus) {
     Listener one;
     Listener other;
-    ASSERT_TRUE(ecu_.listen(one));
-    ASSERT_TRUE(ecu_.listen(other));
+    ASSERT_TRUE(ecu_.add_listener(one));
+    ASSERT_TRUE(ecu_.add_listener(other));
     send(0x7A6U);
     send(rsi::can_dbc::Imu::identifier);
     send(0x123U, true);
@@ -56,9 +56,9 @@ TEST_F(Listeners, HearWhatIsNoSensorsInTheOrderOfTheBus) {
 
 TEST_F(Listeners, AreTwoAtMost) {
     Listener listeners[3];
-    EXPECT_TRUE(ecu_.listen(listeners[0]));
-    EXPECT_TRUE(ecu_.listen(listeners[1]));
-    EXPECT_FALSE(ecu_.listen(listeners[2]));
+    EXPECT_TRUE(ecu_.add_listener(listeners[0]));
+    EXPECT_TRUE(ecu_.add_listener(listeners[1]));
+    EXPECT_FALSE(ecu_.add_listener(listeners[2]));
     send(0x7A6U);
     ecu_.step(0U);
     EXPECT_EQ(listeners[1].heard.size(), 1U);

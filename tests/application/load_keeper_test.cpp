@@ -69,7 +69,7 @@ TEST(TheLoadsRecord, IsRefusedWithAnyByteChangedErasedOrOfOtherParameters) {
 TEST(TheLoadsRecord, IsRefusedWithoutItsMagicThoughItsChecksumIsGood) {
     LoadRecord record = rsi::application::write_load_record(learnt, 77U);
     record[0] ^= 1U;
-    rsi::application::put_word(record.data(), 20U, rsi::application::crc32(record.data(), 20U));
+    rsi::application::put_u32(record.data(), 20U, rsi::application::crc32(record.data(), 20U));
     rsi::LearntLoad read{};
     EXPECT_FALSE(rsi::application::read_load_record(record, 77U, read));
 }
@@ -84,7 +84,7 @@ TEST(TheParametersCheckWord, IsTheCrc32OfTheirBytesInTheOrderOfTheirTables) {
         }
     };
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
-        append(rsi::application::word_of(parameters.*field.member));
+        append(rsi::application::float_bits(parameters.*field.member));
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
         append(static_cast<std::uint32_t>(parameters.*field.member));

@@ -42,8 +42,8 @@ void flip(Bytes& bytes, std::size_t bit) {
 
 // With the check sum that belongs to what is in it now: what an attacker can make without the key.
 void repair_checksum(Bytes& bytes) {
-    rsi::application::put_word(bytes.data(), section::checksum_at,
-                               rsi::application::crc32(bytes.data(), section::checksum_at));
+    rsi::application::put_u32(bytes.data(), section::checksum_at,
+                              rsi::application::crc32(bytes.data(), section::checksum_at));
 }
 
 class SilentKeys final : public rsi::hal::KeyStore {
@@ -186,7 +186,7 @@ TEST_F(ASectionAuthority, RefusesAllWhenTheKeyStoreDoesNotAnswer) {
     EXPECT_EQ(authority.check(bytes.data(), bytes.size()), SealFault::forged);
     EXPECT_FALSE(rsi::application::seal_section(silent, 7U, bytes.data()));
     EXPECT_EQ(check(bytes), SealFault::missing);
-    EXPECT_EQ(rsi::application::word_at(bytes.data(), seal::magic_at), 0U);
+    EXPECT_EQ(rsi::application::u32_at(bytes.data(), seal::magic_at), 0U);
 }
 
 TEST_F(ASectionAuthority, IsStartedAnewWithNothingOfBefore) {
@@ -324,10 +324,10 @@ TEST_F(ASectionAuthority, HasTheBusToldOfTestKeysAndOfSectionsThatNeedNoSeal) {
         EXPECT_EQ(reported_by(bench), SentProtection::unsealed);
         bench.start_with(unsealed);
         EXPECT_EQ(reported_by(bench), SentProtection::unsealed);
-        bench.use_keys(keys_);
+        bench.report_test_keys(keys_);
         bench.start_with(unsealed);
         EXPECT_EQ(reported_by(bench), SentProtection::unsealed);
-        bench.use_keys(everybodys);
+        bench.report_test_keys(everybodys);
         bench.start_with(unsealed);
         EXPECT_EQ(reported_by(bench), SentProtection::unsealed_test_keys);
         bench.start_with(large_suv());

@@ -47,7 +47,7 @@ class EcuOnAPipe {
         diagnosis_->use(access_.store());
         diagnosis_->start(is_switched_on);
         ecu_.emplace(bus_.endpoint(0U), clock_, watchdog_);
-        ecu_->listen(diagnosis_->listener());
+        ecu_->add_listener(diagnosis_->listener());
         if (access_.store().restore()) {
             ecu_->init(access_.store().section(), access_.store().length());
         } else {

@@ -231,9 +231,9 @@ TEST(AlternatingRecord, TheNewerOneIsKnownBeyondTheLargestNumber) {
     const auto record_with = [](std::uint32_t sequence, std::uint8_t byte) {
         Bytes record(Record::length);
         record[0] = byte;
-        rsi::application::put_word(record.data(), 1U, 0x44495352U);
-        rsi::application::put_word(record.data(), 5U, sequence);
-        rsi::application::put_word(record.data(), 9U, rsi::application::crc32(record.data(), 9U));
+        rsi::application::put_u32(record.data(), 1U, 0x44495352U);
+        rsi::application::put_u32(record.data(), 5U, sequence);
+        rsi::application::put_u32(record.data(), 9U, rsi::application::crc32(record.data(), 9U));
         return record;
     };
     const auto newest = [&](std::uint32_t one, std::uint32_t other) {
@@ -272,7 +272,7 @@ TEST(AlternatingRecord, ARecordOfAnotherKindIsNotRead) {
     using Record = rsi::diagnosis::AlternatingRecord<std::uint8_t>;
     Memories memories;
     Bytes foreign(Record::length, 1U);
-    rsi::application::put_word(foreign.data(), 9U, rsi::application::crc32(foreign.data(), 9U));
+    rsi::application::put_u32(foreign.data(), 9U, rsi::application::crc32(foreign.data(), 9U));
     memories.one.record() = foreign;
     Record record{memories.one, memories.other};
     std::uint8_t payload = 7U;

@@ -93,8 +93,8 @@ TEST_F(Download, ABadSectionIsRefusedWithItsReasonAndTheOldOneStays) {
 
     Bytes section = good_section();
     std::fill_n(section.begin() + 64, 4, std::uint8_t{0U});  // no sprung mass
-    rsi::application::put_word(section.data(), section_length - 4U,
-                               rsi::application::crc32(section.data(), section_length - 4U));
+    rsi::application::put_u32(section.data(), section_length - 4U,
+                              rsi::application::crc32(section.data(), section_length - 4U));
     transfer(section);
     EXPECT_EQ(check(), result(rsi::application::ParametersRefusal::value));
     EXPECT_EQ(stored(), good_section());
@@ -106,8 +106,8 @@ TEST_F(Download, NothingOfAnInterruptedOneIsStored) {
     check();
     Bytes other = good_section();
     other[16] = 'X';  // its name
-    rsi::application::put_word(other.data(), section_length - 4U,
-                               rsi::application::crc32(other.data(), section_length - 4U));
+    rsi::application::put_u32(other.data(), section_length - 4U,
+                              rsi::application::crc32(other.data(), section_length - 4U));
     for (std::size_t sent = 0U; sent < section_length; ++sent) {
         ASSERT_EQ(request_download()[0], 0x74U);
         unsigned number = 1U;

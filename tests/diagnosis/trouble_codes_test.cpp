@@ -35,7 +35,7 @@ TEST(TroubleCodes, AreOneRowACode) {
     table = trouble_codes;
     table[7].number = table[0].number;
     EXPECT_FALSE(rsi::diagnosis::is_table_of_all(table)) << "the number of the first row twice";
-    EXPECT_EQ(rsi::diagnosis::numbers_of_all(), rsi::diagnosis::trouble_numbers);
+    EXPECT_EQ(rsi::diagnosis::numbers_of_all(), rsi::diagnosis::trouble_code_numbers);
     const auto judged = rsi::diagnosis::Judged::driving;
     EXPECT_EQ(rsi::diagnosis::row(rsi::monitoring::DiagnosticCode::imu_lost, 0xD120U, 0x87U, judged).number,
               0xD12087U);

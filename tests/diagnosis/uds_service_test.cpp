@@ -259,7 +259,7 @@ TEST_F(Uds, ListsEveryCode) {
     const Bytes answer = ask({0x19U, 0x0AU});
     ASSERT_EQ(answer.size(), 3U + 4U * rsi::diagnosis::trouble_code_count);
     for (std::size_t row = 0U; row < rsi::diagnosis::trouble_code_count; ++row) {
-        EXPECT_EQ(rsi::diagnosis::Request(answer.data(), answer.size(), false).three_bytes(3U + 4U * row),
+        EXPECT_EQ(rsi::diagnosis::Request(answer.data(), answer.size(), false).u24_at(3U + 4U * row),
                   rsi::diagnosis::trouble_codes[row].number);
         EXPECT_EQ(answer[6U + 4U * row], 0x50U);
     }
@@ -610,7 +610,7 @@ TEST(UdsBesideTheEcu, TakesItsFramesFromTheBusAndGivesThemBack) {
     const rsi::diagnosis::Identification identification{};
     rsi::diagnosis::Diagnosis diagnosis{bus.endpoint(0U), {}, identification, memories.one, memories.other};
     rsi::application::RolloverEcu ecu{bus.endpoint(0U), clock, watchdog};
-    ASSERT_TRUE(ecu.listen(diagnosis.listener()));
+    ASSERT_TRUE(ecu.add_listener(diagnosis.listener()));
     diagnosis.start(true);
     ecu.init(testing_application::large_suv());
     unsigned counter = 0U;

@@ -1,4 +1,4 @@
-// Calibrated ECU: the ECU with XCP around it.
+// Calibrated ECU: a RolloverEcu with an XCP slave for measurement and calibration.
 #pragma once
 
 #include "rsi/ecu/application/calibration_pages.hpp"
@@ -7,11 +7,11 @@
 
 namespace rsi::application {
 
-// An ECU that answers XCP. Without XCP use a RolloverEcu; nothing of this is then linked. As
-// RolloverEcu, but for the section: it is kept as the reference page, so it must live as long, as all others
-// must.
+// An image without XCP uses a RolloverEcu and links nothing of this.
 class CalibratedEcu {
  public:
+    // All must outlive the ECU. `section`, of which `length` bytes may be read, is the reference page;
+    // `storage` keeps the working page (nullptr: it cannot be stored).
     CalibratedEcu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog,
                   access::SeedAndKey& access, const std::uint8_t* section, std::size_t length,
                   hal::Storage* storage,
@@ -21,23 +21,23 @@ class CalibratedEcu {
           pages_{ecu_, section, length, storage},
           slave_{pages_, access, identifiers},
           ecu_{bus, clock, watchdog} {
-        static_cast<void>(ecu_.listen(slave_));
+        static_cast<void>(ecu_.add_listener(slave_));
     }
 
-    // Before init, as the platform knows: reset reason, storage of the load.
+    // For the set-up calls of RolloverEcu, before init.
     RolloverEcu& ecu() noexcept { return ecu_; }
 
     // With the stored section if there is a good one, else with that of the image.
     ParameterSectionAnswer init() noexcept { return pages_.init(); }
 
-    // One cycle of 10 ms: a change of the parameters first, then the ECU, then the answers of XCP, behind the
-    // warning on the bus.
+    // One cycle of 10 ms: changes parameters first, then steps the ECU. XCP responses come last, so that they
+    // never delay the warning frame.
     void step(std::uint32_t missed_cycles) noexcept {
         pages_.begin_cycle();
         ecu_.step(missed_cycles);
         const std::uint32_t failures = slave_.end_cycle(bus_, clock_, missed_cycles);
         if (failures > 0U) {
-            ecu_.forgive_send_failures(failures);
+            ecu_.ignore_send_failures(failures);
         }
     }
 

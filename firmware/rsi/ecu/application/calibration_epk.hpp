@@ -1,4 +1,5 @@
-// Calibration EPK: by which a tool knows that its A2L is of this firmware.
+// Calibration EPK ("EPROM Kennung", ASAM MCD-2 MC): identifier by which a tool checks that its A2L file fits
+// this firmware.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ constexpr std::uint32_t add_names(std::uint32_t remainder, const Table& table) {
     return remainder;
 }
 
-// Evaluated by the compiler: the texts do not get into a controller.
+// Evaluated at compile time, so that the names do not get into the image.
 constexpr std::uint32_t layout_of_outputs() {
     return crc32_end(add_names(add_names(crc32_start, rsi::code_outputs), rsi::number_outputs));
 }
@@ -28,7 +29,7 @@ constexpr std::uint8_t digit_of(std::uint32_t nibble) {
     return static_cast<std::uint8_t>((nibble < 10U) ? '0' + nibble : 'A' + (nibble - 10U));
 }
 
-// "rsi 0.2.0 89ABCDEF 01234567", filled up with zeros.
+// "rsi 0.2.0 89ABCDEF 01234567", padded with zeros: version, layout of the parameters, layout of the outputs.
 constexpr std::array<std::uint8_t, 32> make_calibration_epk() {
     std::array<std::uint8_t, 32> text{};
     std::size_t place = 0U;
@@ -36,7 +37,7 @@ constexpr std::array<std::uint8_t, 32> make_calibration_epk() {
         text[place] = static_cast<std::uint8_t>(letter);
         ++place;
     }
-    --place;  // the text's closing zero
+    --place;  // overwrites the terminating zero
     for (const std::uint32_t word : {section::layout, layout_of_outputs()}) {
         text[place] = ' ';
         ++place;
@@ -48,7 +49,6 @@ constexpr std::array<std::uint8_t, 32> make_calibration_epk() {
     return text;
 }
 
-// The version, the layout of the values, and that of the outputs.
 inline constexpr std::array<std::uint8_t, 32> calibration_epk = make_calibration_epk();
 
 }  // namespace rsi::application

@@ -21,7 +21,7 @@ bool are_same(const char* name, const char* other) {
     return name[place] == other[place];
 }
 
-// The table's number of a field's name, from 1; 0 for none.
+// 1 + index of the field with that name in parameter_fields, then selection_fields; 0 if there is none.
 std::uint8_t number_of(const char* name) {
     std::uint8_t number = 0U;
     std::uint8_t found = 0U;
@@ -44,7 +44,7 @@ std::uint8_t byte_of(std::uint32_t word, std::uint32_t place) {
     return static_cast<std::uint8_t>(word >> (8U * (place % 4U)));
 }
 
-// For any address of a master: an address below the range is, seen from it, further away than any is long.
+// Safe for any address: below the range, the unsigned difference wraps to more than any range's length.
 bool is_within(std::uint32_t address, std::size_t count, xcp::Target::Range range) {
     return (count <= range.length) && (address - range.address <= range.length - count);
 }
@@ -101,7 +101,7 @@ bool CalibrationPages::read(std::uint32_t address, xcp::Page page, std::uint8_t*
     return is_declared;
 }
 
-// Memory at a declared address.
+// Precondition: `address` is in one of the ranges.
 std::uint8_t CalibrationPages::byte_at(std::uint32_t address, xcp::Page page) const noexcept {
     if (address >= map::name_at) {
         return program_name[address - map::name_at];
@@ -145,7 +145,7 @@ bool CalibrationPages::checksum(std::uint32_t address, xcp::Page page, std::size
     return true;
 }
 
-// A value that is begun in its middle is refused, unless what comes before it has just been written.
+// A write that begins inside a value is refused unless it continues the last write.
 xcp::Error CalibrationPages::write(std::uint32_t address, const std::uint8_t* bytes,
                                    std::size_t count) noexcept {
     if (!is_usable_ || !is_within(address, count, parameter_range)) {
@@ -167,7 +167,7 @@ xcp::Error CalibrationPages::write(std::uint32_t address, const std::uint8_t* by
     }
     piece_ends_at_ = place;
     if (is_changed && (selected_ == xcp::Page::working)) {
-        static_cast<void>(begin_change(working_.data()));  // refused_field_ tells
+        static_cast<void>(begin_change(working_.data()));  // a refusal is in refused_field_
     }
     return xcp::Error::none;
 }
@@ -195,7 +195,7 @@ xcp::Error CalibrationPages::copy_reference() noexcept {
     return xcp::Error::none;
 }
 
-// Only what the next start would accept.
+// Stores only a section that the next start would accept.
 xcp::Error CalibrationPages::store() noexcept {
     section::put_checksum(working_.data());
     rsi::Parameters unused{};

@@ -1,5 +1,4 @@
-// Calibration pages: the parameters as a master of XCP sees and changes them, and the outputs as he measures
-// them.
+// Calibration pages: the parameters and outputs that an XCP master can calibrate and measure.
 #pragma once
 
 #include <array>
@@ -13,9 +12,10 @@
 
 namespace rsi::application {
 
-// Addresses of XCP. They are a map of its own, so that an A2L is of a version of the firmware and not of a
-// link: the values of a parameter section in their order, the outputs in theirs, and what is said of a
-// change. All are words of four bytes, little-endian.
+// XCP addresses. They are virtual, so that an A2L file fits a firmware version and not one link of it.
+// Parameters: the values of a parameter section in its order; outputs: rsi_outputs; change: selected page,
+// change in progress, refused field, one spare byte, number of changes. Words of four bytes are
+// little-endian.
 namespace calibration_map {
 
 inline constexpr std::uint32_t parameters_at = 0x10000U;
@@ -29,20 +29,21 @@ inline constexpr std::uint32_t name_at = 0x50000U;
 
 }  // namespace calibration_map
 
-// The working page is a parameter section in RAM, the reference page that of the image. Whole values only get
-// into the working page: of one that arrives in two pieces the first waits for the second. While the control
-// unit works with it, each change is validated as a whole and taken over between two cycles; what is refused
-// stays on the page to be corrected, the control unit goes on with what it had, and `refused field` says why.
-// To change several values at once, select the reference page before and the working page after.
+// The working page is a parameter section in RAM, the reference page that of the image. The working page
+// takes whole values only: a value that arrives in two writes is held back until it is complete. While the
+// working page is selected, each write starts a change that is validated as a whole and taken over between
+// two cycles. A refused change leaves the page as written and the ECU on its previous parameters; `refused
+// field` names the parameter. To change several values at once, select the reference page, write, and select
+// the working page.
 class CalibrationPages final : public xcp::Target {
  public:
-    // All must outlive the pages. `reference`: a section, of whose memory `length` bytes may be read. Without
-    // a storage nothing can be stored.
+    // All must outlive the pages. `reference`: a parameter section, of which `length` bytes may be read.
+    // Without `storage` (nullptr) store() is refused.
     CalibrationPages(RolloverEcu& ecu, const std::uint8_t* reference, std::size_t length,
                      hal::Storage* storage) noexcept
         : ecu_{ecu}, reference_{reference}, reference_length_{length}, storage_{storage} {}
 
-    // Once, in place of RolloverEcu::init: with the stored section if there is a good one, else with the
+    // Once, instead of RolloverEcu::init: starts with the stored section if it is accepted, else with the
     // reference.
     ParameterSectionAnswer init() noexcept;
 
@@ -79,14 +80,14 @@ class CalibrationPages final : public xcp::Target {
     std::size_t reference_length_;
     hal::Storage* storage_;
     Section working_{};
-    bool is_usable_{false};  // the reference is a section, though perhaps with values that are refused
+    bool is_usable_{false};  // the reference has the form of a section; its values may be refused
     xcp::Page selected_{xcp::Page::working};
     rsi::ParameterChange change_{};
     bool is_changing_{false};
-    std::uint8_t refused_field_{0U};       // 0: none, else its number in the tables, from 1
-    std::uint32_t changes_{0U};            // taken over since the start
-    std::array<std::uint8_t, 4> piece_{};  // of a value that is not whole yet
-    std::uint32_t piece_ends_at_{0U};      // an offset; a multiple of 4: there is none
+    std::uint8_t refused_field_{0U};  // 0: none, else 1 + index in parameter_fields, then selection_fields
+    std::uint32_t changes_{0U};       // taken over since the start
+    std::array<std::uint8_t, 4> piece_{};  // of a value that is incomplete
+    std::uint32_t piece_ends_at_{0U};      // offset from parameters_at; a multiple of 4: no incomplete value
 };
 
 }  // namespace rsi::application

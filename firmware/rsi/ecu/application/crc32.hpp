@@ -10,8 +10,8 @@ namespace rsi::application {
 
 inline constexpr std::uint32_t crc32_start = 0xFFFF'FFFFU;
 
-// CRC of each half byte: a record is stored within a cycle, where bits one by one take too long; a table of
-// whole bytes would be a thousand bytes of constants.
+// One entry per nibble: a bitwise CRC would be too slow for records that are stored within a cycle, and a
+// table for bytes would take 1 KiB of constants.
 inline constexpr std::array<std::uint32_t, 16> crc32_of_half_byte{
     0x0000'0000U, 0x1DB7'1064U, 0x3B6E'20C8U, 0x26D9'30ACU, 0x76DC'4190U, 0x6B6B'51F4U,
     0x4DB2'6158U, 0x5005'713CU, 0xEDB8'8320U, 0xF00F'9344U, 0xD6D6'A3E8U, 0xCB61'B38CU,

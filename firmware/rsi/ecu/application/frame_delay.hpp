@@ -1,4 +1,4 @@
-// Frame delay: frames of roll angle or IMU that arrive in order, but late all the time.
+// Frame delay: detects frames of roll angle or IMU that arrive in order, but with a constant delay.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace rsi::application {
 
-// A constant delay leaves counters and receive times in order; only its beginning shows, as a silence. After
-// a silence in which frames were lost, the counter goes on with the one that is due; after one that held them
-// back, where it had stopped, while that of the other sender has gone on. Compared with the other counter
-// instead of the clock, because when all senders pause together nothing is late. While the other one is
-// silent itself, or its frames are damaged, there is nothing to compare with: the judgement waits, unless it
-// takes so long that a sender may have started anew. A sender that itself has paused looks as a delay does:
-// it is accepted again when roll angle and roll rate move together.
+// A constant delay leaves counters and receive times in order; it shows only when it begins, as a silence. If
+// frames were lost in the silence, the counter has moved on meanwhile; if they were held back, it resumes
+// where it stopped and so falls behind the counter of the other sender. The reference is the other counter
+// and not the clock, because a pause of all senders is no delay. Without good frames of the other sender the
+// decision waits, until the silence is so long that a sender may have restarted. A sender that paused and
+// kept its counter looks like a delay: it is accepted again when roll angle and roll rate match in time
+// (RollLag).
 class FrameDelay {
  public:
-    // One cycle: counters and values of the newest good frames, new or not.
+    // One cycle: counters and values of the latest good frames, whether or not they arrived in this cycle.
     void update(std::uint32_t imu_counter, std::uint32_t roll_counter, float roll_angle_rad,
                 float roll_rate_radps) noexcept {
         const bool as_before = (lead(imu_counter, roll_counter) == ahead_in_time_);
@@ -29,7 +29,7 @@ class FrameDelay {
         }
     }
 
-    // Silences were not counted.
+    // Cycles were missed, so silences were not counted.
     void miss_cycles() noexcept {
         may_be_anew_ = true;
         calm_ = false;
@@ -40,8 +40,8 @@ class FrameDelay {
 
  private:
     static constexpr std::uint32_t counters = can_dbc::e2e::profile_11_largest_counter + 1U;
-    // Frames and cycles of 10 ms. Two more than that are bridged; in a longer silence the sender may have
-    // started anew, and three fewer than the counter's round are a lead and no delay.
+    // Cycles of 10 ms, one frame each. Shorter silences are ordinary losses. Longer ones may be a restart of
+    // the sender, and a counter that is further behind (of 15) is rather ahead.
     static constexpr std::uint32_t shortest_silence = 4U;
     static constexpr std::uint32_t longest_silence = 11U;
 
@@ -68,7 +68,7 @@ class FrameDelay {
 
         std::uint32_t counter{0U};                    // of the newest frame
         std::uint32_t silence{longest_silence + 1U};  // cycles without another one
-        bool paused{false};                           // silent, and not judged since
+        bool paused{false};                           // was silent, and not judged since
         bool late{false};
     };
 
@@ -102,8 +102,8 @@ class FrameDelay {
             imu_.late = imu_.late && !lag_.rate_is_in_time();
             return;
         }
-        // Later a pause of the IMU, of which it is not known yet, would be taken for its normal place. Every
-        // second cycle may be without a frame.
+        // An IMU that has just begun to pause must not become the reference. One cycle without a frame is
+        // ordinary.
         if (imu_.silence < 2U) {
             ahead_in_time_ = ahead;
             may_be_anew_ = false;
@@ -115,9 +115,9 @@ class FrameDelay {
 
     Sender imu_{};
     Sender roll_{};
-    bool calm_{false};                 // both came in the last cycle, in time
-    bool may_be_anew_{false};          // one of them, with another counter, since both were judged
-    std::uint32_t ahead_in_time_{0U};  // of the IMU's counter, while neither is late
+    bool calm_{false};                 // both arrived in the last cycle, neither late
+    bool may_be_anew_{false};          // a sender may have restarted since the last decision
+    std::uint32_t ahead_in_time_{0U};  // lead of the IMU's counter while neither is late
     monitoring::RollLag lag_{};
 };
 

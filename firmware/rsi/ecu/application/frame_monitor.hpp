@@ -16,29 +16,29 @@ namespace rsi::application {
 // after its last frame, depending on the phase between the two.
 inline constexpr hal::Time frame_time_limit = hal::Time::from_milliseconds(35);
 
-// A frame from the future: the clock has gone back, and the frame's age is not known. As much as a cycle may
-// be the resolution of two clocks.
-inline constexpr hal::Time no_older = hal::Time::from_milliseconds(-10);
+// A receive time further in the future than this means that the clock has jumped back, so the age is unknown
+// and the frame is not used. One cycle of tolerance covers receive times from a clock of lower resolution.
+inline constexpr hal::Time youngest_frame_age = hal::Time::from_milliseconds(-10);
 
-// Two lost frames in a row are tolerated: the fourth one would be older than the time limit anyway.
+// MaxDeltaCounter. Two lost frames in a row are tolerated; with three, the time limit has expired anyway.
 inline constexpr std::uint8_t largest_counter_step = 3U;
 
-// A channel of which more than four of the last eight frames were damaged is not used until two or fewer
-// were: its CRC of eight bits overlooks one damaged frame in 256. One good frame is enough at the start,
-// because the component itself waits before it says "ready". Silence is left to the time limit, which is
-// always sooner than a window without a good frame.
+// E2E state machine: a channel with more than four errors in the last eight frames is invalid until there are
+// two or fewer, because a CRC-8 misses one damaged frame in 256. One good frame is enough to start, because
+// the component itself waits before it reports "ready". The time limit detects silence, and sooner than the
+// window would.
 inline constexpr can_dbc::e2e::StateMachineSettings channel_settings{8U, {1U, 4U}, {1U, 4U}, {1U, 2U}, true};
 
 // Faults of a frame in one cycle.
 struct FrameFaults {
-    bool received{false};        // a usable frame has come since the start
+    bool received{false};        // a usable frame was received since the start
     bool timeout{false};         // no usable frame within the time limit
     bool checksum_error{false};  // CRC, data identifier or length
     bool counter_error{false};   // repeated, or more frames lost than tolerated
     bool signal_invalid{false};  // the latest usable frame carries a signal that is not valid
     bool two_senders{false};     // more frames come than one sender sends
 
-    // Never of a sensor that the vehicle does not have: nothing of it times out.
+    // False for a sensor that the vehicle does not have: `received` stays false, and `timeout` too.
     bool is_fresh() const noexcept { return received && !timeout; }
 };
 
@@ -81,7 +81,7 @@ class FrameMonitor {
 
     bool is_fresh(hal::Time now) const noexcept {
         const hal::Time age = now - latest_time_;
-        return received_ && !withdrawn_ && !(frame_time_limit < age) && !(age < no_older);
+        return received_ && !withdrawn_ && !(frame_time_limit < age) && !(age < youngest_frame_age);
     }
 
     // The last usable values; only meaningful while is_fresh().
@@ -92,13 +92,14 @@ class FrameMonitor {
     can_dbc::e2e::ChannelState channel_state() const noexcept { return channel_.state(); }
     bool checksum_error() const noexcept { return checksum_error_; }
     bool counter_error() const noexcept { return counter_error_; }
-    // It is not known which of them carries the measurement.
+    // No value is used then, because the genuine sender cannot be identified.
     bool has_two_senders() const noexcept { return sender_rate_.is_doubled(); }
     std::uint32_t frames_rejected() const noexcept { return frames_rejected_; }
     std::uint32_t frames_lost() const noexcept { return frames_lost_; }
 
  private:
-    // Earlier values of an invalid channel are not used either, nor when it is valid again.
+    // An invalid channel withdraws its latest values for good: when it is valid again, only a new frame
+    // counts.
     void follow(const can_dbc::e2e::CheckResult& check) noexcept {
         channel_.update(check.status);
         withdrawn_ = withdrawn_ || !channel_.is_valid();
@@ -119,8 +120,8 @@ class FrameMonitor {
         hal::count_up(frames_lost_, check.lost_frames);
     }
 
-    // A second sender may have a counter of its own, or imitate the genuine one. But a frame that is sent
-    // twice over says nothing else, as equal checksums under the same counter show.
+    // A frame out of sequence may come from a second sender and counts towards the rate. A duplicate (same
+    // counter and checksum) does not.
     void count_in_disorder(can_dbc::e2e::CheckStatus status, std::uint8_t checksum) noexcept {
         using can_dbc::e2e::CheckStatus;
         const bool is_copy = (status == CheckStatus::repeated) && (checksum == checksum_);
@@ -139,7 +140,7 @@ class FrameMonitor {
     std::uint8_t checksum_{0U};  // of the newest frame
     bool received_{false};
     bool withdrawn_{false};  // the channel was not valid since the latest usable frame, or has two senders
-    bool heard_{true};       // a frame came in this cycle, good or not; the first cycle has none before it
+    bool heard_{true};       // a frame came in this cycle, good or not; true before the first cycle
     bool checksum_error_{false};
     bool counter_error_{false};
     SenderRate sender_rate_{};

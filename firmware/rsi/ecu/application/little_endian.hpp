@@ -1,4 +1,5 @@
-// Numbers as bytes, the least significant first, whatever the target.
+// Little-endian access to byte buffers, independent of the target's byte order. `bytes` has room for the
+// whole value at `offset`; no alignment is needed.
 #pragma once
 
 #include <cstddef>
@@ -7,33 +8,32 @@
 
 namespace rsi::application {
 
-constexpr std::uint32_t half_word_at(const std::uint8_t* bytes, std::size_t place) {
-    return static_cast<std::uint32_t>(bytes[place]) | (static_cast<std::uint32_t>(bytes[place + 1U]) << 8U);
+constexpr std::uint32_t u16_at(const std::uint8_t* bytes, std::size_t offset) {
+    return static_cast<std::uint32_t>(bytes[offset]) | (static_cast<std::uint32_t>(bytes[offset + 1U]) << 8U);
 }
 
-constexpr std::uint32_t word_at(const std::uint8_t* bytes, std::size_t place) {
-    return half_word_at(bytes, place) | (half_word_at(bytes, place + 2U) << 16U);
+constexpr std::uint32_t u32_at(const std::uint8_t* bytes, std::size_t offset) {
+    return u16_at(bytes, offset) | (u16_at(bytes, offset + 2U) << 16U);
 }
 
-constexpr void put_word(std::uint8_t* bytes, std::size_t place, std::uint32_t word) {
+constexpr void put_u32(std::uint8_t* bytes, std::size_t offset, std::uint32_t value) {
     for (std::size_t byte = 0U; byte < 4U; ++byte) {
-        bytes[place + byte] = static_cast<std::uint8_t>(word >> (8U * byte));
+        bytes[offset + byte] = static_cast<std::uint8_t>(value >> (8U * byte));
     }
 }
 
-// A float is its bits (IEEE 754, binary32).
-static_assert(sizeof(float) == sizeof(std::uint32_t));
+static_assert(sizeof(float) == sizeof(std::uint32_t), "a float is stored as IEEE 754 binary32");
 
-inline std::uint32_t word_of(float value) {
-    std::uint32_t word = 0U;
-    std::memcpy(&word, &value, sizeof word);
-    return word;
+inline std::uint32_t float_bits(float value) {
+    std::uint32_t bits = 0U;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
 }
 
-inline float float_at(const std::uint8_t* bytes, std::size_t place) {
-    const std::uint32_t word = word_at(bytes, place);
+inline float float_at(const std::uint8_t* bytes, std::size_t offset) {
+    const std::uint32_t bits = u32_at(bytes, offset);
     float value = 0.0F;
-    std::memcpy(&value, &word, sizeof value);
+    std::memcpy(&value, &bits, sizeof value);
     return value;
 }
 

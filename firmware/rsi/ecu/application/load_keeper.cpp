@@ -8,8 +8,9 @@ namespace rsi::application {
 namespace {
 
 constexpr std::uint32_t least_cycles_between_stores = 6000U;  // a minute
-constexpr float worth_storing = 0.03F;
-constexpr float known_deviation = 0.05F;
+// Unit of both: load excess, a share of the calibrated m_s H.
+constexpr float worth_storing = 0.03F;    // smaller changes would wear the memory out
+constexpr float known_deviation = 0.05F;  // standard deviation below which a load is certain enough to store
 
 }  // namespace
 
@@ -30,7 +31,8 @@ void LoadKeeper::follow(const rsi::Parameters& parameters) noexcept {
     parameters_check_word_ = check_word_of(parameters);
 }
 
-// A load known less well than the stored one is not new.
+// Stores a load that differs from the stored one, is certain enough, and comes a minute or more after the
+// last store.
 void LoadKeeper::keep(const rsi::LearntLoad& learnt) noexcept {
     hal::count_up(cycles_since_store_);
     const bool is_other = rsi::absolute(learnt.excess - stored_.excess) > worth_storing;

@@ -1,4 +1,4 @@
-// Load keeper: carries what the component has learnt of the load over a restart.
+// Load keeper: keeps the learnt load in non-volatile memory over a restart.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace rsi::application {
 
-// Stores when the load is known to be another than stored, and at most once a minute: memories wear out.
+// Stores a load that clearly differs from the stored one, at most once a minute to limit memory wear.
 class LoadKeeper {
  public:
     // `storage` must outlive the keeper. Without one nothing is kept.
     void use(hal::Storage& storage) noexcept { storage_ = &storage; }
 
-    // Before the first cycle: gives the component what was stored for these parameters, if it was. `doubted`:
-    // the load may have changed since.
+    // Before the first cycle: restores the load stored for these parameters, if there is one. `doubted`: the
+    // load may have changed since.
     [[gnu::cold]] void restore(const rsi::Parameters& parameters, rsi::Component& component,
                                bool doubted) noexcept;
 
-    // Other parameters from now on: what is learnt from here is stored for them.
+    // From now on loads are stored for these parameters.
     [[gnu::cold]] void follow(const rsi::Parameters& parameters) noexcept;
 
     // One cycle.

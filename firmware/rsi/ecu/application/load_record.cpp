@@ -26,7 +26,7 @@ std::uint32_t add_to_remainder(std::uint32_t remainder, std::uint32_t word) {
 std::uint32_t check_word_of(const rsi::Parameters& parameters) noexcept {
     std::uint32_t remainder = crc32_start;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
-        remainder = add_to_remainder(remainder, word_of(parameters.*field.member));
+        remainder = add_to_remainder(remainder, float_bits(parameters.*field.member));
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
         remainder = add_to_remainder(remainder, static_cast<std::uint32_t>(parameters.*field.member));
@@ -37,21 +37,21 @@ std::uint32_t check_word_of(const rsi::Parameters& parameters) noexcept {
 LoadRecord write_load_record(const rsi::LearntLoad& learnt, std::uint32_t parameters_check_word) noexcept {
     LoadRecord record{};
     std::uint8_t* const bytes = record.data();
-    put_word(bytes, 0U, record_magic);
-    put_word(bytes, parameters_at, parameters_check_word);
-    put_word(bytes, excess_at, word_of(learnt.excess));
-    put_word(bytes, deviation_at, word_of(learnt.excess_deviation));
-    put_word(bytes, offset_at, word_of(learnt.offset_mps2));
-    put_word(bytes, record_checksum_at, crc32(bytes, record_checksum_at));
+    put_u32(bytes, 0U, record_magic);
+    put_u32(bytes, parameters_at, parameters_check_word);
+    put_u32(bytes, excess_at, float_bits(learnt.excess));
+    put_u32(bytes, deviation_at, float_bits(learnt.excess_deviation));
+    put_u32(bytes, offset_at, float_bits(learnt.offset_mps2));
+    put_u32(bytes, record_checksum_at, crc32(bytes, record_checksum_at));
     return record;
 }
 
 bool read_load_record(const LoadRecord& record, std::uint32_t parameters_check_word,
                       rsi::LearntLoad& learnt) noexcept {
     const std::uint8_t* const bytes = record.data();
-    const bool good = (word_at(bytes, 0U) == record_magic) &&
-                      (word_at(bytes, parameters_at) == parameters_check_word) &&
-                      (word_at(bytes, record_checksum_at) == crc32(bytes, record_checksum_at));
+    const bool good = (u32_at(bytes, 0U) == record_magic) &&
+                      (u32_at(bytes, parameters_at) == parameters_check_word) &&
+                      (u32_at(bytes, record_checksum_at) == crc32(bytes, record_checksum_at));
     if (good) {
         learnt = rsi::LearntLoad{float_at(bytes, excess_at), float_at(bytes, deviation_at),
                                  float_at(bytes, offset_at)};

@@ -1,10 +1,9 @@
-// Load record: what the component has learnt of the load, as bytes for a memory that outlives a loss of
-// power.
+// Load record: the learnt load in the form in which non-volatile memory keeps it.
 //
 //   offset  bytes
 //        0      4  magic, "RSIL"
-//        4      4  CRC-32 of the parameters: what was learnt holds for them alone
-//        8     12  excess, its deviation, offset: floats (IEEE 754, binary32)
+//        4      4  CRC-32 of the parameters for which the load was learnt
+//        8     12  excess, its deviation, offset in m/s^2: floats (IEEE 754, binary32)
 //       20      4  CRC-32 of every byte before
 //
 // Every number is little-endian, whatever the target.
@@ -21,7 +20,7 @@ namespace rsi::application {
 inline constexpr std::size_t load_record_length = 24U;
 using LoadRecord = std::array<std::uint8_t, load_record_length>;
 
-// The check word over parameters that a record names.
+// CRC-32 of the parameters, as at offset 4.
 [[gnu::cold]] std::uint32_t check_word_of(const rsi::Parameters& parameters) noexcept;
 
 LoadRecord write_load_record(const rsi::LearntLoad& learnt, std::uint32_t parameters_check_word) noexcept;

@@ -15,7 +15,7 @@ bool has_magic(const std::uint8_t* bytes, std::size_t length) {
     return same;
 }
 
-// Everything but the values.
+// First fault of the section, its values left aside.
 ParametersRefusal check_form(const std::uint8_t* bytes, std::size_t length) {
     if (!has_magic(bytes, length)) {
         return ParametersRefusal::missing;
@@ -23,17 +23,17 @@ ParametersRefusal check_form(const std::uint8_t* bytes, std::size_t length) {
     if (length < section::values_at) {
         return ParametersRefusal::length;
     }
-    if (half_word_at(bytes, section::version_at) != section::format_version) {
+    if (u16_at(bytes, section::version_at) != section::format_version) {
         return ParametersRefusal::version;
     }
-    if ((half_word_at(bytes, section::count_at) != section::value_count) ||
-        (word_at(bytes, section::layout_at) != section::layout)) {
+    if ((u16_at(bytes, section::count_at) != section::value_count) ||
+        (u32_at(bytes, section::layout_at) != section::layout)) {
         return ParametersRefusal::layout;
     }
-    if ((length < section::length) || (word_at(bytes, section::length_at) != section::length)) {
+    if ((length < section::length) || (u32_at(bytes, section::length_at) != section::length)) {
         return ParametersRefusal::length;
     }
-    const bool intact = (crc32(bytes, section::checksum_at) == word_at(bytes, section::checksum_at));
+    const bool intact = (crc32(bytes, section::checksum_at) == u32_at(bytes, section::checksum_at));
     return intact ? ParametersRefusal::none : ParametersRefusal::checksum;
 }
 
@@ -47,7 +47,7 @@ rsi::Parameters section::values_of(const std::uint8_t* bytes) noexcept {
         place += 4U;
     }
     for (const rsi::SelectionField& field : rsi::selection_fields) {
-        const std::uint32_t word = word_at(bytes, place);
+        const std::uint32_t word = u32_at(bytes, place);
         std::memcpy(&(parameters.*field.member), &word, sizeof word);
         place += 4U;
     }
@@ -55,7 +55,7 @@ rsi::Parameters section::values_of(const std::uint8_t* bytes) noexcept {
 }
 
 void section::put_checksum(std::uint8_t* bytes) noexcept {
-    put_word(bytes, checksum_at, crc32(bytes, checksum_at));
+    put_u32(bytes, checksum_at, crc32(bytes, checksum_at));
 }
 
 ParameterSectionAnswer read_parameter_section(const std::uint8_t* bytes, std::size_t length,

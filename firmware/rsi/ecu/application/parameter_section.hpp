@@ -8,12 +8,12 @@
 //        8      4  layout: CRC-32 of the names of all values in their order, each selection's with its first
 //        choices
 //       12      4  length of the whole section
-//       16     48  the calibration's name: text for people, filled up with zeros
+//       16     48  the calibration's name: text, padded with zeros
 //       64   4 * n  the values in the order of rsi_parameters: floats (IEEE 754, binary32), then selections
 //   at end      4  CRC-32 of every byte before
 //
-// Every number is little-endian, whatever the target. The layout makes a section that was written for another
-// rsi_parameters recognisable: its values would be taken for others.
+// Every number is little-endian, whatever the target. The layout detects a section that was written for
+// another rsi_parameters, whose values would be assigned to the wrong fields.
 #pragma once
 
 #include <array>
@@ -25,8 +25,7 @@
 
 namespace rsi::application {
 
-// First error of the parameters that the ECU was started with; sent as
-// ParametersRefusal.
+// First reason to refuse the parameters of the last init; sent as the signal ParametersRefusal.
 enum class ParametersRefusal : std::uint8_t {
     none = 0,
     missing = 1,      // not yet started, or no parameter section: the magic is not there (erased memory)
@@ -66,7 +65,7 @@ constexpr std::uint32_t add_word(std::uint32_t remainder, const char* text, char
     return crc32_update(remainder, static_cast<std::uint8_t>(end));
 }
 
-// A choice that is added later is no part of it: sections that were flashed before stay good.
+// Choices that are added later are left out, so that sections in the field stay valid.
 constexpr std::uint32_t layout_of_values() {
     std::uint32_t remainder = crc32_start;
     for (const rsi::ParameterField& field : rsi::parameter_fields) {
@@ -83,10 +82,11 @@ constexpr std::uint32_t layout_of_values() {
 
 inline constexpr std::uint32_t layout = layout_of_values();
 
-// The parameters in a section whose form is good; not accepted yet.
+// Precondition: the section has passed every check but the one of its values. The parameters are not
+// validated.
 rsi::Parameters values_of(const std::uint8_t* bytes) noexcept;
 
-// Into a section whose values have been changed.
+// Updates the CRC after a change of values.
 void put_checksum(std::uint8_t* bytes) noexcept;
 
 }  // namespace section
@@ -97,9 +97,8 @@ struct ParameterSectionAnswer {
     rsi::Validation validation;
 };
 
-// Takes the parameters out of the section at `bytes`, of whose memory `length` bytes may be read; more than
-// the section's are no fault. `parameters` is written only when nothing is refused. Bounded: at most the
-// section's length is read.
+// Reads and validates the section at `bytes`. `length`: bytes that may be read, at least the section's
+// length; never more than that is read. `parameters` is written only when nothing is refused.
 ParameterSectionAnswer read_parameter_section(const std::uint8_t* bytes, std::size_t length,
                                               rsi::Parameters& parameters) noexcept;
 

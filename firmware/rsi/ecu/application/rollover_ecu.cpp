@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t most_missed_cycles = 2U;
 
-// A sensor that has not yet sent anything is no fault for so long after the start.
+// Time for sensors to start (1 s): until then a frame that has never been received sets no code.
 constexpr std::uint32_t start_cycles = 100U;
 
 constexpr monitoring::CodeSet of_rare_faults = monitoring::set_of(
@@ -35,9 +35,9 @@ rsi::Validation RolloverEcu::init(const rsi::Parameters& parameters) noexcept {
 }
 
 ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_t length) noexcept {
-    parameters_ = rsi::Parameters{};  // which the component refuses, unless the section replaces them
+    parameters_ = rsi::Parameters{};  // all zeros: the component refuses them if the section is bad
     const ParameterSectionAnswer answer = read_parameter_section(section, length, parameters_);
-    start_with(answer);
+    start_component(answer);
     protection_ = has_test_keys_ ? Protection::unsealed_test_keys : Protection::unsealed;
     return answer;
 }
@@ -46,15 +46,15 @@ ParameterSectionAnswer RolloverEcu::init(const std::uint8_t* section, std::size_
                                          SectionAuthority& authority) noexcept {
     parameters_ = rsi::Parameters{};
     const ParameterSectionAnswer answer = read_parameter_section(section, length, authority, parameters_);
-    start_with(answer);
+    start_component(answer);
     if (answer.refusal == ParametersRefusal::none) {
-        static_cast<void>(authority.raise(section));  // else at the next start
+        static_cast<void>(authority.raise(section));  // if the storage is busy, the next start raises it
     }
     protection_ = authority.keys().has_test_keys() ? Protection::sealed_test_keys : Protection::sealed;
     return answer;
 }
 
-void RolloverEcu::start_with(const ParameterSectionAnswer& answer) noexcept {
+void RolloverEcu::start_component(const ParameterSectionAnswer& answer) noexcept {
     static_cast<void>(component_.init(parameters_));
     start_checks();
     refusal_ = answer.refusal;
@@ -120,7 +120,8 @@ void RolloverEcu::step(std::uint32_t missed_cycles) noexcept {
     }
 }
 
-// After a stall neither the component's models nor the checks know what was in between.
+// After a stall (more than most_missed_cycles) the checks start afresh, and inputs that are all unavailable
+// reset the component's models.
 rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionReport& reception,
                                    std::uint32_t missed_cycles) noexcept {
     if (missed_cycles > most_missed_cycles) {
@@ -133,8 +134,8 @@ rsi::Inputs RolloverEcu::qualified(const rsi::Inputs& inputs, const ReceptionRep
     return input_monitor_.qualify(inputs, fresh, outputs_, memory_);
 }
 
-// False when this cycle has found the parameters, the component's memory, the estimate or an output damaged;
-// as long as one of these codes is confirmed there is no statement on the risk.
+// False when this cycle has found a fault in the parameters, the component's memory, the estimate or an
+// output. While one of their codes is confirmed, the outputs are withdrawn.
 bool RolloverEcu::check_itself() noexcept {
     using monitoring::DiagnosticCode;
     const bool parameters_good = !parameter_guard_.is_damaged(parameters_) && !component_guard_.is_failing();
@@ -145,7 +146,7 @@ bool RolloverEcu::check_itself() noexcept {
     memory_.report(DiagnosticCode::estimate_out_of_range, !estimate_good);
     memory_.report(DiagnosticCode::output_not_finite, !outputs_good);
     if (!estimate_good || !outputs_good) {
-        component_.reset(parameters_);  // all anew, from the parameters that are watched
+        component_.reset(parameters_);  // from the parameters that parameter_guard_ checks
     }
     if (internal_fault()) {
         monitoring::withdraw(outputs_);
@@ -212,7 +213,7 @@ bool RolloverEcu::bus_error(const hal::BusStatistics& statistics) noexcept {
     return failed || (bus_.state() != hal::BusState::error_active);
 }
 
-// True in the cycle that follows a loss.
+// A received frame was dropped since the last cycle.
 bool RolloverEcu::receive_overflow(const hal::BusStatistics& statistics) noexcept {
     return has_changed(statistics.frames_lost, overflow_count_);
 }

@@ -25,7 +25,9 @@ namespace rsi::application {
 
 class RolloverEcu {
  public:
-    // All three must outlive the ECU.
+    // All three must outlive the ECU. Order of calls: the set-up calls that the platform needs
+    // (report_test_keys, set_reset_reason, use_storage, add_listener), one init(), then step() in every
+    // cycle.
     RolloverEcu(hal::CanBus& bus, const hal::Clock& clock, hal::Watchdog& watchdog) noexcept
         : bus_{bus}, clock_{clock}, watchdog_{watchdog} {}
 
@@ -33,58 +35,60 @@ class RolloverEcu {
     // diagnostic flag ParametersInvalid and, as ParametersRefusal, why.
     rsi::Validation init(const rsi::Parameters& parameters) noexcept;
 
-    // The same with the parameters of a section of the image, of whose memory `length` bytes may be read.
+    // The same with the parameters of a parameter section (parameter_section.hpp) in memory. `length`: bytes
+    // that may be read from `section` on.
     ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length) noexcept;
 
-    // Between two cycles: goes on with the parameters of a change that is ready and began from parameters(),
-    // as rsi::Component::change says. The checks of the inputs begin anew only where they depend on what has
-    // changed. An ECU that has refused its parameters starts with these.
+    // Takes over other parameters between two cycles, under the preconditions of rsi::Component::change; the
+    // change began from parameters(). Restarts the input monitoring only if the vehicle or its sensors have
+    // changed. An ECU that has refused its parameters is initialised with these.
     [[gnu::cold]] void change(const rsi::ParameterChange& change) noexcept;
 
-    // Those in use, as far as they were accepted.
+    // The parameters of the last init() or change(); all zeros after a section that was refused.
     const rsi::Parameters& parameters() const noexcept { return parameters_; }
 
-    // The same for a platform that takes sealed sections only. The section in use raises the authority's
-    // version.
+    // Initialises from a section that must carry a good seal. An accepted one raises the authority's version,
+    // so that older sections are refused from then on.
     ParameterSectionAnswer init(const std::uint8_t* section, std::size_t length,
                                 SectionAuthority& authority) noexcept;
 
-    // For a platform whose XCP or UDS asks for a key, before init: a public key is reported on the bus.
-    void use_keys(const hal::KeyStore& keys) noexcept { has_test_keys_ = keys.has_test_keys(); }
+    // Before init, on a platform with seed and key for XCP or UDS: if `keys` holds the public test keys, the
+    // signal Protection says so.
+    void report_test_keys(const hal::KeyStore& keys) noexcept { has_test_keys_ = keys.has_test_keys(); }
 
-    // For a platform that knows why it started; sent in every cycle. Before init: after a loss of power the
-    // stored load is doubted.
+    // Before init, on a platform that knows why it started. Sent in every cycle; after power-on the stored
+    // load is trusted less, because the vehicle may have been loaded meanwhile.
     void set_reset_reason(hal::ResetReason reason) noexcept { reset_reason_ = reason; }
 
-    // For a platform with a memory that outlives a loss of power; before init. `storage` must outlive the
-    // ECU.
+    // Before init, on a platform with non-volatile memory: keeps the learnt load there. `storage` must
+    // outlive the ECU.
     void use_storage(hal::Storage& storage) noexcept { load_keeper_.use(storage); }
 
-    // For XCP and diagnosis on the same bus: hears all frames that are no sensor's. `listener` must outlive
-    // the ECU. False: two do so already.
-    bool listen(hal::FrameListener& listener) noexcept { return reception_.listen(listener); }
+    // For XCP and diagnosis on the same bus: `listener` gets all received frames except those of the sensors,
+    // and must outlive the ECU. False: there are two listeners already.
+    bool add_listener(hal::FrameListener& listener) noexcept { return reception_.add_listener(listener); }
 
-    // False: the ECU goes on, and its frames stay away from the bus.
+    // False suppresses the ECU's frames; all else goes on.
     void set_sending(bool is_sending) noexcept { is_sending_ = is_sending; }
 
-    // Number of frames of others, sent by the same bus since the last step, that were not taken: no fault of
-    // the bus.
-    void forgive_send_failures(std::uint32_t count) noexcept { send_failure_count_ += count; }
+    // `count` frames of XCP that the bus has not taken since the last step: keeps them out of the code
+    // bus_error, which monitors the ECU's own frames.
+    void ignore_send_failures(std::uint32_t count) noexcept { send_failure_count_ += count; }
 
-    // One cycle of 10 ms. `missed_cycles`: how many periods passed without a cycle since the last call, 0
-    // when all is well; after more than two the component starts anew, because its models know no step but 10
-    // ms. Feeds the watchdog at its end, unless the ECU has found itself damaged: then only a start from new
-    // helps, and until it comes the ECU says "unavailable".
+    // One cycle of 10 ms. `missed_cycles`: number of periods without a cycle since the last call, normally 0;
+    // after more than two the component is reset, because its models integrate over a fixed step of 10 ms.
+    // Feeds the watchdog last, unless a self-check (parameters, memory, estimate, outputs) has failed in this
+    // cycle: a fault that persists ends in a watchdog reset, and until then the state is "unavailable".
     void step(std::uint32_t missed_cycles) noexcept;
 
-    // Outputs and inputs of the last cycle, for a platform that shows or records it.
+    // Outputs and qualified inputs of the last cycle, for diagnosis, measurement and recording.
     const rsi::Outputs& outputs() const noexcept { return outputs_; }
     const rsi::Inputs& inputs() const noexcept { return inputs_; }
     // Findings of the monitoring, for diagnosis.
     const monitoring::DiagnosticMemory& diagnostic_memory() const noexcept { return memory_; }
 
  private:
-    [[gnu::cold]] void start_with(const ParameterSectionAnswer& answer) noexcept;
+    [[gnu::cold]] void start_component(const ParameterSectionAnswer& answer) noexcept;
     [[gnu::cold]] void restore_load() noexcept;
     Health health(hal::Time now, std::uint32_t missed_cycles) noexcept;
     void report_reception(const ReceptionReport& reception) noexcept;
@@ -101,7 +105,7 @@ class RolloverEcu {
     const hal::Clock& clock_;
     hal::Watchdog& watchdog_;
     rsi::Component component_;
-    rsi::Parameters parameters_{};  // as started with, watched by the guard
+    rsi::Parameters parameters_{};  // checked by parameter_guard_
     SensorReception reception_{};
     WarningTransmission transmission_{};
     monitoring::DiagnosticMemory memory_{};
@@ -119,6 +123,7 @@ class RolloverEcu {
     hal::ResetReason reset_reason_{hal::ResetReason::power_on};
     std::uint32_t cycles_{0U};  // since the start
     std::uint32_t cycle_overruns_{0U};
+    // Values of BusStatistics in the last cycle, to detect an increase.
     std::uint32_t overflow_count_{0U};
     std::uint32_t send_failure_count_{0U};
 };

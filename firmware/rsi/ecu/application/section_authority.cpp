@@ -17,7 +17,8 @@ bool has_seal(const std::uint8_t* bytes, std::size_t length) {
 
 }  // namespace
 
-// A control unit that is new has used none; one that has lost its record might have used any.
+// No record: a new control unit, version 0. A damaged record: the version is unknown, so every section is
+// refused.
 void SectionAuthority::start() noexcept {
     version_ = 0U;
     is_readable_ = (access::read_count(newest_, access::CountOf::section_versions, version_) !=
@@ -40,11 +41,11 @@ SealFault SectionAuthority::check(const std::uint8_t* bytes, std::size_t length)
     if (!is_readable_) {
         return SealFault::version_lost;
     }
-    return (word_at(bytes, seal::version_at) < version_) ? SealFault::outdated : SealFault::none;
+    return (u32_at(bytes, seal::version_at) < version_) ? SealFault::outdated : SealFault::none;
 }
 
 bool SectionAuthority::raise(const std::uint8_t* bytes) noexcept {
-    const std::uint32_t version = word_at(bytes, seal::version_at);
+    const std::uint32_t version = u32_at(bytes, seal::version_at);
     if (version == version_) {
         return true;
     }
@@ -56,12 +57,12 @@ bool SectionAuthority::raise(const std::uint8_t* bytes) noexcept {
 }
 
 bool seal_section(hal::KeyStore& keys, std::uint32_t version, std::uint8_t* bytes) noexcept {
-    put_word(bytes, seal::magic_at, word_at(seal::magic.data(), 0U));
-    put_word(bytes, seal::version_at, version);
+    put_u32(bytes, seal::magic_at, u32_at(seal::magic.data(), 0U));
+    put_u32(bytes, seal::version_at, version);
     hal::AuthenticationCode code{};
     const bool answered = keys.authenticate(hal::KeySlot::parameters, bytes, seal::code_at, code);
     if (!answered) {
-        put_word(bytes, seal::magic_at, 0U);
+        put_u32(bytes, seal::magic_at, 0U);
     }
     for (std::size_t byte = 0U; byte < code.size(); ++byte) {
         bytes[seal::code_at + byte] = code[byte];

@@ -1,10 +1,10 @@
-// Section authority: who has written a parameter section, and whether it is as new as those before it.
+// Section authority: authenticates a parameter section and rejects a rollback to an older one.
 //
-// A sealed section has behind its check sum
+// A sealed section carries, behind its CRC:
 //
 //   offset  bytes
 //        0      4  magic, "RSIA"
-//        4      4  version of the calibration: a number that never goes back
+//        4      4  version of the calibration, which only increases (anti-rollback counter)
 //        8     16  AES-128-CMAC (RFC 4493) of every byte before, those of the section too
 //
 // Every number is little-endian, whatever the target. A firmware without authority reads a sealed section as
@@ -34,10 +34,10 @@ inline constexpr std::size_t sealed_length = code_at + std::tuple_size<hal::Auth
 // First error of a seal.
 enum class SealFault : std::uint8_t {
     none,
-    missing,       // the section has none
-    forged,        // its code is another than that of the key, or the key store does not answer
-    outdated,      // a newer one has been in use
-    version_lost,  // which one has been in use cannot be read any more
+    missing,       // the section has no seal
+    forged,        // the CMAC does not match, or the key store does not answer
+    outdated,      // a newer section has been in use
+    version_lost,  // the stored version is damaged
 };
 
 // Protection of the parameters as receivers may assume it; sent as Protection.
@@ -61,8 +61,8 @@ class SectionAuthority {
     // examined.
     [[gnu::cold]] SealFault check(const std::uint8_t* bytes, std::size_t length) noexcept;
 
-    // Version of a section with a good seal, in use from now on: none with a lower version will be.
-    // False where the storage does not take it; then it stays as it was.
+    // Stores the version of a section that passed check(): lower versions are outdated from now on. False if
+    // the storage is busy; the version then stays as it was.
     [[gnu::cold]] bool raise(const std::uint8_t* bytes) noexcept;
 
     // The newest version that has been in use.

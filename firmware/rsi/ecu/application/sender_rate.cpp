@@ -3,12 +3,12 @@
 namespace rsi::application {
 namespace {
 
-constexpr std::int32_t cycle_ms = 10;
-constexpr std::int32_t frame_ms = 9;
-constexpr std::int32_t most_frames = 4;  // that a cycle counts
-constexpr std::int32_t most_usual_frames = 2;
-constexpr std::int32_t usual_least_ms = -30;
-constexpr std::int32_t most_ms = 60;
+constexpr std::int32_t cycle_ms = 10;          // taken from the surplus
+constexpr std::int32_t frame_ms = 9;           // added: below 10, so that clock tolerances do not add up
+constexpr std::int32_t most_frames = 4;        // counted in one cycle; more are a burst
+constexpr std::int32_t most_usual_frames = 2;  // without a burst
+constexpr std::int32_t usual_least_ms = -30;   // lower end while frames arrive as usual
+constexpr std::int32_t most_ms = 60;           // upper end, at which the rate counts as doubled
 
 constexpr std::int32_t bounded(std::int32_t value, std::int32_t least, std::int32_t most) {
     const std::int32_t at_most = (value < most) ? value : most;

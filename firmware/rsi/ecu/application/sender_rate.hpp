@@ -1,29 +1,30 @@
-// Sender rate: whether more frames come with an identifier than its one sender sends.
+// Sender rate: detects a second sender of an identifier by its frame rate.
 #pragma once
 
 #include <cstdint>
 
 namespace rsi::application {
 
-// A second sender of the same identifier raises the frame rate, whatever its counter and checksums. The
-// surplus is the time that the frames of all cycles would take if each took a little less than its 10 ms,
-// less the time of the cycles. One sender keeps it at its lower end; a second one of the same rate fills it
-// within 0.12 s; one that sends every 80 ms takes some seconds, and a rarer one is not seen. By cycles,
-// because some drivers know no times of reception, and a clock may jump.
+// A second sender raises the frame rate, whatever its counter and checksums. The detector is a leaky bucket:
+// each frame adds 9 ms (a little less than its period of 10 ms), each cycle takes 10 ms away. One sender
+// keeps the surplus at its lower end. A second one of the same rate fills it within 0.12 s, one that sends
+// every 80 ms within some seconds; a slower one is not detected. It counts cycles instead of using receive
+// times, because some drivers have none and a clock may jump.
 //
-// Frames that were held up, on the bus or before a cycle that came late, are no second sender's:
-// - they come in bursts, so a cycle counts a few at most, however many it reads;
-// - cycles without a frame were before them, or missed ones, which are not forgotten until they are through.
+// Bursts of frames that were delayed, on the bus or by a late cycle, must not count as a second sender:
+// - a cycle counts a few frames at most, however many it reads;
+// - the empty or missed cycles before the burst lower the surplus beyond its usual end, as far as the burst
+// raises it.
 class SenderRate {
  public:
-    // One frame. A cycle has no more than 254.
+    // One frame. Precondition: at most 254 a cycle.
     void count() noexcept { ++frames_; }
 
     // Number of cycles left out before this one.
     void miss(std::uint32_t cycles) noexcept;
 
-    // Before the first frame of the next cycle. False when nothing has changed, as in nearly every cycle;
-    // this is the path that must be cheap.
+    // Before the first frame of the next cycle. False when nothing has changed: nearly every cycle takes this
+    // path, so it is kept cheap.
     bool end_cycle() noexcept {
         const bool changes = (frames_ != settled_frames_);
         if (changes) {
@@ -36,14 +37,14 @@ class SenderRate {
     bool is_doubled() const noexcept { return doubled_; }
 
  private:
-    static constexpr std::int32_t least_ms = -320;
-    static constexpr std::uint8_t none = 255U;
+    static constexpr std::int32_t least_ms = -320;  // lower end: remembers a pause of up to 320 ms
+    static constexpr std::uint8_t none = 255U;      // no settled number of frames
 
     [[gnu::cold]] void update() noexcept;
 
-    std::int16_t surplus_ms_{least_ms};  // frames may wait at the start
-    std::uint8_t frames_{0U};            // of this cycle
-    std::uint8_t settled_frames_{none};  // another cycle with so many changes nothing
+    std::int16_t surplus_ms_{least_ms};  // frames may be waiting at the start
+    std::uint8_t frames_{0U};            // in this cycle
+    std::uint8_t settled_frames_{none};  // a cycle with this many frames changes nothing
     bool paused_{true};                  // the cycle before this one had no frame, or was missed
     bool doubled_{false};
 };

@@ -88,7 +88,8 @@ void SensorReception::dispatch(const hal::CanFrame& frame) noexcept {
     }
 }
 
-// Unknown identifiers: pass them to listeners, and detect frames sent with our own.
+// All identifiers that are no sensor's: detects our own sent by another node, and passes the frame to the
+// listeners.
 void SensorReception::take_foreign(const hal::CanFrame& frame) noexcept {
     own_identifier_ = own_identifier_ || is_sent(frame.identifier);
     for (hal::FrameListener* const listener : listeners_) {
@@ -98,7 +99,7 @@ void SensorReception::take_foreign(const hal::CanFrame& frame) noexcept {
     }
 }
 
-bool SensorReception::listen(hal::FrameListener& listener) noexcept {
+bool SensorReception::add_listener(hal::FrameListener& listener) noexcept {
     for (hal::FrameListener*& place : listeners_) {
         if (place == nullptr) {
             place = &listener;
@@ -108,7 +109,7 @@ bool SensorReception::listen(hal::FrameListener& listener) noexcept {
     return false;
 }
 
-// A signal that is not valid was decoded as NaN, which is what the component takes for "not available".
+// The codec decodes an invalid signal as NaN, which means "not available" to the component.
 rsi::Inputs SensorReception::inputs(const ReceptionReport& report) const noexcept {
     const can_dbc::Imu imu = report.imu.is_fresh() ? imu_.latest().value : can_dbc::Imu{};
     const can_dbc::RollAngle roll =
@@ -134,7 +135,7 @@ rsi::Inputs SensorReception::inputs(const ReceptionReport& report) const noexcep
 
 ReceptionReport SensorReception::report(hal::Time now) const noexcept {
     const can_dbc::RollAngle::Status& roll = roll_angle_.latest().status;
-    // Most vehicles have no bank sensor, so a bank that is not available is no fault.
+    // Most vehicles have no bank sensor, so an unavailable bank angle is no fault.
     const bool roll_valid =
         (roll.roll_angle_deg == SignalStatus::valid) && (roll.bank_angle_deg != SignalStatus::out_of_range);
     const can_dbc::Imu::Status& imu = imu_.latest().status;

@@ -7,7 +7,7 @@
 namespace rsi::application {
 namespace {
 
-// Without the patch number: of a patch a receiver notices nothing.
+// Major and minor number; a patch does not change the interface.
 constexpr std::uint8_t software_version = RSI_VERSION_BYTE;
 
 std::uint8_t saturate(std::uint32_t count) {
@@ -17,8 +17,8 @@ std::uint8_t saturate(std::uint32_t count) {
 constexpr float degrees_per_radian = 57.295780F;
 constexpr float kmh_per_mps = 3.6F;
 
-// Content of a message besides the outputs; most carry nothing. The numbers of an enumeration are those of
-// the DBC, which tests/can_dbc/enumerators_test.py compares.
+// Fills the signals that do not come from rsi_outputs; most messages have none. The casts rely on equal
+// enumerators in firmware and DBC file, which tests/can_dbc/enumerators_test.py compares.
 template <typename Message>
 void fill(Message&, const Health&) {}
 
@@ -68,8 +68,8 @@ void fill(can_dbc::RolloverStatus& message, const Health& health) {
     message.software_version = software_version;
 }
 
-// `frame` is one that all messages take in turn: each is as long as the others, and clearing its 64 bytes for
-// every one of them would cost more than filling them.
+// `frame` is a buffer reused by all messages, which have the same length: clearing its 64 bytes for each
+// would cost more than filling them.
 template <typename Message>
 void send_protected(hal::CanBus& bus, const Message& message, can_dbc::e2e::Profile11Sender& sender,
                     hal::CanFrame& frame) {

@@ -14,7 +14,7 @@
 
 namespace rsi::application {
 
-// Health of platform and application.
+// Health of platform and application in one cycle.
 struct Health {
     ParametersRefusal parameters_refusal{ParametersRefusal::missing};
     bool receive_overflow{false};
@@ -25,14 +25,14 @@ struct Health {
     Protection protection{Protection::unsealed};
     ReceptionReport reception{};
     monitoring::Degradation degradation{};
-    monitoring::DiagnosticRecord diagnosis{};  // the one that this cycle tells of
+    monitoring::DiagnosticRecord diagnosis{};  // the code that this cycle's RolloverDiagnosis carries
 };
 
 class WarningTransmission {
  public:
-    // Sends every frame that the DBC gives the ECU, in the file's order: the warning first, because it
-    // matters most, and the status last, so that who has seen the status has seen all of the cycle. A frame
-    // that the bus does not take is not repeated; the next cycle's is newer.
+    // Sends all frames of the ECU in the order of the DBC file: the warning first, because it is the most
+    // urgent, and the status last, so that it marks the end of the cycle's frames. A frame that the bus does
+    // not take is not repeated, because the next cycle's is newer.
     void send(hal::CanBus& bus, const rsi::Outputs& outputs, const Health& health) noexcept;
 
  private:

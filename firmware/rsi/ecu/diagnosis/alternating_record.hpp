@@ -1,5 +1,5 @@
-// Alternating record: bytes kept in two places in turn, so that a loss of power while one is written leaves
-// the other.
+// Alternating record: written to two places in turn, so that a loss of power during a write leaves the
+// previous record.
 //
 //   offset  bytes
 //        0      n  payload
@@ -22,7 +22,7 @@
 
 namespace rsi::diagnosis {
 
-// `Payload` consists of bytes alone, so that it has no gaps and is the same on every target.
+// `Payload` consists of bytes only: no padding, and the same layout on every target.
 template <typename Payload>
 class AlternatingRecord {
     static_assert(std::is_trivially_copyable<Payload>::value && (alignof(Payload) == 1U));
@@ -33,13 +33,13 @@ class AlternatingRecord {
     // Both must outlive this object, which owns them exclusively.
     AlternatingRecord(hal::Storage& one, hal::Storage& other) noexcept : places_{&one, &other} {}
 
-    // The newest good record; false where there is none, and `payload` is then left as it was.
+    // Reads the newest valid record; false, with `payload` unchanged, if there is none.
     [[gnu::cold]] bool read(Payload& payload) noexcept {
         bool found = false;
         for (std::size_t place = 0U; place < places_.size(); ++place) {
             Record record{};
             const bool good = places_[place]->read(record.data(), record.size()) && is_good(record);
-            const std::uint32_t sequence = application::word_at(record.data(), sequence_at);
+            const std::uint32_t sequence = application::u32_at(record.data(), sequence_at);
             if (good && (!found || is_newer(sequence, sequence_))) {
                 found = true;
                 sequence_ = sequence;
@@ -50,14 +50,14 @@ class AlternatingRecord {
         return found;
     }
 
-    // False where the place cannot take it now: again later. The caller leaves the place the time that it
-    // needs in the background before the next record goes to the other one.
+    // False if the storage is busy; try again later. The caller waits until a write has finished in the
+    // background before it writes the next record, so that never both places are incomplete.
     bool write(const Payload& payload) noexcept {
         Record record{};
-        application::put_word(record.data(), magic_at, magic);
-        application::put_word(record.data(), sequence_at, sequence_ + 1U);
+        application::put_u32(record.data(), magic_at, magic);
+        application::put_u32(record.data(), sequence_at, sequence_ + 1U);
         std::memcpy(record.data(), &payload, sizeof payload);
-        application::put_word(record.data(), checksum_at, application::crc32(record.data(), checksum_at));
+        application::put_u32(record.data(), checksum_at, application::crc32(record.data(), checksum_at));
         const bool taken = places_[next_]->write(record.data(), record.size());
         if (taken) {
             ++sequence_;
@@ -74,12 +74,12 @@ class AlternatingRecord {
     static constexpr std::size_t checksum_at = sequence_at + 4U;
 
     static bool is_good(const Record& record) noexcept {
-        return (application::word_at(record.data(), magic_at) == magic) &&
-               (application::word_at(record.data(), checksum_at) ==
+        return (application::u32_at(record.data(), magic_at) == magic) &&
+               (application::u32_at(record.data(), checksum_at) ==
                 application::crc32(record.data(), checksum_at));
     }
 
-    // Also where the numbers have begun again at zero.
+    // Correct across a wrap-around of the sequence number.
     static bool is_newer(std::uint32_t sequence, std::uint32_t than) noexcept {
         return (sequence - than) < 0x8000'0000U;
     }

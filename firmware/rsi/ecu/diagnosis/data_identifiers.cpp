@@ -14,7 +14,7 @@ void take_bytes(const Request& request, std::size_t place, std::array<std::uint8
 
 template <typename Element, std::size_t count>
 bool answer(std::uint32_t identifier, const std::array<Element, count>& elements, Response& response) {
-    response.put_two(identifier);
+    response.put_u16(identifier);
     for (const Element each : elements) {
         response.put(static_cast<std::uint8_t>(each));
     }
@@ -58,14 +58,14 @@ bool read_value(std::uint32_t identifier, const DataSources& sources, Response& 
     const std::size_t code = identifier - first_code_identifier;
     const std::size_t input = identifier - first_input_identifier;
     if (number < number_members.size()) {
-        response.put_two(identifier);
-        response.put_four(application::word_of(sources.outputs.*number_members[number]));
+        response.put_u16(identifier);
+        response.put_u32(application::float_bits(sources.outputs.*number_members[number]));
     } else if (code < code_members.size()) {
-        response.put_two(identifier);
+        response.put_u16(identifier);
         response.put(static_cast<std::uint8_t>(sources.outputs.*code_members[code]));
     } else if (input < input_members.size()) {
-        response.put_two(identifier);
-        response.put_four(application::word_of(sources.inputs.*input_members[input]));
+        response.put_u16(identifier);
+        response.put_u32(application::float_bits(sources.inputs.*input_members[input]));
     } else {
         return false;
     }

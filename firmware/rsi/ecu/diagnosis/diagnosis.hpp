@@ -2,7 +2,7 @@
 //
 //   diagnosis::Diagnosis diagnosis{bus, {}, identification, one_place, other_place};
 //   application::RolloverEcu ecu{bus, clock, watchdog};
-//   ecu.listen(diagnosis.listener());
+//   ecu.add_listener(diagnosis.listener());
 //   diagnosis.start(is_new_operation_cycle);
 //   each cycle: ecu.step(missed_cycles); diagnosis.step(ecu);
 //

@@ -1,4 +1,4 @@
-// Messages: a tester's request as it has come, and the answer to it, byte by byte.
+// Messages: a tester's request as received, and the response to it. Multi-byte values are big-endian.
 #pragma once
 
 #include <array>
@@ -14,23 +14,22 @@ class Request {
     Request(const std::uint8_t* bytes, std::size_t length, bool is_functional) noexcept
         : bytes_{bytes}, length_{length}, is_functional_{is_functional} {}
 
-    // 0: there is none.
+    // In bytes; 0: no request is pending.
     std::size_t length() const noexcept { return length_; }
     // Functionally addressed, not to this control unit alone.
     bool is_functional() const noexcept { return is_functional_; }
 
-    // `place` is below length(), here and in the next two.
+    // Precondition of this and the next two: the value lies within length().
     std::uint8_t byte(std::size_t place) const noexcept { return bytes_[place]; }
-    // The most significant byte first.
-    std::uint32_t two_bytes(std::size_t place) const noexcept {
+    std::uint32_t u16_at(std::size_t place) const noexcept {
         return (static_cast<std::uint32_t>(byte(place)) << 8U) | byte(place + 1U);
     }
-    std::uint32_t three_bytes(std::size_t place) const noexcept {
-        return (two_bytes(place) << 8U) | byte(place + 2U);
+    std::uint32_t u24_at(std::size_t place) const noexcept {
+        return (u16_at(place) << 8U) | byte(place + 2U);
     }
 
     std::uint8_t service() const noexcept { return byte(0U); }
-    // Without the bit that suppresses a positive answer. Sub-function of a request with two bytes or more.
+    // Without suppressPosRspMsgIndicationBit. Precondition: the request has two bytes or more.
     std::uint8_t sub_function() const noexcept { return static_cast<std::uint8_t>(byte(1U) & 0x7FU); }
 
  private:
@@ -39,12 +38,12 @@ class Request {
     bool is_functional_{false};
 };
 
-// Bytes that do not fit are left out and remembered.
+// Bytes beyond the capacity are dropped; is_too_long() then stays true until begin().
 class Response {
  public:
     static constexpr std::size_t capacity = 256U;
 
-    // Begins anew, with a first byte.
+    // Discards the content and puts a first byte.
     void begin(std::uint8_t byte) noexcept {
         length_ = 0U;
         is_too_long_ = false;
@@ -58,21 +57,21 @@ class Response {
             is_too_long_ = true;
         }
     }
-    // The most significant byte first; of larger values the last bytes, here and in the next two.
-    void put_two(std::uint32_t value) noexcept {
+    // This and the next two put the lowest bytes of `value`.
+    void put_u16(std::uint32_t value) noexcept {
         put(static_cast<std::uint8_t>((value >> 8U) & 0xFFU));
         put(static_cast<std::uint8_t>(value & 0xFFU));
     }
-    void put_three(std::uint32_t value) noexcept {
+    void put_u24(std::uint32_t value) noexcept {
         put(static_cast<std::uint8_t>((value >> 16U) & 0xFFU));
-        put_two(value);
+        put_u16(value);
     }
-    void put_four(std::uint32_t value) noexcept {
-        put_two(value >> 16U);
-        put_two(value);
+    void put_u32(std::uint32_t value) noexcept {
+        put_u16(value >> 16U);
+        put_u16(value);
     }
     template <std::size_t count>
-    void put_all(const std::array<std::uint8_t, count>& bytes) noexcept {
+    void put_bytes(const std::array<std::uint8_t, count>& bytes) noexcept {
         for (const std::uint8_t byte : bytes) {
             put(byte);
         }

@@ -48,7 +48,7 @@ Nrc SectionDownload::begin(const Request& request, Response& response) noexcept 
     received_ = 0U;
     next_block_ = 1U;
     response.put(0x20U);  // two bytes of length
-    response.put_two(static_cast<std::uint32_t>(longest_block));
+    response.put_u16(static_cast<std::uint32_t>(longest_block));
     return Nrc::none;
 }
 

@@ -1,4 +1,5 @@
-// Service table: what the server answers, in which session, to whom. The checks before a service follow it.
+// Service table: services, sub-functions and request lengths that the server accepts, with the sessions and
+// the addressing of each. The server checks a request against it before it runs the service.
 #pragma once
 
 #include <array>
@@ -26,7 +27,22 @@ inline constexpr std::uint8_t tester_present = 0x3EU;
 inline constexpr std::uint8_t code_setting = 0x85U;
 }  // namespace service_id
 
-// Sets of sessions.
+// Sub-functions of ReadDTCInformation.
+namespace dtc_report {
+inline constexpr std::uint8_t number_by_status_mask = 0x01U;
+inline constexpr std::uint8_t by_status_mask = 0x02U;
+inline constexpr std::uint8_t snapshot_by_number = 0x04U;
+inline constexpr std::uint8_t extended_data_by_number = 0x06U;
+inline constexpr std::uint8_t supported = 0x0AU;
+}  // namespace dtc_report
+
+// Sub-functions of SecurityAccess, for the one security level.
+namespace security {
+inline constexpr std::uint8_t request_seed = 0x01U;
+inline constexpr std::uint8_t send_key = 0x02U;
+}  // namespace security
+
+// Sets of sessions, one bit each.
 namespace in {
 constexpr std::uint8_t session(Session session) noexcept {
     return static_cast<std::uint8_t>(1U << static_cast<unsigned>(session));
@@ -46,7 +62,7 @@ enum class SubFunction : std::uint8_t {
 struct Service {
     std::uint8_t id;
     std::uint8_t sessions;
-    bool is_secured;     // as a whole
+    bool is_secured;     // every request needs security access
     bool is_functional;  // answered under functional addressing
     SubFunction sub_function;
 };
@@ -71,29 +87,30 @@ inline constexpr std::array<Service, 14> services{{
 struct ListedSubFunction {
     std::uint8_t service;
     std::uint8_t number;
-    std::uint8_t length;  // of the whole request
+    std::uint8_t length;  // of the whole request, in bytes
 };
 
 inline constexpr std::array<ListedSubFunction, 17> sub_functions{{
     {service_id::session_control, 0x01U, 2U},
     {service_id::session_control, 0x02U, 2U},
     {service_id::session_control, 0x03U, 2U},
-    {service_id::reset, 0x01U, 2U},  // hard
-    {service_id::reset, 0x03U, 2U},  // soft: the same here
-    {service_id::read_codes, 0x01U, 3U},
-    {service_id::read_codes, 0x02U, 3U},
-    {service_id::read_codes, 0x04U, 6U},
-    {service_id::read_codes, 0x06U, 6U},
-    {service_id::read_codes, 0x0AU, 2U},
-    {service_id::security_access, 0x01U, 2U},
-    {service_id::security_access, 0x02U, 18U},
-    {service_id::communication_control, 0x00U, 3U},  // the frames are sent
-    {service_id::communication_control, 0x01U, 3U},  // they are not
+    {service_id::reset, 0x01U, 2U},  // hardReset
+    {service_id::reset, 0x03U, 2U},  // softReset; this ECU treats both alike
+    {service_id::read_codes, dtc_report::number_by_status_mask, 3U},
+    {service_id::read_codes, dtc_report::by_status_mask, 3U},
+    {service_id::read_codes, dtc_report::snapshot_by_number, 6U},
+    {service_id::read_codes, dtc_report::extended_data_by_number, 6U},
+    {service_id::read_codes, dtc_report::supported, 2U},
+    {service_id::security_access, security::request_seed, 2U},
+    {service_id::security_access, security::send_key, 18U},  // a key of 16 bytes
+    {service_id::communication_control, 0x00U, 3U},          // enableRxAndTx
+    {service_id::communication_control, 0x01U, 3U},          // enableRxAndDisableTx
     {service_id::tester_present, 0x00U, 2U},
-    {service_id::code_setting, 0x01U, 2U},
-    {service_id::code_setting, 0x02U, 2U},
+    {service_id::code_setting, 0x01U, 2U},  // on
+    {service_id::code_setting, 0x02U, 2U},  // off
 }};
 
-// Each sub-function is known in every session in which its service is: none is answered with 7E.
+// NRC 0x7E (sub-function not supported in active session) is never sent: each sub-function is available in
+// every session of its service.
 
 }  // namespace rsi::diagnosis

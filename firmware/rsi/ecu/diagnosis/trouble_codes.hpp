@@ -1,7 +1,7 @@
 // Diagnostic trouble codes: the number by which a workshop knows each diagnostic code. The one table of them.
 //
-// Three bytes each: a code of those that are left to the manufacturer (C1xxx and U1xxx of SAE J2012-DA:
-// 0x5xxx and 0xDxxx), and the type of failure.
+// Three bytes each: a manufacturer-specific base code (C1xxx and U1xxx of SAE J2012-DA: 0x5xxx and 0xDxxx),
+// then the failure type byte.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ enum class Judged : std::uint8_t {
 };
 
 struct TroubleCode {
-    std::uint32_t number;  // 24 bits
+    std::uint32_t number;  // DTC, 24 bits
     monitoring::DiagnosticCode code;
     Judged judged;
 };
@@ -124,7 +124,7 @@ constexpr bool is_table_of_all(const std::array<TroubleCode, trouble_code_count>
 static_assert(is_table_of_all(trouble_codes),
               "every code has its row, in the order of the codes, and a number of its own");
 
-// Rest of the table in an image: the numbers.
+// Only the numbers get into an image; the rest of the table is used at compile time.
 constexpr std::array<std::uint32_t, trouble_code_count> numbers_of_all() {
     std::array<std::uint32_t, trouble_code_count> numbers{};
     for (std::size_t index = 0U; index < trouble_code_count; ++index) {
@@ -132,12 +132,12 @@ constexpr std::array<std::uint32_t, trouble_code_count> numbers_of_all() {
     }
     return numbers;
 }
-inline constexpr std::array<std::uint32_t, trouble_code_count> trouble_numbers = numbers_of_all();
+inline constexpr std::array<std::uint32_t, trouble_code_count> trouble_code_numbers = numbers_of_all();
 
-// The row of that number; trouble_code_count where there is none.
+// Row of the DTC with that number; trouble_code_count for an unknown one.
 constexpr std::size_t row_of_number(std::uint32_t number) {
     std::size_t index = 0U;
-    while ((index < trouble_code_count) && (trouble_numbers[index] != number)) {
+    while ((index < trouble_code_count) && (trouble_code_numbers[index] != number)) {
         ++index;
     }
     return index;

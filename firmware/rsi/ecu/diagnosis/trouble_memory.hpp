@@ -1,9 +1,9 @@
-// Trouble memory: what a workshop finds of each diagnostic code, in the terms of ISO 14229-1, over operation
-// cycles and losses of power.
+// Trouble memory: status byte, counters and snapshots of each DTC (ISO 14229-1), kept over operation cycles
+// and losses of power.
 //
 // The monitoring (monitoring/diagnostic_memory.hpp) decides when a code has failed and when it is good again;
-// a code that it has confirmed is a failed test here. It starts with every start of the ECU; this memory is
-// stored.
+// a code that it has confirmed is a failed test here. The monitoring starts afresh with the ECU; this memory
+// is stored.
 #pragma once
 
 #include <array>
@@ -25,23 +25,24 @@ inline constexpr std::uint8_t confirmed = 0x08U;
 inline constexpr std::uint8_t not_completed_since_clear = 0x10U;
 inline constexpr std::uint8_t failed_since_clear = 0x20U;
 inline constexpr std::uint8_t not_completed_this_cycle = 0x40U;
-// Bit 7, warningIndicatorRequested, is not available: this control unit requests no indicator for a code.
+// DTCStatusAvailabilityMask. Bit 7, warningIndicatorRequested, is not available: this control unit requests
+// no indicator for a code.
 inline constexpr std::uint8_t available = 0x7FU;
 inline constexpr std::uint8_t failure = 0x2FU;  // bits set by a failed test
 inline constexpr std::uint8_t cleared = 0x50U;  // not completed, neither way
 }  // namespace status
 
-// Measurements at a code's failure, as stored and sent: numbers of two bytes, the most significant
-// first.
+// Data of one snapshot: measurements at a code's failure, as stored and sent, big-endian numbers of two
+// bytes.
 //   0  lateral acceleration, 0.01 m/s2        4  roll angle, 0.001 rad
 //   2  roll rate, 0.001 rad/s                 6  speed, 0.01 m/s
-//   8  seconds since the start, without a sign; 65535: later
+//   8  seconds since the start, unsigned, saturating at 65535
 // 0x8000: not available.
 using FreezeFrame = std::array<std::uint8_t, 10>;
 
 struct TroubleState {
     std::uint8_t status{status::cleared};
-    std::uint8_t occurrences{0U};  // since it was cleared; 255: more
+    std::uint8_t occurrences{0U};  // since it was cleared, saturating at 255
     std::uint8_t ageing{0U};       // operation cycles in which it was tested and never failed
 };
 
@@ -51,7 +52,7 @@ struct TroubleSnapshots {
     FreezeFrame last{};
 };
 
-// How soon it is to be stored.
+// Urgency of a change that is not stored yet.
 enum class Storing : std::uint8_t { not_needed, later, now };
 
 class TroubleMemory {

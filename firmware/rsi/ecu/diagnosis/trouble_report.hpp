@@ -1,4 +1,4 @@
-// Trouble report: ReadDTCInformation (service 19).
+// Trouble report: ReadDTCInformation (service 0x19).
 #pragma once
 
 #include "rsi/ecu/diagnosis/message.hpp"
@@ -7,18 +7,18 @@
 
 namespace rsi::diagnosis {
 
-// Record numbers of a code's snapshots and of its extended data; 0xFF asks for all.
+// Record numbers of a DTC's snapshots (first and last failure) and of its extended data; 0xFF asks for all.
 inline constexpr std::uint8_t first_snapshot = 0x01U;
 inline constexpr std::uint8_t last_snapshot = 0x02U;
 inline constexpr std::uint8_t occurrences_record = 0x01U;
 inline constexpr std::uint8_t ageing_record = 0x02U;
 inline constexpr std::uint8_t all_records = 0xFFU;
 
-// A snapshot has one data identifier: what was measured (FreezeFrame), each number with its most significant
-// byte first.
+// A snapshot has one data identifier (DID), whose data is a FreezeFrame.
 inline constexpr std::uint32_t freeze_frame_identifier = 0x0200U;
 
-// `sub_function` without its suppress bit, listed in sub_functions, the request as long as there.
+// Preconditions: `sub_function`, without suppressPosRspMsgIndicationBit, is one of dtc_report, and the
+// request has the length that service_table.hpp lists for it.
 Nrc report_codes(std::uint8_t sub_function, const Request& request, const TroubleMemory& memory,
                  Response& response) noexcept;
 

@@ -59,7 +59,7 @@ bool is_moving(const EcuState& ecu) {
     return ecu.inputs.speed_mps > standing_mps;
 }
 
-// Known to stand: what takes the warning away from the driver needs more than not to know.
+// A measured standstill: switching the warning off needs proof, not just the absence of a speed.
 bool is_standing(const EcuState& ecu) {
     return ecu.inputs.speed_mps <= standing_mps;
 }
@@ -181,10 +181,10 @@ void UdsServer::say_no(const Request& request, Nrc code) noexcept {
 void UdsServer::begin_routine_answer(const Request& request) noexcept {
     begin_answer(request, 0U);
     response_.put(request.sub_function());
-    response_.put_two(request.two_bytes(2U));
+    response_.put_u16(request.u16_at(2U));
 }
 
-// With so many bytes that the request has behind its service.
+// `repeated`: number of bytes after the service identifier that the response repeats from the request.
 void UdsServer::begin_answer(const Request& request, std::size_t repeated) noexcept {
     response_.begin(static_cast<std::uint8_t>(request.service() + 0x40U));
     for (std::size_t place = 1U; place <= repeated; ++place) {
@@ -255,8 +255,8 @@ Nrc UdsServer::session_control(const Request& request, const EcuState& ecu) noex
     }
     enter(session);
     response_.put(static_cast<std::uint8_t>(session));
-    response_.put_two(response_milliseconds);
-    response_.put_two(late_response_milliseconds / 10U);
+    response_.put_u16(response_milliseconds);
+    response_.put_u16(late_response_milliseconds / 10U);
     return Nrc::none;
 }
 
@@ -283,7 +283,7 @@ Nrc UdsServer::clear_codes(const Request& request) noexcept {
     if (request.length() != 4U) {
         return Nrc::incorrect_length;
     }
-    const std::uint32_t group = request.three_bytes(1U);
+    const std::uint32_t group = request.u24_at(1U);
     const std::size_t row = row_of_number(group);
     if (group == all_groups) {
         kept_.codes().clear_all();
@@ -296,7 +296,7 @@ Nrc UdsServer::clear_codes(const Request& request) noexcept {
     return Nrc::response_pending;
 }
 
-// Unknown identifiers are left out, unless all are.
+// Unknown identifiers are left out of the response; if all are unknown, the request is out of range.
 Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
     if ((request.length() == 1U) || ((request.length() % 2U) == 0U)) {
         return Nrc::incorrect_length;
@@ -304,7 +304,7 @@ Nrc UdsServer::read_data(const Request& request, const EcuState& ecu) noexcept {
     const DataSources sources{identification_, kept_.written(), ecu.inputs, ecu.outputs, session_};
     bool is_one_known = false;
     for (std::size_t place = 1U; place < request.length(); place += 2U) {
-        const bool is_known = read_identifier(request.two_bytes(place), sources, response_);
+        const bool is_known = read_identifier(request.u16_at(place), sources, response_);
         is_one_known = is_one_known || is_known;
     }
     return is_one_known ? Nrc::none : Nrc::request_out_of_range;
@@ -315,7 +315,7 @@ Nrc UdsServer::write_data(const Request& request) noexcept {
     if (request.length() <= header) {
         return Nrc::incorrect_length;
     }
-    const std::uint32_t identifier = request.two_bytes(1U);
+    const std::uint32_t identifier = request.u16_at(1U);
     const std::size_t length = writable_length(identifier);
     if (length == 0U) {
         return Nrc::request_out_of_range;
@@ -337,10 +337,10 @@ Nrc UdsServer::security_access(const Request& request) noexcept {
         return Nrc::conditions_not_correct;
     }
     response_.put(request.sub_function());
-    if (request.sub_function() == 0x02U) {
+    if (request.sub_function() == security::send_key) {
         return take_key(request);
     }
-    access::Block seed{};  // all zeros: it is unlocked already
+    access::Block seed{};  // all zeros: already unlocked (ISO 14229-1)
     if (!access_->is_unlocked() && !access_->give_seed(seed)) {
         return access_->is_delayed() ? Nrc::time_delay_not_expired : Nrc::conditions_not_correct;
     }
@@ -367,8 +367,8 @@ Nrc UdsServer::take_key(const Request& request) noexcept {
     }
 }
 
-// Only the application's own frames; there is no network management. Only at rest, and only until it moves.
-// Reception is never switched off: by it the control unit knows that the vehicle rests.
+// Switches the application's own frames only; there is no network management. At a measured standstill only,
+// and only until the vehicle moves. Reception is never switched off, because the speed arrives by it.
 Nrc UdsServer::communication_control(const Request& request, const EcuState& ecu) noexcept {
     constexpr std::uint8_t network_management = 0x02U;
     const std::uint8_t sub_function = request.sub_function();
@@ -387,7 +387,7 @@ Nrc UdsServer::communication_control(const Request& request, const EcuState& ecu
     return Nrc::none;
 }
 
-// At rest only, as above: what happens on the road is recorded.
+// At a measured standstill only, so that faults on the road are always recorded.
 Nrc UdsServer::code_setting(const Request& request, const EcuState& ecu) noexcept {
     const std::uint8_t sub_function = request.sub_function();
     const bool records = (sub_function == 0x01U);
@@ -404,7 +404,7 @@ Nrc UdsServer::routine_control(const Request& request, const EcuState& ecu) noex
     if (request.length() < whole_length) {
         return Nrc::incorrect_length;
     }
-    const std::uint32_t routine = request.two_bytes(2U);
+    const std::uint32_t routine = request.u16_at(2U);
     const bool is_check = (routine == check_section_routine) && (session_ == Session::programming);
     const bool is_self_test = (routine == self_test_routine) && (session_ == Session::extended);
     const std::uint8_t sub_function = request.sub_function();
@@ -431,7 +431,7 @@ Nrc UdsServer::routine_control(const Request& request, const EcuState& ecu) noex
     return has_self_test_result_ ? Nrc::none : Nrc::request_sequence_error;
 }
 
-// Present findings of the monitoring, and whether the memory takes a record.
+// Reports the codes that fail now, and whether the memory takes a record.
 Nrc UdsServer::start_self_test(const EcuState& ecu) noexcept {
     self_test_result_ = self_test_of(ecu.failed);
     kept_.codes().request_storing(Storing::now);
@@ -455,7 +455,7 @@ Nrc UdsServer::request_download(const Request& request, const EcuState& ecu) noe
     return is_moving(ecu) ? Nrc::conditions_not_correct : download_.begin(request, response_);
 }
 
-// Response_pending: not yet.
+// Nrc::response_pending while the record is not stored yet.
 Nrc UdsServer::storage_answer() noexcept {
     const bool is_late = (wait_cycles_ >= most_wait_cycles);
     if (waiting_ == Waiting::section_stored) {
@@ -469,7 +469,7 @@ Nrc UdsServer::storage_answer() noexcept {
         self_test_answer();
         return Nrc::none;
     }
-    if (waiting_ == Waiting::codes_stored_before_reset) {  // a memory that takes nothing does not prevent it
+    if (waiting_ == Waiting::codes_stored_before_reset) {  // a storage failure does not prevent the reset
         promise_reset(waiting_for_);
         return Nrc::none;
     }
@@ -499,7 +499,7 @@ void UdsServer::wait_for_storage() noexcept {
         is_later_said_ = true;
         transport_.send(response_);
     } else {
-        // said once, it holds for P2*
+        // one response-pending is enough: it extends the time limit to P2*
     }
 }
 

@@ -39,7 +39,7 @@ class EcuWithAccesses {
         diagnosis_.use(diagnosis_access_);
         diagnosis_.use(store_);
         diagnosis_.start(true);
-        static_cast<void>(ecu_.ecu().listen(diagnosis_.listener()));
+        static_cast<void>(ecu_.ecu().add_listener(diagnosis_.listener()));
         return ecu_.init().refusal == rsi::application::ParametersRefusal::none;
     }
 
