@@ -26,6 +26,10 @@ rsi::hal::CanFrame to_frame(const std::array<std::uint8_t, Message::length>& pay
 // Throws std::runtime_error when the bus does not take the frame.
 void send_or_throw(rsi::hal::CanBus& bus, const rsi::hal::CanFrame& frame);
 
+// Takes over the values of a sensor frame, whose end-to-end protection is left to the firmware; other frames
+// change nothing.
+void take_sensor_frame(const rsi::hal::CanFrame& frame, SensorSample& sample);
+
 class SensorFrames {
  public:
     // Sends one sample as the frames Imu, RollAngle and VehicleMotion, and VehicleMass if the sample has a
@@ -36,7 +40,7 @@ class SensorFrames {
 
  private:
     template <typename Message>
-    void send_protected(rsi::hal::CanBus& bus, const Message& message,
+    void send_protected(rsi::hal::CanBus& bus, const SensorSample& sample,
                         rsi::can_dbc::e2e::Profile11Sender& sender);
 
     rsi::can_dbc::e2e::Profile11Sender imu_sender_{rsi::can_dbc::Imu::e2e_data_id};

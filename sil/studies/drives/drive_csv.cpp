@@ -57,8 +57,8 @@ void check_gravity(const Drive& drive, const DriveHeader& header, const CsvPlace
         if (sample.time_s > drive.samples.front().time_s + upright_time_s) {
             break;
         }
-        if (!std::isnan(sample.vertical_specific_force_mps2)) {
-            forces_mps2.push_back(sample.vertical_specific_force_mps2);
+        if (!std::isnan(sample.vertical_acceleration_mps2)) {
+            forces_mps2.push_back(sample.vertical_acceleration_mps2);
         }
     }
     if (forces_mps2.empty()) {

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "hal/memory/frame_replay.hpp"
-#include "rsi/can_dbc/generated/rollover_warning.hpp"
 #include "rsi/hal/can_bus.hpp"
-#include "sil/files/sensor_frame.hpp"
 #include "sil/simulation/ecu_frames.hpp"
 #include "sil/simulation/in_process_ecu.hpp"
 #include "sil/simulation/pace.hpp"
@@ -14,64 +12,9 @@
 #include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/drives/drive.hpp"
 #include "sil/studies/drives/resample.hpp"
-#include "sil/units.hpp"
-#include "sil/world/sensors/sensor_sample.hpp"
 
 namespace sil {
 namespace {
-
-constexpr double kmh_per_mps = 3.6;
-
-double radians(float degrees) {
-    return static_cast<double>(degrees) / degrees_per_radian;
-}
-
-// Content of SensorFrames.
-SensorSample sensor_sample(const DriveSample& sample) {
-    SensorSample result;
-    result.time_s = sample.time_s;
-    result.lateral_acceleration_mps2 = sample.lateral_specific_force_mps2;
-    result.vertical_acceleration_mps2 = sample.vertical_specific_force_mps2;
-    result.roll_rate_radps = sample.roll_rate_radps;
-    result.roll_angle_rad = sample.roll_angle_rad;
-    result.bank_angle_rad = sample.bank_angle_rad;
-    result.speed_mps = sample.speed_mps;
-    result.yaw_rate_radps = sample.yaw_rate_radps;
-    result.steering_wheel_angle_rad = sample.steering_wheel_angle_rad;
-    result.vehicle_mass_kg = sample.vehicle_mass_kg;
-    return result;
-}
-
-// Takes over what a sensor frame says; other frames change nothing. Its end-to-end protection is not checked:
-// that is the firmware's business.
-void take_frame(const rsi::hal::CanFrame& frame, DriveSample& sample) {
-    if (!is_sensor_frame(frame)) {
-        return;
-    }
-    if (frame.identifier == rsi::can_dbc::Imu::identifier && frame.length == rsi::can_dbc::Imu::length) {
-        const rsi::can_dbc::Imu imu = rsi::can_dbc::decode<rsi::can_dbc::Imu>(frame.data).value;
-        sample.lateral_specific_force_mps2 = static_cast<double>(imu.lateral_acceleration_mps2);
-        sample.vertical_specific_force_mps2 = static_cast<double>(imu.vertical_acceleration_mps2);
-        sample.roll_rate_radps = radians(imu.roll_rate_deg_per_s);
-    } else if (frame.identifier == rsi::can_dbc::RollAngle::identifier &&
-               frame.length == rsi::can_dbc::RollAngle::length) {
-        const rsi::can_dbc::RollAngle roll = rsi::can_dbc::decode<rsi::can_dbc::RollAngle>(frame.data).value;
-        sample.roll_angle_rad = radians(roll.roll_angle_deg);
-        sample.bank_angle_rad = radians(roll.bank_angle_deg);
-    } else if (frame.identifier == rsi::can_dbc::VehicleMotion::identifier &&
-               frame.length == rsi::can_dbc::VehicleMotion::length) {
-        const rsi::can_dbc::VehicleMotion motion =
-            rsi::can_dbc::decode<rsi::can_dbc::VehicleMotion>(frame.data).value;
-        sample.speed_mps = static_cast<double>(motion.speed_kmh) / kmh_per_mps;
-        sample.yaw_rate_radps = radians(motion.yaw_rate_deg_per_s);
-        sample.steering_wheel_angle_rad = radians(motion.steering_wheel_angle_deg);
-    } else if (frame.identifier == rsi::can_dbc::VehicleMass::identifier &&
-               frame.length == rsi::can_dbc::VehicleMass::length) {
-        const rsi::can_dbc::VehicleMass mass =
-            rsi::can_dbc::decode<rsi::can_dbc::VehicleMass>(frame.data).value;
-        sample.vehicle_mass_kg = static_cast<double>(mass.mass_kg);
-    }
-}
 
 // Input of EventObserver; the wheels stay on the road, because lift-off is found elsewhere, and the
 // warning is judged by it.
@@ -200,7 +143,7 @@ DriveReplay replay_drive(const Drive& drive, const rsi::Parameters& parameters,
     for (const DriveCycle& cycle : to_cycles(drive)) {
         recorder.ecu().clock().set(time);
         if (cycle.has_frames) {
-            sensors.send(recorder.ecu().world_bus(), sensor_sample(cycle.sample));
+            sensors.send(recorder.ecu().world_bus(), cycle.sample);
         }
         recorder.step(cycle.sample, cycle.has_frames);
         time = time + cycle_time;
@@ -222,7 +165,7 @@ DriveReplay replay_drive(const std::vector<LoggedFrame>& log, const rsi::Paramet
         sample.time_s = seconds(time - start);
         const std::size_t first = taken;
         for (; taken < frames.size() && !(time < frames[taken].receive_time); ++taken) {
-            take_frame(frames[taken], sample);
+            take_sensor_frame(frames[taken], sample);
         }
         recorder.step(sample, taken > first);
     }

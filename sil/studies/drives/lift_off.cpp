@@ -78,7 +78,7 @@ LiftOff find_lift_off(const Drive& drive) {
         if (!result.one_wheel_s && (left_front || right_front || left_rear || right_rear)) {
             result.one_wheel_s = sample.time_s;
         }
-        two_wheels.observe({sample.time_s, sample.lateral_specific_force_mps2, sample.roll_angle_rad},
+        two_wheels.observe({sample.time_s, sample.lateral_acceleration_mps2, sample.roll_angle_rad},
                            left_front && left_rear, right_front && right_rear);
     }
     if (two_wheels.lift_off()) {

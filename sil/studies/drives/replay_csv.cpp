@@ -18,8 +18,8 @@ constexpr int digits = 9;
 constexpr CsvColumn<Cycle> input_columns[] = {
     {"time_s", [](const Cycle& c) { return c.sample.time_s; }},
 
-    {"sensor_lateral_acceleration_mps2", [](const Cycle& c) { return c.sample.lateral_specific_force_mps2; }},
-    {"sensor_vertical_acceleration_mps2", [](const Cycle& c) { return c.sample.vertical_specific_force_mps2; }},
+    {"sensor_lateral_acceleration_mps2", [](const Cycle& c) { return c.sample.lateral_acceleration_mps2; }},
+    {"sensor_vertical_acceleration_mps2", [](const Cycle& c) { return c.sample.vertical_acceleration_mps2; }},
     {"sensor_roll_rate_degps", [](const Cycle& c) { return c.sample.roll_rate_radps * degrees_per_radian; }},
     {"sensor_roll_angle_deg", [](const Cycle& c) { return c.sample.roll_angle_rad * degrees_per_radian; }},
     {"sensor_bank_angle_deg", [](const Cycle& c) { return c.sample.bank_angle_rad * degrees_per_radian; }},

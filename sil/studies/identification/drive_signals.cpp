@@ -11,7 +11,7 @@ namespace sil {
 namespace {
 
 bool usable(const DriveCycle& cycle) {
-    return cycle.has_frames && std::isfinite(cycle.sample.lateral_specific_force_mps2) &&
+    return cycle.has_frames && std::isfinite(cycle.sample.lateral_acceleration_mps2) &&
            std::isfinite(cycle.sample.roll_rate_radps) && std::isfinite(cycle.sample.roll_angle_rad);
 }
 

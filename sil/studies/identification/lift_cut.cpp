@@ -28,8 +28,8 @@ void cut_by_loads(const Cycles& cycles, const Earlier& earlier) {
 template <typename Earlier>
 void cut_by_acceleration(const Cycles& cycles, const VehicleData& vehicle, const PreparationOptions& options,
                          const SensorOffsets& offsets, const Earlier& earlier) {
-    const Signal lateral = smooth(cycles, &DriveSample::lateral_specific_force_mps2, options.filter_lag_s);
-    const Signal vertical = smooth(cycles, &DriveSample::vertical_specific_force_mps2, options.filter_lag_s);
+    const Signal lateral = smooth(cycles, &DriveSample::lateral_acceleration_mps2, options.filter_lag_s);
+    const Signal vertical = smooth(cycles, &DriveSample::vertical_acceleration_mps2, options.filter_lag_s);
     const Signal roll = smooth(cycles, &DriveSample::roll_angle_rad, options.filter_lag_s);
     const double limit = options.lift_share * static_stability_factor(vehicle);
     for (std::size_t k = 0U; k < lateral.size(); ++k) {

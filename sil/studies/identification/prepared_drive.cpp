@@ -112,7 +112,7 @@ class Preparation {
         if (complete(yaw_rate)) {
             return {"yaw rate", std::move(yaw_rate), straight_yaw_rate_radps};
         }
-        return {"lateral acceleration", smooth(&DriveSample::lateral_specific_force_mps2),
+        return {"lateral acceleration", smooth(&DriveSample::lateral_acceleration_mps2),
                 straight_acceleration_mps2, straight_acceleration_share};
     }
 
@@ -134,7 +134,7 @@ class Preparation {
         const Signal yaw_rate = smooth(&DriveSample::yaw_rate_radps);
         return complete(yaw_rate)
                    ? std::abs(yaw_rate.front()) > turn_radps
-                   : std::abs(smooth(&DriveSample::lateral_specific_force_mps2).front()) > turn_mps2;
+                   : std::abs(smooth(&DriveSample::lateral_acceleration_mps2).front()) > turn_mps2;
     }
 
     double mean(double DriveSample::* member, std::size_t count) const {
@@ -156,7 +156,7 @@ class Preparation {
         }
         offsets.known = true;
         const double bank = mean(&DriveSample::bank_angle_rad, count);
-        offsets.lateral_mps2 = mean(&DriveSample::lateral_specific_force_mps2, count) -
+        offsets.lateral_mps2 = mean(&DriveSample::lateral_acceleration_mps2, count) -
                                (std::isfinite(bank) ? g_mps2 * std::sin(bank) : 0.0);
         offsets.roll_angle_rad = mean(&DriveSample::roll_angle_rad, count);
         offsets.roll_rate_radps = mean(&DriveSample::roll_rate_radps, count);
@@ -172,8 +172,8 @@ class Preparation {
     // f_cg = f_imu - alpha x r - omega x (omega x r) with pitch rate zero, as the firmware does it.
     void fill(PreparedDrive& prepared) const {
         const SensorOffsets& offsets = prepared.offsets;
-        const Signal lateral = smooth(&DriveSample::lateral_specific_force_mps2);
-        const Signal vertical = smooth(&DriveSample::vertical_specific_force_mps2);
+        const Signal lateral = smooth(&DriveSample::lateral_acceleration_mps2);
+        const Signal vertical = smooth(&DriveSample::vertical_acceleration_mps2);
         const Signal roll = smooth(&DriveSample::roll_angle_rad);
         const Signal roll_rate = smooth(&DriveSample::roll_rate_radps);
         const Signal yaw_rate = smooth(&DriveSample::yaw_rate_radps);

@@ -67,8 +67,8 @@ SensorQuality sensor_quality(const std::vector<Drive>& ramps, const std::vector<
     drives.insert(drives.end(), dynamics.begin(), dynamics.end());
     double noise_mps2 = 0.0;
     for (const Drive& drive : drives) {
-        noise_mps2 = std::max({noise_mps2, noise_rms(drive, &DriveSample::lateral_specific_force_mps2),
-                               noise_rms(drive, &DriveSample::vertical_specific_force_mps2)});
+        noise_mps2 = std::max({noise_mps2, noise_rms(drive, &DriveSample::lateral_acceleration_mps2),
+                               noise_rms(drive, &DriveSample::vertical_acceleration_mps2)});
     }
     const double step_mps = smallest_speed_step_mps(drives);
     return {noise_mps2 > quiet_mps2 ? noise_mps2 : 0.0, step_mps > fine_step_mps ? step_mps : 0.0};

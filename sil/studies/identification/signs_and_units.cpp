@@ -55,7 +55,7 @@ class SignsAndUnits {
         : drive_{drive}, cycles_{cycles}, filter_lag_s_{filter_lag_s} {}
 
     void look() const {
-        const Signal lateral = signal(&DriveSample::lateral_specific_force_mps2);
+        const Signal lateral = signal(&DriveSample::lateral_acceleration_mps2);
         const Signal yaw_rate = signal(&DriveSample::yaw_rate_radps);
         const Signal speed = signal(&DriveSample::speed_mps);
         if (complete(yaw_rate) && complete(speed)) {

@@ -14,17 +14,7 @@ namespace {
 constexpr int steps_a_cycle = 10;
 
 DriveSample recorded(const SensorSample& sensors, const Truth& truth) {
-    DriveSample sample;
-    sample.time_s = sensors.time_s;
-    sample.speed_mps = sensors.speed_mps;
-    sample.lateral_specific_force_mps2 = sensors.lateral_acceleration_mps2;
-    sample.vertical_specific_force_mps2 = sensors.vertical_acceleration_mps2;
-    sample.roll_rate_radps = sensors.roll_rate_radps;
-    sample.yaw_rate_radps = sensors.yaw_rate_radps;
-    sample.roll_angle_rad = sensors.roll_angle_rad;
-    sample.steering_wheel_angle_rad = sensors.steering_wheel_angle_rad;
-    sample.wheel_load_n = truth.wheel_load_n;
-    return sample;
+    return {sensors, truth.wheel_load_n};
 }
 
 }  // namespace
@@ -53,7 +43,7 @@ std::string drive_csv(const Drive& drive) {
     for (const DriveSample& sample : drive.samples) {
         fmt::format_to(std::back_inserter(text), "{:.4f}", sample.time_s);
         for (const double value :
-             {sample.speed_mps, sample.lateral_specific_force_mps2, sample.vertical_specific_force_mps2,
+             {sample.speed_mps, sample.lateral_acceleration_mps2, sample.vertical_acceleration_mps2,
               sample.roll_rate_radps * degrees_per_radian, sample.yaw_rate_radps * degrees_per_radian,
               sample.roll_angle_rad * degrees_per_radian,
               sample.steering_wheel_angle_rad * degrees_per_radian, sample.wheel_load_n[front_left],

@@ -29,8 +29,8 @@ TEST(DriveCsv, ReadsEveryQuantityInSiUnits) {
     const sil::DriveSample& sample = drive.samples[1];
     EXPECT_DOUBLE_EQ(sample.time_s, 0.01);
     EXPECT_DOUBLE_EQ(sample.speed_mps, 20.0);
-    EXPECT_DOUBLE_EQ(sample.lateral_specific_force_mps2, 4.903325);
-    EXPECT_DOUBLE_EQ(sample.vertical_specific_force_mps2, 9.80665);
+    EXPECT_DOUBLE_EQ(sample.lateral_acceleration_mps2, 4.903325);
+    EXPECT_DOUBLE_EQ(sample.vertical_acceleration_mps2, 9.80665);
     EXPECT_NEAR(sample.roll_rate_radps, 1.5707963267948966, 1e-15);
     EXPECT_DOUBLE_EQ(sample.yaw_rate_radps, -0.25);
     EXPECT_DOUBLE_EQ(sample.roll_angle_rad, 0.125);
@@ -56,10 +56,10 @@ TEST(DriveCsv, MissingValuesAreNotAvailable) {
     const sil::Drive drive =
         drive_of("time_s,lateral_acceleration_mps2,roll_rate_degps,roll_angle_deg,bank_angle_deg", "1,2,3,");
     const sil::DriveSample& sample = drive.samples[0];
-    EXPECT_DOUBLE_EQ(sample.lateral_specific_force_mps2, 1.0);
+    EXPECT_DOUBLE_EQ(sample.lateral_acceleration_mps2, 1.0);
     EXPECT_TRUE(std::isnan(sample.bank_angle_rad));  // an empty field
     EXPECT_TRUE(std::isnan(sample.speed_mps));       // no column
-    EXPECT_TRUE(std::isnan(sample.vertical_specific_force_mps2));
+    EXPECT_TRUE(std::isnan(sample.vertical_acceleration_mps2));
     EXPECT_TRUE(std::isnan(sample.wheel_load_n[0]));
 }
 

@@ -108,7 +108,7 @@ TEST_F(HardTurn, LogAndSignalsGiveTheSameIndices) {
         // The log holds what became of the samples on the bus: half a step of the frames (0.01 deg/s, 0.002
         // m/s^2).
         EXPECT_NEAR(a.sample.roll_rate_radps, b.sample.roll_rate_radps, 0.00501 / 57.29);
-        EXPECT_NEAR(a.sample.lateral_specific_force_mps2, b.sample.lateral_specific_force_mps2, 0.00101);
+        EXPECT_NEAR(a.sample.lateral_acceleration_mps2, b.sample.lateral_acceleration_mps2, 0.00101);
         EXPECT_NEAR(a.outputs.rsi_bank_free, b.outputs.rsi_bank_free, 1e-3F) << index;
     }
 }
@@ -127,7 +127,7 @@ TEST_F(HardTurn, WithoutWhatIsOptionalThereIsStillAWarning) {
     const sil::Drive bare = without([](sil::DriveSample& sample) {
         sil::DriveSample kept;
         kept.time_s = sample.time_s;
-        kept.lateral_specific_force_mps2 = sample.lateral_specific_force_mps2;
+        kept.lateral_acceleration_mps2 = sample.lateral_acceleration_mps2;
         kept.roll_rate_radps = sample.roll_rate_radps;
         kept.roll_angle_rad = sample.roll_angle_rad;
         sample = kept;
@@ -215,10 +215,9 @@ TEST(Replay, OfADriveAt200HzWarnsWithinOneCycle) {
         const sil::DriveSample& b = drive.samples[index + 1U];
         sil::DriveSample middle = a;
         middle.time_s = half_way(a.time_s, b.time_s);
-        middle.lateral_specific_force_mps2 =
-            half_way(a.lateral_specific_force_mps2, b.lateral_specific_force_mps2);
-        middle.vertical_specific_force_mps2 =
-            half_way(a.vertical_specific_force_mps2, b.vertical_specific_force_mps2);
+        middle.lateral_acceleration_mps2 = half_way(a.lateral_acceleration_mps2, b.lateral_acceleration_mps2);
+        middle.vertical_acceleration_mps2 =
+            half_way(a.vertical_acceleration_mps2, b.vertical_acceleration_mps2);
         middle.roll_rate_radps = half_way(a.roll_rate_radps, b.roll_rate_radps);
         middle.roll_angle_rad = half_way(a.roll_angle_rad, b.roll_angle_rad);
         dense.samples.push_back(a);

@@ -16,7 +16,7 @@ sil::Drive drive_at(double rate_hz, double duration_s, const Signal& lateral, do
     for (int index = 0; index <= last; ++index) {
         sil::DriveSample sample;
         sample.time_s = start_s + index / rate_hz;
-        sample.lateral_specific_force_mps2 = lateral(sample.time_s);
+        sample.lateral_acceleration_mps2 = lateral(sample.time_s);
         sample.roll_angle_rad = 0.1;
         drive.samples.push_back(sample);
     }
@@ -24,7 +24,7 @@ sil::Drive drive_at(double rate_hz, double duration_s, const Signal& lateral, do
 }
 
 double lateral_of(const sil::DriveCycle& cycle) {
-    return cycle.sample.lateral_specific_force_mps2;
+    return cycle.sample.lateral_acceleration_mps2;
 }
 
 TEST(Resampling, At100HzTheSamplesStayAsTheyAre) {
@@ -33,7 +33,7 @@ TEST(Resampling, At100HzTheSamplesStayAsTheyAre) {
     ASSERT_EQ(cycles.size(), drive.samples.size());
     for (std::size_t index = 0U; index < cycles.size(); ++index) {
         EXPECT_TRUE(cycles[index].has_frames);
-        EXPECT_EQ(lateral_of(cycles[index]), drive.samples[index].lateral_specific_force_mps2);
+        EXPECT_EQ(lateral_of(cycles[index]), drive.samples[index].lateral_acceleration_mps2);
         EXPECT_NEAR(cycles[index].sample.time_s, 3.0 + 0.01 * static_cast<double>(index), 1e-9);
     }
 }
@@ -77,8 +77,8 @@ TEST(Resampling, A100HzVibrationRecordedAt1KhzDoesNotBecomeABias) {
 
 TEST(Resampling, At200HzACycleIsHalfItsSampleAndAQuarterOfEachNeighbour) {
     sil::Drive drive = drive_at(200.0, 0.1, [](double) { return 0.0; });
-    drive.samples[10].lateral_specific_force_mps2 = 8.0;  // at 0.05 s
-    drive.samples[13].lateral_specific_force_mps2 = 4.0;  // at 0.065 s, between 0.06 and 0.07 s
+    drive.samples[10].lateral_acceleration_mps2 = 8.0;  // at 0.05 s
+    drive.samples[13].lateral_acceleration_mps2 = 4.0;  // at 0.065 s, between 0.06 and 0.07 s
     const auto cycles = sil::to_cycles(drive);
     EXPECT_NEAR(lateral_of(cycles[5]), 4.0, 1e-9);
     EXPECT_NEAR(lateral_of(cycles[4]), 0.0, 1e-9);
@@ -121,7 +121,7 @@ TEST(Resampling, AfterAGapOffTheGridTheNearestSampleIsTaken) {
 
 TEST(Resampling, MissingValuesStayMissing) {
     sil::Drive drive = drive_at(50.0, 0.2, [](double) { return 1.0; });
-    drive.samples[5].lateral_specific_force_mps2 = sil::DriveSample::not_available;  // at 0.1 s
+    drive.samples[5].lateral_acceleration_mps2 = sil::DriveSample::not_available;  // at 0.1 s
     const auto cycles = sil::to_cycles(drive);
     for (std::size_t index = 0U; index < cycles.size(); ++index) {
         EXPECT_EQ(std::isnan(lateral_of(cycles[index])), index >= 9U && index <= 11U) << index;

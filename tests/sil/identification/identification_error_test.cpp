@@ -109,7 +109,7 @@ TEST(UselessDrive, ASteeringAngleOfTheOtherSignIsRefusedForThat) {
 
 TEST(UselessDrive, AnAccelerationInAnotherUnitIsRefusedForThat) {
     for (const double factor : {9.80665, 1.0 / 9.80665}) {
-        const sil::Drive wrong = scaled(good_ramp(), &sil::DriveSample::lateral_specific_force_mps2, factor);
+        const sil::Drive wrong = scaled(good_ramp(), &sil::DriveSample::lateral_acceleration_mps2, factor);
         EXPECT_THAT(refusal(wrong, good_steps()),
                     AllOf(HasSubstr("times yaw rate times speed"), HasSubstr("m/s^2 in a column named _g")))
             << factor;
@@ -126,7 +126,7 @@ TEST(UselessDrive, BlowsAfterAWheelHasLiftedAreNoWrongUnit) {
     const std::size_t lift = 3U * ramp.samples.size() / 4U;
     ramp.one_wheel_lift_s = ramp.samples[lift].time_s;
     for (std::size_t k = lift + 1U; k < ramp.samples.size(); ++k) {
-        ramp.samples[k].lateral_specific_force_mps2 = -400.0;
+        ramp.samples[k].lateral_acceleration_mps2 = -400.0;
     }
     EXPECT_EQ(refusal(ramp, good_steps()), "accepted");
 }
@@ -141,7 +141,7 @@ TEST(UselessDrive, ARollAngleInAnotherUnitIsRefusedForThat) {
 }
 
 TEST(UselessDrive, WithoutYawRateTheSizeOfTheAccelerationTellsItsUnit) {
-    sil::Drive wrong = scaled(good_ramp(), &sil::DriveSample::lateral_specific_force_mps2, 9.80665);
+    sil::Drive wrong = scaled(good_ramp(), &sil::DriveSample::lateral_acceleration_mps2, 9.80665);
     sil::Drive right = good_ramp();
     for (sil::Drive* drive : {&wrong, &right}) {
         *drive = scaled(*drive, &sil::DriveSample::yaw_rate_radps, sil::DriveSample::not_available);

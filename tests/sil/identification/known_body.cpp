@@ -53,12 +53,12 @@ void set_forces(const KnownBody& body, const RollState& state, const Force& forc
                 double yaw_acceleration, sil::DriveSample& sample) {
     const double sine = std::sin(state.angle), cosine = std::cos(state.angle);
     const double p = state.rate, r = yaw_rate;
-    sample.lateral_specific_force_mps2 = force.parallel_mps2 * cosine + force.normal_mps2 * sine +
-                                         yaw_acceleration * body.imu_x_m - state.acceleration * body.imu_z_m -
-                                         (p * p + r * r) * body.imu_y_m;
-    sample.vertical_specific_force_mps2 = -force.parallel_mps2 * sine + force.normal_mps2 * cosine +
-                                          state.acceleration * body.imu_y_m +
-                                          p * (r * body.imu_x_m - p * body.imu_z_m);
+    sample.lateral_acceleration_mps2 = force.parallel_mps2 * cosine + force.normal_mps2 * sine +
+                                       yaw_acceleration * body.imu_x_m - state.acceleration * body.imu_z_m -
+                                       (p * p + r * r) * body.imu_y_m;
+    sample.vertical_acceleration_mps2 = -force.parallel_mps2 * sine + force.normal_mps2 * cosine +
+                                        state.acceleration * body.imu_y_m +
+                                        p * (r * body.imu_x_m - p * body.imu_z_m);
 }
 
 // A gyro turns with the road, too. The change of this rate is left out: the bank is slow.
@@ -109,7 +109,7 @@ sil::Drive drive_of(const KnownBody& body, double duration_s,
                 sample.speed_mps = body.speed_mps;
                 sample.yaw_rate_radps = yaw_rate;
             }
-            sample.lateral_specific_force_mps2 += recording.lateral_offset_mps2;
+            sample.lateral_acceleration_mps2 += recording.lateral_offset_mps2;
             if (recording.steering) {
                 sample.steering_wheel_angle_rad =
                     body.steering_ratio * (recording.demand_mps2 ? recording.demand_mps2(time_s) : lateral) *

@@ -54,7 +54,7 @@ TEST(SensorQuality, OfFineAndQuietSensorsNeedsNoSetting) {
 
 TEST(SensorQuality, FindsTheNoiseOfEitherAccelerometer) {
     for (const auto force :
-         {&sil::DriveSample::lateral_specific_force_mps2, &sil::DriveSample::vertical_specific_force_mps2}) {
+         {&sil::DriveSample::lateral_acceleration_mps2, &sil::DriveSample::vertical_acceleration_mps2}) {
         EXPECT_NEAR(sil::sensor_quality({noisy(ramp(), force, 0.6)}, {}).accelerometer_noise_mps2, 0.6, 0.03);
         EXPECT_EQ(sil::sensor_quality({noisy(ramp(), force, 0.25)}, {}).accelerometer_noise_mps2, 0.0);
     }
@@ -63,9 +63,9 @@ TEST(SensorQuality, FindsTheNoiseOfEitherAccelerometer) {
 TEST(SensorQuality, TakesNeitherAPotholeNorTheEndOfAGapForNoise) {
     sil::Drive drive = steps();
     for (std::size_t i = 0U; i < drive.samples.size(); ++i) {
-        drive.samples[i].vertical_specific_force_mps2 += i % 50U == 0U ? 30.0 : 0.0;
+        drive.samples[i].vertical_acceleration_mps2 += i % 50U == 0U ? 30.0 : 0.0;
         drive.samples[i].time_s *= 4.0;  // further apart than what is bridged
-        drive.samples[i].lateral_specific_force_mps2 += i % 2U == 0U ? 5.0 : -5.0;
+        drive.samples[i].lateral_acceleration_mps2 += i % 2U == 0U ? 5.0 : -5.0;
     }
     EXPECT_EQ(sil::sensor_quality({drive}, {}).accelerometer_noise_mps2, 0.0);
 }
@@ -85,7 +85,7 @@ TEST(SensorQuality, DoesNotTakeASingleJumpForTheSteps) {
 
 TEST(SensorQuality, IsWrittenToTheCalibrationAndTold) {
     const KnownBody body;
-    const sil::Drive rough = noisy(ramp(), &sil::DriveSample::vertical_specific_force_mps2, 0.8);
+    const sil::Drive rough = noisy(ramp(), &sil::DriveSample::vertical_acceleration_mps2, 0.8);
     const sil::Identification result =
         sil::identify(identification_test::data_sheet_of(body), {rough}, {steps()});
     EXPECT_THAT(sil::calibration_text(result), HasSubstr("\naccelerometer_noise_mps2 = 0.8"));
@@ -98,10 +98,10 @@ TEST(SensorQuality, IsWrittenToTheCalibrationAndTold) {
 }
 
 TEST(SensorQuality, BeyondWhatTheComponentAdmitsIsToldAndBounded) {
-    const sil::Drive raw = noisy(ramp(), &sil::DriveSample::vertical_specific_force_mps2, 6.0);
+    const sil::Drive raw = noisy(ramp(), &sil::DriveSample::vertical_acceleration_mps2, 6.0);
     const sil::Identification result =
         sil::identify(identification_test::data_sheet_of(KnownBody{}), {raw},
-                      {noisy(steps(), &sil::DriveSample::vertical_specific_force_mps2, 6.0)});
+                      {noisy(steps(), &sil::DriveSample::vertical_acceleration_mps2, 6.0)});
     EXPECT_THAT(sil::calibration_text(result),
                 HasSubstr("\naccelerometer_noise_mps2 = 2.0  # more than the component admits"));
 }

@@ -98,6 +98,39 @@ TEST_F(SensorFrames, PassAnIndependentEndToEndCheckAndCount) {
     }
 }
 
+TEST_F(SensorFrames, AreReadBackAsTheSampleSent) {
+    sil::SensorSample sample;
+    sample.lateral_acceleration_mps2 = -7.25;
+    sample.roll_angle_rad = -0.11;
+    sample.speed_mps = 30.5;
+    sample.vehicle_mass_kg = 2730.0;
+    sil::SensorSample read;
+    for (const rsi::hal::CanFrame& frame : sent(sample)) {
+        sil::take_sensor_frame(frame, read);
+    }
+    EXPECT_NEAR(read.lateral_acceleration_mps2, -7.25, 0.001);
+    EXPECT_NEAR(read.roll_angle_rad, -0.11, 0.0001);
+    EXPECT_NEAR(read.speed_mps, 30.5, 0.002);
+    EXPECT_EQ(read.vehicle_mass_kg, 2730.0);
+    EXPECT_TRUE(std::isnan(read.yaw_rate_radps));
+}
+
+TEST_F(SensorFrames, OfAnotherLengthOrWithAnExtendedIdentifierAreNotRead) {
+    sil::SensorSample sample;
+    sample.roll_rate_radps = 0.3;
+    const rsi::hal::CanFrame imu = sent(sample).front();
+    rsi::hal::CanFrame shorter = imu;
+    --shorter.length;
+    rsi::hal::CanFrame extended = imu;
+    extended.extended = true;
+    sil::SensorSample read;
+    sil::take_sensor_frame(shorter, read);
+    sil::take_sensor_frame(extended, read);
+    EXPECT_TRUE(std::isnan(read.roll_rate_radps));
+    sil::take_sensor_frame(imu, read);
+    EXPECT_NEAR(read.roll_rate_radps, 0.3, 0.0001);
+}
+
 TEST_F(SensorFrames, ThatTheBusDoesNotTakeEndTheRunWithAMessage) {
     bus.endpoint(0U).set_state(rsi::hal::BusState::bus_off);
     try {
