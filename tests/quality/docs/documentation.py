@@ -24,7 +24,7 @@ KEYS = {
     "docs/drives.md": ("sil/vehicles/large_suv.toml", "key"),
 }
 
-OUTPUTS, THEORY = "firmware/rsi/rsi_outputs.h", "docs/theory.md"
+OUTPUTS, THEORY, INDEX_TESTS = "firmware/rsi/rsi_outputs.h", "docs/theory.md", "tests/rsi"
 
 
 def length_problems(page):
@@ -64,7 +64,7 @@ def check(project):
     changes = newest_changes(project)
     if changes:
         problems += references.code_problems(changes, commands)  # its links are checked above, of all versions
-    problems += indices_without_equation(project)
+    problems += incomplete_indices(project)
     return problems + references.pages_elsewhere(project, files) + keys_of_files(project) + folders.problems(project, files), written
 
 
@@ -82,14 +82,15 @@ def keys_of_files(project):
     return problems
 
 
-def indices_without_equation(project):
-    """Every index in the table of outputs has its equation, and so its name, on the page of the theory."""
+def incomplete_indices(project):
+    """Every index in the table of outputs has its equation on the page of the theory, and a test, by its name."""
     if not (project / OUTPUTS).is_file():
         return []
-    text = (project / THEORY).read_text(encoding="utf-8")
     names = re.findall(r"^ +INDEX\((\w+),", (project / OUTPUTS).read_text(encoding="utf-8"), re.MULTILINE)
-    return [f"{THEORY}: has no equation of `{name}`, an index of {OUTPUTS}: write it there, with this name"
-            for name in names if not re.search(rf"(?<![\w/]){name}(?![\w/])", text)]
+    tests = "\n".join(test.read_text(encoding="utf-8") for test in (project / INDEX_TESTS).glob("*.cpp"))
+    wanted = ((THEORY, "equation", (project / THEORY).read_text(encoding="utf-8")), (INDEX_TESTS, "test", tests))
+    return [f"{place}: has no {kind} of `{name}`, an index of {OUTPUTS}: write it there, with this name"
+            for name in names for place, kind, text in wanted if not re.search(rf"(?<![\w/]){name}(?![\w/])", text)]
 
 
 def keys_of_page(text, header):

@@ -49,6 +49,7 @@ FILES = {
     "firmware/level.hpp": "hold_s = 0.02F;\nrow 1\nrow 2\n",
     "firmware/rsi/rsi_outputs.h": " *   INDEX(name, unit)\n    INDEX(energy, \"-\")\n",
     "docs/theory.md": "# Theory\n```\nenergy: E\n```\n",
+    "tests/rsi/indices_test.cpp": "EXPECT_EQ(outputs.energy, 1.0F);\n",
     "firmware/rsi/rsi.h": "#define RSI_SAMPLE_TIME_S 0.01F\n",
     "cars/a.toml": "[warning]\non = 0.92\n",
     "cars/b.toml": "",
@@ -275,7 +276,13 @@ class PlantedFaults(unittest.TestCase):
 
     def test_an_index_without_an_equation(self):
         self.plant('INDEX(energy, "-")', 'INDEX(energy, "-")\n    INDEX(force, "-")', "firmware/rsi/rsi_outputs.h")
+        self.plant("outputs.energy", "outputs.energy + outputs.force", "tests/rsi/indices_test.cpp")
         self.expect("docs/theory.md", "no equation of `force`", "firmware/rsi/rsi_outputs.h")
+
+    def test_an_index_without_a_test(self):
+        self.plant('INDEX(energy, "-")', 'INDEX(energy, "-")\n    INDEX(force, "-")', "firmware/rsi/rsi_outputs.h")
+        self.plant("energy: E", "energy: E\nforce: F", "docs/theory.md")
+        self.expect("tests/rsi", "no test of `force`", "firmware/rsi/rsi_outputs.h")
 
     def test_a_folder_that_the_list_lacks(self):
         (self.project / "firmware/images").mkdir()
