@@ -5,7 +5,7 @@
 #include "rsi/output_table.hpp"
 #include "sil/files/csv_writer.hpp"
 #include "sil/results/output_columns.hpp"
-#include "sil/units.hpp"
+#include "sil/results/sensor_columns.hpp"
 
 namespace sil {
 namespace {
@@ -15,17 +15,7 @@ using Cycle = ReplayCycle;
 // clang-format off
 constexpr int digits = 9;
 
-constexpr CsvColumn<Cycle> input_columns[] = {
-    {"time_s", [](const Cycle& c) { return c.sample.time_s; }},
-
-    {"sensor_lateral_acceleration_mps2", [](const Cycle& c) { return c.sample.lateral_acceleration_mps2; }},
-    {"sensor_vertical_acceleration_mps2", [](const Cycle& c) { return c.sample.vertical_acceleration_mps2; }},
-    {"sensor_roll_rate_degps", [](const Cycle& c) { return c.sample.roll_rate_radps * degrees_per_radian; }},
-    {"sensor_roll_angle_deg", [](const Cycle& c) { return c.sample.roll_angle_rad * degrees_per_radian; }},
-    {"sensor_bank_angle_deg", [](const Cycle& c) { return c.sample.bank_angle_rad * degrees_per_radian; }},
-    {"sensor_speed_mps", [](const Cycle& c) { return c.sample.speed_mps; }},
-    {"sensor_yaw_rate_degps", [](const Cycle& c) { return c.sample.yaw_rate_radps * degrees_per_radian; }},
-    {"sensor_steering_wheel_angle_deg", [](const Cycle& c) { return c.sample.steering_wheel_angle_rad * degrees_per_radian; }},
+constexpr CsvColumn<Cycle> load_columns[] = {
     {"measured_load_transfer_ratio", [](const Cycle& c) { return c.load_transfer_ratio; }},
     {"measured_wheel_load_front_left_n", [](const Cycle& c) { return c.sample.wheel_load_n[front_left]; }},
     {"measured_wheel_load_front_right_n", [](const Cycle& c) { return c.sample.wheel_load_n[front_right]; }},
@@ -44,8 +34,11 @@ const char* degradation(const Cycle& cycle) {
 }  // namespace
 
 std::vector<std::string> indices_csv_columns() {
-    std::vector<std::string> names;
-    for (const CsvColumn<Cycle>& column : input_columns) {
+    std::vector<std::string> names{"time_s"};
+    for (const CsvColumn<SensorSample>& column : sensor_columns) {
+        names.emplace_back(column.name);
+    }
+    for (const CsvColumn<Cycle>& column : load_columns) {
         names.emplace_back(column.name);
     }
     for (const OutputColumn& column : output_columns()) {
@@ -62,7 +55,8 @@ std::string indices_csv(const DriveReplay& replay) {
     std::string text = csv_header(indices_csv_columns()) + "\n";
     for (const ReplayCycle& cycle : replay.cycles) {
         CsvRow row;
-        row.numbers(input_columns, cycle, digits);
+        row.number(cycle.sample.time_s, digits);
+        row.numbers<SensorSample>(sensor_columns, cycle.sample, digits).numbers(load_columns, cycle, digits);
         for (const OutputColumn& column : output_columns()) {
             row.number(column.value(cycle.outputs), digits);
         }
