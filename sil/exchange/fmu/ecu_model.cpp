@@ -1,6 +1,5 @@
 // ECU model: the component between physical signals, without CAN.
 #include <cstring>
-#include <iterator>
 #include <limits>
 
 #include "rsi/parameters.hpp"
@@ -9,32 +8,10 @@
 #include "sil/exchange/fmu/model.hpp"
 #include "sil/exchange/fmu/sentence.hpp"
 #include "sil/exchange/fmu/start_values.hpp"
+#include "sil/simulation/component_inputs.hpp"
 
 namespace fmu {
 namespace {
-
-struct Input {
-    const char* name;
-    float rsi_inputs::* member;
-    const char* meaning;
-};
-
-// Every field of rsi_inputs.
-constexpr Input inputs[] = {
-    {"lateral_specific_force_mps2", &rsi_inputs::lateral_specific_force_mps2,
-     "what an accelerometer fixed to the body shows to the left; needed"},
-    {"vertical_specific_force_mps2", &rsi_inputs::vertical_specific_force_mps2,
-     "what it shows upwards, about +9.81 at rest"},
-    {"roll_rate_radps", &rsi_inputs::roll_rate_radps, "about the body's x axis; needed"},
-    {"roll_angle_rad", &rsi_inputs::roll_angle_rad, "of the body, against roll_angle_reference"},
-    {"yaw_rate_radps", &rsi_inputs::yaw_rate_radps, "about the body's z axis"},
-    {"bank_angle_rad", &rsi_inputs::bank_angle_rad, "of the road, left side up is positive"},
-    {"speed_mps", &rsi_inputs::speed_mps, "forward"},
-    {"steering_wheel_angle_rad", &rsi_inputs::steering_wheel_angle_rad,
-     "at the handwheel, positive to the left"},
-    {"vehicle_mass_kg", &rsi_inputs::vehicle_mass_kg, "of the whole vehicle with its load"},
-};
-static_assert(sizeof(rsi_inputs) == sizeof(float) * std::size(inputs), "an input has no row in the table");
 
 Variable row(const char* name, Role role, Kind kind, const std::string& meaning) {
     Variable variable;
@@ -64,7 +41,7 @@ void add_parameters(Variables& table) {
 }
 
 void add_inputs(Variables& table) {
-    for (const Input& input : inputs) {
+    for (const sil::ComponentInput& input : sil::component_inputs) {
         Variable variable = row(input.name, Role::input, Kind::number,
                                 std::string{input.meaning} + "; no number: not available");
         variable.start = std::numeric_limits<double>::quiet_NaN();
@@ -134,8 +111,8 @@ class EcuModel final : public Model {
     Complaint cycle(Values& values) override {
         std::size_t place = 1U + rsi::parameter_fields.size() + rsi::selection_fields.size();
         rsi_inputs sample{};
-        for (const Input& input : inputs) {
-            sample.*input.member = static_cast<float>(values.numbers[place++]);
+        for (const sil::ComponentInput& input : sil::component_inputs) {
+            sample.*input.input = static_cast<float>(values.numbers[place++]);
         }
         rsi_outputs answer{};
         rsi_step(&component_, &sample, &answer);

@@ -1,6 +1,5 @@
 // Vehicle model: the simulated vehicle with its sensors, under a driver of the importer's or in a manoeuvre.
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -8,6 +7,7 @@
 #include "sil/exchange/fmu/start_values.hpp"
 #include "sil/judge/two_wheel_lift.hpp"
 #include "sil/results/indices.hpp"
+#include "sil/simulation/component_inputs.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
@@ -21,23 +21,6 @@ constexpr const char* by_inputs = "inputs";
 constexpr int steps_per_cycle = 10;
 constexpr double longest_s = 1.0e6;  // the importer ends the run
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-// Sensor values: the names are those of the ECU's inputs.
-struct SensorOutput {
-    const char* name;
-    double sil::SensorSample::* member;
-};
-constexpr SensorOutput sensor_outputs[] = {
-    {"lateral_specific_force_mps2", &sil::SensorSample::lateral_acceleration_mps2},
-    {"vertical_specific_force_mps2", &sil::SensorSample::vertical_acceleration_mps2},
-    {"roll_rate_radps", &sil::SensorSample::roll_rate_radps},
-    {"roll_angle_rad", &sil::SensorSample::roll_angle_rad},
-    {"yaw_rate_radps", &sil::SensorSample::yaw_rate_radps},
-    {"bank_angle_rad", &sil::SensorSample::bank_angle_rad},
-    {"speed_mps", &sil::SensorSample::speed_mps},
-    {"steering_wheel_angle_rad", &sil::SensorSample::steering_wheel_angle_rad},
-    {"vehicle_mass_kg", &sil::SensorSample::vehicle_mass_kg},
-};
 
 struct Plant {
     sil::ManoeuvreRun run;
@@ -140,7 +123,7 @@ class Table {
         add("driver.brake", Role::input, Kind::number, "0 released, 1 full").within(0.0, 1.0);
         add("driver.off_throttle", Role::input, Kind::boolean, "no speed is held, the engine brakes");
         layout.outputs = rows.size();
-        for (const SensorOutput& output : sensor_outputs) {
+        for (const sil::ComponentInput& output : sil::component_inputs) {
             add(output.name, Role::output, Kind::number, "as a sensor reports it; no number: not available");
         }
         for (const TrueOutput& output : true_outputs) {
@@ -257,8 +240,8 @@ class VehicleModel final : public Model {
     void tell(Values& values) {
         std::size_t place = table_->layout.outputs;
         const sil::SensorSample sample = plant_->sensors.report(plant_->run.truth());
-        for (const SensorOutput& output : sensor_outputs) {
-            values.numbers[place++] = sample.*output.member;
+        for (const sil::ComponentInput& output : sil::component_inputs) {
+            values.numbers[place++] = sample.*output.measured;
         }
         for (const TrueOutput& output : true_outputs) {
             values.numbers[place++] = output.of(*plant_);

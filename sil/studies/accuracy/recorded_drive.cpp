@@ -5,6 +5,7 @@
 #include "rsi/component.hpp"
 #include "sil/files/calibration_file.hpp"
 #include "sil/files/require_accepted.hpp"
+#include "sil/simulation/component_inputs.hpp"
 #include "sil/units.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
@@ -24,19 +25,6 @@ sil::SensorOptions sensors_of(const RecordedDrive& drive, const SensorQuality& q
     options.imu.lateral_acceleration_mps2.bias = quality.lateral_bias_g * sil::g_mps2;
     options.imu.vertical_acceleration_mps2.bias = quality.vertical_bias_g * sil::g_mps2;
     return options;
-}
-
-rsi::Inputs to_inputs(const sil::SensorSample& sample) {
-    rsi::Inputs inputs{};
-    inputs.lateral_specific_force_mps2 = static_cast<float>(sample.lateral_acceleration_mps2);
-    inputs.vertical_specific_force_mps2 = static_cast<float>(sample.vertical_acceleration_mps2);
-    inputs.roll_rate_radps = static_cast<float>(sample.roll_rate_radps);
-    inputs.roll_angle_rad = static_cast<float>(sample.roll_angle_rad);
-    inputs.yaw_rate_radps = static_cast<float>(sample.yaw_rate_radps);
-    inputs.bank_angle_rad = static_cast<float>(sample.bank_angle_rad);
-    inputs.speed_mps = static_cast<float>(sample.speed_mps);
-    inputs.steering_wheel_angle_rad = static_cast<float>(sample.steering_wheel_angle_rad);
-    return inputs;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "rsi/component.hpp"
 #include "sil/files/calibration_file.hpp"
+#include "sil/simulation/component_inputs.hpp"
 #include "sil/simulation/mounted_sensors.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
@@ -57,15 +58,8 @@ std::string source(const std::string& path) {
 }
 
 rsi::Inputs inputs_of(const sil::SensorSample& sample, const RollSensor& roll_sensor) {
-    rsi::Inputs inputs{};
-    inputs.lateral_specific_force_mps2 = static_cast<float>(sample.lateral_acceleration_mps2);
-    inputs.vertical_specific_force_mps2 = static_cast<float>(sample.vertical_acceleration_mps2);
-    inputs.roll_rate_radps = static_cast<float>(sample.roll_rate_radps);
-    inputs.roll_angle_rad = roll_sensor(static_cast<float>(sample.roll_angle_rad));
-    inputs.yaw_rate_radps = static_cast<float>(sample.yaw_rate_radps);
-    inputs.bank_angle_rad = static_cast<float>(sample.bank_angle_rad);
-    inputs.speed_mps = static_cast<float>(sample.speed_mps);
-    inputs.steering_wheel_angle_rad = static_cast<float>(sample.steering_wheel_angle_rad);
+    rsi::Inputs inputs = sil::to_inputs(sample);
+    inputs.roll_angle_rad = roll_sensor(inputs.roll_angle_rad);
     return inputs;
 }
 
