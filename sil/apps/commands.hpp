@@ -14,6 +14,7 @@ void add_memory_flips_command(CLI::App& app);
 void add_parameters_command(CLI::App& app);
 void add_population_command(CLI::App& app);
 void add_procedure_command(CLI::App& app);
+void add_run_command(CLI::App& app);
 void add_show_command(CLI::App& app);
 void add_validate_command(CLI::App& app);
 // Serves the page of a drive until it is ended, and leaves what a run leaves of the last drive.

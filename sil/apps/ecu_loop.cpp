@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "hal/linux/periodic_tick.hpp"
@@ -17,9 +19,7 @@
 #include "hal/socketcan/socket_can_bus.hpp"
 #include "rsi/ecu/application/calibrated_ecu.hpp"
 #include "rsi/ecu/application/rollover_ecu.hpp"
-#include "sil/apps/bus_state_report.hpp"
-#include "sil/apps/calibration_access.hpp"
-#include "sil/apps/diagnosis_access.hpp"
+#include "sil/apps/tool_access.hpp"
 #include "sil/simulation/lock_step_receiver.hpp"
 #include "sil/simulation/pace.hpp"
 #include "sil/simulation/simulation.hpp"
@@ -57,6 +57,47 @@ void open_or_throw(rsi::hal::SocketCanBus& bus, const EcuRequest& request) {
     if (!opened) {
         throw std::runtime_error(opened.message());
     }
+}
+
+const char* describe(rsi::hal::BusState state) {
+    constexpr std::array words{"error-active again", "error-passive", "bus-off", "down or gone"};
+    return words[static_cast<std::size_t>(state)];
+}
+
+// Tells the user when the bus fails, when it is back, and what keeps it away.
+class BusStateReport {
+ public:
+    explicit BusStateReport(const std::string& interface) : interface_{interface} {}
+
+    // Once a cycle. Prints a line when the state is not what it was, and when a restart is refused for
+    // another reason than the last one.
+    void follow(const rsi::hal::SocketCanBus& bus);
+
+ private:
+    const std::string& interface_;
+    rsi::hal::BusState state_{rsi::hal::BusState::error_active};
+    int refusal_{0};
+};
+
+void BusStateReport::follow(const rsi::hal::SocketCanBus& bus) {
+    const rsi::hal::BusState state = bus.state();
+    const int refusal = bus.bus_off_report().refusal;
+    if (state == state_ && refusal == refusal_) {
+        return;
+    }
+    if (state != state_) {
+        fmt::print("rsi-ecu: {} is {}\n", interface_, describe(state));
+    }
+    if (refusal != 0 && refusal != refusal_) {
+        fmt::print(
+            "rsi-ecu: {} cannot be restarted: {}. Next: run rsi-ecu as root or with CAP_NET_ADMIN, or let "
+            "the "
+            "kernel do it: ip link set {} type can restart-ms 100\n",
+            interface_, std::generic_category().message(refusal), interface_);
+    }
+    std::fflush(stdout);
+    state_ = state;
+    refusal_ = refusal;
 }
 
 // Access beside the warning; nullptr: none.

@@ -17,7 +17,7 @@
 #include "hal/memory/memory_bus.hpp"
 #include "hal/memory/virtual_clock.hpp"
 #include "rsi/ecu/application/rollover_ecu.hpp"
-#include "sil/apps/diagnosis_access.hpp"
+#include "sil/apps/tool_access.hpp"
 #include "tests/application/bench.hpp"
 
 namespace {

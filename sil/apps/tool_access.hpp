@@ -1,20 +1,74 @@
-// Diagnosis access: what a workshop's way into the firmware needs on a host.
+// Tool access: what XCP and diagnosis of the firmware need on a host. The keys are the test keys, which are
+// public.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "hal/linux/file_storage.hpp"
 #include "hal/linux/system_random.hpp"
+#include "hal/memory/memory_storage.hpp"
 #include "hal/software_keys/software_keys.hpp"
 #include "rsi/ecu/access/seed_and_key.hpp"
+#include "rsi/ecu/application/parameter_section.hpp"
 #include "rsi/ecu/diagnosis/diagnosis.hpp"
 #include "rsi/ecu/diagnosis/section_store.hpp"
+#include "rsi/types.hpp"
 #include "rsi/version.h"
-#include "sil/apps/nv_file.hpp"
 
 namespace sil {
 
-// The key is the test key, which is public.
+// Storage of the firmware on a host: a file, or memory that lasts as long as this.
+class NvFile final : public rsi::hal::Storage {
+ public:
+    // Without a folder in memory.
+    NvFile(const std::filesystem::path& folder, const char* name) {
+        if (!folder.empty()) {
+            file_.emplace((folder / name).string());
+        }
+    }
+
+    bool read(std::uint8_t* bytes, std::size_t length) noexcept override {
+        return file_ ? file_->read(bytes, length) : memory_.read(bytes, length);
+    }
+    bool write(const std::uint8_t* bytes, std::size_t length) noexcept override {
+        return file_ ? file_->write(bytes, length) : memory_.write(bytes, length);
+    }
+
+ private:
+    static constexpr std::size_t longest = 512U;
+
+    std::optional<rsi::hal::FileStorage> file_;
+    rsi::hal::MemoryStorage<longest> memory_;
+};
+
+// For XCP.
+class CalibrationAccess {
+ public:
+    // `folder`: where the stored section and the count of wrong keys are kept; empty: in memory only.
+    CalibrationAccess(const rsi::Parameters& parameters, const std::filesystem::path& folder);
+    CalibrationAccess(const CalibrationAccess&) = delete;
+    CalibrationAccess& operator=(const CalibrationAccess&) = delete;
+
+    const rsi::hal::KeyStore& keys() const { return keys_; }
+    rsi::access::SeedAndKey& seed_and_key() { return seed_and_key_; }
+    rsi::hal::Storage& stored_section() { return stored_section_; }
+    const std::vector<std::uint8_t>& section() const { return section_; }  // the reference page
+
+ private:
+    std::vector<std::uint8_t> section_;
+    NvFile attempts_;
+    NvFile stored_section_;
+    rsi::hal::SoftwareKeys keys_{rsi::hal::test_keys};
+    rsi::hal::SystemRandom random_{};
+    rsi::access::SeedAndKey seed_and_key_{keys_, rsi::hal::KeySlot::calibration, random_, attempts_};
+};
+
+// For a workshop's tester.
 class DiagnosisAccess {
  public:
     // `folder`: where trouble codes, identification, the downloaded section and the count of wrong keys are

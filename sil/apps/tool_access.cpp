@@ -1,4 +1,4 @@
-#include "sil/apps/calibration_access.hpp"
+#include "sil/apps/tool_access.hpp"
 
 #include "sil/files/parameter_section_file.hpp"
 
