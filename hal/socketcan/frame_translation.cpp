@@ -1,10 +1,38 @@
-// Frame translation for classic and CAN FD frames, which share their layout up to the payload's end.
+// Frame translation for classic and CAN FD frames, which share their layout up to the payload's end. Error
+// frames are as linux/can/error.h has them: classes in the identifier, controller problems in byte 1.
 #include "hal/socketcan/frame_translation.hpp"
+
+#include <linux/can/error.h>
 
 #include <algorithm>
 #include <cstring>
 
 namespace rsi::hal {
+BusState state_after_error(const canfd_frame& error_frame, BusState before) noexcept {
+    constexpr unsigned passive = CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
+    // The warning level (96 errors) belongs to error-active; ISO 11898-1 makes a node passive at 128.
+    constexpr unsigned active = CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING | CAN_ERR_CRTL_ACTIVE;
+
+    const unsigned classes = error_frame.can_id & CAN_ERR_MASK;
+    if ((classes & CAN_ERR_BUSOFF) != 0U) {
+        return BusState::bus_off;
+    }
+    if ((classes & CAN_ERR_RESTARTED) != 0U) {
+        return BusState::error_active;
+    }
+    if ((classes & CAN_ERR_CRTL) != 0U && (error_frame.data[1] & passive) != 0U) {
+        return BusState::error_passive;
+    }
+    if ((classes & CAN_ERR_CRTL) != 0U && (error_frame.data[1] & active) != 0U) {
+        return BusState::error_active;
+    }
+    return before;
+}
+
+bool tells_of_lost_frame(const canfd_frame& error_frame) noexcept {
+    return (error_frame.can_id & CAN_ERR_CRTL) != 0U &&
+           (error_frame.data[1] & CAN_ERR_CRTL_RX_OVERFLOW) != 0U;
+}
 
 KernelFrameKind kind_of(const canfd_frame& kernel_frame, std::size_t bytes) noexcept {
     if (bytes != CAN_MTU && bytes != CANFD_MTU) {

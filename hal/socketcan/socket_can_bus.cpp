@@ -10,9 +10,7 @@
 
 #include "hal/linux/steady_clock.hpp"
 #include "hal/linux/timespec.hpp"
-#include "hal/socketcan/error_frame.hpp"
 #include "hal/socketcan/frame_translation.hpp"
-#include "hal/socketcan/receive_time.hpp"
 #include "rsi/hal/saturating_count.hpp"
 #include "rsi/hal/well_formed.hpp"
 

@@ -1,8 +1,12 @@
-// Live request: what the page of a live drive asks for.
+// Live request: what the page of a live drive asks for, and the faults that it can choose.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "sil/studies/faults/fault.hpp"
 
 namespace sil {
 
@@ -26,5 +30,22 @@ inline constexpr double heaviest_roof_load_kg = 300.0;
 // null}, {"again": true, "load_kg": 100, "speed_kmh": 80}. Throws InputError with a sentence for whatever
 // else it is.
 LiveRequest parse_live_request(std::string_view text);
+
+struct LiveFaults {
+    FaultPlace place{};
+    std::vector<Fault> kinds{};
+};
+
+// Those of the fault matrix that are of a signal, in its order.
+const std::vector<LiveFaults>& live_faults();
+
+// None for the choice that all sensors are good. Throws InputError for one that is not in the list.
+std::optional<Fault> chosen_fault(const FaultChoice& choice);
+
+// "roll angle: frozen"; empty without a fault.
+std::string fault_text(const std::optional<Fault>& fault);
+
+// For the page: [{"place": "...", "kinds": ["...", ...]}, ...].
+std::string live_faults_json();
 
 }  // namespace sil

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "sil/live/live_faults.hpp"
+#include "sil/live/live_request.hpp"
 #include "sil/results/signal_csv.hpp"
 
 namespace sil {

@@ -1,14 +1,11 @@
 // Translation of frames, error reports and time stamps between the kernel and hal, which needs no CAN in the
 // kernel.
-#include "hal/socketcan/frame_translation.hpp"
-
 #include <gtest/gtest.h>
 #include <linux/can/error.h>
 
 #include <cstring>
 
-#include "hal/socketcan/error_frame.hpp"
-#include "hal/socketcan/receive_time.hpp"
+#include "hal/socketcan/frame_translation.hpp"
 #include "rsi/hal/well_formed.hpp"
 #include "tests/hal/make_frame.hpp"
 

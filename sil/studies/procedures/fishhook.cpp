@@ -1,9 +1,8 @@
 // Fishhooks after NHTSA: 1b, with roll-rate feedback, is the rollover test of its New Car Assessment Program;
 // 1a, with a fixed dwell, comes from the research before it.
-#include "sil/world/manoeuvres/fishhook.hpp"
-
 #include "sil/studies/procedures/catalogue.hpp"
 #include "sil/studies/procedures/speed_ladder.hpp"
+#include "sil/world/manoeuvres/rule_book.hpp"
 
 namespace sil {
 namespace {

@@ -10,7 +10,7 @@
 #include "sil/studies/procedures/catalogue.hpp"
 #include "sil/studies/procedures/handwheel_angle.hpp"
 #include "sil/units.hpp"
-#include "sil/world/manoeuvres/sine_with_dwell.hpp"
+#include "sil/world/manoeuvres/rule_book.hpp"
 
 namespace sil {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sil/world/manoeuvres/lane_change_track.hpp"
 #include "sil/world/manoeuvres/manoeuvre.hpp"
 #include "sil/world/manoeuvres/path_follower.hpp"
+#include "sil/world/manoeuvres/rule_book.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
 namespace sil {

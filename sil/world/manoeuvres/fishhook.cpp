@@ -1,13 +1,12 @@
 // Fishhook 1a and 1b after NHTSA: steer, dwell, counter-steer, each at 720 degrees per second; the amplitude
 // is 6.5 times the handwheel angle that gives 0.3 g in a slowly increasing steer. The throttle is released as
 // the steering begins.
-#include "sil/world/manoeuvres/fishhook.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "sil/world/manoeuvres/rule_book.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
 namespace sil {

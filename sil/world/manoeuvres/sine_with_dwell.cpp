@@ -1,12 +1,11 @@
 // Sine with dwell after FMVSS 126: one period of 0.7 Hz with 500 ms at its second peak, at 80 km/h, coasting;
 // the amplitude is that of the standard's last run.
-#include "sil/world/manoeuvres/sine_with_dwell.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "sil/units.hpp"
+#include "sil/world/manoeuvres/rule_book.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 
 namespace sil {

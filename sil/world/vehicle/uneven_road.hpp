@@ -5,9 +5,32 @@
 #include <vector>
 
 #include "sil/world/vehicle/road.hpp"
-#include "sil/world/vehicle/roughness_profile.hpp"
 
 namespace sil {
+
+struct ProfilePoint {
+    double height_m{0.0};
+    double slope{0.0};  // of the height along the track
+};
+
+// Random heights of one track with the spectrum of ISO 8608: filtered noise in a table, read with a cubic
+// interpolation. Power spectral density of the height G(n) = G(n0) (n / n0)^-2 with n0 = 0.1 cycles/m, from
+// 0.05 cycles/m (below it even: longer waves lift both sides of a real road together) up to what a tyre's
+// contact patch still feels. The geometric mean of class C is G(n0) = 256e-6 m^3. The same seed gives the
+// same profile on every machine. Repeats after `length_m`.
+class RoughnessProfile {
+ public:
+    static constexpr double class_c_m3 = 256.0e-6;
+    static constexpr double spacing_m = 0.1;
+    static constexpr double length_m = 819.2;
+
+    RoughnessProfile(double density_m3, std::uint64_t seed);
+
+    ProfilePoint at(double distance_m) const noexcept;
+
+ private:
+    std::vector<double> heights_m_;
+};
 
 // A road along the x axis whose left and right wheel tracks are rough without regard to each other, joined by
 // a smooth surface of one metre's width. The first 20 m are level; roughness is complete after 40 m.

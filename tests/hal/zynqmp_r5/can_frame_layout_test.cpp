@@ -1,9 +1,8 @@
 // Place of the bits of a frame in the controller's FIFO.
-#include "hal/zynqmp_r5/can_frame_layout.hpp"
-
 #include <gtest/gtest.h>
 
-#include "hal/zynqmp_r5/emulator/emulator_can_frame_layout.hpp"
+#include "hal/zynqmp_r5/can_frame_layout.hpp"
+#include "hal/zynqmp_r5/emulator/emulator_policy.hpp"
 #include "tests/hal/make_frame.hpp"
 
 namespace rsi::hal::zynqmp_r5 {

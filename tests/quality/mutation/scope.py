@@ -82,7 +82,7 @@ JUDGES = Scope(
               "hal/zynqmp_r5/policy.hpp": "names one of two other headers",
               **{f"sil/studies/campaign/{name}{suffix}": why for why, names in (
                   (DRIVES, ("campaign_run", "draw", "drawn_run", "learning_drive", "settings")),
-                  (KEEPS, ("campaign", "campaign_folder", "campaign_part", "row_file", "row_workers")), (WRITES, ("run_trace",)))
+                  (KEEPS, ("campaign", "campaign_folder", "campaign_part", "row_file", "row_workers")))
                  for name in names for suffix in (".cpp", ".hpp")},
               "sil/studies/campaign/settings_file.cpp": DRIVES,
               **{f"sil/studies/campaign/{name}.cpp": WRITES for name in ("report_files", "report_text")}},

@@ -1,7 +1,7 @@
 // Outcome: lift-offs, load transfer and the end of a run, from wheel loads made by hand.
-#include "sil/studies/campaign/outcome.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sil/studies/campaign/row.hpp"
 
 namespace {
 

@@ -1,6 +1,4 @@
 // Run trace: what a run of a campaign was in time, and that writing it changes nothing.
-#include "sil/studies/campaign/run_trace.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,4 @@
 // Live request: requests of the page, and the answers to others.
-#include "sil/live/live_request.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +7,7 @@
 #include <tuple>
 
 #include "sil/input_error.hpp"
-#include "sil/live/live_faults.hpp"
+#include "sil/live/live_request.hpp"
 #include "sil/studies/faults/sensor_signal.hpp"
 
 namespace live_request_test {

@@ -1,6 +1,4 @@
 // Live session: the messages to the page match the drive.
-#include "sil/live/live_session.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +8,8 @@
 
 #include "sil/files/calibration_file.hpp"
 #include "sil/input_error.hpp"
-#include "sil/live/live_faults.hpp"
+#include "sil/live/live_request.hpp"
+#include "sil/live/live_session.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/parameter_file.hpp"
 

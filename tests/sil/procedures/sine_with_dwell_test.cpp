@@ -1,14 +1,13 @@
 // Sine with dwell: amplitudes of a series, and what is measured of a yaw rate that is known.
-#include "sil/studies/procedures/sine_with_dwell.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
+#include "sil/studies/procedures/sine_with_dwell.hpp"
 #include "sil/units.hpp"
-#include "sil/world/manoeuvres/sine_with_dwell.hpp"
+#include "sil/world/manoeuvres/rule_book.hpp"
 #include "tests/sil/procedures/shipped_world.hpp"
 
 namespace {

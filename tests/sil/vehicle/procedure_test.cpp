@@ -1,5 +1,6 @@
 // Procedures: each manoeuvre steers, brakes and drives as its standard or its description says.
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,7 +9,7 @@
 
 #include "scenario.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
-#include "sil/world/manoeuvres/lane_change_track.hpp"
+#include "sil/world/manoeuvres/rule_book.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 #include "sil/world/vehicle/load.hpp"
 

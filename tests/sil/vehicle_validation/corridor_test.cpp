@@ -1,9 +1,9 @@
 // Corridor: bounds about a measured signal, and what lies within.
-#include "sil/studies/vehicle_validation/corridor.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "sil/studies/vehicle_validation/drive_comparison.hpp"
 
 namespace {
 

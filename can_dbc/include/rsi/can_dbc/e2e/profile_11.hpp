@@ -18,7 +18,6 @@ namespace rsi::can_dbc::e2e {
 
 inline constexpr std::size_t profile_11_header_length = 2U;
 inline constexpr std::uint8_t profile_11_largest_counter = 14U;
-inline constexpr std::uint16_t profile_11_largest_data_id = 0x0FFFU;
 
 namespace detail {
 
