@@ -1,4 +1,5 @@
-// Component inputs: which value of a sensor sample is which input of the component, where no bus is between them.
+// Component inputs: which value of a sensor sample is which input of the component, where no bus is between
+// them.
 #pragma once
 
 #include <iterator>
@@ -25,8 +26,7 @@ inline constexpr ComponentInput component_inputs[] = {
      "about the body's x axis; needed"},
     {"roll_angle_rad", &rsi_inputs::roll_angle_rad, &SensorSample::roll_angle_rad,
      "of the body, against roll_angle_reference"},
-    {"yaw_rate_radps", &rsi_inputs::yaw_rate_radps, &SensorSample::yaw_rate_radps,
-     "about the body's z axis"},
+    {"yaw_rate_radps", &rsi_inputs::yaw_rate_radps, &SensorSample::yaw_rate_radps, "about the body's z axis"},
     {"bank_angle_rad", &rsi_inputs::bank_angle_rad, &SensorSample::bank_angle_rad,
      "of the road, left side up is positive"},
     {"speed_mps", &rsi_inputs::speed_mps, &SensorSample::speed_mps, "forward"},
