@@ -9,10 +9,7 @@
 namespace sil {
 namespace {
 
-using rsi::can_dbc::Imu;
-using rsi::can_dbc::RollAngle;
-using rsi::can_dbc::VehicleMass;
-using rsi::can_dbc::VehicleMotion;
+namespace dbc = rsi::can_dbc;
 
 // A value of a sample, the field of a frame that carries it, and the field's units in one of the value's.
 template <typename Message>
@@ -25,25 +22,26 @@ struct CarriedValue {
 template <typename Message>
 constexpr std::array<CarriedValue<Message>, 0U> carried_by{};
 template <>
-constexpr std::array<CarriedValue<Imu>, 3U> carried_by<Imu>{{
-    {&SensorSample::lateral_acceleration_mps2, &Imu::lateral_acceleration_mps2, 1.0},
-    {&SensorSample::vertical_acceleration_mps2, &Imu::vertical_acceleration_mps2, 1.0},
-    {&SensorSample::roll_rate_radps, &Imu::roll_rate_deg_per_s, degrees_per_radian},
+constexpr std::array<CarriedValue<dbc::Imu>, 3U> carried_by<dbc::Imu>{{
+    {&SensorSample::lateral_acceleration_mps2, &dbc::Imu::lateral_acceleration_mps2, 1.0},
+    {&SensorSample::vertical_acceleration_mps2, &dbc::Imu::vertical_acceleration_mps2, 1.0},
+    {&SensorSample::roll_rate_radps, &dbc::Imu::roll_rate_deg_per_s, degrees_per_radian},
 }};
 template <>
-constexpr std::array<CarriedValue<RollAngle>, 2U> carried_by<RollAngle>{{
-    {&SensorSample::roll_angle_rad, &RollAngle::roll_angle_deg, degrees_per_radian},
-    {&SensorSample::bank_angle_rad, &RollAngle::bank_angle_deg, degrees_per_radian},
+constexpr std::array<CarriedValue<dbc::RollAngle>, 2U> carried_by<dbc::RollAngle>{{
+    {&SensorSample::roll_angle_rad, &dbc::RollAngle::roll_angle_deg, degrees_per_radian},
+    {&SensorSample::bank_angle_rad, &dbc::RollAngle::bank_angle_deg, degrees_per_radian},
 }};
 template <>
-constexpr std::array<CarriedValue<VehicleMotion>, 3U> carried_by<VehicleMotion>{{
-    {&SensorSample::speed_mps, &VehicleMotion::speed_kmh, 3.6},
-    {&SensorSample::yaw_rate_radps, &VehicleMotion::yaw_rate_deg_per_s, degrees_per_radian},
-    {&SensorSample::steering_wheel_angle_rad, &VehicleMotion::steering_wheel_angle_deg, degrees_per_radian},
+constexpr std::array<CarriedValue<dbc::VehicleMotion>, 3U> carried_by<dbc::VehicleMotion>{{
+    {&SensorSample::speed_mps, &dbc::VehicleMotion::speed_kmh, 3.6},
+    {&SensorSample::yaw_rate_radps, &dbc::VehicleMotion::yaw_rate_deg_per_s, degrees_per_radian},
+    {&SensorSample::steering_wheel_angle_rad, &dbc::VehicleMotion::steering_wheel_angle_deg,
+     degrees_per_radian},
 }};
 template <>
-constexpr std::array<CarriedValue<VehicleMass>, 1U> carried_by<VehicleMass>{{
-    {&SensorSample::vehicle_mass_kg, &VehicleMass::mass_kg, 1.0},
+constexpr std::array<CarriedValue<dbc::VehicleMass>, 1U> carried_by<dbc::VehicleMass>{{
+    {&SensorSample::vehicle_mass_kg, &dbc::VehicleMass::mass_kg, 1.0},
 }};
 
 }  // namespace
@@ -62,35 +60,35 @@ void send_or_throw(rsi::hal::CanBus& bus, const rsi::hal::CanFrame& frame) {
 
 template <typename Message>
 void SensorFrames::send_protected(rsi::hal::CanBus& bus, const SensorSample& sample,
-                                  rsi::can_dbc::e2e::Profile11Sender& sender) {
+                                  dbc::e2e::Profile11Sender& sender) {
     Message message;
     for (const CarriedValue<Message>& carried : carried_by<Message>) {
         message.*carried.field = static_cast<float>(sample.*carried.value * carried.units);
     }
-    auto payload = rsi::can_dbc::encode(message);
+    auto payload = dbc::encode(message);
     sender.protect(payload);
     send_or_throw(bus, to_frame<Message>(payload));
     ++frames_sent_;
 }
 
 void SensorFrames::send(rsi::hal::CanBus& bus, const SensorSample& sample) {
-    send_protected<Imu>(bus, sample, imu_sender_);
-    send_protected<RollAngle>(bus, sample, roll_angle_sender_);
-    send_protected<VehicleMotion>(bus, sample, vehicle_motion_sender_);
+    send_protected<dbc::Imu>(bus, sample, imu_sender_);
+    send_protected<dbc::RollAngle>(bus, sample, roll_angle_sender_);
+    send_protected<dbc::VehicleMotion>(bus, sample, vehicle_motion_sender_);
     // Few vehicles have a control unit that sends the mass: without one (NaN) there is no frame.
     if (std::isfinite(sample.vehicle_mass_kg)) {
-        send_protected<VehicleMass>(bus, sample, vehicle_mass_sender_);
+        send_protected<dbc::VehicleMass>(bus, sample, vehicle_mass_sender_);
     }
 }
 
 void take_sensor_frame(const rsi::hal::CanFrame& frame, SensorSample& sample) {
-    rsi::can_dbc::visit_messages([&](auto type) {
+    dbc::visit_messages([&](auto type) {
         using Message = typename decltype(type)::Type;
         if (frame.extended != Message::extended || frame.identifier != Message::identifier ||
             frame.length != Message::length) {
             return;
         }
-        const Message message = rsi::can_dbc::decode<Message>(frame.data).value;
+        const Message message = dbc::decode<Message>(frame.data).value;
         for (const CarriedValue<Message>& carried : carried_by<Message>) {
             sample.*carried.value = static_cast<double>(message.*carried.field) / carried.units;
         }
