@@ -92,9 +92,11 @@ def sources_of_ecu(folder):
         around = name.startswith(("rsi/ecu/", "rsi/can_dbc/", "rsi/hal/"))
         if path.is_file() and not around and name.startswith(("rsi/", "Eigen/", "rsi_unit.cpp")):
             files[name] = path.read_bytes()
-    own = ["ecu_model.cpp", *INTERFACE] + [path.name for path in (PROJECT / "sil/exchange/fmu").glob("*.h*")]
-    for name in sorted(own):
-        files[f"sil/exchange/fmu/{name}"] = (PROJECT / "sil/exchange/fmu" / name).read_bytes()
+    wanted = [f"sil/exchange/fmu/{name}" for name in ("ecu_model.cpp", *INTERFACE)]
+    for name in wanted:  # grows by what each file includes
+        files[name] = (PROJECT / name).read_bytes()
+        included = re.findall(r'^#include "(sil/[^"]+)"', files[name].decode(), re.MULTILINE)
+        wanted += [file for file in included if file not in wanted]
     files["sil/exchange/fmu/start_values.cpp"] = ECU.start_values.encode()
     return files
 
