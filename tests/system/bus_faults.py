@@ -266,10 +266,6 @@ class Sensors:
                         put(bus, *frame)
 
 
-class EcuEnded(Exception):
-    """An ECU whose watchdog expired before it should, because the machine stood still."""
-
-
 def inject_live(fault):
     """In real time: the fault happens for its time; the answer by candump's stamps, which are the kernel's."""
     with contextlib.ExitStack() as stack:
@@ -286,7 +282,7 @@ def inject_live(fault):
         sensors.end()
         status = ecu.stop()
         if (status != 0) != fault.ends_ecu:
-            raise EcuEnded(ecu.output)
+            raise programs.EcuEnded(ecu.output)
         return live_answer(fault, candump.stop(), start, end)
 
 
@@ -301,7 +297,7 @@ def live_answer(fault, frames, start, end):
             (late - early, late) for (early, _), (late, _) in zip(warnings, warnings[1:]) if start < late < end + 0.8
         ]
         if not pauses:
-            raise EcuEnded("no frame of the ECU was received after the fault")
+            raise programs.EcuEnded("no frame of the ECU was received after the fault")
         pause, start = max(pauses)
         silent_ms = 1000 * pause
         end = max(start, end) if fault.happening is not bus_off else start
@@ -373,7 +369,7 @@ def run(fault):
     for attempt in range(10):
         try:
             got = inject_live(fault)
-        except EcuEnded:
+        except programs.EcuEnded:
             if attempt == 9:
                 raise
             continue
