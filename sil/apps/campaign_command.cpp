@@ -53,6 +53,10 @@ CampaignSettings settings_of(const CampaignRequest& request) {
         }
     }
     settings.changes.insert(settings.changes.end(), request.changes.begin(), request.changes.end());
+    for (CampaignVehicle& vehicle : settings.vehicles) {  // the folder's campaign.toml is read from anywhere
+        vehicle.parameters = std::filesystem::absolute(vehicle.parameters).lexically_normal().string();
+        vehicle.calibration = std::filesystem::absolute(vehicle.calibration).lexically_normal().string();
+    }
     check_campaign(settings);
     return settings;
 }
@@ -136,6 +140,10 @@ void begin(const CampaignRequest& request) {
     begin_campaign_folder(request.output, world.settings());
 }
 
+void check(const CampaignRequest& request) {
+    fmt::print("{} rows are as they were written\n", load_campaign_rows(request.output).runs.size());
+}
+
 void add_settings(CLI::App& command, CampaignRequest& request) {
     command.add_option("--settings", request.settings_file,
                        "What to draw from (TOML; default: sil/studies/campaign/default.toml, built in)");
@@ -178,10 +186,10 @@ std::string subcommand_instead_of(const std::vector<std::string>& arguments) {
 void refuse_options_of_its_own(CLI::App& campaign) {
     campaign.require_subcommand(0, 1)->allow_extras()->parse_complete_callback([&campaign] {
         if (campaign.get_subcommands().empty() || !campaign.remaining().empty()) {
-            throw UsageError(
-                fmt::format("`campaign` is followed by run, report, one, part, begin or columns, and by its "
-                            "options then: here by `rsi-sil campaign {} ...`",
-                            subcommand_instead_of(campaign.remaining())));
+            throw UsageError(fmt::format(
+                "`campaign` is followed by run, report, check, one, part, begin or columns, and by its "
+                "options then: here by `rsi-sil campaign {} ...`",
+                subcommand_instead_of(campaign.remaining())));
         }
     });
 }
@@ -204,6 +212,11 @@ void add_campaign(CLI::App& app) {
     CLI::App* const again = campaign->add_subcommand("report", "Report on the rows that are there");
     add_output(*again, *request, "Folder of the rows")->capture_default_str();
     again->callback([request] { report(*request); });
+
+    CLI::App* const checked = campaign->add_subcommand(
+        "check", "Refuse rows that are not as they were written, or of another campaign");
+    add_output(*checked, *request, "Folder of the rows")->capture_default_str();
+    checked->callback([request] { check(*request); });
 
     CLI::App* const one =
         campaign->add_subcommand("one", "Drive the run of one number once more, into OUTPUT/run-NUMBER");

@@ -12,20 +12,12 @@
 
 #include "sil/files/file_io.hpp"
 #include "sil/results/versions.hpp"
+#include "sil/studies/campaign/fingerprint.hpp"
 
 namespace sil {
 namespace {
 
 constexpr const char* made_with = "[made_with]";
-
-// FNV-1a: finds a changed text, but no deliberate forgery.
-std::string fingerprint_of(const std::string& text) {
-    std::uint64_t hash = 0xCBF29CE484222325U;
-    for (const char letter : text) {
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3U;
-    }
-    return fmt::format("{:016x}", hash);
-}
 
 std::string fingerprint(const std::filesystem::path& path) {
     return fingerprint_of(read_whole_file(path));

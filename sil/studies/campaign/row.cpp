@@ -9,6 +9,7 @@
 #include "sil/files/csv_writer.hpp"
 #include "sil/results/diagnostic_codes.hpp"
 #include "sil/results/indices.hpp"
+#include "sil/studies/campaign/fingerprint.hpp"
 #include "sil/studies/campaign/indices.hpp"
 #include "sil/units.hpp"
 
@@ -146,6 +147,8 @@ Cells cells_of(const CampaignRow& row) {
     put_outcome(cells, row);
     put_judgement(cells, row);
     put_indices(cells, row);
+    cells.text(row_check_name, "fingerprint of the row before it: any other text was not written so",
+               fingerprint_of(cells.line()));
     return cells;
 }
 

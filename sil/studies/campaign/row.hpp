@@ -49,6 +49,9 @@ class OutcomeObserver {
     TwoWheelLiftObserver lift_{};
 };
 
+// The last column of a row.
+inline constexpr const char* row_check_name = "row_check";
+
 struct CampaignRow {
     RunDraw draw{};
     std::string vehicle{};   // its file's name without folder and ending

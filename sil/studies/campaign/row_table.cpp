@@ -14,6 +14,8 @@
 #include "sil/input_error.hpp"
 #include "sil/printable.hpp"
 #include "sil/studies/campaign/campaign_part.hpp"
+#include "sil/studies/campaign/fingerprint.hpp"
+#include "sil/studies/campaign/row.hpp"
 
 namespace sil {
 namespace {
@@ -57,6 +59,9 @@ class RowReader {
         advisories_ = column("advisories");
         unavailable_ = column("unavailable_duration_s");
         codes_ = column("diagnostic_codes");
+        if (columns_.back() != row_check_name) {
+            place_.fail(1U, 1U, fmt::format("the last column is not {}", row_check_name), remedy);
+        }
         for (const std::string& name : index_names(columns_)) {
             indices_.push_back({column(name + "_threshold"), column(name + "_threshold_100ms"),
                                 column(name + "_threshold_200ms"), column(name + "_lead_time_s")});
@@ -71,6 +76,12 @@ class RowReader {
         if (cells_.size() != columns_.size()) {
             place_.fail(line_, 1U, fmt::format("has {} cells, not {}", cells_.size(), columns_.size()),
                         remedy);
+        }
+        const CsvField& check = cells_.back();
+        const std::size_t before_check = line.text.size() - check.text.size() - 1U;
+        if (check.text != fingerprint_of(line.text.substr(0U, before_check))) {
+            place_.fail(line_, check.column,
+                        "is not the fingerprint of this row: it was changed after it was written", remedy);
         }
         RecordedCampaignRun run;
         run.number = static_cast<std::uint64_t>(number(run_));
@@ -172,9 +183,11 @@ void read_part(const FoundPart& part, RowTable& table) {
     lines.next(head);
     const std::size_t before = table.runs.size();
     read_rows(lines, part.path, table);
-    const auto rows = static_cast<std::size_t>(table.runs.size() - before);
-    if (rows != part.head.count || table.runs[before].number != part.head.first ||
-        table.runs.back().number != part.head.first + part.head.count - 1U) {
+    bool is_whole = table.runs.size() - before == part.head.count;
+    for (std::size_t row = 0U; is_whole && row < part.head.count; ++row) {
+        is_whole = table.runs[before + row].number == part.head.first + row;
+    }
+    if (!is_whole) {
         throw InputError(
             fmt::format("{} has not the rows that its first line tells; remove it and make it again",
                         part.path.string()));
@@ -199,6 +212,17 @@ void check_parts(const std::vector<FoundPart>& parts, const std::string& wanted)
     }
 }
 
+// `runs`: by number.
+void refuse_a_second(const std::vector<RecordedCampaignRun>& runs, const std::filesystem::path& path) {
+    const auto same = [](const RecordedCampaignRun& one, const RecordedCampaignRun& other) {
+        return one.number == other.number;
+    };
+    const auto second = std::adjacent_find(runs.begin(), runs.end(), same);
+    if (second != runs.end()) {
+        throw InputError(fmt::format("{} has run {} twice; {}", path.string(), second->number, remedy));
+    }
+}
+
 }  // namespace
 
 Name::Name(const std::string& text) {
@@ -215,6 +239,7 @@ RowTable load_rows(const std::filesystem::path& path) {
     CsvLines lines{text};
     read_rows(lines, path, table);
     std::sort(table.runs.begin(), table.runs.end(), by_number);
+    refuse_a_second(table.runs, path);
     return table;
 }
 

@@ -1,5 +1,7 @@
 """Runs the missing parts of a campaign by Dask, on this machine or on a cluster."""
 
+import asyncio
+import concurrent.futures
 import contextlib
 import fcntl
 import json
@@ -159,7 +161,13 @@ def make_missing(missing, options, runs):
         except (OSError, ValueError) as error:
             raise CampaignError(f"--scheduler {options.scheduler}: {error}") from None
         print(f"{len(missing)} parts are to be made; look on: {client.dashboard_link}", file=sys.stderr, flush=True)
-        failed = make(client, missing, options, runs)
+        try:
+            failed = make(client, missing, options, runs)
+        except (OSError, ValueError, asyncio.TimeoutError, concurrent.futures.CancelledError) as error:
+            if client.status == "running":
+                raise
+            raise CampaignError(f"the scheduler is lost ({error or type(error).__name__}); the parts that are there are kept, the "
+                                "same command with a scheduler goes on") from None
     if failed:
         raise CampaignError(f"{len(failed)} of {len(missing)} parts failed, the others are there; the same command tries them "
                             "again. " + "; ".join(failed[:3]))

@@ -43,6 +43,13 @@ def sources(folder):
     return found
 
 
+def check(folder, program):
+    """The program's own reader refuses what is not as it was written, or of another campaign."""
+    finished = subprocess.run([program, "campaign", "check", "--output", folder], capture_output=True, text=True, check=False)
+    if finished.returncode != 0:
+        raise CampaignError(finished.stderr.strip().removeprefix("rsi-sil: ") + "; nothing is asked of such rows")
+
+
 def target_of(source, folder):
     return folder / "parquet" / f"{source.stem}.parquet"
 
@@ -87,6 +94,11 @@ def convert(folder, program):
     for old in (folder / "parquet").glob("*.parquet"):
         if old not in targets:
             old.unlink()
+    checked, states = folder / "parquet/checked", b"\n".join(map(state_of, found))
+    if not checked.exists() or checked.read_bytes() != states:
+        check(folder, program)
+        checked.parent.mkdir(exist_ok=True)
+        file_io.write(checked, states)
     todo = [(source, target) for target, source in targets.items() if not is_current(source, target)]
     columns = columns_of(program) if todo else None
     for number, (source, _) in enumerate(todo, 1):

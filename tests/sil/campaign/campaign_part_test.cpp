@@ -159,6 +159,18 @@ TEST_F(DamagedParts, WithoutAllTheirRowsAreRefused) {
     expect_no_report("has not the rows that its first line tells");
     write_text(path("a.csv"), text.substr(0U, text.find('\n') + 1U));
     expect_no_report("there are no rows");
+    // The row of run 1 in place of that of run 2.
+    const std::size_t third = text.rfind('\n', text.size() - 2U) + 1U;
+    const std::size_t second = text.rfind('\n', third - 2U) + 1U;
+    write_text(path("a.csv"), text.substr(0U, third) + text.substr(second, third - second));
+    expect_no_report("has not the rows that its first line tells");
+}
+
+TEST_F(DamagedParts, WithAnAlteredRowAreRefused) {
+    std::string text = text_of(path("a.csv"));
+    text.replace(text.rfind("\n2,") + 1U, 1U, "02");
+    write_text(path("a.csv"), text);
+    expect_no_report("is not the fingerprint of this row");
 }
 
 TEST(PartHead, IsReadAsItIsWritten) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sil/input_error.hpp"
+#include "sil/studies/campaign/fingerprint.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace row_table_test {
@@ -16,7 +17,11 @@ constexpr const char* header =
     "run,vehicle,class,manoeuvre,largest_ltr,two_wheel_lift_time_s,brief_two_wheel_lift_time_s,end_time_s,"
     "distance_m,lead_time_s,wrong_side_duration_s,warnings,advisories,unavailable_duration_s,"
     "diagnostic_codes,"
-    "x_threshold,x_threshold_100ms,x_threshold_200ms,x_lead_time_s\n";
+    "x_threshold,x_threshold_100ms,x_threshold_200ms,x_lead_time_s,row_check\n";
+
+std::string checked(const std::string& row) {
+    return row + "," + sil::fingerprint_of(row) + "\n";
+}
 
 sil::RowTable load(const std::string& text) {
     const test_support::ScratchFolder folder;
@@ -36,8 +41,8 @@ void expect_refused(const std::string& text, const std::string& why) {
 TEST(RowTable, ReadsEveryCellAndSortsByRun) {
     const sil::RowTable table =
         load(std::string{header} +
-             "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,imu lost,1.5,0.75,0.5,0.17\n" +
-             "4,bus,,ramp,0.5,,1.5,9,90,,0,0,0,0,,0.25,0.25,0.25,\n");
+             checked("5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,imu lost,1.5,0.75,0.5,0.17") +
+             checked("4,bus,,ramp,0.5,,1.5,9,90,,0,0,0,0,,0.25,0.25,0.25,"));
     EXPECT_THAT(table.index_names, testing::ElementsAre("x"));
     ASSERT_EQ(table.runs.size(), 2U);
     EXPECT_EQ(table.runs[0].number, 4U);
@@ -68,26 +73,45 @@ TEST(RowTable, ReadsEveryCellAndSortsByRun) {
 
 TEST(RowTable, LeavesOutALineThatWasCutOff) {
     const std::string row = "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,,1.5,0.75,0.5,0.1";
-    EXPECT_EQ(load(header + row + "\n" + row).runs.size(), 1U);
+    EXPECT_EQ(load(header + checked(row) + row).runs.size(), 1U);
 }
 
 TEST(RowTable, AColumnWithoutANameBeforeItsEndingIsOfNoIndex) {
     std::string names = header;
-    names.replace(names.find("\n"), 1U, ",_threshold_100ms\n");
+    names.replace(names.find(",row_check"), 1U, ",_threshold_100ms,");
     EXPECT_THAT(
-        load(names + "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,,1.5,0.75,0.5,0.17,9\n").index_names,
+        load(names + checked("5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,,1.5,0.75,0.5,0.17,9"))
+            .index_names,
         testing::ElementsAre("x"));
 }
 
 TEST(RowTable, NamesLineAndColumnOfWhatIsWrong) {
     const std::string rest = ",,,1,1,,0,0,0,0,,1,1,1";
-    expect_refused(header + ("5,car,small,turn,much" + rest + ",\n"),
+    expect_refused(header + checked("5,car,small,turn,much" + rest + ","),
                    "runs.csv:2:18: column largest_ltr wants a number, not \"much\"");
-    expect_refused(header + ("5,car,small,turn,nan" + rest + ",\n"), "column largest_ltr");
-    expect_refused(header + ("5,car,small,turn,1" + rest + "\n"), "runs.csv:2:1: has 18 cells, not 19");
+    expect_refused(header + checked("5,car,small,turn,nan" + rest + ","), "column largest_ltr");
+    expect_refused(header + checked("5,car,small,turn,1" + rest), "runs.csv:2:1: has 19 cells, not 20");
     expect_refused("run,vehicle,class,manoeuvre\n5,car,,turn\n",
                    "runs.csv:1:1: there is no column largest_ltr");
     expect_refused("", "there are no rows");
+}
+
+TEST(RowTable, RefusesARowThatIsNotAsItWasWritten) {
+    const std::string row = "5,car,small,turn,1,3.25,,4.5,80,0.15,0.02,2,3,0.04,,1.5,0.75,0.5,0.17";
+    const std::string good = checked(row);
+    EXPECT_EQ(load(header + good).runs.size(), 1U);
+    for (std::size_t place = 0U; place + 1U < good.size(); ++place) {
+        std::string flipped = good;
+        flipped[place] = static_cast<char>(flipped[place] ^ 1);
+        EXPECT_THROW(load(header + flipped), sil::InputError) << flipped;
+    }
+    std::string altered = good;
+    altered.replace(altered.find("0.15"), 4U, "0.25");
+    expect_refused(header + altered, "runs.csv:2:72: is not the fingerprint of this row");
+    expect_refused(header + good + good, "has run 5 twice");
+    std::string names = header;
+    names.replace(names.find(",row_check"), 10U, "");
+    expect_refused(names + row + "\n", "the last column is not row_check");
 }
 
 }  // namespace

@@ -168,13 +168,34 @@ class Queries(unittest.TestCase):
         self.refused("there is no question worst; there are: ", "query", self.folder, "worst")
         self.refused("there are no rows of a campaign in ", "query", self.folder / "none", "missed_runs")
 
+    def test_rows_that_are_not_as_they_were_written_are_refused(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            for name in ("campaign.toml", "part-0.csv", "part-30.csv"):
+                (folder / name).write_bytes((self.folder / name).read_bytes())
+            self.command("query", folder, "missed_runs")
+            good = (folder / "part-30.csv").read_text(encoding="utf-8")
+            lines = good.splitlines(keepends=True)
+            for changed, why in ((good.replace("\n31,", "\n13,", 1), "is not the fingerprint of this row"),
+                                 ("".join(lines[:-1]), "has not the rows that its first line tells"),
+                                 ("".join([*lines[:-1], lines[-2]]), "has not the rows that its first line tells"),
+                                 (good.replace("fingerprint ", "fingerprint f", 1), "is of another campaign")):
+                self.assertNotEqual(changed, good)
+                (folder / "part-30.csv").write_text(changed, encoding="utf-8")
+                self.refused(why, "query", folder, "missed_runs")
+                self.refused(why, "convert", folder)
+            (folder / "part-30.csv").write_text(good, encoding="utf-8")
+            self.command("query", folder, "missed_runs")
+            (folder / "part-40.csv").write_text(good, encoding="utf-8")
+            self.refused("have the same runs", "query", folder, "missed_runs")
+
     def test_a_damaged_part_is_named(self):
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)
             (folder / "campaign.toml").write_bytes((self.folder / "campaign.toml").read_bytes())
             text = (self.folder / "part-0.csv").read_text(encoding="utf-8")
             (folder / "part-0.csv").write_text(re.sub(r"\n0,", "\nzero,", text), encoding="utf-8")
-            self.refused("part-0.csv: ", "query", folder, "missed_runs")
+            self.refused("part-0.csv:3:", "query", folder, "missed_runs")
             (folder / "part-0.csv").write_text(text.replace("speed_kmh", "speed_mph"), encoding="utf-8")
             self.refused("part-0.csv has other columns than ", "query", folder, "missed_runs")
             with self.assertRaises(Exception) as raised:
