@@ -42,6 +42,8 @@ void add_population_command(CLI::App& app) {
         ->default_str(fmt::format("{}", request->vehicles));
     add_whole_number(*command, "--seed", request->seed, "Seed of everything drawn")
         ->default_str(fmt::format("{}", request->seed));
+    command->add_flag("--only-report", request->only_report,
+                      "All vehicles are to report on, none to choose on");
     command->add_option("--output", request->output, "Folder of the vehicles; taken up where it was left")
         ->capture_default_str();
     command->add_option("--jobs", request->jobs, "Threads")

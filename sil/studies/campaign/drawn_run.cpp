@@ -92,6 +92,7 @@ DrawnRun drawn_run(const CampaignSettings& settings, const RunDraw& draw, const 
     run.vehicle = with_friction(run.vehicle, draw.friction_factor);
     run.calibration = mistaken(calibration, run.vehicle, settings.spread, draw);
     run.options.mirrored = draw.mirrored;
+    run.options.road_seed = draw.sensor_seed;
     run.options.speed_factor = draw.speed_factor;
     run.options.duration_s = settings.manoeuvres[draw.manoeuvre].duration_s;
     run.sensors = drawn_sensors(settings, draw, run.vehicle);

@@ -75,7 +75,7 @@ void put_draw(Cells& cells, const CampaignRow& row) {
                  draw.mass_sensor_error);
     cells.number("lateral_bias_g", "g", "drawn offset of the lateral accelerometer", draw.lateral_bias_g);
     cells.number("vertical_bias_g", "g", "drawn offset of the vertical accelerometer", draw.vertical_bias_g);
-    cells.count("sensor_seed", "seed of the sensors' noise", draw.sensor_seed);
+    cells.count("sensor_seed", "seed of the sensors' noise and of a rough road", draw.sensor_seed);
 }
 
 void put_outcome(Cells& cells, const CampaignRow& row) {

@@ -11,6 +11,7 @@
 #include "sil/studies/identification/simulated_drive.hpp"
 #include "sil/studies/population/properties.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/manoeuvres/slow_ramp.hpp"
 
 namespace sil {
 namespace {
@@ -43,12 +44,13 @@ IdentificationDrives IdentificationDrives::without_loads() const {
     return drives;
 }
 
-IdentificationDrives identification_drives(const VehicleParameters& vehicle, std::uint64_t sensor_seed) {
+IdentificationDrives identification_drives(const VehicleParameters& vehicle, double back_from_ltr,
+                                           std::uint64_t sensor_seed) {
     SensorFlaws flaws;
     flaws.noise = true;
     flaws.seed = sensor_seed;
     IdentificationDrives drives;
-    drives.ramps.push_back(simulate_drive(vehicle, find_manoeuvre("slow-ramp"), flaws));
+    drives.ramps.push_back(simulate_drive(vehicle, slow_ramp(back_from_ltr), flaws));
     drives.largest_ramp_ltr = largest_ltr(drives.ramps.front());
     ++flaws.seed;
     RunOptions gentle;

@@ -21,7 +21,9 @@ struct IdentificationDrives {
     IdentificationDrives without_loads() const;
 };
 
-IdentificationDrives identification_drives(const VehicleParameters& vehicle, std::uint64_t sensor_seed);
+// On the ramp the driver turns back at a load transfer ratio of `back_from_ltr`.
+IdentificationDrives identification_drives(const VehicleParameters& vehicle, double back_from_ltr,
+                                           std::uint64_t sensor_seed);
 
 struct Calibrated {
     std::string failure{};  // why there is no calibration; empty when there is one

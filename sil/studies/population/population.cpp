@@ -17,6 +17,7 @@
 #include "sil/studies/campaign/row_file.hpp"
 #include "sil/studies/population/calibrated_vehicle.hpp"
 #include "sil/studies/population/population_campaigns.hpp"
+#include "sil/studies/population/random_quantities.hpp"
 #include "sil/studies/population/vehicle_draw.hpp"
 #include "sil/studies/population/vehicle_writer.hpp"
 
@@ -105,9 +106,15 @@ std::string line_of(const FinishedVehicle& vehicle, bool names) {
     return cells.line();
 }
 
+DrawnVehicle drawn_vehicle(const PopulationRequest& request, std::uint64_t number) {
+    DrawnVehicle drawn = draw_vehicle(request.seed, number);
+    drawn.half = request.only_report ? PopulationHalf::report : drawn.half;
+    return drawn;
+}
+
 FinishedVehicle make_vehicle(const PopulationRequest& request, std::uint64_t number) {
     FinishedVehicle made;
-    made.drawn = draw_vehicle(request.seed, number);
+    made.drawn = drawn_vehicle(request, number);
     const DrawnVehicle& drawn = made.drawn;
     const std::filesystem::path& folder = request.output;
     const VehicleParameters with_load = loaded(drawn.parameters, vehicle_classes()[drawn.in_class].load);
@@ -125,10 +132,14 @@ FinishedVehicle make_vehicle(const PopulationRequest& request, std::uint64_t num
         return calibrate(data_file(folder, drawn, kind == CalibrationKind::of_loaded_vehicle), drives,
                          calibration_file(folder, drawn, kind));
     };
+    // Test drivers stop where they no longer dare to go on: some early, some just before a wheel lifts.
+    const double back_from_ltr =
+        RandomQuantities{request.seed, number, 0U}.within(Quantity::ramp_end, {0.6, 0.9});
     // Two seeds a pair of drives, two pairs a vehicle.
     const std::uint64_t sensor_seed = 4U * number + 1U;
     try {
-        const IdentificationDrives drives = identification_drives(drawn.parameters, sensor_seed);
+        const IdentificationDrives drives =
+            identification_drives(drawn.parameters, back_from_ltr, sensor_seed);
         made.largest_ramp_ltr = drives.largest_ramp_ltr;
         made.with_loads = calibrated(drives, CalibrationKind::with_loads);
         made.without_loads = calibrated(drives.without_loads(), CalibrationKind::without_loads);
@@ -136,7 +147,7 @@ FinishedVehicle make_vehicle(const PopulationRequest& request, std::uint64_t num
         made.with_loads.failure = made.without_loads.failure = error.what();
     }
     try {
-        made.of_loaded_vehicle = calibrated(identification_drives(with_load, sensor_seed + 2U),
+        made.of_loaded_vehicle = calibrated(identification_drives(with_load, back_from_ltr, sensor_seed + 2U),
                                             CalibrationKind::of_loaded_vehicle);
     } catch (const std::runtime_error& error) {
         made.of_loaded_vehicle.failure = error.what();
@@ -154,8 +165,9 @@ void prepare_folder(const PopulationRequest& request) {
     const Versions versions = built_versions();
     const std::string wanted = fmt::format(
         "# The population whose vehicles are beside; `rsi-sil population` wrote it.\n"
-        "seed = {}\ncomponent = \"{}\"\ngit_revision = \"{}\"\n",
-        request.seed, versions.component, versions.git_revision);
+        "seed = {}\n{}component = \"{}\"\ngit_revision = \"{}\"\n",
+        request.seed, request.only_report ? "only_report = true\n" : "", versions.component,
+        versions.git_revision);
     const std::filesystem::path file = request.output / "population.toml";
     if (!std::filesystem::exists(file)) {
         write_file_atomically(file, wanted);
@@ -170,7 +182,7 @@ void write_settings(const PopulationRequest& request) {
     std::map<PopulationHalf, std::vector<DrawnVehicle>> halves{{PopulationHalf::choose, {}},
                                                                {PopulationHalf::report, {}}};
     for (std::uint64_t number = 0U; number < request.vehicles; ++number) {
-        DrawnVehicle vehicle = draw_vehicle(request.seed, number);
+        DrawnVehicle vehicle = drawn_vehicle(request, number);
         halves[vehicle.half].push_back(std::move(vehicle));
     }
     for (const auto& [half, vehicles] : halves) {

@@ -13,6 +13,7 @@ namespace sil {
 struct PopulationRequest {
     std::uint64_t vehicles{400U};
     std::uint64_t seed{1U};
+    bool only_report{false};  // true: no vehicle is there to choose on
     std::filesystem::path output{};
     unsigned jobs{1U};
 };

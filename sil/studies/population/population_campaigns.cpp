@@ -17,6 +17,9 @@ constexpr std::uint64_t ordinary_runs_a_vehicle = 3U;  // of ten minutes
 constexpr double reference_threshold_g = 0.75;
 // The firmware takes an angle beyond 15 rad for a fault of the sensor.
 constexpr double largest_handwheel_rad = 13.0;
+// The range that check_campaign admits.
+constexpr double least_factor = 0.05;
+constexpr double most_factor = 20.0;
 
 // Unit of a manoeuvre's steering, and thus what it needs to be as severe for any vehicle.
 enum class Steering {
@@ -88,7 +91,8 @@ Factors factors_for(const ScaledManoeuvre& manoeuvre, const VehicleParameters& v
                 ? manoeuvre.angle_rad
                 : handwheel_for_rad(vehicle, manoeuvre.acceleration_g * g_mps2, fifty_mph_mps);
         const double most_rad = largest_handwheel_rad / manoeuvre.drawn.steering_factor.highest;
-        factors.steering = std::min(wanted_rad, most_rad) / unscaled_rad;
+        factors.steering =
+            std::clamp(std::min(wanted_rad, most_rad) / unscaled_rad, least_factor, most_factor);
     }
     return factors;
 }
@@ -200,7 +204,7 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
     settings.spread.load_is_known = !wrongly_loaded;
     settings.learning_s = wrongly_loaded ? two_minutes_s : 0.0;
     settings.spread.sensor_noise = variant != CampaignVariant::clean;
-    if (variant == CampaignVariant::errors || variant == CampaignVariant::without_wheel_loads || ordinary) {
+    if (variant != CampaignVariant::clean) {
         settings.spread.cg_height_error = 0.05;
         settings.spread.stiffness_error = 0.10;
     }

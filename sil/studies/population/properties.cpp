@@ -1,5 +1,6 @@
 #include "sil/studies/population/properties.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sil/units.hpp"
@@ -88,7 +89,9 @@ VehicleProperties properties(const VehicleParameters& v) {
     const double tyres_nmprad = track * track * v.tyre.vertical_stiffness_npm;
     const double tyres_rad_pg =
         mass * g_mps2 * p.cg_height_m / (tyres_nmprad - mass * g_mps2 * p.cg_height_m);
-    const double outwards_m_pg = sprung / mass * p.roll_arm_m * roll_rad_pg + p.cg_height_m * tyres_rad_pg;
+    const double tyres_m_pg = 0.25 * mass * g_mps2 * v.tyre.lateral_compliance_mpn;
+    const double outwards_m_pg =
+        sprung / mass * p.roll_arm_m * roll_rad_pg + p.cg_height_m * tyres_rad_pg + tyres_m_pg;
     p.threshold_g = 0.5 * track / (p.cg_height_m + outwards_m_pg);
     p.understeer_gradient_s2pm = understeer_gradient(v, roll_rad_pg);
     const double share = front_share(v);
@@ -100,7 +103,10 @@ VehicleProperties properties(const VehicleParameters& v) {
 }
 
 double handwheel_for_rad(const VehicleParameters& v, double acceleration_mps2, double speed_mps) {
-    const double gradient = properties(v).understeer_gradient_s2pm;
+    // An oversteering vehicle needs ever less angle, and none at its critical speed; a driver still turns by
+    // half of what the curve's radius asks for.
+    const double gradient = std::max(properties(v).understeer_gradient_s2pm,
+                                     -0.5 * wheelbase_m(v.geometry) / (speed_mps * speed_mps));
     return SteadySteering{v, gradient}.handwheel_rad(acceleration_mps2, speed_mps);
 }
 

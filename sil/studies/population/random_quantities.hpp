@@ -67,6 +67,8 @@ enum class Quantity : std::uint64_t {
     damper_base = 55,
     panhard_length = 56,
     steering_compliance = 57,
+    ramp_end = 58,
+    lateral_deflection = 59,
 };
 
 class RandomQuantities {

@@ -31,6 +31,8 @@ void draw_tyre_forces(VehicleDraft& draft) {
     t.curvature = draft.within(Quantity::curvature, &VehicleClass::curvature);
     t.relaxation_length_m = draft.within(Quantity::relaxation, &VehicleClass::relaxation_length_m);
     t.camber_thrust_prad = draft.within(Quantity::camber_thrust, &VehicleClass::camber_thrust_prad);
+    t.lateral_compliance_mpn =
+        draft.within(Quantity::lateral_deflection, &VehicleClass::lateral_deflection_m) / static_n;
     t.rolling_resistance = draft.within(Quantity::rolling_resistance, &VehicleClass::rolling_resistance);
     t.front_friction_factor = draft.within(Quantity::front_friction, &VehicleClass::front_friction_factor);
     t.rear_friction_factor = draft.within(Quantity::rear_friction, &VehicleClass::rear_friction_factor);

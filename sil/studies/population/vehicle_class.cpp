@@ -31,6 +31,7 @@ constexpr Key keys_of_every_class[] = {
     {"curvature", &VehicleClass::curvature},
     {"slip_stiffness_ratio", &VehicleClass::slip_stiffness_ratio},
     {"rolling_resistance", &VehicleClass::rolling_resistance},
+    {"lateral_deflection_m", &VehicleClass::lateral_deflection_m},
 };
 
 constexpr Key keys_of_one_class[] = {

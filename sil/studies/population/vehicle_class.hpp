@@ -61,6 +61,7 @@ struct VehicleClass {
                                           // vehicle does
     Interval relaxation_length_m{};
     Interval camber_thrust_prad{};
+    Interval lateral_deflection_m{};  // of the tyre, at 1 g
     Interval
         grip_over_threshold{};  // friction over the lateral acceleration in g that lifts the inner wheels
     Interval friction{};        // of the class's tyres; it bounds the former

@@ -60,7 +60,7 @@ Manoeuvre tilting() {
     const auto angle_rad = std::make_shared<double>(0.0);
     Manoeuvre manoeuvre;
     manoeuvre.duration_s = still_s + largest_angle_rad / rate_radps;
-    manoeuvre.make_road = [angle_rad] { return std::make_unique<TiltingTable>(angle_rad); };
+    manoeuvre.make_road = [angle_rad](std::uint64_t) { return std::make_unique<TiltingTable>(angle_rad); };
     manoeuvre.make_driver = [angle_rad](const VehicleParameters&) {
         return std::make_unique<TableOperator>(angle_rad);
     };

@@ -11,7 +11,7 @@ Manoeuvre banked_straight() {
         "straight at 80 km/h: level, over 40 m onto a bank of 6 degrees, 300 m along it, level again";
     manoeuvre.duration_s = 25.0;
     manoeuvre.initial_speed_mps = from_kmh(80.0);
-    manoeuvre.make_road = [] {
+    manoeuvre.make_road = [](std::uint64_t) {
         return std::make_unique<BankedStretchRoad>(from_degrees(6.0), 50.0, 390.0, 40.0);
     };
     manoeuvre.make_driver = lane_keeping();

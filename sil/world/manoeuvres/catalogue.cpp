@@ -1,6 +1,8 @@
 // Catalogue: a new manoeuvre is one file and one line in each of the two lists here.
 #include "sil/world/manoeuvres/catalogue.hpp"
 
+#include "sil/world/manoeuvres/slow_ramp.hpp"
+
 namespace sil {
 
 Manoeuvre j_turn_110();
@@ -14,7 +16,6 @@ Manoeuvre slowly_increasing_steer();
 Manoeuvre double_lane_change();
 Manoeuvre sine_with_dwell();
 Manoeuvre slalom();
-Manoeuvre slow_ramp();
 Manoeuvre step_steer();
 Manoeuvre braking_in_turn();
 Manoeuvre rough_turn();

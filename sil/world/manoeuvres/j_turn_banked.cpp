@@ -68,7 +68,9 @@ Manoeuvre j_turn_banked() {
     manoeuvre.duration_s = 17.0;
     manoeuvre.initial_speed_mps = from_kmh(110.0);
     manoeuvre.start_speed_share = start_share;
-    manoeuvre.make_road = [] { return std::make_unique<BankedCircleRoad>(radius_m, std::atan(slope)); };
+    manoeuvre.make_road = [](std::uint64_t) {
+        return std::make_unique<BankedCircleRoad>(radius_m, std::atan(slope));
+    };
     manoeuvre.asks_for_handwheel_angle = true;
     manoeuvre.make_driver = [](const VehicleParameters& parameters) {
         const double gradient =

@@ -25,8 +25,8 @@ std::function<std::unique_ptr<Driver>(const VehicleParameters&)> open_loop(
     };
 }
 
-std::function<std::unique_ptr<Road>()> flat_road() {
-    return [] { return std::make_unique<PlaneRoad>(); };
+MakeRoad flat_road() {
+    return [](std::uint64_t) { return std::make_unique<PlaneRoad>(); };
 }
 
 double ramp_and_hold(double time_s, double start_s, double rate_radps, double angle_rad) {

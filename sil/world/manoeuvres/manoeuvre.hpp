@@ -45,6 +45,9 @@ class CopiedDriver : public Driver {
     }
 };
 
+// The seed draws the heights of a rough road; another road has no use for it.
+using MakeRoad = std::function<std::unique_ptr<Road>(std::uint64_t seed)>;
+
 // Manoeuvres are written for a first turn to the left; ManoeuvreRun mirrors them.
 struct Manoeuvre {
     std::string name{};
@@ -52,7 +55,7 @@ struct Manoeuvre {
     double duration_s{0.0};
     double initial_speed_mps{0.0};
     double start_speed_share{1.0};  // of that, with which the run begins
-    std::function<std::unique_ptr<Road>()> make_road{};
+    MakeRoad make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
     // Whether make_driver asks for handwheel_angle_at_0_3_g_rad(), so that who drives many may find it ahead.
     bool asks_for_handwheel_angle{false};
@@ -65,7 +68,7 @@ std::function<std::unique_ptr<Driver>(const VehicleParameters&)> open_loop(
     std::function<DriverCommand(double)> command);
 
 // A level road.
-std::function<std::unique_ptr<Road>()> flat_road();
+MakeRoad flat_road();
 
 constexpr double from_degrees(double degrees) {
     return degrees * 3.14159265358979323846 / 180.0;

@@ -8,9 +8,9 @@
 namespace sil {
 namespace {
 
-std::unique_ptr<const Road> make_road(const Manoeuvre& manoeuvre, bool mirrored) {
-    std::unique_ptr<const Road> road = manoeuvre.make_road();
-    if (mirrored) {
+std::unique_ptr<const Road> make_road(const Manoeuvre& manoeuvre, const RunOptions& options) {
+    std::unique_ptr<const Road> road = manoeuvre.make_road(options.road_seed);
+    if (options.mirrored) {
         return std::make_unique<MirroredRoad>(std::move(road));
     }
     return road;
@@ -31,7 +31,7 @@ ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre&
     : options_{options},
       duration_s_{options.duration_s > 0.0 ? options.duration_s : manoeuvre.duration_s},
       wanted_speed_mps_{manoeuvre.initial_speed_mps * options.speed_factor},
-      road_{make_road(manoeuvre, options.mirrored)},
+      road_{make_road(manoeuvre, options)},
       driver_{manoeuvre.make_driver(parameters)},
       speed_control_{parameters},
       vehicle_{parameters, *road_} {

@@ -11,9 +11,10 @@ namespace sil {
 struct RunOptions {
     bool mirrored{false};  // steering and road with left and right exchanged
     double step_s{Vehicle::nominal_step_s};
-    double duration_s{0.0};       // 0: as the manoeuvre says
-    double speed_factor{1.0};     // times the manoeuvre's speed
-    double steering_factor{1.0};  // times the driver's handwheel angle
+    double duration_s{0.0};          // 0: as the manoeuvre says
+    double speed_factor{1.0};        // times the manoeuvre's speed
+    double steering_factor{1.0};     // times the driver's handwheel angle
+    std::uint64_t road_seed{8608U};  // of a rough road
 };
 
 // Has road, driver and vehicle; vehicle().parameters() are those that the manoeuvre has adapted. After the

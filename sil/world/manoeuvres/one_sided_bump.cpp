@@ -11,7 +11,9 @@ Manoeuvre one_sided_bump() {
         "straight at 40 km/h over three bumps under the left wheels, 50 mm high and 3 m long";
     manoeuvre.duration_s = 12.0;
     manoeuvre.initial_speed_mps = from_kmh(40.0);
-    manoeuvre.make_road = [] { return std::make_unique<OneSidedBumpRoad>(0.05, 3.0, 20.0, 25.0, 3); };
+    manoeuvre.make_road = [](std::uint64_t) {
+        return std::make_unique<OneSidedBumpRoad>(0.05, 3.0, 20.0, 25.0, 3);
+    };
     manoeuvre.make_driver = lane_keeping();
     manoeuvre.asks_for_handwheel_angle = true;
     return manoeuvre;

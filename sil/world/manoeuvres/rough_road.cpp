@@ -11,7 +11,9 @@ Manoeuvre rough_road() {
         "straight at 80 km/h on a rough road (ISO 8608 class C, left and right tracks independent)";
     manoeuvre.duration_s = 30.0;
     manoeuvre.initial_speed_mps = from_kmh(80.0);
-    manoeuvre.make_road = [] { return std::make_unique<TwoTrackRoad>(RoughnessProfile::class_c_m3, 8608U); };
+    manoeuvre.make_road = [](std::uint64_t seed) {
+        return std::make_unique<TwoTrackRoad>(RoughnessProfile::class_c_m3, seed);
+    };
     manoeuvre.make_driver = lane_keeping();
     manoeuvre.asks_for_handwheel_angle = true;
     return manoeuvre;

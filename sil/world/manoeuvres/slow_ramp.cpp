@@ -1,9 +1,9 @@
 // Slow ramp steer: quasi-static, to one side and then the other, up to where the inner wheels grow light;
 // what the roll stiffness and the roll-centre height are identified from.
+#include "sil/world/manoeuvres/slow_ramp.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "sil/world/manoeuvres/manoeuvre.hpp"
 
 namespace sil {
 namespace {
@@ -11,7 +11,6 @@ namespace {
 constexpr double start_s = 1.0;
 constexpr double rate_radps = from_degrees(3.0);
 constexpr double largest_angle_rad = from_degrees(150.0);
-constexpr double light_from = 0.8;  // load transfer ratio at which the driver turns back
 constexpr double back_rate_radps = from_degrees(45.0);
 constexpr double straight_s = 2.0;
 constexpr double never_s = 1.0e9;
@@ -25,6 +24,8 @@ double load_transfer_ratio(const Truth& truth) {
 
 class SlowRampDriver final : public CopiedDriver<SlowRampDriver> {
  public:
+    explicit SlowRampDriver(double back_from_ltr) : back_from_ltr_{back_from_ltr} {}
+
     DriverCommand command(const Truth& truth) override {
         const double step_s = truth.time_s - last_time_s_;
         last_time_s_ = truth.time_s;
@@ -39,7 +40,7 @@ class SlowRampDriver final : public CopiedDriver<SlowRampDriver> {
         if (!turning_back_) {
             angle_rad_ += rate_radps * step_s;
             turning_back_ =
-                angle_rad_ >= largest_angle_rad || std::abs(load_transfer_ratio(truth)) >= light_from;
+                angle_rad_ >= largest_angle_rad || std::abs(load_transfer_ratio(truth)) >= back_from_ltr_;
             return;
         }
         angle_rad_ = std::max(0.0, angle_rad_ - back_rate_radps * step_s);
@@ -50,6 +51,7 @@ class SlowRampDriver final : public CopiedDriver<SlowRampDriver> {
         }
     }
 
+    double back_from_ltr_;
     double last_time_s_{0.0};
     double next_ramp_s_{start_s};
     double angle_rad_{0.0};
@@ -59,15 +61,17 @@ class SlowRampDriver final : public CopiedDriver<SlowRampDriver> {
 
 }  // namespace
 
-Manoeuvre slow_ramp() {
+Manoeuvre slow_ramp(double back_from_ltr) {
     Manoeuvre manoeuvre;
     manoeuvre.name = "slow-ramp";
     manoeuvre.description =
-        "slow ramp steer at 60 km/h, held: 3 degrees/s to either side until the load transfer ratio is 0.8";
+        "slow ramp steer at 60 km/h, held: 3 degrees/s to either side until the inner wheels are light";
     manoeuvre.duration_s = 115.0;
     manoeuvre.initial_speed_mps = from_kmh(60.0);
     manoeuvre.make_road = flat_road();
-    manoeuvre.make_driver = [](const VehicleParameters&) { return std::make_unique<SlowRampDriver>(); };
+    manoeuvre.make_driver = [back_from_ltr](const VehicleParameters&) {
+        return std::make_unique<SlowRampDriver>(back_from_ltr);
+    };
     return manoeuvre;
 }
 

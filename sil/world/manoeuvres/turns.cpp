@@ -55,7 +55,9 @@ Manoeuvre rough_turn() {
     manoeuvre.name = "rough-turn";
     manoeuvre.description = "turn of about 0.3 g at 50 mph, held, on a rough plane (ISO 8608 class C)";
     manoeuvre.duration_s = 20.0;
-    manoeuvre.make_road = [] { return std::make_unique<RoughPlane>(RoughnessProfile::class_c_m3, 8608U); };
+    manoeuvre.make_road = [](std::uint64_t seed) {
+        return std::make_unique<RoughPlane>(RoughnessProfile::class_c_m3, seed);
+    };
     return manoeuvre;
 }
 

@@ -94,6 +94,7 @@ struct BasicTyreParameters {
     Real relaxation_length_m{};
     Real camber_thrust_prad{};  // lateral force per load and radian of camber
     Real rolling_resistance{};
+    Real lateral_compliance_mpn{};  // by which the contact patch gives way under the rim, per lateral force
 };
 using TyreParameters = BasicTyreParameters<double>;
 

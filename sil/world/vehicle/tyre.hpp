@@ -71,6 +71,9 @@ class BasicTyre {
         slip.lateral = (slip.lateral - rate * leftward_mps) * decay;
     }
 
+    // How far to the left of where the rim would have it the contact patch lies.
+    Real lateral_deflection_m(Real lateral_n) const { return parameters_.lateral_compliance_mpn * lateral_n; }
+
     Real rolling_resistance_n(Real load_n) const { return parameters_.rolling_resistance * load_n; }
 
     Real cornering_stiffness_nprad(Real load_n) const {

@@ -237,7 +237,6 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
     const BasicWheelContact<Real> contact =
         find_wheel_contact(pose.axis, normal, clearance, parameters.geometry.wheel_radius_m);
 
-    const Vector point = pose.centre + contact.arm;
     const Vector carrier_rotation = state.angular_velocity + Vector{pose.relative_roll_rate, 0.0, 0.0};
     const Vector velocity = state.velocity + state.angular_velocity.cross(pose.centre) +
                             pose.relative_velocity + carrier_rotation.cross(contact.arm);
@@ -254,6 +253,8 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
     const Vector force = result.load_n * normal + in_plane.longitudinal_n * contact.forward +
                          in_plane.lateral_n * contact.left;
 
+    const Vector point =
+        pose.centre + contact.arm + tyre.lateral_deflection_m(in_plane.lateral_n) * contact.left;
     equations.add_force(force, point);
     if (pose.axle == nullptr) {
         state.front_lateral_n += in_plane.lateral_n;

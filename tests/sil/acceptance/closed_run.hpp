@@ -23,7 +23,7 @@ struct RunSettings {
     std::vector<std::string> changes{};  // of the calibration, "key=value"
     bool attitude_sensor{false};         // the roll angle is one against the horizon
     bool bank_sensor{false};
-    std::function<std::unique_ptr<sil::Road>()> road{};  // none: the manoeuvre's own
+    sil::MakeRoad road{};                                // none: the manoeuvre's own
     std::function<void(sil::SensorOptions&)> sensors{};  // changes them; none: as they are
 };
 

@@ -17,7 +17,7 @@ RunSettings on_a_twisting_road(const std::string& vehicle, double bank_deg, doub
     settings.manoeuvre = "banked-straight";
     settings.vehicle = vehicle;
     settings.noise = true;
-    settings.road = [bank_deg, transition_m] {
+    settings.road = [bank_deg, transition_m](std::uint64_t) {
         return std::make_unique<sil::BankedStretchRoad>(sil::from_degrees(bank_deg), 50.0, 390.0,
                                                         transition_m);
     };
@@ -29,7 +29,9 @@ RunSettings over_high_bumps(const std::string& vehicle) {
     settings.manoeuvre = "one-sided-bump";
     settings.vehicle = vehicle;
     settings.noise = true;
-    settings.road = [] { return std::make_unique<sil::OneSidedBumpRoad>(0.08, 3.0, 20.0, 25.0, 3); };
+    settings.road = [](std::uint64_t) {
+        return std::make_unique<sil::OneSidedBumpRoad>(0.08, 3.0, 20.0, 25.0, 3);
+    };
     return settings;
 }
 

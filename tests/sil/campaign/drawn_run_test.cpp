@@ -52,6 +52,18 @@ TEST(DrawnRun, TellsTheCodesThatItsSensorsSet) {
     EXPECT_NE(sil::CampaignWorld{settings}.run(0U).codes, 0U);
 }
 
+TEST(DrawnRun, ARoughRoadIsDrawnAnewForEachRun) {
+    sil::CampaignSettings settings = small_campaign(2U);
+    settings.manoeuvres = {{"rough-turn", 1.0, {1.0, 1.0}, {1.0, 1.0}, 12.0}};
+    const sil::CampaignWorld world{settings};
+    const auto height_m = [&world](std::uint64_t number) {
+        const sil::DrawnRun run = world.prepare(number);
+        return run.manoeuvre.make_road(run.options.road_seed)->at(40.0, 1.0).height_m;
+    };
+    EXPECT_NE(height_m(0U), height_m(1U));
+    EXPECT_EQ(height_m(1U), height_m(1U));
+}
+
 TEST(DrawnRun, AnUnknownLoadIsNoPartOfTheError) {
     sil::CampaignSettings settings = small_campaign(20U);
     settings.spread.load_share = {0.2, 0.3};

@@ -107,7 +107,7 @@ TEST(RowTable, RefusesARowThatIsNotAsItWasWritten) {
     }
     std::string altered = good;
     altered.replace(altered.find("0.15"), 4U, "0.25");
-    expect_refused(header + altered, "runs.csv:2:72: is not the fingerprint of this row");
+    expect_refused(header + altered, "runs.csv:2:71: is not the fingerprint of this row");
     expect_refused(header + good + good, "has run 5 twice");
     std::string names = header;
     names.replace(names.find(",row_check"), 10U, "");

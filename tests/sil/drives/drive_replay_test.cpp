@@ -264,7 +264,7 @@ TEST(Replay, OfALogWithoutSensorFramesIsRefused) {
 TEST(Replay, OfAVehicleOnABankUsesTheBank) {
     const double bank_rad = std::atan(0.08);
     sil::Manoeuvre manoeuvre = sil::find_manoeuvre("straight");
-    manoeuvre.make_road = [bank_rad] { return std::make_unique<sil::PlaneRoad>(bank_rad); };
+    manoeuvre.make_road = [bank_rad](std::uint64_t) { return std::make_unique<sil::PlaneRoad>(bank_rad); };
     const test_support::ScratchFolder folder;
     const RecordedDrive run = record_drive(manoeuvre, 2.0, folder.path());
     const sil::Drive blind = sil::read_drive_csv(folder.path() / "signals.csv");

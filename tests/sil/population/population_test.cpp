@@ -136,10 +136,8 @@ TEST_F(Population, ItsCampaignsRunWithTheClassInEveryRow) {
             folder() / ("settings_choose_" + std::string{sil::variant_name(variant)} + ".toml"));
         ASSERT_EQ(settings.vehicles.size(), 3U);
         EXPECT_EQ(settings.runs, variant == sil::CampaignVariant::ordinary ? 9U : 300U);
-        const bool errors = variant == sil::CampaignVariant::errors ||
-                            variant == sil::CampaignVariant::without_wheel_loads ||
-                            variant == sil::CampaignVariant::ordinary;
-        EXPECT_EQ(settings.spread.sensor_noise, variant != sil::CampaignVariant::clean);
+        const bool errors = variant != sil::CampaignVariant::clean;
+        EXPECT_EQ(settings.spread.sensor_noise, errors);
         EXPECT_EQ(settings.spread.cg_height_error, errors ? 0.05 : 0.0);
         EXPECT_EQ(settings.spread.stiffness_error, errors ? 0.10 : 0.0);
         const bool wrongly_loaded =

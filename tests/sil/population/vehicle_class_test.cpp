@@ -39,7 +39,7 @@ TEST(VehicleClass, TheBuiltInOnesAreThoseThatWereAskedFor) {
         names.push_back(one.name);
     }
     EXPECT_THAT(names, testing::ElementsAre("small car", "sedan", "SUV", "van", "pick-up", "light truck",
-                                            "heavy truck", "bus"));
+                                            "heavy truck", "bus", "micro vehicle"));
 }
 
 TEST(VehicleClass, ErrorsAreNamed) {
@@ -86,7 +86,7 @@ TEST(VehicleClass, CarsCarryItOnTheRoofAndTrucksHalfOfThemselves) {
             EXPECT_EQ(one.load.mass_share, 0.15);
             EXPECT_EQ(one.load.height_factor, 1.5);
         } else if (one.name != "bus") {
-            EXPECT_EQ(one.load.mass_kg, 150.0) << one.name;
+            EXPECT_EQ(one.load.mass_kg, one.name == "micro vehicle" ? 90.0 : 150.0) << one.name;
             EXPECT_GE(one.load.height_m, one.body_height_m.lowest) << one.name;
         }
     }

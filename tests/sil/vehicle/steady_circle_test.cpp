@@ -99,4 +99,26 @@ TEST(SteadyTurn, LateralLoadTransferBalancesTheOverturningMoment) {
     EXPECT_NEAR(0.5 * transfer * parameters.geometry.track_width_m, moment, 0.03 * moment);
 }
 
+TEST(SteadyTurn, TyresThatGiveWayAddTheWeightTimesTheirDeflectionToTheOverturningMoment) {
+    const auto transfer_n = [](const sil::Truth& truth) {
+        const auto& load = truth.wheel_load_n;
+        return load[sil::front_right] + load[sil::rear_right] - load[sil::front_left] - load[sil::rear_left];
+    };
+    sil::VehicleParameters parameters = scenario::large_suv();
+    const sil::Truth rigid = steady_turn(parameters, 60.0, 40.0);
+    const double weight = sil::total_mass_kg(parameters) * sil::gravity_mps2;
+    parameters.tyre.lateral_compliance_mpn = 0.020 / (0.25 * weight);
+    const sil::Truth soft = steady_turn(parameters, 60.0, 40.0);
+    // The lateral forces are about in proportion to the loads.
+    double moment_nm = 0.0;
+    for (const double load_n : soft.wheel_load_n) {
+        const double lateral_n = load_n * soft.lateral_acceleration_mps2 / sil::gravity_mps2;
+        moment_nm += load_n * parameters.tyre.lateral_compliance_mpn * lateral_n;
+    }
+    const double of_rigid_n =
+        transfer_n(rigid) * soft.lateral_acceleration_mps2 / rigid.lateral_acceleration_mps2;
+    const double more_nm = 0.5 * parameters.geometry.track_width_m * (transfer_n(soft) - of_rigid_n);
+    EXPECT_NEAR(more_nm, moment_nm, 0.25 * moment_nm);
+}
+
 }  // namespace

@@ -51,7 +51,7 @@ TEST(Symmetry, AMirroredJTurnIsTheMirrorImageThroughRollover) {
 
 TEST(Symmetry, AMirroredTurnOnAMirroredBankIsTheMirrorImage) {
     sil::Manoeuvre manoeuvre = sil::find_manoeuvre("j-turn-45");
-    manoeuvre.make_road = [] { return std::make_unique<sil::BankedCircleRoad>(152.4, 0.08); };
+    manoeuvre.make_road = [](std::uint64_t) { return std::make_unique<sil::BankedCircleRoad>(152.4, 0.08); };
     expect_mirror_image(manoeuvre, 4.0);
 }
 
