@@ -47,10 +47,12 @@ void check_vehicle(const CampaignVehicle& vehicle, std::size_t manoeuvres) {
     check(vehicle.in_class.find_first_of(",\"\r\n") == std::string::npos, where + "class",
           "a text without comma, quotation mark and end of line");
     const auto check_factors = [&](const std::vector<double>& factors, const std::string& key) {
-        const bool good = std::all_of(factors.begin(), factors.end(),
-                                      [](double factor) { return factor >= 0.05 && factor <= 20.0; });
+        const bool good = std::all_of(factors.begin(), factors.end(), [](double factor) {
+            return factor >= vehicle_factor_range.lowest && factor <= vehicle_factor_range.highest;
+        });
         check(good && (factors.empty() || factors.size() == manoeuvres), where + key,
-              "one number from 0.05 to 20 for each manoeuvre, in their order");
+              fmt::format("one number from {} to {} for each manoeuvre, in their order",
+                          vehicle_factor_range.lowest, vehicle_factor_range.highest));
     };
     check_factors(vehicle.speed_factors, "speed_factors");
     check_factors(vehicle.steering_factors, "steering_factors");

@@ -18,6 +18,9 @@ struct Interval {
     double highest{0.0};
 };
 
+// Range of a vehicle's own factors of speed and steering.
+inline constexpr Interval vehicle_factor_range{0.05, 20.0};
+
 // A simulated vehicle and the firmware's calibration for it; relative paths start from the current folder. In
 // a settings file a path that begins with "./" or "../" starts from the folder of that file.
 struct CampaignVehicle {

@@ -17,9 +17,6 @@ constexpr std::uint64_t ordinary_runs_a_vehicle = 3U;  // of ten minutes
 constexpr double reference_threshold_g = 0.75;
 // The firmware takes an angle beyond 15 rad for a fault of the sensor.
 constexpr double largest_handwheel_rad = 13.0;
-// The range that check_campaign admits.
-constexpr double least_factor = 0.05;
-constexpr double most_factor = 20.0;
 
 // Unit of a manoeuvre's steering, and thus what it needs to be as severe for any vehicle.
 enum class Steering {
@@ -91,8 +88,8 @@ Factors factors_for(const ScaledManoeuvre& manoeuvre, const VehicleParameters& v
                 ? manoeuvre.angle_rad
                 : handwheel_for_rad(vehicle, manoeuvre.acceleration_g * g_mps2, fifty_mph_mps);
         const double most_rad = largest_handwheel_rad / manoeuvre.drawn.steering_factor.highest;
-        factors.steering =
-            std::clamp(std::min(wanted_rad, most_rad) / unscaled_rad, least_factor, most_factor);
+        factors.steering = std::clamp(std::min(wanted_rad, most_rad) / unscaled_rad,
+                                      vehicle_factor_range.lowest, vehicle_factor_range.highest);
     }
     return factors;
 }
