@@ -38,6 +38,15 @@ def matched_threshold(thresholds, firmware_share):
     return of_band[wanted - 1] if wanted else math.inf
 
 
+def threshold_with_alarms_at_most(share, thresholds):
+    """The smallest threshold with alarms in at most this share of the calm runs."""
+    runs = list(thresholds)
+    calm = judge.each([run.lift_s for run in runs], [run.largest_ltr for run in runs], [None] * len(runs))["calm"]
+    of_calm = sorted((thresholds[run] for run, is_calm in zip(runs, calm) if is_calm), reverse=True)
+    allowed = math.floor(share * len(of_calm) + 1e-9)
+    return math.nextafter(of_calm[allowed], math.inf) if allowed < len(of_calm) else 0.0
+
+
 def firmware_verdict(runs):
     """Value of the warning that was on the bus."""
     leads_s = [None if run.lift_s is None else judge.lead_s(

@@ -70,6 +70,20 @@ def _table(rows):
     return markdown.table(head, [cells_of(*row) for row in rows], (1, *range(5, len(head)))) + "\n"
 
 
+def _at_equal_alarms(equal, learned):
+    """Of each share of alarms the row of every prediction, and that of the best of the `learned` ones."""
+    lines = []
+    for limit in sorted({share for share, _ in equal}):
+        found = {name: verdict.detection for (share, name), verdict in equal.items() if share == limit}
+        best = max((name for name in found if name in learned), key=lambda name: found[name].warned_100ms.value(), default=None)
+        for text, name in [(name, name) for name in found] + [(f"best learned: {best}", best)] * (best is not None):
+            detection = found[name]
+            lines.append([f"{100 * limit:g} %, {text}", alone(detection.false_alarms),
+                          *map(percent, (detection.warned, detection.warned_100ms, detection.warned_200ms))])
+    head = ["alarms in calm runs at most", "alarms in calm runs, %", *WARNED]
+    return markdown.table(head, lines, (1,)) + "\n"
+
+
 def _by(title, group_of, rows):
     """Lift-offs warned of 0.2 s before, by a property of the run."""
     groups = collections.Counter(sorted(group_of(run) for run in rows[0][2].runs if run.lift_s is not None))
@@ -88,14 +102,16 @@ def _importance(groups):
             + markdown.table(["", "error"], [[group, f"{factor:.2f}"] for group, factor in groups.items()], (1,)) + "\n")
 
 
-def page(chosen, reported, rows, groups, perfect_s):
+def page(chosen, reported, rows, equal, learned, groups, perfect_s):
     text = HEAD.format(learned=len(chosen), learned_vehicles=len({run.vehicle for run in chosen}), judged=len(reported),
                        judged_vehicles=len({run.vehicle for run in reported}),
                        lifted=sum(run.lift_s is not None for run in reported), perfect=perfect_s)
     return (text + _table(rows)
             + "\n![Lift-offs warned of 0.2 s before over the alarms that this costs](pictures/predictors.png)\n\n"
             "The picture shows each prediction at other thresholds, all on the second half; the circle is the\n"
-            "firmware as it is.\n" + _by("manoeuvre", lambda run: run.row["manoeuvre"], rows)
+            "firmware as it is.\n\n## At equal alarms\nThe level of each prediction is the lowest with so many alarms in calm runs (largest |LTR| below 0.9), all on\n"
+            "the second half. The firmware's line is that of its predicted load transfer.\n\n"
+            + _at_equal_alarms(equal, learned) + _by("manoeuvre", lambda run: run.row["manoeuvre"], rows)
             + _by("class of vehicle", lambda run: run.row["class"], rows) + _importance(groups))
 
 

@@ -29,6 +29,8 @@ PERFECT_S = 0.3
 FIRMWARE, FIRMWARE_INDEX, PERFECT = "the firmware's warning", "its predicted load transfer", "perfect forecast"
 # Shares of alarms in the band at which the curves have their points.
 CURVE = [0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.8]
+# Shares of alarms in calm runs at which the table of equal alarms compares.
+EQUAL_ALARMS = (0.01, 0.05)
 
 
 def say(text):
@@ -87,7 +89,7 @@ def main(arguments):
     chosen, reported = recorded_runs.load(chosen), recorded_runs.load(reported)
     level_runs = comparison.level_runs(chosen)
     wanted = comparison.alarm_share(level_runs)
-    rows, curves = [(FIRMWARE, None, comparison.firmware_verdict(reported))], {}
+    rows, curves, equal = [(FIRMWARE, None, comparison.firmware_verdict(reported))], {}, {}
 
     def add(name, of_level_runs, of_reported):
         threshold = comparison.matched_threshold(comparison.alarm_thresholds(level_runs, of_level_runs), wanted)
@@ -97,6 +99,9 @@ def main(arguments):
             comparison.verdict_at(reported, of_reported, thresholds, comparison.matched_threshold(thresholds, share))
             for share in CURVE
         ]
+        for share in EQUAL_ALARMS:
+            at = comparison.threshold_with_alarms_at_most(share, thresholds)
+            equal[share, name] = comparison.verdict_at(reported, of_reported, thresholds, at)
         say(report.line(*rows[-1]))
 
     add(FIRMWARE_INDEX, firmware_predictions(level_runs), firmware_predictions(reported))
@@ -112,7 +117,7 @@ def main(arguments):
             of_unseen = unseen_manoeuvre_predictions(name, chosen, level_runs + reported)
             add(f"{name}, unseen manoeuvres", of_unseen, of_unseen)
     add(PERFECT, perfect_predictions(level_runs), perfect_predictions(reported))
-    file_io.write(page, report.page(chosen, reported, rows, groups, PERFECT_S))
+    file_io.write(page, report.page(chosen, reported, rows, equal, learners.LEARNED, groups, PERFECT_S))
     file_io.write(data, report.curve_data(rows[0], curves))
     return 0
 

@@ -120,6 +120,18 @@ class AgreesWithTheCampaign(unittest.TestCase):
         self.expect_verdict(comparison.verdict_at(self.runs, risks, thresholds, 1.0), self.report[INDEX])
 
 
+    def test_a_threshold_for_a_share_of_alarms_is_the_lowest_one(self):
+        risks = {run: index_risks(run) for run in self.runs}
+        thresholds = comparison.alarm_thresholds(self.runs, risks)
+        for share in (0.0, 0.1, 0.3, 1.0):
+            at = comparison.threshold_with_alarms_at_most(share, thresholds)
+            alarms = comparison.verdict_at(self.runs, risks, thresholds, at).detection.false_alarms
+            self.assertLessEqual(alarms.count, share * alarms.total)
+            if share < 1.0:
+                lower = comparison.verdict_at(self.runs, risks, thresholds, at * (1 - 1e-9)).detection.false_alarms
+                self.assertGreater(lower.count, share * lower.total)
+
+
 class Lead(unittest.TestCase):
     def lead_s(self, sides, lift_s):
         return judge.lead_s([0.01 * cycle for cycle in range(len(sides))], sides, lift_s, "left")

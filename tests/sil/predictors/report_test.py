@@ -41,11 +41,17 @@ class Report(unittest.TestCase):
                          ["50.0", "50.0", "0.0", "0.07", "-", "100.0", "100.0", "-"])
 
     def test_the_page_has_a_row_for_each_prediction_and_group(self):
-        page = report.page(RUNS[:1], RUNS, [("a", None, verdict(0.25, False))], {"steering": 1.5}, 0.3)
+        page = report.page(RUNS[:1], RUNS, [("a", None, verdict(0.25, False))],
+                           {(0.05, name): verdict(lead, False) for name, lead in (("a", 0.15), ("b", 0.05), ("c", 0.25))}, ["a", "b"],
+                           {"steering": 1.5}, 0.3)
         self.assertIn("1 runs of 1 vehicles are learned from", page)
         self.assertIn("4 runs of the\n2 vehicles of the other half, with 2 two-wheel lift-offs", page)
         self.assertIn("| | slalom |\n|---|---:|\n| lift-offs | 2 |\n| a | 50.0 |\n", page)
         self.assertIn("| | van |\n", page)
+        rows = [line.split(" | ") for line in page.splitlines() if line.startswith("| 5 %, ")]
+        self.assertEqual([(row[0], row[1], row[3].split(" ")[0]) for row in rows],
+                         [("| 5 %, a", "0.0", "50.0"), ("| 5 %, b", "0.0", "0.0"), ("| 5 %, c", "0.0", "50.0"),
+                          ("| 5 %, best learned: a", "0.0", "50.0")])
         self.assertIn("| steering | 1.50 |\n", page)
 
     def test_the_picture_takes_more_curves_than_there_are_colours(self):
