@@ -51,7 +51,7 @@ FIRMWARE = Scope(
            "firmware/rsi/ecu/xcp": {"xcp_test"},
            "firmware/rsi/ecu/application": set(FIRMWARE_PROGRAMS), "can_dbc/include/rsi/can_dbc/e2e": set(FIRMWARE_PROGRAMS)},
     left_out={},
-    headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF",), title="The firmware",
+    headers=("can_dbc", "hal/interface"), options=("-DRSI_BUILD_SIL=OFF", "-DRSI_TESTS_COMPILE_OPTIONS=-O0"), title="The firmware",
     goal=0.9, goal_of_able=0.93, longest_ms=900, every_survivor_explained=True, all_executed=True)
 
 JUDGES_PROGRAMS = {"judge_tests": "tests/sil/judge", "results_test": "tests/sil/results",
