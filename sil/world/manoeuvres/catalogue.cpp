@@ -22,6 +22,8 @@ Manoeuvre rough_turn();
 Manoeuvre rough_road();
 Manoeuvre banked_straight();
 Manoeuvre one_sided_bump();
+Manoeuvre decreasing_radius();
+Manoeuvre crowned_road();
 Manoeuvre straight();
 
 std::vector<Manoeuvre> all_manoeuvres() {
@@ -45,6 +47,8 @@ std::vector<Manoeuvre> all_manoeuvres() {
         banked_straight(),
         one_sided_bump(),
         straight(),
+        decreasing_radius(),
+        crowned_road(),
     };
 }
 

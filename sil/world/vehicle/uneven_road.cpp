@@ -190,4 +190,13 @@ RoadPoint BankedStretchRoad::at(double x_m, double y_m) const noexcept {
     return surface(slope * y_m, slope_ * (entry.slope - exit.slope) * y_m, slope);
 }
 
+CrownedRoad::CrownedRoad(double slope, double crown_y_m) : slope_{slope}, crown_y_m_{crown_y_m} {}
+
+// A hyperbola: level at the crown, as steep as asked for beyond the half joint.
+RoadPoint CrownedRoad::at(double /*x_m*/, double y_m) const noexcept {
+    const double from_crown = y_m - crown_y_m_;
+    const double rounded = std::sqrt(from_crown * from_crown + half_joint_m * half_joint_m);
+    return surface(slope_ * (half_joint_m - rounded), 0.0, -slope_ * from_crown / rounded);
+}
+
 }  // namespace sil

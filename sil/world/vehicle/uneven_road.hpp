@@ -1,4 +1,4 @@
-// Uneven roads: rough ones, one-sided bumps, and a bank that begins and ends.
+// Uneven roads: rough ones, one-sided bumps, a bank that begins and ends, a crown.
 #pragma once
 
 #include <cstdint>
@@ -91,6 +91,18 @@ class BankedStretchRoad final : public Road {
     double begin_m_;
     double end_m_;
     double transition_m_;
+};
+
+// A straight road along the x axis that falls by `slope` to either side of its crown, which is rounded over a
+// metre or so, so that water runs off.
+class CrownedRoad final : public Road {
+ public:
+    CrownedRoad(double slope, double crown_y_m);
+    RoadPoint at(double x_m, double y_m) const noexcept override;
+
+ private:
+    double slope_;
+    double crown_y_m_;
 };
 
 }  // namespace sil

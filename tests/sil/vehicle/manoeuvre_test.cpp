@@ -32,11 +32,27 @@ TEST(Catalogue, EveryManoeuvreHasItsOwnNameAndADescriptionOfOneLine) {
         EXPECT_EQ(manoeuvre.description.find('\n'), std::string::npos);
         EXPECT_GT(manoeuvre.duration_s, 0.0);
     }
-    for (const char* name :
-         {"j-turn-110", "j-turn-45", "j-turn-banked", "fishhook-1a", "fishhook-1b", "roll-centre-fixed",
-          "roll-centre-moving", "slowly-increasing-steer", "double-lane-change", "slalom", "sine-with-dwell",
-          "slow-ramp", "step-steer", "braking-in-turn", "rough-turn", "rough-road", "banked-straight",
-          "one-sided-bump", "straight"}) {
+    for (const char* name : {"j-turn-110",
+                             "j-turn-45",
+                             "j-turn-banked",
+                             "fishhook-1a",
+                             "fishhook-1b",
+                             "roll-centre-fixed",
+                             "roll-centre-moving",
+                             "slowly-increasing-steer",
+                             "double-lane-change",
+                             "slalom",
+                             "sine-with-dwell",
+                             "slow-ramp",
+                             "step-steer",
+                             "braking-in-turn",
+                             "rough-turn",
+                             "rough-road",
+                             "banked-straight",
+                             "one-sided-bump",
+                             "straight",
+                             "decreasing-radius",
+                             "crowned-road"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }

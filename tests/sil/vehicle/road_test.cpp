@@ -45,6 +45,7 @@ TEST(UnevenRoad, NormalsAreSquareToTheSurfaceEverywhere) {
     expect_normals_fit_heights(sil::RoughPlane{256e-6, 1U});
     expect_normals_fit_heights(sil::OneSidedBumpRoad{0.05, 3.0, 20.0, 25.0, 3});
     expect_normals_fit_heights(sil::BankedStretchRoad{0.1, 20.0, 80.0, 15.0});
+    expect_normals_fit_heights(sil::CrownedRoad{0.04, 1.75});
     expect_normals_fit_heights(sil::MirroredRoad{std::make_unique<sil::TwoTrackRoad>(256e-6, 1U)});
 }
 
@@ -145,6 +146,17 @@ TEST(OneSidedBumpRoad, HasItsBumpsOnTheLeftOnlyAndAsHighAsAsked) {
     EXPECT_EQ(road.at(96.5, 0.8).height_m, 0.0);
     EXPECT_EQ(road.at(-3.5, 0.8).height_m, 0.0);
     EXPECT_EQ(road.at(30.0, 0.8).height_m, 0.0);
+}
+
+TEST(CrownedRoad, FallsToEitherSideOfItsCrown) {
+    const sil::CrownedRoad road{0.04, 1.75};
+    EXPECT_EQ(road.at(7.0, 1.75).height_m, 0.0);
+    for (const double away : {2.0, 4.0}) {
+        EXPECT_EQ(road.at(7.0, 1.75 + away).height_m, road.at(9.0, 1.75 - away).height_m);
+    }
+    EXPECT_NEAR(road.at(0.0, 6.75).height_m - road.at(0.0, 5.75).height_m, -0.04, 0.001);
+    EXPECT_LT(road.mean_normal(0.0, -0.05).y(), -0.035) << "to the right of the crown the left side is up";
+    EXPECT_GT(road.mean_normal(0.0, 3.55).y(), 0.035);
 }
 
 }  // namespace
