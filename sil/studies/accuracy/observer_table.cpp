@@ -70,7 +70,7 @@ int main() try {
                sil::csv_header({"vehicle", "manoeuvre", "roll", "bank", "roll with K 10 % low / high, low",
                                 "roll with K 10 % low / high, high"}));
     for (const char* vehicle : {"large_suv", "ordinary_suv"}) {
-        for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+        for (const sil::Manoeuvre& manoeuvre : sil::undisturbed_manoeuvres()) {
             print(sil::accuracy::record(manoeuvre.name, vehicle));
         }
     }

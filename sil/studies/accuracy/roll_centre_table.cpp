@@ -82,7 +82,7 @@ std::string header() {
 int main() try {
     fmt::print("{}\n", header());
     for (const char* vehicle : {"large_suv", "ordinary_suv"}) {
-        for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+        for (const sil::Manoeuvre& manoeuvre : sil::undisturbed_manoeuvres()) {
             if (manoeuvre.name != "straight") {
                 print(sil::accuracy::record(manoeuvre.name, vehicle));
             }

@@ -83,7 +83,7 @@ void drive_catalogue(Search& search, const sil::CampaignSettings& settings) {
     for (const sil::CampaignVehicle& built : settings.vehicles) {
         const sil::VehicleParameters vehicle = sil::load_vehicle(built.parameters);
         const rsi::Parameters calibration = sil::load_calibration(built.calibration, settings.changes);
-        for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+        for (const sil::Manoeuvre& manoeuvre : sil::undisturbed_manoeuvres()) {
             for (const bool noise : {false, true}) {
                 sil::SensorFlaws flaws;
                 flaws.noise = noise;

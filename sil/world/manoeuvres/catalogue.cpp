@@ -1,6 +1,8 @@
 // Catalogue: a new manoeuvre is one file and one line in each of the two lists here.
 #include "sil/world/manoeuvres/catalogue.hpp"
 
+#include <algorithm>
+
 #include "sil/world/manoeuvres/slow_ramp.hpp"
 
 namespace sil {
@@ -24,6 +26,9 @@ Manoeuvre banked_straight();
 Manoeuvre one_sided_bump();
 Manoeuvre decreasing_radius();
 Manoeuvre crowned_road();
+Manoeuvre split_friction();
+Manoeuvre gust();
+Manoeuvre tyre_failure();
 Manoeuvre straight();
 
 std::vector<Manoeuvre> all_manoeuvres() {
@@ -49,7 +54,18 @@ std::vector<Manoeuvre> all_manoeuvres() {
         straight(),
         decreasing_radius(),
         crowned_road(),
+        split_friction(),
+        gust(),
+        tyre_failure(),
     };
+}
+
+std::vector<Manoeuvre> undisturbed_manoeuvres() {
+    std::vector<Manoeuvre> manoeuvres = all_manoeuvres();
+    manoeuvres.erase(std::remove_if(manoeuvres.begin(), manoeuvres.end(),
+                                    [](const Manoeuvre& manoeuvre) { return manoeuvre.is_disturbed; }),
+                     manoeuvres.end());
+    return manoeuvres;
 }
 
 Manoeuvre find_manoeuvre(std::string_view name) {

@@ -18,6 +18,8 @@ class UnknownManoeuvre : public std::invalid_argument {
 
 // In the order in which a list should show them.
 std::vector<Manoeuvre> all_manoeuvres();
+// Those in which nothing but driver and road acts on the vehicle: not `is_disturbed`.
+std::vector<Manoeuvre> undisturbed_manoeuvres();
 
 // Throws UnknownManoeuvre.
 Manoeuvre find_manoeuvre(std::string_view name);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "sil/world/vehicle/disturbance.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 #include "sil/world/vehicle/road.hpp"
 #include "sil/world/vehicle/speed_control.hpp"
@@ -48,6 +49,11 @@ class CopiedDriver : public Driver {
 // The seed draws the heights of a rough road; another road has no use for it.
 using MakeRoad = std::function<std::unique_ptr<Road>(std::uint64_t seed)>;
 
+// Disturbance at the time and in the motion of a truth; nothing is kept from step to step.
+using DisturbanceCourse = std::function<Disturbance(const Truth& truth)>;
+// The seed draws when, where and how much.
+using DrawDisturbances = std::function<DisturbanceCourse(const VehicleParameters&, std::uint64_t seed)>;
+
 // Manoeuvres are written for a first turn to the left; ManoeuvreRun mirrors them.
 struct Manoeuvre {
     std::string name{};
@@ -61,6 +67,10 @@ struct Manoeuvre {
     bool asks_for_handwheel_angle{false};
     // The manoeuvre's changes to the vehicle, such as a roof load; empty: nothing.
     std::function<VehicleParameters(VehicleParameters)> adapt_vehicle{};
+    DrawDisturbances draw_disturbances{};  // empty: none
+    // Something is done to the vehicle that no data of it tell, such as a gust, a flat tyre or a kerb: how
+    // accurate estimates are, and whether good sensors are doubted, is asked without.
+    bool is_disturbed{false};
 };
 
 // A driver who acts by the clock alone: the command as a function of time in seconds.

@@ -34,6 +34,8 @@ ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre&
       road_{make_road(manoeuvre, options)},
       driver_{manoeuvre.make_driver(parameters)},
       speed_control_{parameters},
+      disturbance_{manoeuvre.draw_disturbances ? manoeuvre.draw_disturbances(parameters, options.road_seed)
+                                               : DisturbanceCourse{}},
       vehicle_{parameters, *road_} {
     InitialState initial;
     initial.speed_mps = wanted_speed_mps_ * manoeuvre.start_speed_share;
@@ -47,6 +49,7 @@ ManoeuvreRun::ManoeuvreRun(const ManoeuvreRun& other)
       road_{other.road_},
       driver_{other.driver_->copy()},
       speed_control_{other.speed_control_},
+      disturbance_{other.disturbance_},
       vehicle_{other.vehicle_} {}
 
 void ManoeuvreRun::step() {
@@ -55,7 +58,8 @@ void ManoeuvreRun::step() {
 
 DriverInput ManoeuvreRun::next_input() {
     const Truth& truth = vehicle_.truth();
-    DriverCommand command = driver_->command(options_.mirrored ? mirrored(truth) : truth);
+    const Truth seen = options_.mirrored ? mirrored(truth) : truth;
+    DriverCommand command = driver_->command(seen);
     command.steering_wheel_angle_rad *=
         options_.mirrored ? -options_.steering_factor : options_.steering_factor;
     const SpeedPolicy policy = command.brake > 0.0 ? SpeedPolicy::off_throttle : command.speed_policy;
@@ -64,6 +68,10 @@ DriverInput ManoeuvreRun::next_input() {
     input.drive_force_n = speed_control_.drive_force_n(policy, wanted_speed_mps_ * command.speed_share,
                                                        truth.speed_mps, options_.step_s);
     input.brake = command.brake;
+    if (disturbance_) {
+        const Disturbance disturbance = disturbance_(seen);
+        input.disturbance = options_.mirrored ? mirrored(disturbance) : disturbance;
+    }
     return input;
 }
 

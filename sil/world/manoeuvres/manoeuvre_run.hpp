@@ -14,7 +14,7 @@ struct RunOptions {
     double duration_s{0.0};          // 0: as the manoeuvre says
     double speed_factor{1.0};        // times the manoeuvre's speed
     double steering_factor{1.0};     // times the driver's handwheel angle
-    std::uint64_t road_seed{8608U};  // of a rough road
+    std::uint64_t road_seed{8608U};  // of a rough road and of what disturbs the vehicle
 };
 
 // Has road, driver and vehicle; vehicle().parameters() are those that the manoeuvre has adapted. After the
@@ -51,6 +51,7 @@ class ManoeuvreRun {
     std::shared_ptr<const Road> road_;
     std::unique_ptr<Driver> driver_;
     SpeedControl speed_control_;
+    DisturbanceCourse disturbance_;  // may be empty
     Vehicle vehicle_;
 };
 

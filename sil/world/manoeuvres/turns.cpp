@@ -1,6 +1,7 @@
 // Turns whose severity is that of the lateral acceleration which they would give if the vehicle were linear:
 // step steer, turn on a rough road, braking in a turn.
-#include "sil/world/manoeuvres/manoeuvre.hpp"
+#include "sil/world/manoeuvres/turn.hpp"
+
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 #include "sil/world/vehicle/uneven_road.hpp"
 
@@ -9,7 +10,8 @@ namespace {
 
 constexpr double start_s = 2.0;
 
-// At 50 mph. `command`: by the clock, with the handwheel angle as a share of the turn's.
+}  // namespace
+
 Manoeuvre turn(double acceleration_mps2, std::function<DriverCommand(double)> command) {
     Manoeuvre manoeuvre;
     manoeuvre.initial_speed_mps = from_mph(50.0);
@@ -26,8 +28,6 @@ Manoeuvre turn(double acceleration_mps2, std::function<DriverCommand(double)> co
     };
     return manoeuvre;
 }
-
-}  // namespace
 
 // ISO 7401 asks for 4 m/s^2; both sides, and back to straight between them.
 Manoeuvre step_steer() {

@@ -1,4 +1,4 @@
-// Mirror image of a truth in the plane y = 0.
+// Mirror images in the plane y = 0.
 #include "sil/world/vehicle/mirror.hpp"
 
 #include <utility>
@@ -28,6 +28,14 @@ Truth mirrored(const Truth& truth) {
     exchange_sides(image.suspension_deflection_m);
     exchange_sides(image.wheel_gap_m);
     exchange_sides(image.wheel_spin_radps);
+    return image;
+}
+
+Disturbance mirrored(const Disturbance& disturbance) {
+    Disturbance image = disturbance;
+    image.side_force_n = -image.side_force_n;
+    exchange_sides(image.grip);
+    exchange_sides(image.lost_air);
     return image;
 }
 

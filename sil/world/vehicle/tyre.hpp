@@ -40,11 +40,12 @@ class BasicTyre {
                                                    parameters_.vertical_damping_nspm * deflection_rate_mps));
     }
 
-    // `camber`: sine of the angle by which the wheel's top leans to the right.
+    // `camber`: sine of the angle by which the wheel's top leans to the right. `stiffness_factor`: of both
+    // slips, 1 for a tyre with its air.
     BasicTyreForces<Real> forces(const BasicTyreSlip<Real>& slip, Real load_n, Real friction_factor,
-                                 Real camber) const {
+                                 Real camber, Real stiffness_factor = 1.0) const {
         const Real peak_n = friction(load_n) * friction_factor * load_n;
-        const Real stiffness = cornering_stiffness_nprad(load_n);
+        const Real stiffness = cornering_stiffness_nprad(load_n) * stiffness_factor;
         const Real linear_lateral =
             stiffness * slip.lateral - parameters_.camber_thrust_prad * load_n * camber;
         const Real linear_longitudinal = parameters_.slip_stiffness_ratio * stiffness * slip.longitudinal;

@@ -111,7 +111,9 @@ struct VehicleModel {
     Real suspension_forces(const BasicAxlePose<Real>& axle, EquationsOfMotion<Real>& equations) const;
     template <typename Ground>
     void wheel_forces(int wheel, const WheelPose& pose, Real drive_torque_nm, Real brake_torque_nm,
-                      double step_s, const Ground& road, EquationsOfMotion<Real>& equations);
+                      const BasicDisturbance<Real>& disturbance, double step_s, const Ground& road,
+                      EquationsOfMotion<Real>& equations);
+    void side_wind(const BasicDisturbance<Real>& disturbance, EquationsOfMotion<Real>& equations) const;
 };
 
 template <typename Real>
@@ -185,8 +187,8 @@ void VehicleModel<Real>::evaluate(const BasicDriverInput<Real>& input, double st
         const WheelPose pose{front_wheel_position(wheel), axis, path * rate, 0.0, slope, nullptr};
         equations.add_front_wheel(wheel, parameters.mass.front_unsprung_kg, pose.centre, path, curvature,
                                   rate);
-        wheel_forces(wheel, pose, drive[index], brake * parameters.driveline.front_brake_nm, step_s, road,
-                     equations);
+        wheel_forces(wheel, pose, drive[index], brake * parameters.driveline.front_brake_nm,
+                     input.disturbance, step_s, road, equations);
     }
 
     const BasicAxlePose<Real> axle = rear_axle.pose(state.suspension[2], state.suspension[3]);
@@ -204,7 +206,7 @@ void VehicleModel<Real>::evaluate(const BasicDriverInput<Real>& input, double st
             0.0,
             &axle};
         wheel_forces(wheel, pose, drive[static_cast<std::size_t>(wheel)],
-                     brake * parameters.driveline.rear_brake_nm, step_s, road, equations);
+                     brake * parameters.driveline.rear_brake_nm, input.disturbance, step_s, road, equations);
     }
 
     evaluation.suspension_roll_moment_nm = suspension_forces(axle, equations);
@@ -212,6 +214,7 @@ void VehicleModel<Real>::evaluate(const BasicDriverInput<Real>& input, double st
     const Real drag = -0.5 * air_density_kgpm3 * parameters.aerodynamics.drag_area_m2 * state.velocity.x() *
                       number::abs(state.velocity.x());
     equations.add_force(Vector{drag, 0.0, 0.0}, Vector{0.0, 0.0, 0.0});
+    side_wind(input.disturbance, equations);
 
     const auto tipped = dot3(rotation.col(2), normal) < hull_may_touch_below;
     if (number::any(tipped)) {
@@ -223,9 +226,10 @@ void VehicleModel<Real>::evaluate(const BasicDriverInput<Real>& input, double st
 template <typename Real>
 template <typename Ground>
 void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real drive_torque_nm,
-                                      Real brake_torque_nm, double step_s, const Ground& road,
-                                      EquationsOfMotion<Real>& equations) {
+                                      Real brake_torque_nm, const BasicDisturbance<Real>& disturbance,
+                                      double step_s, const Ground& road, EquationsOfMotion<Real>& equations) {
     const auto index = static_cast<std::size_t>(wheel);
+    const Real flat = disturbance.lost_air[index];
     BasicWheelEvaluation<Real>& result = evaluation.wheels[index];
     const BasicTyre<Real>& tyre = is_front(wheel) ? front_tyre : rear_tyre;
     const Real spin = state.wheel_spin_radps[index];
@@ -235,7 +239,8 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
     const Vector normal = transposed_product(evaluation.rotation, surface.normal);
     const Real clearance = (earth_centre.z() - surface.height_m) * surface.normal.z();
     const BasicWheelContact<Real> contact =
-        find_wheel_contact(pose.axis, normal, clearance, parameters.geometry.wheel_radius_m);
+        find_wheel_contact(pose.axis, normal, clearance,
+                           parameters.geometry.wheel_radius_m * (1.0 - FlatTyre::lost_radius * flat));
 
     const Vector carrier_rotation = state.angular_velocity + Vector{pose.relative_roll_rate, 0.0, 0.0};
     const Vector velocity = state.velocity + state.angular_velocity.cross(pose.centre) +
@@ -248,8 +253,10 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
                                    tyre.vertical_force_n(contact.deflection_m, -dot3(velocity, normal)), 0.0);
     tyre.advance(state.slip[index], forward_speed, spin * loaded_radius - forward_speed,
                  dot3(velocity, contact.left), step_s);
-    const BasicTyreForces<Real> in_plane =
-        tyre.forces(state.slip[index], result.load_n, surface.friction_factor, contact.camber);
+    const BasicTyreForces<Real> in_plane = tyre.forces(
+        state.slip[index], result.load_n,
+        surface.friction_factor * disturbance.grip[index] * (1.0 - FlatTyre::lost_friction * flat),
+        contact.camber, 1.0 - FlatTyre::lost_stiffness * flat);
     const Vector force = result.load_n * normal + in_plane.longitudinal_n * contact.forward +
                          in_plane.lateral_n * contact.left;
 
@@ -271,12 +278,23 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
     const Vector moment = contact.arm.cross(force);
     const Real free_torque = dot3(moment, pose.axis) + drive_torque_nm;
     const Real friction =
-        friction_torque_nm(brake_torque_nm + tyre.rolling_resistance_n(result.load_n) * loaded_radius, spin,
-                           free_torque, inertia_kgm2, step_s);
+        friction_torque_nm(brake_torque_nm + tyre.rolling_resistance_n(result.load_n) *
+                                                 (1.0 + FlatTyre::added_resistance * flat) * loaded_radius,
+                           spin, free_torque, inertia_kgm2, step_s);
     result.spin_acceleration_radps2 = (free_torque + friction) / inertia_kgm2;
     equations.add_moment(-inertia_kgm2 * (result.spin_acceleration_radps2 * pose.axis +
                                           spin * state.angular_velocity.cross(pose.axis)));
     evaluation.tyre_force_body_n += force;
+}
+
+template <typename Real>
+void VehicleModel<Real>::side_wind(const BasicDisturbance<Real>& disturbance,
+                                   EquationsOfMotion<Real>& equations) const {
+    const auto blows = number::abs(disturbance.side_force_n) > 0.0;
+    if (number::any(blows)) {
+        equations.add_force_if(blows, Vector{0.0, disturbance.side_force_n, 0.0},
+                               Vector{disturbance.side_force_ahead_m, 0.0, disturbance.side_force_above_m});
+    }
 }
 
 template <typename Real>

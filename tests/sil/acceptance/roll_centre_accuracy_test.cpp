@@ -37,7 +37,7 @@ RollCentreAccuracy accuracy(const RecordedDrive& drive, const rsi::Parameters& p
 
 std::vector<std::string> names_of_all_manoeuvres() {
     std::vector<std::string> names;
-    for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
+    for (const sil::Manoeuvre& manoeuvre : sil::undisturbed_manoeuvres()) {
         names.push_back(manoeuvre.name);
     }
     return names;

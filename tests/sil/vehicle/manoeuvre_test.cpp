@@ -52,7 +52,10 @@ TEST(Catalogue, EveryManoeuvreHasItsOwnNameAndADescriptionOfOneLine) {
                              "one-sided-bump",
                              "straight",
                              "decreasing-radius",
-                             "crowned-road"}) {
+                             "crowned-road",
+                             "split-friction",
+                             "gust",
+                             "tyre-failure"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }

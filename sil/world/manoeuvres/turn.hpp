@@ -1,0 +1,15 @@
+// Turn: a manoeuvre whose severity is that of the lateral acceleration which it would give if the vehicle
+// were linear.
+#pragma once
+
+#include <functional>
+
+#include "sil/world/manoeuvres/manoeuvre.hpp"
+
+namespace sil {
+
+// At 50 mph on a level road; name, description and duration are the caller's. `command`: by the clock, with
+// the handwheel angle as a share of the angle for `acceleration_mps2`.
+Manoeuvre turn(double acceleration_mps2, std::function<DriverCommand(double)> command);
+
+}  // namespace sil
