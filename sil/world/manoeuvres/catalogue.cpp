@@ -29,6 +29,9 @@ Manoeuvre crowned_road();
 Manoeuvre split_friction();
 Manoeuvre gust();
 Manoeuvre tyre_failure();
+Manoeuvre sloshing_load();
+Manoeuvre sliding_load();
+Manoeuvre trailer();
 Manoeuvre straight();
 
 std::vector<Manoeuvre> all_manoeuvres() {
@@ -57,6 +60,9 @@ std::vector<Manoeuvre> all_manoeuvres() {
         split_friction(),
         gust(),
         tyre_failure(),
+        sloshing_load(),
+        sliding_load(),
+        trailer(),
     };
 }
 

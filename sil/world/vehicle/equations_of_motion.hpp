@@ -99,6 +99,12 @@ class EquationsOfMotion {
             moment_[i] = number::choose(condition, moment_[i] + moment[i], moment_[i]);
         }
     }
+    template <typename Condition>
+    void add_moment_if(Condition condition, const Vector& moment_nm) {
+        for (int i = 0; i < 3; ++i) {
+            moment_[i] = number::choose(condition, moment_[i] + moment_nm[i], moment_[i]);
+        }
+    }
     void add_moment(const Vector& moment_nm) { moment_ += moment_nm; }
     void add_suspension_force(int index, Real generalised_force) {
         suspension_force_[static_cast<std::size_t>(index)] += generalised_force;

@@ -146,6 +146,32 @@ struct BasicImuMountParameters {
 };
 using ImuMountParameters = BasicImuMountParameters<double>;
 
+// A part of the sprung mass that moves sideways in the body: liquid that sloshes on a spring, cargo that
+// slides once the lateral force overcomes its friction. No part of a vehicle's file; manoeuvres load it.
+template <typename Real>
+struct BasicMovingLoadParameters {
+    Real mass_kg{};          // at most half of the sprung mass, which contains it; 0: none
+    Real above_cg_m{};       // its place over the sprung CG
+    Real frequency_radps{};  // of its motion in a body at rest; 0: nothing pulls it back
+    Real damping_ratio{};
+    Real friction{};  // force that it takes to move it, over its weight
+    Real travel_m{};  // to either side; then it meets a wall
+};
+using MovingLoadParameters = BasicMovingLoadParameters<double>;
+
+// A trailer with one axle, or two close together; its tyres have the vehicle's friction. No part of a
+// vehicle's file either.
+template <typename Real>
+struct BasicTrailerParameters {
+    Real mass_kg{};  // 0: none
+    Real yaw_inertia_kgm2{};
+    Real hitch_behind_cg_m{};  // behind the vehicle's sprung CG
+    Real hitch_height_m{};     // above the road
+    Real drawbar_m{};          // from the hitch to the trailer's CG
+    Real axle_behind_cg_m{};   // of the trailer
+};
+using TrailerParameters = BasicTrailerParameters<double>;
+
 template <typename Real>
 struct BasicVehicleParameters {
     BasicMassParameters<Real> mass{};
@@ -159,6 +185,8 @@ struct BasicVehicleParameters {
     BasicAerodynamicParameters<Real> aerodynamics{};
     BasicHullParameters<Real> hull{};
     BasicImuMountParameters<Real> imu_mount{};
+    BasicMovingLoadParameters<Real> moving_load{};
+    BasicTrailerParameters<Real> trailer{};
 };
 
 struct VehicleParameters : BasicVehicleParameters<double> {

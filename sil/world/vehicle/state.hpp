@@ -1,4 +1,4 @@
-// State of the vehicle: 14 degrees of freedom and the slip of each tyre.
+// State of the vehicle: 14 degrees of freedom, the slip of each tyre, a load that moves, and a trailer.
 #pragma once
 
 #include <array>
@@ -8,6 +8,17 @@
 #include "sil/world/vehicle/vector.hpp"
 
 namespace sil {
+
+// A trailer's CG and heading in the earth-fixed frame.
+template <typename Real>
+struct BasicTrailerState {
+    Real x_m{0.0};
+    Real y_m{0.0};
+    Real yaw_rad{0.0};
+    Real x_mps{0.0};
+    Real y_mps{0.0};
+    Real yaw_rate_radps{0.0};
+};
 
 template <typename Real>
 struct BasicState {
@@ -22,6 +33,9 @@ struct BasicState {
     std::array<BasicTyreSlip<Real>, wheel_count> slip{};
     Real reached_handwheel_rad{0.0};  // the handwheel angle that the road wheels follow
     Real front_lateral_n{0.0};        // of the front tyres together, square to the wheels
+    Real load_offset_m{0.0};          // of a load that moves, to the left in the body
+    Real load_rate_mps{0.0};
+    BasicTrailerState<Real> trailer{};
 };
 using State = BasicState<double>;
 

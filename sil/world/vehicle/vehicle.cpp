@@ -57,10 +57,20 @@ void Vehicle::reset(const InitialState& initial) {
         model_.state.wheel_spin_radps[static_cast<std::size_t>(wheel)] =
             initial.speed_mps / (parameters_.geometry.wheel_radius_m - deflection);
     }
+    const auto hitch = [this] {
+        if (parameters_.trailer.mass_kg > 0.0) {
+            const Matrix3 rotation = model_.state.orientation.toRotationMatrix();
+            hitch_trailer(parameters_, rotation, Vector3{rotation * model_.state.velocity}, model_.state);
+        }
+    };
+    hitch();
     model_.evaluation = Evaluation{};
     model_.evaluate(DriverInput{}, nominal_step_s, road_);
     model_.state.slip = {};
     model_.state.front_lateral_n = 0.0;
+    model_.state.load_offset_m = 0.0;
+    model_.state.load_rate_mps = 0.0;
+    hitch();
     truth_ = model_.truth();
 }
 

@@ -7,10 +7,12 @@
 #include "sil/world/vehicle/driver_input.hpp"
 #include "sil/world/vehicle/evaluation.hpp"
 #include "sil/world/vehicle/hull.hpp"
+#include "sil/world/vehicle/moving_load.hpp"
 #include "sil/world/vehicle/parameters.hpp"
 #include "sil/world/vehicle/state.hpp"
 #include "sil/world/vehicle/steering.hpp"
 #include "sil/world/vehicle/suspension.hpp"
+#include "sil/world/vehicle/trailer.hpp"
 #include "sil/world/vehicle/truth_builder.hpp"
 #include "sil/world/vehicle/tyre.hpp"
 #include "sil/world/vehicle/wheel_contact.hpp"
@@ -215,6 +217,8 @@ void VehicleModel<Real>::evaluate(const BasicDriverInput<Real>& input, double st
                       number::abs(state.velocity.x());
     equations.add_force(Vector{drag, 0.0, 0.0}, Vector{0.0, 0.0, 0.0});
     side_wind(input.disturbance, equations);
+    move_load(parameters.moving_load, evaluation, step_s, state, equations);
+    pull_trailer(parameters, evaluation, step_s, state, equations);
 
     const auto tipped = dot3(rotation.col(2), normal) < hull_may_touch_below;
     if (number::any(tipped)) {

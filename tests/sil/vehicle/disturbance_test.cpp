@@ -11,17 +11,24 @@
 
 #include "scenario.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
+#include "sil/world/vehicle/load.hpp"
 #include "sil/world/vehicle/vehicle_batch.hpp"
 
 namespace disturbance_test {
 namespace {
 
-const std::vector<std::string> disturbed_names{"split-friction", "gust", "tyre-failure"};
+const std::vector<std::string> disturbed_names{"split-friction", "gust", "tyre-failure", "sloshing-load", "sliding-load", "trailer"};
 
 void drive(sil::Vehicle& vehicle, double until_s, const sil::DriverInput& input = {}) {
     while (vehicle.truth().time_s < until_s - 1e-9) {
         vehicle.step(input);
     }
+}
+
+double share_on_the_right(const sil::Truth& truth) {
+    const auto& load = truth.wheel_load_n;
+    const double right = load[sil::front_right] + load[sil::rear_right];
+    return right / (right + load[sil::front_left] + load[sil::rear_left]);
 }
 
 TEST(Wind, PushesTheWholeVehicleAndTurnsIt) {
@@ -107,6 +114,140 @@ TEST(FlatTyre, AtTheOutsideRearThrowsTheTailOutOfATurn) {
         most_flat = std::max(most_flat, after.truth().angular_velocity_radps[2]);
     }
     EXPECT_GT(most_flat, 1.1 * most_whole);
+}
+
+sil::VehicleParameters carrying(double mass_kg) {
+    sil::VehicleParameters vehicle = sil::with_load(scenario::large_suv(), mass_kg, 1.2);
+    vehicle.moving_load.mass_kg = mass_kg;
+    vehicle.moving_load.above_cg_m = 1.2 - vehicle.geometry.cg_height_m;
+    vehicle.moving_load.travel_m = 0.5;
+    return vehicle;
+}
+
+TEST(MovingLoad, OnASpringComesToRestWhereABankPullsIt) {
+    constexpr double bank_rad = 0.05;
+    const sil::PlaneRoad road{bank_rad};
+    sil::VehicleParameters parameters = carrying(300.0);
+    parameters.moving_load.frequency_radps = 6.0;
+    parameters.moving_load.damping_ratio = 0.3;
+    sil::Vehicle vehicle{parameters, road};
+    drive(vehicle, 8.0);
+    // The body leans on top of the bank, and the right side is down.
+    const double to_horizon = vehicle.truth().roll_to_horizon_rad;
+    EXPECT_NEAR(vehicle.state().load_offset_m, -sil::gravity_mps2 * std::sin(to_horizon) / 36.0, 2e-4);
+    EXPECT_LT(vehicle.state().load_offset_m, -0.01);
+}
+
+TEST(MovingLoad, StaysUntilItsFrictionIsOvercomeAndThenSlidesToTheWall) {
+    sil::VehicleParameters parameters = carrying(300.0);
+    parameters.moving_load.friction = 0.3;
+    parameters.moving_load.travel_m = 0.2;
+    const sil::PlaneRoad gentle{0.12};
+    const sil::PlaneRoad steep{0.4};
+    sil::Vehicle held{parameters, gentle};
+    sil::Vehicle loose{parameters, steep};
+    drive(held, 4.0);
+    drive(loose, 4.0);
+    EXPECT_LT(std::abs(held.state().load_offset_m), 0.01);
+    EXPECT_NEAR(loose.state().load_offset_m, -0.2, 0.01);
+    sil::VehicleParameters fixed = parameters;
+    fixed.moving_load.friction = 10.0;
+    sil::Vehicle still{fixed, steep};
+    drive(still, 4.0);
+    // 300 of some 2,700 kg, moved by 0.2 m: a hundredth of the weight over the track, and the body leans
+    // more.
+    EXPECT_GT(share_on_the_right(loose.truth()), share_on_the_right(still.truth()) + 0.009);
+}
+
+TEST(MovingLoad, SwingsAtItsFrequencyInABodyThatStands) {
+    const sil::PlaneRoad road{0.02};
+    sil::VehicleParameters parameters = carrying(10.0);  // too little to move the body
+    parameters.moving_load.frequency_radps = 4.0;
+    parameters.moving_load.damping_ratio = 0.0;
+    sil::Vehicle vehicle{parameters, road};
+    drive(vehicle, 6.0);
+    std::vector<double> turned_s;
+    double before = vehicle.state().load_rate_mps;
+    while (turned_s.size() < 5U) {
+        vehicle.step({});
+        const double now = vehicle.state().load_rate_mps;
+        if (before < 0.0 && now >= 0.0) {
+            turned_s.push_back(vehicle.truth().time_s);
+        }
+        before = now;
+        ASSERT_LT(vehicle.truth().time_s, 30.0);
+    }
+    EXPECT_NEAR((turned_s[4] - turned_s[0]) / 4.0, 2.0 * 3.14159265358979 / 4.0, 0.02);
+}
+
+// The body loses the momentum that the load gains: without grip nothing else takes it.
+TEST(MovingLoad, LeavesTheMomentumOfTheWholeAsItWas) {
+    const sil::PlaneRoad no_grip{0.0, 0.0};
+    sil::VehicleParameters parameters = carrying(600.0);
+    parameters.moving_load.frequency_radps = 4.0;
+    parameters.moving_load.damping_ratio = 0.1;
+    sil::Vehicle vehicle{parameters, no_grip};
+    sil::DriverInput wind;
+    wind.disturbance.side_force_n = 4000.0;
+    double largest_share = 0.0;
+    double gust_s = 0.0;
+    while (vehicle.truth().time_s < 2.0) {
+        if (vehicle.truth().time_s >= 0.25) {
+            wind.disturbance.side_force_n = 0.0;
+        } else {
+            gust_s += 0.001;
+        }
+        vehicle.step(wind);
+        const double of_load = 600.0 * vehicle.state().load_rate_mps;
+        largest_share = std::max(largest_share, std::abs(of_load) / (4000.0 * gust_s));
+    }
+    const double of_all = vehicle.truth().mass_kg * vehicle.truth().lateral_velocity_mps +
+                          600.0 * vehicle.state().load_rate_mps;
+    EXPECT_NEAR(of_all, 4000.0 * gust_s, 0.06 * 4000.0 * gust_s)
+        << "but for the wheels under a body that rolls";
+    EXPECT_GT(largest_share, 0.15) << "else nothing is tested";
+}
+
+sil::VehicleParameters towing(double mass_kg) {
+    sil::VehicleParameters vehicle = scenario::large_suv();
+    vehicle.trailer = {mass_kg, 2.0 * mass_kg, vehicle.geometry.rear_axle_to_cg_m + 1.0, 0.45, 3.0, 0.3};
+    return vehicle;
+}
+
+TEST(Trailer, FollowsOnACircleAsItsGeometryHasIt) {
+    const auto turn = [](double time_s) {
+        return sil::DriverCommand{sil::ramp_and_hold(time_s, 0.5, 0.5, 1.5)};
+    };
+    sil::ManoeuvreRun run{towing(200.0), scenario::manoeuvre(15.0, 14.0, turn)};
+    while (!run.finished()) {
+        run.step();
+    }
+    const sil::Truth& truth = run.truth();
+    const sil::State& state = run.vehicle().state();
+    const double yaw_rate = truth.angular_velocity_radps[2];
+    ASSERT_GT(yaw_rate, 0.1);
+    EXPECT_NEAR(state.trailer.yaw_rate_radps, yaw_rate, 0.02 * yaw_rate);
+    // Slowly: axle and hitch on circles about one centre.
+    const double hitch_m = 1.0;
+    const double radius = truth.speed_mps / yaw_rate;
+    const double expected = std::atan(hitch_m / radius) + std::asin(3.3 / std::hypot(radius, hitch_m));
+    EXPECT_NEAR(truth.yaw_angle_rad - state.trailer.yaw_rad, expected, 0.1 * expected);
+}
+
+TEST(Trailer, IsPushedAsHardAsItPushes) {
+    const sil::PlaneRoad no_grip{0.0, 0.0};
+    sil::VehicleParameters parameters = towing(1000.0);
+    parameters.tyre.friction = 1e-6;
+    sil::Vehicle vehicle{parameters, no_grip};
+    sil::DriverInput wind;
+    wind.disturbance.side_force_n = 3000.0;
+    drive(vehicle, 0.5, wind);
+    // In the earth's frame, for the vehicle has turned meanwhile.
+    const double yaw = vehicle.truth().yaw_angle_rad;
+    const double sideways =
+        vehicle.truth().speed_mps * std::sin(yaw) + vehicle.truth().lateral_velocity_mps * std::cos(yaw);
+    EXPECT_NEAR(vehicle.truth().mass_kg * sideways + 1000.0 * vehicle.state().trailer.y_mps, 1500.0, 60.0);
+    EXPECT_GT(std::abs(vehicle.state().trailer.yaw_rate_radps), 0.01);
 }
 
 TEST(DisturbedManoeuvres, AreTheseAndDrawOtherCoursesFromOtherSeeds) {

@@ -55,7 +55,10 @@ TEST(Catalogue, EveryManoeuvreHasItsOwnNameAndADescriptionOfOneLine) {
                              "crowned-road",
                              "split-friction",
                              "gust",
-                             "tyre-failure"}) {
+                             "tyre-failure",
+                             "sloshing-load",
+                             "sliding-load",
+                             "trailer"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }
