@@ -32,6 +32,8 @@ Manoeuvre tyre_failure();
 Manoeuvre sloshing_load();
 Manoeuvre sliding_load();
 Manoeuvre trailer();
+Manoeuvre kerb_trip();
+Manoeuvre soil_trip();
 Manoeuvre straight();
 
 std::vector<Manoeuvre> all_manoeuvres() {
@@ -63,6 +65,8 @@ std::vector<Manoeuvre> all_manoeuvres() {
         sloshing_load(),
         sliding_load(),
         trailer(),
+        kerb_trip(),
+        soil_trip(),
     };
 }
 

@@ -61,6 +61,8 @@ struct Manoeuvre {
     double duration_s{0.0};
     double initial_speed_mps{0.0};
     double start_speed_share{1.0};  // of that, with which the run begins
+    // How fast the vehicle slides to the left as the run begins, over its speed.
+    double start_sideways_share{0.0};
     MakeRoad make_road{};
     std::function<std::unique_ptr<Driver>(const VehicleParameters&)> make_driver{};
     // Whether make_driver asks for handwheel_angle_at_0_3_g_rad(), so that who drives many may find it ahead.

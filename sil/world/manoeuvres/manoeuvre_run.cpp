@@ -39,6 +39,8 @@ ManoeuvreRun::ManoeuvreRun(const VehicleParameters& parameters, const Manoeuvre&
       vehicle_{parameters, *road_} {
     InitialState initial;
     initial.speed_mps = wanted_speed_mps_ * manoeuvre.start_speed_share;
+    initial.sideways_mps =
+        initial.speed_mps * manoeuvre.start_sideways_share * (options.mirrored ? -1.0 : 1.0);
     vehicle_.reset(initial);
 }
 

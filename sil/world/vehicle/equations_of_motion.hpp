@@ -105,6 +105,11 @@ class EquationsOfMotion {
             moment_[i] = number::choose(condition, moment_[i] + moment_nm[i], moment_[i]);
         }
     }
+    template <typename Condition>
+    void add_suspension_force_if(Condition condition, int index, Real generalised_force) {
+        Real& sum = suspension_force_[static_cast<std::size_t>(index)];
+        sum = number::choose(condition, sum + generalised_force, sum);
+    }
     void add_moment(const Vector& moment_nm) { moment_ += moment_nm; }
     void add_suspension_force(int index, Real generalised_force) {
         suspension_force_[static_cast<std::size_t>(index)] += generalised_force;

@@ -33,6 +33,9 @@ class Roads {
         LaneArray height{0.0};
         LaneArray normal[3]{LaneArray{0.0}, LaneArray{0.0}, LaneArray{1.0}};
         LaneArray friction{1.0};
+        LaneArray beyond_kerb{0.0};
+        LaneArray kerb_height{0.0};
+        LaneArray softness{0.0};
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
             if (roads_[lane] != nullptr) {
                 const RoadPoint point = roads_[lane]->at(x.values[lane], y.values[lane]);
@@ -41,9 +44,14 @@ class Roads {
                     normal[i].values[lane] = point.normal[i];
                 }
                 friction.values[lane] = point.friction_factor;
+                beyond_kerb.values[lane] = point.beyond_kerb_m;
+                kerb_height.values[lane] = point.kerb_height_m;
+                softness.values[lane] = point.softness;
             }
         }
-        return {height.lanes(), {normal[0].lanes(), normal[1].lanes(), normal[2].lanes()}, friction.lanes()};
+        return {height.lanes(),      {normal[0].lanes(), normal[1].lanes(), normal[2].lanes()},
+                friction.lanes(),    beyond_kerb.lanes(),
+                kerb_height.lanes(), softness.lanes()};
     }
 
     Vector3Of<Lanes> mean_normal(const Lanes& x_m, const Lanes& y_m) const {

@@ -41,6 +41,7 @@ MirroredRoad::MirroredRoad(std::unique_ptr<const Road> original) : original_{std
 RoadPoint MirroredRoad::at(double x_m, double y_m) const noexcept {
     RoadPoint point = original_->at(x_m, -y_m);
     point.normal.y() = -point.normal.y();
+    point.beyond_kerb_m = -point.beyond_kerb_m;
     return point;
 }
 

@@ -12,6 +12,12 @@ struct BasicRoadPoint {
     Real height_m{0.0};
     Vector3Of<Real> normal{Vector3Of<Real>::UnitZ()};  // of length 1, in the earth-fixed frame, pointing up
     Real friction_factor{1.0};                         // multiplies the tyre's friction
+    // Distance by which the point lies beyond the face of a kerb along the x axis, > 0 to the left of it and
+    // < 0 to the right (0: no kerb), and height of that kerb.
+    Real beyond_kerb_m{0.0};
+    Real kerb_height_m{0.0};
+    // Soft ground piles up beside a wheel that slides sideways: its largest force over the wheel's load.
+    Real softness{0.0};
 };
 using RoadPoint = BasicRoadPoint<double>;
 

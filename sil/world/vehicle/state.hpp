@@ -36,6 +36,8 @@ struct BasicState {
     Real load_offset_m{0.0};          // of a load that moves, to the left in the body
     Real load_rate_mps{0.0};
     BasicTrailerState<Real> trailer{};
+    // How far each wheel has lately slid sideways through soft ground, > 0 where that pushes it to the left.
+    std::array<Real, wheel_count> ploughed_m{};
 };
 using State = BasicState<double>;
 

@@ -49,6 +49,9 @@ void Vehicle::reset(const InitialState& initial) {
                                Eigen::AngleAxisd{initial.pitch_offset_rad, Vector3::UnitY()} *
                                Eigen::AngleAxisd{initial.roll_offset_rad, Vector3::UnitX()};
     model_.state.velocity = model_.state.orientation.conjugate() * (forward * initial.speed_mps);
+    if (initial.sideways_mps != 0.0) {
+        model_.state.velocity += model_.state.orientation.conjugate() * (axes.col(1) * initial.sideways_mps);
+    }
     model_.state.angular_velocity =
         Vector3{initial.roll_rate_radps, initial.pitch_rate_radps, initial.yaw_rate_radps};
     for (int wheel = 0; wheel < wheel_count; ++wheel) {
@@ -67,6 +70,7 @@ void Vehicle::reset(const InitialState& initial) {
     model_.evaluation = Evaluation{};
     model_.evaluate(DriverInput{}, nominal_step_s, road_);
     model_.state.slip = {};
+    model_.state.ploughed_m = {};
     model_.state.front_lateral_n = 0.0;
     model_.state.load_offset_m = 0.0;
     model_.state.load_rate_mps = 0.0;

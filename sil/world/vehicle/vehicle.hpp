@@ -17,6 +17,7 @@ namespace sil {
 // Place and motion at the beginning of a run. Offsets are from static equilibrium on the road below.
 struct InitialState {
     double speed_mps{0.0};
+    double sideways_mps{0.0};  // to the left, of a vehicle that slides
     double position_x_m{0.0};
     double position_y_m{0.0};
     double yaw_angle_rad{0.0};

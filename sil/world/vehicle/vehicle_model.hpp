@@ -9,6 +9,7 @@
 #include "sil/world/vehicle/hull.hpp"
 #include "sil/world/vehicle/moving_load.hpp"
 #include "sil/world/vehicle/parameters.hpp"
+#include "sil/world/vehicle/roadside.hpp"
 #include "sil/world/vehicle/state.hpp"
 #include "sil/world/vehicle/steering.hpp"
 #include "sil/world/vehicle/suspension.hpp"
@@ -116,6 +117,12 @@ struct VehicleModel {
                       const BasicDisturbance<Real>& disturbance, double step_s, const Ground& road,
                       EquationsOfMotion<Real>& equations);
     void side_wind(const BasicDisturbance<Real>& disturbance, EquationsOfMotion<Real>& equations) const;
+    void kerb_force(int wheel, const WheelPose& pose, const BasicWheelContact<Real>& contact,
+                    const BasicRoadPoint<Real>& surface, EquationsOfMotion<Real>& equations) const;
+    // Part of a force on a wheel that moves the suspension coordinates of that wheel.
+    template <typename Condition>
+    void add_suspension_forces_if(Condition condition, int wheel, const WheelPose& pose, const Vector& force,
+                                  const Vector& point, EquationsOfMotion<Real>& equations) const;
 };
 
 template <typename Real>
@@ -261,8 +268,16 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
         state.slip[index], result.load_n,
         surface.friction_factor * disturbance.grip[index] * (1.0 - FlatTyre::lost_friction * flat),
         contact.camber, 1.0 - FlatTyre::lost_stiffness * flat);
-    const Vector force = result.load_n * normal + in_plane.longitudinal_n * contact.forward +
-                         in_plane.lateral_n * contact.left;
+    Vector force = result.load_n * normal + in_plane.longitudinal_n * contact.forward +
+                   in_plane.lateral_n * contact.left;
+    const auto soft = surface.softness > 0.0;
+    if (number::any(soft)) {
+        const Real pile_n = soft_ground_force_n(surface.softness, result.load_n, dot3(velocity, contact.left),
+                                                forward_speed, step_s, soft, state.ploughed_m[index]);
+        for (int i = 0; i < 3; ++i) {
+            force[i] = number::choose(soft, force[i] + pile_n * contact.left[i], force[i]);
+        }
+    }
 
     const Vector point =
         pose.centre + contact.arm + tyre.lateral_deflection_m(in_plane.lateral_n) * contact.left;
@@ -289,6 +304,10 @@ void VehicleModel<Real>::wheel_forces(int wheel, const WheelPose& pose, Real dri
     equations.add_moment(-inertia_kgm2 * (result.spin_acceleration_radps2 * pose.axis +
                                           spin * state.angular_velocity.cross(pose.axis)));
     evaluation.tyre_force_body_n += force;
+
+    if (number::any(number::abs(surface.beyond_kerb_m) > 0.0)) {
+        kerb_force(wheel, pose, contact, surface, equations);
+    }
 }
 
 template <typename Real>
@@ -299,6 +318,41 @@ void VehicleModel<Real>::side_wind(const BasicDisturbance<Real>& disturbance,
         equations.add_force_if(blows, Vector{0.0, disturbance.side_force_n, 0.0},
                                Vector{disturbance.side_force_ahead_m, 0.0, disturbance.side_force_above_m});
     }
+}
+
+// Square to the face, half the kerb's height above the road.
+template <typename Real>
+void VehicleModel<Real>::kerb_force(int wheel, const WheelPose& pose, const BasicWheelContact<Real>& contact,
+                                    const BasicRoadPoint<Real>& surface,
+                                    EquationsOfMotion<Real>& equations) const {
+    const Vector body_velocity =
+        state.velocity + state.angular_velocity.cross(pose.centre) + pose.relative_velocity;
+    const Real across_mps = dot3(evaluation.rotation.row(1), body_velocity);
+    const Real force_n =
+        kerb_force_n(surface, contact.deflection_m, across_mps, parameters.tyre.vertical_stiffness_npm);
+    const auto touches = number::abs(force_n) > 0.0;
+    const Vector force = force_n * evaluation.rotation.row(1).transpose();
+    const Vector up = evaluation.rotation.row(2).transpose();
+    const Vector point = pose.centre + contact.arm + 0.5 * surface.kerb_height_m * up;
+    equations.add_force_if(touches, force, point);
+    add_suspension_forces_if(touches, wheel, pose, force, point, equations);
+}
+
+template <typename Real>
+template <typename Condition>
+void VehicleModel<Real>::add_suspension_forces_if(Condition condition, int wheel, const WheelPose& pose,
+                                                  const Vector& force, const Vector& point,
+                                                  EquationsOfMotion<Real>& equations) const {
+    if (pose.axle == nullptr) {
+        equations.add_suspension_force_if(condition, wheel,
+                                          force.z() + side_of(wheel) * pose.outward_slope * force.y());
+        return;
+    }
+    const Vector from_axle = point - pose.axle->centre;
+    equations.add_suspension_force_if(condition, 2, dot3(pose.axle->centre_by_heave, force));
+    equations.add_suspension_force_if(
+        condition, 3,
+        dot3(pose.axle->centre_by_roll, force) + from_axle.y() * force.z() - from_axle.z() * force.y());
 }
 
 template <typename Real>

@@ -12,12 +12,14 @@
 #include "scenario.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/vehicle/load.hpp"
+#include "sil/world/vehicle/trip_road.hpp"
 #include "sil/world/vehicle/vehicle_batch.hpp"
 
 namespace disturbance_test {
 namespace {
 
-const std::vector<std::string> disturbed_names{"split-friction", "gust", "tyre-failure", "sloshing-load", "sliding-load", "trailer"};
+const std::vector<std::string> disturbed_names{"split-friction", "gust",    "tyre-failure", "sloshing-load",
+                                               "sliding-load",   "trailer", "kerb-trip",    "soil-trip"};
 
 void drive(sil::Vehicle& vehicle, double until_s, const sil::DriverInput& input = {}) {
     while (vehicle.truth().time_s < until_s - 1e-9) {
@@ -250,6 +252,63 @@ TEST(Trailer, IsPushedAsHardAsItPushes) {
     EXPECT_GT(std::abs(vehicle.state().trailer.yaw_rate_radps), 0.01);
 }
 
+sil::Vehicle sliding(const sil::VehicleParameters& parameters, const sil::Road& road, double sideways_mps) {
+    sil::Vehicle vehicle{parameters, road};
+    sil::InitialState initial;
+    initial.speed_mps = 10.0;
+    initial.sideways_mps = sideways_mps;
+    vehicle.reset(initial);
+    EXPECT_NEAR(vehicle.truth().lateral_velocity_mps, sideways_mps, 1e-9);
+    return vehicle;
+}
+
+TEST(Kerb, StopsTheWheelsAndTipsWhatComesFastEnough) {
+    const sil::KerbRoad road{1.5, 0.15, 0.1};
+    const auto slid = [&road](double sideways_mps) {
+        sil::Vehicle vehicle = sliding(scenario::large_suv(), road, sideways_mps);
+        bool lifted = false;
+        double farthest_m = 0.0;
+        while (vehicle.truth().time_s < 2.0) {
+            vehicle.step({});
+            lifted = lifted || sil::right_side_has_lifted(vehicle.truth());
+            farthest_m = std::max(farthest_m, vehicle.truth().position_y_m);
+        }
+        const double at_kerb_m = 1.5 - 0.5 * scenario::large_suv().geometry.track_width_m;
+        EXPECT_GT(farthest_m, at_kerb_m - 0.1);
+        EXPECT_TRUE(lifted || farthest_m < at_kerb_m + 0.3) << farthest_m;
+        return lifted;
+    };
+    EXPECT_FALSE(slid(1.0));
+    EXPECT_TRUE(slid(6.0));
+}
+
+TEST(Kerb, LetsAWheelPassThatIsAboveIt) {
+    sil::RoadPoint surface;
+    surface.beyond_kerb_m = 0.1;
+    surface.kerb_height_m = 0.15;
+    EXPECT_EQ(sil::kerb_force_n(surface, -0.2, 0.0, 200e3), 0.0);
+    EXPECT_LT(sil::kerb_force_n(surface, 0.0, 0.0, 200e3), -30e3) << "to the right";
+    surface.beyond_kerb_m = -0.1;
+    EXPECT_GT(sil::kerb_force_n(surface, 0.0, 0.0, 200e3), 30e3);
+    EXPECT_EQ(sil::kerb_force_n(surface, 0.0, 50.0, 200e3), 0.0) << "a kerb does not pull";
+}
+
+TEST(SoftGround, HoldsTheMoreTheFartherAVehicleHasSlidThroughIt) {
+    const auto slowed = [](double softness, double until_s) {
+        const sil::SoftShoulderRoad road{-50.0, softness, 0.3, 0.3};  // all of it
+        sil::Vehicle vehicle = sliding(scenario::ordinary_suv(), road, 4.0);
+        drive(vehicle, until_s);
+        for (const double ploughed_m : vehicle.state().ploughed_m) {
+            EXPECT_EQ(ploughed_m < -0.05, softness > 0.0) << "pushes to the right";
+        }
+        return 4.0 - vehicle.truth().lateral_velocity_mps;
+    };
+    const double soon = slowed(1.0, 0.1) - slowed(0.0, 0.1);
+    const double later = slowed(1.0, 0.3) - slowed(0.0, 0.3);
+    EXPECT_GT(soon, 0.02);
+    EXPECT_GT(later, 4.0 * soon) << "in three times the time";
+}
+
 TEST(DisturbedManoeuvres, AreTheseAndDrawOtherCoursesFromOtherSeeds) {
     for (const sil::Manoeuvre& manoeuvre : sil::all_manoeuvres()) {
         EXPECT_EQ(manoeuvre.is_disturbed,
@@ -257,7 +316,8 @@ TEST(DisturbedManoeuvres, AreTheseAndDrawOtherCoursesFromOtherSeeds) {
             << manoeuvre.name;
     }
     EXPECT_EQ(sil::undisturbed_manoeuvres().size() + disturbed_names.size(), sil::all_manoeuvres().size());
-    for (const char* name : {"split-friction", "gust", "tyre-failure"}) {
+    for (const char* name :
+         {"crowned-road", "split-friction", "gust", "tyre-failure", "kerb-trip", "soil-trip"}) {
         const auto end = [name](std::uint64_t seed) {
             sil::RunOptions options;
             options.road_seed = seed;

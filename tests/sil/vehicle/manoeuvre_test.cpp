@@ -58,7 +58,9 @@ TEST(Catalogue, EveryManoeuvreHasItsOwnNameAndADescriptionOfOneLine) {
                              "tyre-failure",
                              "sloshing-load",
                              "sliding-load",
-                             "trailer"}) {
+                             "trailer",
+                             "kerb-trip",
+                             "soil-trip"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }
