@@ -24,6 +24,13 @@ enum class Quantity : std::uint64_t {
     vertical_bias = 13,
     sensor_seed = 14,
     mass_sensor_error = 15,
+    roll_tilt = 16,
+    pitch_tilt = 17,
+    yaw_tilt = 18,
+    lever_arm_x = 19,
+    lever_arm_y = 20,
+    lever_arm_z = 21,
+    mass_signal_factor = 22,
 };
 
 class RandomNumbers {
@@ -94,8 +101,18 @@ RunDraw draw_run(const CampaignSettings& settings, std::uint64_t number) {
     draw.mass_error = random.either_way(Quantity::mass_error, spread.mass_error);
     draw.mass_sensor_error = random.either_way(
         Quantity::mass_sensor_error, vehicle.mass_sensor && spread.sensor_noise ? mass_sensor_accuracy : 0.0);
+    if (vehicle.mass_sensor && !is_one(spread.mass_signal_factor)) {
+        const double factor = random.within(Quantity::mass_signal_factor, spread.mass_signal_factor);
+        draw.mass_sensor_error = factor * (1.0 + draw.mass_sensor_error) - 1.0;
+    }
     draw.lateral_bias_g = random.either_way(Quantity::lateral_bias, spread.accelerometer_bias_g);
     draw.vertical_bias_g = random.either_way(Quantity::vertical_bias, spread.accelerometer_bias_g);
+    draw.housing_tilt_deg = {random.either_way(Quantity::roll_tilt, spread.housing_tilt_deg),
+                             random.either_way(Quantity::pitch_tilt, spread.housing_tilt_deg),
+                             random.either_way(Quantity::yaw_tilt, spread.housing_tilt_deg)};
+    draw.lever_arm_error_m = {random.either_way(Quantity::lever_arm_x, spread.lever_arm_error_m),
+                              random.either_way(Quantity::lever_arm_y, spread.lever_arm_error_m),
+                              random.either_way(Quantity::lever_arm_z, spread.lever_arm_error_m)};
     draw.sensor_seed = random.bits(Quantity::sensor_seed) >> 1U;
     return draw;
 }

@@ -1,6 +1,7 @@
 // Draw: what one run of a campaign is, drawn from the settings by seed and run number alone.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,6 +26,9 @@ struct RunDraw {
     double mass_sensor_error{0.0};
     double lateral_bias_g{0.0};
     double vertical_bias_g{0.0};
+    // The inertial sensors' housing, about and along x, y and z; not in a row of runs.csv.
+    std::array<double, 3> housing_tilt_deg{};
+    std::array<double, 3> lever_arm_error_m{};
     std::uint64_t sensor_seed{1U};
 };
 

@@ -60,6 +60,13 @@ SensorOptions drawn_sensors(const CampaignSettings& settings, const RunDraw& dra
     SensorOptions sensors = mounted_sensors(vehicle, flaws);
     sensors.imu.lateral_acceleration_mps2.bias = draw.lateral_bias_g * g_mps2;
     sensors.imu.vertical_acceleration_mps2.bias = draw.vertical_bias_g * g_mps2;
+    const auto& tilt = draw.housing_tilt_deg;
+    sensors.imu.tilt = {tilt[0] / degrees_per_radian, tilt[1] / degrees_per_radian,
+                        tilt[2] / degrees_per_radian};
+    // The calibration has the place that the vehicle's data have.
+    sensors.imu.position.x_m += draw.lever_arm_error_m[0];
+    sensors.imu.position.y_m += draw.lever_arm_error_m[1];
+    sensors.imu.position.z_m += draw.lever_arm_error_m[2];
     sensors.mass.scale_error = draw.mass_sensor_error;
     if (!spread.steering_sensor) {
         sensors.motion.steering_wheel_angle_rad.bias = SensorSample::not_available;

@@ -67,6 +67,11 @@ void check_spread(const CampaignSpread& spread) {
     check_error(spread.mass_error, "mass_error");
     check(spread.accelerometer_bias_g >= 0.0 && spread.accelerometer_bias_g <= 1.0, "accelerometer_bias_g",
           "from 0 to 1");
+    check(spread.housing_tilt_deg >= 0.0 && spread.housing_tilt_deg <= 20.0, "housing_tilt_deg",
+          "from 0 to 20");
+    check(spread.lever_arm_error_m >= 0.0 && spread.lever_arm_error_m <= 1.0, "lever_arm_error_m",
+          "from 0 to 1");
+    check_within(spread.mass_signal_factor, 0.5, 2.0, "mass_signal_factor");
 }
 
 std::string pair(const Interval& interval) {
@@ -136,6 +141,15 @@ std::string to_toml(const CampaignSettings& settings) {
     text += "stiffness_error = " + toml_number(spread.stiffness_error) + "\n";
     text += "mass_error = " + toml_number(spread.mass_error) + "\n";
     text += "accelerometer_bias_g = " + toml_number(spread.accelerometer_bias_g) + "\n";
+    text += spread.housing_tilt_deg > 0.0
+                ? "housing_tilt_deg = " + toml_number(spread.housing_tilt_deg) + "\n"
+                : "";
+    text += spread.lever_arm_error_m > 0.0
+                ? "lever_arm_error_m = " + toml_number(spread.lever_arm_error_m) + "\n"
+                : "";
+    text += is_one(spread.mass_signal_factor)
+                ? ""
+                : "mass_signal_factor = " + pair(spread.mass_signal_factor) + "\n";
     text += fmt::format("sensor_noise = {}\n", spread.sensor_noise);
     text += fmt::format("steering_sensor = {}\n", spread.steering_sensor);
     text += fmt::format("roll_sensor = {}\n", spread.roll_sensor);

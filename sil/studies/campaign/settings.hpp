@@ -21,6 +21,11 @@ struct Interval {
 // Range of a vehicle's own factors of speed and steering.
 inline constexpr Interval vehicle_factor_range{0.05, 20.0};
 
+// A factor that changes nothing.
+inline bool is_one(const Interval& factor) {
+    return factor.lowest == 1.0 && factor.highest == 1.0;
+}
+
 // A simulated vehicle and the firmware's calibration for it; relative paths start from the current folder. In
 // a settings file a path that begins with "./" or "../" starts from the folder of that file.
 struct CampaignVehicle {
@@ -55,6 +60,9 @@ struct CampaignSpread {
     double stiffness_error{0.0};
     double mass_error{0.0};
     double accelerometer_bias_g{0.0};
+    double housing_tilt_deg{0.0};           // of the inertial sensors, about each axis, either way
+    double lever_arm_error_m{0.0};          // of their place, along each axis, either way
+    Interval mass_signal_factor{1.0, 1.0};  // reported over true mass, where it is on the bus, beside noise
     bool sensor_noise{false};
     bool steering_sensor{true};   // false: the steering wheel angle is never available
     bool roll_sensor{true};       // false: neither is the roll angle

@@ -76,6 +76,9 @@ void read_spread(TomlTable table, CampaignSpread& spread) {
     read(table, "stiffness_error", spread.stiffness_error);
     read(table, "mass_error", spread.mass_error);
     read(table, "accelerometer_bias_g", spread.accelerometer_bias_g);
+    read(table, "housing_tilt_deg", spread.housing_tilt_deg);
+    read(table, "lever_arm_error_m", spread.lever_arm_error_m);
+    read(table, "mass_signal_factor", spread.mass_signal_factor);
     read(table, "sensor_noise", spread.sensor_noise);
     read(table, "steering_sensor", spread.steering_sensor);
     read(table, "roll_sensor", spread.roll_sensor);

@@ -22,8 +22,17 @@ struct MountingPosition {
     double z_m{0.0};  // up
 };
 
+// By how much a sensor's housing is turned against the body: first about z, then about its new y, then about
+// its new x axis.
+struct MountingTilt {
+    double roll_rad{0.0};
+    double pitch_rad{0.0};
+    double yaw_rad{0.0};
+};
+
 struct ImuOptions {
     MountingPosition position;
+    MountingTilt tilt;
     bool averaged{true};  // false: no decimation filter; each report is the value of its instant
     ChannelOptions lateral_acceleration_mps2;
     ChannelOptions vertical_acceleration_mps2;

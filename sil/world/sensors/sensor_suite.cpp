@@ -1,6 +1,7 @@
 #include "sil/world/sensors/sensor_suite.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sil {
 namespace {
@@ -9,6 +10,23 @@ using Vector = std::array<double, 3>;
 
 Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+std::array<Vector, 3> housing_axes(const MountingTilt& tilt) {
+    const double cosine_yaw = std::cos(tilt.yaw_rad);
+    const double sine_yaw = std::sin(tilt.yaw_rad);
+    const double cosine_pitch = std::cos(tilt.pitch_rad);
+    const double sine_pitch = std::sin(tilt.pitch_rad);
+    const double cosine_roll = std::cos(tilt.roll_rad);
+    const double sine_roll = std::sin(tilt.roll_rad);
+    const Vector x{cosine_yaw * cosine_pitch, sine_yaw * cosine_pitch, -sine_pitch};
+    const Vector y{cosine_yaw * sine_pitch * sine_roll - sine_yaw * cosine_roll,
+                   sine_yaw * sine_pitch * sine_roll + cosine_yaw * cosine_roll, cosine_pitch * sine_roll};
+    return {x, y, cross(x, y)};
 }
 
 }  // namespace
@@ -25,6 +43,8 @@ std::array<double, 3> specific_force_at(const Truth& truth, const MountingPositi
 
 Imu::Imu(const ImuOptions& options, std::uint64_t seed)
     : position_(options.position),
+      tilted_(options.tilt.roll_rad != 0.0 || options.tilt.pitch_rad != 0.0 || options.tilt.yaw_rad != 0.0),
+      axes_(housing_axes(options.tilt)),
       averaged_(options.averaged),
       lateral_(options.lateral_acceleration_mps2, seed, NoiseStream::lateral_acceleration),
       vertical_(options.vertical_acceleration_mps2, seed, NoiseStream::vertical_acceleration),
@@ -36,9 +56,10 @@ void Imu::observe(const Truth& truth) {
         lateral_sum_mps2_ = vertical_sum_mps2_ = roll_rate_sum_radps_ = 0.0;
         observed_ = 0;
     }
-    lateral_sum_mps2_ += force[1];
-    vertical_sum_mps2_ += force[2];
-    roll_rate_sum_radps_ += truth.angular_velocity_radps[0];
+    const Vector& rate = truth.angular_velocity_radps;
+    lateral_sum_mps2_ += tilted_ ? dot(axes_[1], force) : force[1];
+    vertical_sum_mps2_ += tilted_ ? dot(axes_[2], force) : force[2];
+    roll_rate_sum_radps_ += tilted_ ? dot(axes_[0], rate) : rate[0];
     ++observed_;
 }
 

@@ -30,6 +30,8 @@ class Imu {
 
  private:
     MountingPosition position_;
+    bool tilted_;
+    std::array<std::array<double, 3>, 3> axes_;  // of the housing, in body components
     bool averaged_;
     SensorChannel lateral_;
     SensorChannel vertical_;

@@ -85,6 +85,39 @@ TEST(Draw, AMassSensorIsWrongOnlyWhereThereIsOneAndSensorsHaveNoise) {
     EXPECT_EQ(sil::draw_run(settings, 0U).mass_sensor_error, 0.0);
 }
 
+TEST(Draw, AWronglyMountedHousingAndAWrongMassAreUniformAndNeedToBeAskedFor) {
+    sil::CampaignSettings settings = with_mass_sensors(small_campaign(many));
+    settings.spread.sensor_noise = false;
+    const sil::RunDraw right = sil::draw_run(settings, 3U);
+    EXPECT_EQ(right.housing_tilt_deg, (std::array<double, 3>{}));
+    EXPECT_EQ(right.lever_arm_error_m, (std::array<double, 3>{}));
+    EXPECT_EQ(right.mass_sensor_error, 0.0);
+    settings.spread.housing_tilt_deg = 2.0;
+    settings.spread.lever_arm_error_m = 0.1;
+    settings.spread.mass_signal_factor = {0.85, 1.3};
+    std::array<std::vector<double>, 7> drawn;
+    for (std::uint64_t run = 0U; run < many; ++run) {
+        const sil::RunDraw draw = sil::draw_run(settings, run);
+        for (std::size_t axis = 0U; axis < 3U; ++axis) {
+            drawn[axis].push_back(draw.housing_tilt_deg[axis]);
+            drawn[3U + axis].push_back(draw.lever_arm_error_m[axis]);
+        }
+        drawn[6].push_back(draw.mass_sensor_error);
+        EXPECT_EQ(draw.cg_height_error, sil::draw_run(small_campaign(many), run).cg_height_error)
+            << "what else is drawn stays";
+    }
+    const double limit = 1.95 / std::sqrt(static_cast<double>(many));
+    for (std::size_t axis = 0U; axis < 3U; ++axis) {
+        EXPECT_LT(distance_from_uniform(drawn[axis], {-2.0, 2.0}), limit) << axis;
+        EXPECT_LT(distance_from_uniform(drawn[3U + axis], {-0.1, 0.1}), limit) << axis;
+    }
+    EXPECT_LT(distance_from_uniform(drawn[6], {-0.15, 0.3}), limit);
+    for (sil::CampaignVehicle& vehicle : settings.vehicles) {
+        vehicle.mass_sensor = false;
+    }
+    EXPECT_EQ(sil::draw_run(settings, 3U).mass_sensor_error, 0.0);
+}
+
 TEST(Draw, ManoeuvresComeByTheirWeightsAndVehiclesAndDirectionsAlike) {
     const sil::CampaignSettings settings = small_campaign(many);
     double first_manoeuvre = 0.0;

@@ -154,6 +154,24 @@ TEST(DrawnRun, AMassSensorIsFittedWhereTheVehicleHasOneAndIsWrongWithNoise) {
     EXPECT_EQ(reported_mass_kg(settings), 1000.0);
 }
 
+TEST(DrawnRun, SensorsSitWhereAndAsTheDrawSays) {
+    const sil::CampaignSettings settings = small_campaign(1U);
+    const sil::VehicleParameters vehicle = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
+    sil::RunDraw draw;
+    const sil::ImuOptions as_built = sil::drawn_sensors(settings, draw, vehicle).imu;
+    EXPECT_EQ(as_built.position.z_m, vehicle.imu_mount.z_m);
+    EXPECT_EQ(as_built.tilt.roll_rad, 0.0);
+    draw.housing_tilt_deg = {1.0, -2.0, 1.5};
+    draw.lever_arm_error_m = {0.1, -0.05, 0.02};
+    const sil::ImuOptions drawn = sil::drawn_sensors(settings, draw, vehicle).imu;
+    EXPECT_NEAR(drawn.position.x_m, vehicle.imu_mount.x_m + 0.1, 1e-12);
+    EXPECT_NEAR(drawn.position.y_m, vehicle.imu_mount.y_m - 0.05, 1e-12);
+    EXPECT_NEAR(drawn.position.z_m, vehicle.imu_mount.z_m + 0.02, 1e-12);
+    EXPECT_NEAR(drawn.tilt.roll_rad, 1.0 * 3.14159265358979 / 180.0, 1e-12);
+    EXPECT_NEAR(drawn.tilt.pitch_rad, -2.0 * 3.14159265358979 / 180.0, 1e-12);
+    EXPECT_NEAR(drawn.tilt.yaw_rad, 1.5 * 3.14159265358979 / 180.0, 1e-12);
+}
+
 TEST(DrawnRun, ALoadChangesTheTrueVehicle) {
     const sil::VehicleParameters built = sil::load_vehicle(project_file("sil/vehicles/large_suv.toml"));
     sil::CampaignSettings settings = small_campaign(1U);

@@ -55,8 +55,9 @@ TEST(CampaignSettings, TheirTextIsReadBackAsTheSame) {
 TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
     const std::string without = sil::to_toml(settings);
-    for (const char* key : {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor",
-                            "changes", "learning_s", "mass_sensor"}) {
+    for (const char* key :
+         {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor", "changes",
+          "learning_s", "mass_sensor", "housing_tilt_deg", "lever_arm_error_m", "mass_signal_factor"}) {
         EXPECT_EQ(without.find(key), std::string::npos) << "said only where it says something: " << key;
     }
     settings.vehicles[1].in_class = "light truck";
@@ -66,6 +67,9 @@ TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     settings.spread.load_is_known = false;
     settings.spread.attitude_sensor = true;
     settings.spread.load_share = {};
+    settings.spread.housing_tilt_deg = 2.0;
+    settings.spread.lever_arm_error_m = 0.1;
+    settings.spread.mass_signal_factor = {0.85, 1.3};
     settings.learning_s = 120.0;
     settings.changes = {"warning_on=0.9", "warning_hold_s=1"};
     const sil::CampaignSettings read = load(sil::to_toml(settings));
@@ -77,6 +81,9 @@ TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     EXPECT_EQ(read.vehicles[1].steering_factors, settings.vehicles[1].steering_factors);
     EXPECT_FALSE(read.spread.load_is_known);
     EXPECT_TRUE(read.spread.attitude_sensor);
+    EXPECT_EQ(read.spread.housing_tilt_deg, 2.0);
+    EXPECT_EQ(read.spread.lever_arm_error_m, 0.1);
+    EXPECT_EQ(read.spread.mass_signal_factor.highest, 1.3);
     EXPECT_EQ(read.changes, settings.changes);
     EXPECT_EQ(read.learning_s, settings.learning_s);
     EXPECT_EQ(sil::to_toml(read), sil::to_toml(settings));
@@ -116,6 +123,10 @@ TEST(CampaignSettings, ErrorsAreNamedWithLineAndKey) {
     expect_refused("learning_s = -1.0\n" + no_load, "\"learning_s\" must be seconds from 0 to 600");
     expect_refused("learning_s = 600.1\n" + no_load, "\"learning_s\" must be seconds from 0 to 600");
     expect_refused("learning_s = 1.0\n[spread]\nload_share = [0.0, 0.1]\n", "\"load_share\" must be [0, 0]");
+    expect_refused("[spread]\nhousing_tilt_deg = -1.0\n", "\"housing_tilt_deg\" must be from 0 to 20");
+    expect_refused("[spread]\nlever_arm_error_m = 1.5\n", "\"lever_arm_error_m\" must be from 0 to 1");
+    expect_refused("[spread]\nmass_signal_factor = [0.4, 1.0]\n",
+                   "\"mass_signal_factor\" must be two numbers from 0.5 to 2");
     expect_refused("[spread]\nmass_error = nan\n",
                    "mine.toml:2: \"spread.mass_error\" is not a finite number");
     expect_refused("[spread]\nmass_error = 0.9\n", "\"mass_error\" must be a share from 0 to 0.5");

@@ -214,6 +214,41 @@ TEST(Imu, MountedOffTheCentreTakesItsPlaceIntoAccount) {
     EXPECT_DOUBLE_EQ(sample.lateral_acceleration_mps2, 1.0 * 0.5 - 2.0 * 0.25);
 }
 
+TEST(Imu, InATurnedHousingMeasuresAlongItsOwnAxes) {
+    sil::Truth truth;
+    truth.specific_force_mps2 = {1.0, 4.0, 9.0};
+    truth.angular_velocity_radps = {0.3, 0.2, 0.7};
+    const auto sample_of = [&truth](const sil::MountingTilt& tilt) {
+        sil::ImuOptions options;
+        options.tilt = tilt;
+        sil::Imu imu(options, 1U);
+        imu.observe(truth);
+        sil::SensorSample sample;
+        imu.report(sample);
+        return sample;
+    };
+    const double angle = 0.05;
+    const double sine = std::sin(angle);
+    const double cosine = std::cos(angle);
+    const sil::SensorSample rolled = sample_of({angle, 0.0, 0.0});
+    EXPECT_NEAR(rolled.lateral_acceleration_mps2, 4.0 * cosine + 9.0 * sine, 1e-12);
+    EXPECT_NEAR(rolled.vertical_acceleration_mps2, 9.0 * cosine - 4.0 * sine, 1e-12);
+    EXPECT_NEAR(rolled.roll_rate_radps, 0.3, 1e-12);
+    const sil::SensorSample pitched = sample_of({0.0, angle, 0.0});
+    EXPECT_NEAR(pitched.lateral_acceleration_mps2, 4.0, 1e-12);
+    EXPECT_NEAR(pitched.vertical_acceleration_mps2, 9.0 * cosine + 1.0 * sine, 1e-12);
+    EXPECT_NEAR(pitched.roll_rate_radps, 0.3 * cosine - 0.7 * sine, 1e-12);
+    const sil::SensorSample yawed = sample_of({0.0, 0.0, angle});
+    EXPECT_NEAR(yawed.lateral_acceleration_mps2, 4.0 * cosine - 1.0 * sine, 1e-12);
+    EXPECT_NEAR(yawed.vertical_acceleration_mps2, 9.0, 1e-12);
+    EXPECT_NEAR(yawed.roll_rate_radps, 0.3 * cosine + 0.2 * sine, 1e-12);
+    // All three turns together: two components are no more than the whole.
+    const sil::SensorSample turned = sample_of({0.3, -0.4, 0.5});
+    EXPECT_LT(turned.lateral_acceleration_mps2 * turned.lateral_acceleration_mps2 +
+                  turned.vertical_acceleration_mps2 * turned.vertical_acceleration_mps2,
+              1.0 + 16.0 + 81.0);
+}
+
 sil::Truth some_truth() {
     sil::Truth truth;
     truth.time_s = 12.5;
