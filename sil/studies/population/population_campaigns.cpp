@@ -42,7 +42,7 @@ constexpr double degrees(double value) {
 
 // Steering factors are shares of what lifts the inner wheels in a slow turn; a manoeuvre's own swing adds to
 // that.
-const std::vector<ScaledManoeuvre>& scaled_manoeuvres() {
+const std::vector<ScaledManoeuvre>& scaled_driving() {
     static const std::vector<ScaledManoeuvre> list{
         {{"j-turn-110", 1.0, {0.55, 1.1}, {0.4, 2.0}, 0.0}, Steering::angle, 0.8, degrees(360.0), 0.0},
         {{"j-turn-45", 1.0, {1.0, 2.4}, {0.4, 1.6}, 0.0}, Steering::angle, 1.6, degrees(360.0), 0.0},
@@ -60,7 +60,35 @@ const std::vector<ScaledManoeuvre>& scaled_manoeuvres() {
         {{"one-sided-bump", 0.3, {0.4, 2.0}, {1.0, 1.0}, 0.0}, Steering::straight, 0.0, 0.0, 0.0},
         {{"banked-straight", 0.3, {0.4, 1.3}, {1.0, 1.0}, 12.0}, Steering::straight, 0.0, 0.0, 0.0},
         {{"straight", 0.2, {0.3, 1.2}, {1.0, 1.0}, 8.0}, Steering::straight, 0.0, 0.0, 0.0},
+        {{"decreasing-radius", 1.0, {0.65, 1.4}, {0.9, 1.1}, 0.0}, Steering::path, 0.0, 0.0, 0.0},
+        {{"crowned-road", 1.0, {0.55, 1.3}, {0.9, 1.1}, 0.0}, Steering::path, 0.0, 0.0, 0.0},
+        {{"split-friction", 0.5, {0.65, 1.3}, {0.4, 1.6}, 0.0}, Steering::acceleration, 0.95, 0.0, 0.5},
+        {{"gust", 0.5, {0.65, 1.3}, {0.35, 1.2}, 0.0}, Steering::acceleration, 0.95, 0.0, 0.5},
+        {{"tyre-failure", 0.5, {0.65, 1.3}, {0.3, 1.2}, 0.0}, Steering::acceleration, 0.95, 0.0, 0.4},
+        {{"sloshing-load", 0.5, {0.65, 1.3}, {0.35, 1.2}, 0.0}, Steering::acceleration, 0.95, 0.0, 0.5},
+        {{"sliding-load", 0.5, {0.65, 1.3}, {0.35, 1.2}, 0.0}, Steering::acceleration, 0.95, 0.0, 0.5},
+        {{"trailer", 0.5, {0.65, 1.2}, {0.35, 1.2}, 0.0}, Steering::acceleration, 0.9, 0.0, 0.5},
     };
+    return list;
+}
+
+const std::vector<ScaledManoeuvre>& scaled_tripping() {
+    static const std::vector<ScaledManoeuvre> list{
+        {{"kerb-trip", 1.0, {0.35, 1.1}, {1.0, 1.0}, 0.0}, Steering::straight, 0.0, 0.0, 0.0},
+        {{"soil-trip", 1.0, {0.4, 1.3}, {1.0, 1.0}, 0.0}, Steering::straight, 0.0, 0.0, 0.0},
+    };
+    return list;
+}
+
+const std::vector<ScaledManoeuvre>& scaled_manoeuvres(ManoeuvreMixture mixture) {
+    return mixture == ManoeuvreMixture::tripping ? scaled_tripping() : scaled_driving();
+}
+
+std::vector<CampaignManoeuvre> drawn_manoeuvres(ManoeuvreMixture mixture) {
+    std::vector<CampaignManoeuvre> list;
+    for (const ScaledManoeuvre& manoeuvre : scaled_manoeuvres(mixture)) {
+        list.push_back(manoeuvre.drawn);
+    }
     return list;
 }
 
@@ -120,8 +148,9 @@ CampaignVehicle calmed_vehicle(const DrawnVehicle& vehicle, const VehicleParamet
 
 const std::vector<CampaignVariant>& campaign_variants() {
     static const std::vector<CampaignVariant> all{
-        CampaignVariant::clean,  CampaignVariant::errors,   CampaignVariant::without_wheel_loads,
-        CampaignVariant::loaded, CampaignVariant::unloaded, CampaignVariant::ordinary};
+        CampaignVariant::clean,      CampaignVariant::errors,   CampaignVariant::without_wheel_loads,
+        CampaignVariant::loaded,     CampaignVariant::unloaded, CampaignVariant::wrongly_mounted,
+        CampaignVariant::wrong_mass, CampaignVariant::tripping, CampaignVariant::ordinary};
     return all;
 }
 
@@ -137,6 +166,12 @@ const char* variant_name(CampaignVariant variant) {
             return "loaded";
         case CampaignVariant::unloaded:
             return "unloaded";
+        case CampaignVariant::wrongly_mounted:
+            return "wrongly_mounted";
+        case CampaignVariant::wrong_mass:
+            return "wrong_mass";
+        case CampaignVariant::tripping:
+            return "tripping";
         case CampaignVariant::ordinary:
             return "ordinary";
     }
@@ -161,22 +196,18 @@ std::filesystem::path calibration_file(const std::filesystem::path& population, 
     return population / folder / (vehicle.name + ".toml");
 }
 
-const std::vector<CampaignManoeuvre>& population_manoeuvres() {
-    static const std::vector<CampaignManoeuvre> all = [] {
-        std::vector<CampaignManoeuvre> list;
-        for (const ScaledManoeuvre& manoeuvre : scaled_manoeuvres()) {
-            list.push_back(manoeuvre.drawn);
-        }
-        return list;
-    }();
-    return all;
+const std::vector<CampaignManoeuvre>& population_manoeuvres(ManoeuvreMixture mixture) {
+    static const std::vector<CampaignManoeuvre> driving = drawn_manoeuvres(ManoeuvreMixture::driving);
+    static const std::vector<CampaignManoeuvre> tripping = drawn_manoeuvres(ManoeuvreMixture::tripping);
+    return mixture == ManoeuvreMixture::tripping ? tripping : driving;
 }
 
-CampaignVehicle scaled_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven) {
+CampaignVehicle scaled_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven,
+                               ManoeuvreMixture mixture) {
     const VehicleClass& from = vehicle_classes()[vehicle.in_class];
     CampaignVehicle scaled;
     scaled.in_class = from.name;
-    for (const ScaledManoeuvre& manoeuvre : scaled_manoeuvres()) {
+    for (const ScaledManoeuvre& manoeuvre : scaled_manoeuvres(mixture)) {
         const Factors factors = factors_for(manoeuvre, driven, from.max_speed_kmh / 3.6);
         scaled.speed_factors.push_back(factors.speed);
         scaled.steering_factors.push_back(factors.steering);
@@ -195,15 +226,24 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
     CampaignSettings settings;
     settings.seed = seed;
     const bool ordinary = variant == CampaignVariant::ordinary;
-    settings.manoeuvres = ordinary ? ordinary_manoeuvres() : population_manoeuvres();
+    const ManoeuvreMixture mixture =
+        variant == CampaignVariant::tripping ? ManoeuvreMixture::tripping : ManoeuvreMixture::driving;
+    settings.manoeuvres = ordinary ? ordinary_manoeuvres() : population_manoeuvres(mixture);
     settings.spread.friction_factor = {0.7, 1.2};
     const bool wrongly_loaded = driven_loaded || variant == CampaignVariant::unloaded;
     settings.spread.load_is_known = !wrongly_loaded;
-    settings.learning_s = wrongly_loaded ? two_minutes_s : 0.0;
+    settings.learning_s = wrongly_loaded || variant == CampaignVariant::wrong_mass ? two_minutes_s : 0.0;
     settings.spread.sensor_noise = variant != CampaignVariant::clean;
     if (variant != CampaignVariant::clean) {
         settings.spread.cg_height_error = 0.05;
         settings.spread.stiffness_error = 0.10;
+    }
+    if (variant == CampaignVariant::wrongly_mounted) {
+        settings.spread.housing_tilt_deg = 2.0;
+        settings.spread.lever_arm_error_m = 0.1;
+    }
+    if (variant == CampaignVariant::wrong_mass) {
+        settings.spread.mass_signal_factor = {0.85, 1.3};
     }
     for (const DrawnVehicle& vehicle : vehicles) {
         const std::filesystem::path calibration = calibration_file(population, vehicle, kind);
@@ -212,7 +252,8 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
         }
         const std::filesystem::path file = vehicle_file(population, vehicle, driven_loaded);
         const VehicleParameters driven = load_vehicle(file);
-        CampaignVehicle scaled = ordinary ? calmed_vehicle(vehicle, driven) : scaled_vehicle(vehicle, driven);
+        CampaignVehicle scaled =
+            ordinary ? calmed_vehicle(vehicle, driven) : scaled_vehicle(vehicle, driven, mixture);
         scaled.parameters = beside_settings(population, file);
         scaled.calibration = beside_settings(population, calibration);
         scaled.mass_sensor = vehicle_classes()[vehicle.in_class].mass_sensor;

@@ -17,7 +17,10 @@ enum class CampaignVariant {
     without_wheel_loads,  // calibrated without, and those errors
     loaded,    // noise; calibrated empty, driven with the class's load, of which two minutes of driving tell
     unloaded,  // noise; calibrated with that load, driven without, the same
-    ordinary,  // noise and errors, ordinary driving by the hour
+    wrongly_mounted,  // noise and errors, and the inertial sensors' housing turned and out of place
+    wrong_mass,       // noise and errors, and the mass on the bus wrong or a trailer's too; learnt as a load
+    tripping,         // noise and errors, slides against kerbs and into soft ground
+    ordinary,         // noise and errors, ordinary driving by the hour
 };
 
 const std::vector<CampaignVariant>& campaign_variants();
@@ -38,12 +41,17 @@ CampaignSettings population_campaign(const std::filesystem::path& population,
                                      const std::vector<DrawnVehicle>& vehicles, CampaignVariant variant,
                                      std::uint64_t seed);
 
-// The manoeuvres of these campaigns, made for a vehicle that lifts its inner wheels at
-// `reference_threshold_g`.
-const std::vector<CampaignManoeuvre>& population_manoeuvres();
+// Manoeuvres of a campaign, made for a vehicle that lifts its inner wheels at `reference_threshold_g`.
+enum class ManoeuvreMixture {
+    driving,   // of all but the two below
+    tripping,  // by a kerb and by soft ground
+};
+const std::vector<CampaignManoeuvre>& population_manoeuvres(
+    ManoeuvreMixture mixture = ManoeuvreMixture::driving);
 
-// The vehicle with its class and with factors that make each manoeuvre of population_manoeuvres() as severe
-// for it as it is for any other, at speeds that its class reaches.
-CampaignVehicle scaled_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven);
+// The vehicle with its class and with factors that make each manoeuvre of the mixture as severe for it as it
+// is for any other, at speeds that its class reaches.
+CampaignVehicle scaled_vehicle(const DrawnVehicle& vehicle, const VehicleParameters& driven,
+                               ManoeuvreMixture mixture = ManoeuvreMixture::driving);
 
 }  // namespace sil

@@ -87,6 +87,19 @@ class Campaigns(unittest.TestCase):
         self.assertEqual(len(row), len(document.HEAD))
         self.assertEqual(row[-2:], ["0.00 s", "3"])
 
+    def test_tripped_runs_are_told_by_when_they_are_warned_of(self):
+        head = "manoeuvre,two_wheel_lift_time_s,lead_time_s,warning_time_s,warnings,unavailable_duration_s\n"
+        with tempfile.TemporaryDirectory() as scratch:
+            file = pathlib.Path(scratch) / "runs.csv"
+            file.write_text("# note\n" + head + "kerb-trip,2.000,0.050,1.950,1,0.000\n"  # before
+                            "kerb-trip,2.000,,2.100,1,0.000\n" "kerb-trip,2.000,,2.200,1,0.120\n"  # soon after
+                            "kerb-trip,2.000,,2.500,1,0.000\n"  # late
+                            "kerb-trip,2.000,,,0,0.300\n" "kerb-trip,2.000,,1.000,1,0.000\n"  # none; one that had ended
+                            "kerb-trip,,,1.500,1,0.000\n" "kerb-trip,,,,0,0.010\n" "soil-trip,,,,0,0.000\n", encoding="utf-8")
+            lines = document.tripping(file).splitlines()
+        self.assertEqual(lines[2], "| kerb-trip | 8 | 6 | 1 | 2 | 1 | 2 | -0.150 | 2 | 1 |")
+        self.assertEqual(lines[3], "| soil-trip | 1 | 0 | 0 | 0 | 0 | 0 | - | 0 | 0 |")
+
     def test_an_unfinished_one_is_refused(self):
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

@@ -100,15 +100,31 @@ TEST(PopulationCampaigns, TrucksAndBusesHaveTheirMassOnTheBus) {
     }
 }
 
-TEST(PopulationCampaigns, ManoeuvresAreThoseOfTheCampaign) {
+std::vector<std::string> names_of(const std::vector<sil::CampaignManoeuvre>& manoeuvres) {
     std::vector<std::string> names;
-    for (const sil::CampaignManoeuvre& manoeuvre : sil::population_manoeuvres()) {
+    for (const sil::CampaignManoeuvre& manoeuvre : manoeuvres) {
         names.push_back(manoeuvre.name);
     }
-    for (const sil::CampaignManoeuvre& manoeuvre : sil::default_campaign().manoeuvres) {
-        EXPECT_EQ(std::count(names.begin(), names.end(), manoeuvre.name), 1) << manoeuvre.name;
-    }
-    EXPECT_EQ(names.size(), sil::default_campaign().manoeuvres.size());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+TEST(PopulationCampaigns, ManoeuvresAreThoseOfTheCampaignAndRoadsAndEvents) {
+    std::vector<std::string> wanted = names_of(sil::default_campaign().manoeuvres);
+    wanted.insert(wanted.end(), {"decreasing-radius", "crowned-road", "split-friction", "gust",
+                                 "tyre-failure", "sloshing-load", "sliding-load", "trailer"});
+    std::sort(wanted.begin(), wanted.end());
+    EXPECT_EQ(names_of(sil::population_manoeuvres()), wanted);
+}
+
+TEST(PopulationCampaigns, TrippingHasACampaignOfItsOwn) {
+    const std::vector<std::string> wanted{"kerb-trip", "soil-trip"};
+    EXPECT_EQ(names_of(sil::population_manoeuvres(sil::ManoeuvreMixture::tripping)), wanted);
+    const sil::DrawnVehicle drawn = sil::draw_vehicle(1U, 0U);
+    const sil::CampaignVehicle scaled =
+        sil::scaled_vehicle(drawn, drawn.parameters, sil::ManoeuvreMixture::tripping);
+    EXPECT_EQ(scaled.speed_factors.size(), wanted.size());
+    EXPECT_EQ(scaled.steering_factors.size(), wanted.size());
 }
 
 }  // namespace

@@ -143,7 +143,11 @@ TEST_F(Population, ItsCampaignsRunWithTheClassInEveryRow) {
         const bool wrongly_loaded =
             variant == sil::CampaignVariant::loaded || variant == sil::CampaignVariant::unloaded;
         EXPECT_EQ(settings.spread.load_is_known, !wrongly_loaded);
-        EXPECT_EQ(settings.learning_s, wrongly_loaded ? 120.0 : 0.0);
+        const bool wrong_mass = variant == sil::CampaignVariant::wrong_mass;
+        EXPECT_EQ(settings.learning_s, wrongly_loaded || wrong_mass ? 120.0 : 0.0);
+        EXPECT_EQ(settings.spread.mass_signal_factor.highest, wrong_mass ? 1.3 : 1.0);
+        EXPECT_EQ(settings.spread.housing_tilt_deg,
+                  variant == sil::CampaignVariant::wrongly_mounted ? 2.0 : 0.0);
         EXPECT_EQ(settings.vehicles[0].parameters.find("vehicles_loaded") != std::string::npos,
                   variant == sil::CampaignVariant::loaded);
         EXPECT_EQ(settings.vehicles[0].calibration.find("calibrations_loaded") != std::string::npos,
@@ -171,7 +175,8 @@ TEST(DrawnVehicles, AllDrive) {
         for (const sil::VehicleParameters& vehicle :
              {drawn.parameters, sil::loaded(drawn.parameters, sil::vehicle_classes()[drawn.in_class].load)}) {
             const sil::CampaignVehicle scaled = sil::scaled_vehicle(drawn, vehicle);
-            for (const std::size_t index : {std::size_t{0U}, 3U + static_cast<std::size_t>(number % 8U)}) {
+            for (const std::size_t index : {std::size_t{0U}, 3U + static_cast<std::size_t>(number % 8U),
+                                            16U + static_cast<std::size_t>(number % 8U)}) {
                 const sil::CampaignManoeuvre& manoeuvre = sil::population_manoeuvres()[index];
                 sil::RunOptions options;
                 options.speed_factor = scaled.speed_factors[index] * manoeuvre.speed_factor.highest;
