@@ -11,31 +11,6 @@ namespace {
 
 constexpr double ratio_of_thresholds = 1.01;
 
-// The state machine behind one index.
-class IndexWarning {
- public:
-    IndexWarning(const rsi::Parameters& calibration, double threshold)
-        : scale_{static_cast<float>(static_cast<double>(calibration.warning_on) / threshold)},
-          constants_{calibration} {}
-
-    // Most samples are calm ones: they leave a machine that is ready as it is. A level without a number is
-    // not calm.
-    void update(const rsi::RiskLevel& risk) {
-        const float level = risk.indicator * scale_;
-        if (level >= 0.0F && level < constants_.advisory_on && machine_.state() == RSI_STATE_READY) {
-            return;
-        }
-        machine_.update(constants_, {level, risk.side, risk.opposite * scale_});
-    }
-    WarningState state() const { return static_cast<WarningState>(machine_.state()); }
-    WarningSide side() const { return static_cast<WarningSide>(machine_.side()); }
-
- private:
-    rsi::WarningStateMachine machine_{};
-    float scale_;
-    rsi::WarningStateMachine::Constants constants_;  // advisory_on is at most warning_on, as validated
-};
-
 // The highest level until then. At a threshold above it nothing can have begun to warn.
 double peak_until(const IndexCourse& course, double time_s) {
     double peak = 0.0;
@@ -62,6 +37,20 @@ double largest_at_which(const std::function<bool(double)>& warns, double limit) 
 }
 
 }  // namespace
+
+IndexWarning::IndexWarning(const rsi::Parameters& calibration, double threshold)
+    : scale_{static_cast<float>(static_cast<double>(calibration.warning_on) / threshold)},
+      constants_{calibration} {}
+
+// Most samples are calm ones: they leave a machine that is ready as it is. A level without a number is not
+// calm.
+void IndexWarning::update(const rsi::RiskLevel& risk) {
+    const float level = risk.indicator * scale_;
+    if (level >= 0.0F && level < constants_.advisory_on && machine_.state() == RSI_STATE_READY) {
+        return;
+    }
+    machine_.update(constants_, {level, risk.side, risk.opposite * scale_});
+}
 
 rsi::RiskLevel risk_of(float right, float left) {
     return right >= left ? rsi::RiskLevel{right, 1.0F, left} : rsi::RiskLevel{left, -1.0F, right};

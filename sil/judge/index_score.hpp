@@ -17,6 +17,24 @@ struct IndexCourse {
     std::vector<rsi::RiskLevel> risks{};
 };
 
+// The state machine behind one index: a copy of the firmware's, which warns by the index with the levels and
+// times of the calibration; at `threshold`, above 0, it warns where the firmware's would at warning_on.
+class IndexWarning {
+ public:
+    IndexWarning(const rsi::Parameters& calibration, double threshold);
+
+    // In every cycle. A level without a number is no statement.
+    void update(const rsi::RiskLevel& risk);
+
+    WarningState state() const { return static_cast<WarningState>(machine_.state()); }
+    WarningSide side() const { return static_cast<WarningSide>(machine_.side()); }
+
+ private:
+    rsi::WarningStateMachine machine_{};
+    float scale_;
+    rsi::WarningStateMachine::Constants constants_;  // advisory_on is at most warning_on, as validated
+};
+
 // Thresholds are powers of 1.01, so 1 is one of them; 0: at none of them.
 struct IndexScore {
     // The largest threshold at which the index warns. For a run with two-wheel lift-off: as it happens, the
@@ -31,9 +49,8 @@ struct IndexScore {
 inline constexpr double smallest_threshold = 0.2;
 inline constexpr double largest_threshold = 5.0;
 
-// A copy of the firmware's state machine warns by the index in place of the firmware's own, with the levels
-// and times of the calibration; at `threshold` the index warns where the firmware's would at warning_on.
-// A smaller threshold is taken to warn of whatever a larger one warns of.
+// By an IndexWarning at each threshold in turn. A smaller threshold is taken to warn of whatever a larger one
+// warns of.
 IndexScore score_of(const IndexCourse& course, const rsi::Parameters& calibration,
                     const std::optional<TwoWheelLiftOff>& lift_off);
 

@@ -21,9 +21,18 @@ namespace sil {
 // Keeps what every index says in every cycle: which of them count is known only when two-wheel lift-off is.
 class CampaignWorld::IndexRecorder final : public RunObserver {
  public:
-    IndexRecorder(const InProcessRun& run, const rsi::Parameters& parameters, RunObserver& also)
+    // With `intervention`, the run has it from now on, and the warning of its index demands it.
+    IndexRecorder(InProcessRun& run, const rsi::Parameters& parameters,
+                  const std::optional<CampaignIntervention>& intervention, RunObserver& also)
         : run_{run}, parameters_{parameters}, readers_{parameters}, also_{also} {
         courses_.resize(campaign_indices().size());
+        if (intervention) {
+            run_.plant().add_intervention(intervention->action);
+            if (!intervention->by_firmware()) {
+                demand_.emplace(Demand{index_place(intervention->index).value(),
+                                       IndexWarning{parameters, intervention->level}});
+            }
+        }
     }
 
     void cycle(const Truth& truth, const SensorSample& sensors, const EcuFrames& ecu,
@@ -41,6 +50,7 @@ class CampaignWorld::IndexRecorder final : public RunObserver {
             courses_[i].times_s.push_back(truth.time_s);
             courses_[i].risks.push_back(readers_.risk(i, sample));
         }
+        run_.plant().demand_intervention(warning_state(ecu) == WarningState::warning);
     }
 
     void step(const Truth& truth) override {
@@ -64,13 +74,27 @@ class CampaignWorld::IndexRecorder final : public RunObserver {
     }
 
  private:
-    const InProcessRun& run_;
+    struct Demand {
+        std::size_t index;
+        IndexWarning warning;
+    };
+
+    WarningState warning_state(const EcuFrames& ecu) {
+        if (!demand_) {
+            return ecu.output().state();
+        }
+        demand_->warning.update(courses_[demand_->index].risks.back());
+        return demand_->warning.state();
+    }
+
+    InProcessRun& run_;
     const rsi::Parameters& parameters_;
     const IndexReaders readers_;
     RunObserver& also_;
     OutcomeObserver outcome_{};
     std::uint64_t codes_{0U};
     std::vector<IndexCourse> courses_{};
+    std::optional<Demand> demand_{};  // none: the firmware's warning
 };
 
 CampaignWorld::CampaignWorld(const CampaignSettings& settings) : settings_{settings} {
@@ -96,7 +120,7 @@ class CampaignWorld::Drive {
           drawn_{std::move(drawn)},
           run_{drawn_.vehicle, drawn_.manoeuvre,           drawn_.options, drawn_.sensors, drawn_.calibration,
                nullptr,        world.learnt_before(drawn_)},
-          recorder_{run_, drawn_.calibration,
+          recorder_{run_, drawn_.calibration, world.settings_.intervention,
                     watch != nullptr ? static_cast<RunObserver&>(*watch) : no_observer_} {
         if (watch != nullptr) {
             watch->begin(run_, drawn_);
@@ -108,7 +132,7 @@ class CampaignWorld::Drive {
     std::uint64_t number() const { return drawn_.draw.number; }
 
     // Once the run has ended.
-    CampaignRow row() const {
+    CampaignRow row() {
         CampaignRow row;
         row.draw = drawn_.draw;
         row.vehicle = world_.vehicles_[drawn_.draw.vehicle].name;
@@ -121,6 +145,10 @@ class CampaignWorld::Drive {
         }
         row.judgement = run_.events().judgement;
         row.codes = recorder_.codes();
+        if (const std::optional<InterventionEffect>& intervention = run_.plant().intervention()) {
+            row.interventions = intervention->times();
+            row.intervention_s = intervention->duration_s();
+        }
         row.indices = recorder_.scores();
         return row;
     }

@@ -1,6 +1,7 @@
 // Indices: the firmware's own scale for each of its indicators, and a reference.
 #include "sil/studies/campaign/indices.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -29,6 +30,14 @@ std::vector<Index> all_indices() {
 const std::vector<Index>& campaign_indices() {
     static const std::vector<Index> indices = all_indices();
     return indices;
+}
+
+std::optional<std::size_t> index_place(const std::string& name) {
+    const std::vector<Index>& indices = campaign_indices();
+    const auto found = std::find_if(indices.begin(), indices.end(),
+                                    [&name](const Index& index) { return index.name == name; });
+    return found == indices.end() ? std::nullopt
+                                  : std::optional{static_cast<std::size_t>(found - indices.begin())};
 }
 
 IndexReaders::IndexReaders(const rsi::Parameters& calibration)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Index {
 // In the order of their columns: every indicator that the firmware can warn by, under its name in a
 // calibration, and then the one of the true wheel loads.
 const std::vector<Index>& campaign_indices();
+
+// Place of the index of this name in campaign_indices(); none: there is no such index.
+std::optional<std::size_t> index_place(const std::string& name);
 
 // All of them with the calibration of one run, wrong as it may be. Made once a run, for they are read in
 // every cycle.

@@ -120,6 +120,9 @@ void put_judgement(Cells& cells, const CampaignRow& row) {
     cells.time("unavailable_duration_s", "how long the firmware made no statement, but for the start-up",
                judgement.unavailable_s);
     cells.text("diagnostic_codes", "that the firmware confirmed, between semicolons", code_names(row.codes));
+    cells.count("interventions", "how often the settings' intervention began; 0 without one",
+                row.interventions);
+    cells.time("intervention_duration_s", "for how long it had an effect", row.intervention_s);
 }
 
 void put_indices(Cells& cells, const CampaignRow& row) {

@@ -62,6 +62,8 @@ struct CampaignRow {
     std::optional<double> warning_time_s{};  // of the firmware's first warning
     WarningJudgement judgement{};            // of the firmware's warning
     std::uint64_t codes{0U};                 // that the firmware confirmed in it; see code_names
+    unsigned interventions{0U};              // how often the settings' intervention began
+    double intervention_s{0.0};              // for how long it had an effect
     std::vector<IndexScore> indices{};       // in the order of campaign_indices()
 };
 

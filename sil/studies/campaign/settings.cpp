@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sil/files/toml_text.hpp"
+#include "sil/studies/campaign/indices.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/mixed_driving.hpp"
 
@@ -74,6 +75,41 @@ void check_spread(const CampaignSpread& spread) {
     check_within(spread.mass_signal_factor, 0.5, 2.0, "mass_signal_factor");
 }
 
+void check_intervention(const CampaignIntervention& intervention) {
+    std::string names = CampaignIntervention::firmware;
+    for (const Index& index : campaign_indices()) {
+        names += ", " + index.name;
+    }
+    const auto check_key = [](bool good, const std::string& key, const std::string& wanted) {
+        check(good, "intervention." + key, wanted);
+    };
+    check_key(intervention.by_firmware() || index_place(intervention.index).has_value(), "index",
+              "one of " + names);
+    check_key(intervention.level >= 0.001 && intervention.level <= 100.0, "level", "from 0.001 to 100");
+    const Intervention& action = intervention.action;
+    check_key(action.delay_s >= 0.0 && action.delay_s <= 5.0, "delay_s", "seconds from 0 to 5");
+    check_key(action.ramp_s >= 0.0 && action.ramp_s <= 5.0, "ramp_s", "seconds from 0 to 5");
+    if (action.kind == InterventionKind::brake) {
+        check_key(action.deceleration_mps2 >= 0.1 && action.deceleration_mps2 <= 12.0, "deceleration_mps2",
+                  "from 0.1 to 12");
+    } else {
+        check_key(action.steer_back_share >= 0.0 && action.steer_back_share <= 1.0, "steer_back_share",
+                  "a share from 0 to 1");
+    }
+}
+
+std::string to_toml(const CampaignIntervention& intervention) {
+    const Intervention& action = intervention.action;
+    const bool brake = action.kind == InterventionKind::brake;
+    const std::string level =
+        intervention.by_firmware() ? "" : "level = " + toml_number(intervention.level) + "\n";
+    return fmt::format("\n[intervention]\nindex = {}\n{}kind = \"{}\"\ndelay_s = {}\nramp_s = {}\n{} = {}\n",
+                       toml_string(intervention.index), level, brake ? "brake" : "driver",
+                       toml_number(action.delay_s), toml_number(action.ramp_s),
+                       brake ? "deceleration_mps2" : "steer_back_share",
+                       toml_number(brake ? action.deceleration_mps2 : action.steer_back_share));
+}
+
 std::string pair(const Interval& interval) {
     return fmt::format("[{}, {}]", toml_number(interval.lowest), toml_number(interval.highest));
 }
@@ -108,6 +144,9 @@ void check_campaign(const CampaignSettings& settings) {
         check_vehicle(vehicle, settings.manoeuvres.size());
     }
     check_spread(settings.spread);
+    if (settings.intervention) {
+        check_intervention(*settings.intervention);
+    }
 }
 
 CampaignVehicle parse_campaign_vehicle(const std::string& text) {
@@ -154,6 +193,7 @@ std::string to_toml(const CampaignSettings& settings) {
     text += fmt::format("steering_sensor = {}\n", spread.steering_sensor);
     text += fmt::format("roll_sensor = {}\n", spread.roll_sensor);
     text += spread.attitude_sensor ? "attitude_sensor = true\n" : "";
+    text += settings.intervention ? to_toml(*settings.intervention) : "";
     for (const CampaignVehicle& vehicle : settings.vehicles) {
         text += fmt::format("\n[[vehicle]]\nparameters = {}\ncalibration = {}\n",
                             toml_string(vehicle.parameters), toml_string(vehicle.calibration));

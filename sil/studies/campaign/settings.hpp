@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sil/input_error.hpp"
+#include "sil/world/manoeuvres/intervention.hpp"
 #include "sil/world/manoeuvres/manoeuvre.hpp"
 
 namespace sil {
@@ -69,6 +71,17 @@ struct CampaignSpread {
     bool attitude_sensor{false};  // true: the roll angle is one against the horizon
 };
 
+// An intervention in every run, while the firmware or an index warns.
+struct CampaignIntervention {
+    static constexpr const char* firmware = "warning";
+
+    std::string index{firmware};  // that: the warning that the ECU sends; else one of campaign_indices()
+    double level{1.0};            // threshold at which the index warns (IndexWarning), 0.001 to 100
+    Intervention action{};
+
+    bool by_firmware() const { return index == firmware; }
+};
+
 struct CampaignSettings {
     std::uint64_t runs{1U};
     std::uint64_t seed{1U};
@@ -77,6 +90,7 @@ struct CampaignSettings {
     std::vector<std::string> changes{};  // "KEY=VALUE" in place of what every calibration says
     std::vector<CampaignManoeuvre> manoeuvres{};
     CampaignSpread spread{};
+    std::optional<CampaignIntervention> intervention{};  // none: warnings are without effect
 };
 
 // The settings that are built in, those of sil/studies/campaign/default.toml.

@@ -86,6 +86,25 @@ void read_spread(TomlTable table, CampaignSpread& spread) {
     table.refuse_unknown_keys();
 }
 
+// All of it is to be said: there is no usual reaction to a warning.
+CampaignIntervention read_intervention(TomlTable table) {
+    CampaignIntervention intervention;
+    intervention.index = table.text("index");
+    if (!intervention.by_firmware()) {
+        intervention.level = table.number("level");
+    }
+    intervention.action.delay_s = table.number("delay_s");
+    intervention.action.ramp_s = table.number("ramp_s");
+    if (table.choice("kind", {"brake", "driver"}) == 0U) {
+        intervention.action.deceleration_mps2 = table.number("deceleration_mps2");
+    } else {
+        intervention.action.kind = InterventionKind::driver;
+        intervention.action.steer_back_share = table.number("steer_back_share");
+    }
+    table.refuse_unknown_keys();
+    return intervention;
+}
+
 // Puts what the file says over `settings`.
 CampaignSettings read_settings(TomlTable top, CampaignSettings settings) {
     top.allow("made_with");
@@ -95,6 +114,9 @@ CampaignSettings read_settings(TomlTable top, CampaignSettings settings) {
     settings.changes = top.has("changes") ? top.texts("changes") : settings.changes;
     if (top.has("spread")) {
         read_spread(top.table("spread"), settings.spread);
+    }
+    if (top.has("intervention")) {
+        settings.intervention = read_intervention(top.table("intervention"));
     }
     if (top.has("vehicle")) {
         settings.vehicles.clear();

@@ -52,10 +52,17 @@ ManoeuvreRun::ManoeuvreRun(const ManoeuvreRun& other)
       driver_{other.driver_->copy()},
       speed_control_{other.speed_control_},
       disturbance_{other.disturbance_},
+      intervention_{other.intervention_},
       vehicle_{other.vehicle_} {}
 
 void ManoeuvreRun::step() {
     vehicle_.step(next_input(), options_.step_s);
+}
+
+void ManoeuvreRun::demand_intervention(bool wanted) {
+    if (intervention_) {
+        intervention_->demand(wanted, vehicle_.truth().time_s);
+    }
 }
 
 DriverInput ManoeuvreRun::next_input() {
@@ -64,6 +71,9 @@ DriverInput ManoeuvreRun::next_input() {
     DriverCommand command = driver_->command(seen);
     command.steering_wheel_angle_rad *=
         options_.mirrored ? -options_.steering_factor : options_.steering_factor;
+    if (intervention_) {
+        command = intervention_->changed(command, truth.time_s);
+    }
     const SpeedPolicy policy = command.brake > 0.0 ? SpeedPolicy::off_throttle : command.speed_policy;
     DriverInput input;
     input.steering_wheel_angle_rad = command.steering_wheel_angle_rad;

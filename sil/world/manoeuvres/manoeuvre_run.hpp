@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "sil/world/manoeuvres/intervention.hpp"
 #include "sil/world/manoeuvres/manoeuvre.hpp"
 #include "sil/world/vehicle/vehicle.hpp"
 
@@ -36,6 +38,14 @@ class ManoeuvreRun {
     Vehicle& vehicle_to_step() { return vehicle_; }
     double step_s() const { return options_.step_s; }
 
+    // From now on there may be an intervention, which is not demanded yet.
+    void add_intervention(const Intervention& intervention) {
+        intervention_.emplace(intervention, vehicle_.parameters());
+    }
+    // Whether it is demanded, from now on; no effect where there is none.
+    void demand_intervention(bool wanted);
+    const std::optional<InterventionEffect>& intervention() const { return intervention_; }
+
     bool finished() const { return vehicle_.truth().time_s >= duration_s_ - 0.5 * options_.step_s; }
     double duration_s() const { return duration_s_; }
     const Truth& truth() const { return vehicle_.truth(); }
@@ -52,6 +62,7 @@ class ManoeuvreRun {
     std::unique_ptr<Driver> driver_;
     SpeedControl speed_control_;
     DisturbanceCourse disturbance_;  // may be empty
+    std::optional<InterventionEffect> intervention_{};
     Vehicle vehicle_;
 };
 

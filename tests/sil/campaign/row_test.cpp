@@ -86,6 +86,8 @@ sil::CampaignRow row() {
     row.judgement.advisory_s = 0.6;
     row.judgement.unavailable_s = 0.04;
     row.codes = std::uint64_t{0b110U};
+    row.interventions = 4U;
+    row.intervention_s = 0.7;
     row.indices = {{1.5, 0.75, 0.5, 0.17}};
     return row;
 }
@@ -130,7 +132,9 @@ TEST(CampaignRow, HasEveryValueUnderItsName) {
                          {"warning_duration_s", "0.500"},
                          {"advisory_duration_s", "0.600"},
                          {"unavailable_duration_s", "0.040"},
-                         {"diagnostic_codes", sil::code_names(0b110U)}});
+                         {"diagnostic_codes", sil::code_names(0b110U)},
+                         {"interventions", "4"},
+                         {"intervention_duration_s", "0.700"}});
     const std::string first = sil::campaign_indices().front().name;
     expect_cells(cells, {{first + "_threshold", "1.5"},
                          {first + "_threshold_100ms", "0.75"},

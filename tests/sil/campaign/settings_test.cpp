@@ -55,9 +55,9 @@ TEST(CampaignSettings, TheirTextIsReadBackAsTheSame) {
 TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     sil::CampaignSettings settings = testing_campaign::small_campaign(17U);
     const std::string without = sil::to_toml(settings);
-    for (const char* key :
-         {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor", "changes",
-          "learning_s", "mass_sensor", "housing_tilt_deg", "lever_arm_error_m", "mass_signal_factor"}) {
+    for (const char* key : {"class", "speed_factors", "steering_factors", "load_is_known", "attitude_sensor",
+                            "changes", "learning_s", "mass_sensor", "housing_tilt_deg", "lever_arm_error_m",
+                            "mass_signal_factor", "intervention"}) {
         EXPECT_EQ(without.find(key), std::string::npos) << "said only where it says something: " << key;
     }
     settings.vehicles[1].in_class = "light truck";
@@ -72,6 +72,7 @@ TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     settings.spread.mass_signal_factor = {0.85, 1.3};
     settings.learning_s = 120.0;
     settings.changes = {"warning_on=0.9", "warning_hold_s=1"};
+    settings.intervention = {"published", 0.75, {sil::InterventionKind::brake, 0.1, 0.2, 4.0, 0.0}};
     const sil::CampaignSettings read = load(sil::to_toml(settings));
     EXPECT_EQ(read.vehicles[0].in_class, "");
     EXPECT_EQ(read.vehicles[1].in_class, "light truck");
@@ -86,7 +87,53 @@ TEST(CampaignSettings, OptionalSettingsAreReadBackAsTheSame) {
     EXPECT_EQ(read.spread.mass_signal_factor.highest, 1.3);
     EXPECT_EQ(read.changes, settings.changes);
     EXPECT_EQ(read.learning_s, settings.learning_s);
+    ASSERT_TRUE(read.intervention.has_value());
+    EXPECT_EQ(read.intervention->index, "published");
+    EXPECT_EQ(read.intervention->level, 0.75);
+    EXPECT_EQ(read.intervention->action.deceleration_mps2, 4.0);
     EXPECT_EQ(sil::to_toml(read), sil::to_toml(settings));
+    settings.intervention->action = {sil::InterventionKind::driver, 1.0, 0.3, 0.0, 0.5};
+    const sil::CampaignSettings driver = load(sil::to_toml(settings));
+    EXPECT_EQ(driver.intervention->action.kind, sil::InterventionKind::driver);
+    EXPECT_EQ(driver.intervention->action.steer_back_share, 0.5);
+    EXPECT_EQ(sil::to_toml(driver), sil::to_toml(settings));
+    settings.intervention->index = sil::CampaignIntervention::firmware;
+    EXPECT_EQ(sil::to_toml(settings).find("level"), std::string::npos) << "its levels are the calibration's";
+    EXPECT_EQ(sil::to_toml(load(sil::to_toml(settings))), sil::to_toml(settings));
+}
+
+TEST(CampaignSettings, AnInterventionThatIsNotWholeOrOutOfRangeIsRefused) {
+    const auto table = [](const std::string& index, const std::string& level, const std::string& rest) {
+        return "[intervention]\nindex = \"" + index + "\"\nlevel = " + level + "\n" + rest;
+    };
+    const std::string times = "delay_s = 0.1\nramp_s = 0.2\n";
+    const std::string brake = times + "kind = \"brake\"\ndeceleration_mps2 = 4.0\n";
+    load(table("published", "1.0", brake));
+    expect_refused(table("hunch", "1.0", brake),
+                   "\"intervention.index\" must be one of warning, published, ");
+    expect_refused(table("warning", "1.0", brake), "\"intervention.level\" is not known");
+    expect_refused(table("published", "0.0", brake), "\"intervention.level\" must be from 0.001 to 100");
+    expect_refused(table("published", "101.0", brake), "\"intervention.level\" must be from 0.001 to 100");
+    expect_refused("[intervention]\nlevel = 1.0\n" + brake, "\"intervention.index\" is missing");
+    expect_refused(table("published", "1.0", times), "\"intervention.kind\" is missing");
+    expect_refused(table("published", "1.0", "kind = \"brake\"\nramp_s = 0.2\n"),
+                   "\"intervention.delay_s\" is missing");
+    expect_refused(table("published", "1.0", times + "kind = \"horn\"\n"),
+                   "mine.toml:6: \"intervention.kind\"");
+    expect_refused(table("published", "1.0", times + "kind = \"brake\"\n"),
+                   "\"intervention.deceleration_mps2\" is missing");
+    expect_refused(table("published", "1.0", brake + "steer_back_share = 0.5\n"),
+                   "mine.toml:8: \"intervention.steer_back_share\" is not known");
+    expect_refused(table("published", "1.0", times + "kind = \"brake\"\ndeceleration_mps2 = 0.0\n"),
+                   "\"intervention.deceleration_mps2\" must be from 0.1 to 12");
+    expect_refused(table("published", "1.0", times + "kind = \"driver\"\nsteer_back_share = 1.5\n"),
+                   "\"intervention.steer_back_share\" must be a share from 0 to 1");
+    expect_refused(
+        table("published", "1.0", "delay_s = -0.1\nramp_s = 0.2\nkind = \"driver\"\nsteer_back_share = 1\n"),
+        "\"intervention.delay_s\" must be seconds from 0 to 5");
+    expect_refused(
+        table("published", "1.0", "delay_s = 0.1\nramp_s = 6.0\nkind = \"driver\"\nsteer_back_share = 1\n"),
+        "\"intervention.ramp_s\" must be seconds from 0 to 5");
 }
 
 TEST(CampaignSettings, ValuesThatAFileLeavesOutAreBuiltIn) {
