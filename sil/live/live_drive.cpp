@@ -20,7 +20,9 @@ LiveDrive::LiveDrive(const LiveVehicle& what, const DriverWish& wish, double roo
       plant_{loaded(what.vehicle, roof_load_kg), manoeuvre_},
       sensors_{mounted_sensors(plant_.vehicle().parameters(), what.sensors)},
       ecu_{what.make_ecu()},
-      loop_{plant_, sensors_, ecu_->bus(), ecu_->pace()} {}
+      loop_{plant_, sensors_, ecu_->bus(), ecu_->pace()} {
+    plant_.add_intervention(stability_function);
+}
 
 bool LiveDrive::cycle(RunObserver& also) {
     also_ = &also;
@@ -41,6 +43,7 @@ SensorSample LiveDrive::reported(const SensorSample& sample) {
 
 void LiveDrive::cycle(const Truth& truth, const SensorSample& sample, const EcuFrames& ecu,
                       const RunEvents& events) {
+    plant_.demand_intervention(brakes_on_warning_ && ecu.output().state() == WarningState::warning);
     also_->cycle(truth, sample, ecu, events);
 }
 

@@ -36,6 +36,9 @@ class LiveDrive final : private RunObserver {
     void break_sensor(const std::optional<Fault>& fault);
     const std::optional<Fault>& fault() const { return fault_; }
 
+    // From the next cycle on: whether a stability function brakes while the ECU warns.
+    void brake_on_warning(bool brakes) { brakes_on_warning_ = brakes; }
+
     const ManoeuvreRun& plant() const { return plant_; }
     const ClosedLoop& loop() const { return loop_; }
     const Manoeuvre& manoeuvre() const { return manoeuvre_; }
@@ -53,6 +56,7 @@ class LiveDrive final : private RunObserver {
     SensorSuite sensors_;
     std::unique_ptr<LiveEcu> ecu_;
     ClosedLoop loop_;
+    bool brakes_on_warning_{false};
     std::optional<Fault> fault_{};
     std::optional<SignalFault> broken_{};
     RunObserver* also_{nullptr};

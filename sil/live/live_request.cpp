@@ -113,6 +113,8 @@ LiveRequest parse_live_request(std::string_view text) {
             request.load_kg = number(value, key, 0.0, heaviest_roof_load_kg);
         } else if (key == "pause") {
             request.pause = truth_value(value, key);
+        } else if (key == "brake_on_warning") {
+            request.brake_on_warning = truth_value(value, key);
         } else if (key == "again") {
             request.again = truth_value(value, key);
         } else if (key == "fault") {

@@ -19,6 +19,7 @@ struct LiveRequest {
     std::optional<double> steering_deg{};  // > 0 turns left
     std::optional<double> speed_kmh{};
     std::optional<bool> pause{};
+    std::optional<bool> brake_on_warning{};
     std::optional<FaultChoice> fault{};
     bool again{false};  // another drive, with the load
     double load_kg{0.0};
@@ -26,7 +27,8 @@ struct LiveRequest {
 
 inline constexpr double heaviest_roof_load_kg = 300.0;
 
-// {"steering_deg": 90}, {"speed_kmh": 80}, {"pause": true}, {"fault": {"place": 0, "kind": 1}}, {"fault":
+// {"steering_deg": 90}, {"speed_kmh": 80}, {"pause": true}, {"brake_on_warning": true},
+// {"fault": {"place": 0, "kind": 1}}, {"fault":
 // null}, {"again": true, "load_kg": 100, "speed_kmh": 80}. Throws InputError with a sentence for whatever
 // else it is.
 LiveRequest parse_live_request(std::string_view text);

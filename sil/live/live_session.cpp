@@ -74,6 +74,7 @@ void LiveSession::start(double speed_kmh, double load_kg) {
     watch_.reset();
     recorder_.reset();
     drive_ = std::make_unique<LiveDrive>(what_, wish_, load_kg);
+    drive_->brake_on_warning(brakes_on_warning_);
     recorder_ = make_recorder_(*drive_);
     watch_ = std::make_unique<Watch>(*this, *recorder_);
     over_ = false;
@@ -85,6 +86,7 @@ void LiveSession::start(double speed_kmh, double load_kg) {
     add("notice", quoted(""));
     add("fault", quoted(""));
     add("paused", "false");
+    add("brake_on_warning", brakes_on_warning_ ? "true" : "false");
 }
 
 void LiveSession::finish() {
@@ -121,6 +123,11 @@ void LiveSession::take(const std::string& text) {
         paused_ = *request.pause;
         add("paused", paused_ ? "true" : "false");
     }
+    if (request.brake_on_warning) {
+        brakes_on_warning_ = *request.brake_on_warning;
+        drive_->brake_on_warning(brakes_on_warning_);
+        add("brake_on_warning", brakes_on_warning_ ? "true" : "false");
+    }
     if (request.fault) {
         drive_->break_sensor(fault);
         add("fault", quoted(fault_text(fault)));
@@ -152,6 +159,7 @@ std::string LiveSession::begin() {
     add("notice", quoted(over_ ? end_text(drive_->plant().truth(), drive_->manoeuvre()) : ""));
     add("fault", quoted(fault_text(drive_->fault())));
     add("paused", paused_ ? "true" : "false");
+    add("brake_on_warning", brakes_on_warning_ ? "true" : "false");
     add("diagnosis", diagnosis_json(watch_->diagnosis()));
     add("events", events_json(drive_->loop().events()));
     add("judgement", judgement_json(drive_->loop().events()));

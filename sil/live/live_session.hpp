@@ -61,6 +61,7 @@ class LiveSession {
     DriverWish wish_{};
     double load_kg_{0.0};
     bool paused_{false};
+    bool brakes_on_warning_{false};  // in the drives that follow, too
     bool over_{false};
     std::unique_ptr<LiveDrive> drive_{};
     std::unique_ptr<LiveRecorder> recorder_{};

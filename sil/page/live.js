@@ -16,6 +16,7 @@ class Driver {
       this.page.follow(!this.page.following);
       this.page.render();
     });
+    byId("brake").addEventListener("click", () => this.brakeOnWarning());
     byId("fault-set").addEventListener("click", () => this.inject());
     byId("fault-clear").addEventListener("click", () => this.clearFault());
     byId("fault-place").addEventListener("change", () => this.listKinds());
@@ -68,6 +69,9 @@ class Driver {
     }
     if (message.fault !== undefined) {
       byId("fault-now").textContent = message.fault || "all sensors good";
+    }
+    if (message.brake_on_warning !== undefined) {
+      byId("brake").setAttribute("aria-pressed", String(message.brake_on_warning));
     }
     if (message.paused !== undefined) {
       this.showPaused(message.paused);
@@ -155,6 +159,8 @@ class Driver {
     byId("hold").setAttribute("aria-pressed", String(paused));
   }
 
+  brakeOnWarning() { this.send({ brake_on_warning: byId("brake").getAttribute("aria-pressed") !== "true" }); }
+
   inject() { this.send({ fault: { place: Number(byId("fault-place").value), kind: Number(byId("fault-kind").value) } }); }
   clearFault() { this.send({ fault: null }); }
 
@@ -177,6 +183,7 @@ class Driver {
       { key: "p", words: "pause, go on", act: () => this.pause(!this.paused) },
       { key: "f", words: "inject the chosen fault", act: () => this.inject() },
       { key: "g", words: "all sensors good", act: () => this.clearFault() },
+      { key: "b", words: "brake on warning, or not", act: () => this.brakeOnWarning() },
       { key: "l", words: "follow the drive again", act: () => this.page.following || byId("follow").click() },
       { key: "1", words: "to the warning", act: () => this.page.goToEvent("warning") },
       { key: " ", shown: "Space", words: "play back, stop", act: () => this.page.play(!this.page.playing) },

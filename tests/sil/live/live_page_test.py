@@ -99,6 +99,15 @@ class LivePage(unittest.TestCase):
         self.tab.wait_for("document.getElementById('degradation').textContent.includes('full')", LONG_S)
         self.assertEqual(self.tab.complaints, [])
 
+    def test_brakes_on_a_warning_by_key_and_button(self):
+        pressed = "document.getElementById('brake').getAttribute('aria-pressed')"
+        self.assertEqual(self.tab.run(pressed), "false")
+        self.tab.key("b")
+        self.tab.wait_for(f"{pressed} === 'true'", LONG_S)
+        self.tab.run("document.getElementById('brake').click()")
+        self.tab.wait_for(f"{pressed} === 'false'", LONG_S)
+        self.assertEqual(self.tab.complaints, [])
+
     def test_steers_by_slider_and_key_pauses_and_looks_back(self):
         self.tab.key("ArrowUp")
         self.assertEqual(self.tab.run("document.getElementById('speed-text').textContent"), "85 km/h")

@@ -37,6 +37,8 @@ TEST(LiveRequest, BeginsAgainPausesAndBreaks) {
     EXPECT_TRUE(again.again);
     EXPECT_EQ(again.load_kg, 150.0);
     EXPECT_EQ(sil::parse_live_request(R"({"pause": false})").pause, false);
+    EXPECT_EQ(sil::parse_live_request(R"({"brake_on_warning": true})").brake_on_warning, true);
+    expect_refused(R"({"brake_on_warning": 1})", "brake_on_warning wants true or false");
     const sil::LiveRequest broken = sil::parse_live_request(R"({"fault": {"place": 2, "kind": 1}})");
     ASSERT_TRUE(broken.fault);
     EXPECT_EQ(broken.fault->place, 2);

@@ -24,14 +24,16 @@ struct Kept {
     int cycles{0};
     int steps{0};
     double last_lateral_mps2{0.0};
+    double last_speed_mps{0.0};
 };
 
 class Recorder final : public sil::LiveRecorder {
  public:
     explicit Recorder(Kept& kept) : kept_{kept} { ++kept_.begun; }
-    void cycle(const sil::Truth&, const sil::SensorSample& sample, const sil::EcuFrames&,
+    void cycle(const sil::Truth& truth, const sil::SensorSample& sample, const sil::EcuFrames&,
                const sil::RunEvents&) override {
         ++kept_.cycles;
+        kept_.last_speed_mps = truth.speed_mps;
         kept_.last_lateral_mps2 = sample.lateral_acceleration_mps2;
     }
     void step(const sil::Truth&) override { ++kept_.steps; }
@@ -86,6 +88,20 @@ class LiveSession : public ::testing::Test {
             }
         }
         return all;
+    }
+    // Speed of a hard turn, half a second after its warning.
+    double speed_after_warning_mps() {
+        session.take(R"({"steering_deg": -360})");
+        bool warned = false;
+        for (int i = 0; i < 400 && !warned; ++i) {
+            cycles(session, 1);
+            const Json now = news(session);
+            warned = now.contains("events") && now["events"].contains("warning") &&
+                     !now["events"]["warning"].is_null();
+        }
+        EXPECT_TRUE(warned);
+        cycles(session, 50);
+        return kept.last_speed_mps;
     }
     sil::MakeLiveRecorder recorders() {
         return [this](const sil::LiveDrive&) { return std::make_unique<Recorder>(kept); };
@@ -147,6 +163,20 @@ TEST_F(LiveSession, WarnsBeforeTheVehicleRollsOverToTheSideOfTheTurn) {
     EXPECT_EQ(kept.cycles, driven) << "it lies on its side";
     session.finish();
     EXPECT_EQ(kept.finished, 2);
+}
+
+TEST_F(LiveSession, BrakesOnAWarningIfThePageSaysSoAndAfterANewStart) {
+    session.begin();
+    const double without_mps = speed_after_warning_mps();
+    session.take(R"({"brake_on_warning": true})");
+    EXPECT_EQ(news(session)["brake_on_warning"], true);
+    session.take(R"({"again": true, "speed_kmh": 80})");
+    EXPECT_EQ(news(session)["brake_on_warning"], true);
+    EXPECT_LT(speed_after_warning_mps(), without_mps - 0.5);
+    session.take(R"({"brake_on_warning": false})");
+    session.take(R"({"again": true, "speed_kmh": 80})");
+    EXPECT_EQ(Json::parse(session.begin())["brake_on_warning"], false);
+    EXPECT_EQ(speed_after_warning_mps(), without_mps);
 }
 
 TEST_F(LiveSession, StandsStillWhilePaused) {
