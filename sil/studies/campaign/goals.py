@@ -7,6 +7,15 @@ WITHOUT_ERRORS = (1.0, 0.995, 0.85, 0.40, 0.0, 0.0, 0.10, 0.0)
 WITH_ERRORS = (0.995, 0.99, 0.80, 0.36, 0.0, 0.003, 0.25, 0.1)
 
 
+EQUAL_ALARMS = (0.01, 0.05)  # shares of the calm runs at which indices are compared
+
+
+def best_point(group, index, limit):
+    """The point of the index that warns most often with at most this share of alarms in calm runs; its threshold is None if no
+    threshold has so few."""
+    return next(best for best in group["indices"][index]["best"] if abs(best["false_alarms_at_most"] - limit) < 1e-9)
+
+
 def percent(share):
     return "-" if share["of"] == 0 else f"{100.0 * share['share']:.2f} %"
 

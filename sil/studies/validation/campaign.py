@@ -38,8 +38,7 @@ def curves(report, chosen):
 
 def _ceiling(report):
     """Limit of a perfect measure of the present."""
-    best = report["all"]["indices"]["true_load_transfer"]["best"]
-    point = next(p for p in best if abs(p["false_alarms_at_most"] - 0.01) < 1e-9)
+    point = goals.best_point(report["all"], "true_load_transfer", 0.01)
     if point["threshold"] is None:
         return ""
     return (
