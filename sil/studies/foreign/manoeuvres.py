@@ -4,7 +4,7 @@ import math
 import random
 import typing
 
-import vehicle as vehicles
+from conventions import GRAVITY_MPS2, WHEELS
 
 ROW_S = 0.01
 STRAIGHT_S = 1.0  # at the beginning, for the sensors' offsets
@@ -12,7 +12,7 @@ RAMP_SPEED_KMH = 80.0
 RAMP_DEGPS = 13.5
 RAMP_STOP = 0.85  # |LTR| at which the driver of the ramp has enough
 RAMP_LONGEST_S = 25.0
-REFERENCE_MPS2 = 0.3 * vehicles.GRAVITY_MPS2
+REFERENCE_MPS2 = 0.3 * GRAVITY_MPS2
 LIFTED_S = 0.1  # both wheels of a side up: the drive has shown what it can show
 KINDS = ("step steer", "fishhook", "double lane change", "slalom")
 SPEEDS_KMH = (60.0, 100.0)
@@ -21,10 +21,10 @@ RATES_DEGPS = (400.0, 1000.0)
 AMPLITUDES, GENTLE_AMPLITUDES, GENTLE_EACH = (1.6, 5.0), (0.7, 1.5), 4
 
 # Standard deviations of the white noise of ordinary automotive sensors, as of noisy_sensors() in sil/world/sensors.
-NOISE = {"lateral_acceleration_mps2": 0.02 * vehicles.GRAVITY_MPS2, "vertical_acceleration_mps2": 0.02 * vehicles.GRAVITY_MPS2,
+NOISE = {"lateral_acceleration_mps2": 0.02 * GRAVITY_MPS2, "vertical_acceleration_mps2": 0.02 * GRAVITY_MPS2,
          "roll_rate_degps": 0.3, "roll_angle_deg": 0.2, "speed_mps": 0.1 / 3.6, "yaw_rate_degps": 0.3,
          "steering_wheel_angle_deg": 0.1}
-LOADS = tuple(f"wheel_load_{wheel}_n" for wheel in vehicles.WHEELS)
+LOADS = tuple(f"wheel_load_{wheel}_n" for wheel in WHEELS)
 COLUMNS = ("time_s", *NOISE, *LOADS)
 # Signals that change their sign when left and right are exchanged.
 LATERAL = ("lateral_acceleration_mps2", "roll_rate_degps", "roll_angle_deg", "yaw_rate_degps", "steering_wheel_angle_deg")
@@ -98,8 +98,8 @@ def handwheel_of(plan, reference_deg):
 def drive(vehicle, speed_kmh, handwheel_deg, duration_s, holds_speed=False, has_enough=None):
     """Rows of a drive under COLUMNS; it ends early after a lift-off, a spin, or when the driver has enough."""
     speed_mps = speed_kmh / 3.6
-    motion = vehicles.Motion(vehicle, speed_mps)
-    steps = round(ROW_S / vehicles.STEP_S)
+    motion = vehicle.motion(speed_mps)
+    steps = round(ROW_S / motion.STEP_S)
     rows, lifted_s = [], 0.0
     for cycle in range(round(duration_s / ROW_S) + 1):
         time_s = cycle * ROW_S
@@ -111,8 +111,8 @@ def drive(vehicle, speed_kmh, handwheel_deg, duration_s, holds_speed=False, has_
             break
         for step in range(steps):
             # The driver of a ramp holds the speed; else the throttle is released.
-            acceleration = speed_mps - motion.state[vehicles.SPEED] if holds_speed else 0.0
-            motion.advance(math.radians(handwheel_deg(time_s + step * vehicles.STEP_S)), acceleration)
+            acceleration = speed_mps - motion.speed_mps() if holds_speed else 0.0
+            motion.advance(math.radians(handwheel_deg(time_s + step * motion.STEP_S)), acceleration)
     return rows
 
 

@@ -1,6 +1,6 @@
-"""Calibrates and judges the component on vehicles of others' equations.
+"""Calibrates and judges the component on vehicles of others' equations, and of joints in another engine.
 
-Use: study.py PROGRAM OUTPUT PAGE VEHICLES ROUNDS SEED JOBS
+Use: study.py PROGRAM OUTPUT PAGE VEHICLES JOINTED ROUNDS SEED JOBS
 
 Draws the vehicles, lets each drive, calibrates each by `PROGRAM identify` alone, sends the drives through the firmware by
 `PROGRAM replay`, and writes the page. Called by sil/studies/foreign/run.
@@ -19,10 +19,11 @@ import typing
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path += [str(PROJECT / folder) for folder in ("sil/judge", "sil/page", "cmake/environment")]
 
+import families  # noqa: E402
 import judge  # noqa: E402
 import manoeuvres  # noqa: E402
+import quantities  # noqa: E402
 import report  # noqa: E402
-import vehicle as vehicles  # noqa: E402
 import ways  # noqa: E402
 import file_io  # noqa: E402
 
@@ -42,11 +43,11 @@ class Result(typing.NamedTuple):
     """Outcomes of one vehicle in each way of the report; None: the component did not admit the calibration."""
 
     vehicle: str
+    family: str
     kind: str
-    static_stability_factor: float
-    friction: float
     tyre_limit_mps2: float
     largest_lateral_acceleration_mps2: float
+    quantities: dict  # quantities.of_vehicle
     outcomes: dict
 
 
@@ -65,7 +66,8 @@ def run(*command):
 
 
 def write_drives(vehicle, seed, rounds, folder):
-    """The drives of a vehicle in `folder`, and its data sheet. Returns the largest lateral acceleration of its evaluation."""
+    """The drives of a vehicle in `folder`, and its data sheet. Returns the ramp, and the largest lateral acceleration of the
+    evaluation."""
     for name in ("clean", "noisy"):
         (folder / name).mkdir(parents=True, exist_ok=True)
     file_io.write(folder / "vehicle.toml", "".join(f"{key} = {value:.9g}\n" for key, value in vehicle.data().items()))
@@ -81,7 +83,7 @@ def write_drives(vehicle, seed, rounds, folder):
         noisy = manoeuvres.noisy(rows, f"{seed} {vehicle.name} {number}")
         file_io.write(folder / "noisy" / name, manoeuvres.csv_text(noisy))
         largest = max(largest, *(abs(manoeuvres.on_the_road_mps2(row)) for row in rows))
-    return largest
+    return ramp, largest
 
 
 def identify(program, folder):
@@ -91,12 +93,12 @@ def identify(program, folder):
     return tomllib.loads(file_io.read(folder / "calibration/calibration.toml"))
 
 
-def replay(program, calibration, settings, files):
-    """Rows of the table that `replay` leaves, one a file."""
+def replay(program, calibration, settings, files, wanted="table.csv"):
+    """Rows of a table that `replay` leaves: of `table.csv` one a file."""
     changes = [part for key, value in settings.items() for part in ("--set", f"{key}={value:.9g}")]
     with tempfile.TemporaryDirectory() as scratch:
         run(program, "replay", *files, "--parameters", calibration, *changes, "--output", scratch, "--no-pictures")
-        return list(csv.DictReader(file_io.read(pathlib.Path(scratch, "table.csv")).splitlines()))
+        return list(csv.DictReader(file_io.read(pathlib.Path(scratch, wanted)).splitlines()))
 
 
 def outcome(vehicle, row):
@@ -121,27 +123,30 @@ def judged(program, vehicle, folder, changes):
     return outcomes
 
 
-def of_vehicle(program, output, seed, rounds, number):
-    vehicle = vehicles.draw(seed, number)
+def of_vehicle(program, output, seed, rounds, family_and_number):
+    family, number = family_and_number
+    vehicle = families.FAMILIES[family].draw(seed, number)
     folder = output / vehicle.name
-    largest = write_drives(vehicle, seed, rounds, folder)
+    ramp, largest = write_drives(vehicle, seed, rounds, folder)
     calibration = identify(program, folder)
+    replayed_ramp = replay(program, folder / "calibration/calibration.toml", {}, [folder / "ramp.csv"], "ramp/indices.csv")
     outcomes = judged(program, vehicle, folder, ways.changes(calibration, seed, vehicle.name))
-    return Result(vehicle.name, vehicle.kind, vehicle.static_stability_factor(), vehicle.drawn["friction"],
-                  calibration[ways.TYRE_LIMIT], largest, outcomes)
+    return Result(vehicle.name, family, vehicle.kind, calibration[ways.TYRE_LIMIT], largest,
+                  quantities.of_vehicle(vehicle, ramp, replayed_ramp, calibration), outcomes)
 
 
 def main(arguments):
     program, output, page = map(pathlib.Path, arguments[:3])
-    count, rounds, seed, jobs = map(int, arguments[3:])
+    *counts, rounds, seed, jobs = map(int, arguments[3:])
+    numbers = [(family, number) for family, count in zip(families.FAMILIES, counts) for number in range(count)]
     judge.use(program)
     results = []
     with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
-        for result in pool.map(functools.partial(of_vehicle, program, output, seed, rounds), range(count)):
+        for result in pool.map(functools.partial(of_vehicle, program, output, seed, rounds), numbers):
             results.append(result)
             drives = result.outcomes[ways.CLEAN] or []
             lifted = sum(drive.lift_s is not None for drive in drives)
-            say(f"vehicle {len(results)} of {count}, {result.kind}: {lifted} lift-offs in {len(drives)} drives")
+            say(f"vehicle {len(results)} of {len(numbers)}, {result.kind}: {lifted} lift-offs in {len(drives)} drives")
     print(report.results_table(results))
     file_io.write(page, report.page(results, seed))
     return 0

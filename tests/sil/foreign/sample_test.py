@@ -1,8 +1,9 @@
-"""The study of vehicles of others' equations: its model, its drives, and what two of its vehicles give.
+"""The study of foreign vehicles: the models of both families, their drives, and what some of the vehicles give.
 
 Use: sample_test.py RSI_SIL
 """
 
+import contextlib
 import csv
 import math
 import pathlib
@@ -17,15 +18,19 @@ PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(PROJECT / "sil/studies/foreign")]
 
 import study  # its paths are those of the modules below
+import commonroad
+import conventions
+import jointed
 import judge
 import manoeuvres
+import mujoco
+import quantities
 import report
-import vehicle as vehicles
 import ways
 
 PROGRAM = ""
 SEED = 1
-GRAVITY = vehicles.GRAVITY_MPS2
+GRAVITY = conventions.GRAVITY_MPS2
 # Drives of the two vehicles that lift two wheels; lift-offs warned of, 0.1 s and 0.2 s before; alarms of how many, by band.
 LIFTED = [True, True, True, True, True, False, True, False]
 WARNED = {ways.CLEAN: (6, 6, 6), ways.ERRORS: (6, 6, 5)}
@@ -42,36 +47,45 @@ def step_steer(vehicle, angle_deg, duration_s):
     return manoeuvres.drive(vehicle, 80.0, lambda time_s: manoeuvres.at(course, time_s), course[-1][0])
 
 
+@contextlib.contextmanager
+def half_the_step(motion):
+    step, motion.STEP_S = motion.STEP_S, 0.5 * motion.STEP_S
+    try:
+        yield
+    finally:
+        motion.STEP_S = step
+
+
 class Model(unittest.TestCase):
     def setUp(self):
-        self.vehicle = vehicles.draw(SEED, 0)
+        self.vehicle = commonroad.draw(SEED, 0)
 
     def test_a_vehicle_in_the_air_falls_freely(self):
         p = self.vehicle.parameters
-        motion = vehicles.Motion(self.vehicle, 20.0)
-        for height in (vehicles.FRONT_HEIGHT, vehicles.REAR_HEIGHT):
+        motion = self.vehicle.motion(20.0)
+        for height in (commonroad.FRONT_HEIGHT, commonroad.REAR_HEIGHT):
             motion.state[height] = -0.05  # z points down
-        f = vehicles.derivative(p, motion.state, 0.0, 0.0)
+        f = commonroad.derivative(p, motion.state, 0.0, 0.0)
         self.assertEqual(motion.wheel_loads_n(), [0.0] * 4)
-        fall = (p.m_s * f[vehicles.VERTICAL_SPEED] + p.m_uf * f[17] + p.m_ur * f[22]) / p.m
+        fall = (p.m_s * f[commonroad.VERTICAL_SPEED] + p.m_uf * f[17] + p.m_ur * f[22]) / p.m
         self.assertAlmostEqual(fall, GRAVITY, places=9)
 
     def test_a_lifted_wheel_does_not_turn_its_axle(self):
         p, rates = self.vehicle.parameters, []
         for tyre in (p.K_zt, 2.0 * p.K_zt):  # the left front wheel is above the road, the right one touches it just not
             p.K_zt = tyre
-            state = vehicles.Motion(self.vehicle, 20.0).state
-            state[vehicles.FRONT_ROLL], state[vehicles.FRONT_HEIGHT] = 0.1, -0.5 * p.T_f * math.sin(0.1) - 0.001
-            state[vehicles.HEIGHT], state[vehicles.PITCH] = 0.0, 0.0
-            state[vehicles.REAR_HEIGHT] = 0.0
-            self.assertTrue(all(load <= 0.0 for load in vehicles._wheel_loads_n(p, state)))
-            f = vehicles.derivative(p, state, 0.0, 0.0)
-            rates.append((f[vehicles.FRONT_ROLL + 1], f[vehicles.FRONT_HEIGHT + 1]))
+            state = self.vehicle.motion(20.0).state
+            state[commonroad.FRONT_ROLL], state[commonroad.FRONT_HEIGHT] = 0.1, -0.5 * p.T_f * math.sin(0.1) - 0.001
+            state[commonroad.HEIGHT], state[commonroad.PITCH] = 0.0, 0.0
+            state[commonroad.REAR_HEIGHT] = 0.0
+            self.assertTrue(all(load <= 0.0 for load in commonroad._wheel_loads_n(p, state)))
+            f = commonroad.derivative(p, state, 0.0, 0.0)
+            rates.append((f[commonroad.FRONT_ROLL + 1], f[commonroad.FRONT_HEIGHT + 1]))
         self.assertAlmostEqual(rates[0][0], rates[1][0], places=6)
         self.assertAlmostEqual(rates[0][1], rates[1][1], places=6)
 
     def test_it_stands_on_its_wheels(self):
-        motion = vehicles.Motion(self.vehicle, 20.0)
+        motion = self.vehicle.motion(20.0)
         signals = motion.signals()
         self.assertAlmostEqual(sum(motion.wheel_loads_n()), self.vehicle.parameters.m * GRAVITY, delta=1e-6)
         self.assertAlmostEqual(signals["vertical_acceleration_mps2"], GRAVITY, delta=1e-9)
@@ -110,28 +124,163 @@ class Model(unittest.TestCase):
 
     def test_half_the_step_gives_the_same_drive(self):
         rows = step_steer(self.vehicle, 40.0, 1.5)
-        step, vehicles.STEP_S = vehicles.STEP_S, 0.5 * vehicles.STEP_S
-        try:
+        with half_the_step(commonroad.Motion):
             finer = step_steer(self.vehicle, 40.0, 1.5)
-        finally:
-            vehicles.STEP_S = step
         self.assertEqual(len(rows), len(finer))
         self.assertAlmostEqual(rows[-1][4], finer[-1][4], delta=0.02)  # deg of roll
         self.assertAlmostEqual(rows[-1][-1], finer[-1][-1], delta=20.0)  # N
 
 
+def steady_turn(vehicle, lateral_g):
+    """A motion in a left turn of about this lateral acceleration, at 20 m/s."""
+    motion = vehicle.motion(20.0)
+    d = vehicle.drawn
+    radius = 20.0**2 / (lateral_g * GRAVITY)
+    road_wheel = d["wheelbase_m"] / radius + d["understeer_s2pm"] * lateral_g * GRAVITY
+    for step in range(5000):
+        motion.advance(min(step / 1000.0, 1.0) * road_wheel * d["steering_ratio"], 20.0 - motion.speed_mps())
+    return motion
+
+
+def lateral_mps2(motion):
+    """Along the road, in a steady turn."""
+    signals = motion.signals()
+    return math.radians(signals["yaw_rate_degps"]) * signals["speed_mps"] / math.cos(math.radians(signals["roll_angle_deg"]))
+
+
+class Jointed(unittest.TestCase):
+    """One vehicle of each class; what the engine computes against statics that this test computes."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.vehicles = {vehicle.kind: vehicle for vehicle in (jointed.draw(SEED, number) for number in range(5))}
+
+    def test_it_stands_still_on_its_wheels(self):
+        for kind, vehicle in self.vehicles.items():
+            with self.subTest(kind):
+                weight = vehicle.drawn["mass_kg"] * GRAVITY
+                self.assertAlmostEqual(vehicle.model.body_mass.sum() / vehicle.drawn["mass_kg"], 1.0, delta=1e-6)
+                motion = vehicle.motion(25.0)
+                for _ in range(500):
+                    motion.advance(0.0, 0.0)
+                    self.assertAlmostEqual(sum(motion.wheel_loads_n()) / weight, 1.0, delta=1e-4)
+                for load, at_rest in zip(motion.wheel_loads_n(), vehicle.static_loads_n):
+                    self.assertAlmostEqual(load / at_rest, 1.0, delta=1e-4)
+                signals = motion.signals()
+                self.assertAlmostEqual(signals["speed_mps"], 25.0, delta=1e-6)
+                self.assertAlmostEqual(signals["vertical_acceleration_mps2"], GRAVITY, delta=1e-3)
+                for name in ("lateral_acceleration_mps2", "roll_angle_deg", "roll_rate_degps", "yaw_rate_degps"):
+                    self.assertAlmostEqual(signals[name], 0.0, delta=1e-6)
+
+    def test_a_vehicle_in_the_air_falls_freely(self):
+        for kind, vehicle in self.vehicles.items():
+            with self.subTest(kind):
+                motion = vehicle.motion(20.0)
+                motion._data.qpos[2] += 1.0
+                mujoco.mj_forward(motion._model, motion._data)
+                for _ in range(100):
+                    motion.advance(0.0, 0.0)
+                self.assertEqual(motion.wheel_loads_n(), [0.0] * 4)
+                mujoco.mj_subtreeVel(motion._model, motion._data)
+                self.assertAlmostEqual(motion._data.subtree_linvel[1][2], -0.099 * GRAVITY, delta=1e-5)  # it tells of the beginning of the step
+
+    def test_the_load_transfer_of_a_steady_turn_is_that_of_statics(self):
+        for kind, vehicle in self.vehicles.items():
+            with self.subTest(kind):
+                motion = steady_turn(vehicle, 0.3)
+                data, model = motion._data, motion._model
+                lateral = lateral_mps2(motion)
+                self.assertAlmostEqual(lateral / GRAVITY, 0.3, delta=0.06)
+                # Every body's centrifugal force and weight, and the road's forces where the engine has the contacts and the
+                # tyres give way; distances across the heading, positive to the left.
+                across = data.site("imu").xmat.reshape(3, 3)[:2, 1]
+                across = across / math.hypot(*across)
+                overturning = sum(model.body_mass[body] * (GRAVITY * data.xipos[body][:2] @ across - lateral * data.xipos[body][2])
+                                  for body in range(1, model.nbody)) / vehicle.drawn["mass_kg"] / GRAVITY
+                places = []
+                for wheel, static_n in zip(conventions.WHEELS, vehicle.static_loads_n):
+                    contact = next(each for each in data.contact if model.geom(wheel).id in each.geom)
+                    force = data.xfrc_applied[model.body(wheel).id][:2] @ across
+                    places.append(contact.pos[:2] @ across + vehicle.drawn["tyre_sideways_mpg"] * force / static_n)
+                left, right = 0.5 * (places[0] + places[2]), 0.5 * (places[1] + places[3])
+                expected = (0.5 * (left + right) - overturning) / (0.5 * (left - right))
+                self.assertAlmostEqual(motion.load_transfer_ratio() / expected, 1.0, delta=0.005)
+                # And near that of a rigid vehicle, of which it can only be more.
+                rigid = lateral / GRAVITY / vehicle.static_stability_factor()
+                self.assertTrue(1.0 < motion.load_transfer_ratio() / rigid < 1.35, motion.load_transfer_ratio() / rigid)
+
+    def test_a_left_turn_has_the_signs_of_iso_8855(self):
+        for kind, vehicle in self.vehicles.items():
+            with self.subTest(kind):
+                rows = step_steer(vehicle, 20.0, 2.0)
+                last = dict(zip(manoeuvres.COLUMNS, rows[-1]))
+                along_the_road = manoeuvres.on_the_road_mps2(rows[-1])
+                self.assertGreater(along_the_road, 1.0)
+                self.assertGreater(last["roll_angle_deg"], 0.3)
+                self.assertGreater(last["yaw_rate_degps"], 0.0)
+                self.assertGreater(last["wheel_load_front_right_n"], 1.1 * last["wheel_load_front_left_n"])
+                self.assertGreater(last["wheel_load_rear_right_n"], 1.1 * last["wheel_load_rear_left_n"])
+
+    def test_the_same_drive_gives_the_same_bits(self):
+        for number in range(5):
+            one, again = (step_steer(jointed.draw(SEED, number), 40.0, 1.0) for _ in range(2))
+            self.assertEqual(one, again)
+
+    def test_half_the_step_gives_the_same_drive(self):
+        for number in range(5):
+            rows = step_steer(jointed.draw(SEED, number), 40.0, 1.0)
+            with half_the_step(jointed.Motion):
+                finer = step_steer(jointed.draw(SEED, number), 40.0, 1.0)
+            self.assertEqual(len(rows), len(finer))
+            self.assertAlmostEqual(rows[-1][4], finer[-1][4], delta=0.02)  # deg of roll
+            for load, other in zip(rows[-1][-4:], finer[-1][-4:]):
+                self.assertAlmostEqual(load, other, delta=0.005 * sum(rows[-1][-4:]))
+
+    def test_swing_arms_jack_the_body_up(self):
+        rises = {}
+        for kind in (jointed.SWING_ARMS, jointed.LEAF_SPRINGS):
+            vehicle = self.vehicles[kind]
+            motion = steady_turn(vehicle, 0.5)
+            rises[kind] = motion._data.site("imu").xpos[2] - vehicle.drawn["cg_height_m"]
+        self.assertGreater(rises[jointed.SWING_ARMS], 0.01)
+        self.assertLess(rises[jointed.LEAF_SPRINGS], 0.003)
+
+    def test_leaf_springs_hold_a_small_roll_moment(self):
+        vehicle = self.vehicles[jointed.LEAF_SPRINGS]
+        smooth = jointed.Vehicle("smooth", vehicle.kind, vehicle.drawn | {"dry_friction": 0.0})
+        rolls = [steady_turn(each, 0.03).signals()["roll_angle_deg"] for each in (vehicle, smooth)]
+        self.assertGreater(rolls[1], 0.1)
+        self.assertLess(rolls[0], 0.6 * rolls[1])
+
+    def test_a_frame_that_twists_carries_no_roll_moment_to_the_other_axle(self):
+        vehicle = self.vehicles[jointed.TWISTING_FRAME]
+        shares = []
+        for stiffness in (0.02, 20.0):
+            changed = jointed.Vehicle("changed", vehicle.kind, vehicle.drawn | {"frame_stiffness_share": stiffness,
+                                                                                "front_roll_stiffness_share": 0.8})
+            loads = steady_turn(changed, 0.3).wheel_loads_n()
+            shares.append((loads[1] - loads[0]) / (loads[1] - loads[0] + loads[3] - loads[2]))
+        self.assertLess(shares[0], shares[1] - 0.05)
+
+    def test_the_load_hangs_along_the_apparent_weight(self):
+        motion = steady_turn(self.vehicles[jointed.TANKER], 0.25)
+        leans = math.degrees(math.atan2(lateral_mps2(motion), GRAVITY))
+        swing = math.degrees(motion._data.joint("swing").qpos[0])
+        self.assertAlmostEqual(motion.signals()["roll_angle_deg"] + swing, -leans, delta=0.3)
+
+
 class Drawing(unittest.TestCase):
     def test_is_the_same_for_the_same_seed_and_within_its_ends(self):
         for number in range(6):
-            one, again, other = vehicles.draw(SEED, number), vehicles.draw(SEED, number), vehicles.draw(SEED + 1, number)
+            one, again, other = commonroad.draw(SEED, number), commonroad.draw(SEED, number), commonroad.draw(SEED + 1, number)
             self.assertEqual((one.kind, one.drawn, vars(one.parameters)["m_s"]), (again.kind, again.drawn, again.parameters.m_s))
             self.assertNotEqual(one.drawn, other.drawn)
-            for name, (low, high) in (vehicles.FACTORS | vehicles.DRAWN | vehicles.CLASSES[one.kind]).items():
+            for name, (low, high) in (commonroad.FACTORS | commonroad.DRAWN | commonroad.CLASSES[one.kind]).items():
                 self.assertTrue(low <= one.drawn[name] <= high, name)
-        self.assertEqual([vehicles.draw(SEED, number).kind for number in range(4)], ["van", "SUV", "pick-up", "van"])
+        self.assertEqual([commonroad.draw(SEED, number).kind for number in range(4)], ["van", "SUV", "pick-up", "van"])
 
     def test_every_fourth_round_is_gentle(self):
-        plans = manoeuvres.plans(SEED, vehicles.draw(SEED, 0), 4)
+        plans = manoeuvres.plans(SEED, commonroad.draw(SEED, 0), 4)
         self.assertEqual([plan.kind for plan in plans[:4]], list(manoeuvres.KINDS))
         self.assertTrue(all(abs(plan.amplitude) >= manoeuvres.AMPLITUDES[0] for plan in plans[:12]))
         self.assertTrue(all(abs(plan.amplitude) <= manoeuvres.GENTLE_AMPLITUDES[1] for plan in plans[12:]))
@@ -174,7 +323,8 @@ class Sample(unittest.TestCase):
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.scratch.name)
-        cls.results = [study.of_vehicle(PROGRAM, cls.folder, SEED, 1, number) for number in range(2)]
+        cls.results = [study.of_vehicle(PROGRAM, cls.folder, SEED, 1, ("commonroad", number)) for number in range(2)]
+        cls.jointed = study.of_vehicle(PROGRAM, cls.folder, SEED, 1, ("jointed", 3))
 
     @classmethod
     def tearDownClass(cls):
@@ -197,7 +347,7 @@ class Sample(unittest.TestCase):
 
     def test_the_calibration_is_that_of_the_drawn_vehicle(self):
         for number in range(2):
-            vehicle = vehicles.draw(SEED, number)
+            vehicle = commonroad.draw(SEED, number)
             p = vehicle.parameters
             found = study.tomllib.loads((self.folder / vehicle.name / "calibration/calibration.toml").read_text(encoding="utf-8"))
             height = (found["sprung_mass_kg"] * found["sprung_cg_height_m"]
@@ -218,7 +368,7 @@ class Sample(unittest.TestCase):
             return list(csv.DictReader(file))
 
     def test_a_mirrored_drive_gives_the_mirrored_warning(self):
-        rows = step_steer(vehicles.draw(SEED, 0), 70.0, 3.0)
+        rows = step_steer(commonroad.draw(SEED, 0), 70.0, 3.0)
         one, other = self.warnings(rows, "left_turn"), self.warnings(manoeuvres.mirrored(rows), "right_turn")
         self.assertIn("right", [row["side"] for row in one])
         swapped = {"left": "right", "right": "left"}
@@ -227,7 +377,7 @@ class Sample(unittest.TestCase):
     def test_a_wrong_sign_is_refused(self):
         folder = self.folder / "wrong"
         shutil.copytree(self.folder / "000", folder)
-        ramp = manoeuvres.ramp(vehicles.draw(SEED, 0))
+        ramp = manoeuvres.ramp(commonroad.draw(SEED, 0))
         place = manoeuvres.COLUMNS.index("yaw_rate_degps")
         wrong = [(*row[:place], -row[place], *row[place + 1:]) for row in ramp]
         (folder / "ramp.csv").write_text(manoeuvres.csv_text(wrong), encoding="utf-8")

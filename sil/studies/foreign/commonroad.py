@@ -15,9 +15,9 @@ import yaml
 from vehiclemodels import init_mb, vehicle_dynamics_mb
 from vehiclemodels.utils import tire_model
 
-GRAVITY_MPS2 = 9.81  # as in the package
-STEP_S = 0.002  # of the integration; the fastest mode, a wheel's spin, wants less than 0.003 s
-WHEELS = ("front_left", "front_right", "rear_left", "rear_right")
+import conventions
+from conventions import GRAVITY_MPS2  # the package's too
+
 # Places in the state.
 STEERING, SPEED, YAW_RATE, ROLL, ROLL_RATE, PITCH, LATERAL_SPEED, HEIGHT, VERTICAL_SPEED = 2, 3, 5, 6, 7, 8, 10, 11, 12
 FRONT_ROLL, FRONT_HEIGHT, REAR_ROLL, REAR_HEIGHT = 13, 16, 18, 21  # of the axles; each with its rate behind it
@@ -82,6 +82,12 @@ class Vehicle(typing.NamedTuple):
     drawn: dict
     parameters: types.SimpleNamespace  # of the model, under the names of the package
 
+    def grip(self):
+        return self.drawn["friction"]  # under any load
+
+    def motion(self, speed_mps):
+        return Motion(self, speed_mps)
+
     def data(self):
         """Contents of a vehicle-data file for `rsi-sil identify`; the IMU is at the sprung CG."""
         p = self.parameters
@@ -102,6 +108,14 @@ def draw(seed, number):
     kind = list(CLASSES)[number % len(CLASSES)]
     drawn = {name: source.uniform(*ends) for name, ends in (FACTORS | DRAWN | CLASSES[kind]).items()}
     return Vehicle(f"{number:03}", kind, drawn, _varied(base_parameters(), drawn))
+
+
+def ends():
+    """Both ends of every quantity that is drawn, by class and name."""
+    def label(name):
+        return f"{name}, factor" if name in FACTORS or name == "mass" else name
+
+    return {kind: {label(name): both for name, both in (FACTORS | DRAWN | own).items()} for kind, own in CLASSES.items()}
 
 
 def _varied(p, drawn):
@@ -166,6 +180,8 @@ def derivative(p, x, steering_velocity_radps, acceleration_mps2):
 class Motion:
     """A vehicle on its way, on a level road."""
 
+    STEP_S = 0.002  # of the integration; the fastest mode, a wheel's spin, wants less than 0.003 s
+
     def __init__(self, vehicle, speed_mps):
         self.vehicle = vehicle
         p = vehicle.parameters
@@ -178,7 +194,7 @@ class Motion:
 
     def advance(self, handwheel_rad, acceleration_mps2):
         """By STEP_S (Runge-Kutta of fourth order). The road wheels follow the handwheel, left positive, with a lag."""
-        p, x, half = self.vehicle.parameters, self.state, 0.5 * STEP_S
+        p, x, step = self.vehicle.parameters, self.state, self.STEP_S
         wanted = -handwheel_rad / self.vehicle.drawn["steering_ratio"]
         lag = self.vehicle.drawn["steering_lag_s"]
 
@@ -186,10 +202,10 @@ class Motion:
             return derivative(p, state, (wanted - state[STEERING]) / lag, acceleration_mps2)
 
         first = slope(x)
-        second = slope([value + half * rate for value, rate in zip(x, first)])
-        third = slope([value + half * rate for value, rate in zip(x, second)])
-        fourth = slope([value + STEP_S * rate for value, rate in zip(x, third)])
-        self.state = [value + STEP_S / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
+        second = slope([value + 0.5 * step * rate for value, rate in zip(x, first)])
+        third = slope([value + 0.5 * step * rate for value, rate in zip(x, second)])
+        fourth = slope([value + step * rate for value, rate in zip(x, third)])
+        self.state = [value + step / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
                       for value, k1, k2, k3, k4 in zip(x, first, second, third, fourth)]
         self._inputs = ((wanted - self.state[STEERING]) / lag, acceleration_mps2)
 
@@ -197,10 +213,10 @@ class Motion:
         return [max(load, 0.0) for load in _wheel_loads_n(self.vehicle.parameters, self.state)]
 
     def load_transfer_ratio(self):
-        """Positive in a left turn."""
-        front_left, front_right, rear_left, rear_right = self.wheel_loads_n()
-        total = front_left + front_right + rear_left + rear_right
-        return (front_right + rear_right - front_left - rear_left) / total if total else 0.0
+        return conventions.load_transfer_ratio(self.wheel_loads_n())
+
+    def speed_mps(self):
+        return self.state[SPEED]
 
     def is_still_a_drive(self):
         """Neither spun nor nearly at a standstill."""
