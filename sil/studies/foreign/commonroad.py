@@ -95,6 +95,10 @@ class Vehicle(typing.NamedTuple):
                 "track_width_front_m": p.T_f, "track_width_rear_m": p.T_r, "wheelbase_m": p.a + p.b,
                 "steering_ratio": self.drawn["steering_ratio"]}
 
+    def roll_inertia_kgm2(self):
+        """That of the sprung mass about its CG; a data sheet may have it."""
+        return self.parameters.I_Phi_s
+
     def static_stability_factor(self):
         """The whole vehicle's, unsprung masses included."""
         p = self.parameters

@@ -38,7 +38,7 @@ CLASSES = {
         "travel_m": (0.07, 0.11), "dry_friction": (0.0, 0.01)},
     LEAF_SPRINGS: _ANY | _CAR | _RIGID | {
         "mass_kg": (1700.0, 3500.0), "unsprung_share": (0.14, 0.2), "wheelbase_m": (2.5, 3.5), "track_width_m": (1.42, 1.62),
-        "cg_height_m": (0.86, 1.06), "wheel_radius_m": (0.34, 0.4), "front_roll_axis_m": (0.3, 0.42),
+        "cg_height_m": (0.9, 1.1), "wheel_radius_m": (0.34, 0.4), "front_roll_axis_m": (0.3, 0.42),
         "rear_roll_axis_m": (0.36, 0.5), "roll_gradient_degpg": (2.5, 6.0), "ride_frequency_hz": (1.3, 1.9),
         "roll_damping_ratio": (0.08, 0.25), "cornering_per_rad": (11.0, 18.0), "travel_m": (0.06, 0.09),
         "dry_friction": (0.03, 0.08)},
@@ -46,20 +46,20 @@ CLASSES = {
         "mass_kg": (3500.0, 8000.0), "unsprung_share": (0.13, 0.17), "wheelbase_m": (3.2, 4.5), "track_width_m": (1.62, 1.86),
         "cg_height_m": (1.1, 1.36), "wheel_radius_m": (0.38, 0.46), "front_roll_axis_m": (0.36, 0.5),
         "rear_roll_axis_m": (0.5, 0.7), "roll_gradient_degpg": (3.0, 6.5), "ride_frequency_hz": (1.4, 2.0),
-        "roll_damping_ratio": (0.1, 0.25), "cornering_per_rad": (9.0, 14.0), "travel_m": (0.07, 0.1), "dry_friction": (0.02, 0.06),
-        "frame_stiffness_share": (0.06, 0.3), "rear_mass_share": (0.5, 0.65)},
+        "roll_damping_ratio": (0.1, 0.25), "cornering_per_rad": (9.0, 14.0), "travel_m": (0.07, 0.1),
+        "dry_friction": (0.02, 0.06), "frame_stiffness_share": (0.06, 0.3), "rear_mass_share": (0.5, 0.65)},
     TANKER: _ANY | _TRUCK | _RIGID | {
         "mass_kg": (8000.0, 16000.0), "unsprung_share": (0.11, 0.15), "wheelbase_m": (3.8, 5.2), "track_width_m": (1.84, 2.04),
         "cg_height_m": (1.2, 1.45), "wheel_radius_m": (0.46, 0.52), "front_roll_axis_m": (0.45, 0.55),
         "rear_roll_axis_m": (0.6, 0.8), "roll_gradient_degpg": (2.5, 5.5), "ride_frequency_hz": (1.4, 2.0),
-        "roll_damping_ratio": (0.1, 0.25), "cornering_per_rad": (8.0, 12.0), "travel_m": (0.07, 0.1), "dry_friction": (0.01, 0.04),
-        "swinging_share": (0.2, 0.4), "pendulum_m": (0.25, 0.5)},
+        "roll_damping_ratio": (0.1, 0.25), "cornering_per_rad": (8.0, 12.0), "travel_m": (0.07, 0.1),
+        "dry_friction": (0.01, 0.04), "swinging_share": (0.2, 0.4), "pendulum_m": (0.25, 0.5)},
     AIR_SPRINGS: _ANY | _TRUCK | _RIGID | {
         "mass_kg": (7000.0, 15000.0), "unsprung_share": (0.1, 0.14), "wheelbase_m": (4.2, 6.0), "track_width_m": (1.88, 2.08),
         "cg_height_m": (1.2, 1.5), "wheel_radius_m": (0.46, 0.52), "front_roll_axis_m": (0.45, 0.6),
         "rear_roll_axis_m": (0.55, 0.75), "roll_gradient_degpg": (3.5, 7.0), "ride_frequency_hz": (0.95, 1.25),
-        "roll_damping_ratio": (0.15, 0.35), "cornering_per_rad": (8.0, 12.0), "travel_m": (0.08, 0.12), "dry_friction": (0.0, 0.005),
-        "progression": (0.5, 1.0)},
+        "roll_damping_ratio": (0.15, 0.35), "cornering_per_rad": (8.0, 12.0), "travel_m": (0.08, 0.12),
+        "dry_friction": (0.0, 0.005), "progression": (0.5, 1.0)},
 }
 DRIVE_LIMIT = 0.5  # largest drive force over friction
 
@@ -101,6 +101,10 @@ class Vehicle:
         return {"total_mass_kg": d["mass_kg"], "sprung_mass_kg": self.sprung_kg, "sprung_cg_height_m": d["cg_height_m"],
                 "wheel_radius_m": self.hub_height_m, "track_width_m": d["track_width_m"],
                 "wheelbase_m": d["wheelbase_m"], "steering_ratio": d["steering_ratio"]}
+
+    def roll_inertia_kgm2(self):
+        """That of the sprung mass about its CG; a data sheet may have it."""
+        return self.sprung_kg * (self.drawn["roll_inertia_over_track"] * self.drawn["track_width_m"])**2
 
     def static_stability_factor(self):
         """The whole vehicle's, unsprung masses included."""
@@ -161,7 +165,7 @@ class Motion:
     def _road_force(self, wheel, load, steering, drive):
         """Force and moment about the hub, in directions of the road: brush tyre, slip delayed by the relaxation length."""
         d = self._drawn
-        _, _, _, hub_z, head_x, head_y, _, lean_x, lean_y, lean_z, velocity_x, velocity_y, _ = self._wheel[wheel]
+        _, _, _, hub_z, head_x, head_y, _, _, _, lean_z, velocity_x, velocity_y, _ = self._wheel[wheel]
         length = math.hypot(head_x, head_y)
         cosine, sine = math.cos(steering) / length, math.sin(steering) / length
         along_x, along_y = head_x * cosine - head_y * sine, head_y * cosine + head_x * sine
@@ -180,12 +184,8 @@ class Motion:
         stretch = min(cornering * max(1.0 - 2.0 * d["load_sensitivity"] * over, 0.3) * abs(tangent) / (3.0 * friction), 1.0)
         lateral = -math.copysign(friction * (1.0 - (1.0 - stretch)**3), tangent) * load
         force_x, force_y = drive * load * along_x - lateral * along_y, drive * load * along_y + lateral * along_x
-        # The lowest point lies beside the hub of a wheel that leans, and the tyre gives way sideways.
-        outwards = hub_z * lean_z / (1.0 - lean_z**2)
-        given = d["tyre_sideways_mpg"] * lateral / static_n
-        arm_x, arm_y = outwards * lean_x, outwards * lean_y
-        return (force_x, force_y, 0.0, hub_z * force_y + given * along_x * load, -hub_z * force_x + given * along_y * load,
-                arm_x * force_y - arm_y * force_x)
+        given = d["tyre_sideways_mpg"] * lateral / static_n  # by the tyre, which carries the load so far beside the rim
+        return force_x, force_y, 0.0, hub_z * force_y + given * along_x * load, -hub_z * force_x + given * along_y * load, 0.0
 
     def wheel_loads_n(self):
         return [wheel[0] for wheel in self._wheel]

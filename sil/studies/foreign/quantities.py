@@ -12,8 +12,8 @@ POPULATION = pathlib.Path(__file__).resolve().parents[3] / "docs/reports/populat
 TRUE_OVER_COMPUTED = "true over computed LTR"
 # Name and unit as on the population's page, but for the last.
 NAMES = (("static stability factor", ""), ("rollover threshold", "g"), ("grip over threshold", ""), ("roll gradient", "deg/g"),
-         ("roll frequency", "Hz"), ("roll damping ratio", ""), ("understeer gradient", "1e-3 s2/m"), ("lateral response", "rad/s"),
-         ("its lag", "s"), ("tyre limit over threshold", ""), (TRUE_OVER_COMPUTED, ""))
+         ("roll frequency", "Hz"), ("roll damping ratio", ""), ("understeer gradient", "1e-3 s2/m"),
+         ("lateral response", "rad/s"), ("its lag", "s"), ("tyre limit over threshold", ""), (TRUE_OVER_COMPUTED, ""))
 COMPARED_LTR = (0.3, 0.8)  # of the ramp, where true and computed LTR are compared
 
 
@@ -54,5 +54,5 @@ def of_population(page=POPULATION):
             ranges[cells[0]] = (float(cells[2]), float(cells[6]))
     missing = [name for name, _ in NAMES if name not in ranges and name != TRUE_OVER_COMPUTED]
     if missing:
-        raise LookupError(f"{page}: no row of vehicles named {', '.join(missing)}; name it in {pathlib.Path(__file__).name} as there")
+        raise LookupError(f"{page}: no row of vehicles named {', '.join(missing)}; name it in quantities.py as it is there")
     return ranges

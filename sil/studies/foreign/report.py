@@ -32,7 +32,7 @@ measured as it is.
 How they are calibrated and driven:
 
 - **Calibration**: by `rsi-sil identify` alone, from the data sheet, a slowly increasing steer at {ramp_speed:.0f} km/h that
-  the driver stops at |LTR| {ramp_stop}, and a calm lane change, with ideal sensors.
+  the driver stops at |LTR| {ramp_stop}, and a calm lane change, with ideal sensors.{inertia_given}
 - **Drives**: {kinds}, open loop, {slowest:.0f} to {fastest:.0f} km/h, with {least} to {most} times
   the handwheel angle of 0.3 g; every fourth round {gentle_least} to {gentle_most} times. A drive ends soon after a lift-off.
 - **Errors**: sensor noise ({noise}), and for each vehicle
@@ -52,12 +52,17 @@ Lift-offs that were warned of at least 0.1 s before, of how many.
 
 {by_manoeuvre}
 
-## By class
+## By class, with errors
 {by_class}
 
-Warned at least 0.1 s before, and alarms below 0.9: with errors. The limit is `largest_lateral_acceleration_mps2`, as
-identified from the ramp. A vehicle exceeds it in its drives when its largest lateral acceleration is greater; by how much:
-median and largest of the class.
+True over computed LTR: median of the vehicles, measured as [below](#beside-the-population). Above 1 the inner wheels carry
+less than the component computes from roll and acceleration of the body, so that it warns later.
+
+## The limit of the tyres
+{limits}
+
+The limit is `largest_lateral_acceleration_mps2`, as identified from the ramp. A vehicle exceeds it in its drives when its
+largest lateral acceleration is greater; by how much: median and largest of the class.
 
 ## Beside the population
 {beside}
@@ -80,8 +85,8 @@ def percent(share):
 
 
 def detection(outcomes):
-    columns = zip(*((each.vehicle, each.lift_s, each.largest_ltr, each.lead_s, each.alarm) for each in outcomes))
-    return judge.detection(*columns)
+    rows = [(each.vehicle, each.lift_s, each.largest_ltr, each.lead_s, each.alarm) for each in outcomes]
+    return judge.detection(*(zip(*rows) if rows else [()] * 5))
 
 
 def outcomes_of(results, way):
@@ -107,7 +112,8 @@ def _cells(family, results, way):
 def results_table(results):
     head = ["family", "", "lift-offs", "warned, right side, %", "0.1 s before, %", "0.2 s before, %", "median lead, s",
             *(f"alarms {band}" for band in judge.bands())]
-    rows = [_cells(family, of_family, way) for family, of_family in [*_of_families(results), ("both", results)] for way in ways.ALL]
+    rows = [_cells(family, of_family, way) for family, of_family in (*_of_families(results), ("both", results))
+            for way in ways.ALL]
     return markdown.table(head, rows, range(2, len(head)))
 
 
@@ -118,8 +124,8 @@ def _by_manoeuvre(results):
             cells = [family, kind]
             for way in ways.ALL:
                 of_kind = [each for each in outcomes_of(of_family, way) if each.manoeuvre == kind]
-                share = detection(of_kind).warned_100ms if of_kind else None
-                cells.append(f"{share.count} of {share.total}" if share else "-")
+                share = detection(of_kind).warned_100ms
+                cells.append(f"{share.count} of {share.total}" if share.total else "-")
             rows.append(cells)
     return markdown.table(["family", "", *ways.ALL], rows, range(2, 2 + len(ways.ALL)))
 
@@ -128,23 +134,38 @@ def _range(values, digits):
     return f"{min(values):.{digits}f} to {max(values):.{digits}f}"
 
 
-def _by_class(results):
-    rows = []
+def _classes(results):
+    """Family, class and results of each class that was driven."""
     for family, of_family in _of_families(results):
         for kind in dict.fromkeys(result.kind for result in of_family):
-            of_class = [result for result in of_family if result.kind == kind]
-            limits = [result.tyre_limit_mps2 / GRAVITY_MPS2 for result in of_class]
-            excess = [result.largest_lateral_acceleration_mps2 / result.tyre_limit_mps2 - 1.0 for result in of_class]
-            over = [each for each in excess if each > 0.0]
-            found = detection(outcomes_of(of_class, ways.ERRORS))
-            early, alarms = found.warned_100ms, list(found.alarms.values())[:-1]
-            rows.append([family, kind, str(len(of_class)),
-                         _range([result.quantities["static stability factor"] for result in of_class], 2), _range(limits, 2),
-                         str(len(over)), f"{100 * statistics.median(over):.0f} %, {100 * max(over):.0f} %" if over else "-",
-                         f"{early.count} of {early.total}",
-                         f"{sum(share.count for share in alarms)} of {sum(share.total for share in alarms)}"])
-    head = ["family", "class", "vehicles", "static stability factor", "limit, g", "exceed it", "by", "0.1 s before", "alarms below 0.9"]
+            yield family, kind, [result for result in of_family if result.kind == kind]
+
+
+def _by_class(results):
+    rows = []
+    for family, kind, of_class in _classes(results):
+        found = detection(outcomes_of(of_class, ways.ERRORS))
+        alarms = list(found.alarms.values())[:-1]
+        true_over_computed = statistics.median(result.quantities[quantities.TRUE_OVER_COMPUTED] for result in of_class)
+        factors = [result.quantities["static stability factor"] for result in of_class]
+        rows.append([family, kind, str(len(of_class)), _range(factors, 2), f"{true_over_computed:.2f}", str(found.warned.total),
+                     *(str(share.count) for share in (found.warned, found.warned_100ms, found.warned_200ms)),
+                     f"{found.median_lead_s:.2f}" if found.warned.count else "-",
+                     f"{sum(share.count for share in alarms)} of {sum(share.total for share in alarms)}"])
+    head = ["family", "class", "vehicles", "static stability factor", quantities.TRUE_OVER_COMPUTED, "lift-offs",
+            "warned, right side", "0.1 s before", "0.2 s before", "median lead, s", "alarms below 0.9"]
     return markdown.table(head, rows, range(2, len(head)))
+
+
+def _limits(results):
+    rows = []
+    for family, kind, of_class in _classes(results):
+        limits = [result.tyre_limit_mps2 / GRAVITY_MPS2 for result in of_class]
+        excess = [result.largest_lateral_acceleration_mps2 / result.tyre_limit_mps2 - 1.0 for result in of_class]
+        over = [each for each in excess if each > 0.0]
+        rows.append([family, kind, _range(limits, 2), f"{len(over)} of {len(of_class)}",
+                     f"{100 * statistics.median(over):.0f} %, {100 * max(over):.0f} %" if over else "-"])
+    return markdown.table(["family", "class", "limit, g", "exceed it", "by"], rows, range(2, 5))
 
 
 def _spread(values):
@@ -182,20 +203,26 @@ def _refused(results):
     return f" Vehicles left out, because the component does not admit their calibration: {', '.join(named)}." if named else ""
 
 
+def _inertia_given(results):
+    classes = [result.kind for result in results if result.inertia_given]
+    named = ", ".join(f"{classes.count(kind)} of {kind}" for kind in dict.fromkeys(classes))
+    return f"\n  Given the roll inertia of their data sheet, too, since no plausible one fits: {named}." if named else ""
+
+
 def page(results, seed):
     noise = manoeuvres.NOISE
-    counted = "vehicles" if len(results) >= judge.fewest_vehicles() else "runs"
     compared_least, compared_most = quantities.COMPARED_LTR
     counts = {family: sum(result.family == family for result in results) for family in families.FAMILIES}
+    counted = "vehicles" if min(counts.values()) >= judge.fewest_vehicles() else "runs"
     return HEAD.format(
-        **counts, seed=seed, ramp_speed=manoeuvres.RAMP_SPEED_KMH, ramp_stop=manoeuvres.RAMP_STOP,
-        kinds=", ".join(manoeuvres.KINDS), slowest=manoeuvres.SPEEDS_KMH[0], fastest=manoeuvres.SPEEDS_KMH[1],
-        least=manoeuvres.AMPLITUDES[0], most=manoeuvres.AMPLITUDES[1], gentle_least=manoeuvres.GENTLE_AMPLITUDES[0],
-        gentle_most=manoeuvres.GENTLE_AMPLITUDES[1],
+        **counts, inertia_given=_inertia_given(results), seed=seed, ramp_speed=manoeuvres.RAMP_SPEED_KMH,
+        ramp_stop=manoeuvres.RAMP_STOP, kinds=", ".join(manoeuvres.KINDS), slowest=manoeuvres.SPEEDS_KMH[0],
+        fastest=manoeuvres.SPEEDS_KMH[1], least=manoeuvres.AMPLITUDES[0], most=manoeuvres.AMPLITUDES[1],
+        gentle_least=manoeuvres.GENTLE_AMPLITUDES[0], gentle_most=manoeuvres.GENTLE_AMPLITUDES[1],
         noise=f"{noise['lateral_acceleration_mps2'] / GRAVITY_MPS2:g} g, {noise['roll_rate_degps']:g} deg/s, "
               f"{noise['roll_angle_deg']:g} deg roll, {noise['speed_mps'] * 3.6:g} km/h, "
               f"{noise['steering_wheel_angle_deg']:g} deg at the handwheel; rms",
         height_error=100 * ways.CG_HEIGHT_ERROR, stiffness_error=100 * ways.STIFFNESS_ERROR, open_limit=ways.OPEN_LIMIT,
         results=results_table(results), counted=counted, refused=_refused(results), by_manoeuvre=_by_manoeuvre(results),
-        by_class=_by_class(results), beside=_beside(results), compared_least=compared_least, compared_most=compared_most,
-        ends=_ends())
+        by_class=_by_class(results), limits=_limits(results), beside=_beside(results), compared_least=compared_least,
+        compared_most=compared_most, ends=_ends())

@@ -48,6 +48,7 @@ class Result(typing.NamedTuple):
     tyre_limit_mps2: float
     largest_lateral_acceleration_mps2: float
     quantities: dict  # quantities.of_vehicle
+    inertia_given: bool  # identify refused what it fitted, and was given the roll inertia of the data sheet
     outcomes: dict
 
 
@@ -86,10 +87,10 @@ def write_drives(vehicle, seed, rounds, folder):
     return ramp, largest
 
 
-def identify(program, folder):
+def identify(program, folder, *further):
     """The calibration of the vehicle whose drives are in `folder`, from its ramp and lane change."""
     run(program, "identify", "--vehicle-data", folder / "vehicle.toml", "--ramp", folder / "ramp.csv", "--dynamic",
-        folder / "lane_change.csv", "--output", folder / "calibration", "--no-pictures")
+        folder / "lane_change.csv", "--output", folder / "calibration", "--no-pictures", *further)
     return tomllib.loads(file_io.read(folder / "calibration/calibration.toml"))
 
 
@@ -128,11 +129,18 @@ def of_vehicle(program, output, seed, rounds, family_and_number):
     vehicle = families.FAMILIES[family].draw(seed, number)
     folder = output / vehicle.name
     ramp, largest = write_drives(vehicle, seed, rounds, folder)
-    calibration = identify(program, folder)
+    inertia_given = False
+    try:
+        calibration = identify(program, folder)
+    except Refused as error:
+        if "roll_inertia_kgm2" not in str(error):
+            raise
+        inertia_given = True
+        calibration = identify(program, folder, "--set", f"roll_inertia_kgm2={vehicle.roll_inertia_kgm2():.9g}")
     replayed_ramp = replay(program, folder / "calibration/calibration.toml", {}, [folder / "ramp.csv"], "ramp/indices.csv")
     outcomes = judged(program, vehicle, folder, ways.changes(calibration, seed, vehicle.name))
     return Result(vehicle.name, family, vehicle.kind, calibration[ways.TYRE_LIMIT], largest,
-                  quantities.of_vehicle(vehicle, ramp, replayed_ramp, calibration), outcomes)
+                  quantities.of_vehicle(vehicle, ramp, replayed_ramp, calibration), inertia_given, outcomes)
 
 
 def main(arguments):

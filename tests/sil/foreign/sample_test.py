@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(PROJECT / "sil/studies/foreign")]
@@ -31,10 +32,14 @@ import ways
 PROGRAM = ""
 SEED = 1
 GRAVITY = conventions.GRAVITY_MPS2
-# Drives of the two vehicles that lift two wheels; lift-offs warned of, 0.1 s and 0.2 s before; alarms of how many, by band.
+# Drives of the first two vehicles that lift two wheels; lift-offs warned of, 0.1 s and 0.2 s before; alarms of how many, by band.
 LIFTED = [True, True, True, True, True, False, True, False]
 WARNED = {ways.CLEAN: (6, 6, 6), ways.ERRORS: (6, 6, 5)}
 ALARMS = [(0, 1), (0, 0), (0, 0), (1, 1)]
+JOINTED = 10  # on swing arms
+JOINTED_LIFTED = [False, True, True, True]
+JOINTED_WARNED = {ways.CLEAN: (3, 3, 2), ways.ERRORS: (3, 2, 2)}
+JOINTED_ALARMS = [(0, 0), (0, 1), (0, 0), (0, 0)]
 
 
 def column(rows, name):
@@ -182,7 +187,8 @@ class Jointed(unittest.TestCase):
                     motion.advance(0.0, 0.0)
                 self.assertEqual(motion.wheel_loads_n(), [0.0] * 4)
                 mujoco.mj_subtreeVel(motion._model, motion._data)
-                self.assertAlmostEqual(motion._data.subtree_linvel[1][2], -0.099 * GRAVITY, delta=1e-5)  # it tells of the beginning of the step
+                # The engine tells of the beginning of the last step.
+                self.assertAlmostEqual(motion._data.subtree_linvel[1][2], -0.099 * GRAVITY, delta=1e-5)
 
     def test_the_load_transfer_of_a_steady_turn_is_that_of_statics(self):
         for kind, vehicle in self.vehicles.items():
@@ -195,8 +201,8 @@ class Jointed(unittest.TestCase):
                 # tyres give way; distances across the heading, positive to the left.
                 across = data.site("imu").xmat.reshape(3, 3)[:2, 1]
                 across = across / math.hypot(*across)
-                overturning = sum(model.body_mass[body] * (GRAVITY * data.xipos[body][:2] @ across - lateral * data.xipos[body][2])
-                                  for body in range(1, model.nbody)) / vehicle.drawn["mass_kg"] / GRAVITY
+                overturning = sum(mass * (GRAVITY * place[:2] @ across - lateral * place[2])
+                                  for mass, place in zip(model.body_mass, data.xipos)) / vehicle.drawn["mass_kg"] / GRAVITY
                 places = []
                 for wheel, static_n in zip(conventions.WHEELS, vehicle.static_loads_n):
                     contact = next(each for each in data.contact if model.geom(wheel).id in each.geom)
@@ -324,7 +330,7 @@ class Sample(unittest.TestCase):
         cls.scratch = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.scratch.name)
         cls.results = [study.of_vehicle(PROGRAM, cls.folder, SEED, 1, ("commonroad", number)) for number in range(2)]
-        cls.jointed = study.of_vehicle(PROGRAM, cls.folder, SEED, 1, ("jointed", 3))
+        cls.jointed = study.of_vehicle(PROGRAM, cls.folder, SEED, 1, ("jointed", JOINTED))
 
     @classmethod
     def tearDownClass(cls):
@@ -384,14 +390,66 @@ class Sample(unittest.TestCase):
         with self.assertRaisesRegex(study.Refused, "yaw rate have opposite signs"):
             study.identify(PROGRAM, folder)
 
+    def test_the_judge_finds_those_of_a_jointed_vehicle(self):
+        outcomes = self.jointed.outcomes
+        self.assertEqual([each.lift_s is not None for each in outcomes[ways.CLEAN]], JOINTED_LIFTED)
+        for way, counts in JOINTED_WARNED.items():
+            found = report.detection(outcomes[way])
+            self.assertEqual((found.warned.count, found.warned_100ms.count, found.warned_200ms.count), counts, way)
+            self.assertEqual([(share.count, share.total) for share in found.alarms.values()], JOINTED_ALARMS, way)
+
+    def test_its_quantities_are_those_it_was_drawn_with(self):
+        vehicle, found = jointed.draw(SEED, JOINTED), self.jointed.quantities
+        self.assertEqual(set(found), {name for name, _ in quantities.NAMES})
+        self.assertEqual(found["static stability factor"], vehicle.static_stability_factor())
+        self.assertTrue(0.75 < found["rollover threshold"] / found["static stability factor"] < 1.0)
+        self.assertAlmostEqual(found["grip over threshold"] * found["rollover threshold"], vehicle.grip())
+        # Tyres, and what hangs on the body, give way besides the suspension.
+        self.assertTrue(0.9 < found["roll gradient"] / vehicle.drawn["roll_gradient_degpg"] < 2.0)
+        self.assertAlmostEqual(found["understeer gradient"], 1e3 * vehicle.drawn["understeer_s2pm"], delta=1.0)
+        self.assertTrue(0.05 < found["its lag"] < 0.9)
+
+    def test_a_vehicle_whose_roll_inertia_is_refused_is_given_that_of_its_data_sheet(self):
+        commands = []
+
+        def refuses_the_first(*command):
+            commands.append(command)
+            if command[1] == "identify" and len(commands) == 1:
+                raise study.Refused('"roll_inertia_kgm2" is below its range')
+            run(*command)
+
+        run = study.run
+        with unittest.mock.patch.object(study, "run", refuses_the_first), tempfile.TemporaryDirectory() as scratch:
+            result = study.of_vehicle(PROGRAM, pathlib.Path(scratch), SEED, 1, ("jointed", JOINTED))
+            text = pathlib.Path(scratch, "j10/calibration/calibration.toml").read_text(encoding="utf-8")
+        found = study.tomllib.loads(text)["roll_inertia_kgm2"]
+        self.assertTrue(result.inertia_given)
+        self.assertFalse(self.jointed.inertia_given)
+        self.assertAlmostEqual(found / jointed.draw(SEED, JOINTED).roll_inertia_kgm2(), 1.0, delta=0.1)
+        self.assertIn("since no plausible one fits: 1 of swing arms.", report.page([*self.results, result], SEED))
+
+    def test_the_population_s_page_has_the_quantities(self):
+        names = {name for name, _ in quantities.NAMES} - {quantities.TRUE_OVER_COMPUTED}
+        self.assertEqual(set(quantities.of_population()), names)
+        with tempfile.NamedTemporaryFile("w", suffix=".md") as page:
+            page.write("| roll gradient | deg/g | 1 | 2 | 3 | 4 | 5 |\n")
+            page.flush()
+            with self.assertRaisesRegex(LookupError, "no row of vehicles named static stability factor, "):
+                quantities.of_population(pathlib.Path(page.name))
+
     def test_the_page_counts_the_runs(self):
-        page = report.page(self.results, SEED)
-        row = next(line for line in page.splitlines() if line.startswith("| clean | "))
-        self.assertEqual(row.split(" | ")[1], str(sum(LIFTED)))
+        page = report.page([*self.results, self.jointed], SEED)
+        for family, lifted in (("commonroad", LIFTED), ("jointed", JOINTED_LIFTED), ("both", LIFTED + JOINTED_LIFTED)):
+            row = next(line for line in page.splitlines() if line.startswith(f"| {family} | clean | "))
+            self.assertEqual(row.split(" | ")[2], str(sum(lifted)))
         self.assertIn("counting runs.", page)
+        low, high = quantities.of_population()["roll frequency"]
+        row = next(line for line in page.splitlines() if line.startswith("| roll frequency | Hz | "))
+        outside = [not low <= result.quantities["roll frequency"] <= high for result in (*self.results, self.jointed)]
+        self.assertEqual(row.strip("| ").split(" | ")[4::2], [str(sum(outside[:2])), str(sum(outside[2:]))])
         left_out = self.results[0]._replace(outcomes=self.results[0].outcomes | {ways.ERRORS: None})
         self.assertIn("does not admit their calibration: 1 with errors.",
-                      report.page([left_out, self.results[1]], SEED))
+                      report.page([left_out, self.results[1], self.jointed], SEED))
 
 
 if __name__ == "__main__":
