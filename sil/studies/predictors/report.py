@@ -71,7 +71,7 @@ def _table(rows):
 
 
 def _at_equal_alarms(equal, learned):
-    """Of each share of alarms the row of every prediction, and that of the best of the `learned` ones."""
+    """Each share of alarms with a row of every prediction, and of the best of the `learned` ones."""
     lines = []
     for limit in sorted({share for share, _ in equal}):
         found = {name: verdict.detection for (share, name), verdict in equal.items() if share == limit}
