@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <optional>
 
 #include "sil/page/study_page.hpp"
@@ -17,12 +16,7 @@
 namespace sil {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_listed_runs = 500U;
-
-double percent(const Share& share) {
-    return 100.0 * share.value();  // NaN of none
-}
 
 double or_not_known(const std::optional<double>& value) {
     return value.value_or(not_known);

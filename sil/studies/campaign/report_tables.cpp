@@ -2,17 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 namespace sil {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 constexpr int of_words = TableColumn::of_words;
-
-double percent(const Share& share) {
-    return 100.0 * share.value();  // NaN of none
-}
 
 TableShare with_interval(const Share& share) {
     const ConfidenceInterval confidence = share.confidence();

@@ -1,6 +1,7 @@
 // Report tables: what a campaign's report shows, on its page and in Markdown.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,14 @@
 #include "sil/studies/campaign/report.hpp"
 
 namespace sil {
+
+// A number of a table or chart that is not known.
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+// not_known of none.
+inline double percent(const Share& share) {
+    return 100.0 * share.value();
+}
 
 // The warning, and every index with its threshold at 1.
 Table table_of_judgements(const RunGroup& group);

@@ -17,6 +17,7 @@
 #include "sil/simulation/pace.hpp"
 #include "sil/simulation/sensor_frames.hpp"
 #include "sil/studies/faults/ecu_answer.hpp"
+#include "sil/studies/faults/recorded_drive.hpp"
 #include "sil/world/manoeuvres/catalogue.hpp"
 #include "sil/world/manoeuvres/manoeuvre_run.hpp"
 #include "sil/world/sensors/sensor_suite.hpp"
@@ -28,9 +29,6 @@ using rsi::application::RolloverEcu;
 // Its state is copied byte by byte: nothing in it owns anything.
 static_assert(std::is_trivially_destructible_v<RolloverEcu>);
 
-constexpr double rolled_over_rad = 1.2;
-constexpr int steps_per_cycle = 10;
-constexpr std::uint64_t noise_seed = 5U;
 constexpr std::size_t first_flip = 100U;  // cycle: the ECU has started
 
 // The ECU's end of a bus on which one cycle's frames wait, and on which it sends to the world's end.
@@ -174,19 +172,19 @@ Frames record(const VehicleParameters& vehicle, const Manoeuvre& manoeuvre, cons
     ManoeuvreRun plant{vehicle, manoeuvre, options};
     SensorFlaws flaws;
     flaws.noise = true;
-    flaws.seed = noise_seed;
+    flaws.seed = recording_noise_seed;
     SensorSuite sensors{mounted_sensors(vehicle, flaws)};
     CycleBus bus;
     WorldEnd world{bus};
     SensorFrames sender;
     Frames frames;
     sensors.observe(plant.truth());
-    while (!plant.finished() && std::abs(plant.truth().roll_angle_rad) < rolled_over_rad) {
+    while (!plant.finished() && std::abs(plant.truth().roll_angle_rad) < recorded_roll_rad) {
         world.now = time_of(frames.size());
         world.kept.clear();
         sender.send(world, sensors.report(plant.truth()));
         frames.push_back(world.kept);
-        for (int step = 0; step < steps_per_cycle; ++step) {
+        for (int step = 0; step < recorded_steps; ++step) {
             plant.step();
             sensors.observe(plant.truth());
         }

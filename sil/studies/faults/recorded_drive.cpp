@@ -14,10 +14,6 @@
 namespace sil {
 namespace {
 
-constexpr std::uint64_t noise_seed = 5U;
-constexpr double rolled_over_rad = 1.2;
-constexpr int steps_per_cycle = 10;
-
 double load_transfer_of(const Truth& truth) {
     const auto& load = truth.wheel_load_n;
     const double left = load[front_left] + load[rear_left];
@@ -98,7 +94,7 @@ std::size_t cycle_count(double seconds) {
 SensorOptions recording_sensors(const VehicleParameters& vehicle) {
     SensorFlaws flaws;
     flaws.noise = true;
-    flaws.seed = noise_seed;
+    flaws.seed = recording_noise_seed;
     flaws.bank_sensor = true;
     return mounted_sensors(vehicle, flaws);
 }
@@ -118,10 +114,10 @@ std::vector<RecordedDrive> record_drive(const VehicleParameters& vehicle, const 
             recorder.lifts(cycle_count(two_wheels.lift_off()->moment.time_s));
         }
         recorder.report(truth);
-        if (plant.finished() || std::abs(truth.roll_angle_rad) > rolled_over_rad) {
+        if (plant.finished() || std::abs(truth.roll_angle_rad) > recorded_roll_rad) {
             return std::move(recorder).drives();
         }
-        for (int step = 0; step < steps_per_cycle; ++step) {
+        for (int step = 0; step < recorded_steps; ++step) {
             plant.step();
             recorder.observe(plant.truth());
         }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,10 @@
 #include "sil/world/vehicle/parameters.hpp"
 
 namespace sil {
+
+inline constexpr std::uint64_t recording_noise_seed = 5U;
+inline constexpr double recorded_roll_rad = 1.2;  // beyond it the vehicle has rolled over
+inline constexpr int recorded_steps = 10;         // a cycle
 
 struct RecordedDrive {
     std::vector<SensorSample> samples{};  // one a cycle

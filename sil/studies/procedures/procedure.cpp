@@ -34,21 +34,21 @@ bool ProcedureStep::met() const {
                        [](const Criterion& criterion) { return !criterion.asked || criterion.met(); });
 }
 
-const char* to_string(Outcome outcome) {
+const char* to_string(ProcedureOutcome outcome) {
     switch (outcome) {
-        case Outcome::met:
+        case ProcedureOutcome::met:
             return "met";
-        case Outcome::not_met:
+        case ProcedureOutcome::not_met:
             return "not met";
         default:
             return "measured";
     }
 }
 
-Outcome outcome_of(const std::vector<ProcedureStep>& steps) {
+ProcedureOutcome outcome_of(const std::vector<ProcedureStep>& steps) {
     return std::all_of(steps.begin(), steps.end(), [](const ProcedureStep& step) { return step.met(); })
-               ? Outcome::met
-               : Outcome::not_met;
+               ? ProcedureOutcome::met
+               : ProcedureOutcome::not_met;
 }
 
 }  // namespace sil

@@ -65,26 +65,26 @@ struct ProcedureStep {
     bool met() const;
 };
 
-enum class Outcome : std::uint8_t {
+enum class ProcedureOutcome : std::uint8_t {
     met,
     not_met,
     measured,  // the rule book sets no limit
 };
 
 // "met", "not met", "measured".
-const char* to_string(Outcome outcome);
+const char* to_string(ProcedureOutcome outcome);
 
 struct ProcedureResult {
     std::vector<Figure> before{};  // values that the steps need, such as the handwheel angle of 0.3 g
     std::vector<ProcedureStep> steps{};
     std::vector<Figure> results{};
-    Outcome outcome{Outcome::measured};
+    ProcedureOutcome outcome{ProcedureOutcome::measured};
     std::string verdict{};             // in words
     std::vector<std::string> notes{};  // where the simulation is not what the rule book has in mind
 };
 
 // The outcome of a procedure with limits: every step must meet what is asked of it.
-Outcome outcome_of(const std::vector<ProcedureStep>& steps);
+ProcedureOutcome outcome_of(const std::vector<ProcedureStep>& steps);
 
 // The driven step and its listeners.
 struct ProcedureWorld {

@@ -175,7 +175,7 @@ ProcedureResult run_steady_circle(const ProcedureWorld& world) {
         add_results(world.vehicle, series, side, result);
         result.verdict += fmt::format("{}{}: {}", to_the_right ? "; " : "", side, series.end);
     }
-    result.outcome = Outcome::measured;
+    result.outcome = ProcedureOutcome::measured;
     result.notes = {
         "The standard sets no limits. Gradients are those of the line through the turns from 1 to 4 m/s^2.",
         "The driver keeps the curvature of the circle, not a line on the road."};

@@ -61,7 +61,7 @@ TEST(SpeedLadder, EndsEachSeriesWithTheFirstTwoWheelLift) {
         EXPECT_THAT(names(result.steps),
                     testing::ElementsAre("left 35 mph", "left 40 mph", "right 35 mph", "right 40 mph"))
             << name;
-        EXPECT_EQ(result.outcome, sil::Outcome::not_met) << name;
+        EXPECT_EQ(result.outcome, sil::ProcedureOutcome::not_met) << name;
         EXPECT_EQ(result.results[0].value, 40.0) << name;
         EXPECT_TRUE(result.steps[0].met()) << name;
         EXPECT_FALSE(result.steps[1].met()) << name;
@@ -72,7 +72,7 @@ TEST(SpeedLadder, EndsEachSeriesWithTheFirstTwoWheelLift) {
 TEST(SpeedLadder, GoesToTheLastSpeedOfTheRuleWithoutALift) {
     const auto speeds = [](const char* name) {
         const sil::ProcedureResult result = sil::find_procedure(name).run(shipped("ordinary_suv"));
-        EXPECT_EQ(result.outcome, sil::Outcome::met) << name;
+        EXPECT_EQ(result.outcome, sil::ProcedureOutcome::met) << name;
         EXPECT_FALSE(result.results[0].value) << name;
         std::vector<std::string> left = names(result.steps);
         left.resize(left.size() / 2U);
@@ -139,7 +139,7 @@ TEST(SteadyCircle, GradientIsThatOfTheTurnsFromOneToFour) {
 TEST(SteadyCircle, GrowsByHalfAMetrePerSecondSquaredUntilItIsNotKeptOrTwoWheelsLift) {
     for (const char* name : {"ordinary_suv", "van"}) {
         const sil::ProcedureResult result = sil::find_procedure("steady-circle").run(shipped(name));
-        EXPECT_EQ(result.outcome, sil::Outcome::measured);
+        EXPECT_EQ(result.outcome, sil::ProcedureOutcome::measured);
         const std::size_t half = result.steps.size() / 2U;
         for (std::size_t i = 0U; i + 1U < half; ++i) {
             const sil::ProcedureStep& step = result.steps[i];

@@ -30,15 +30,15 @@ TEST(Criterion, WithoutAValueIsNotMet) {
     }
 }
 
-TEST(Outcome, NeedsEveryCriterionThatIsAsked) {
+TEST(ProcedureOutcome, NeedsEveryCriterionThatIsAsked) {
     sil::ProcedureStep good;
     good.criteria = {criterion(sil::Bound::at_most, 1.0, 1.0)};
     sil::ProcedureStep bad = good;
     bad.criteria.push_back(criterion(sil::Bound::at_most, 1.0, 2.0));
-    EXPECT_EQ(sil::outcome_of({good, good}), sil::Outcome::met);
-    EXPECT_EQ(sil::outcome_of({good, bad}), sil::Outcome::not_met);
+    EXPECT_EQ(sil::outcome_of({good, good}), sil::ProcedureOutcome::met);
+    EXPECT_EQ(sil::outcome_of({good, bad}), sil::ProcedureOutcome::not_met);
     bad.criteria.back().asked = false;
-    EXPECT_EQ(sil::outcome_of({good, bad}), sil::Outcome::met);
+    EXPECT_EQ(sil::outcome_of({good, bad}), sil::ProcedureOutcome::met);
 }
 
 TEST(WarningText, SaysLeadAndSideOrWhatWasSaidInstead) {

@@ -101,7 +101,7 @@ TEST(SineWithDwellProcedure, AsksForTheDisplacementFromFiveAOnAndEndsASeriesWhen
     for (const sil::ProcedureStep& step : result.steps) {
         EXPECT_EQ(step.criteria[2].asked, *step.figures[1].value >= 5.0 - 1e-9) << step.name;
     }
-    EXPECT_EQ(result.outcome, sil::Outcome::not_met);
+    EXPECT_EQ(result.outcome, sil::ProcedureOutcome::not_met);
     EXPECT_FALSE(result.steps.back().criteria[1].measured.value);
     EXPECT_LT(*result.steps.back().figures[0].value, 270.0);
     const sil::ProcedureResult stays_up =
