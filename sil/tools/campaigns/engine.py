@@ -152,6 +152,7 @@ def make_missing(missing, options, runs):
     # Ten workers may be lost with a part before it is taken for what kills them.
     dask.config.set({"distributed.scheduler.allowed-failures": 10, "distributed.comm.timeouts.connect": "60s"})
     logging.getLogger("distributed").setLevel(logging.ERROR)
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # its errors reach the caller, and are told below
     with contextlib.ExitStack() as stack:
         cluster = cluster_of(options)
         if cluster is not None:
@@ -163,11 +164,13 @@ def make_missing(missing, options, runs):
         print(f"{len(missing)} parts are to be made; look on: {client.dashboard_link}", file=sys.stderr, flush=True)
         try:
             failed = make(client, missing, options, runs)
-        except (OSError, ValueError, asyncio.TimeoutError, concurrent.futures.CancelledError) as error:
+        except (OSError, ValueError, asyncio.TimeoutError, concurrent.futures.CancelledError):
             if client.status == "running":
                 raise
-            raise CampaignError(f"the scheduler is lost ({error or type(error).__name__}); the parts that are there are kept, the "
-                                "same command with a scheduler goes on") from None
+            failed = missing
+        if failed and client.status != "running":  # then the client has cancelled what was not done
+            raise CampaignError("the scheduler is lost; the parts that are there are kept, the same command with a scheduler "
+                                "goes on")
     if failed:
         raise CampaignError(f"{len(failed)} of {len(missing)} parts failed, the others are there; the same command tries them "
                             "again. " + "; ".join(failed[:3]))

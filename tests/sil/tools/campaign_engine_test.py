@@ -13,15 +13,19 @@ PROJECT = pathlib.Path(__file__).resolve().parents[3]
 COMMAND = PROJECT / "sil/tools/campaigns/command.py"
 RUNS, PART_RUNS = 40, 5
 # Stands before rsi-sil: notes each part that is begun, and once kills a given process in the middle of one. The test
-# waits for a killed process: a part goes on for ever unless it ends with its worker.
+# waits for a killed process: a part goes on for ever unless it ends with its worker. A killed scheduler takes none along.
 WRAPPER = """\
 #!/bin/bash
 case " $* " in
     *" --first $KILLED_AT "*)
         if mkdir "$SCRATCH/killed_$KILLED_AT" 2>/dev/null; then
             echo $$ >"$SCRATCH/hangs"
-            if [ "$KILLED" = worker ]; then kill -9 $PPID; else kill -9 "$(cat "$SCRATCH/driver")"; fi
-            exec sleep 1000
+            case $KILLED in
+                worker) kill -9 $PPID ;;
+                scheduler) kill -9 "$(cat "$SCRATCH/scheduler")" ;;
+                driver) kill -9 "$(cat "$SCRATCH/driver")" ;;
+            esac
+            [ "$KILLED" = scheduler ] || exec sleep 1000
         fi
         ;;&
     *" --first "*) echo "$*" | sed 's/.*--first \\([0-9]*\\) .*/\\1/' >>"$SCRATCH/begun" ;;
@@ -48,13 +52,13 @@ class Engine(unittest.TestCase):
         self.wrapper.write_text(WRAPPER, encoding="utf-8")
         self.wrapper.chmod(0o755)
 
-    def run_until_end(self, killed, first):
+    def run_until_end(self, killed, first, *options):
         """The driver's status and what it said; `killed` is killed in the part that begins with `first`."""
         environment = {**os.environ, "SCRATCH": str(self.scratch), "PROGRAM": str(self.program), "KILLED": killed,
                        "KILLED_AT": str(first)}
         with (self.scratch / "said").open("w+", encoding="utf-8") as said:
             driver = subprocess.Popen([sys.executable, "-B", COMMAND, "run", "--runs", str(RUNS), "--part-runs", str(PART_RUNS),
-                                       "--workers", "2", "--output", self.folder, "--program", self.wrapper],
+                                       "--output", self.folder, "--program", self.wrapper, *(options or ("--workers", "2"))],
                                       cwd=PROJECT, env=environment, stdout=said, stderr=said)
             (self.scratch / "driver.new").write_text(str(driver.pid), encoding="utf-8")
             (self.scratch / "driver.new").replace(self.scratch / "driver")
@@ -103,6 +107,28 @@ class Engine(unittest.TestCase):
         for path in kept:
             self.assertEqual(self.begun()[str(int(path.name.split("-")[1]))], 1, path)
         self.assertEqual(len(list((self.folder / "parquet").glob("*.parquet"))), RUNS // PART_RUNS)
+
+    def test_a_lost_scheduler_is_told_in_one_sentence(self):
+        def start(*arguments):
+            process = subprocess.Popen([sys.executable, "-m", "dask", *arguments, "--no-dashboard"], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.PIPE, text=True, cwd=self.scratch, env={
+                                           **os.environ, "SCRATCH": str(self.scratch), "PROGRAM": str(self.program),
+                                           "KILLED": "scheduler", "KILLED_AT": "20"})
+            self.addCleanup(process.stderr.close)
+            self.addCleanup(process.wait)
+            self.addCleanup(process.kill)
+            return process
+
+        scheduler = start("scheduler", "--host", "127.0.0.1", "--port", "0")
+        (self.scratch / "scheduler").write_text(str(scheduler.pid), encoding="utf-8")
+        address = next(line.split()[-1] for line in scheduler.stderr if "Scheduler at:" in line)
+        start("worker", address, "--no-nanny", "--nthreads", "1")
+        status, said = self.run_until_end("scheduler", 20, "--scheduler", address)
+        self.assertEqual(status, 1, said)
+        self.assertRegex(said.splitlines()[-1], "^sil/tools/campaign: the scheduler is lost; the parts that are there are kept, ")
+        self.assertEqual([line for line in said.splitlines() if " of " not in line and "are to be made" not in line],
+                         said.splitlines()[-1:])
+        self.assertGreaterEqual(len(list(self.folder.glob("part-*.csv"))), 4, said)
 
     def test_a_cluster_that_is_not_there_is_told(self):
         for arguments, expected in ((["--cluster", "slurm", "--job", "cores=1"], "--cluster slurm: there is no sbatch here"),
