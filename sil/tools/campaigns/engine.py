@@ -76,7 +76,8 @@ def cluster_of(options):
     if options.cluster is None:
         workers = options.workers or os.cpu_count()
         return dask.distributed.LocalCluster(n_workers=workers, threads_per_worker=1, memory_limit=0,
-                                             dashboard_address="127.0.0.1:8787")
+                                             dashboard_address="127.0.0.1:8787",
+                                             silence_logs=logging.CRITICAL)  # the reason of a part's failure is told below
     import dask_jobqueue
 
     name, submits = CLUSTERS[options.cluster]

@@ -22,6 +22,7 @@ case " $* " in
             echo $$ >"$SCRATCH/hangs"
             case $KILLED in
                 worker) kill -9 $PPID ;;
+                none) echo "rsi-sil: cannot write it: No space left on device" >&2; exit 1 ;;
                 scheduler) kill -9 "$(cat "$SCRATCH/scheduler")" ;;
                 driver) kill -9 "$(cat "$SCRATCH/driver")" ;;
             esac
@@ -108,6 +109,19 @@ class Engine(unittest.TestCase):
             self.assertEqual(self.begun()[str(int(path.name.split("-")[1]))], 1, path)
         self.assertEqual(len(list((self.folder / "parquet").glob("*.parquet"))), RUNS // PART_RUNS)
 
+    def expect_one_sentence(self, said, expected):
+        """Behind the progress."""
+        lines = said.splitlines()
+        self.assertRegex(lines[-1], f"^sil/tools/campaign: {expected}")
+        self.assertEqual([line for line in lines if " of " not in line and "are to be made" not in line or line == lines[-1]],
+                         lines[-1:], said)
+
+    def test_a_full_disk_is_told_in_one_sentence(self):
+        status, said = self.run_until_end("none", 20)
+        self.assertEqual(status, 1, said)
+        self.expect_one_sentence(said, "1 of 8 parts failed, the others are there; the same command tries them again. "
+                                       "part-000000020-0000005.csv: rsi-sil: cannot write it: No space left on device ")
+
     def test_a_lost_scheduler_is_told_in_one_sentence(self):
         def start(*arguments):
             process = subprocess.Popen([sys.executable, "-m", "dask", *arguments, "--no-dashboard"], stdout=subprocess.DEVNULL,
@@ -125,9 +139,7 @@ class Engine(unittest.TestCase):
         start("worker", address, "--no-nanny", "--nthreads", "1")
         status, said = self.run_until_end("scheduler", 20, "--scheduler", address)
         self.assertEqual(status, 1, said)
-        self.assertRegex(said.splitlines()[-1], "^sil/tools/campaign: the scheduler is lost; the parts that are there are kept, ")
-        self.assertEqual([line for line in said.splitlines() if " of " not in line and "are to be made" not in line],
-                         said.splitlines()[-1:])
+        self.expect_one_sentence(said, "the scheduler is lost; the parts that are there are kept, ")
         self.assertGreaterEqual(len(list(self.folder.glob("part-*.csv"))), 4, said)
 
     def test_a_cluster_that_is_not_there_is_told(self):
