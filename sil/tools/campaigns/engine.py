@@ -77,7 +77,7 @@ def cluster_of(options):
         workers = options.workers or os.cpu_count()
         return dask.distributed.LocalCluster(n_workers=workers, threads_per_worker=1, memory_limit=0,
                                              dashboard_address="127.0.0.1:8787",
-                                             silence_logs=logging.CRITICAL)  # the reason of a part's failure is told below
+                                             silence_logs=logging.CRITICAL)  # the reason of a part's failure is reported below
     import dask_jobqueue
 
     name, submits = CLUSTERS[options.cluster]
@@ -153,7 +153,7 @@ def make_missing(missing, options, runs):
     # Ten workers may be lost with a part before it is taken for what kills them.
     dask.config.set({"distributed.scheduler.allowed-failures": 10, "distributed.comm.timeouts.connect": "60s"})
     logging.getLogger("distributed").setLevel(logging.ERROR)
-    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # its errors reach the caller, and are told below
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # its errors reach the caller, and are reported below
     with contextlib.ExitStack() as stack:
         cluster = cluster_of(options)
         if cluster is not None:
