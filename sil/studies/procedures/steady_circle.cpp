@@ -26,7 +26,7 @@ constexpr double fit_to_mps2 = 4.0;
 constexpr double on_circle_within = 0.02;
 constexpr double start_s = 1.0;
 constexpr double entry_s = 3.0;
-constexpr double circle_duration_s = 18.0;
+constexpr double duration_s = 18.0;
 constexpr double correction_time_s = 0.8;
 constexpr double largest_handwheel_rad = from_degrees(540.0);
 
@@ -61,7 +61,7 @@ class CircleDriver final : public CopiedDriver<CircleDriver> {
 Manoeuvre circle(double acceleration_mps2, double understeer_s2pm) {
     const double speed_mps = std::sqrt(acceleration_mps2 * radius_m);
     Manoeuvre manoeuvre;
-    manoeuvre.duration_s = circle_duration_s;
+    manoeuvre.duration_s = duration_s;
     manoeuvre.initial_speed_mps = speed_mps;
     manoeuvre.make_road = flat_road();
     manoeuvre.make_driver = [=](const VehicleParameters& vehicle) {
@@ -87,7 +87,7 @@ Circle drive_circle(const ProcedureWorld& world, double acceleration_mps2, doubl
     ProcedureStep& step = result.step;
     step.series = to_the_right ? "right" : "left";
     step.name = fmt::format("{:.1f} m/s^2", acceleration_mps2);
-    SteadyTurnMeasurement measurement{circle_duration_s};
+    SteadyTurnMeasurement measurement{duration_s};
     const StepDrive drive = drive_step(world, fmt::format("{}-{:04.1f}-mps2", step.series, acceleration_mps2),
                                        circle(acceleration_mps2, understeer_s2pm), to_the_right, measurement);
     const std::optional<SteadyTurn> turn = measurement.mean();
