@@ -28,13 +28,18 @@ constexpr double unit_interval(std::uint64_t bits) {
     return static_cast<double>(bits >> 11U) * 0x1p-53;
 }
 
+// Uniform on [low, high).
+constexpr double between(std::uint64_t bits, double low, double high) {
+    return low + (high - low) * unit_interval(bits);
+}
+
 class RandomStream {
  public:
     explicit RandomStream(std::uint64_t seed) : generator_{seed} {}
 
     std::uint64_t bits() { return generator_(); }
 
-    double between(double low, double high) { return low + (high - low) * unit_interval(bits()); }
+    double between(double low, double high) { return sil::between(bits(), low, high); }
 
     // 0 to count - 1, for small counts.
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() >> 11U) % count; }

@@ -17,13 +17,11 @@ Manoeuvre crowned_road() {
     manoeuvre.name = "crowned-road";
     manoeuvre.description =
         "at 60 km/h into the other lane and back over a crown from which the road falls by 2 to 4 % to "
-        "either "
-        "side";
+        "either side";
     manoeuvre.duration_s = 11.0;
     manoeuvre.initial_speed_mps = from_kmh(60.0);
     manoeuvre.make_road = [](std::uint64_t seed) {
-        const double share = unit_interval(scrambled(seed));
-        return std::make_unique<CrownedRoad>(least_slope + share * (largest_slope - least_slope),
+        return std::make_unique<CrownedRoad>(between(scrambled(seed), least_slope, largest_slope),
                                              0.5 * lane_m);
     };
     manoeuvre.asks_for_handwheel_angle = true;

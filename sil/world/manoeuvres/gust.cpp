@@ -57,9 +57,7 @@ DisturbanceCourse gusts(const VehicleParameters& vehicle, std::uint64_t seed) {
 }  // namespace
 
 Manoeuvre gust() {
-    Manoeuvre manoeuvre = turn(acceleration_mps2, [](double time_s) {
-        return DriverCommand{ramp_and_hold(time_s, start_s, 1.0, 1.0)};
-    });
+    Manoeuvre manoeuvre = held_turn(acceleration_mps2, start_s, 1.0);
     manoeuvre.name = "gust";
     manoeuvre.description =
         "turn of about 0.5 g at 50 mph, held, and a gust of 10 to 30 m/s from one side or the other";

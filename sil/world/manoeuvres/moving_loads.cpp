@@ -1,7 +1,6 @@
 // Moving loads: a half-full tank in a swing to one side and the other, cargo that breaks loose in a turn. The
 // firmware knows mass and height of the load, as far as a campaign lets it know any load, and not that it
 // moves.
-#include <algorithm>
 #include <cmath>
 
 #include "sil/units.hpp"
@@ -11,7 +10,6 @@
 namespace sil {
 namespace {
 
-constexpr double start_s = 2.0;
 constexpr double tank_share = 0.25;   // of the sprung mass
 constexpr double cargo_share = 0.15;  // likewise
 constexpr double cargo_friction = 0.4;
@@ -53,16 +51,11 @@ VehicleParameters with_loose_cargo(VehicleParameters vehicle) {
 }  // namespace
 
 Manoeuvre sloshing_load() {
-    constexpr double period_s = 2.5;
-    Manoeuvre manoeuvre = turn(5.0, [](double time_s) {
-        const double since_s = std::clamp(time_s - start_s, 0.0, 1.5 * period_s);
-        return DriverCommand{std::sin(2.0 * pi * since_s / period_s)};
-    });
+    Manoeuvre manoeuvre = swings(5.0);
     manoeuvre.name = "sloshing-load";
     manoeuvre.description =
         "swings of about 0.5 g at 50 mph, one and a half at 0.4 Hz, with a half-full tank of a quarter of "
-        "the "
-        "mass";
+        "the mass";
     manoeuvre.duration_s = 8.0;
     manoeuvre.adapt_vehicle = with_tank;
     manoeuvre.is_disturbed = true;
@@ -70,8 +63,8 @@ Manoeuvre sloshing_load() {
 }
 
 Manoeuvre sliding_load() {
-    Manoeuvre manoeuvre =
-        turn(5.0, [](double time_s) { return DriverCommand{ramp_and_hold(time_s, start_s, 3.0, 1.0)}; });
+    constexpr double start_s = 2.0;
+    Manoeuvre manoeuvre = held_turn(5.0, start_s, 3.0);
     manoeuvre.name = "sliding-load";
     manoeuvre.description =
         "turn of about 0.5 g at 50 mph, held, with cargo of 15 % of the mass that slides from 0.4 g on";

@@ -39,9 +39,7 @@ DisturbanceCourse patches(const VehicleParameters&, std::uint64_t seed) {
 }  // namespace
 
 Manoeuvre split_friction() {
-    Manoeuvre manoeuvre = turn(acceleration_mps2, [](double time_s) {
-        return DriverCommand{ramp_and_hold(time_s, start_s, 2.0, 1.0)};
-    });
+    Manoeuvre manoeuvre = held_turn(acceleration_mps2, start_s, 2.0);
     manoeuvre.name = "split-friction";
     manoeuvre.description =
         "turn of about 0.5 g at 50 mph, held, over slick patches that differ from left to right";

@@ -1,16 +1,10 @@
 // Trailer: swings to one side and the other with a heavy trailer, which swings after and pulls the tail
 // along.
-#include <algorithm>
-#include <cmath>
-
-#include "sil/units.hpp"
 #include "sil/world/manoeuvres/turn.hpp"
 
 namespace sil {
 namespace {
 
-constexpr double start_s = 2.0;
-constexpr double period_s = 2.5;
 constexpr double mass_share = 0.6;
 
 // A centre-axle trailer of the vehicle's size.
@@ -29,10 +23,7 @@ VehicleParameters with_trailer(VehicleParameters vehicle) {
 }  // namespace
 
 Manoeuvre trailer() {
-    Manoeuvre manoeuvre = turn(5.0, [](double time_s) {
-        const double since_s = std::clamp(time_s - start_s, 0.0, 1.5 * period_s);
-        return DriverCommand{std::sin(2.0 * pi * since_s / period_s)};
-    });
+    Manoeuvre manoeuvre = swings(5.0);
     manoeuvre.name = "trailer";
     manoeuvre.description =
         "swings of about 0.5 g at 50 mph, one and a half at 0.4 Hz, with a trailer of 0.6 times the mass";

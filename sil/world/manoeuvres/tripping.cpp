@@ -18,10 +18,6 @@ Manoeuvre sliding() {
     return manoeuvre;
 }
 
-double within(std::uint64_t seed, double lowest, double highest) {
-    return lowest + unit_interval(scrambled(seed)) * (highest - lowest);
-}
-
 constexpr double slick = 0.15;  // of the friction
 constexpr double half_vehicle_m = 1.0;
 
@@ -33,7 +29,7 @@ Manoeuvre kerb_trip() {
     manoeuvre.description =
         "slides at 60 km/h, and 24 km/h sideways, on a slick road against a kerb of 100 to 200 mm";
     manoeuvre.make_road = [](std::uint64_t seed) {
-        return std::make_unique<KerbRoad>(half_vehicle_m + 4.0, within(seed, 0.10, 0.20), slick);
+        return std::make_unique<KerbRoad>(half_vehicle_m + 4.0, between(scrambled(seed), 0.10, 0.20), slick);
     };
     return manoeuvre;
 }
@@ -45,7 +41,8 @@ Manoeuvre soil_trip() {
         "slides at 60 km/h, and 24 km/h sideways, off a slick road into soft ground that piles up beside the "
         "wheels";
     manoeuvre.make_road = [](std::uint64_t seed) {
-        return std::make_unique<SoftShoulderRoad>(half_vehicle_m + 3.0, within(seed, 0.5, 1.5), slick, 0.6);
+        return std::make_unique<SoftShoulderRoad>(half_vehicle_m + 3.0, between(scrambled(seed), 0.5, 1.5),
+                                                  slick, 0.6);
     };
     return manoeuvre;
 }

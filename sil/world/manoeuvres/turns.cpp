@@ -2,13 +2,17 @@
 // step steer, turn on a rough road, braking in a turn.
 #include "sil/world/manoeuvres/turn.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "sil/units.hpp"
 #include "sil/world/manoeuvres/slowly_increasing_steer.hpp"
 #include "sil/world/vehicle/uneven_road.hpp"
 
 namespace sil {
 namespace {
 
-constexpr double start_s = 2.0;
+constexpr double first_turn_s = 2.0;
 
 }  // namespace
 
@@ -29,29 +33,42 @@ Manoeuvre turn(double acceleration_mps2, std::function<DriverCommand(double)> co
     return manoeuvre;
 }
 
+Manoeuvre held_turn(double acceleration_mps2, double start_s, double rate_ps) {
+    return turn(acceleration_mps2, [start_s, rate_ps](double time_s) {
+        return DriverCommand{ramp_and_hold(time_s, start_s, rate_ps, 1.0)};
+    });
+}
+
+Manoeuvre swings(double acceleration_mps2) {
+    constexpr double period_s = 2.5;
+    return turn(acceleration_mps2, [](double time_s) {
+        const double since_s = std::clamp(time_s - first_turn_s, 0.0, 1.5 * period_s);
+        return DriverCommand{std::sin(2.0 * pi * since_s / period_s)};
+    });
+}
+
 // ISO 7401 asks for 4 m/s^2; both sides, and back to straight between them.
 Manoeuvre step_steer() {
     constexpr double step_s = 0.15;  // 200 to 500 degrees/s with what this takes
     constexpr double held_s = 3.0;
     const auto part = [](double time_s) {
         const double rate = 1.0 / step_s;
-        return ramp_and_hold(time_s, start_s, rate, 1.0) -
-               ramp_and_hold(time_s, start_s + held_s, rate, 1.0) -
-               ramp_and_hold(time_s, start_s + 2.0 * held_s, rate, 1.0) +
-               ramp_and_hold(time_s, start_s + 3.0 * held_s, rate, 1.0);
+        return ramp_and_hold(time_s, first_turn_s, rate, 1.0) -
+               ramp_and_hold(time_s, first_turn_s + held_s, rate, 1.0) -
+               ramp_and_hold(time_s, first_turn_s + 2.0 * held_s, rate, 1.0) +
+               ramp_and_hold(time_s, first_turn_s + 3.0 * held_s, rate, 1.0);
     };
     Manoeuvre manoeuvre = turn(4.0, [part](double time_s) { return DriverCommand{part(time_s)}; });
     manoeuvre.name = "step-steer";
     manoeuvre.description =
         "step steer at 50 mph, held, to about 0.4 g left, straight, right, straight: no wheel lifts (ISO "
         "7401)";
-    manoeuvre.duration_s = start_s + 4.0 * held_s;
+    manoeuvre.duration_s = first_turn_s + 4.0 * held_s;
     return manoeuvre;
 }
 
 Manoeuvre rough_turn() {
-    Manoeuvre manoeuvre =
-        turn(3.0, [](double time_s) { return DriverCommand{ramp_and_hold(time_s, start_s, 1.0, 1.0)}; });
+    Manoeuvre manoeuvre = held_turn(3.0, first_turn_s, 1.0);
     manoeuvre.name = "rough-turn";
     manoeuvre.description = "turn of about 0.3 g at 50 mph, held, on a rough plane (ISO 8608 class C)";
     manoeuvre.duration_s = 20.0;
@@ -67,7 +84,7 @@ Manoeuvre braking_in_turn() {
     constexpr double brake_rate_ps = 5.0;
     constexpr double brake = 0.5;
     Manoeuvre manoeuvre = turn(5.0, [](double time_s) {
-        DriverCommand command{ramp_and_hold(time_s, start_s, 0.7, 1.0)};
+        DriverCommand command{ramp_and_hold(time_s, first_turn_s, 0.7, 1.0)};
         command.brake = ramp_and_hold(time_s, brake_s, brake_rate_ps, brake);
         return command;
     });

@@ -11,7 +11,6 @@ class KerbRoad final : public Road {
  public:
     KerbRoad(double face_y_m, double height_m, double friction_factor);
     RoadPoint at(double x_m, double y_m) const noexcept override;
-    Vector3 mean_normal(double, double) const noexcept override { return Vector3::UnitZ(); }
 
  private:
     double face_y_m_;
@@ -25,7 +24,6 @@ class SoftShoulderRoad final : public Road {
     // `softness`: see RoadPoint. Friction factors are those of the road and of the soft ground.
     SoftShoulderRoad(double edge_y_m, double softness, double friction_factor, double soft_friction_factor);
     RoadPoint at(double x_m, double y_m) const noexcept override;
-    Vector3 mean_normal(double, double) const noexcept override { return Vector3::UnitZ(); }
 
  private:
     double edge_y_m_;
