@@ -73,7 +73,7 @@ def table(rows, first_columns=()):
     head = ["", *first_columns, *report.WARNED, *report.alarm_columns()]
     lines = []
     for name, cells, of_entry in sorted(rows, key=lambda row: (-row[2][2].count, row[0])):
-        figures = [*map(report.percent, of_entry[:3]), *map(report.alone, of_entry[3:])]
+        figures = [*map(markdown.percent, of_entry[:3]), *map(report.alone, of_entry[3:])]
         lines.append([name, *cells, *figures])
     return markdown.table(head, lines, range(1, 1 + len(first_columns)))
 

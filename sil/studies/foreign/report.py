@@ -79,11 +79,6 @@ Each quantity is drawn uniformly and independently. Factors are those on the pac
 """
 
 
-def percent(share):
-    low, high = share.interval
-    return "-" if not share.total else f"{100 * share.value():.1f} ({100 * low:.1f} to {100 * high:.1f})"
-
-
 def detection(outcomes):
     rows = [(each.vehicle, each.lift_s, each.largest_ltr, each.lead_s, each.alarm) for each in outcomes]
     return judge.detection(*(zip(*rows) if rows else [()] * 5))
@@ -105,7 +100,7 @@ def _cells(family, results, way):
     outcomes = outcomes_of(results, way)
     found = detection(outcomes)
     shares = (found.warned, found.warned_100ms, found.warned_200ms)
-    return [family, way, str(found.warned.total), *map(percent, shares), f"{found.median_lead_s:.2f}",
+    return [family, way, str(found.warned.total), *map(markdown.percent, shares), f"{found.median_lead_s:.2f}",
             *(f"{share.count} of {share.total}" for share in found.alarms.values())]
 
 

@@ -42,21 +42,15 @@ def alarm_columns():
     return [f"alarms {band}, %" for band in judge.bands()]
 
 
-def percent(share):
-    """With its interval."""
-    low, high = share.interval
-    return "-" if not share.total else f"{100 * share.value():.1f} ({100 * low:.1f} to {100 * high:.1f})"
-
-
 def alone(share):
-    """Without it."""
+    """A share without its interval."""
     return "-" if not share.total else f"{100 * share.value():.1f}"
 
 
 def cells_of(name, threshold, verdict):
     cells = [name, "-" if threshold is None else f"{threshold:.3f}"]
     found = verdict.detection
-    cells += [percent(share) for share in (found.warned, found.warned_100ms, found.warned_200ms)]
+    cells += [markdown.percent(share) for share in (found.warned, found.warned_100ms, found.warned_200ms)]
     cells += [f"{found.median_lead_s:.2f}"]
     return cells + [alone(share) for share in found.alarms.values()]
 
@@ -79,7 +73,7 @@ def _at_equal_alarms(equal, learned):
         for text, name in [(name, name) for name in found] + [(f"best learned: {best}", best)] * (best is not None):
             detection = found[name]
             lines.append([f"{100 * limit:g} %, {text}", alone(detection.false_alarms),
-                          *map(percent, (detection.warned, detection.warned_100ms, detection.warned_200ms))])
+                          *map(markdown.percent, (detection.warned, detection.warned_100ms, detection.warned_200ms))])
     head = ["alarms in calm runs at most", "alarms in calm runs, %", *WARNED]
     return markdown.table(head, lines, (1,)) + "\n"
 

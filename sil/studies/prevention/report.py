@@ -88,18 +88,11 @@ def _share(outcomes):
     return judge.share_by_vehicle([tuple(found) for found in vehicles.values()])
 
 
-def percent(share, digits=1):
-    if not share.total:
-        return "-"
-    low, high = share.interval
-    return f"{100 * share.value():.{digits}f} ({100 * low:.{digits}f} to {100 * high:.{digits}f})"
-
-
 def cells(found, level):
     """Level, prevented and caused; without a result, such as of an index without such a level, dashes."""
     if found is None:
         return ["-", "-", "-"]
-    return ["" if level is None else f"{level:.3f}", percent(found.prevented()), percent(found.caused(), 2)]
+    return ["" if level is None else f"{level:.3f}", markdown.percent(found.prevented()), markdown.percent(found.caused(), 2)]
 
 
 def prevention(lines):
@@ -114,13 +107,13 @@ def groups(compared, field):
     lines = []
     for value in values:
         parts = [found.of(field, value) for _, found in compared]
-        lines.append([value, str(parts[0].prevented().total), *(percent(part.prevented()) for part in parts)])
+        lines.append([value, str(parts[0].prevented().total), *(markdown.percent(part.prevented()) for part in parts)])
     return markdown.table(["", "lift-offs", *(f"{name}, %" for name, _ in compared)], lines, range(1, 2 + len(compared)))
 
 
 def delays(lines):
     """`lines`: warning, reaction, result."""
-    found = [[name, f"{reaction.delay_s:g}", f"{reaction.size:g}", percent(result.prevented()), percent(result.caused(), 2)]
+    found = [[name, f"{reaction.delay_s:g}", f"{reaction.size:g}", markdown.percent(result.prevented()), markdown.percent(result.caused(), 2)]
              for name, reaction, result in lines]
     return markdown.table(["reacts to", "delay, s", "deceleration, m/s2", "prevented, %", "caused, %"], found, range(1, 5))
 
@@ -131,7 +124,7 @@ def costs(lines):
     for name, errors, ordinary in lines:
         calm = errors.calm()
         lost_m = calm.lost_m()
-        found.append([name, percent(calm.reacted(), 2), "-" if lost_m is None else f"{lost_m:.1f}",
+        found.append([name, markdown.percent(calm.reacted(), 2), "-" if lost_m is None else f"{lost_m:.1f}",
                       f"{ordinary.interventions_per_hour():.2f}", f"{ordinary.lost_kmh():.3f}"])
     head = ["brakes at", "calm runs that are braked, %", "way lost in one of them, m", "braked in an hour of ordinary driving",
             "speed lost over it, km/h"]

@@ -8,7 +8,6 @@ Called by sil/studies/prevention/run.
 import csv
 import json
 import pathlib
-import re
 import subprocess
 import sys
 import tomllib
@@ -20,6 +19,7 @@ sys.path[:0] = [str(PROJECT / folder) for folder in ("sil/studies/campaign", "si
 import file_io  # noqa: E402
 import goals  # noqa: E402
 import judge  # noqa: E402
+import markdown  # noqa: E402
 import report  # noqa: E402
 
 ERRORS, CLEAN, ORDINARY = "errors", "clean", "ordinary"
@@ -222,7 +222,7 @@ def page_of(study, calibration):
         "drives": str(len(ordinary)),
         "hours": f"{sum(run.end_s for run in ordinary.values()) / 3600:.1f}",
     }
-    return re.sub(r"\{\{(\w+)\}\}", lambda found: values[found.group(1)], TEMPLATE.read_text(encoding="utf-8"))
+    return markdown.filled(TEMPLATE, values)
 
 
 def main():
