@@ -20,7 +20,10 @@ target_compile_options(rsi_options_host INTERFACE
 if(RSI_SANITIZERS)
     target_compile_options(rsi_options_host INTERFACE
         -fsanitize=${RSI_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer
-        -fno-sanitize=vptr)  # wants the type information that the firmware does not have
+        -fno-sanitize=vptr  # wants the type information that the firmware does not have
+        # Outside the firmware AddressSanitizer, which notices the access, is enough: these took a fifth of the build's time
+        # and a quarter of the tests'.
+        -fno-sanitize=null,object-size,pointer-overflow)
     target_link_options(rsi_options_host INTERFACE -fsanitize=${RSI_SANITIZERS})
 endif()
 
@@ -28,6 +31,9 @@ add_library(rsi_options_firmware INTERFACE)
 target_link_libraries(rsi_options_firmware INTERFACE rsi_options_host)
 target_compile_options(rsi_options_firmware INTERFACE
     -fno-exceptions $<$<COMPILE_LANGUAGE:CXX>:-fno-rtti -fno-threadsafe-statics> -ffunction-sections -fdata-sections)
+if(RSI_SANITIZERS MATCHES "undefined")
+    target_compile_options(rsi_options_firmware INTERFACE -fsanitize=null,object-size,pointer-overflow)
+endif()
 
 # Warnings that make no sense for C sources (the C99 test of the C interface compiles with a subset of its own).
 set(RSI_C_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow
