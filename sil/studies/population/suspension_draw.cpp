@@ -68,7 +68,7 @@ void draw_springs(VehicleDraft& draft) {
     rear.anti_roll_bar_nmprad = std::max(0.0, (1.0 - share) * wanted - rear_springs);
 }
 
-// What springs and frames do beyond a stiffness.
+// Progression and dry friction of the springs, and the frame.
 void draw_nonlinearities(VehicleDraft& draft) {
     VehicleParameters& v = draft.vehicle;
     constexpr double deflection_m = 0.08;  // to which the progression belongs

@@ -1,4 +1,5 @@
-// Springs and frame: dry friction, progression and a frame that twists do what they do in a vehicle that is tilted.
+// Springs and frame: dry friction, progression and a frame that twists do what they do in a vehicle that is
+// tilted.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -103,7 +104,7 @@ TEST(Progression, LetsTheBodyRollLess) {
 struct Lifting {
     double front_rad{0.0};  // angle of the table at which the left front wheel lifts
     double rear_rad{0.0};
-    double roll_rad{0.0};   // of the body at eight degrees
+    double roll_rad{0.0};  // of the body at eight degrees
 };
 
 Lifting lifting(const sil::VehicleParameters& parameters) {
@@ -138,8 +139,8 @@ sil::VehicleParameters stiff_in_front() {
 TEST(TwistingFrame, LiftsTheWheelsOfOnePartFirstAndRollsTheOtherMore) {
     const Lifting rigid = lifting(stiff_in_front());
     const Lifting soft = lifting(scenario::twisting(stiff_in_front(), 20.0e3));
-    // Each part answers more for itself: the stiff front lets go later and the soft rear earlier, and the sensors,
-    // in front, see less roll.
+    // Each part answers more for itself: the stiff front lets go later and the soft rear earlier, and the
+    // sensors, in front, see less roll.
     EXPECT_LT(rigid.front_rad, rigid.rear_rad);
     EXPECT_GT(soft.front_rad, rigid.front_rad + 1.0 * degree);
     EXPECT_LT(soft.rear_rad, rigid.rear_rad);
