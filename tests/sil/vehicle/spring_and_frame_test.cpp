@@ -35,14 +35,14 @@ std::vector<Tilted> tilted(const sil::VehicleParameters& parameters, double angl
 
 // Roll half-way down less roll half-way up.
 double loop_rad(const sil::VehicleParameters& parameters) {
-    const std::vector<Tilted> course = tilted(parameters, 8.0 * degree, true);
+    const std::vector<Tilted> course = tilted(parameters, 20.0 * degree, true);
     return course[course.size() * 3U / 4U].roll_rad - course[course.size() / 4U].roll_rad;
 }
 
 TEST(DryFriction, MakesALoopInRollThatItsSizeWidens) {
     sil::VehicleParameters parameters = scenario::van();
     const double smooth = loop_rad(parameters);
-    EXPECT_LT(std::abs(smooth), 0.02 * degree);
+    EXPECT_LT(std::abs(smooth), 0.1 * degree) << "dampers, at a degree a second";
     double narrower = std::abs(smooth);
     for (const double friction : {0.02, 0.05, 0.08}) {
         parameters.front_suspension.spring_damper.dry_friction = friction;
@@ -129,27 +129,22 @@ Lifting lifting(const sil::VehicleParameters& parameters) {
     return seen;
 }
 
-// A van that is stiff in front and soft behind: rigid, its front carries the roll of both.
-sil::VehicleParameters stiff_in_front() {
-    sil::VehicleParameters parameters = scenario::van();
-    parameters.front_suspension.anti_roll_bar_npm += 30.0e3;
-    return parameters;
-}
-
-TEST(TwistingFrame, LiftsTheWheelsOfOnePartFirstAndRollsTheOtherMore) {
-    const Lifting rigid = lifting(stiff_in_front());
-    const Lifting soft = lifting(scenario::twisting(stiff_in_front(), 20.0e3));
-    // Each part answers more for itself: the stiff front lets go later and the soft rear earlier, and the
-    // sensors, in front, see less roll.
-    EXPECT_LT(rigid.front_rad, rigid.rear_rad);
-    EXPECT_GT(soft.front_rad, rigid.front_rad + 1.0 * degree);
-    EXPECT_LT(soft.rear_rad, rigid.rear_rad);
-    EXPECT_LT(soft.roll_rad, 0.95 * rigid.roll_rad);
+TEST(TwistingFrame, LiftsTheWheelsOfOnePartFirstAndRollsTheOtherLess) {
+    const Lifting rigid = lifting(scenario::van());
+    sil::VehicleParameters parameters = scenario::twisting(scenario::van(), 5.0e3);
+    parameters.rear_suspension.frame_rear_share = 0.65;
+    const Lifting soft = lifting(parameters);
+    // The van's front is the stiffer one and lets go first, until the rear has most of the mass for itself.
+    // The sensors, in front, then see less roll.
+    EXPECT_LT(rigid.front_rad, rigid.rear_rad - 1.0 * degree);
+    EXPECT_LT(soft.rear_rad, soft.front_rad - 1.0 * degree);
+    EXPECT_LT(soft.rear_rad, rigid.rear_rad - 0.5 * degree);
+    EXPECT_LT(soft.roll_rad, 0.9 * rigid.roll_rad);
 }
 
 TEST(TwistingFrame, IsTheRigidOneIfStiff) {
-    const Lifting rigid = lifting(stiff_in_front());
-    sil::VehicleParameters parameters = scenario::twisting(stiff_in_front(), 100.0e6);
+    const Lifting rigid = lifting(scenario::van());
+    sil::VehicleParameters parameters = scenario::twisting(scenario::van(), 100.0e6);
     const Lifting stiff = lifting(parameters);
     EXPECT_NEAR(stiff.front_rad, rigid.front_rad, 0.02 * degree);
     EXPECT_NEAR(stiff.rear_rad, rigid.rear_rad, 0.02 * degree);
